@@ -1,0 +1,34 @@
+// The view: where the eye is, how a mouse moves it, and the ray under a pixel. No OpenGL.
+#pragma once
+#include <Eigen/Core>
+
+namespace fascia {
+
+struct Ray {
+  Eigen::Vector3d origin, direction;  // [m], unit length
+};
+
+class Camera {
+ public:
+  Eigen::Vector3d eye{0, 0.3, 1}, target{0, 0, 0}, up{0, 1, 0};
+  double fov_deg = 40;  // vertical
+
+  /// Looks at the whole box from the front, a little to the right and above.
+  void frame(const Eigen::Vector3d& box_min, const Eigen::Vector3d& box_max);
+  /// Keeps the direction of view and moves so that the box fills the picture.
+  void fit(const Eigen::Vector3d& box_min, const Eigen::Vector3d& box_max, double aspect);
+  void orbit(double dx, double dy);  // radians about up and the right axis; never over the pole
+  void pan(double dx, double dy);    // shares of the picture's height at the target's depth
+  void zoom(double factor);          // distance to the target times factor
+
+  /// Near and far planes are chosen so that a box of this radius around the target, and the ground, are inside.
+  Eigen::Matrix4f view() const;
+  Eigen::Matrix4f projection(double aspect, double scene_radius) const;
+  /// x, y in pixels from the top left of a width x height picture.
+  Ray ray(double x, double y, int width, int height) const;
+  /// Metres per pixel at the depth of `point`.
+  double pixel_size(const Eigen::Vector3d& point, int height) const;
+  Eigen::Vector3d forward() const;
+};
+
+}  // namespace fascia

@@ -1,0 +1,31 @@
+// Where everything is drawn: color and depth, multisampled if asked, resolved for reading or showing.
+#pragma once
+#include "render/gl/texture.h"
+#include "render/image.h"
+
+namespace fascia {
+
+class Framebuffer {
+ public:
+  Framebuffer(int width, int height, int samples);  // samples 0 or 1: none. Throws Error when incomplete.
+  ~Framebuffer();
+  Framebuffer(const Framebuffer&) = delete;
+  Framebuffer& operator=(const Framebuffer&) = delete;
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int samples() const { return samples_; }
+  void bind() const;         // for drawing, viewport set
+  void resolve() const;      // multisample to single; afterwards bind_resolved() draws over it (panels)
+  void bind_resolved() const;
+  Image read() const;        // resolved picture
+  void read_into(std::uint8_t* rgba) const;  // [4 * width * height], top row first, no allocation
+  void present(int window_width, int window_height) const;  // blit to the window's framebuffer
+
+ private:
+  int width_, height_, samples_;
+  GLuint draw_ = 0, resolved_ = 0, color_ = 0, depth_ = 0;
+  gl::Texture resolved_color_;
+};
+
+}  // namespace fascia

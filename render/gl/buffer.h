@@ -1,0 +1,51 @@
+// A block of GPU memory: shader storage, uniform, index or vertex data. Move-only.
+#pragma once
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/gl/loader.h"
+
+namespace fascia::gl {
+
+class Buffer {
+ public:
+  Buffer() = default;
+  /// Zero-filled when `data` is null. `label` shows in KHR_debug messages and in the statistics.
+  Buffer(std::string label, std::size_t bytes, const void* data = nullptr);
+  template <class T>
+  Buffer(std::string label, const std::vector<T>& data) : Buffer(std::move(label), data.size() * sizeof(T), data.data()) {}
+  ~Buffer();
+  Buffer(Buffer&& other) noexcept;
+  Buffer& operator=(Buffer&& other) noexcept;
+
+  GLuint id() const { return id_; }
+  std::size_t bytes() const { return bytes_; }
+  const std::string& label() const { return label_; }
+  explicit operator bool() const { return id_ != 0; }
+
+  void upload(std::size_t offset, std::size_t bytes, const void* data);
+  void download(std::size_t offset, std::size_t bytes, void* data) const;  // waits for the GPU
+  template <class T>
+  std::vector<T> read() const {
+    std::vector<T> data(bytes_ / sizeof(T));
+    download(0, data.size() * sizeof(T), data.data());
+    return data;
+  }
+  /// A buffer texture over the whole buffer (GL_RGBA32F, GL_R32UI, ...), made at the first call and kept.
+  GLuint texel_view(GLenum internal_format) const;
+
+ private:
+  void release();
+  GLuint id_ = 0;
+  std::size_t bytes_ = 0;
+  std::string label_;
+  mutable std::map<GLenum, GLuint> views_;
+};
+
+/// Bytes of all living Buffers and Textures.
+std::size_t allocated_bytes();
+
+}  // namespace fascia::gl

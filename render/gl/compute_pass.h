@@ -1,0 +1,40 @@
+// One recorded compute dispatch: a program, the buffers it reads and writes by block name, and the number of invocations.
+// Kernels declare inputs with INPUT_* and outputs with OUTPUT_* (shaders/common/io.glsl); binding points are assigned here, by
+// name, so no number is written twice. A name that the program does not have, or a block left without a buffer, is an Error.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "render/gl/buffer.h"
+#include "render/gl/program.h"
+
+namespace fascia::gl {
+
+class ComputePass {
+ public:
+  using Bindings = std::vector<std::pair<std::string, const Buffer*>>;  // block or sampler name -> buffer
+  /// `invocations` is the number of items; the kernel's guard drops the rest of the last group. The buffers must outlive
+  /// the pass. Throws Error.
+  ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations);
+
+  /// Binds, dispatches and puts the barrier that later passes and draws need.
+  void run() const;
+  const Program& program() const { return *program_; }
+
+ private:
+  void resolve() const;  // block names to binding points; again after a reload
+  struct Slot {
+    const Buffer* buffer;
+    GLenum texel_format;  // 0: storage block, 1: uniform block, else format of the buffer texture
+    GLuint unit;
+  };
+  const Program* program_;
+  Bindings buffers_;
+  std::uint32_t groups_ = 0, invocations_ = 0;
+  mutable std::vector<Slot> slots_;
+  mutable unsigned generation_ = 0;
+};
+
+}  // namespace fascia::gl

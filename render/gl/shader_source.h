@@ -1,0 +1,28 @@
+// Shader text from disk: #include "..." (relative to the shader folder, each file once), #define lines for a variant, and a
+// map from flat line numbers back to files, since drivers ignore the source number of #line. No OpenGL here.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fascia::gl {
+
+using Defines = std::vector<std::pair<std::string, std::string>>;  // NAME, value; sorted by the cache
+
+struct ShaderText {
+  std::string text;  // "#version 430 core", the defines, then the flattened file (whose own #version line must not exist)
+  struct Line {
+    std::string file;  // relative to the shader folder: "sim/predict.comp"
+    int line;
+  };
+  std::vector<Line> lines;  // [flat line - 1]
+};
+
+/// Throws Error "shaders/sim/x.comp:3: ..." for a missing file or a circular include.
+ShaderText read_shader(const std::filesystem::path& folder, const std::string& file, const Defines& defines);
+
+/// A driver's log with every "0:12(3):" or "0(12) :" or "ERROR: 0:12:" replaced by "shaders/sim/x.comp:12:".
+std::string map_log(const ShaderText& source, const std::string& log);
+
+}  // namespace fascia::gl

@@ -1,0 +1,25 @@
+// Draws Dear ImGui's draw lists with our own function table, so panels look the same in a window, under OSMesa and under EGL.
+#pragma once
+#include "render/gl/program.h"
+#include "render/gl/texture.h"
+
+struct ImDrawData;
+
+namespace fascia {
+
+class ImguiRenderer {
+ public:
+  explicit ImguiRenderer(gl::ProgramCache& programs);  // uploads the font atlas of the current ImGui context
+  ~ImguiRenderer();
+  ImguiRenderer(const ImguiRenderer&) = delete;
+  ImguiRenderer& operator=(const ImguiRenderer&) = delete;
+  /// Into the framebuffer that is bound.
+  void draw(const ImDrawData& data);
+
+ private:
+  const gl::Program& program_;
+  gl::Texture font_;
+  GLuint vertex_array_ = 0, vertices_ = 0, indices_ = 0;
+};
+
+}  // namespace fascia

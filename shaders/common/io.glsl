@@ -1,0 +1,32 @@
+// How kernels declare what they read and write. Inputs go through FETCH so that one source serves real GPUs (storage
+// blocks) and llvmpipe (buffer textures over the same memory, 8 to 12 times faster there, same bits).
+// A buffer that a dispatch writes must not be an INPUT of that dispatch: declare it INOUT.
+//
+//   INPUT_VEC4(Displacement, displacement)   ->  vec4 u = FETCH(displacement, i);
+//   INPUT_UINT(SlotBegin, slot_begin)        ->  uint b = FETCH1(slot_begin, i);
+//   OUTPUT(vec4, Correction, correction)     ->  correction[i] = ...;
+//   INOUT(vec4, Displacement, displacement)  ->  displacement[i] += ...;
+// The application binds by the second name; the block name is the same word in PascalCase.
+#if READ_TEXELS
+#define INPUT_VEC4(Block, name) uniform samplerBuffer name;
+#define INPUT_UVEC4(Block, name) uniform usamplerBuffer name;
+#define INPUT_FLOAT(Block, name) uniform samplerBuffer name;
+#define INPUT_UINT(Block, name) uniform usamplerBuffer name;
+#define FETCH(name, i) texelFetch(name, int(i))
+#define FETCH1(name, i) (texelFetch(name, int(i)).x)
+#else
+#define INPUT_VEC4(Block, name) layout(std430) readonly buffer Block { vec4 name[]; };
+#define INPUT_UVEC4(Block, name) layout(std430) readonly buffer Block { uvec4 name[]; };
+#define INPUT_FLOAT(Block, name) layout(std430) readonly buffer Block { float name[]; };
+#define INPUT_UINT(Block, name) layout(std430) readonly buffer Block { uint name[]; };
+#define FETCH(name, i) name[i]
+#define FETCH1(name, i) name[i]
+#endif
+#define OUTPUT(type, Block, name) layout(std430) writeonly buffer Block { type name[]; };
+#define INOUT(type, Block, name) layout(std430) buffer Block { type name[]; };
+
+#ifndef GROUP_SIZE
+#define GROUP_SIZE 64
+#endif
+#define COMPUTE_1D layout(local_size_x = GROUP_SIZE) in; uniform uint invocations;
+#define ITEM_OR_RETURN(i) uint i = gl_GlobalInvocationID.x; if (i >= invocations) return;

@@ -1,0 +1,46 @@
+// What is wrong with a mesh, and what can be repaired without changing what the file means.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "sim/mesh_io.h"
+
+namespace fascia {
+
+struct MeshRepair {
+  std::vector<Tet> tets;                   // [n] usable tets, every one of positive volume
+  std::vector<std::uint32_t> source;       // [n] index of each usable tet in the file
+  std::vector<std::uint32_t> flipped;      // file indices of tets that were reoriented (they are in `tets`)
+  std::vector<std::uint32_t> degenerate;   // file indices left out: repeated vertices, or height below 1e-7 of the
+                                           // longest edge, where float32 physics has no digits left
+  std::vector<std::uint32_t> duplicated;   // file indices left out: the same four vertices as an earlier tet
+};
+MeshRepair repair(const TetMesh& mesh);
+
+struct MeshReport {
+  std::size_t vertex_count = 0, tet_count = 0, usable_tets = 0, flipped = 0, degenerate = 0, duplicated = 0;
+  std::size_t unused_vertices = 0, components = 0, slivers = 0;  // sliver: smallest dihedral angle below 5 degrees
+  Eigen::Vector3d box_min, box_max;                              // [m] of referenced vertices
+  double volume = 0, shortest_edge = 0, longest_edge = 0;        // [m^3], [m], [m]
+  double smallest_dihedral_deg = 0, largest_dihedral_deg = 0;
+  bool boundary_manifold = false;
+  std::size_t boundary_triangles = 0, nonmanifold_edges = 0, nonmanifold_vertices = 0;
+  struct Region {
+    int number;
+    std::string name;
+    std::size_t tets;
+    double volume;
+  };
+  std::vector<Region> regions;
+  std::string unit_guess;  // empty if the size is plausible in metres, else advice: "6.5 m wide: ... try --set ..."
+};
+MeshReport examine(const TetMesh& mesh, const MeshRepair& repaired);
+
+/// The text of `fascia info` for one mesh; names at most ten of each kind of bad tet.
+void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired, const MeshReport& report);
+
+}  // namespace fascia

@@ -1,0 +1,43 @@
+// Solver settings: every number a user may turn, listed once, with unit, range and help.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace fascia {
+
+enum class Method { jacobi };
+enum class Acceleration { none };
+
+struct SolverSettings {
+  Method method = Method::jacobi;
+  Acceleration acceleration = Acceleration::none;
+  int iterations = 20;            // per substep
+  double tolerance = 0;           // relative residual at which a step's iterations stop; 0 runs all of them
+  double time_step = 1.0 / 60.0;  // dt [s] of a frame step
+  int substeps = 1;               // equal parts of a step, h = dt / substeps
+  bool operator==(const SolverSettings&) const = default;
+
+  double substep() const { return time_step / substeps; }  // h [s]
+};
+
+/// f(field, name, unit, min, max, logarithmic, help) for the numeric fields; method and acceleration are named choices.
+template <class S, class F>
+void visit_settings(S& s, F&& f) {
+  f(s.iterations, "iterations", "", 1, 10000, true, "sweeps over all tets per substep: more is stiffer and slower");
+  f(s.tolerance, "tolerance", "", 0.0, 1.0, false, "relative residual at which a step stops early; 0 runs all iterations");
+  f(s.time_step, "time_step", "s", 1e-6, 1.0, true, "simulated time per step");
+  f(s.substeps, "substeps", "", 1, 1000, true, "parts a step is cut into: accurate and stiff, at proportional cost");
+}
+
+struct Pair {
+  Method method;
+  Acceleration acceleration;
+  bool operator==(const Pair&) const = default;
+};
+const std::vector<Pair>& legal_pairs();  // of method and acceleration that exist, best first
+const char* name_of(Method method);      // "jacobi", as in scene files
+const char* name_of(Acceleration acceleration);
+const char* label_of(Method method);     // for people, in menus: "Jacobi XPBD, averaged"
+const char* help_of(Method method);      // tooltip: what it is, what it costs, its limits
+
+}  // namespace fascia
