@@ -16,6 +16,7 @@ class Framebuffer {
   int height() const { return height_; }
   int samples() const { return samples_; }
   void bind() const;         // for drawing, viewport set
+  GLuint draw_id() const { return draw_; }
   void resolve() const;      // multisample to single; afterwards bind_resolved() draws over it (panels)
   void bind_resolved() const;
   Image read() const;        // resolved picture

@@ -6,14 +6,12 @@ started_in=$PWD
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/packages.sh
 install_missing "${build_packages[@]}" "${run_packages[@]}"
-build_preset release | grep -v '^ninja: no work to do' || true
-[ -x build/release/fascia ]
+build_preset release
 fascia=$PWD/build/release/fascia
 
 if [ $# -eq 0 ] && [ -z "${DISPLAY:-}" ] && [ -z "${WAYLAND_DISPLAY:-}" ]; then
   echo "fascia: no display; rendering the default scene to $PWD/fascia.png and $PWD/fascia.mp4 (4 s)"
-  "$fascia" render --out fascia.png --video fascia.mp4 --time 4
-  exit
+  exec "$fascia" render --out fascia.png --video fascia.mp4 --time 4
 fi
 cd "$started_in"
 exec "$fascia" "$@"
