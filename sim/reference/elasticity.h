@@ -25,7 +25,9 @@ struct RestTet {
 };
 
 Eigen::Matrix3d deformation_gradient(const RestTet& rest, const Corners& displacements);
-Vector6d green_strain(const Eigen::Matrix3d& f);                                  // xx, yy, zz, yz, xz, xy; tensor shears
+Vector6d green_strain(const Eigen::Matrix3d& f);  // xx, yy, zz, yz, xz, xy; tensor shears
+/// The same strain as a matrix, without the digits that forming F costs: small strains keep full relative accuracy.
+Eigen::Matrix3d green_strain_matrix(const RestTet& rest, const Corners& displacements);
 Eigen::Matrix3d second_piola_stress(const Eigen::Matrix3d& strain, const Material& material);  // S [Pa]
 double von_mises(const Eigen::Matrix3d& f, const Material& material);             // of the Cauchy stress F S F^T / J [Pa]
 
