@@ -34,7 +34,8 @@ class Buffer {
     download(0, data.size() * sizeof(T), data.data());
     return data;
   }
-  /// A buffer texture over the whole buffer (GL_RGBA32F, GL_R32UI, ...), made at the first call and kept.
+  /// A buffer texture over the whole buffer (GL_RGBA32F, GL_R32UI, ...), made at the first call and kept. Throws Error when
+  /// the buffer has more texels than the device can fetch.
   GLuint texel_view(GLenum internal_format) const;
 
  private:
@@ -45,7 +46,10 @@ class Buffer {
   mutable std::map<GLenum, GLuint> views_;
 };
 
-/// Bytes of all living Buffers and Textures.
+/// Bytes of all living Buffers and Textures, and of what else was counted with count_bytes (renderbuffers).
 std::size_t allocated_bytes();
+void count_bytes(std::ptrdiff_t change);
+
+std::size_t bytes_per_texel(GLenum internal_format);  // of the sized formats that fascia uses; throws Error for others
 
 }  // namespace fascia::gl

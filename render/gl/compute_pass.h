@@ -19,7 +19,8 @@ class ComputePass {
   /// the pass. Throws Error.
   ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations);
 
-  /// Binds, dispatches and puts the barrier that later passes and draws need.
+  /// Binds, dispatches and puts the barrier that later passes and draws need. Throws Error only when a reloaded program
+  /// wants other buffers.
   void run() const;
   const Program& program() const { return *program_; }
 
@@ -27,14 +28,20 @@ class ComputePass {
   void resolve() const;  // block names to binding points; again after a reload
   struct Slot {
     const Buffer* buffer;
-    GLenum texel_format;  // 0: storage block, 1: uniform block, else format of the buffer texture
+    GLenum target;  // GL_SHADER_STORAGE_BUFFER, GL_UNIFORM_BUFFER or GL_TEXTURE_BUFFER
+    GLenum format;  // of the buffer texture
     GLuint unit;
   };
   const Program* program_;
   Bindings buffers_;
-  std::uint32_t groups_ = 0, invocations_ = 0;
+  std::uint32_t invocations_ = 0;
+  mutable std::uint32_t groups_ = 0;
+  mutable GLint invocations_location_ = -1;
   mutable std::vector<Slot> slots_;
   mutable unsigned generation_ = 0;
 };
+
+/// Dispatches since the program started.
+std::uint64_t dispatch_count();
 
 }  // namespace fascia::gl

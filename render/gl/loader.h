@@ -6,6 +6,9 @@
 #endif
 #include <GL/glcorearb.h>
 
+#include <string>
+#include <vector>
+
 namespace fascia::gl {
 
 #define FASCIA_GL_FUNCTIONS(X) /* one line per function, without the gl prefix, alphabetical */ \
@@ -24,12 +27,13 @@ namespace fascia::gl {
   X(GetProgramInterfaceiv) X(GetProgramResourceIndex) X(GetProgramResourceName) X(GetProgramResourceiv) X(GetProgramiv) \
   X(GetQueryObjectui64v) X(GetQueryObjectiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi) \
   X(GetUniformLocation) X(InvalidateFramebuffer) X(IsEnabled) X(LineWidth) X(LinkProgram) X(MapBufferRange) \
-  X(MemoryBarrier) X(ObjectLabel) X(PixelStorei) X(PointSize) X(PolygonMode) X(PolygonOffset) X(ReadBuffer) X(ReadPixels) \
+  X(MemoryBarrier) X(ObjectLabel) X(PixelStorei) X(PointSize) X(PolygonMode) X(PolygonOffset) X(ProgramUniform1f) \
+  X(ProgramUniform1i) X(ProgramUniform1ui) X(ProgramUniform4f) X(ProgramUniformMatrix4fv) X(QueryCounter) X(ReadBuffer) X(ReadPixels) \
   X(RenderbufferStorage) X(RenderbufferStorageMultisample) X(Scissor) X(ShaderSource) X(ShaderStorageBlockBinding) \
   X(TexBuffer) X(TexImage2D) X(TexImage2DMultisample) X(TexParameterfv) X(TexParameteri) X(TexSubImage2D) X(Uniform1f) \
   X(Uniform1i) X(Uniform1ui) X(Uniform2f) X(Uniform3f) X(Uniform4f) X(Uniform4fv) X(UniformBlockBinding) \
   X(UniformMatrix4fv) X(UnmapBuffer) X(UseProgram) X(VertexAttribDivisor) X(VertexAttribIPointer) X(VertexAttribPointer) \
-  X(Viewport) X(DrawBuffers) X(DrawBuffer) X(GetUniformBlockIndex) X(QueryCounter)
+  X(Viewport) X(DrawBuffers) X(DrawBuffer) X(GetUniformBlockIndex)
 
 #define X(name) extern decltype(&::gl##name) name;
 FASCIA_GL_FUNCTIONS(X)
@@ -38,17 +42,30 @@ FASCIA_GL_FUNCTIONS(X)
 using GetProc = void* (*)(const char* name);
 
 /// Fills every function above from the current context. Throws Error naming what is missing and what was found when the
-/// context is below 4.3 core or has no compute shaders.
+/// context is below 4.3 or has no compute shaders.
 void load(GetProc get_proc);
 
 /// What the current context is: filled by load().
 struct Device {
-  const char* renderer = "";  // GL_RENDERER
-  const char* version = "";   // GL_VERSION
-  bool software = false;      // llvmpipe, softpipe or swrast
+  std::string renderer;                // GL_RENDERER
+  std::string version;                 // GL_VERSION
+  bool software = false;               // llvmpipe, softpipe or swrast
   int max_texture_buffer_size = 0;     // texels
   int max_compute_storage_blocks = 0;  // SSBO blocks in one compute kernel
+  int max_compute_groups = 0;          // work groups along x in one dispatch
 };
 const Device& device();
+
+/// What decides whether a context can serve; the limits are those that OpenGL 4.3 guarantees.
+struct Support {
+  std::string renderer, version;
+  int major = 0, minor = 0;
+  int storage_blocks = 0;  // in one compute kernel
+  int invocations = 0;     // in one work group
+  int shared_memory = 0;   // [bytes]
+  std::vector<std::string> missing_functions;
+};
+/// One line: what was found, what is missing. Empty when nothing is.
+std::string refusal(const Support& found);
 
 }  // namespace fascia::gl

@@ -26,7 +26,8 @@ class Program {
   const std::string& label() const { return label_; }  // "sim/predict.comp [DAMPING=1 ...]"
   unsigned generation() const { return generation_; }  // grows with every reload: bindings must be looked up again
   void use() const;
-  // Uniforms by name; setting one that the program does not have does nothing (the driver may have optimised it away).
+  const std::map<std::string, Texel>& declared() const { return declared_; }  // buffers, see ShaderText
+  // Uniforms by name, kept by the program until it is reloaded; it need not be in use. Setting one that the program does not have does nothing (the driver may have optimised it away).
   void set(const char* name, float value) const;
   void set(const char* name, int value) const;
   void set(const char* name, unsigned value) const;
@@ -38,6 +39,7 @@ class Program {
   GLuint id_ = 0;
   unsigned generation_ = 0;
   std::string label_;
+  std::map<std::string, Texel> declared_;
 };
 
 class ProgramCache {
@@ -60,8 +62,8 @@ class ProgramCache {
     Defines defines;
     std::unique_ptr<Program> program;
   };
-  const Program& get(const std::string& key, std::vector<std::pair<GLenum, std::string>> stages, const Defines& defines);
-  GLuint link(const Entry& entry) const;
+  const Program& get(const std::string& name, std::vector<std::pair<GLenum, std::string>> stages, const Defines& defines);
+  void link(const Entry& entry) const;  // into entry.program, which stays as it is when this throws
 
   std::filesystem::path folder_;
   LoadPath load_path_;
