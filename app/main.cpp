@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::cerr << "fascia: out of memory\n";
   } catch (const std::exception& error) {
-    std::cerr << "fascia: " << error.what() << '\n';
+    std::cerr << error.what() << '\n';
   }
   return fascia::exit_failed;
 }
