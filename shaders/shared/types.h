@@ -2,12 +2,10 @@
 #ifndef FASCIA_SHARED_TYPES_H
 #define FASCIA_SHARED_TYPES_H
 #ifdef __cplusplus
-#include <cstdint>
 namespace fascia::shared {
 struct vec4 {
   float x, y, z, w;
 };
-using uint = std::uint32_t;
 #endif
 
 // What every kernel of a substep knows (uniform block Step).

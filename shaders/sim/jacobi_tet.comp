@@ -47,37 +47,35 @@ void main() {
   vec3 lambda_d = multiplier[2u * t].xyz, lambda_s = multiplier[2u * t + 1u].xyz;
 #endif
   Sym3 before = previous_strain_of(t);
-  vec3 rhs_d = -(e.d + damping * (e.d - before.d)) - (compliance - lateral) * lambda_d -
+  vec3 change_d = -(e.d + damping * (e.d - before.d)) - (compliance - lateral) * lambda_d -
                lateral * (lambda_d.x + lambda_d.y + lambda_d.z);
-  vec3 rhs_s = -(e.s + damping * (e.s - before.s)) - shear * lambda_s;
+  vec3 change_s = -(e.s + damping * (e.s - before.s)) - shear * lambda_s;
 
   float s = 1.0 + damping, q = 0.25 * s;
-  float a[21];
-  a[0] = s * c.d.x * w.d.x + compliance;
-  a[1] = s * c.s.z * w.s.z + lateral;
-  a[2] = s * c.d.y * w.d.y + compliance;
-  a[3] = s * c.s.y * w.s.y + lateral;
-  a[4] = s * c.s.x * w.s.x + lateral;
-  a[5] = s * c.d.z * w.d.z + compliance;
-  a[6] = 2.0 * q * (c.s.z * w.s.y + c.s.y * w.s.z);
-  a[7] = 2.0 * q * (c.d.y * w.s.x + c.s.x * w.d.y);
-  a[8] = 2.0 * q * (c.s.x * w.d.z + c.d.z * w.s.x);
-  a[9] = q * (2.0 * c.s.x * w.s.x + c.d.y * w.d.z + c.d.z * w.d.y) + shear;
-  a[10] = 2.0 * q * (c.d.x * w.s.y + c.s.y * w.d.x);
-  a[11] = 2.0 * q * (c.s.z * w.s.x + c.s.x * w.s.z);
-  a[12] = 2.0 * q * (c.s.y * w.d.z + c.d.z * w.s.y);
-  a[13] = q * (c.s.z * w.d.z + c.s.x * w.s.y + c.s.y * w.s.x + c.d.z * w.s.z);
-  a[14] = q * (2.0 * c.s.y * w.s.y + c.d.x * w.d.z + c.d.z * w.d.x) + shear;
-  a[15] = 2.0 * q * (c.d.x * w.s.z + c.s.z * w.d.x);
-  a[16] = 2.0 * q * (c.s.z * w.d.y + c.d.y * w.s.z);
-  a[17] = 2.0 * q * (c.s.y * w.s.x + c.s.x * w.s.y);
-  a[18] = q * (c.s.z * w.s.x + c.d.y * w.s.y + c.s.y * w.d.y + c.s.x * w.s.z);
-  a[19] = q * (c.d.x * w.s.x + c.s.y * w.s.z + c.s.z * w.s.y + c.s.x * w.d.x);
-  a[20] = q * (2.0 * c.s.z * w.s.z + c.d.x * w.d.y + c.d.y * w.d.x) + shear;
-  float x[6] = float[6](rhs_d.x, rhs_d.y, rhs_d.z, rhs_s.x, rhs_s.y, rhs_s.z);
-  solve6(a, x);
+  Lower6 m;
+  m.m00 = s * c.d.x * w.d.x + compliance;
+  m.m10 = s * c.s.z * w.s.z + lateral;
+  m.m11 = s * c.d.y * w.d.y + compliance;
+  m.m20 = s * c.s.y * w.s.y + lateral;
+  m.m21 = s * c.s.x * w.s.x + lateral;
+  m.m22 = s * c.d.z * w.d.z + compliance;
+  m.m30 = 2.0 * q * (c.s.z * w.s.y + c.s.y * w.s.z);
+  m.m31 = 2.0 * q * (c.d.y * w.s.x + c.s.x * w.d.y);
+  m.m32 = 2.0 * q * (c.s.x * w.d.z + c.d.z * w.s.x);
+  m.m33 = q * (2.0 * c.s.x * w.s.x + c.d.y * w.d.z + c.d.z * w.d.y) + shear;
+  m.m40 = 2.0 * q * (c.d.x * w.s.y + c.s.y * w.d.x);
+  m.m41 = 2.0 * q * (c.s.z * w.s.x + c.s.x * w.s.z);
+  m.m42 = 2.0 * q * (c.s.y * w.d.z + c.d.z * w.s.y);
+  m.m43 = q * (c.s.z * w.d.z + c.s.x * w.s.y + c.s.y * w.s.x + c.d.z * w.s.z);
+  m.m44 = q * (2.0 * c.s.y * w.s.y + c.d.x * w.d.z + c.d.z * w.d.x) + shear;
+  m.m50 = 2.0 * q * (c.d.x * w.s.z + c.s.z * w.d.x);
+  m.m51 = 2.0 * q * (c.s.z * w.d.y + c.d.y * w.s.z);
+  m.m52 = 2.0 * q * (c.s.y * w.s.x + c.s.x * w.s.y);
+  m.m53 = q * (c.s.z * w.s.x + c.d.y * w.s.y + c.s.y * w.d.y + c.s.x * w.s.z);
+  m.m54 = q * (c.d.x * w.s.x + c.s.y * w.s.z + c.s.z * w.s.y + c.s.x * w.d.x);
+  m.m55 = q * (2.0 * c.s.z * w.s.z + c.d.x * w.d.y + c.d.y * w.d.x) + shear;
+  solve6(m, change_d, change_s);  // right-hand side in, solution out
 
-  vec3 change_d = vec3(x[0], x[1], x[2]), change_s = vec3(x[3], x[4], x[5]);
   multiplier[2u * t] = vec4(lambda_d + change_d, 0.0);
   multiplier[2u * t + 1u] = vec4(lambda_s + change_s, 0.0);
   Sym3 change = with_halved_shears(change_d, change_s);
