@@ -23,7 +23,7 @@ struct VertexPartial {
   vec4 momentum;   // xyz [kg m/s], w kinetic energy [J]
   vec4 angular;    // xyz about the origin [kg m^2/s], w non-finite vertices
   vec4 reaction;   // xyz force of the supports on the body [N], w largest speed squared [m^2/s^2]
-  vec4 residual;   // x |g|^2, y |M (u - u~)|^2, z |h^2 f|^2, of free vertices [kg^2 m^2]; w unused
+  vec4 residual;   // of free vertices: x |g|^2, y |M (u - u~)|^2, z |h^2 f|^2 + |h^2 M gravity|^2 [kg^2 m^2], w |M v|^2
 };
 
 #ifdef __cplusplus

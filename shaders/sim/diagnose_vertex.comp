@@ -31,7 +31,9 @@ void main() {
     if (rest.w > 0.0) {
       vec3 inertia = m * (u - FETCH(predicted, v).xyz);
       vec3 g = inertia - impulse;
-      partial.residual += vec4(dot(g, g), dot(inertia, inertia), dot(impulse, impulse), 0.0);
+      vec3 weight = SUBSTEP * SUBSTEP * m * GRAVITY;
+      partial.residual +=
+          vec4(dot(g, g), dot(inertia, inertia), dot(impulse, impulse) + dot(weight, weight), dot(p, p));
     } else {
       partial.reaction.xyz -= impulse / (SUBSTEP * SUBSTEP) + m * GRAVITY;
     }

@@ -100,7 +100,7 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
     pending.staging.download(tet_partials_.bytes() + vertex_partials_.bytes(), grabbed.size() * sizeof(shared::vec4),
                              grabbed.data());
   Diagnostics d;
-  double inverted = 0, broken = 0, residual = 0, inertia = 0, impulse = 0, speed2 = 0;
+  double inverted = 0, broken = 0, residual = 0, inertia = 0, load = 0, motion = 0, grab = 0, speed2 = 0;
   d.min_det_f = 3.4e38;
   d.max_det_f = -3.4e38;
   for (const shared::TetPartial& t : tets) {
@@ -121,12 +121,18 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
     speed2 = std::max<double>(speed2, v.reaction.w);
     residual += v.residual.x;
     inertia += v.residual.y;
-    impulse += v.residual.z;
+    load += v.residual.z;
+    motion += v.residual.w;
   }
-  for (const shared::vec4& g : grabbed) d.grab_force += Eigen::Vector3d(g.x, g.y, g.z);
+  for (const shared::vec4& g : grabbed) {
+    const Eigen::Vector3d impulse(g.x, g.y, g.z);
+    d.grab_force += impulse;
+    grab += impulse.squaredNorm();
+  }
   d.grab_force /= pending.substep * pending.substep;
-  const double scale = std::sqrt(inertia) + std::sqrt(impulse);
-  d.residual = scale > 0 ? std::sqrt(residual) / scale : 0;
+  const double scale = std::sqrt(inertia) + std::sqrt(load) + std::sqrt(grab);
+  const double rounding = 1e-6 * pending.substep * std::sqrt(motion);  // ten float32 roundings of M (u - u_n)
+  d.residual = scale > rounding ? std::sqrt(residual) / scale : 0;
   d.inverted = static_cast<int>(inverted);
   d.max_speed = std::sqrt(speed2);
   d.finite = broken == 0;

@@ -13,7 +13,9 @@
 namespace fascia {
 
 struct Diagnostics {
-  double residual = 0;  // |M (u - u~) - h^2 f| / (|M (u - u~)| + |h^2 f|) over free vertices: 0 solved, 1 nothing solved
+  /// |g| / (|M (u - u~)| + |h^2 f| + |h^2 loads|) with g = M (u - u~) - h^2 f over free vertices: 0 is solved, 1 is
+  /// nothing solved. Zero when all forces are below the rounding of the motion itself.
+  double residual = 0;
   double kinetic = 0, elastic = 0;                                  // [J]
   Eigen::Vector3d momentum{0, 0, 0}, angular_momentum{0, 0, 0};     // [kg m/s], [kg m^2/s]
   Eigen::Vector3d reaction{0, 0, 0};                                // of the supports on the body [N]
