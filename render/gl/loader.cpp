@@ -68,6 +68,9 @@ void load(GetProc get_proc) {
     found.invocations = integer_of(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS);
     found.shared_memory = integer_of(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE);
     now.max_texture_buffer_size = integer_of(GL_MAX_TEXTURE_BUFFER_SIZE);
+    GLint64 block_size = 0;
+    GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block_size);
+    now.max_storage_block_size = block_size;
     GetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &now.max_compute_groups);
   }
   if (const std::string message = refusal(found); !message.empty()) throw Error(message);

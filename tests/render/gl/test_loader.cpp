@@ -72,6 +72,7 @@ TEST_CASE("the device is described") {
   CHECK(device().max_compute_storage_blocks >= 8);
   CHECK(device().max_texture_buffer_size >= 65536);
   CHECK(device().max_compute_groups >= 65535);
+  CHECK(device().max_storage_block_size >= 1 << 24);
 }
 
 }  // namespace fascia::gl
