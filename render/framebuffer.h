@@ -17,11 +17,11 @@ class Framebuffer {
   int width() const { return width_; }
   int height() const { return height_; }
   int samples() const { return samples_; }
-  void bind() const;         // for drawing, viewport set
-  GLuint draw_id() const { return draw_; }
-  void resolve() const;      // multisample to single; afterwards bind_resolved() draws over it (panels)
+  void bind() const;     // for drawing, viewport set
+  GLuint draw_id() const { return draw_; }  // the framebuffer that bind() binds
+  void resolve() const;  // multisample to single; afterwards bind_resolved() draws over it (panels)
   void bind_resolved() const;
-  Image read() const;        // resolved picture
+  Image read() const;                        // resolved picture
   void read_into(std::uint8_t* rgba) const;  // [4 * width * height], top row first, no allocation
   void present(int window_width, int window_height) const;  // blit to the window's framebuffer
 

@@ -77,8 +77,15 @@ void ComputePass::resolve() const {
   const auto add = [&](const std::string& resource, auto spell, GLenum target, GLenum format, GLuint unit) {
     for (std::size_t i = 0; i < buffers_.size(); ++i) {
       if (spell(buffers_[i].first) != resource) continue;
+      const Buffer& buffer = *buffers_[i].second;
+      if (target == GL_TEXTURE_BUFFER)
+        buffer.texel_view(format);  // made here, so that run() makes nothing
+      else if (static_cast<std::int64_t>(buffer.bytes()) > device().max_storage_block_size)
+        throw Error(where, "buffer " + buffer.label() + " has " + std::to_string(buffer.bytes()) + " bytes",
+                    "expected at most " + std::to_string(device().max_storage_block_size) +
+                        " in a block on " + device().renderer);
       used[i] = true;
-      slots.push_back({buffers_[i].second, target, format, unit});
+      slots.push_back({&buffer, target, format, unit});
       return;
     }
     throw Error(where, resource + " has no buffer",
