@@ -18,10 +18,11 @@ namespace {
 
 struct Library {
   decltype(&::eglGetProcAddress) get_proc;
-#define FASCIA_EGL_FUNCTIONS(X)                                                                       \
-  X(QueryString)                                                                                      \
-  X(Initialize) X(BindAPI) X(ChooseConfig) X(CreateContext) X(DestroyContext) X(CreatePbufferSurface) \
-      X(DestroySurface) X(MakeCurrent) X(GetError)
+#define FASCIA_EGL_FUNCTIONS(X)                                                                           \
+  X(QueryString)                                                                                          \
+  X(Initialize)                                                                                           \
+  X(BindAPI) X(ChooseConfig) X(CreateContext) X(DestroyContext) X(CreatePbufferSurface) X(DestroySurface) \
+      X(MakeCurrent) X(GetError)
 #define X(name) decltype(&::egl##name) name;
   FASCIA_EGL_FUNCTIONS(X)
 #undef X
