@@ -25,11 +25,17 @@ Vector3d front_right(const Vector3d& up) {
 
 }  // namespace
 
+Eigen::Matrix3d standing_axes(const Vector3d& up) {
+  const Vector3d unit = up.normalized(), right = front_right(unit);
+  Eigen::Matrix3d axes;
+  axes << right, unit, right.cross(unit);
+  return axes;
+}
+
 Vector3d Camera::forward() const {
   const double length = distance();
   if (length > 0) return (target - eye) / length;
-  const Vector3d unit_up = up.normalized();
-  return unit_up.cross(front_right(unit_up));
+  return -standing_axes(up).col(2);
 }
 
 double Camera::slope() const {

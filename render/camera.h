@@ -9,6 +9,10 @@ struct Ray {
   Eigen::Vector3d origin, direction;  // [m], unit length
 };
 
+/// Columns: right, up, front of a scene that stands along `up`; x, y, z for y up, and a front view along +y
+/// for z up.
+Eigen::Matrix3d standing_axes(const Eigen::Vector3d& up);
+
 class Camera {
  public:
   Eigen::Vector3d eye{0, 0.3, 1}, target{0, 0, 0}, up{0, 1, 0};
