@@ -9,7 +9,8 @@ void run(const std::vector<gl::ComputePass>& passes) {
 
 }  // namespace
 
-GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings)
+GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
+                     const std::vector<Eigen::Vector3d>& surface_points)
     : programs_(programs),
       model_(model),
       settings_(settings),
@@ -18,7 +19,7 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       jacobi_(buffers_.tet_count),
       motions_(model),
       diagnostics_(buffers_),
-      surface_(buffers_) {
+      surface_(buffers_, surface_points, embed(surface_points, model.rest_positions, model.tets)) {
   buffers_.upload_step(model_, settings_.substep());
   record();
 }

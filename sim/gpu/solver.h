@@ -16,7 +16,9 @@ namespace fascia {
 class GpuSolver {
  public:
   /// `model` must outlive the solver. Its materials and gravity may be changed; tell the solver with materials_changed().
-  GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings);
+  /// `surface_points` are extra vertices to draw, embedded in the tets (scene key "surface"); none by default.
+  GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
+            const std::vector<Eigen::Vector3d>& surface_points = {});
 
   /// One frame step of settings.time_step: substeps, each of predict, iterations, velocity.
   void step();
@@ -31,7 +33,7 @@ class GpuSolver {
 
   /// Brings positions() up to date with the state.
   void publish() const { surface_.run(); }
-  const gl::Buffer& positions() const { return surface_.positions(); }  // vec4 [vertex_count]
+  const gl::Buffer& positions() const { return surface_.positions(); }  // vec4 [vertex_count + points]
 
   void request_diagnostics();
   std::optional<Diagnostics> take_diagnostics(bool wait) { return diagnostics_.take(wait); }
