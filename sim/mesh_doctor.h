@@ -23,22 +23,34 @@ MeshRepair repair(const TetMesh& mesh);
 
 struct MeshReport {
   std::size_t vertex_count = 0, tet_count = 0, usable_tets = 0, flipped = 0, degenerate = 0, duplicated = 0;
-  std::size_t unused_vertices = 0, components = 0, slivers = 0;  // sliver: smallest dihedral angle below 5 degrees
-  Eigen::Vector3d box_min, box_max;                              // [m] of referenced vertices
-  double volume = 0, shortest_edge = 0, longest_edge = 0;        // [m^3], [m], [m]
+  // All below is about the usable tets and their vertices.
+  std::size_t unused_vertices = 0, components = 0;  // component: tets connected through shared vertices
+  Eigen::Vector3d box_min = Eigen::Vector3d::Zero(), box_max = Eigen::Vector3d::Zero();  // [m]
+  double volume = 0, shortest_edge = 0, longest_edge = 0;                                // [m^3], [m], [m]
   double smallest_dihedral_deg = 0, largest_dihedral_deg = 0;
-  bool boundary_manifold = false;
-  std::size_t boundary_triangles = 0, nonmanifold_edges = 0, nonmanifold_vertices = 0;
+  std::size_t slivers = 0;  // tets whose smallest dihedral angle is below 5 degrees
+  struct Sliver {
+    std::uint32_t tet;  // index in the file
+    double smallest_dihedral_deg;
+  };
+  std::vector<Sliver> worst_slivers;  // at most ten, the worst first
+  bool boundary_manifold = false;     // a closed surface, or several
+  std::size_t boundary_triangles = 0;
+  std::size_t nonmanifold_edges = 0;     // that do not bound exactly two boundary triangles
+  std::size_t nonmanifold_vertices = 0;  // whose boundary triangles form more than one fan
   struct Region {
     int number;
     std::string name;
     std::size_t tets;
-    double volume;
+    double volume;  // [m^3]
   };
-  std::vector<Region> regions;
-  std::string unit_guess;  // empty if the size is plausible in metres, else advice: "6.5 m wide: ... try --set ..."
+  std::vector<Region> regions;  // ascending numbers
+  std::string unit_guess;       // empty if the size is plausible in metres, else advice: "6.5 m wide: ... try --set ..."
 };
 MeshReport examine(const TetMesh& mesh, const MeshRepair& repaired);
+
+/// Advice for a mesh whose largest extent [m] is no size of tissue, in words and as a --set; empty if it is plausible.
+std::string guess_unit(double extent);
 
 /// The text of `fascia info` for one mesh; names at most ten of each kind of bad tet.
 void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired, const MeshReport& report);

@@ -1,6 +1,7 @@
 // Reading and writing tetrahedral meshes. The format is found in the content, not only in the file's ending.
 //
-// Read:  Gmsh .msh 1.0 ASCII, 2.2 and 4.1 ASCII and binary · VTK legacy unstructured grid ASCII and binary, up to the
+// Read:  Gmsh .msh 1.0 ASCII, 2.2 and 4.1 ASCII and binary · VTK legacy unstructured grid ASCII and binary,
+// up to the
 //        5.x OFFSETS/CONNECTIVITY layout · .vtu ASCII, base64, appended (raw or base64), plain or zlib ·
 //        TetGen .node/.ele (either file may be named) · Medit .mesh ASCII.
 // Write: .msh (Gmsh 4.1 ASCII) · .vtk · .vtu · .node/.ele · .mesh, by the ending.
@@ -18,13 +19,14 @@ struct MeshFile {
   TetMesh mesh;
   std::string format;  // for people: "Gmsh 4.1 binary"
   struct {
-    std::size_t points = 0, lines = 0, triangles = 0, others = 0;  // cells that are not tets: counted, not kept
+    std::size_t points = 0, lines = 0, triangles = 0,
+                others = 0;  // cells that are not tets: counted, not kept
   } ignored;
   std::vector<std::string> notes;  // what else was passed over or changed, one sentence each
 };
 
-/// Throws Error "path:line: what; what was expected" on anything that is not a readable mesh with at least one tet.
-/// Counts in the file are never trusted for an allocation larger than the file could fill.
+/// Throws Error "path:line: what; what was expected" on anything that is not a readable mesh with at least
+/// one tet. Counts in the file are never trusted for an allocation larger than the file could fill.
 MeshFile read_mesh(const std::filesystem::path& path);
 
 /// Writes through a temporary name and renames. Throws Error for an unknown ending or a failed write.

@@ -1,0 +1,98 @@
+#include "sim/mesh_io.h"
+
+#include <new>
+
+#include "sim/error.h"
+#include "sim/file.h"
+#include "sim/mesh_io/formats.h"
+
+namespace fascia {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* known_formats =
+    "expected Gmsh .msh, VTK .vtk or .vtu, TetGen .node/.ele or Medit .mesh with tetrahedra";
+
+/// What a file that is no tet mesh probably is, to spare its owner the search.
+std::string likely_kind(std::string_view content, const std::string& ending) {
+  if (content.starts_with("solid") || ending == ".stl") return "is an STL surface";
+  if (content.starts_with("ply")) return "is a PLY surface";
+  if (content.starts_with("OFF")) return "is an OFF surface";
+  if (ending == ".obj") return "is an OBJ surface";
+  if (content.starts_with(std::string_view("\1\0\0\0", 4)) ||
+      content.starts_with(std::string_view("\0\0\0\1", 4))) {
+    return "looks like binary Medit .meshb";
+  }
+  return "";
+}
+
+[[noreturn]] void refuse(const fs::path& path, std::string_view content) {
+  const std::string kind = likely_kind(content, lower_ending(path));
+  if (kind.ends_with("surface")) {
+    throw Error(path.string(), kind + " without tets",
+                "expected a tetrahedral mesh: a tet mesher such as gmsh or tetgen can fill a closed surface");
+  }
+  throw Error(path.string(),
+              kind.empty() ? "is no mesh that is known here (begins with " + in_quotes(content) + ")" : kind,
+              known_formats);
+}
+
+MeshFile read(const fs::path& path) {
+  MeshFile file;
+  const std::string content = read_file(path);
+  if (content.empty()) throw Error(path.string(), "is empty", known_formats);
+  Scanner in(path.string(), content);
+  if (content.starts_with("\xef\xbb\xbf")) in.seek(3);  // UTF-8 byte order mark
+  const std::string_view text = std::string_view(content).substr(in.offset());
+
+  Scanner peek = in;
+  peek.skip_comments();
+  const std::string_view word = in.peek_word();
+  if (text.starts_with("# vtk DataFile")) {
+    read_vtk_legacy(in, file);
+  } else if (word.starts_with("$")) {
+    read_gmsh(in, file);
+  } else if (word.starts_with("<")) {
+    read_vtu(in, file);
+  } else if (peek.peek_word().starts_with("MeshVersionFormatted")) {
+    read_medit(in, file);
+  } else if (const std::string ending = lower_ending(path); ending == ".node" || ending == ".ele") {
+    read_tetgen(path, file);
+  } else {
+    refuse(path, text);
+  }
+  return file;
+}
+
+}  // namespace
+
+MeshFile read_mesh(const fs::path& path) {
+  try {
+    return read(path);
+  } catch (const std::bad_alloc&) {
+    throw Error(path.string(), "needs more memory than there is", "expected a smaller mesh");
+  }
+}
+
+void write_mesh(const fs::path& path, const TetMesh& mesh) {
+  const std::string ending = lower_ending(path);
+  if (ending == ".msh") {
+    write_file(path, gmsh41_text(path.string(), mesh));
+  } else if (ending == ".vtk") {
+    write_file(path, vtk_legacy_text(mesh));
+  } else if (ending == ".vtu") {
+    write_file(path, vtu_text(mesh));
+  } else if (ending == ".mesh") {
+    write_file(path, medit_text(mesh));
+  } else if (ending == ".node" || ending == ".ele") {
+    fs::path other = path;
+    write_file(other.replace_extension(".node"), tetgen_node_text(mesh));
+    write_file(other.replace_extension(".ele"), tetgen_ele_text(mesh));
+  } else {
+    throw Error(path.string(), "cannot be written: its ending names no mesh format",
+                "expected .msh, .vtk, .vtu, .node, .ele or .mesh");
+  }
+}
+
+}  // namespace fascia

@@ -1,0 +1,74 @@
+// What the readers of the Gmsh versions share: physical groups, node tags and what becomes of an element.
+// File format: Gmsh reference manual, "Gmsh file formats".
+#pragma once
+#include <map>
+#include <span>
+#include <utility>
+
+#include "sim/mesh_io/formats.h"
+#include "sim/mesh_io/tag_map.h"
+
+namespace fascia {
+
+struct GmshElementType {
+  int dimension = -1;  // -1: unknown type
+  int nodes = 0;
+  int corners = 0;  // the first nodes of an element are its corners
+};
+/// Table of Gmsh's element type numbers.
+GmshElementType gmsh_element_type(int number);
+inline constexpr int gmsh_max_nodes = 125;
+
+using Physical = std::pair<int, int>;  // dimension and tag of a physical group
+
+class GmshReader {
+ public:
+  GmshReader(Scanner& in, MeshFile& file) : in_(in), file_(file) {}
+  void read();
+
+ private:
+  void read_format();
+  void read_physical_names();
+  void read_section(std::string_view name);
+  void end_section(std::string_view name);
+  void skip_section(std::string_view name);
+
+  void read_nodes_1_2(std::string_view end);
+  void read_elements_1(std::string_view end);
+  void read_elements_2_text();
+  void read_elements_2_binary();
+
+  void read_entities_4();
+  void read_partitioned_entities_4();
+  void read_entity_4(int dimension, bool partitioned);
+  void read_nodes_4();
+  void read_elements_4();
+
+  // Version 4 files are the same sequence of numbers in text and in binary.
+  std::int64_t integer(const char* what);  // int in binary
+  std::uint64_t size(const char* what);    // size_t in binary
+  double real(const char* what);
+  double coordinate(const char* what);
+
+  void begin_nodes(std::size_t count);
+  void name_nodes(const std::vector<std::int64_t>& tags);
+  int physical_tag(std::int64_t tag) const;
+  void add_element(const GmshElementType& type, std::int64_t element, std::span<const int> physicals,
+                   std::span<const std::int64_t> nodes);
+  void name_groups();
+
+  Scanner& in_;
+  MeshFile& file_;
+  bool binary_ = false;
+  int size_bytes_ = 8;  // of a size_t in a binary version 4 file
+  int major_ = 1;
+  bool has_nodes_ = false, has_elements_ = false, second_order_ = false;
+  TagMap node_of_tag_;
+  std::map<Physical, std::string> names_;
+  std::map<Physical, std::vector<std::uint32_t>> group_vertices_;
+  Physical last_group_{-1, 0};
+  std::vector<std::uint32_t>* last_vertices_ = nullptr;
+  std::map<Physical, std::vector<int>> entity_physicals_;  // by dimension and tag of the entity
+};
+
+}  // namespace fascia

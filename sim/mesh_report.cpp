@@ -1,0 +1,178 @@
+// The doctor's findings in words: one labelled line per finding, numbers with their units, bad tets by their
+// index.
+#include <array>
+#include <cstdio>
+#include <ostream>
+#include <sstream>
+
+#include "sim/mesh_doctor.h"
+
+namespace fascia {
+namespace {
+
+// From the smallest sample that is handled under a microscope to the largest whole body.
+constexpr double kSmallestTissue = 1e-3, kLargestTissue = 3;  // [m]
+constexpr std::size_t kNamed = 10;
+
+std::string number(double value) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
+std::string plural(std::size_t count, const char* noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+/// A length in the unit people would use for it.
+std::string length(double meters) {
+  struct Unit {
+    double size;
+    const char* name;
+  };
+  constexpr Unit kUnits[] = {{1e3, "km"}, {1, "m"}, {1e-3, "mm"}, {1e-6, "um"}};
+  for (const Unit& unit : kUnits) {
+    if (meters >= unit.size) return number(meters / unit.size) + " " + unit.name;
+  }
+  return number(meters) + " m";
+}
+
+std::string point(const Eigen::Vector3d& p) {
+  return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
+}
+
+std::ostream& line(std::ostream& out, const std::string& label) {
+  constexpr std::size_t kWidth = 12;
+  return out << label << std::string(label.size() < kWidth ? kWidth - label.size() : 1, ' ');
+}
+
+/// "degenerate  3 tets left out: ...: 0, 7, 12"; nothing if the list is empty.
+void print_tets(std::ostream& out, const char* label, const std::vector<std::uint32_t>& tets,
+                const char* what) {
+  if (tets.empty()) return;
+  line(out, label) << plural(tets.size(), "tet") << " " << what << ": ";
+  for (std::size_t k = 0; k < tets.size() && k < kNamed; ++k) out << (k ? ", " : "") << tets[k];
+  if (tets.size() > kNamed) out << " and " << tets.size() - kNamed << " more";
+  out << "\n";
+}
+
+void print_slivers(std::ostream& out, const MeshReport& report) {
+  if (report.slivers == 0) return;
+  line(out, "slivers") << plural(report.slivers, "tet") << " with a dihedral angle below 5 degrees: ";
+  for (std::size_t k = 0; k < report.worst_slivers.size(); ++k) {
+    const MeshReport::Sliver& sliver = report.worst_slivers[k];
+    out << (k ? ", " : "") << sliver.tet << " (" << number(sliver.smallest_dihedral_deg) << ")";
+  }
+  if (report.slivers > report.worst_slivers.size()) {
+    out << " and " << report.slivers - report.worst_slivers.size() << " more";
+  }
+  out << "\n";
+}
+
+void print_shape(std::ostream& out, const MeshReport& report) {
+  const Eigen::Vector3d size = report.box_max - report.box_min;
+  line(out, "box") << number(size.x()) << " x " << number(size.y()) << " x " << number(size.z())
+                   << " m, from " << point(report.box_min) << " to " << point(report.box_max) << "\n";
+  line(out, "volume") << number(report.volume) << " m^3\n";
+  line(out, "edges") << length(report.shortest_edge) << " to " << length(report.longest_edge) << "\n";
+  line(out, "dihedral") << number(report.smallest_dihedral_deg) << " to "
+                        << number(report.largest_dihedral_deg) << " degrees\n";
+  line(out, "components") << report.components
+                          << (report.components > 1 ? ", which share no vertex and so move independently\n"
+                                                    : "\n");
+  line(out, "boundary") << plural(report.boundary_triangles, "triangle");
+  if (report.boundary_manifold) {
+    out << ", manifold\n";
+  } else {
+    out << ", not manifold: " << plural(report.nonmanifold_edges, "edge") << " not between two triangles, "
+        << report.nonmanifold_vertices << (report.nonmanifold_vertices == 1 ? " vertex" : " vertices")
+        << " with more than one fan of triangles\n";
+  }
+}
+
+void print_regions(std::ostream& out, const std::vector<MeshReport::Region>& regions) {
+  std::size_t name_width = 0;
+  for (const MeshReport::Region& region : regions) name_width = std::max(name_width, region.name.size());
+  for (std::size_t k = 0; k < regions.size(); ++k) {
+    const MeshReport::Region& region = regions[k];
+    line(out, k == 0 ? "regions" : "")
+        << region.number << "  " << region.name
+        << std::string(name_width - region.name.size() + (name_width ? 2 : 0), ' ')
+        << plural(region.tets, "tet") << ", " << number(region.volume) << " m^3\n";
+  }
+}
+
+void print_groups(std::ostream& out, const TetMesh& mesh) {
+  const char* label = "groups";
+  for (const auto& [name, vertices] : mesh.groups) {
+    line(out, label) << name << ": " << vertices.size()
+                     << (vertices.size() == 1 ? " vertex\n" : " vertices\n");
+    label = "";
+  }
+}
+
+void print_ignored(std::ostream& out, const MeshFile& file) {
+  std::string list;
+  const auto add = [&](std::size_t count, const char* noun) {
+    if (count > 0) list += (list.empty() ? "" : ", ") + plural(count, noun);
+  };
+  add(file.ignored.points, "point");
+  add(file.ignored.lines, "line");
+  add(file.ignored.triangles, "triangle");
+  add(file.ignored.others, "other cell");
+  if (!list.empty()) line(out, "ignored") << list << "\n";
+}
+
+}  // namespace
+
+std::string guess_unit(double extent) {
+  if (extent == 0 || (extent >= kSmallestTissue && extent <= kLargestTissue)) return "";
+  struct Guess {
+    const char* question;
+    double scale;
+  };
+  constexpr Guess kTooLarge[] = {
+      {"made in millimetres?", 1e-3}, {"in centimetres?", 1e-2}, {"in micrometres?", 1e-6}};
+  constexpr Guess kTooSmall[] = {{"converted from millimetres twice?", 1e3},
+                                 {"converted from micrometres twice?", 1e6}};
+  std::string advice;
+  const auto consider = [&](const Guess& guess) {
+    const double scaled = extent * guess.scale;
+    if (scaled < kSmallestTissue || scaled > kLargestTissue) return;
+    advice += std::string(advice.empty() ? "was the file " : "; or ") + guess.question +
+              " try --set bodies.0.transform.scale=" + number(guess.scale) + " (" + length(scaled) + " wide)";
+  };
+  const bool large = extent > kLargestTissue;
+  if (large) {
+    for (const Guess& guess : kTooLarge) consider(guess);
+  } else {
+    for (const Guess& guess : kTooSmall) consider(guess);
+  }
+  if (advice.empty()) {
+    advice = "for 10 cm, try --set bodies.0.transform.scale=" + number(0.1 / extent);
+  }
+  return length(extent) + " wide, too " + (large ? "large" : "small") + " for tissue: " + advice;
+}
+
+void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired,
+                  const MeshReport& report) {
+  line(out, "format") << file.format << "\n";
+  line(out, "vertices") << report.vertex_count;
+  if (report.unused_vertices > 0) out << ", " << report.unused_vertices << " of them in no usable tet";
+  out << "\n";
+  line(out, "tets") << report.tet_count;
+  if (report.usable_tets != report.tet_count) out << ", " << report.usable_tets << " of them usable";
+  out << "\n";
+  if (report.usable_tets > 0) print_shape(out, report);
+  print_regions(out, report.regions);
+  print_groups(out, file.mesh);
+  print_tets(out, "flipped", repaired.flipped, "wound inside out, reoriented");
+  print_tets(out, "degenerate", repaired.degenerate, "without volume, left out");
+  print_tets(out, "duplicated", repaired.duplicated, "with the vertices of an earlier one, left out");
+  print_slivers(out, report);
+  print_ignored(out, file);
+  for (const std::string& note : file.notes) line(out, "note") << note << "\n";
+  if (!report.unit_guess.empty()) line(out, "size") << report.unit_guess << "\n";
+}
+
+}  // namespace fascia
