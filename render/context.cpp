@@ -15,19 +15,20 @@ std::unique_ptr<Context> make_context(const ContextRequest& request) {
   if (request.for_view) return make_window_context(request);
 
   std::string tried;
-  const std::function<std::unique_ptr<Context>()> kinds[] = {
-      [&] { return make_egl_context(request, EglDevices::hardware_only); },
-      [&] { return make_osmesa_context(request); },
-      [&] { return make_egl_context(request, EglDevices::any); },
+  using Make = std::function<std::unique_ptr<Context>()>;
+  const std::pair<const char*, Make> kinds[] = {
+      {"EGL on a GPU", [&] { return make_egl_context(request, EglDevices::hardware_only); }},
+      {"OSMesa", [&] { return make_osmesa_context(request); }},
+      {"EGL on software", [&] { return make_egl_context(request, EglDevices::any); }},
   };
-  for (const auto& make : kinds) {
+  for (const auto& [name, make] : kinds) {
     try {
       return make();
     } catch (const Error& error) {
-      tried += (tried.empty() ? "" : " | ") + std::string(error.what());
+      tried += (tried.empty() ? "" : ", ") + std::string(name) + " (" + error.what() + ")";
     }
   }
-  throw Error("context auto", "no OpenGL 4.3 context: " + tried,
+  throw Error("context auto", "no OpenGL 4.3 context; tried " + tried,
               "expected a GPU driver with EGL, or Mesa's software renderer");
 }
 

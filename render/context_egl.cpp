@@ -18,11 +18,11 @@ namespace {
 
 struct Library {
   decltype(&::eglGetProcAddress) get_proc;
-#define FASCIA_EGL_FUNCTIONS(X)                                                                           \
-  X(QueryString)                                                                                          \
-  X(Initialize)                                                                                           \
-  X(BindAPI) X(ChooseConfig) X(CreateContext) X(DestroyContext) X(CreatePbufferSurface) X(DestroySurface) \
-      X(MakeCurrent) X(GetError)
+// clang-format off
+#define FASCIA_EGL_FUNCTIONS(X) \
+  X(BindAPI) X(ChooseConfig) X(CreateContext) X(CreatePbufferSurface) X(DestroyContext) X(DestroySurface) \
+  X(GetError) X(Initialize) X(MakeCurrent) X(QueryString)
+// clang-format on
 #define X(name) decltype(&::egl##name) name;
   FASCIA_EGL_FUNCTIONS(X)
 #undef X
@@ -123,8 +123,8 @@ class EglContext : public Context {
     }
     if (context_ == EGL_NO_CONTEXT) fail(where_, "no OpenGL core context");
     if (surfaceless) return;
-    const EGLint size[] = {EGL_WIDTH, 4, EGL_HEIGHT, 4,
-                           EGL_NONE};  // everything is drawn into our own framebuffers
+    // Tiny, since everything is drawn into our own framebuffers.
+    const EGLint size[] = {EGL_WIDTH, 4, EGL_HEIGHT, 4, EGL_NONE};
     surface_ = egl().CreatePbufferSurface(display_, config, size);
     if (surface_ == EGL_NO_SURFACE) fail(where_, "no pbuffer surface");
   }
@@ -165,7 +165,11 @@ std::unique_ptr<Context> make_egl_context(const ContextRequest& request, EglDevi
       auto context = std::make_unique<EglContext>(candidate);
       context->create(request.debug);
       context->make_current();
-      if (!gl::device().software) return context;
+      if (!gl::device().software) {
+        on_software.reset();  // whose end leaves no context current
+        context->make_current();
+        return context;
+      }
       if (!on_software) on_software = std::move(context);
       tried += (tried.empty() ? "" : ", ") + candidate.name + " (" + gl::device().renderer + ")";
     } catch (const Error& error) {

@@ -17,10 +17,10 @@ class Framebuffer {
   int width() const { return width_; }
   int height() const { return height_; }
   int samples() const { return samples_; }
-  void bind() const;         // for drawing, viewport set
-  void resolve() const;      // multisample to single; afterwards bind_resolved() draws over it (panels)
+  void bind() const;     // for drawing, viewport set
+  void resolve() const;  // multisample to single; afterwards bind_resolved() draws over it (panels)
   void bind_resolved() const;
-  Image read() const;        // resolved picture
+  Image read() const;                        // resolved picture
   void read_into(std::uint8_t* rgba) const;  // [4 * width * height], top row first, no allocation
   void present(int window_width, int window_height) const;  // blit to the window's framebuffer
 

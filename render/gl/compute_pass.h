@@ -1,6 +1,7 @@
-// One recorded compute dispatch: a program, the buffers it reads and writes by block name, and the number of invocations.
-// Kernels declare inputs with INPUT_* and outputs with OUTPUT_* (shaders/common/io.glsl); binding points are assigned here, by
-// name, so no number is written twice. A name that the program does not have, or a block left without a buffer, is an Error.
+// One recorded compute dispatch: a program, the buffers it reads and writes by block name, and the number of
+// invocations. Kernels declare inputs with INPUT_* and outputs with OUTPUT_* (shaders/common/io.glsl);
+// binding points are assigned here, by name, so no number is written twice. A name that the program does not
+// have, or a block left without a buffer, is an Error.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -15,12 +16,12 @@ namespace fascia::gl {
 class ComputePass {
  public:
   using Bindings = std::vector<std::pair<std::string, const Buffer*>>;  // block or sampler name -> buffer
-  /// `invocations` is the number of items; the kernel's guard drops the rest of the last group. The buffers must outlive
-  /// the pass. Throws Error.
+  /// `invocations` is the number of items; the kernel's guard drops the rest of the last group. The buffers
+  /// must outlive the pass. Throws Error.
   ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations);
 
-  /// Binds, dispatches and puts the barrier that later passes and draws need. Throws Error only when a reloaded program
-  /// wants other buffers.
+  /// Binds, dispatches and puts the barrier that later passes and draws need. Throws Error only when a
+  /// reloaded program wants other buffers.
   void run() const;
   const Program& program() const { return *program_; }
 

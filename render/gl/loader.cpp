@@ -40,7 +40,7 @@ std::string refusal(const Support& found) {
     if (value < least) add(std::to_string(least) + " " + what + " (found " + std::to_string(value) + ")");
   };
   if (found.major < 4 || (found.major == 4 && found.minor < 3)) {
-    add("OpenGL 4.3 with compute shaders");  // the limits below do not exist before it
+    add("version 4.3 with compute shaders");  // the limits below do not exist before it
   } else {
     limit("storage blocks in a compute shader", found.storage_blocks, 8);
     limit("invocations in a work group", found.invocations, 1024);
@@ -48,9 +48,8 @@ std::string refusal(const Support& found) {
     for (const std::string& name : found.missing_functions) add(name);
   }
   if (missing.empty()) return "";
-  const std::string version = found.version.empty() ? "no OpenGL version" : "OpenGL " + found.version;
-  const std::string renderer = found.renderer.empty() ? "unknown renderer" : found.renderer;
-  return "found " + version + " on " + renderer + "; missing: " + missing;
+  return "OpenGL: found version " + (found.version.empty() ? "none" : found.version) + " on " +
+         (found.renderer.empty() ? "an unknown renderer" : found.renderer) + "; missing: " + missing;
 }
 
 void load(GetProc get_proc) {
@@ -69,6 +68,9 @@ void load(GetProc get_proc) {
     found.invocations = integer_of(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS);
     found.shared_memory = integer_of(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE);
     now.max_texture_buffer_size = integer_of(GL_MAX_TEXTURE_BUFFER_SIZE);
+    GLint64 block_size = 0;
+    GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block_size);
+    now.max_storage_block_size = block_size;
     GetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &now.max_compute_groups);
   }
   if (const std::string message = refusal(found); !message.empty()) throw Error(message);

@@ -65,7 +65,7 @@ class Flattener {
         append(std::filesystem::path(name[1].str()).lexically_normal().generic_string(), place(file, number));
         return;
       }
-    } else if (line.find("PUT") != std::string::npos) {
+    } else if (line.find("PUT") != std::string::npos || line.find("INOUT") != std::string::npos) {
       declare(line.substr(0, line.find("//")), place(file, number));
     }
     emit(line, file, number);

@@ -11,6 +11,16 @@ namespace fascia::gl {
 Texture::Texture(std::string label, GLenum internal_format, int width, int height, int samples, GLenum format,
                  GLenum type, const void* pixels)
     : target_(samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D), width_(width), height_(height) {
+  const auto fail = [&] {
+    throw Error("texture " + label,
+                "cannot have " + std::to_string(width) + " x " + std::to_string(height) + " texels with " +
+                    std::to_string(samples) + " samples",
+                "expected a size and sample count that " + device().renderer + " has room for");
+  };
+  // Asked for first: llvmpipe crashes on sizes far beyond its limit instead of refusing them.
+  GLint most = 0;
+  GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+  if (width < 1 || height < 1 || width > most || height > most) fail();
   while (GetError() != GL_NO_ERROR) {
   }
   GenTextures(1, &id_);
@@ -29,10 +39,7 @@ Texture::Texture(std::string label, GLenum internal_format, int width, int heigh
   }
   if (GetError() != GL_NO_ERROR) {
     DeleteTextures(1, &id_);
-    throw Error("texture " + label,
-                "cannot have " + std::to_string(width) + " x " + std::to_string(height) + " texels with " +
-                    std::to_string(samples) + " samples",
-                "expected a size and sample count that " + device().renderer + " has room for");
+    fail();
   }
   ObjectLabel(GL_TEXTURE, id_, static_cast<GLsizei>(std::min<std::size_t>(label.size(), 100)), label.c_str());
   bytes_ = bytes_per_texel(internal_format) * static_cast<std::size_t>(width) *

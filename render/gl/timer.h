@@ -1,5 +1,5 @@
-// Elapsed milliseconds of GPU work: pairs of timestamps on a GPU (read some frames late, never waiting; two timers may overlap),
-// wall clock around glFinish on software renderers, whose queries are nonsense.
+// Elapsed milliseconds of GPU work: pairs of timestamps on a GPU (read some frames late, never waiting; two
+// timers may overlap), wall clock around glFinish on software renderers, whose queries are nonsense.
 #pragma once
 #include <array>
 #include <chrono>
