@@ -27,7 +27,8 @@ void Ground::lay(const Look& look, FrameUniforms& frame) {
 }
 
 void Ground::draw(bool shadow) const {
-  constexpr GLint kAround = 48, kMiddle = 6;  // vertices of the cells around the shadow map's, and of that one
+  constexpr GLint kAround = 48,
+                  kMiddle = 6;  // vertices of the cells around the shadow map's, and of that one
   no_vertices_.bind();
   around_.use();
   gl::DrawArrays(GL_TRIANGLES, 0, shadow ? kAround : kAround + kMiddle);

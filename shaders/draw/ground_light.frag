@@ -18,5 +18,7 @@ void main() {
   float radius = clamp(PENUMBRA * near.y / max(near.x, 1e-3), kNarrowest, kWidest);
   float covered = 0.0;
   for (int i = 0; i < kTaps; ++i) covered += texture(ground_cover, place + radius * disc(i, kTaps)).x;
-  light = vec4(1.0 - covered / float(kTaps));
+  // Fades toward the map's border: what hangs over it is cut softly.
+  vec2 inside = 0.5 - abs(place - 0.5);
+  light = vec4(1.0 - covered / float(kTaps) * clamp(10.0 * min(inside.x, inside.y), 0.0, 1.0));
 }
