@@ -1,7 +1,6 @@
 #include "sim/suggest.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <numeric>
 
 namespace fascia {
@@ -43,9 +42,11 @@ std::string perhaps(std::string_view word, const std::vector<std::string>& candi
   return best.empty() ? "" : ", perhaps \"" + best + "\"";
 }
 
-std::string join(const std::vector<std::string>& words, std::string_view separator) {
+std::string join(const std::vector<std::string>& words) {
+  constexpr std::size_t kMost = 20;
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : std::string(separator)) + word;
+  for (std::size_t w = 0; w < std::min(words.size(), kMost); ++w) text += (w ? ", " : "") + words[w];
+  if (words.size() > kMost) text += " and " + std::to_string(words.size() - kMost) + " more";
   return text;
 }
 

@@ -1,5 +1,6 @@
 // "Perhaps you meant": the nearest known word to a mistyped one, for error messages.
 #pragma once
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +17,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 /// ", perhaps \"iterations\"" or "".
 std::string perhaps(std::string_view word, const std::vector<std::string>& candidates);
 
-/// "a, b, c".
-std::string join(const std::vector<std::string>& words, std::string_view separator = ", ");
+/// "a, b, c"; of many words the first twenty "... and 980 more".
+std::string join(const std::vector<std::string>& words);
 
 }  // namespace fascia
