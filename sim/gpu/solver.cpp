@@ -1,1 +1,113 @@
-// placeholder
+#include "sim/gpu/solver.h"
+
+namespace fascia {
+namespace {
+
+void run(const std::vector<gl::ComputePass>& passes) {
+  for (const gl::ComputePass& pass : passes) pass.run();
+}
+
+}  // namespace
+
+GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
+                     const std::vector<Eigen::Vector3d>& surface_points)
+    : programs_(programs),
+      model_(model),
+      settings_(settings),
+      features_(features_of(model)),
+      buffers_(model),
+      jacobi_(buffers_.tet_count),
+      motions_(model),
+      diagnostics_(buffers_),
+      surface_(buffers_, surface_points, embed(surface_points, model.rest_positions, model.tets)) {
+  buffers_.upload_step(model_, settings_.substep());
+  record();
+}
+
+void GpuSolver::record() {
+  if (features_.damping && !previous_strain_)
+    previous_strain_ = gl::Buffer("previous_strain", 2 * sizeof(shared::vec4) * buffers_.tet_count);
+  begin_.clear();
+  begin_.emplace_back(programs_.compute("sim/predict.comp"),
+                      gl::ComputePass::Bindings{{"step", &buffers_.step},
+                                                {"rest_position", &buffers_.rest_position},
+                                                {"velocity", &buffers_.velocity},
+                                                {"displacement", &buffers_.displacement},
+                                                {"previous_displacement", &buffers_.previous_displacement},
+                                                {"predicted", &buffers_.predicted}},
+                      buffers_.vertex_count);
+  if (!motions_.empty()) begin_.push_back(motions_.pass(programs_, buffers_));
+  if (features_.damping)
+    begin_.emplace_back(programs_.compute("sim/previous_strain.comp"),
+                        gl::ComputePass::Bindings{{"tet_vertices", &buffers_.tet_vertices},
+                                                  {"tet_shape", &buffers_.tet_shape},
+                                                  {"previous_displacement", &buffers_.previous_displacement},
+                                                  {"previous_strain", &previous_strain_}},
+                        buffers_.tet_count);
+  first_iteration_ = jacobi_.iteration(programs_, buffers_, features_, previous_strain_, true);
+  iteration_ = jacobi_.iteration(programs_, buffers_, features_, previous_strain_, false);
+  if (!grab_.empty()) {
+    first_iteration_.push_back(grab_.pull(programs_, buffers_, true));
+    iteration_.push_back(grab_.pull(programs_, buffers_, false));
+  }
+  end_.clear();
+  end_.emplace_back(programs_.compute("sim/velocity.comp"),
+                    gl::ComputePass::Bindings{{"step", &buffers_.step},
+                                              {"displacement", &buffers_.displacement},
+                                              {"previous_displacement", &buffers_.previous_displacement},
+                                              {"velocity", &buffers_.velocity}},
+                    buffers_.vertex_count);
+  diagnostics_.record(programs_, buffers_, features_, previous_strain_, grab_);
+  surface_.record(programs_, buffers_, features_, color_);
+}
+
+void GpuSolver::step() {
+  for (int s = 0; s < settings_.substeps; ++s) {
+    time_ += settings_.substep();
+    motions_.upload(model_, time_);
+    run(begin_);
+    run(first_iteration_);
+    for (int i = 1; i < settings_.iterations; ++i) run(iteration_);
+    run(end_);
+  }
+}
+
+void GpuSolver::reset() { upload(reference::initial_state(model_)); }
+
+void GpuSolver::upload(const reference::State& state) {
+  buffers_.upload_state(model_, state);
+  time_ = state.time;
+}
+
+void GpuSolver::set_settings(const SolverSettings& settings) {
+  settings_ = settings;
+  buffers_.upload_step(model_, settings_.substep());
+}
+
+void GpuSolver::materials_changed() {
+  buffers_.upload_step(model_, settings_.substep());
+  buffers_.upload_materials(model_);
+  if (const Features features = features_of(model_); features != features_) {
+    features_ = features;
+    record();
+  }
+}
+
+void GpuSolver::set_grab(const std::vector<GrabSpring>& springs) {
+  if (grab_.set(springs)) record();
+}
+
+void GpuSolver::set_color(ColorBy color) {
+  if (color == color_) return;
+  color_ = color;
+  surface_.record(programs_, buffers_, features_, color_);
+}
+
+void GpuSolver::request_diagnostics() { diagnostics_.request(buffers_, grab_, settings_.substep()); }
+
+std::uint64_t GpuSolver::dispatches_per_step() const {
+  const std::uint64_t iterations = first_iteration_.size() + (settings_.iterations - 1) * iteration_.size();
+  return settings_.substeps * (begin_.size() + iterations + end_.size());
+}
+
+}  // namespace fascia
