@@ -67,30 +67,32 @@ NewtonReport NewtonSolver::Impl::follow(const HeldPath& path,
                                         const std::function<Potential(double)>& potential, bool divisible,
                                         double tolerance, VectorXd& u) {
   NewtonReport total;
-  const bool upright = system.min_det_f(u) > 0;
   const double largest = path.largest_increment();
+  // Once nothing keeps the tets upright, or the problem cannot be cut, whatever comes is accepted.
+  bool careful = divisible;
+  const bool upright = system.min_det_f(u) > 0;
   double done = 0, increment = largest;
   while (done < 1) {
-    const bool last_resort = !divisible || increment < smallest_increment * largest;
-    const double next = last_resort ? 1 : std::min(1.0, done + increment);
+    const double next = std::min(1.0, done + increment);
     const Potential problem = potential(next);
     VectorXd trial = u, target = u;
     path.place(next, target);
     if (const VectorXd change = target - u; !change.isZero(0)) minimizer.move_held(problem, change, trial);
-    const Minimizer::Limits limits =
-        last_resort ? Minimizer::Limits{last_patience, false} : Minimizer::Limits{patience, upright};
+    const Minimizer::Limits limits{careful ? patience : last_patience, careful && upright};
     const NewtonReport report =
         minimizer.minimize(problem, next < 1 ? increment_tolerance : tolerance, limits, trial);
     total.iterations += report.iterations;
-    if (last_resort || report.converged) {
-      u = std::move(trial);
-      done = next;
-      increment = std::min(2 * increment, largest);
-      total.relative_residual = report.relative_residual;
-      total.converged = report.converged;
-    } else {
+    if (careful && !report.converged) {
       increment = (next - done) / 2;
+      careful = increment >= smallest_increment * largest;
+      if (!careful) increment = largest;
+      continue;
     }
+    u = std::move(trial);
+    done = next;
+    increment = std::min(2 * increment, largest);
+    total.relative_residual = report.relative_residual;
+    total.converged = report.converged;
   }
   return total;
 }
