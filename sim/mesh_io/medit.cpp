@@ -46,7 +46,7 @@ class MeditReader {
     }
     in_.set_section("");
     if (!has_vertices) in_.fail("has no vertices", "expected Vertices");
-    if (!ended) file_.notes.push_back("The file does not close with 'End'; it may be cut off.");
+    if (!ended) file_.notes.push_back("The file does not close with 'End'; the file may be cut off.");
     finish_mesh(file_, in_.where());
   }
 
