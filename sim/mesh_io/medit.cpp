@@ -22,6 +22,7 @@ class MeditReader {
     file_.format = "Medit ASCII";
     bool ended = false, has_vertices = false;
     while (!ended && !in_.at_end()) {
+      in_.set_section("");
       const std::string keyword(in_.word("a keyword"));
       if (!is_keyword(keyword)) in_.fail("found " + in_quotes(keyword), "expected a keyword");
       in_.set_section(keyword);

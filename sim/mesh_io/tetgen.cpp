@@ -13,6 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 TagMap read_node(Scanner& in, MeshFile& file) {
+  const std::size_t begin = in.offset();
   const std::size_t count = in.count("vertices", 8);
   check_vertex_count(in, count);
   const int dimension = in.number_on_line<int>("the dimension");
@@ -36,6 +37,7 @@ TagMap read_node(Scanner& in, MeshFile& file) {
             "expected the end of the file");
   TagMap vertex_of_tag;
   if (const auto twice = vertex_of_tag.assign(tags)) {
+    in.blame(begin);
     in.fail("vertex number " + std::to_string(tags[*twice]) + " occurs twice", "expected every number once");
   }
   return vertex_of_tag;

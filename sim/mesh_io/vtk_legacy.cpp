@@ -247,6 +247,7 @@ void LegacyReader::add_cells() {
                  std::to_string(cells_.offsets.size()) + " cells",
              "expected one for each");
   }
+  in_.set_section("CELLS");
   in_.blame(cells_at_);
   grid_.add_cells(in_, cells_);
   cells_.connectivity = {};
@@ -345,7 +346,8 @@ void LegacyReader::read_attribute(const std::string& keyword) {
   in_.end_line("the line of the array");
   if (keyword == "SCALARS") {
     const std::string_view table = in_.word("LOOKUP_TABLE");
-    if (upper(table) != "LOOKUP_TABLE") in_.fail(in_quotes(table) + " follows SCALARS", "expected LOOKUP_TABLE");
+    if (upper(table) != "LOOKUP_TABLE")
+      in_.fail(in_quotes(table) + " follows SCALARS", "expected LOOKUP_TABLE");
     in_.word("the name of the table");
     in_.end_line("the name of the table");
   }

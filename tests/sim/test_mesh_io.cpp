@@ -149,8 +149,9 @@ TEST_CASE("what is no mesh is refused in one line", "[mesh_io]") {
   CHECK_THROWS_WITH(read_mesh("/dev/zero"), "/dev/zero: is a device; expected a file");
 }
 
-// A file cut anywhere is either refused or read as the whole mesh where only what follows the mesh is missing (of
-// VTK files that may be the regions). Where a number at the end may be cut without a trace, a note says so.
+// A file cut anywhere is either refused or read as the whole mesh where only what follows the mesh is missing
+// (of VTK files that may be the regions). Where a number at the end may be cut without a trace, a note says
+// so.
 TEST_CASE("a file truncated at any byte never crashes, never hangs, never gives another mesh", "[mesh_io]") {
   const TemporaryFolder folder;
   for (const MeshSample& sample : all_samples()) {

@@ -36,6 +36,7 @@ POINT_DATA 6
 VECTORS u double
 1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9
 SCALARS temperature float 1
+LOOKUP_TABLE default
 1 2 3 4 5 6
 )";
 
