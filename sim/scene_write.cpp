@@ -122,7 +122,10 @@ class SceneWriter {
 
   std::string path(const std::string& relative) const {
     if (same_folder_ || fs::path(relative).is_absolute()) return relative;
-    return fs::relative(scene_.resolve(relative), folder_.empty() ? "." : folder_).string();
+    std::error_code ec;
+    const fs::path target = scene_.resolve(relative),
+                   from_folder = fs::relative(target, folder_.empty() ? "." : folder_, ec);
+    return (from_folder.empty() ? fs::absolute(target, ec) : from_folder).string();
   }
 
   const Scene& scene_;
