@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/surface.h"
-
 namespace fascia {
 namespace {
 
@@ -20,9 +18,9 @@ double round_up(double value) {
 
 Session::Session(Graphics& graphics, Scene scene, bool use_reference)
     : simulation(std::move(scene), graphics.programs.get(), use_reference),
-      surface_(boundary_triangles(simulation.model.tets)),
-      renderer_(*graphics.programs, surface_, static_cast<std::uint32_t>(simulation.model.rest_positions.size()),
-                simulation.model.fixed),
+      surface_(drawn_surface(simulation.scene, simulation.model)),
+      renderer_(*graphics.programs, surface_.triangles, static_cast<std::uint32_t>(surface_.rest_positions.size()),
+                simulation.model.fixed, surface_.rest_positions),
       description_(describe(graphics)) {
   const Model& model = simulation.model;
   box_min_.setConstant(1e300);
@@ -78,8 +76,7 @@ void Session::draw(Framebuffer& framebuffer, const std::optional<GrabMark>& grab
   GpuSolver& solver = *simulation.gpu();
   solver.publish();
   framebuffer.bind();
-  renderer_.draw(SurfaceView{&solver.positions()}, camera, look, grab, framebuffer.draw_id(), framebuffer.width(),
-                 framebuffer.height());
+  renderer_.draw(SurfaceView{&solver.positions()}, camera, look, grab, framebuffer);
   framebuffer.resolve();
 }
 

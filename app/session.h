@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/drawn_surface.h"
 #include "app/graphics.h"
 #include "app/simulation.h"
 #include "render/camera.h"
@@ -32,12 +33,12 @@ class Session {
   void follow_range(const Diagnostics& diagnostics);
   std::string heat_label() const;  // "von Mises stress [Pa]"; empty without a heat map
 
-  const std::vector<Triangle>& surface() const { return surface_; }
-  std::string renderer_description() const { return description_; }
+  const DrawnSurface& surface() const { return surface_; }
+  const std::string& renderer_description() const { return description_; }
   void frame();  // camera on the whole body, from the front
 
  private:
-  std::vector<Triangle> surface_;
+  DrawnSurface surface_;
   SceneRenderer renderer_;
   Eigen::Vector3d box_min_, box_max_;  // of the bodies at rest [m]
   std::string description_;

@@ -2,13 +2,14 @@
 
 #include <cmath>
 
+#include "app/drawn_surface.h"
 #include "sim/error.h"
 
 namespace fascia {
 
 Simulation::Simulation(Scene opened, gl::ProgramCache* programs, bool use_reference)
     : scene(std::move(opened)), model(build_model(scene)) {
-  if (programs) gpu_ = std::make_unique<GpuSolver>(*programs, model, scene.solver);
+  if (programs) gpu_ = std::make_unique<GpuSolver>(*programs, model, scene.solver, embedded_points(scene));
   if (use_reference) {
     reference_ = std::make_unique<reference::NewtonSolver>(model, scene.solver);
     reference_state_ = reference::initial_state(model);

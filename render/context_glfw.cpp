@@ -23,7 +23,6 @@ class GlfwContext : public Context {
       throw Error("window", "no display: " + glfw_error(),
                   "expected a graphical session (DISPLAY or WAYLAND_DISPLAY); without one use render or "
                   "--context osmesa");
-    ++alive_;
     // An older one than 4.3 only serves to say, in gl::load, what was found instead (macOS ends at 4.1).
     for (const auto& [major, minor] : {std::pair{4, 3}, std::pair{3, 2}}) {
       glfwDefaultWindowHints();
@@ -37,11 +36,10 @@ class GlfwContext : public Context {
       window_ = glfwCreateWindow(request.width, request.height, request.title.c_str(), nullptr, nullptr);
       if (window_) return;
     }
-    const std::string why = glfw_error();
-    release();
-    throw Error("window", "no OpenGL core context: " + why, "expected OpenGL 4.3");
+    throw Error("window", "no OpenGL core context: " + glfw_error(), "expected OpenGL 4.3");
   }
-  ~GlfwContext() override { release(); }
+  // GLFW itself is never terminated: that would unload the driver, which other contexts may still use.
+  ~GlfwContext() override { glfwDestroyWindow(window_); }
   GlfwContext(const GlfwContext&) = delete;
   GlfwContext& operator=(const GlfwContext&) = delete;
 
@@ -56,11 +54,6 @@ class GlfwContext : public Context {
   }
 
  private:
-  void release() {
-    if (window_) glfwDestroyWindow(window_);
-    if (--alive_ == 0) glfwTerminate();
-  }
-  inline static int alive_ = 0;
   GLFWwindow* window_ = nullptr;
 };
 

@@ -23,15 +23,18 @@ void Ground::lay(const Look& look, FrameUniforms& frame) {
   const Eigen::Matrix3d standing = standing_axes(look.up);
   const GridScale scale = grid_scale(look.radius);
   frame.grid_x << standing.col(0).cast<float>(), float(scale.spacing);
-  frame.grid_z << standing.col(2).cast<float>(), float(scale.strong);
+  frame.grid_z << standing.col(2).cast<float>(), 1 / float(scale.strong);
 }
 
 void Ground::draw(bool shadow) const {
+  constexpr GLint kAround = 48,
+                  kMiddle = 6;  // vertices of the cells around the shadow map's, and of that one
   no_vertices_.bind();
-  middle_.use();
-  if (shadow) gl::DrawArrays(GL_TRIANGLES, 0, 6);
   around_.use();
-  gl::DrawArrays(GL_TRIANGLES, 0, 48);
+  gl::DrawArrays(GL_TRIANGLES, 0, shadow ? kAround : kAround + kMiddle);
+  if (!shadow) return;
+  middle_.use();
+  gl::DrawArrays(GL_TRIANGLES, kAround, kMiddle);
 }
 
 void Ground::draw_background() const {

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kReach = 1.6;  // half the map's side in scene radii: room for a body that is pulled about
+constexpr double kReach = 1.8;  // half the map's side in scene radii: room for a body that is pulled about
 constexpr double kDepthReach =
     4;  // half the map's depth in scene radii; what lies beyond is clamped, not lost
 constexpr double kLampSlope = 0.16;  // the lamp's size as the tangent of the angle that it fills
@@ -23,32 +23,45 @@ Eigen::Vector4f vec4(const Vector3d& xyz, double w) {
   return {float(xyz.x()), float(xyz.y()), float(xyz.z()), float(w)};
 }
 
+GLuint make_target(GLenum attachment, const gl::Texture& texture) {
+  GLuint id = 0;
+  gl::GenFramebuffers(1, &id);
+  gl::BindFramebuffer(GL_FRAMEBUFFER, id);
+  gl::FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.id(), 0);
+  if (attachment == GL_DEPTH_ATTACHMENT) {
+    gl::DrawBuffer(GL_NONE);
+    gl::ReadBuffer(GL_NONE);
+  }
+  return id;
+}
+
+gl::Defines ground_defines() {
+  return {{"GROUND_SIZE", std::to_string(ShadowMap::kGroundSize) + ".0"},
+          {"PENUMBRA", std::to_string(kLampSlope * kDepthReach / kReach)}};
+}
+
 }  // namespace
 
 ShadowMap::ShadowMap(gl::ProgramCache& programs)
-    : ground_program_(programs.draw("draw/fullscreen.vert", "draw/ground_shadow.frag",
-                                    {{"PENUMBRA", std::to_string(kLampSlope * kDepthReach / kReach)}})),
+    : cover_program_(programs.draw("draw/fullscreen.vert", "draw/ground_cover.frag", ground_defines())),
+      light_program_(programs.draw("draw/fullscreen.vert", "draw/ground_light.frag", ground_defines())),
       depth_("shadow depth", GL_DEPTH_COMPONENT32F, kSize, kSize),
-      ground_light_("shadow on the ground", GL_R8, kGroundSize, kGroundSize, 0, GL_RED) {
+      ground_cover_("shadow cover of the ground", GL_RGBA8, kGroundSize, kGroundSize),
+      ground_light_("shadow on the ground", GL_RGBA8, kGroundSize, kGroundSize),
+      depth_target_(make_target(GL_DEPTH_ATTACHMENT, depth_)),
+      cover_target_(make_target(GL_COLOR_ATTACHMENT0, ground_cover_)),
+      light_target_(make_target(GL_COLOR_ATTACHMENT0, ground_light_)) {
   gl::BindTexture(GL_TEXTURE_2D, depth_.id());
   const float far[] = {1, 1, 1, 1};
   gl::TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, far);
   gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
   gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
   gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-  gl::GenFramebuffers(1, &depth_target_);
-  gl::BindFramebuffer(GL_FRAMEBUFFER, depth_target_);
-  gl::FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
-  gl::DrawBuffer(GL_NONE);
-  gl::ReadBuffer(GL_NONE);
-  gl::GenFramebuffers(1, &ground_target_);
-  gl::BindFramebuffer(GL_FRAMEBUFFER, ground_target_);
-  gl::FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, ground_light_.id(), 0);
 }
 
 ShadowMap::~ShadowMap() {
-  gl::DeleteFramebuffers(1, &depth_target_);
-  gl::DeleteFramebuffers(1, &ground_target_);
+  const GLuint targets[] = {depth_target_, cover_target_, light_target_};
+  gl::DeleteFramebuffers(3, targets);
 }
 
 void ShadowMap::aim(const Look& look, FrameUniforms& frame) {
@@ -86,13 +99,17 @@ void ShadowMap::draw(const std::function<void()>& draw_depth, bool ground) const
   draw_depth();
   gl::Disable(GL_DEPTH_CLAMP);
   if (!ground) return;
-  gl::BindFramebuffer(GL_FRAMEBUFFER, ground_target_);
   gl::Viewport(0, 0, kGroundSize, kGroundSize);
   gl::Disable(GL_DEPTH_TEST);
   gl::ActiveTexture(GL_TEXTURE0);
-  set_compare(depth_, GL_NONE);
-  ground_program_.use();
   no_vertices_.bind();
+  gl::BindFramebuffer(GL_FRAMEBUFFER, cover_target_);
+  set_compare(depth_, GL_NONE);
+  cover_program_.use();
+  gl::DrawArrays(GL_TRIANGLES, 0, 3);
+  gl::BindFramebuffer(GL_FRAMEBUFFER, light_target_);
+  gl::BindTexture(GL_TEXTURE_2D, ground_cover_.id());
+  light_program_.use();
   gl::DrawArrays(GL_TRIANGLES, 0, 3);
   gl::Enable(GL_DEPTH_TEST);
 }

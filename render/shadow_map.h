@@ -13,7 +13,7 @@ namespace fascia {
 class ShadowMap {
  public:
   static constexpr int kSize = 1024;       // texels across the depth map
-  static constexpr int kGroundSize = 192;  // texels across the map of light on the ground
+  static constexpr int kGroundSize = 128;  // texels across the map of light on the ground
 
   explicit ShadowMap(gl::ProgramCache& programs);
   ~ShadowMap();
@@ -28,9 +28,9 @@ class ShadowMap {
   void bind_ground_light(GLuint unit) const;  // for sampler2D
 
  private:
-  const gl::Program& ground_program_;
-  gl::Texture depth_, ground_light_;
-  GLuint depth_target_ = 0, ground_target_ = 0;
+  const gl::Program &cover_program_, &light_program_;
+  gl::Texture depth_, ground_cover_, ground_light_;
+  GLuint depth_target_ = 0, cover_target_ = 0, light_target_ = 0;
   VertexArray no_vertices_;
 };
 

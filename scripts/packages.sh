@@ -1,7 +1,7 @@
 # Debian packages that fascia needs, and a function that installs the missing ones. Sourced by run.sh and test.sh.
 
-build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libglfw3-dev libgl-dev libimgui-dev libcli11-dev
-  nlohmann-json3-dev libstb-dev zlib1g-dev)
+build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libglfw3-dev libgl-dev libegl-dev libimgui-dev libcli11-dev
+  nlohmann-json3-dev libstb-dev libtinyobjloader-dev zlib1g-dev)
 # OSMesa and EGL are opened at run time; ffmpeg is a child process.
 run_packages=(libgl1-mesa-dri libegl1 libegl-mesa0 libosmesa6 ffmpeg)
 test_packages=(catch2 xvfb xdotool python3)

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
-#include <numbers>
 
 #include "sim/csv.h"
 #include "sim/error.h"
@@ -20,13 +19,6 @@ using Eigen::Vector3d;
 
 constexpr double kLockingPoissonRatio =
     0.45;  // linear tets are visibly too stiff above it, on any affordable mesh
-
-Eigen::Affine3d placement(const Transform& transform) {
-  const Vector3d angles = transform.rotate_deg * (std::numbers::pi / 180);
-  return Eigen::Translation3d(transform.translate) * Eigen::AngleAxisd(angles.z(), Vector3d::UnitZ()) *
-         Eigen::AngleAxisd(angles.y(), Vector3d::UnitY()) * Eigen::AngleAxisd(angles.x(), Vector3d::UnitX()) *
-         Eigen::Scaling(transform.scale);
-}
 
 /// One body on its way into the model.
 struct LoadedBody {

@@ -1,6 +1,7 @@
 #include "sim/scene.h"
 
 #include <fstream>
+#include <numbers>
 
 #include "sim/error.h"
 #include "sim/file.h"
@@ -50,6 +51,14 @@ Scene open_scene(const std::filesystem::path& path, const std::vector<std::strin
   Scene scene = read_scene(document, origin);
   scene.file = path;
   return scene;
+}
+
+Eigen::Affine3d placement(const Transform& transform) {
+  using Eigen::Vector3d;
+  const Vector3d angles = transform.rotate_deg * (std::numbers::pi / 180);
+  return Eigen::Translation3d(transform.translate) * Eigen::AngleAxisd(angles.z(), Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(angles.y(), Vector3d::UnitY()) * Eigen::AngleAxisd(angles.x(), Vector3d::UnitX()) *
+         Eigen::Scaling(transform.scale);
 }
 
 const char* name_of(ColorBy color) {

@@ -3,7 +3,7 @@
 // "file: bodies[0].materials.default.young_modulus: is -5; expected 0.001 to 1e+14 Pa"; a syntax error is
 // "file:line:column: ...".
 #pragma once
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -23,6 +23,9 @@ struct Transform {  // applied scale, then rotation, then translation
   Eigen::Vector3d translate = Eigen::Vector3d::Zero();   // [m]
   bool operator==(const Transform&) const = default;
 };
+
+/// From the mesh file's coordinates to the scene's.
+Eigen::Affine3d placement(const Transform& transform);
 
 struct BoxSelection {
   Eigen::Vector3d min, max;  // closed, on rest positions before the transform

@@ -2,7 +2,8 @@
 vec3 background(float height) {
   const vec3 low = vec3(0.70, 0.725, 0.755), middle = vec3(0.86, 0.875, 0.89), high = vec3(0.60, 0.655, 0.715);
   float t = height - 0.58;
-  return t < 0.0 ? mix(middle, low, t * t * 2.97) : mix(middle, high, t * t * (3.0 - 2.0 * t / 0.42) * 5.67);
+  vec3 toward = t < 0.0 ? (low - middle) * 2.97 : (high - middle) * 5.67;
+  return middle + toward * (t * t);
 }
 
 // Noise of one 8-bit step that breaks the bands a slow gradient would show; fixed in the picture.

@@ -3,30 +3,24 @@
 #include "common/frame.glsl"
 #include "common/background.glsl"
 in vec3 place;
+in vec2 grid;
 #if SHADOW
 in vec2 shadow_position;
 layout(binding = 0) uniform sampler2D ground_light;
 #endif
 layout(location = 0) out vec4 color;
 
-// Share of the pixel that lines at whole numbers cover; `width` is the pixel's extent, lines are `thick` pixels wide. Where
-// lines come closer than pixels they fade away.
-vec2 lines(vec2 at, vec2 width, float thick) {
-  vec2 distance = abs(fract(at + 0.5) - 0.5) / width;
-  return clamp(0.5 * thick + 0.5 - distance, 0.0, 1.0) * clamp(1.6 - 4.0 * width, 0.0, 1.0);
-}
-
 void main() {
-  vec3 from_center = place - frame.center.xyz;
-  float away = dot(from_center, from_center) / (frame.center.w * frame.center.w);
-  float presence = max(1.0 - away * (1.0 / 49.0), 0.0);
+  float presence = max(1.0 - dot(place, place) * (1.0 / 49.0), 0.0);
   presence *= presence;
-  vec2 at = vec2(dot(place, frame.grid_x.xyz), dot(place, frame.grid_z.xyz)) / frame.grid_x.w;
-  vec2 width = sqrt(dFdx(at) * dFdx(at) + dFdy(at) * dFdy(at));
-  vec2 fine = lines(at, width, 1.0 * frame.picture.z);
-  vec2 strong = lines(at / frame.grid_z.w, width / frame.grid_z.w, 1.4 * frame.picture.z);
-  float line = max(0.30 * max(fine.x, fine.y), 0.60 * max(strong.x, strong.y));
-  vec3 result = mix(vec3(0.885, 0.89, 0.90), vec3(0.55, 0.58, 0.62), line);
+  // The nearest line of each family: its share of the pixel, fading where lines come closer than a few pixels; every
+  // grid_z.w-th is strong, which also lets it fade later.
+  vec2 nearest = floor(grid + 0.5), width = fwidth(grid);
+  vec2 weak = step(0.5, abs(fract(nearest * frame.grid_z.w + 0.5) - 0.5) / frame.grid_z.w);
+  vec2 thick = 0.5 + frame.picture.z * mix(vec2(0.7), vec2(0.5), weak);
+  vec2 share = clamp(thick - abs(grid - nearest) / width, 0.0, 1.0);
+  vec2 lines = share * mix(0.6 * clamp(1.6 - 2.5 * width, 0.0, 1.0), 0.3 * clamp(1.6 - 5.0 * width, 0.0, 1.0), weak);
+  vec3 result = mix(vec3(0.885, 0.89, 0.90), vec3(0.55, 0.58, 0.62), max(lines.x, lines.y));
 #if SHADOW
   result *= mix(vec3(0.50, 0.53, 0.58), vec3(1.0), texture(ground_light, shadow_position).x);
 #endif

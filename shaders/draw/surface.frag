@@ -45,9 +45,8 @@ float edge_coverage() {
 
 void main() {
   vec3 n = normalize(gl_FrontFacing ? surface_normal : -surface_normal);
-  vec3 v = normalize(to_eye);
   vec3 l = frame.light.xyz;
-  float n_l = dot(n, l), n_up = dot(n, frame.up.xyz), n_v = max(dot(n, v), 0.0);
+  float n_l = dot(n, l), n_up = dot(n, frame.up.xyz), n_v = max(dot(n, to_eye), 0.0);
   float key = max((n_l + 0.15) / 1.15, 0.0) * mix(1.0, key_visibility(), clamp(4.0 * n_l + 0.5, 0.0, 1.0));
   float sky = 0.5 + 0.5 * n_up;
 #if HEAT_MAP
@@ -56,8 +55,8 @@ void main() {
   vec3 result = heat_color(heat) * linear_to_srgb(vec3(shade)).x;
 #else
   vec3 base = gl_FrontFacing ? frame.base_color.rgb : frame.base_color.brg * 0.6;
-  vec3 light = vec3(1.02, 0.98, 0.92) * (0.86 * key) + mix(vec3(0.21, 0.18, 0.17), vec3(0.38, 0.43, 0.50), sky);
-  float n_h = max(dot(n, normalize(l + v)), 0.0);
+  vec3 light = vec3(1.02, 0.98, 0.92) * (0.86 * key) + mix(vec3(0.27, 0.24, 0.23), vec3(0.38, 0.43, 0.50), sky);
+  float n_h = max(dot(n, normalize(l + to_eye)), 0.0);
   float gloss = n_h * n_h;
   gloss *= gloss;
   gloss *= gloss;
@@ -65,7 +64,7 @@ void main() {
   gloss *= gloss;
   float rim = (1.0 - n_v) * (1.0 - n_v);
   rim *= rim * (0.25 + 0.75 * sky);
-  vec3 result = display(base * light + vec3(0.16) * gloss * key + vec3(0.20, 0.23, 0.27) * rim);
+  vec3 result = display(base * light + vec3(0.16) * gloss * key + vec3(0.15, 0.17, 0.20) * rim);
 #endif
 #if WIREFRAME
   result = mix(result, result * 0.25, 0.8 * edge_coverage());

@@ -28,7 +28,7 @@ void main() {
   barycentric = vec2(number == 0, number == 1);
 #endif
   gl_Position = to_clip(position.xyz);
-  to_eye = frame.eye.xyz - position.xyz;
+  to_eye = normalize(frame.eye.xyz - position.xyz);
   surface_normal = normal.xyz;
 #if HEAT_MAP
   heat = (position.w - frame.heat_range.x) * frame.heat_range.y;

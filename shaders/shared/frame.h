@@ -10,6 +10,6 @@ vec4 ground_origin;        // xyz: the ground under shadow map coordinates (0, 0
 vec4 ground_u;             // step of the same to (1, 0)
 vec4 ground_v;             // step of the same to (0, 1)
 vec4 grid_x;               // xyz: unit vector along one family of grid lines; w: spacing of the fine lines [m]
-vec4 grid_z;               // xyz: across; w: fine lines per strong line
+vec4 grid_z;               // xyz: across; w: strong lines per fine line
 vec4 base_color;           // rgb of the surface, linear
 vec4 heat_range;           // scalar shown as 0, 1 / (scalar shown as 1 - it)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/gpu/diagnostics.h"
+#include "sim/gpu/gauss_seidel.h"
 #include "sim/gpu/jacobi.h"
 #include "sim/gpu/motion_targets.h"
 #include "sim/gpu/surface_positions.h"
@@ -16,7 +17,9 @@ namespace fascia {
 class GpuSolver {
  public:
   /// `model` must outlive the solver. Its materials and gravity may be changed; tell the solver with materials_changed().
-  GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings);
+  /// `surface_points` are extra vertices to draw, embedded in the tets (scene key "surface"); none by default.
+  GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
+            const std::vector<Eigen::Vector3d>& surface_points = {});
 
   /// One frame step of settings.time_step: substeps, each of predict, iterations, velocity.
   void step();
@@ -31,7 +34,7 @@ class GpuSolver {
 
   /// Brings positions() up to date with the state.
   void publish() const { surface_.run(); }
-  const gl::Buffer& positions() const { return surface_.positions(); }  // vec4 [vertex_count]
+  const gl::Buffer& positions() const { return surface_.positions(); }  // vec4 [vertex_count + points]
 
   void request_diagnostics();
   std::optional<Diagnostics> take_diagnostics(bool wait) { return diagnostics_.take(wait); }
@@ -44,6 +47,7 @@ class GpuSolver {
 
  private:
   void record();
+  std::vector<gl::ComputePass> iteration(bool first) const;
 
   gl::ProgramCache& programs_;
   const Model& model_;
@@ -52,7 +56,8 @@ class GpuSolver {
   ColorBy color_ = ColorBy::none;
   SimBuffers buffers_;
   gl::Buffer previous_strain_;  // vec4 [2 * tet_count]; made when a material is first damped
-  JacobiMethod jacobi_;
+  std::optional<JacobiMethod> jacobi_;  // only the method in use exists
+  std::optional<GaussSeidelMethod> gauss_seidel_;
   MotionTargets motions_;
   GrabSprings grab_;
   DiagnosticsReader diagnostics_;

@@ -47,6 +47,7 @@ class LegacyReader {
   void read_cell_types();
   void read_attribute(const std::string& keyword);
   void read_field();
+  void skip_strings(std::uint64_t count);
   void skip_metadata();
   void add_cells();
 
@@ -144,7 +145,7 @@ VtkType LegacyReader::type() {
   std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
   const auto found = types.find(lower);
   if (found == types.end())
-    in_.fail("data type is " + in_quotes(word), "expected a numeric type such as float, double or int");
+    in_.fail("data type is " + in_quotes(word), "expected a number type such as float, double or int");
   bits_ = lower == "bit";
   return found->second;
 }
@@ -278,9 +279,31 @@ void LegacyReader::read_field() {
     const std::string name = decoded(in_.word("the name of an array"));
     const auto components = in_.number<std::uint32_t>("the number of components");
     const auto tuples = in_.number<std::uint64_t>("the number of tuples");
+    if (in_.take("string")) {
+      skip_strings(components * tuples);
+      continue;
+    }
     const VtkType scalar = type();
     in_.end_line("the data type");
     array(name, scalar, components, tuples);
+  }
+}
+
+void LegacyReader::skip_strings(std::uint64_t count) {
+  in_.end_line("the data type");
+  in_.check_count(count, "strings", 1);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (!binary_) {
+      in_.line();
+      continue;
+    }
+    // The two highest bits of the first byte say how many bytes hold the length: 8, 4, 2 or 1.
+    const auto first = static_cast<unsigned char>(in_.bytes(1, "the length of a string")[0]);
+    std::uint64_t length = first & 63;
+    for (int rest = (8 >> (first >> 6)) - 1; rest > 0; --rest) {
+      length = length << 8 | static_cast<unsigned char>(in_.bytes(1, "the length of a string")[0]);
+    }
+    in_.skip(length, "a string");
   }
 }
 

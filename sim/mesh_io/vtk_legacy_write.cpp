@@ -25,12 +25,6 @@ std::string encoded(std::string_view name) {
 std::string vtk_legacy_text(const TetMesh& mesh) {
   NumberText out;
   out.add("# vtk DataFile Version 3.0\ntetrahedral mesh\nASCII\nDATASET UNSTRUCTURED_GRID\n");
-  if (!mesh.region_names.empty()) {
-    out.add("FIELD FieldData ").add(mesh.region_names.size()).add('\n');
-    for (const auto& [region, name] : mesh.region_names) {
-      out.add(vtk_region_name_prefix).add(encoded(name)).add(" 1 1 int\n").add(region).add('\n');
-    }
-  }
   out.add("POINTS ").add(mesh.positions.size()).add(" double\n");
   for (const Eigen::Vector3d& x : mesh.positions)
     out.add(x[0]).add(' ').add(x[1]).add(' ').add(x[2]).add('\n');
@@ -42,6 +36,12 @@ std::string vtk_legacy_text(const TetMesh& mesh) {
   }
   out.add("CELL_TYPES ").add(mesh.tets.size()).add('\n');
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) out.add("10\n");
+  if (!mesh.region_names.empty()) {
+    out.add("FIELD FieldData ").add(mesh.region_names.size()).add('\n');
+    for (const auto& [region, name] : mesh.region_names) {
+      out.add(vtk_region_name_prefix).add(encoded(name)).add(" 1 1 int\n").add(region).add('\n');
+    }
+  }
   out.add("CELL_DATA ").add(mesh.tets.size()).add("\nSCALARS region int 1\nLOOKUP_TABLE default\n");
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) out.add(region_of(mesh, t)).add('\n');
 

@@ -133,11 +133,11 @@ class Parser {
         pos_ = text_.size();
         fail("", "");
       }
-      pos_ = end;
+      pos_ = out.text_end = end;
     } else {
+      out.text_end = std::min(text_.find('<', pos_), text_.size());
       content(out, depth);
     }
-    out.text_end = pos_;
     pos_ += 2;  // </
     const std::size_t closing = pos_;
     const std::string closed = name("a closing element");

@@ -15,7 +15,7 @@ struct XmlElement {
   std::vector<std::pair<std::string, std::string>> attributes;
   std::vector<XmlElement> children;
   std::size_t at = 0;          // offset of its '<' in the file
-  std::size_t text_begin = 0;  // its content without the surrounding tags
+  std::size_t text_begin = 0;  // its text, up to its first child
   std::size_t text_end = 0;
 
   /// The value of an attribute, or `absent`.

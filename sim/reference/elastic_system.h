@@ -1,6 +1,6 @@
-// All tets of a Model at once: total elastic energy, its gradient over every vertex, and its Hessian over the free ones as
-// a sparse matrix. The sparsity is found once, in an elimination order that keeps the Cholesky factor small, and tets then
-// add straight into the stored values.
+// All tets of a Model at once: total elastic energy, its gradient over every vertex, and its Hessian over the
+// free ones as a sparse matrix. The sparsity is found once, in an elimination order that keeps the Cholesky
+// factor small, and tets then add straight into the stored values.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -32,10 +32,12 @@ class ElasticSystem {
   Eigen::VectorXd free_part(const Eigen::VectorXd& all) const;
   void add_to_free(const Eigen::VectorXd& free, double factor, Eigen::VectorXd& all) const;
 
-  /// Energy [J] at displacements `u` [3 * vertex_count], and its gradient [N] over all vertices, held ones included.
+  /// Energy [J] at displacements `u` [3 * vertex_count], and its gradient [N] over all vertices, held ones
+  /// included.
   double evaluate(const Eigen::VectorXd& u, const ViscousStep& viscous, Eigen::VectorXd& gradient) const;
   /// Upper triangle of the Hessian [N/m] over the unknowns into `hessian` (made by empty_hessian()). `scale`
-  /// [3 * vertex_count] receives sum_e |H_e| |u|: times the machine epsilon it bounds the rounding of the gradient.
+  /// [3 * vertex_count] receives sum_e |H_e| |u|: times the machine epsilon it bounds the rounding of the
+  /// gradient.
   void assemble(const Eigen::VectorXd& u, const ViscousStep& viscous, bool project, SparseMatrix& hessian,
                 Eigen::VectorXd& scale) const;
   /// Hessian over all vertices times `direction` [3 * vertex_count].
@@ -43,23 +45,24 @@ class ElasticSystem {
                                 const Eigen::VectorXd& direction) const;
   const SparseMatrix& empty_hessian() const { return pattern_; }
 
-  bool viscous() const;  // some material has damping
+  bool viscous() const;                                                  // some material has damping
   std::vector<Eigen::Matrix3d> strains(const Eigen::VectorXd& u) const;  // [tet_count] Green strain
   double min_det_f(const Eigen::VectorXd& u) const;
 
  private:
   Corners corners(const Eigen::VectorXd& u, const Tet& tet) const;
-  Derivatives derivatives(std::size_t t, const Eigen::VectorXd& u, const ViscousStep& viscous, bool with_hessian,
-                          bool project) const;
+  Derivatives derivatives(std::size_t t, const Eigen::VectorXd& u, const ViscousStep& viscous,
+                          bool with_hessian, bool project) const;
 
   const Model& model_;
   std::vector<RestTet> rest_;
   std::vector<int> first_dof_;
   int dof_count_ = 0;
   SparseMatrix pattern_;  // zeros
-  // Where tets add: the three columns of block column j hold their blocks in the same order, so one rank per pair of
-  // corners says where the 3x3 block of (row, column) begins in each of them.
-  std::vector<std::array<int, 16>> block_rank_;  // [tet_count] [4 * row corner + column corner], -1: nothing stored
+  // Where tets add: the three columns of block column j hold their blocks in the same order, so one rank per
+  // pair of corners says where the 3x3 block of (row, column) begins in each of them.
+  std::vector<std::array<int, 16>>
+      block_rank_;  // [tet_count] [4 * row corner + column corner], -1: nothing stored
 };
 
 }  // namespace fascia::reference

@@ -12,14 +12,17 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// H = F - I from differences of displacements, so that neither the identity nor a common translation costs digits.
+// H = F - I from differences of displacements, so that neither the identity nor a common translation costs
+// digits.
 Matrix3d displacement_gradient(const RestTet& rest, const Corners& u) {
   Matrix3d h = Matrix3d::Zero();
   for (int a = 1; a < 4; ++a) h += (u[a] - u[0]) * rest.gradients.col(a).transpose();
   return h;
 }
 
-Matrix3d strain_of(const Matrix3d& h) { return 0.5 * (h + h.transpose() + h.transpose() * h); }
+Matrix3d strain_of(const Matrix3d& h) {
+  return 0.5 * (h + h.transpose() + h.transpose() * h);
+}
 
 double energy_density(const Matrix3d& strain, const Material& material) {
   const double trace = strain.trace();
@@ -83,7 +86,8 @@ Derivatives elastic(const RestTet& rest, const Corners& displacements, const Mat
   result.energy = rest.volume * (energy_density(strain, material) +
                                  damping_over_h * energy_density(strain_change, material));
   const Eigen::Matrix<double, 3, 4> fb = f * rest.gradients;  // F b_a
-  Eigen::Map<Eigen::Matrix<double, 3, 4>>(result.gradient.data()) = rest.volume * (f * stress) * rest.gradients;
+  Eigen::Map<Eigen::Matrix<double, 3, 4>>(result.gradient.data()) =
+      rest.volume * (f * stress) * rest.gradients;
   if (!with_hessian) return result;
 
   // Block (a, b) of the second variation of V Psi:

@@ -39,7 +39,8 @@ Measures measure(const Model& model, const State& state) {
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
     const RestTet rest(gather(model.rest_positions, model.tets[t]));
     const Corners u = gather(state.displacement, model.tets[t]);
-    const Derivatives d = elastic(rest, u, model.materials[model.tet_material[t]], 0, Eigen::Matrix3d::Zero(), false, false);
+    const Derivatives d =
+        elastic(rest, u, model.materials[model.tet_material[t]], 0, Eigen::Matrix3d::Zero(), false, false);
     result.elastic += d.energy;
     for (int a = 0; a < 4; ++a)
       if (held[model.tets[t][a]]) result.fixed_reaction += d.gradient.segment<3>(3 * a);

@@ -123,6 +123,9 @@ TEST_CASE("bindings that do not fit the kernel are errors that name it") {
   bindings = in.bindings();
   bindings[4].second = &in.position;
   CHECK_THAT(message(bindings), Contains("position and result are one buffer"));
+  bindings = in.bindings();
+  bindings.emplace_back("weight", &spare);
+  CHECK_THAT(message(bindings), Contains("weight is bound twice"));
   if (device().max_compute_groups < 0x7fffffff / 64)
     CHECK_THAT(message(in.bindings(), 0xffffffffu), Contains("67108864 work groups; expected at most"));
 }
