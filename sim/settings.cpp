@@ -6,7 +6,7 @@ namespace fascia {
 
 const std::vector<Pair>& legal_pairs() {
   static const std::vector<Pair> pairs = {{Method::gauss_seidel, Acceleration::none},
-                                           {Method::jacobi, Acceleration::none}};
+                                          {Method::jacobi, Acceleration::none}};
   return pairs;
 }
 
@@ -42,12 +42,13 @@ const char* help_of(Method method) {
   switch (method) {
     case Method::jacobi:
       return "All tets at once, each vertex takes the mean of its tets' corrections. The cheapest iteration "
-             "and always "
-             "stable, but too soft: it does not converge to the material's stiffness, however many "
+             "and always stable, but too soft: it does not converge to the material's stiffness, however "
+             "many "
              "iterations it gets.";
     case Method::gauss_seidel:
       return "Color by color, each tet sees the corrections before it. One dispatch per color, a few percent "
-             "off the exact step; more substeps make it exact. Very stiff tissue (1e7 Pa) with long steps can "
+             "off the exact step; more substeps make it exact. Very stiff tissue (1e7 Pa) with long steps "
+             "can "
              "invert tets.";
   }
   return "";
