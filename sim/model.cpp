@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLockingPoissonRatio =
-    0.45;  // linear tets are visibly too stiff above it, on any affordable mesh
+/// Linear tets are visibly too stiff above it, on any affordable mesh.
+constexpr double kLockingPoissonRatio = 0.45;
 
 /// One body on its way into the model.
 struct LoadedBody {
@@ -33,8 +33,8 @@ struct LoadedBody {
 LoadedBody load(const Scene& scene, std::size_t index) {
   const Body& body = scene.bodies[index];
   const std::filesystem::path path = scene.resolve(body.mesh);
-  LoadedBody loaded{scene,           body, scene.file.string() + ": bodies[" + std::to_string(index) + "]",
-                    read_mesh(path), {},   {}};
+  const std::string where = scene.file.string() + ": bodies[" + std::to_string(index) + "]";
+  LoadedBody loaded{scene, body, where, read_mesh(path), {}, {}};
   loaded.repaired = repair(loaded.file.mesh);
   if (loaded.repaired.tets.empty()) {
     throw Error(
@@ -88,8 +88,7 @@ void add_materials(const LoadedBody& loaded, Model& model, BodyPart& part) {
   model.material_names.insert(model.material_names.end(), resolved.names.begin(), resolved.names.end());
 }
 
-/// Appends the body's motions and fixed vertices, shifted to the model's numbering; [vertex_count] 1 where
-/// held.
+/// Appends the body's motions and fixed vertices in the model's numbering; [vertex_count] 1 where held.
 std::vector<char> add_constraints(const LoadedBody& loaded, std::uint32_t vertex_begin, Model& model) {
   const TetMesh& mesh = loaded.file.mesh;
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);

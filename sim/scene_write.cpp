@@ -122,7 +122,10 @@ class SceneWriter {
 
   std::string path(const std::string& relative) const {
     if (same_folder_ || fs::path(relative).is_absolute()) return relative;
-    return fs::relative(scene_.resolve(relative), folder_.empty() ? "." : folder_).string();
+    std::error_code ec;
+    const fs::path target = scene_.resolve(relative);
+    const fs::path from_folder = fs::relative(target, folder_.empty() ? "." : folder_, ec);
+    return (from_folder.empty() ? fs::absolute(target, ec) : from_folder).string();
   }
 
   const Scene& scene_;
@@ -151,7 +154,7 @@ std::string text_of(const json& value, const std::string& indent, bool on_one_li
   for (const auto& item : value.items()) {
     if (!text.empty()) text += on_one_line ? ", " : ",\n";
     text += deeper;
-    if (value.is_object()) text += json(item.key()).dump() + ": ";
+    if (value.is_object()) text += text_of(item.key(), "", true) + ": ";
     text += text_of(item.value(), deeper, on_one_line);
   }
   if (!on_one_line) text = "\n" + text + "\n" + indent;

@@ -111,12 +111,19 @@ TEST_CASE("every key of a scene arrives") {
   CHECK(std::get<Eigen::Vector3d>(scene.bodies[1].initial_velocity) == Eigen::Vector3d(0, 0, -0.1));
 }
 
-TEST_CASE("a solver section that names a method or an acceleration alone gets the best pair with it") {
-  for (const char* solver :
-       {R"("solver": {})", R"("solver": {"method": "jacobi"})", R"("solver": {"acceleration": "none"})"}) {
-    CAPTURE(solver);
-    const Scene scene = SceneFile(scene_text("", solver)).open();
-    CHECK(scene.solver == SolverSettings{});
+TEST_CASE("a solver section gets the best pair with what it names") {
+  const Pair best = legal_pairs().front();
+  for (const Pair& pair : legal_pairs()) {
+    const std::string method = name_of(pair.method), acceleration = name_of(pair.acceleration);
+    CAPTURE(method, acceleration);
+    const auto pair_of = [](const std::string& solver) {
+      const SolverSettings settings = SceneFile(scene_text("", "\"solver\": " + solver)).open().solver;
+      return Pair{settings.method, settings.acceleration};
+    };
+    CHECK(pair_of("{\"method\": \"" + method + "\", \"acceleration\": \"" + acceleration + "\"}") == pair);
+    CHECK(pair_of("{\"method\": \"" + method + "\"}") == find_pair(method, {}));
+    CHECK(pair_of("{\"acceleration\": \"" + acceleration + "\"}") == find_pair({}, acceleration));
+    CHECK(pair_of("{}") == best);
   }
 }
 
@@ -185,7 +192,8 @@ TEST_CASE("a scene written to another folder finds the same files") {
 }
 
 TEST_CASE("a written scene is readable: lists of numbers on one line, no needless digits") {
-  const SceneFile file(scene_text(R"("fixed": [{"vertices": [0, 1, 2]}, {"lowest": 0.02}])"));
+  const SceneFile file(scene_text(R"("fixed": [{"vertices": [0, 1, 2]}, {"lowest": 0.02}])",
+                                  R"("solver": {"method": "jacobi"})"));
   CHECK(scene_to_json(file.open(), file.path().parent_path()) == R"({
   "fascia_scene": 1,
   "title": "",
@@ -221,6 +229,14 @@ TEST_CASE("a written scene is readable: lists of numbers on one line, no needles
   "duration": 2
 }
 )");
+}
+
+TEST_CASE("texts that are no UTF-8 are written with replacements instead of failing") {
+  const SceneFile file(scene_text());
+  const Scene scene = file.open({"title=a\xff", "materials.\xfe.density=900"});
+  const std::string text = scene_to_json(scene, file.path().parent_path());
+  CHECK(text.find("\"title\": \"a\xef\xbf\xbd\"") != std::string::npos);
+  CHECK(text.find("\"\xef\xbf\xbd\": {\"density\": 900}") != std::string::npos);
 }
 
 TEST_CASE("names of colors") {
