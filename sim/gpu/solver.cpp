@@ -9,6 +9,18 @@ void run(const std::vector<gl::ComputePass>& passes) {
 
 }  // namespace
 
+gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, bool split_masses) {
+  gl::ComputePass::Bindings bindings{{"step", &buffers.step},
+                                     {"rest_position", &buffers.rest_position},
+                                     {"velocity", &buffers.velocity},
+                                     {"displacement", &buffers.displacement},
+                                     {"previous_displacement", &buffers.previous_displacement},
+                                     {"predicted", &buffers.predicted}};
+  if (split_masses) bindings.emplace_back("slot_begin", &buffers.slot_begin);
+  return {programs.compute("sim/predict.comp", {{"MASS_SPLITTING", split_masses ? "1" : "0"}}), std::move(bindings),
+          buffers.vertex_count};
+}
+
 GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
                      const std::vector<Eigen::Vector3d>& surface_points)
     : programs_(programs),
@@ -16,7 +28,6 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       settings_(settings),
       features_(features_of(model)),
       buffers_(model),
-      jacobi_(buffers_.tet_count),
       motions_(model),
       diagnostics_(buffers_),
       surface_(buffers_, surface_points, embed(surface_points, model.rest_positions, model.tets)) {
@@ -28,14 +39,7 @@ void GpuSolver::record() {
   if (features_.damping && !previous_strain_)
     previous_strain_ = gl::Buffer("previous_strain", 2 * sizeof(shared::vec4) * buffers_.tet_count);
   begin_.clear();
-  begin_.emplace_back(programs_.compute("sim/predict.comp"),
-                      gl::ComputePass::Bindings{{"step", &buffers_.step},
-                                                {"rest_position", &buffers_.rest_position},
-                                                {"velocity", &buffers_.velocity},
-                                                {"displacement", &buffers_.displacement},
-                                                {"previous_displacement", &buffers_.previous_displacement},
-                                                {"predicted", &buffers_.predicted}},
-                      buffers_.vertex_count);
+  begin_.push_back(prediction(programs_, buffers_, settings_.method == Method::mass_splitting));
   if (!motions_.empty()) begin_.push_back(motions_.pass(programs_, buffers_));
   if (features_.damping)
     begin_.emplace_back(programs_.compute("sim/previous_strain.comp"),
@@ -44,12 +48,15 @@ void GpuSolver::record() {
                                                   {"previous_displacement", &buffers_.previous_displacement},
                                                   {"previous_strain", &previous_strain_}},
                         buffers_.tet_count);
-  first_iteration_ = jacobi_.iteration(programs_, buffers_, features_, previous_strain_, true);
-  iteration_ = jacobi_.iteration(programs_, buffers_, features_, previous_strain_, false);
-  if (!grab_.empty()) {
-    first_iteration_.push_back(grab_.pull(programs_, buffers_, true));
-    iteration_.push_back(grab_.pull(programs_, buffers_, false));
+  if (settings_.method == Method::gauss_seidel) {
+    jacobi_.reset();
+    if (!gauss_seidel_) gauss_seidel_.emplace(model_);
+  } else {
+    gauss_seidel_.reset();
+    if (!jacobi_) jacobi_.emplace(buffers_.tet_count);
   }
+  first_iteration_ = iteration(true);
+  iteration_ = iteration(false);
   end_.clear();
   end_.emplace_back(programs_.compute("sim/velocity.comp"),
                     gl::ComputePass::Bindings{{"step", &buffers_.step},
@@ -59,6 +66,13 @@ void GpuSolver::record() {
                     buffers_.vertex_count);
   diagnostics_.record(programs_, buffers_, features_, previous_strain_, grab_);
   surface_.record(programs_, buffers_, features_, color_);
+}
+
+std::vector<gl::ComputePass> GpuSolver::iteration(bool first) const {
+  std::vector<gl::ComputePass> passes = jacobi_ ? jacobi_->iteration(programs_, buffers_, features_, previous_strain_, first)
+                                                : gauss_seidel_->iteration(programs_, buffers_, features_, previous_strain_, first);
+  if (!grab_.empty()) passes.push_back(grab_.pull(programs_, buffers_, first));
+  return passes;
 }
 
 void GpuSolver::step() {
@@ -80,7 +94,9 @@ void GpuSolver::upload(const reference::State& state) {
 }
 
 void GpuSolver::set_settings(const SolverSettings& settings) {
+  const bool same_method = settings.method == settings_.method;
   settings_ = settings;
+  if (!same_method) record();
   buffers_.upload_step(model_, settings_.substep());
 }
 

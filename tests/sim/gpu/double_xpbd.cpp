@@ -1,6 +1,8 @@
-#include "tests/sim/gpu/double_jacobi.h"
+#include "tests/sim/gpu/double_xpbd.h"
 
 #include <Eigen/Dense>
+
+#include "sim/coloring.h"
 
 namespace fascia::test {
 namespace {
@@ -31,15 +33,18 @@ Eigen::Matrix3d gradient_of(const Model& model, std::size_t tet, const Shape& sh
 
 }  // namespace
 
-DoubleJacobi::DoubleJacobi(const Model& model, const SolverSettings& settings)
+DoubleXpbd::DoubleXpbd(const Model& model, const SolverSettings& settings)
     : model_(model), settings_(settings), valence_(model.rest_positions.size(), 0) {
   const std::vector<char> held = model.held();
   for (const double m : lumped_masses(model)) inv_mass_.push_back(held[inv_mass_.size()] || m <= 0 ? 0 : 1 / m);
   for (const Tet& tet : model.tets)
     for (const auto v : tet) ++valence_[v];
+  seen_inv_mass_ = inv_mass_;
+  if (settings.method == Method::mass_splitting)
+    for (std::size_t v = 0; v < valence_.size(); ++v) seen_inv_mass_[v] *= valence_[v];
 }
 
-Vector6d DoubleJacobi::strain(std::size_t tet, const std::vector<Eigen::Vector3d>& u) const {
+Vector6d DoubleXpbd::strain(std::size_t tet, const std::vector<Eigen::Vector3d>& u) const {
   const Eigen::Matrix3d f = gradient_of(model_, tet, shape_of(model_, tet), u);
   const Eigen::Matrix3d e = 0.5 * (f.transpose() * f - Eigen::Matrix3d::Identity());
   Vector6d c;
@@ -47,14 +52,14 @@ Vector6d DoubleJacobi::strain(std::size_t tet, const std::vector<Eigen::Vector3d
   return c;
 }
 
-DoubleJacobi::TetResult DoubleJacobi::solve_tet(std::size_t t, const std::vector<Eigen::Vector3d>& u,
+DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const std::vector<Eigen::Vector3d>& u,
                                                 const Vector6d& previous_strain, const Vector6d& multiplier) const {
   const Shape shape = shape_of(model_, t);
   const Eigen::Matrix3d f = gradient_of(model_, t, shape, u);
   Eigen::Matrix<double, 6, 12> g;  // d strain_k / d u_a = 1/2 (F_row b_column + F_column b_row)
   Eigen::Matrix<double, 12, 1> w;
   for (int a = 0; a < 4; ++a) {
-    w.segment<3>(3 * a).setConstant(inv_mass_[model_.tets[t][a]]);
+    w.segment<3>(3 * a).setConstant(seen_inv_mass_[model_.tets[t][a]]);
     for (int k = 0; k < 6; ++k)
       g.block<1, 3>(k, 3 * a) =
           0.5 * (f.col(row_of[k]) * shape.b(column_of[k], a) + f.col(column_of[k]) * shape.b(row_of[k], a)).transpose();
@@ -75,7 +80,7 @@ DoubleJacobi::TetResult DoubleJacobi::solve_tet(std::size_t t, const std::vector
   return result;
 }
 
-void DoubleJacobi::step(reference::State& state) {
+void DoubleXpbd::step(reference::State& state) {
   const double h = settings_.substep();
   for (int s = 0; s < settings_.substeps; ++s) {
     state.time += h;
@@ -90,7 +95,13 @@ void DoubleJacobi::step(reference::State& state) {
       }
     std::vector<Vector6d> lambda(model_.tets.size(), Vector6d::Zero()), before;
     for (std::size_t t = 0; t < model_.tets.size(); ++t) before.push_back(strain(t, u_n));
-    for (int i = 0; i < settings_.iterations; ++i) {
+    for (int i = 0; i < settings_.iterations && settings_.method == Method::gauss_seidel; ++i)
+      for (const std::uint32_t t : color_tets(model_.tets, model_.held()).order) {
+        const TetResult r = solve_tet(t, u, before[t], lambda[t]);
+        lambda[t] = r.multiplier;
+        for (int a = 0; a < 4; ++a) u[model_.tets[t][a]] += r.correction[a];
+      }
+    for (int i = 0; i < settings_.iterations && settings_.method != Method::gauss_seidel; ++i) {
       std::vector<Eigen::Vector3d> sum(u.size(), Eigen::Vector3d::Zero());
       for (std::size_t t = 0; t < model_.tets.size(); ++t) {
         const TetResult r = solve_tet(t, u, before[t], lambda[t]);
