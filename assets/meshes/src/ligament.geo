@@ -1,5 +1,5 @@
-// A tapered band, arched upward and swung sideways, lofted through sections that stand across its middle line.
-// Its two end faces are where bone would hold it.
+// A tapered band that hangs in a shallow arch and swings sideways, lofted through sections that stand across its
+// middle line. Its two end faces are where bone would hold it.
 SetFactory("OpenCASCADE");
 length = 0.12;
 sections = 9;
@@ -8,10 +8,10 @@ For s In {0:sections - 1}
   u = s / (sections - 1);
   // Middle line, its direction t, and the section's axes: b across the band, n through its thickness.
   x = length * (u - 0.5);
-  y = 0.020 * Sin(Pi * u);
+  y = -0.020 * Sin(Pi * u);
   z = 0.009 * Sin(2 * Pi * u);
   tx = length;
-  ty = 0.020 * Pi * Cos(Pi * u);
+  ty = -0.020 * Pi * Cos(Pi * u);
   tz = 0.009 * 2 * Pi * Cos(2 * Pi * u);
   t = Sqrt(tx * tx + ty * ty + tz * tz);
   tx /= t;
