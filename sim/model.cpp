@@ -37,9 +37,10 @@ LoadedBody load(const Scene& scene, std::size_t index) {
                     read_mesh(path), {},   {}};
   loaded.repaired = repair(loaded.file.mesh);
   if (loaded.repaired.tets.empty()) {
-    throw Error(path.string(),
-                "all of its tets (" + std::to_string(loaded.file.mesh.tets.size()) + ") are degenerate",
-                "expected a tet with volume");
+    throw Error(
+        path.string(),
+        "has no tet with volume (" + std::to_string(loaded.repaired.degenerate.size()) + " degenerate)",
+        "expected at least one");
   }
   loaded.used = used_vertices(loaded.repaired.tets, loaded.file.mesh.positions.size());
   return loaded;
@@ -48,8 +49,9 @@ LoadedBody load(const Scene& scene, std::size_t index) {
 void note_tets(const std::string& body, const std::vector<std::uint32_t>& tets, const std::string& what,
                std::vector<std::string>& notes) {
   if (tets.empty()) return;
-  notes.push_back(body + ": " + std::to_string(tets.size()) + " " + what +
-                  (tets.size() == 1 ? " (tet " : " (first: tet ") + std::to_string(tets.front()) + ")");
+  const bool is_one = tets.size() == 1;
+  notes.push_back(body + ": " + std::to_string(tets.size()) + (is_one ? " tet " : " tets ") + what +
+                  (is_one ? " (tet " : " (first: tet ") + std::to_string(tets.front()) + ")");
 }
 
 void add_notes(const LoadedBody& loaded, std::vector<std::string>& notes) {
@@ -58,9 +60,10 @@ void add_notes(const LoadedBody& loaded, std::vector<std::string>& notes) {
   note_tets(name, loaded.repaired.flipped, "flipped in the file, reoriented", notes);
   note_tets(name, loaded.repaired.degenerate, "degenerate, left out of the physics", notes);
   note_tets(name, loaded.repaired.duplicated, "duplicated, left out of the physics", notes);
-  const auto unused = std::count(loaded.used.begin(), loaded.used.end(), 0);
-  if (unused > 0)
-    notes.push_back(name + ": " + std::to_string(unused) + " vertices in no tet, kept in exports");
+  if (const auto unused = std::count(loaded.used.begin(), loaded.used.end(), 0); unused > 0) {
+    notes.push_back(name + ": " + std::to_string(unused) + (unused == 1 ? " vertex" : " vertices") +
+                    " in no tet, kept in exports");
+  }
 }
 
 void add_materials(const LoadedBody& loaded, Model& model, BodyPart& part) {

@@ -115,8 +115,8 @@ struct Scene {
 };
 
 /// Opens a scene (JSON) or a mesh alone (default material, lowest 2 percent fixed). `overrides` are --set
-/// texts "KEY=VALUE"; a KEY that starts with materials., fixed. or prescribed. means body 0. An override's
-/// error names "--set KEY".
+/// texts "KEY=VALUE"; a KEY that starts with a key of bodies (materials., fixed., transform., ...) means body
+/// 0. An override's error names "--set KEY".
 Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 /// The scene as JSON text that open_scene reads back to the same scene, with mesh paths relative to `folder`.

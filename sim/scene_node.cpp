@@ -20,7 +20,8 @@ bool is_within(const std::string& path, const std::string& ancestor) {
 
 std::string DocumentOrigin::where(const std::string& path) const {
   for (auto it = overrides.rbegin(); it != overrides.rend(); ++it) {
-    if (is_within(path, it->path)) return "--set " + it->key + (path == it->path ? "" : ": " + path);
+    if (!is_within(path, it->touched)) continue;
+    return "--set " + it->key + (path == it->path ? "" : ": " + path);
   }
   return path.empty() ? file : file + ": " + path;
 }
@@ -120,7 +121,7 @@ void Node::read(const std::string& key, Eigen::Vector3d& field, double min, doub
 
 std::string range_text(double min, double max, const std::string& unit) {
   char text[64];
-  std::snprintf(text, sizeof text, "%g to %g", min, max);
+  std::snprintf(text, sizeof text, min < max ? "%g to %g" : "%g", min, max);
   return text + (unit.empty() ? "" : " " + unit);
 }
 

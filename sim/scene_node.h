@@ -13,8 +13,9 @@ namespace fascia {
 /// Who wrote the value at a path: the file, or the --set that put it there.
 struct DocumentOrigin {
   struct Override {
-    std::string key;   // as on the command line
-    std::string path;  // of the topmost value that this override created or replaced
+    std::string key;      // as on the command line
+    std::string path;     // the same as errors print it
+    std::string touched;  // path of the topmost value that this override created or replaced
   };
   std::string file;
   std::vector<Override> overrides;  // in the order of their application

@@ -14,26 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-/// "bodies[0].mesh" and "bodies.0.mesh" to {"bodies", "0", "mesh"}; empty if any segment is.
-std::vector<std::string> segments_of(const std::string& key) {
-  std::vector<std::string> segments(1);
-  for (const char c : key) {
-    if (c == '.' || c == '[') {
-      segments.emplace_back();
-    } else if (c != ']') {
-      segments.back() += c;
-    }
-  }
-  for (const std::string& segment : segments) {
-    if (segment.empty()) return {};
-  }
-  static const std::vector<std::string> of_a_body = {"materials", "fixed", "prescribed"};
-  if (std::find(of_a_body.begin(), of_a_body.end(), segments.front()) != of_a_body.end()) {
-    segments.insert(segments.begin(), {"bodies", "0"});
-  }
-  return segments;
-}
-
 std::optional<std::size_t> index_of(const std::string& segment) {
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(segment.data(), segment.data() + segment.size(), index);
@@ -50,9 +30,28 @@ const json& template_document() {
     Body& body = scene.bodies.emplace_back();
     body.fixed.emplace_back(LowestSelection{0.02});
     body.prescribed.emplace_back().select = LowestSelection{0.02};
+    body.surface = "surface.obj";
     return parse_json(scene_to_json(scene, ""), "template");
   }();
   return document;
+}
+
+/// "bodies[0].mesh" and "bodies.0.mesh" to {"bodies", "0", "mesh"}; empty if any segment is.
+std::vector<std::string> segments_of(const std::string& key) {
+  std::vector<std::string> segments(1);
+  for (const char c : key) {
+    if (c == '.' || c == '[') {
+      segments.emplace_back();
+    } else if (c != ']') {
+      segments.back() += c;
+    }
+  }
+  for (const std::string& segment : segments) {
+    if (segment.empty()) return {};
+  }
+  if (template_document()["bodies"][0].contains(segments.front()))
+    segments.insert(segments.begin(), {"bodies", "0"});
+  return segments;
 }
 
 const json* child(const json* parent, const std::string& segment) {
@@ -68,13 +67,12 @@ json container_for(const json* pattern, const std::string& next) {
   return index_of(next) ? json::array() : json::object();
 }
 
-void apply(json& document, const std::string& key, json value, DocumentOrigin& origin) {
+void apply(json& document, const std::string& key, const std::vector<std::string>& segments, json value,
+           DocumentOrigin& origin) {
   const std::string where = "--set " + key;
-  const std::vector<std::string> segments = segments_of(key);
-  if (segments.empty()) throw Error(where, "is no path", "expected KEY=VALUE such as solver.iterations=40");
   json* node = &document;
   const json* pattern = &template_document();
-  std::string path, created;
+  std::string path, touched;
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const std::string& segment = segments[s];
     const bool is_last = s + 1 == segments.size();
@@ -100,10 +98,10 @@ void apply(json& document, const std::string& key, json value, DocumentOrigin& o
     } else {
       throw Error(where, path + " is " + excerpt(*node), "expected no key below it");
     }
-    if (created.empty() && (is_new || is_last)) created = path;
+    if (touched.empty() && (is_new || is_last)) touched = path;
   }
   *node = std::move(value);
-  origin.overrides.push_back({key, created});
+  origin.overrides.push_back({key, path, touched});
 }
 
 json value_of(const std::string& text) {
@@ -118,11 +116,14 @@ json value_of(const std::string& text) {
 
 void apply_overrides(json& document, const std::vector<std::string>& overrides, DocumentOrigin& origin) {
   for (const std::string& text : overrides) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) {
-      throw Error("--set " + text, "has no =", "expected KEY=VALUE such as solver.iterations=40");
+    const std::size_t equals = std::min(text.find('='), text.size());
+    const std::string key = text.substr(0, equals);
+    const std::vector<std::string> segments = segments_of(key);
+    if (equals == text.size() || segments.empty()) {
+      throw Error("--set " + text, equals == text.size() ? "has no =" : "has no key",
+                  "expected KEY=VALUE such as solver.iterations=40");
     }
-    apply(document, text.substr(0, equals), value_of(text.substr(equals + 1)), origin);
+    apply(document, key, segments, value_of(text.substr(equals + 1)), origin);
   }
 }
 

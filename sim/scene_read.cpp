@@ -100,7 +100,7 @@ Scene read_scene(const nlohmann::json& document, const DocumentOrigin& origin) {
   const Node root(document, "", origin);
   root.expect_object(
       {"fascia_scene", "title", "gravity", "bodies", "solver", "camera", "display", "duration"});
-  root.at("fascia_scene", "1, the version of the format").integer(1, 1);
+  root.at("fascia_scene", "1, the version of the format").number(1, 1, "");
   Scene scene;
   if (const auto title = root.find("title")) scene.title = title->text("a text");
   root.read("gravity", scene.gravity, -kLargestAcceleration, kLargestAcceleration, "m/s^2");

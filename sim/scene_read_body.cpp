@@ -126,6 +126,17 @@ PrescribedMotion read_motion(const Node& node) {
   return motion;
 }
 
+std::variant<Eigen::Vector3d, std::string> read_velocity(const Node& node) {
+  const std::string expected = "a list of 3 numbers [m/s] or the path of a CSV file";
+  if (!node.is_string()) {
+    if (node.elements(expected).size() != 3) node.refuse(expected);
+    return node.vector(-kFastest, kFastest, "m/s");
+  }
+  std::string path = node.text(expected);
+  if (path.empty()) node.refuse(expected);
+  return path;
+}
+
 Transform read_transform(const Node& node) {
   Transform transform;
   node.expect_object({"scale", "rotate_deg", "translate"});
@@ -158,13 +169,7 @@ Body read_body(const Node& node) {
     for (const Node& motion : prescribed->elements("a list of motions"))
       body.prescribed.push_back(read_motion(motion));
   }
-  if (const auto velocity = node.find("initial_velocity")) {
-    if (velocity->is_string()) {
-      body.initial_velocity = velocity->text("");
-    } else {
-      body.initial_velocity = velocity->vector(-kFastest, kFastest, "m/s");
-    }
-  }
+  if (const auto velocity = node.find("initial_velocity")) body.initial_velocity = read_velocity(*velocity);
   if (const auto surface = node.find("surface")) body.surface = surface->text("the path of an .obj file");
   return body;
 }

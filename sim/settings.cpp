@@ -5,7 +5,8 @@
 namespace fascia {
 
 const std::vector<Pair>& legal_pairs() {
-  static const std::vector<Pair> pairs = {{Method::jacobi, Acceleration::none}};
+  static const std::vector<Pair> pairs = {{Method::gauss_seidel, Acceleration::none},
+                                           {Method::jacobi, Acceleration::none}};
   return pairs;
 }
 
@@ -13,6 +14,8 @@ const char* name_of(Method method) {
   switch (method) {
     case Method::jacobi:
       return "jacobi";
+    case Method::gauss_seidel:
+      return "gauss_seidel";
   }
   return "";
 }
@@ -29,6 +32,8 @@ const char* label_of(Method method) {
   switch (method) {
     case Method::jacobi:
       return "Jacobi XPBD, averaged";
+    case Method::gauss_seidel:
+      return "Gauss-Seidel XPBD, colored";
   }
   return "";
 }
@@ -40,6 +45,10 @@ const char* help_of(Method method) {
              "and always "
              "stable, but too soft: it does not converge to the material's stiffness, however many "
              "iterations it gets.";
+    case Method::gauss_seidel:
+      return "Color by color, each tet sees the corrections before it. One dispatch per color, a few percent "
+             "off the exact step; more substeps make it exact. Very stiff tissue (1e7 Pa) with long steps can "
+             "invert tets.";
   }
   return "";
 }

@@ -111,8 +111,9 @@ std::uint64_t dispatch_count() {
   return dispatches;
 }
 
-ComputePass::ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations)
-    : program_(&program), buffers_(std::move(buffers)), invocations_(invocations) {
+ComputePass::ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations,
+                         std::uint32_t first_item)
+    : program_(&program), buffers_(std::move(buffers)), invocations_(invocations), first_item_(first_item) {
   resolve();
 }
 
@@ -171,6 +172,7 @@ void ComputePass::run() const {
     }
   }
   if (invocations_location_ >= 0) Uniform1ui(invocations_location_, invocations_);
+  if (first_item_location_ >= 0) Uniform1ui(first_item_location_, first_item_);
   DispatchCompute(groups_, 1, 1);
   // Everything that later passes, draws and copies may do with the results.
   MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT |

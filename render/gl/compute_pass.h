@@ -18,7 +18,8 @@ class ComputePass {
   using Bindings = std::vector<std::pair<std::string, const Buffer*>>;  // block or sampler name -> buffer
   /// `invocations` is the number of items; the kernel's guard drops the rest of the last group. The buffers
   /// must outlive the pass. Throws Error.
-  ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations);
+  /// `first_item` is handed to the kernel's uniform of that name, for passes over a part of an array.
+  ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations, std::uint32_t first_item = 0);
 
   /// Binds, dispatches and puts the barrier that later passes and draws need. Throws Error only when a
   /// reloaded program wants other buffers.
@@ -35,9 +36,9 @@ class ComputePass {
   };
   const Program* program_;
   Bindings buffers_;
-  std::uint32_t invocations_ = 0;
+  std::uint32_t invocations_ = 0, first_item_ = 0;
   mutable std::uint32_t groups_ = 0;
-  mutable GLint invocations_location_ = -1;
+  mutable GLint invocations_location_ = -1, first_item_location_ = -1;
   mutable std::vector<Slot> slots_;
   mutable unsigned generation_ = 0;
 };

@@ -16,7 +16,6 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       settings_(settings),
       features_(features_of(model)),
       buffers_(model),
-      jacobi_(buffers_.tet_count),
       motions_(model),
       diagnostics_(buffers_),
       surface_(buffers_, surface_points, embed(surface_points, model.rest_positions, model.tets)) {
@@ -44,12 +43,15 @@ void GpuSolver::record() {
                                                   {"previous_displacement", &buffers_.previous_displacement},
                                                   {"previous_strain", &previous_strain_}},
                         buffers_.tet_count);
-  first_iteration_ = jacobi_.iteration(programs_, buffers_, features_, previous_strain_, true);
-  iteration_ = jacobi_.iteration(programs_, buffers_, features_, previous_strain_, false);
-  if (!grab_.empty()) {
-    first_iteration_.push_back(grab_.pull(programs_, buffers_, true));
-    iteration_.push_back(grab_.pull(programs_, buffers_, false));
+  if (settings_.method == Method::jacobi) {
+    gauss_seidel_.reset();
+    if (!jacobi_) jacobi_.emplace(buffers_.tet_count);
+  } else {
+    jacobi_.reset();
+    if (!gauss_seidel_) gauss_seidel_.emplace(model_);
   }
+  first_iteration_ = iteration(true);
+  iteration_ = iteration(false);
   end_.clear();
   end_.emplace_back(programs_.compute("sim/velocity.comp"),
                     gl::ComputePass::Bindings{{"step", &buffers_.step},
@@ -59,6 +61,13 @@ void GpuSolver::record() {
                     buffers_.vertex_count);
   diagnostics_.record(programs_, buffers_, features_, previous_strain_, grab_);
   surface_.record(programs_, buffers_, features_, color_);
+}
+
+std::vector<gl::ComputePass> GpuSolver::iteration(bool first) const {
+  std::vector<gl::ComputePass> passes = jacobi_ ? jacobi_->iteration(programs_, buffers_, features_, previous_strain_, first)
+                                                : gauss_seidel_->iteration(programs_, buffers_, features_, previous_strain_, first);
+  if (!grab_.empty()) passes.push_back(grab_.pull(programs_, buffers_, first));
+  return passes;
 }
 
 void GpuSolver::step() {
@@ -80,7 +89,9 @@ void GpuSolver::upload(const reference::State& state) {
 }
 
 void GpuSolver::set_settings(const SolverSettings& settings) {
+  const bool same_method = settings.method == settings_.method;
   settings_ = settings;
+  if (!same_method) record();
   buffers_.upload_step(model_, settings_.substep());
 }
 

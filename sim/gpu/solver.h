@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/gpu/diagnostics.h"
+#include "sim/gpu/gauss_seidel.h"
 #include "sim/gpu/jacobi.h"
 #include "sim/gpu/motion_targets.h"
 #include "sim/gpu/surface_positions.h"
@@ -46,6 +47,7 @@ class GpuSolver {
 
  private:
   void record();
+  std::vector<gl::ComputePass> iteration(bool first) const;
 
   gl::ProgramCache& programs_;
   const Model& model_;
@@ -54,7 +56,8 @@ class GpuSolver {
   ColorBy color_ = ColorBy::none;
   SimBuffers buffers_;
   gl::Buffer previous_strain_;  // vec4 [2 * tet_count]; made when a material is first damped
-  JacobiMethod jacobi_;
+  std::optional<JacobiMethod> jacobi_;  // only the method in use exists
+  std::optional<GaussSeidelMethod> gauss_seidel_;
   MotionTargets motions_;
   GrabSprings grab_;
   DiagnosticsReader diagnostics_;

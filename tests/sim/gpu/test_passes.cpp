@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/solver.h"
-#include "tests/sim/gpu/double_jacobi.h"
+#include "tests/sim/gpu/double_xpbd.h"
 #include "tests/sim/gpu/gpu_fixture.h"
 #include "tests/support/models.h"
 
@@ -101,7 +101,7 @@ TEST_CASE("previous strain is the Green strain of the start of the substep", "[g
                    {"previous_strain", &strain}},
                   buffers.tet_count)
       .run();
-  const DoubleJacobi exact(model, {});
+  const DoubleXpbd exact(model, {});
   std::vector<Vector3d> expected;
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
     const Vector6d e = exact.strain(t, state.displacement);

@@ -145,6 +145,23 @@ TEST_CASE("stiffness does not change where a motion leads, and near nu = 0.5 the
   }
 }
 
+TEST_CASE("a body without a free vertex goes where it is told", "[static]") {
+  Model model = box_model(1, 1, 1, cube, soft(1e5));
+  model.gravity = {0, -9.81, 0};
+  Motion motion;
+  motion.vertices = test::vertices_where(model, on_surface(cube));
+  REQUIRE(motion.vertices.size() == 8);
+  motion.translate = {1, 0, 0};
+  model.motions = {motion};
+  State fixed = initial_state(model), moved = fixed;
+  CHECK(settle(model, fixed).converged);
+  CHECK(NewtonSolver(model, {}).step(moved).converged);
+  for (std::size_t v = 0; v < 8; ++v) {
+    CHECK((fixed.displacement[v] - Vector3d(1, 0, 0)).norm() < 1e-15);
+    CHECK((moved.displacement[v] - Vector3d(1, 0, 0)).norm() < 1e-15);
+  }
+}
+
 TEST_CASE("the tolerance is kept when it is given", "[static]") {
   Model model = box_model(6, 2, 2, {0.4, 0.1, 0.1}, soft(2e4), left_end);
   model.gravity = {0, -9.81, 0};

@@ -1,4 +1,4 @@
-// The poster's method against its double-precision transcription: one tet pass, one vertex pass, whole steps.
+// The XPBD methods against their double-precision transcription: one tet pass, one vertex pass, whole steps.
 //
 // Tolerances: float32 carries 6e-8 relative. The strain of a state with displacement gradients of 0.1 to 0.3 is known to
 // about 1e-7 relative; the 6x6 system's condition number (about 1 / (1 - 2 nu), times the spread of the tet's shape, some tens)
@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/solver.h"
-#include "tests/sim/gpu/double_jacobi.h"
+#include "tests/sim/gpu/double_xpbd.h"
 #include "tests/sim/gpu/gpu_fixture.h"
 #include "tests/support/models.h"
 
@@ -32,6 +32,7 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
   Gpu gpu(loads);
   Model model = beam({young, nu, 1000, damping, MaterialModel::st_venant_kirchhoff});
   SolverSettings settings;
+  settings.method = Method::jacobi;
   SimBuffers buffers(model);
   buffers.upload_step(model, settings.substep());
   const reference::State state = random_state(model, 0.004, 3);
@@ -61,7 +62,7 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
 
   const auto first = method.iteration(gpu.programs, buffers, features, previous_strain, true);
   const auto next = method.iteration(gpu.programs, buffers, features, previous_strain, false);
-  const DoubleJacobi exact(model, settings);
+  const DoubleXpbd exact(model, settings);
   const std::vector<Tet> slots = buffers.tet_slots.read<Tet>();
   const auto compare = [&](const std::vector<Vector6d>& lambda, const std::vector<Vector3d>& u) {
     const std::vector<vec4> correction = buffers.correction.read<vec4>();
@@ -94,10 +95,11 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
 }
 
 TEST_CASE("whole steps equal the double-precision method", "[gpu]") {
+  const Method method = GENERATE(Method::jacobi, Method::gauss_seidel);
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   const double damping = GENERATE(0.0, 0.01);
   const int substeps = GENERATE(1, 4);
-  CAPTURE(gl::name_of(loads), damping, substeps);
+  CAPTURE(name_of(method), gl::name_of(loads), damping, substeps);
   Gpu gpu(loads);
   Model model = beam({3e4, 0.4, 900, damping, MaterialModel::st_venant_kirchhoff});
   // A second material, so that the per-tet lookup is part of the comparison.
@@ -112,10 +114,11 @@ TEST_CASE("whole steps equal the double-precision method", "[gpu]") {
   motion.duration = 0.1;
   model.motions.push_back(motion);
   SolverSettings settings;
+  settings.method = method;
   settings.substeps = substeps;
 
   GpuSolver solver(gpu.programs, model, settings);
-  DoubleJacobi exact(model, settings);
+  DoubleXpbd exact(model, settings);
   reference::State state = random_state(model, 0.001, 8);
   solver.upload(state);
   for (int step = 0; step < 10; ++step) {

@@ -1,5 +1,5 @@
-// The poster's averaged Jacobi XPBD in double precision, written from its definition with an explicit 6x12 Jacobian: what the
-// GPU kernels, which never form it, are compared with.
+// XPBD with a block constraint per tet in double precision, averaged Jacobi or Gauss-Seidel in the order of the colors, written
+// from its definition with an explicit 6x12 Jacobian: what the GPU kernels, which never form it, are compared with.
 #pragma once
 #include <vector>
 
@@ -11,9 +11,9 @@ namespace fascia::test {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-class DoubleJacobi {
+class DoubleXpbd {
  public:
-  DoubleJacobi(const Model& model, const SolverSettings& settings);
+  DoubleXpbd(const Model& model, const SolverSettings& settings);
   void step(reference::State& state);
 
   /// One tet's corrections (per corner) and new multiplier, from positions u, strain at the start of the substep and multiplier.

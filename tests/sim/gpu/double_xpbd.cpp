@@ -1,6 +1,8 @@
-#include "tests/sim/gpu/double_jacobi.h"
+#include "tests/sim/gpu/double_xpbd.h"
 
 #include <Eigen/Dense>
+
+#include "sim/coloring.h"
 
 namespace fascia::test {
 namespace {
@@ -31,7 +33,7 @@ Eigen::Matrix3d gradient_of(const Model& model, std::size_t tet, const Shape& sh
 
 }  // namespace
 
-DoubleJacobi::DoubleJacobi(const Model& model, const SolverSettings& settings)
+DoubleXpbd::DoubleXpbd(const Model& model, const SolverSettings& settings)
     : model_(model), settings_(settings), valence_(model.rest_positions.size(), 0) {
   const std::vector<char> held = model.held();
   for (const double m : lumped_masses(model)) inv_mass_.push_back(held[inv_mass_.size()] || m <= 0 ? 0 : 1 / m);
@@ -39,7 +41,7 @@ DoubleJacobi::DoubleJacobi(const Model& model, const SolverSettings& settings)
     for (const auto v : tet) ++valence_[v];
 }
 
-Vector6d DoubleJacobi::strain(std::size_t tet, const std::vector<Eigen::Vector3d>& u) const {
+Vector6d DoubleXpbd::strain(std::size_t tet, const std::vector<Eigen::Vector3d>& u) const {
   const Eigen::Matrix3d f = gradient_of(model_, tet, shape_of(model_, tet), u);
   const Eigen::Matrix3d e = 0.5 * (f.transpose() * f - Eigen::Matrix3d::Identity());
   Vector6d c;
@@ -47,7 +49,7 @@ Vector6d DoubleJacobi::strain(std::size_t tet, const std::vector<Eigen::Vector3d
   return c;
 }
 
-DoubleJacobi::TetResult DoubleJacobi::solve_tet(std::size_t t, const std::vector<Eigen::Vector3d>& u,
+DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const std::vector<Eigen::Vector3d>& u,
                                                 const Vector6d& previous_strain, const Vector6d& multiplier) const {
   const Shape shape = shape_of(model_, t);
   const Eigen::Matrix3d f = gradient_of(model_, t, shape, u);
@@ -75,7 +77,7 @@ DoubleJacobi::TetResult DoubleJacobi::solve_tet(std::size_t t, const std::vector
   return result;
 }
 
-void DoubleJacobi::step(reference::State& state) {
+void DoubleXpbd::step(reference::State& state) {
   const double h = settings_.substep();
   for (int s = 0; s < settings_.substeps; ++s) {
     state.time += h;
@@ -90,7 +92,13 @@ void DoubleJacobi::step(reference::State& state) {
       }
     std::vector<Vector6d> lambda(model_.tets.size(), Vector6d::Zero()), before;
     for (std::size_t t = 0; t < model_.tets.size(); ++t) before.push_back(strain(t, u_n));
-    for (int i = 0; i < settings_.iterations; ++i) {
+    for (int i = 0; i < settings_.iterations && settings_.method == Method::gauss_seidel; ++i)
+      for (const std::uint32_t t : color_tets(model_.tets, model_.held()).order) {
+        const TetResult r = solve_tet(t, u, before[t], lambda[t]);
+        lambda[t] = r.multiplier;
+        for (int a = 0; a < 4; ++a) u[model_.tets[t][a]] += r.correction[a];
+      }
+    for (int i = 0; i < settings_.iterations && settings_.method == Method::jacobi; ++i) {
       std::vector<Eigen::Vector3d> sum(u.size(), Eigen::Vector3d::Zero());
       for (std::size_t t = 0; t < model_.tets.size(); ++t) {
         const TetResult r = solve_tet(t, u, before[t], lambda[t]);
