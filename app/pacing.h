@@ -13,7 +13,8 @@ class Pacing {
 
   /// Simulated time over real time of about the last second; 1 when keeping pace.
   double speed() const { return real_ > 0 ? simulated_ / real_ : 1; }
-  bool keeps_pace() const { return speed() > 0.95; }
+  /// Also while too little has been seen to judge.
+  bool keeps_pace() const { return real_ < 0.5 || speed() > 0.95; }
 
  private:
   // Half a step ahead, so that frames as long as a step (60 Hz, 1/60 s) do not waver between no step and two.
