@@ -34,7 +34,7 @@ void Marks::draw_dots(const Dots& dots, const Style& style) const {
 
 void Marks::draw(const gl::Buffer& positions, const std::optional<GrabMark>& grab) const {
   if (fixed_.count == 0 && grabbed_.count == 0 && !grab) return;
-  static const Style kFixed{2.6f, {0.15f, 0.19f, 0.27f, 1}, {0.95f, 0.96f, 0.98f, 1}};
+  static const Style kFixed{3.0f, {0.15f, 0.19f, 0.27f, 1}, {0.95f, 0.96f, 0.98f, 1}};
   static const Style kGrabbed{4.0f, {1.00f, 0.80f, 0.20f, 1}, {1, 1, 1, 1}};
   gl::Enable(GL_BLEND);
   gl::BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

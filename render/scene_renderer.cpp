@@ -1,14 +1,13 @@
 #include "render/scene_renderer.h"
 
+#include <cassert>
 #include <cmath>
-#include <numbers>
 
 #include "render/frame_uniforms.h"
 #include "render/ground.h"
 #include "render/marks.h"
 #include "render/shadow_map.h"
 #include "render/surface_renderer.h"
-#include "sim/error.h"
 
 namespace fascia {
 namespace {
@@ -71,6 +70,7 @@ void SceneRenderer::set_grabbed(std::span<const std::uint32_t> vertices) {
 void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const Look& look,
                          const std::optional<GrabMark>& grab, const Framebuffer& target) {
   Impl& parts = *impl_;
+  assert(surface.positions->bytes() >= 16 * std::size_t(parts.vertex_count));
   const FrameUniforms frame = frame_uniforms(camera, look, target.width(), target.height());
   parts.frame.upload(0, sizeof(frame), &frame);
   parts.surface.update(*surface.positions);

@@ -12,8 +12,9 @@ namespace {
 constexpr double kCreaseCosine = 0.64;  // edges that turn by more than 50 degrees are sharp
 constexpr std::uint32_t kNone = ~0u;
 
-std::vector<Eigen::Vector3d> face_normals(std::span<const std::array<std::uint32_t, 3>> triangles,
-                                          std::span<const Eigen::Vector3d> x) {
+using Triangles = std::span<const std::array<std::uint32_t, 3>>;
+
+std::vector<Eigen::Vector3d> face_normals(Triangles triangles, std::span<const Eigen::Vector3d> x) {
   std::vector<Eigen::Vector3d> normals;
   normals.reserve(triangles.size());
   for (const auto& [a, b, c] : triangles)
@@ -39,6 +40,56 @@ class Fans {
   std::vector<std::uint32_t> parent_;
 };
 
+struct Places {  // (3 * triangle + k) around every vertex, in the order of triangles
+  std::vector<std::uint32_t> begin, around;
+
+  Places(Triangles triangles, std::uint32_t vertex_count)
+      : begin(vertex_count + 1, 0), around(3 * triangles.size()) {
+    for (const auto& triangle : triangles)
+      for (const std::uint32_t v : triangle) ++begin[v + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+    for (std::uint32_t place = 0; place < around.size(); ++place)
+      around[next[triangles[place / 3][place % 3]]++] = place;
+  }
+  std::span<const std::uint32_t> of(std::uint32_t vertex) const {
+    return {around.data() + begin[vertex], begin[vertex + 1] - begin[vertex]};
+  }
+};
+
+/// For every place the first place of the fan that it belongs to.
+std::vector<std::uint32_t> first_of_fan(Triangles triangles, std::uint32_t vertex_count,
+                                        std::span<const Eigen::Vector3d> rest_positions) {
+  const Places places(triangles, vertex_count);
+  std::vector<std::uint32_t> first(places.around.size());
+  if (rest_positions.empty()) {
+    for (std::uint32_t v = 0; v < vertex_count; ++v)
+      for (const std::uint32_t place : places.of(v)) first[place] = places.of(v)[0];
+    return first;
+  }
+  const std::vector<Eigen::Vector3d> normals = face_normals(triangles, rest_positions);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>
+      spokes;  // other vertex of an edge, which triangle here
+  for (std::uint32_t v = 0; v < vertex_count; ++v) {
+    const std::span<const std::uint32_t> here = places.of(v);
+    spokes.clear();
+    for (std::uint32_t i = 0; i < here.size(); ++i)
+      for (const std::uint32_t step : {1u, 2u})
+        spokes.emplace_back(triangles[here[i] / 3][(here[i] % 3 + step) % 3], i);
+    std::sort(spokes.begin(), spokes.end());
+    Fans fans(here.size());
+    for (std::size_t s = 1; s < spokes.size(); ++s) {
+      if (spokes[s].first != spokes[s - 1].first) continue;
+      const std::uint32_t i = spokes[s - 1].second, j = spokes[s].second;
+      const Eigen::Vector3d &a = normals[here[i] / 3], &b = normals[here[j] / 3];
+      const bool no_area = a.isZero() || b.isZero();  // such a triangle has no say
+      if (no_area || a.dot(b) > kCreaseCosine) fans.join(i, j);
+    }
+    for (std::uint32_t i = 0; i < here.size(); ++i) first[here[i]] = here[fans.root(i)];
+  }
+  return first;
+}
+
 }  // namespace
 
 SurfaceCorners make_surface_corners(std::span<const std::array<std::uint32_t, 3>> triangles,
@@ -53,50 +104,15 @@ SurfaceCorners make_surface_corners(std::span<const std::array<std::uint32_t, 3>
     throw Error("surface", std::to_string(rest_positions.size()) + " rest positions",
                 "expected " + std::to_string(vertex_count));
 
-  // Places (3 * triangle + k) around every vertex, in the order of triangles.
-  const auto places = static_cast<std::uint32_t>(3 * triangles.size());
-  const auto vertex_at = [&](std::uint32_t place) { return triangles[place / 3][place % 3]; };
-  std::vector<std::uint32_t> begin(vertex_count + 1, 0), around(places);
-  for (std::uint32_t place = 0; place < places; ++place) ++begin[vertex_at(place) + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-  for (std::uint32_t place = 0; place < places; ++place) around[next[vertex_at(place)]++] = place;
-
-  // The first place of the fan that each place belongs to.
-  std::vector<std::uint32_t> first(places);
-  std::vector<Eigen::Vector3d> normals;
-  if (!rest_positions.empty()) normals = face_normals(triangles, rest_positions);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>
-      spokes;  // other vertex of an edge, local number of the triangle
-  for (std::uint32_t v = 0; v < vertex_count; ++v) {
-    const std::span<const std::uint32_t> here(around.data() + begin[v], begin[v + 1] - begin[v]);
-    if (normals.empty()) {
-      for (const std::uint32_t place : here) first[place] = here[0];
-      continue;
-    }
-    spokes.clear();
-    for (std::uint32_t i = 0; i < here.size(); ++i)
-      for (const std::uint32_t step : {1u, 2u})
-        spokes.emplace_back(triangles[here[i] / 3][(here[i] % 3 + step) % 3], i);
-    std::sort(spokes.begin(), spokes.end());
-    Fans fans(here.size());
-    for (std::size_t s = 1; s < spokes.size(); ++s) {
-      if (spokes[s].first != spokes[s - 1].first) continue;
-      const std::uint32_t i = spokes[s - 1].second, j = spokes[s].second;
-      const Eigen::Vector3d &a = normals[here[i] / 3], &b = normals[here[j] / 3];
-      const bool flat = a.isZero() || b.isZero();  // a triangle without area has no say
-      if (flat || a.dot(b) > kCreaseCosine) fans.join(i, j);
-    }
-    for (std::uint32_t i = 0; i < here.size(); ++i) first[here[i]] = here[fans.root(i)];
-  }
-
+  const std::vector<std::uint32_t> first = first_of_fan(triangles, vertex_count, rest_positions);
+  const auto places = static_cast<std::uint32_t>(first.size());
   SurfaceCorners result;
   std::vector<std::uint32_t> corner(places, kNone);  // of a fan's first place
   for (std::uint32_t place = 0; place < places; ++place) {
     std::uint32_t& id = corner[first[place]];
     if (id == kNone) {
       id = static_cast<std::uint32_t>(result.vertex.size());
-      result.vertex.push_back(vertex_at(place));
+      result.vertex.push_back(triangles[place / 3][place % 3]);
     }
     result.indices.push_back(id);
   }
@@ -104,7 +120,7 @@ SurfaceCorners make_surface_corners(std::span<const std::array<std::uint32_t, 3>
   for (const std::uint32_t id : result.indices) ++result.fan_begin[id + 1];
   std::partial_sum(result.fan_begin.begin(), result.fan_begin.end(), result.fan_begin.begin());
   result.fan.resize(2 * static_cast<std::size_t>(places));
-  next.assign(result.fan_begin.begin(), result.fan_begin.end() - 1);
+  std::vector<std::uint32_t> next(result.fan_begin.begin(), result.fan_begin.end() - 1);
   for (std::uint32_t place = 0; place < places; ++place) {
     const std::size_t slot = next[result.indices[place]]++;
     result.fan[2 * slot] = triangles[place / 3][(place % 3 + 1) % 3];

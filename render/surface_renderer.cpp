@@ -48,7 +48,8 @@ const gl::Program& SurfaceRenderer::program(const Look& look) const {
                         {{"HEAT_MAP", flag(look.heat_map)},
                          {"SHADOW", flag(look.shadow)},
                          {"WIREFRAME", flag(look.wireframe)},
-                         {"SHADOW_TAPS", "5"},{"SHADOW_SIZE", std::to_string(ShadowMap::kSize) + ".0"}});
+                         {"SHADOW_TAPS", "5"},
+                         {"SHADOW_SIZE", std::to_string(ShadowMap::kSize) + ".0"}});
 }
 
 void SurfaceRenderer::draw(const Look& look) const {

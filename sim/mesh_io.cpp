@@ -38,13 +38,14 @@ std::string likely_kind(std::string_view content, const std::string& ending) {
               known_formats);
 }
 
-MeshFile read(const fs::path& path) {
+}  // namespace
+
+MeshFile read_mesh_content(const fs::path& path, std::string_view content) {
   MeshFile file;
-  const std::string content = read_file(path);
   if (content.empty()) throw Error(path.string(), "is empty", known_formats);
   Scanner in(path.string(), content);
   if (content.starts_with("\xef\xbb\xbf")) in.seek(3);  // UTF-8 byte order mark
-  const std::string_view text = std::string_view(content).substr(in.offset());
+  const std::string_view text = content.substr(in.offset());
 
   Scanner peek = in;
   peek.skip_comments();
@@ -58,18 +59,16 @@ MeshFile read(const fs::path& path) {
   } else if (peek.peek_word().starts_with("MeshVersionFormatted")) {
     read_medit(in, file);
   } else if (const std::string ending = lower_ending(path); ending == ".node" || ending == ".ele") {
-    read_tetgen(path, file);
+    read_tetgen(path, content, file);
   } else {
     refuse(path, text);
   }
   return file;
 }
 
-}  // namespace
-
 MeshFile read_mesh(const fs::path& path) {
   try {
-    return read(path);
+    return read_mesh_content(path, read_file(path));
   } catch (const std::bad_alloc&) {
     throw Error(path.string(), "needs more memory than there is", "expected a smaller mesh");
   }

@@ -5,7 +5,8 @@
 namespace fascia {
 
 const std::vector<Pair>& legal_pairs() {
-  static const std::vector<Pair> pairs = {{Method::gauss_seidel, Acceleration::none},
+  static const std::vector<Pair> pairs = {{Method::mass_splitting, Acceleration::none},
+                                           {Method::gauss_seidel, Acceleration::none},
                                            {Method::jacobi, Acceleration::none}};
   return pairs;
 }
@@ -14,6 +15,8 @@ const char* name_of(Method method) {
   switch (method) {
     case Method::jacobi:
       return "jacobi";
+    case Method::mass_splitting:
+      return "mass_splitting";
     case Method::gauss_seidel:
       return "gauss_seidel";
   }
@@ -32,6 +35,8 @@ const char* label_of(Method method) {
   switch (method) {
     case Method::jacobi:
       return "Jacobi XPBD, averaged";
+    case Method::mass_splitting:
+      return "Jacobi XPBD, mass splitting";
     case Method::gauss_seidel:
       return "Gauss-Seidel XPBD, colored";
   }
@@ -41,14 +46,14 @@ const char* label_of(Method method) {
 const char* help_of(Method method) {
   switch (method) {
     case Method::jacobi:
-      return "All tets at once, each vertex takes the mean of its tets' corrections. The cheapest iteration "
-             "and always "
-             "stable, but too soft: it does not converge to the material's stiffness, however many "
-             "iterations it gets.";
+      return "All tets at once, each vertex takes the mean of its tets' corrections: the poster's method. Always stable, but too "
+             "soft: it does not converge to the material's stiffness, however many iterations it gets.";
+    case Method::mass_splitting:
+      return "All tets at once, each with its share of a vertex's mass. As cheap and stable as averaging, keeps momentum, and "
+             "converges to within a few percent of the exact step; stiff tissue needs many iterations or substeps.";
     case Method::gauss_seidel:
-      return "Color by color, each tet sees the corrections before it. One dispatch per color, a few percent "
-             "off the exact step; more substeps make it exact. Very stiff tissue (1e7 Pa) with long steps can "
-             "invert tets.";
+      return "Color by color, each tet sees the corrections before it; one dispatch per color. Converges fastest on soft "
+             "tissue with short steps. Stiff tissue with long steps makes it invert tets or diverge: use more substeps.";
   }
   return "";
 }

@@ -7,11 +7,11 @@
 
 namespace fascia {
 
-enum class Method { jacobi, gauss_seidel };
+enum class Method { jacobi, mass_splitting, gauss_seidel };
 enum class Acceleration { none };
 
 struct SolverSettings {
-  Method method = Method::gauss_seidel;
+  Method method = Method::mass_splitting;
   Acceleration acceleration = Acceleration::none;
   int iterations = 20;            // per substep
   double tolerance = 0;           // relative residual at which a step's iterations stop; 0 runs all of them

@@ -155,6 +155,7 @@ void ComputePass::resolve() const {
                 "expected at most " + std::to_string(device().max_compute_groups));
   groups_ = static_cast<std::uint32_t>(groups);
   invocations_location_ = GetUniformLocation(program_->id(), "invocations");
+  first_item_location_ = GetUniformLocation(program_->id(), "first_item");
   slots_ = std::move(slots);
   generation_ = program_->generation();
 }

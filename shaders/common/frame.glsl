@@ -9,6 +9,6 @@ vec4 to_clip(vec3 p) {
 }
 
 vec3 to_shadow(vec3 p) {
-  return (frame.light_projection[0] * p.x + frame.light_projection[1] * p.y + frame.light_projection[2] * p.z +
-          frame.light_projection[3]).xyz;
+  return (frame.light_projection[0] * p.x + frame.light_projection[1] * p.y +
+          frame.light_projection[2] * p.z + frame.light_projection[3]).xyz;
 }

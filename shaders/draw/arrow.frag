@@ -1,5 +1,5 @@
-// Shaft, head and foot of the arrow as one shape by its distance in pixels, with a light border that separates it from the
-// surface below.
+// Shaft, head and foot of the arrow as one shape by its distance in pixels, with a light border that
+// separates it from the surface below.
 #include "common/frame.glsl"
 in vec2 pixel;
 flat in vec2 start, end;

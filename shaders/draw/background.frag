@@ -1,3 +1,4 @@
+// The backdrop where nothing was drawn.
 #include "common/background.glsl"
 in vec2 place;
 layout(location = 0) out vec4 color;

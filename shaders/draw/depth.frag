@@ -1,1 +1,2 @@
+// Depth only: there is nothing to compute.
 void main() {}

@@ -1,3 +1,4 @@
+// A disc with a border, its edges one pixel soft.
 in vec2 offset;
 flat in float radius_in_pixels;
 uniform vec4 fill, border;

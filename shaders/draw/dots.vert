@@ -1,5 +1,5 @@
-// Vertices as round dots: one instance each, a square that faces the camera, brought forward by its radius so that the surface
-// does not cut it.
+// Vertices as round dots: one instance each, a square that faces the camera, brought forward by its radius so
+// that the surface does not cut it.
 #include "common/frame.glsl"
 layout(location = 0) in uint vertex;
 layout(binding = 0) uniform samplerBuffer positions;

@@ -1,5 +1,6 @@
-// What stands between the lamp and the ground, for every point of the shadow map but coarser: the share that is covered, and
-// the mean height of the cover above the ground (as depth along the light), weighted by that share.
+// What stands between the lamp and the ground, for every point of the shadow map but coarser: the share that
+// is covered, and the mean height of the cover above the ground (as depth along the light), weighted by that
+// share.
 #include "common/frame.glsl"
 layout(binding = 0) uniform sampler2D shadow_map;
 in vec2 place;

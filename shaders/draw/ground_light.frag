@@ -1,6 +1,7 @@
-// How much key light reaches the ground, for every point under the shadow map, in the shadow map's coordinates: small and
-// smooth, so that the ground itself needs one lookup per pixel. The lamp has a size: the higher the body is above the ground,
-// the wider its shadow's edge. First the mean height of what is near the way, then its share within that width.
+// How much key light reaches the ground, for every point under the shadow map, in the shadow map's
+// coordinates: small and smooth, so that the ground itself needs one lookup per pixel. The lamp has a size:
+// the higher the body is above the ground, the wider its shadow's edge. First the mean height of what is near
+// the way, then its share within that width.
 layout(binding = 0) uniform sampler2D ground_cover;
 in vec2 place;
 layout(location = 0) out vec4 light;

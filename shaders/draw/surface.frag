@@ -22,7 +22,8 @@ float key_visibility() {
   float sum = 0.0;
   for (int i = 0; i < SHADOW_TAPS; ++i) {
     float angle = 2.39996 * float(i), radius = reach * sqrt((float(i) + 0.5) / SHADOW_TAPS);
-    sum += texture(shadow_map, vec3(shadow_position.xy + radius * vec2(cos(angle), sin(angle)), shadow_position.z));
+    vec2 at = shadow_position.xy + radius * vec2(cos(angle), sin(angle));
+    sum += texture(shadow_map, vec3(at, shadow_position.z));
   }
   return sum / SHADOW_TAPS;
 #else
@@ -55,7 +56,8 @@ void main() {
   vec3 result = heat_color(heat) * linear_to_srgb(vec3(shade)).x;
 #else
   vec3 base = gl_FrontFacing ? frame.base_color.rgb : frame.base_color.brg * 0.6;
-  vec3 light = vec3(1.02, 0.98, 0.92) * (0.86 * key) + mix(vec3(0.27, 0.24, 0.23), vec3(0.38, 0.43, 0.50), sky);
+  vec3 ambient = mix(vec3(0.27, 0.24, 0.23), vec3(0.38, 0.43, 0.50), sky);
+  vec3 light = vec3(0.88, 0.84, 0.79) * key + ambient;
   float n_h = max(dot(n, normalize(l + to_eye)), 0.0);
   float gloss = n_h * n_h;
   gloss *= gloss;

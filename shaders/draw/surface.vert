@@ -1,5 +1,5 @@
-// The surface as seen by the camera. WIREFRAME reads each triangle's corners by number, so that every vertex knows which corner
-// it is; without it, vertices are attributes and shared.
+// The surface as seen by the camera. WIREFRAME reads each triangle's corners by number, so that every vertex
+// knows which corner it is; without it, vertices are attributes and shared.
 #include "common/frame.glsl"
 #if WIREFRAME
 layout(binding = 1) uniform usamplerBuffer indices;
@@ -34,9 +34,10 @@ void main() {
   heat = (position.w - frame.heat_range.x) * frame.heat_range.y;
 #endif
 #if SHADOW
-  // Looked up a little off the surface, more so where the light grazes it: that removes self-shadowing without moving the
-  // shadow's foot.
+  // Looked up a little off the surface, more so where the light grazes it: that removes self-shadowing
+  // without moving the shadow's foot.
   float slope = 1.0 - max(dot(normal.xyz, frame.light.xyz), 0.0);
   shadow_position = to_shadow(position.xyz + normal.xyz * frame.light.w * (1.0 + 2.5 * slope));
+  shadow_position.z = min(shadow_position.z, 1.0);  // as far as the map reaches
 #endif
 }

@@ -29,6 +29,7 @@ gl::ComputePass GrabSprings::pull(gl::ProgramCache& programs, const SimBuffers& 
            {"grab_vertex", &vertex_},
            {"grab_target", &target_},
            {"grab_multiplier", &multiplier_},
+           {"predicted", &buffers.predicted},
            {"displacement", &buffers.displacement}},
           count()};
 }

@@ -1,6 +1,6 @@
-// The poster's method (Boukadida, Andrews, Paquette 2019): XPBD with the Green strain of each tet as a 6-vector constraint,
-// all tets at once, corrections averaged per vertex. Its fixed point is softer than the material: averaging gives the
-// multipliers the whole step and the positions only a part of it.
+// XPBD with the Green strain of each tet as a 6-vector constraint, all tets at once, corrections averaged per vertex: the
+// poster's method (Boukadida, Andrews, Paquette 2019). On whole masses its fixed point is softer than the material: averaging
+// gives the multipliers the whole step and the positions only a part of it. On split masses (predict.comp) both get the same.
 #pragma once
 #include <vector>
 

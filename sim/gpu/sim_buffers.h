@@ -18,7 +18,7 @@ struct SimBuffers {
   std::uint32_t vertex_count = 0, tet_count = 0;
 
   // State, vec4 [vertex_count].
-  gl::Buffer displacement;           // xyz u = x - X [m], w inverse mass [1/kg]
+  gl::Buffer displacement;           // xyz u = x - X [m], w inverse mass as tets see it [1/kg]
   gl::Buffer velocity;               // xyz v [m/s]
   gl::Buffer previous_displacement;  // u at the start of the substep
   gl::Buffer predicted;              // u~, where inertia and gravity alone would lead

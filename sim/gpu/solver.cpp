@@ -9,6 +9,18 @@ void run(const std::vector<gl::ComputePass>& passes) {
 
 }  // namespace
 
+gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, bool split_masses) {
+  gl::ComputePass::Bindings bindings{{"step", &buffers.step},
+                                     {"rest_position", &buffers.rest_position},
+                                     {"velocity", &buffers.velocity},
+                                     {"displacement", &buffers.displacement},
+                                     {"previous_displacement", &buffers.previous_displacement},
+                                     {"predicted", &buffers.predicted}};
+  if (split_masses) bindings.emplace_back("slot_begin", &buffers.slot_begin);
+  return {programs.compute("sim/predict.comp", {{"MASS_SPLITTING", split_masses ? "1" : "0"}}), std::move(bindings),
+          buffers.vertex_count};
+}
+
 GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
                      const std::vector<Eigen::Vector3d>& surface_points)
     : programs_(programs),
@@ -27,14 +39,7 @@ void GpuSolver::record() {
   if (features_.damping && !previous_strain_)
     previous_strain_ = gl::Buffer("previous_strain", 2 * sizeof(shared::vec4) * buffers_.tet_count);
   begin_.clear();
-  begin_.emplace_back(programs_.compute("sim/predict.comp"),
-                      gl::ComputePass::Bindings{{"step", &buffers_.step},
-                                                {"rest_position", &buffers_.rest_position},
-                                                {"velocity", &buffers_.velocity},
-                                                {"displacement", &buffers_.displacement},
-                                                {"previous_displacement", &buffers_.previous_displacement},
-                                                {"predicted", &buffers_.predicted}},
-                      buffers_.vertex_count);
+  begin_.push_back(prediction(programs_, buffers_, settings_.method == Method::mass_splitting));
   if (!motions_.empty()) begin_.push_back(motions_.pass(programs_, buffers_));
   if (features_.damping)
     begin_.emplace_back(programs_.compute("sim/previous_strain.comp"),
@@ -43,12 +48,12 @@ void GpuSolver::record() {
                                                   {"previous_displacement", &buffers_.previous_displacement},
                                                   {"previous_strain", &previous_strain_}},
                         buffers_.tet_count);
-  if (settings_.method == Method::jacobi) {
-    gauss_seidel_.reset();
-    if (!jacobi_) jacobi_.emplace(buffers_.tet_count);
-  } else {
+  if (settings_.method == Method::gauss_seidel) {
     jacobi_.reset();
     if (!gauss_seidel_) gauss_seidel_.emplace(model_);
+  } else {
+    gauss_seidel_.reset();
+    if (!jacobi_) jacobi_.emplace(buffers_.tet_count);
   }
   first_iteration_ = iteration(true);
   iteration_ = iteration(false);

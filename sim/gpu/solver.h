@@ -14,6 +14,9 @@
 
 namespace fascia {
 
+/// The first pass of every substep (shaders/sim/predict.comp).
+gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, bool split_masses);
+
 class GpuSolver {
  public:
   /// `model` must outlive the solver. Its materials and gravity may be changed; tell the solver with materials_changed().

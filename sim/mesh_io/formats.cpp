@@ -72,6 +72,12 @@ std::vector<std::pair<std::string, const std::vector<std::uint32_t>*>> groups_be
   return out;
 }
 
+void note_cut_off(const Scanner& in, MeshFile& file) {
+  if (in.data().ends_with('\n')) return;
+  const std::string name = std::filesystem::path(in.where()).filename().string();
+  file.notes.push_back("The last line of " + name + " has no end; the file may be cut off.");
+}
+
 void check_vertex_count(const Scanner& in, std::size_t vertices) {
   constexpr std::size_t most = 0xfffffffe;
   if (vertices > most)

@@ -16,7 +16,11 @@ void read_gmsh(Scanner& in, MeshFile& file);
 void read_vtk_legacy(Scanner& in, MeshFile& file);
 void read_vtu(Scanner& in, MeshFile& file);
 void read_medit(Scanner& in, MeshFile& file);
-void read_tetgen(const std::filesystem::path& path, MeshFile& file);
+/// `path` is the .node or the .ele file and `content` what is in it; the other one is read.
+void read_tetgen(const std::filesystem::path& path, std::string_view content, MeshFile& file);
+
+/// As read_mesh of a file with this content.
+MeshFile read_mesh_content(const std::filesystem::path& path, std::string_view content);
 
 /// `where` is the file's name for the Error about what a format cannot hold.
 std::string gmsh41_text(const std::string& where, const TetMesh& mesh);
@@ -33,6 +37,9 @@ void count_ignored(MeshFile& file, int dimension, int corners, std::size_t cells
 /// Last step of every reader: refuses a mesh without tets, makes regions selectable as groups and puts groups
 /// in order.
 void finish_mesh(MeshFile& file, const std::string& where);
+
+/// Notes when a text file whose last number counts does not end with a line end: it may have been longer.
+void note_cut_off(const Scanner& in, MeshFile& file);
 
 /// Throws Error if a mesh has more vertices than a 32-bit index can name.
 void check_vertex_count(const Scanner& in, std::size_t vertices);

@@ -123,12 +123,14 @@ void GmshReader::read_physical_names() {
 void GmshReader::begin_nodes(std::size_t count) {
   if (has_nodes_) in_.fail("is the second section of nodes", "expected one");
   has_nodes_ = true;
+  nodes_at_ = in_.offset();
   check_vertex_count(in_, count);
   file_.mesh.positions.reserve(count);
 }
 
 void GmshReader::name_nodes(const std::vector<std::int64_t>& tags) {
   if (const auto twice = node_of_tag_.assign(tags)) {
+    in_.blame(nodes_at_);
     in_.fail("node tag " + std::to_string(tags[*twice]) + " occurs twice, again as node number " +
                  std::to_string(*twice + 1),
              "expected every tag once");

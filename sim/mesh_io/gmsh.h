@@ -63,6 +63,7 @@ class GmshReader {
   int size_bytes_ = 8;  // of a size_t in a binary version 4 file
   int major_ = 1;
   bool has_nodes_ = false, has_elements_ = false, second_order_ = false;
+  std::size_t nodes_at_ = 0;  // where the list starts
   TagMap node_of_tag_;
   std::map<Physical, std::string> names_;
   std::map<Physical, std::vector<std::uint32_t>> group_vertices_;

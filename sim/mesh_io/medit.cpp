@@ -22,6 +22,7 @@ class MeditReader {
     file_.format = "Medit ASCII";
     bool ended = false, has_vertices = false;
     while (!ended && !in_.at_end()) {
+      in_.set_section("");
       const std::string keyword(in_.word("a keyword"));
       if (!is_keyword(keyword)) in_.fail("found " + in_quotes(keyword), "expected a keyword");
       in_.set_section(keyword);
@@ -46,7 +47,7 @@ class MeditReader {
     }
     in_.set_section("");
     if (!has_vertices) in_.fail("has no vertices", "expected Vertices");
-    if (!ended) file_.notes.push_back("The file does not close with 'End'; it may be cut off.");
+    if (!ended) file_.notes.push_back("The file does not close with 'End'; the file may be cut off.");
     finish_mesh(file_, in_.where());
   }
 

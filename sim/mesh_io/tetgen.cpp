@@ -13,6 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 TagMap read_node(Scanner& in, MeshFile& file) {
+  const std::size_t begin = in.offset();
   const std::size_t count = in.count("vertices", 8);
   check_vertex_count(in, count);
   const int dimension = in.number_on_line<int>("the dimension");
@@ -36,6 +37,7 @@ TagMap read_node(Scanner& in, MeshFile& file) {
             "expected the end of the file");
   TagMap vertex_of_tag;
   if (const auto twice = vertex_of_tag.assign(tags)) {
+    in.blame(begin);
     in.fail("vertex number " + std::to_string(tags[*twice]) + " occurs twice", "expected every number once");
   }
   return vertex_of_tag;
@@ -92,30 +94,32 @@ fs::path partner(const fs::path& path, const char* lower, const char* upper) {
 }
 
 std::string read_partner(const fs::path& path, const fs::path& named) {
-  if (path != named && !fs::exists(path)) {
+  if (!fs::exists(path)) {
     throw Error(path.string(), "no such file", "expected beside " + named.filename().string());
   }
   return read_file(path);
 }
 
+template <class Read>
+void read_text(const fs::path& where, std::string_view text, MeshFile& file, Read read) {
+  Scanner in(where.string(), text);
+  in.skip_comments();
+  if (in.at_end()) in.fail("holds no numbers", "expected a TetGen file");
+  read(in);
+  note_cut_off(in, file);
+}
+
 }  // namespace
 
-void read_tetgen(const fs::path& path, MeshFile& file) {
-  const fs::path node = partner(path, ".node", ".NODE"), ele = partner(path, ".ele", ".ELE");
-  const std::string node_text = read_partner(node, path), ele_text = read_partner(ele, path);
+void read_tetgen(const fs::path& path, std::string_view content, MeshFile& file) {
   file.format = "TetGen .node/.ele";
-  const auto read = [&](const fs::path& where, const std::string& text, auto use) {
-    Scanner in(where.string(), text);
-    in.skip_comments();
-    if (in.at_end()) in.fail("holds no numbers", "expected a TetGen file");
-    use(in);
-    if (text.back() != '\n')
-      file.notes.push_back(where.filename().string() +
-                           ": the last line has no end; the file may be cut off.");
-  };
+  const bool is_node = lower_ending(path) == ".node";
+  const fs::path node = is_node ? path : partner(path, ".node", ".NODE");
+  const fs::path ele = is_node ? partner(path, ".ele", ".ELE") : path;
+  const std::string other = read_partner(is_node ? ele : node, path);
   TagMap vertex_of_tag;
-  read(node, node_text, [&](Scanner& in) { vertex_of_tag = read_node(in, file); });
-  read(ele, ele_text, [&](Scanner& in) { read_ele(in, vertex_of_tag, file); });
+  read_text(node, is_node ? content : other, file, [&](Scanner& in) { vertex_of_tag = read_node(in, file); });
+  read_text(ele, is_node ? other : content, file, [&](Scanner& in) { read_ele(in, vertex_of_tag, file); });
   finish_mesh(file, ele.string());
 }
 

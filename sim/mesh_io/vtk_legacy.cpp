@@ -95,6 +95,7 @@ void LegacyReader::read() {
   if (!has_points_) in_.fail("has no points", "expected POINTS");
   if (!has_cells_ || !has_types_) in_.fail("has no cells", "expected CELLS and CELL_TYPES");
   grid_.end_piece();
+  if (!binary_) note_cut_off(in_, file_);
   grid_.finish(in_.where());
 }
 
@@ -246,6 +247,7 @@ void LegacyReader::add_cells() {
                  std::to_string(cells_.offsets.size()) + " cells",
              "expected one for each");
   }
+  in_.set_section("CELLS");
   in_.blame(cells_at_);
   grid_.add_cells(in_, cells_);
   cells_.connectivity = {};
@@ -342,7 +344,10 @@ void LegacyReader::read_attribute(const std::string& keyword) {
       width = in_.number<std::uint32_t>("the number of components");
   }
   in_.end_line("the line of the array");
-  if (keyword == "SCALARS" && in_.take("LOOKUP_TABLE")) {
+  if (keyword == "SCALARS") {
+    const std::string_view table = in_.word("LOOKUP_TABLE");
+    if (upper(table) != "LOOKUP_TABLE")
+      in_.fail(in_quotes(table) + " follows SCALARS", "expected LOOKUP_TABLE");
     in_.word("the name of the table");
     in_.end_line("the name of the table");
   }

@@ -43,6 +43,12 @@ class VtuReader {
     fail_at(in_, parent, "has no DataArray " + in_quotes(name), "expected one");
   }
 
+  /// What fails next fails in this array.
+  void locate(const XmlElement& array) {
+    in_.set_section("DataArray " + in_quotes(array.attribute("Name")));
+    in_.blame(array.at);
+  }
+
   std::size_t count(const XmlElement& piece, const char* key) {
     const std::uint64_t value = xml_count(in_, piece, key);
     constexpr std::uint64_t values_per_byte = 1032;  // of deflated data, at the very most
@@ -81,8 +87,9 @@ class VtuReader {
       fail_at(in_, points, "NumberOfComponents is " + in_quotes(components), "expected 3");
     file_.format = "VTU " + arrays_.encoding(points);
     const std::vector<double> coordinates = arrays_.values<double>(points, 3 * point_count, true);
-    in_.blame(points.at);
+    locate(points);
     grid_.add_points(in_, coordinates);
+    in_.set_section("");
 
     const XmlElement& lists = required(piece, "Cells");
     const XmlElement& connectivity = required_array(lists, "connectivity");
@@ -90,8 +97,9 @@ class VtuReader {
     cells.offsets = arrays_.values<std::int64_t>(required_array(lists, "offsets"), cell_count);
     cells.types = arrays_.values<std::int64_t>(required_array(lists, "types"), cell_count);
     cells.connectivity = arrays_.values<std::int64_t>(connectivity, std::nullopt);
-    in_.blame(connectivity.at);
+    locate(connectivity);
     grid_.add_cells(in_, cells);
+    in_.set_section("");
 
     for_arrays(piece, "CellData", VtkGrid::is_region_array,
                [&](const std::string& name, const XmlElement& array) {

@@ -59,10 +59,10 @@ class ElasticSystem {
   std::vector<int> first_dof_;
   int dof_count_ = 0;
   SparseMatrix pattern_;  // zeros
-  // Where tets add: the three columns of block column j hold their blocks in the same order, so one rank per
-  // pair of corners says where the 3x3 block of (row, column) begins in each of them.
-  std::vector<std::array<int, 16>>
-      block_rank_;  // [tet_count] [4 * row corner + column corner], -1: nothing stored
+  // Where tets add, [tet_count] [4 * row corner + column corner]: the three columns of a block column hold
+  // their blocks in the same order, so one rank says where the 3x3 block begins in each of them. -1: not
+  // stored.
+  std::vector<std::array<int, 16>> block_rank_;
 };
 
 }  // namespace fascia::reference

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 #include "sim/error.h"
 
@@ -47,6 +48,10 @@ void HeldPath::place(double s, VectorXd& u) const {
   const VectorXd held = positions(from_ + s * (to_ - from_)) + (1 - s) * offset_;
   for (const Motion& motion : motions_)
     for (const std::uint32_t v : motion.vertices) u.segment<3>(3 * v) = held.segment<3>(3 * v);
+}
+
+bool HeldPath::moves() const {
+  return positions(to_) != positions(from_) + offset_;
 }
 
 double HeldPath::largest_increment() const {

@@ -15,7 +15,7 @@ class HeldPath {
   HeldPath(const Model& model, const Eigen::VectorXd& displacement, double from, double to);
   /// Moves the held entries of `u` [3 * vertex_count] to the share s in [0, 1] of the path.
   void place(double s, Eigen::VectorXd& u) const;
-  bool moves() const { return !motions_.empty(); }
+  bool moves() const;
   /// Largest increment of s that turns no motion by more than what a linear prediction survives.
   double largest_increment() const;
 

@@ -15,8 +15,7 @@ struct Potential {
   ViscousStep viscous;
   Eigen::VectorXd inertia;  // m / h^2 [N/m]; zero in statics
   Eigen::VectorXd target;   // u~ [m]
-  Eigen::VectorXd start;    // u_n [m]: inertia * (u - start), the force that would stop the motion, counts in
-                            // the force scale
+  Eigen::VectorXd start;    // u_n [m]; inertia * (u - start) is the force that would stop the motion
   Eigen::VectorXd force;    // [N]
 };
 
@@ -28,21 +27,21 @@ class Minimizer {
   /// unless staying where they are has less energy or turns no tet inside out.
   void move_held(const Potential& potential, const Eigen::VectorXd& change, Eigen::VectorXd& u);
 
-  /// Minimises from `u` with its held entries as they are, to |gradient| <= tolerance * force scale
-  /// (NewtonReport) or to the rounding of the gradient, whichever is larger.
   struct Limits {
     int iterations;
     bool upright;  // give up as soon as a tet turns inside out
   };
+  /// Minimises from `u` with its held entries as they are, to |gradient| <= tolerance * force scale
+  /// (NewtonReport) or to the rounding of the gradient, whichever is larger.
   NewtonReport minimize(const Potential& potential, double tolerance, const Limits& limits,
                         Eigen::VectorXd& u);
 
  private:
   struct Value {
-    double energy = 0,
-           magnitude = 0;  // [J]; `magnitude` sums absolute values, for a bound on the rounding of `energy`
+    double energy = 0;         // [J]
+    double magnitude = 0;      // [J] sum of absolute terms, for a bound on the rounding of `energy`
     Eigen::VectorXd gradient;  // [N] over the unknowns
-    double force_scale = 0;    // [N]
+    double force_scale = 0;    // [N] NewtonReport
   };
   Value evaluate(const Potential& potential, const Eigen::VectorXd& u) const;
   void factorize(const Potential& potential, const Eigen::VectorXd& u);

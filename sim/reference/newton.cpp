@@ -50,8 +50,8 @@ struct NewtonSolver::Impl {
   NewtonReport solve_static(State& state, double tolerance);
 
   /// Minimises potential(1) with the held vertices at the end of their path, from `u`, by the largest
-  /// increments of s in (0, 1] that Newton's method survives with every tet upright. Cannot cut a problem
-  /// that nothing moves (`divisible`).
+  /// increments of s in (0, 1] that Newton's method survives with every tet upright. `divisible` says whether
+  /// smaller increments are smaller problems.
   NewtonReport follow(const HeldPath& path, const std::function<Potential(double s)>& potential,
                       bool divisible, double tolerance, VectorXd& u);
 
@@ -68,7 +68,7 @@ NewtonReport NewtonSolver::Impl::follow(const HeldPath& path,
                                         double tolerance, VectorXd& u) {
   NewtonReport total;
   const double largest = path.largest_increment();
-  // Once nothing keeps the tets upright, or the problem cannot be cut, whatever comes is accepted.
+  // Where small increments do not help either, or there are none, whatever comes is accepted.
   bool careful = divisible;
   const bool upright = system.min_det_f(u) > 0;
   double done = 0, increment = largest;

@@ -39,6 +39,9 @@ DoubleXpbd::DoubleXpbd(const Model& model, const SolverSettings& settings)
   for (const double m : lumped_masses(model)) inv_mass_.push_back(held[inv_mass_.size()] || m <= 0 ? 0 : 1 / m);
   for (const Tet& tet : model.tets)
     for (const auto v : tet) ++valence_[v];
+  seen_inv_mass_ = inv_mass_;
+  if (settings.method == Method::mass_splitting)
+    for (std::size_t v = 0; v < valence_.size(); ++v) seen_inv_mass_[v] *= valence_[v];
 }
 
 Vector6d DoubleXpbd::strain(std::size_t tet, const std::vector<Eigen::Vector3d>& u) const {
@@ -56,7 +59,7 @@ DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const std::vector<Eig
   Eigen::Matrix<double, 6, 12> g;  // d strain_k / d u_a = 1/2 (F_row b_column + F_column b_row)
   Eigen::Matrix<double, 12, 1> w;
   for (int a = 0; a < 4; ++a) {
-    w.segment<3>(3 * a).setConstant(inv_mass_[model_.tets[t][a]]);
+    w.segment<3>(3 * a).setConstant(seen_inv_mass_[model_.tets[t][a]]);
     for (int k = 0; k < 6; ++k)
       g.block<1, 3>(k, 3 * a) =
           0.5 * (f.col(row_of[k]) * shape.b(column_of[k], a) + f.col(column_of[k]) * shape.b(row_of[k], a)).transpose();
@@ -98,7 +101,7 @@ void DoubleXpbd::step(reference::State& state) {
         lambda[t] = r.multiplier;
         for (int a = 0; a < 4; ++a) u[model_.tets[t][a]] += r.correction[a];
       }
-    for (int i = 0; i < settings_.iterations && settings_.method == Method::jacobi; ++i) {
+    for (int i = 0; i < settings_.iterations && settings_.method != Method::gauss_seidel; ++i) {
       std::vector<Eigen::Vector3d> sum(u.size(), Eigen::Vector3d::Zero());
       for (std::size_t t = 0; t < model_.tets.size(); ++t) {
         const TetResult r = solve_tet(t, u, before[t], lambda[t]);

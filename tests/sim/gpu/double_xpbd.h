@@ -28,7 +28,7 @@ class DoubleXpbd {
  private:
   const Model& model_;
   SolverSettings settings_;
-  std::vector<double> inv_mass_;
+  std::vector<double> inv_mass_, seen_inv_mass_;  // of a vertex, and as its tets see it
   std::vector<int> valence_;
 };
 

@@ -32,7 +32,8 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
   Gpu gpu(loads);
   Model model = beam({young, nu, 1000, damping, MaterialModel::st_venant_kirchhoff});
   SolverSettings settings;
-  settings.method = Method::jacobi;
+  const bool split = GENERATE(false, true);
+  settings.method = split ? Method::mass_splitting : Method::jacobi;
   SimBuffers buffers(model);
   buffers.upload_step(model, settings.substep());
   const reference::State state = random_state(model, 0.004, 3);
@@ -41,15 +42,7 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
   gl::Buffer previous_strain("previous_strain", 2 * sizeof(vec4) * buffers.tet_count);
   const JacobiMethod method(buffers.tet_count);
   // predict puts the inverse masses beside the displacements and moves the vertices; compare from where it ends.
-  const gl::ComputePass predict(gpu.programs.compute("sim/predict.comp"),
-                                {{"step", &buffers.step},
-                                 {"rest_position", &buffers.rest_position},
-                                 {"velocity", &buffers.velocity},
-                                 {"displacement", &buffers.displacement},
-                                 {"previous_displacement", &buffers.previous_displacement},
-                                 {"predicted", &buffers.predicted}},
-                                buffers.vertex_count);
-  predict.run();
+  prediction(gpu.programs, buffers, split).run();
   if (features.damping)
     gl::ComputePass(gpu.programs.compute("sim/previous_strain.comp"),
                     {{"tet_vertices", &buffers.tet_vertices},
@@ -95,7 +88,7 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
 }
 
 TEST_CASE("whole steps equal the double-precision method", "[gpu]") {
-  const Method method = GENERATE(Method::jacobi, Method::gauss_seidel);
+  const Method method = GENERATE(Method::jacobi, Method::mass_splitting, Method::gauss_seidel);
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   const double damping = GENERATE(0.0, 0.01);
   const int substeps = GENERATE(1, 4);
