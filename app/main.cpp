@@ -58,7 +58,9 @@ int run(int argc, char** argv) {
   const auto add_view = [&](CLI::App* command) {
     add_common(command, view);
     parse_size(command, view.width, view.height);
-    command->add_option("--samples", view.samples, "samples per pixel")->check(CLI::Range(1, 16))->capture_default_str();
+    command->add_option("--samples", view.samples, "samples per pixel")->check(CLI::Range(1, 16))->default_str("4, on software renderers 1");
+    command->add_option("--export", view.export_path, "the state when the window closes: .vtu, .csv, .msh or .obj")->type_name("FILE");
+    command->add_option("--stats", view.stats, "numbers about the run, when the window closes")->type_name("FILE.json");
   };
   add_view(&app);
   CLI::App* view_command = app.add_subcommand("view", "the window (the default command)");

@@ -39,7 +39,9 @@ struct RunOptions : CommonOptions {
 
 struct ViewOptions : CommonOptions {
   int width = 1280, height = 720;
-  int samples = 4;
+  int samples = 0;          // 0: 4 on a GPU, 1 on software renderers
+  std::string export_path;  // state when the window closes: .vtu, .csv, .msh, .obj
+  std::string stats;        // stats.json
 };
 
 struct InfoOptions {

@@ -21,7 +21,7 @@ fascia_test(test_render SOURCES ${T}/render/test_render*.cpp ${T}/render/test_ca
             ${T}/render/test_framebuffer.cpp
             LIBS render)
 fascia_test(test_solver SOURCES ${T}/sim/gpu/test_*.cpp LIBS sim render)
-fascia_test(test_app SOURCES ${T}/app/test_*.cpp LIBS app nlohmann_json::nlohmann_json)
+fascia_test(test_app SOURCES ${T}/app/test_*.cpp ${T}/app/window_fixture.cpp LIBS app nlohmann_json::nlohmann_json)
 if(TARGET test_app)
   add_dependencies(test_app fascia)
 endif()
