@@ -19,9 +19,10 @@ Overlay::Overlay(Graphics& graphics) : graphics_(graphics) {
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
-  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-  // Its callbacks are called by WindowInput, which sees every event first.
-  if (GLFWwindow* window = graphics.context->window()) ImGui_ImplGlfw_InitForOther(window, false);
+  if (GLFWwindow* window = graphics.context->window()) {
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    ImGui_ImplGlfw_InitForOther(window, false);  // its callbacks are called by WindowInput, which sees every event first
+  }
 }
 
 Overlay::~Overlay() {

@@ -29,7 +29,7 @@ constexpr const char* kKeys[][2] = {{"Left drag on tissue", "grab it"},
                                     {"Ctrl+O", "open a scene or mesh, or drop it on the window"},
                                     {"Ctrl+S", "save the scene"},
                                     {"F5", "reload the shaders"},
-                                    {"Double click on a slider", "type a value, such as 12.5 kPa"},
+                                    {"Click on a value", "type another, such as 12.5 kPa"},
                                     {"Ctrl+Tab, arrows, Enter", "the panels by keyboard; Esc leaves them"},
                                     {"Ctrl+Q", "quit"},
                                     {"F1", "this list"}};

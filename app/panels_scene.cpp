@@ -43,6 +43,7 @@ void scene_panel(const Session& session, ViewState& state, Requests& requests) {
   ImGui::PushFont(ui::bold_font());
   ImGui::TextWrapped("%s", scene.title.empty() ? scene.file.stem().string().c_str() : scene.title.c_str());
   ImGui::PopFont();
+  ui::tooltip(scene.file.string());
 
   ButtonRow files(3);
   requests.open_dialog |= files.add("Open...", "A scene or a tetrahedral mesh (Ctrl+O, or drop a file on the window)");
@@ -57,12 +58,15 @@ void scene_panel(const Session& session, ViewState& state, Requests& requests) {
   requests.video |= pictures.add(state.recording ? "Stop video" : "Record video", "An MP4 in the current folder (V)", state.recording);
 
   const Model& model = simulation.model;
-  ui::fact("File", scene.file.filename().string(), scene.file.string());
-  ui::fact("Vertices, tets", grouped(model.rest_positions.size()) + ", " + grouped(model.tets.size()));
+  const Statistics& clock_now = state.statistics;
+  ui::fact("Mesh", grouped(model.rest_positions.size()) + " vertices, " + grouped(model.tets.size()) + " tets");
   ui::fact("Mass", engineering(state.facts.mass(model), "kg"), "At the present densities; lumped to the vertices");
-  char time[32];
-  std::snprintf(time, sizeof time, "%.2f s", simulation.time());
-  ui::fact("Time", time, "Simulated since the start of the scene");
+  char text[64];
+  if (clock_now.measured)
+    std::snprintf(text, sizeof text, "%.2f s at %.0f %% of real time", simulation.time(), state.paused ? 0 : 100 * clock_now.speed);
+  else
+    std::snprintf(text, sizeof text, "%.2f s", simulation.time());
+  ui::fact("Time", text, "Simulated since the start of the scene");
   for (const std::string& note : model.notes) {
     ImGui::PushStyleColor(ImGuiCol_Text, ui::kWarning);
     ImGui::TextWrapped("%s", note.c_str());

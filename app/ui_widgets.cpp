@@ -13,7 +13,7 @@
 namespace fascia::ui {
 namespace {
 
-constexpr float kLabelShare = 0.42f;  // of a row's width
+constexpr float kLabelShare = 0.41f, kSliderShare = 0.33f;  // of a row's width; the value has the rest
 
 // The number being typed; there is one keyboard, so one at most.
 struct Typing {
@@ -53,6 +53,23 @@ bool typed_number(const NumberField& field, double& value) {
   if (changed) value = std::clamp(*parsed, field.min, field.max);
   typing = {};
   return changed;
+}
+
+bool wants_to_type() {
+  return (ImGui::IsItemHovered() && (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl))) ||
+         (ImGui::IsItemFocused() && ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressedMap(ImGuiKey_Enter));
+}
+
+// The value at the end of the row, right-aligned; a click on it asks to type another.
+bool value_button(const std::string& text) {
+  const ImVec2 low = ImGui::GetCursorScreenPos(), size{ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()};
+  const bool pressed = ImGui::InvisibleButton("##value", size);
+  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::GetWindowDrawList()->AddText({low.x + size.x - width, low.y + ImGui::GetStyle().FramePadding.y},
+                                      ImGui::GetColorU32(lit ? kAccent : kText), text.c_str());
+  if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
+  return pressed;
 }
 
 }  // namespace
@@ -103,22 +120,20 @@ void label(const char* text, const std::string& help) {
 
 bool number(const NumberField& field, double& value) {
   ImGui::PushID(field.label.c_str());
+  const float row = ImGui::GetContentRegionAvail().x;
   label(field.label.c_str(), field.help);
   const ImGuiID id = ImGui::GetID("##slider");
   bool changed = false;
   if (typing.id == id) {
     changed = typed_number(field, value);
   } else {
-    std::string shown = pretty(engineering(value, field.unit));
-    if (const std::size_t at = shown.find('%'); at != std::string::npos) shown.insert(at, "%");  // it is a printf format
-    ImGuiSliderFlags flags = ImGuiSliderFlags_NoInput;
-    if (field.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-    changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &field.slider_min, &field.slider_max, shown.c_str(), flags);
+    ImGui::SetNextItemWidth(kSliderShare * row);
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_NoInput | (field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &field.slider_min, &field.slider_max, "", flags);
     tooltip(field.help);
-    const bool wants_to_type =
-        (ImGui::IsItemHovered() && (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl))) ||
-        (ImGui::IsItemFocused() && ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressedMap(ImGuiKey_Enter));
-    if (wants_to_type) {
+    const bool asked_at_slider = wants_to_type();
+    ImGui::SameLine(0, 0);
+    if (value_button(pretty(engineering(value, field.unit))) || asked_at_slider) {
       const std::string text = engineering(value, field.unit, 4);
       typing = {id, text, text, true, false};
       ImGui::ClearActiveID();

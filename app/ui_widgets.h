@@ -23,7 +23,8 @@ struct NumberField {
   bool integer = false;
   std::string help;
 };
-/// A slider in engineering notation; double click or Ctrl+click to type ("12.5 kPa"). True when the value changed.
+/// A slider and its value in engineering notation; a click on the value, or a double click on the slider, lets the user type
+/// ("12.5 kPa"). True when the value changed.
 bool number(const NumberField& field, double& value);
 
 /// Starts a row whose control is drawn next, filling what is left of the width.
