@@ -17,12 +17,13 @@ namespace {
 // Everything that one picture needs: the scene, then panels and color bar over the resolved frame.
 void draw_frame(Session& session, Overlay& overlay, Framebuffer& framebuffer, bool panels) {
   GpuSolver& solver = *session.simulation.gpu();
-  std::optional<Diagnostics> diagnostics;
-  if (panels || session.look.heat_map) {
-    solver.request_diagnostics();
-    diagnostics = solver.take_diagnostics(true);
-    if (diagnostics) session.follow_range(*diagnostics);
-  }
+  solver.request_diagnostics();
+  const std::optional<Diagnostics> diagnostics = solver.take_diagnostics(true);
+  if (diagnostics && !diagnostics->finite)
+    throw Error(session.simulation.scene.file.string(),
+                "the state is not finite at " + std::to_string(session.simulation.time()) + " s",
+                "expected finite positions: more substeps, softer material or a smaller load may help");
+  if (diagnostics) session.follow_range(*diagnostics);
   session.draw(framebuffer);
   if (panels || session.look.heat_map) overlay.draw_headless(session, framebuffer, panels, diagnostics);
 }
@@ -44,8 +45,7 @@ int command_render(const RenderOptions& options) {
   Graphics graphics = open_graphics(options, false, options.width, options.height);
   Session session(graphics, std::move(scene), options.reference);
   Simulation& simulation = session.simulation;
-  if (!options.quiet)
-    for (const std::string& note : simulation.model.notes) std::cerr << "fascia: " << note << '\n';
+  announce(options, graphics, simulation.model.notes);
 
   Framebuffer framebuffer(options.width, options.height, options.samples);
   Overlay overlay(graphics);

@@ -39,8 +39,7 @@ int command_run(const RunOptions& options) {
   Graphics graphics;
   if (!options.reference) graphics = open_graphics(options, false);
   Simulation simulation(std::move(scene), graphics.programs.get(), options.reference);
-  if (!options.quiet)
-    for (const std::string& note : simulation.model.notes) std::cerr << "fascia: " << note << '\n';
+  announce(options, graphics, simulation.model.notes);
 
   RunStats stats;
   stats.renderer = options.reference ? "reference solver, double precision" : describe(graphics);

@@ -38,13 +38,18 @@ Graphics open_graphics(const CommonOptions& options, bool for_view, int width, i
   graphics.context = make_context(request);
   if (request.debug) gl::log_debug_messages([](const std::string& line) { std::cerr << "gl: " << line << '\n'; });
   graphics.programs = std::make_unique<gl::ProgramCache>(graphics.data_dir / "shaders", choose_loads(options.loads));
-  if (!options.quiet) std::cerr << "fascia: " << describe(graphics) << '\n';
   return graphics;
 }
 
 std::string describe(const Graphics& graphics) {
   return std::string(gl::device().renderer) + " through " + graphics.context->name() + ", kernels read by " +
          gl::name_of(graphics.programs->load_path());
+}
+
+void announce(const CommonOptions& options, const Graphics& graphics, const std::vector<std::string>& notes) {
+  if (options.quiet) return;
+  if (graphics.context) std::cerr << "fascia: " << describe(graphics) << '\n';
+  for (const std::string& note : notes) std::cerr << "fascia: " << note << '\n';
 }
 
 }  // namespace fascia

@@ -2,6 +2,8 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "app/options.h"
 #include "render/context.h"
@@ -15,11 +17,15 @@ struct Graphics {
   std::unique_ptr<gl::ProgramCache> programs;
 };
 
-/// Makes the context that the options ask for and says which renderer it got (unless quiet). On software renderers the number
-/// of rasteriser threads is chosen first (LP_NUM_THREADS, if the user did not set it).
+/// Makes the context that the options ask for. On software renderers the number of rasteriser threads is chosen first
+/// (LP_NUM_THREADS, if the user did not set it).
 Graphics open_graphics(const CommonOptions& options, bool for_view, int width = 16, int height = 16);
 
 /// "llvmpipe (LLVM 15.0.6, 256 bits) through osmesa, kernels read by texel"
 std::string describe(const Graphics& graphics);
+
+/// Says on stderr, unless quiet, what the command works with: the renderer, if there is one, and what the model's makers noted. After
+/// loading, so that a failed load says one line only.
+void announce(const CommonOptions& options, const Graphics& graphics, const std::vector<std::string>& notes);
 
 }  // namespace fascia

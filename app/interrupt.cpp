@@ -14,6 +14,7 @@ void catch_interrupts() {
   std::signal(SIGINT, remember);
   std::signal(SIGTERM, remember);
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool interrupted() { return flag != 0; }

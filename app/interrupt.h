@@ -3,7 +3,9 @@
 
 namespace fascia {
 
-void catch_interrupts();  // SIGINT and SIGTERM set a flag; SIGPIPE is ignored, so that a dead child process is an error, not an end
+/// SIGINT and SIGTERM set a flag. SIGPIPE and SIGXFSZ are ignored: a dead child process or a file that may not grow is an error
+/// with a message, not an end without one.
+void catch_interrupts();
 bool interrupted();
 
 }  // namespace fascia

@@ -9,6 +9,9 @@ namespace fascia {
 
 Simulation::Simulation(Scene opened, gl::ProgramCache* programs, bool use_reference)
     : scene(std::move(opened)), model(build_model(scene)) {
+  if (scene.solver.tolerance > 0 && !use_reference)
+    model.notes.push_back(std::string("solver.tolerance does not stop ") + name_of(scene.solver.method) +
+                          " early: all iterations are run");
   if (programs) gpu_ = std::make_unique<GpuSolver>(*programs, model, scene.solver, embedded_points(scene));
   if (use_reference) {
     reference_ = std::make_unique<reference::NewtonSolver>(model, scene.solver);

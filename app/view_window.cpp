@@ -134,7 +134,9 @@ void ViewWindow::build_panels(Requests& requests) {
   if (mouse_.grab().holding()) draw_force(mouse_.grab());
   if (state_.show_help) draw_help(state_);
   dialogs_.draw(requests);
-  if (message_ && (draw_message(message_->text, message_->is_error) || Clock::now() > message_->until)) message_.reset();
+  const bool news = message_ && !message_->is_error;
+  // A screenshot shows the scene, not the news of the screenshot before it.
+  if (message_ && !(news && requests.screenshot) && (draw_message(message_->text, message_->is_error) || Clock::now() > message_->until)) message_.reset();
   if (video_.running()) draw_recording_dot(video_.seconds());
 }
 

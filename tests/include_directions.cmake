@@ -20,7 +20,7 @@ endfunction()
 
 set(S ${SOURCE_DIR})
 file(GLOB core ${S}/sim/*.h ${S}/sim/*.cpp)
-check("sim_core" "^sim/(reference/|mesh_io/)?[a-z_]+\\.h$" ${core} ${S}/sim/reference/*.h ${S}/sim/reference/*.cpp
+check("sim_core" "^sim/(reference/|mesh_io/)?[a-z0-9_]+\\.h$" ${core} ${S}/sim/reference/*.h ${S}/sim/reference/*.cpp
       ${S}/sim/mesh_io/*.h ${S}/sim/mesh_io/*.cpp)
 check("sim (gpu)" "^(sim/|render/gl/|shaders/shared/)" ${S}/sim/gpu/*.h ${S}/sim/gpu/*.cpp)
 check("gl" "^(render/gl/|sim/error\\.h)" ${S}/render/gl/*.h ${S}/render/gl/*.cpp)

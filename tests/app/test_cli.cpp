@@ -98,8 +98,18 @@ TEST_CASE("outputs that cannot be written", "[cli]") {
                  {"shot.png", "no such folder"});
   expect_failure({"run", cube().string(), "--quiet", "--steps", "1", "--export", (folder / "no/out.vtu").string()}, {"out.vtu"});
   expect_failure({"run", cube().string(), "--quiet", "--steps", "1", "--export", (folder / "out.txt").string()}, {"out.txt"});
-  expect_failure({"run", cube().string(), "--quiet", "--steps", "1", "--export", "/dev/full.csv"}, {"/dev/full.csv"});
   CHECK(fs::is_empty(folder.path()));
+
+  // A limit on file size stands for a full disk: the write fails in the same place.
+  write_file(folder / "state.csv", "old");
+  const CommandResult full =
+      run_command({"/bin/sh", "-c", "ulimit -f 2; exec \"$@\"", "sh", FASCIA_BINARY, "run", cube().string(), "--quiet", "--context",
+                   "osmesa", "--steps", "1", "--export", (folder / "state.csv").string()});
+  INFO(full.err);
+  CHECK(full.exit_code == 1);
+  CHECK(full.err.find("state.csv: writing failed") != std::string::npos);
+  CHECK(read_file(folder / "state.csv") == "old");
+  CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 1);
 }
 
 TEST_CASE("ffmpeg missing or failing midway leaves no half video", "[cli]") {

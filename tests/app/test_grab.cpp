@@ -169,7 +169,8 @@ TEST_CASE("at equilibrium the force is stiffness times elongation, along the pul
   CHECK(largest_displacement(solver.download()) < 1e-3 * kRadius);
 }
 
-TEST_CASE("a mouse gone wild leaves everything finite, and the body recovers") {
+TEST_CASE("a mouse gone wild neither explodes the body nor detaches from it") {
+  // Not asserted: that the body comes back. St. Venant-Kirchhoff tets that such a hand turns inside out may stay so.
   const double modulus = GENERATE(1e3, 1e5, 1e9);
   const Cantilever scene({modulus, 0.3, 1000, 0.1});
   test::Gpu gpu;
@@ -200,7 +201,9 @@ TEST_CASE("a mouse gone wild leaves everything finite, and the body recovers") {
   solver.request_diagnostics();
   const Diagnostics d = *solver.take_diagnostics(true);
   const double left = largest_displacement(solver.download());
-  WARN("E " << modulus << ": farthest " << farthest / kRadius << " radii, inverted " << inverted << " of " << scene.model.tets.size()
-            << "; after 10 s: displacement " << left / kRadius << ", inverted " << d.inverted << ", speed " << d.max_speed);
-  CHECK(left < 0.01 * kRadius);
+  CAPTURE(modulus, farthest / kRadius, inverted, left / kRadius, d.inverted, d.max_speed);
+  CHECK(farthest < 3 * kRadius);  // the targets go 4 radii away from the hit point
+  CHECK(d.finite);
+  CHECK(d.grab_force.norm() == 0);
+  CHECK(d.max_speed < kRadius);  // [m/s] calm after 10 s
 }
