@@ -126,7 +126,7 @@ TEST_CASE("the pointer moves in the plane through the hit point that faces the v
 }
 
 TEST_CASE("at equilibrium the force is stiffness times elongation, along the pull; letting go leaves nothing") {
-  const Cantilever scene({1e5, 0.3, 1000, 0.05});
+  const Cantilever scene({1e5, 0.3, 1000, 0.01});
   test::Gpu gpu;
   SolverSettings settings;
   GpuSolver solver(gpu.programs, scene.model, settings);
@@ -136,7 +136,7 @@ TEST_CASE("at equilibrium the force is stiffness times elongation, along the pul
   point_at(grab, grab.pointer() + Vector3d(0.02, 0, 0.08));
   std::vector<GrabSpring> springs;
   Diagnostics diagnostics;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 600; ++i) {
     solver.set_grab(springs = grab.springs(settings.time_step));
     solver.step();
     solver.request_diagnostics();
@@ -154,7 +154,7 @@ TEST_CASE("at equilibrium the force is stiffness times elongation, along the pul
   // Displacements of some cm in float32 are good to 1e-8 m: times the stiffness, some 1e-4 N.
   CHECK((diagnostics.grab_force - expected).norm() < 1e-3 * expected.norm());
   CHECK(expected.z() > 0.1);
-  CHECK(expected.normalized().z() > 0.8);       // the pull is sideways, mostly along z
+  CHECK(expected.dot(held) > 0.5 * expected.norm() * held.norm());  // along the pull; a bent bar resists stretching more
   CHECK(held.z() > 0.7 * 0.08);                 // soft tissue follows the mouse
   const Vector3d hit(0.29, 0.1, 0.05);
   CHECK((grab.anchor() - (hit + held)).norm() < 1e-3 * held.norm());
@@ -163,7 +163,7 @@ TEST_CASE("at equilibrium the force is stiffness times elongation, along the pul
   grab.release();
   solver.set_grab({});
   CHECK(solver.dispatches_per_step() == dispatches);
-  for (int i = 0; i < 300; ++i) solver.step();
+  for (int i = 0; i < 900; ++i) solver.step();
   solver.request_diagnostics();
   CHECK(solver.take_diagnostics(true)->grab_force.norm() == 0);
   CHECK(largest_displacement(solver.download()) < 1e-3 * kRadius);

@@ -69,7 +69,7 @@ VirtualDisplay::VirtualDisplay(int width, int height) {
     const int null = open("/dev/null", O_WRONLY);
     dup2(null, 1);
     dup2(null, 2);
-    execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", screen.c_str(), "-nolisten", "tcp", nullptr);
+    execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", screen.c_str(), "-nolisten", "tcp", "-noreset", nullptr);
     _exit(127);
   }
   close(ends[1]);
@@ -79,6 +79,9 @@ VirtualDisplay::VirtualDisplay(int width, int height) {
   if (number.empty()) throw std::runtime_error("Xvfb did not start; is it installed?");
   setenv("DISPLAY", (":" + number).c_str(), 1);
   unsetenv("WAYLAND_DISPLAY");
+  // Named is not yet answering, on a busy machine.
+  if (!eventually([] { return run_command({"xdotool", "getdisplaygeometry"}).exit_code == 0; }))
+    throw std::runtime_error("Xvfb does not answer");
 }
 
 VirtualDisplay::~VirtualDisplay() {
