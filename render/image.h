@@ -17,13 +17,13 @@ using Metadata = std::vector<std::pair<std::string, std::string>>;  // keyword, 
 
 /// Writes a PNG with one tEXt/iTXt chunk per metadata entry through a temporary name. Throws Error.
 void write_png(const std::filesystem::path& path, const Image& image, const Metadata& metadata = {});
-Image read_png(const std::filesystem::path& path);                 // throws Error
-Metadata read_png_metadata(const std::filesystem::path& path);     // throws Error
+Image read_png(const std::filesystem::path& path);              // throws Error
+Metadata read_png_metadata(const std::filesystem::path& path);  // throws Error
 
 struct ImageDifference {
-  double mean = 0;    // of absolute channel differences, 0 to 1
-  double share = 0;   // of pixels with a channel off by more than `bound`
-  Image picture;      // differences, amplified
+  double mean = 0;   // of absolute channel differences, 0 to 1
+  double share = 0;  // of pixels with a channel off by more than `bound`
+  Image picture;     // differences, amplified
 };
 /// Images of different size differ by 1 and 1.
 ImageDifference difference(const Image& a, const Image& b, double bound = 8.0 / 255);

@@ -1,31 +1,43 @@
 // Isotropic tissue material: what a user sets, and the constants that follow.
 #pragma once
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace fascia {
 
 enum class MaterialModel { st_venant_kirchhoff };
 
+const std::vector<MaterialModel>& material_models();  // that exist
+const char* name_of(MaterialModel model);             // "st_venant_kirchhoff", as in scene files
+std::optional<MaterialModel> find_material_model(std::string_view name);
+
 struct Material {
-  double young_modulus = 1e5;   // E [Pa]
-  double poisson_ratio = 0.3;   // nu [-], -0.9 to 0.499
-  double density = 1000;        // [kg/m^3]
-  double damping = 0;           // ratio of viscosity to stiffness [s] (Kelvin-Voigt: S = D (eps + damping * d eps/dt))
+  double young_modulus = 1e5;  // E [Pa]
+  double poisson_ratio = 0.3;  // nu [-], -0.9 to 0.499
+  double density = 1000;       // [kg/m^3]
+  double damping = 0;  // ratio of viscosity to stiffness [s] (Kelvin-Voigt: S = D (eps + damping * d eps/dt))
   MaterialModel model = MaterialModel::st_venant_kirchhoff;
 
-  double lame_lambda() const { return young_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio)); }
+  double lame_lambda() const {
+    return young_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio));
+  }
   double lame_mu() const { return young_modulus / (2 * (1 + poisson_ratio)); }
   bool operator==(const Material&) const = default;
 };
 
-/// One table of a Material's numbers: f(field_pointer, name, unit, min, max, logarithmic, help). The JSON reader, --set, the
-/// sliders and the provenance stamp are all made from it.
+/// One table of a Material's numbers: f(field, name, unit, min, max, logarithmic, help). The JSON reader,
+/// --set, the sliders and the provenance stamp are all made from it.
 template <class M, class F>
 void visit_material(M& m, F&& f) {
-  f(m.young_modulus, "young_modulus", "Pa", 1e-3, 1e14, true, "stiffness: stress per strain under uniaxial load");
-  f(m.poisson_ratio, "poisson_ratio", "", -0.9, 0.499, false, "how much a pulled piece thins; near 0.5 it keeps its volume");
+  f(m.young_modulus, "young_modulus", "Pa", 1e-3, 1e14, true,
+    "stiffness: stress per strain under uniaxial load");
+  f(m.poisson_ratio, "poisson_ratio", "", -0.9, 0.499, false,
+    "how much a pulled piece thins; near 0.5 it keeps its volume");
   f(m.density, "density", "kg/m^3", 1e-3, 1e6, true, "mass per volume at rest");
-  f(m.damping, "damping", "s", 0.0, 10.0, false, "viscosity over stiffness: motion of period T decays faster the nearer this is to T");
+  f(m.damping, "damping", "s", 0.0, 10.0, false,
+    "viscosity over stiffness: motion of period T decays faster the nearer this is to T");
 }
 
 }  // namespace fascia

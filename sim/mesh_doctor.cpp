@@ -13,7 +13,6 @@ namespace fascia {
 namespace {
 
 constexpr double kSliverDeg = 5;
-constexpr std::size_t kNamed = 10;
 
 class DisjointSets {
  public:
@@ -96,7 +95,7 @@ void examine_tets(const TetMesh& mesh, const MeshRepair& repaired, MeshReport& r
                    [](const MeshReport::Sliver& a, const MeshReport::Sliver& b) {
                      return a.smallest_dihedral_deg < b.smallest_dihedral_deg;
                    });
-  slivers.resize(std::min(slivers.size(), kNamed));
+  slivers.resize(std::min(slivers.size(), kNamedTets));
   report.worst_slivers = slivers;
   for (auto& [number, region] : regions) {
     if (const auto name = mesh.region_names.find(number); name != mesh.region_names.end())

@@ -12,14 +12,17 @@
 namespace fascia {
 
 struct MeshRepair {
-  std::vector<Tet> tets;                   // [n] usable tets, every one of positive volume
-  std::vector<std::uint32_t> source;       // [n] index of each usable tet in the file
-  std::vector<std::uint32_t> flipped;      // file indices of tets that were reoriented (they are in `tets`)
-  std::vector<std::uint32_t> degenerate;   // file indices left out: repeated vertices, or height below 1e-7 of the
-                                           // longest edge, where float32 physics has no digits left
-  std::vector<std::uint32_t> duplicated;   // file indices left out: the same four vertices as an earlier tet
+  std::vector<Tet> tets;                  // [n] usable tets, every one of positive volume
+  std::vector<std::uint32_t> source;      // [n] index of each usable tet in the file
+  std::vector<std::uint32_t> flipped;     // file indices of tets that were reoriented (they are in `tets`)
+  std::vector<std::uint32_t> degenerate;  // file indices left out: repeated vertices, or height below 1e-7 of
+                                          // the longest edge, where float32 physics has no digits left
+  std::vector<std::uint32_t> duplicated;  // file indices left out: the same four vertices as an earlier tet
 };
 MeshRepair repair(const TetMesh& mesh);
+
+/// How many tets of each kind are named to the user.
+inline constexpr std::size_t kNamedTets = 10;
 
 struct MeshReport {
   std::size_t vertex_count = 0, tet_count = 0, usable_tets = 0, flipped = 0, degenerate = 0, duplicated = 0;
@@ -33,7 +36,7 @@ struct MeshReport {
     std::uint32_t tet;  // index in the file
     double smallest_dihedral_deg;
   };
-  std::vector<Sliver> worst_slivers;  // at most ten, the worst first
+  std::vector<Sliver> worst_slivers;  // at most kNamedTets, the worst first
   bool boundary_manifold = false;     // a closed surface, or several
   std::size_t boundary_triangles = 0;
   std::size_t nonmanifold_edges = 0;     // that do not bound exactly two boundary triangles
@@ -45,14 +48,17 @@ struct MeshReport {
     double volume;  // [m^3]
   };
   std::vector<Region> regions;  // ascending numbers
-  std::string unit_guess;       // empty if the size is plausible in metres, else advice: "6.5 m wide: ... try --set ..."
+  std::string
+      unit_guess;  // empty if the size is plausible in metres, else advice: "6.5 m wide: ... try --set ..."
 };
 MeshReport examine(const TetMesh& mesh, const MeshRepair& repaired);
 
-/// Advice for a mesh whose largest extent [m] is no size of tissue, in words and as a --set; empty if it is plausible.
+/// Advice for a mesh whose largest extent [m] is no size of tissue, in words and as a --set; empty if it is
+/// plausible.
 std::string guess_unit(double extent);
 
-/// The text of `fascia info` for one mesh; names at most ten of each kind of bad tet.
-void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired, const MeshReport& report);
+/// The text of `fascia info` for one mesh; names at most kNamedTets of each kind.
+void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired,
+                  const MeshReport& report);
 
 }  // namespace fascia

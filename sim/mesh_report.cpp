@@ -12,7 +12,6 @@ namespace {
 
 // From the smallest sample that is handled under a microscope to the largest whole body.
 constexpr double kSmallestTissue = 1e-3, kLargestTissue = 3;  // [m]
-constexpr std::size_t kNamed = 10;
 
 std::string number(double value) {
   std::array<char, 32> text;
@@ -51,8 +50,8 @@ void print_tets(std::ostream& out, const char* label, const std::vector<std::uin
                 const char* what) {
   if (tets.empty()) return;
   line(out, label) << plural(tets.size(), "tet") << " " << what << ": ";
-  for (std::size_t k = 0; k < tets.size() && k < kNamed; ++k) out << (k ? ", " : "") << tets[k];
-  if (tets.size() > kNamed) out << " and " << tets.size() - kNamed << " more";
+  for (std::size_t k = 0; k < tets.size() && k < kNamedTets; ++k) out << (k ? ", " : "") << tets[k];
+  if (tets.size() > kNamedTets) out << " and " << tets.size() - kNamedTets << " more";
   out << "\n";
 }
 

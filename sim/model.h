@@ -1,5 +1,5 @@
-// What the solvers simulate: all bodies of a scene in one set of arrays, repaired, placed and with their selections resolved.
-// The reference solver and the GPU solver start from the same Model.
+// What the solvers simulate: all bodies of a scene in one set of arrays, repaired, placed and with their
+// selections resolved. The reference solver and the GPU solver start from the same Model.
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
@@ -18,7 +18,7 @@ struct Motion {
   std::vector<std::uint32_t> vertices;
   std::vector<Eigen::Vector3d> targets;  // final positions [m]; path is straight unless the motion rotates
   Eigen::Vector3d translate{0, 0, 0}, axis{1, 0, 0}, center{0, 0, 0};
-  double angle = 0, scale = 1;  // [rad]; used when `targets` is empty
+  double angle = 0, scale = 1;     // [rad]; used when `targets` is empty
   double start = 0, duration = 0;  // [s]
 
   /// Position at time t of vertices[k] whose rest position is `rest` [m].
@@ -44,18 +44,19 @@ struct Model {
   Eigen::Vector3d gravity{0, -9.81, 0};           // [m/s^2]
   std::vector<BodyPart> bodies;
 
-  TetMesh file_mesh;                       // every vertex and tet of the files (placed), for exports
-  std::vector<std::uint32_t> tet_source;   // [tet_count] index of each tet in file_mesh.tets
-  std::vector<std::string> notes;          // repairs and warnings for the user, one line each
+  TetMesh file_mesh;                      // every vertex and tet of the files (placed), for exports
+  std::vector<std::uint32_t> tet_source;  // [tet_count] index of each tet in file_mesh.tets
+  std::vector<std::string> notes;         // repairs and warnings for the user, one line each
 
-  std::vector<char> held() const;          // [vertex_count] 1 where fixed or prescribed
+  std::vector<char> held() const;  // [vertex_count] 1 where fixed or prescribed
 };
 
-/// Reads the meshes and CSV files of the scene. Throws Error for anything unreadable, a selection of nothing, a material
-/// key that names no region, prescribed targets that miss vertices.
+/// Reads the meshes and CSV files of the scene. Throws Error for anything unreadable, a selection of nothing,
+/// a material key that names no region, prescribed targets that miss vertices.
 Model build_model(const Scene& scene);
 
-/// Lumped masses [vertex_count] [kg]: a quarter of density * volume of each tet per vertex. Zero for unreferenced ones.
+/// Lumped masses [vertex_count] [kg]: a quarter of density * volume of each tet per vertex. Zero for
+/// unreferenced ones.
 std::vector<double> lumped_masses(const Model& model);
 
 /// FNV-1a 64 over vertex positions and tet indices: names the mesh in provenance stamps.

@@ -1,10 +1,11 @@
 // A scene as its JSON file states it (format: README, "Scene files"), before any mesh is read.
 // Strict: an unknown key (with the nearest known one), a wrong type or a value out of range is an Error
-// "file: bodies[0].materials.default.young_modulus: is -5; expected 0.001 to 1e+14 Pa"; a syntax error is "file:line:column: ...".
+// "file: bodies[0].materials.default.young_modulus: is -5; expected 0.001 to 1e+14 Pa"; a syntax error is
+// "file:line:column: ...".
 #pragma once
-#include <Eigen/Core>
-#include <filesystem>
+#include <Eigen/Geometry>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,67 +21,83 @@ struct Transform {  // applied scale, then rotation, then translation
   double scale = 1;
   Eigen::Vector3d rotate_deg = Eigen::Vector3d::Zero();  // about x, then y, then z
   Eigen::Vector3d translate = Eigen::Vector3d::Zero();   // [m]
+  bool operator==(const Transform&) const = default;
 };
+
+/// From the mesh file's coordinates to the scene's.
+Eigen::Affine3d placement(const Transform& transform);
 
 struct BoxSelection {
   Eigen::Vector3d min, max;  // closed, on rest positions before the transform
+  bool operator==(const BoxSelection&) const = default;
 };
 struct SphereSelection {
   Eigen::Vector3d center;
   double radius;
+  bool operator==(const SphereSelection&) const = default;
 };
 struct VertexSelection {
   std::vector<std::uint32_t> vertices;
+  bool operator==(const VertexSelection&) const = default;
 };
 struct GroupSelection {
   std::string group;
+  bool operator==(const GroupSelection&) const = default;
 };
 /// "lowest": the vertices within `share` of the height from the bottom along y; how a mesh alone is held.
 struct LowestSelection {
   double share;
+  bool operator==(const LowestSelection&) const = default;
 };
-using Selection = std::variant<BoxSelection, SphereSelection, VertexSelection, GroupSelection, LowestSelection>;
+using Selection =
+    std::variant<BoxSelection, SphereSelection, VertexSelection, GroupSelection, LowestSelection>;
 
-struct PrescribedMotion {  // path from rest to target over [start, start + duration], then held
-  std::optional<Selection> select;                // with translate/rotate/scale
+struct PrescribedMotion {           // path from rest to target over [start, start + duration], then held
+  std::optional<Selection> select;  // with translate/rotate/scale
   Eigen::Vector3d translate = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
   double angle_deg = 0;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  double scale = 1;                               // about center
-  std::string targets;                            // or: CSV `index,x,y,z` of final positions [m]
-  double start = 0, duration = 0;                 // [s]
+  double scale = 1;                // about center
+  std::string targets;             // or: CSV `index,x,y,z` of final positions [m]
+  double start = 0, duration = 0;  // [s]
+  bool operator==(const PrescribedMotion&) const = default;
 };
 
 /// One entry of "materials": only the given keys replace those of "default".
 struct MaterialOverride {
   std::optional<double> young_modulus, poisson_ratio, density, damping;
   std::optional<MaterialModel> model;
+  bool operator==(const MaterialOverride&) const = default;
 };
 
 struct Body {
   std::string name;
   std::string mesh;  // as written; relative to the scene file
   Transform transform;
-  Material material;                                                      // "default"
+  Material material;                                                       // "default"
   std::vector<std::pair<std::string, MaterialOverride>> region_materials;  // region number or group name
   std::vector<Selection> fixed;
   std::vector<PrescribedMotion> prescribed;
-  std::variant<Eigen::Vector3d, std::string> initial_velocity = Eigen::Vector3d(0, 0, 0);  // [m/s] or CSV path
-  std::string surface;  // .obj drawn instead of the tets' boundary
+  std::variant<Eigen::Vector3d, std::string> initial_velocity =
+      Eigen::Vector3d(0, 0, 0);  // [m/s] or CSV path
+  std::string surface;           // .obj drawn instead of the tets' boundary
+  bool operator==(const Body&) const = default;
 };
 
 struct CameraSettings {
   Eigen::Vector3d eye{0, 0.3, 1}, target{0, 0, 0}, up{0, 1, 0};
   double fov_deg = 40;
+  bool operator==(const CameraSettings&) const = default;
 };
 
 enum class ColorBy { none, strain, von_mises };
 
 struct DisplaySettings {
-  ColorBy color = ColorBy::none;          // heat map on the surface
-  std::optional<Eigen::Vector2d> range;   // of the colour map in its unit; absent: automatic
+  ColorBy color = ColorBy::none;         // heat map on the surface
+  std::optional<Eigen::Vector2d> range;  // of the colour map in its unit; absent: automatic
   bool wireframe = false;
+  bool operator==(const DisplaySettings&) const = default;
 };
 
 struct Scene {
@@ -92,17 +109,20 @@ struct Scene {
   std::optional<CameraSettings> camera;  // absent: framed on the bodies
   DisplaySettings display;
   double duration = 2;  // [s] of `run` and `--video` when neither --steps nor --time is given
+  bool operator==(const Scene&) const = default;
 
   std::filesystem::path resolve(const std::string& relative) const;  // against the scene file's folder
 };
 
-/// Opens a scene (JSON) or a mesh alone (default material, lowest 2 percent fixed). `overrides` are --set texts "KEY=VALUE";
-/// a KEY that starts with materials., fixed. or prescribed. means body 0. An override's error names "--set KEY".
+/// Opens a scene (JSON) or a mesh alone (default material, lowest 2 percent fixed). `overrides` are --set
+/// texts "KEY=VALUE"; a KEY that starts with a key of bodies (materials., fixed., transform., ...) means body
+/// 0. An override's error names "--set KEY".
 Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 /// The scene as JSON text that open_scene reads back to the same scene, with mesh paths relative to `folder`.
 std::string scene_to_json(const Scene& scene, const std::filesystem::path& folder);
 
 const char* name_of(ColorBy color);
+const std::vector<ColorBy>& all_colors();
 
 }  // namespace fascia

@@ -1,15 +1,17 @@
 // Solver settings: every number a user may turn, listed once, with unit, range and help.
 #pragma once
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fascia {
 
-enum class Method { jacobi };
+enum class Method { jacobi, mass_splitting, gauss_seidel };
 enum class Acceleration { none };
 
 struct SolverSettings {
-  Method method = Method::jacobi;
+  Method method = Method::mass_splitting;
   Acceleration acceleration = Acceleration::none;
   int iterations = 20;            // per substep
   double tolerance = 0;           // relative residual at which a step's iterations stop; 0 runs all of them
@@ -20,13 +22,17 @@ struct SolverSettings {
   double substep() const { return time_step / substeps; }  // h [s]
 };
 
-/// f(field, name, unit, min, max, logarithmic, help) for the numeric fields; method and acceleration are named choices.
+/// f(field, name, unit, min, max, logarithmic, help) for the numeric fields; method and acceleration are
+/// named choices.
 template <class S, class F>
 void visit_settings(S& s, F&& f) {
-  f(s.iterations, "iterations", "", 1, 10000, true, "sweeps over all tets per substep: more is stiffer and slower");
-  f(s.tolerance, "tolerance", "", 0.0, 1.0, false, "relative residual at which a step stops early; 0 runs all iterations");
+  f(s.iterations, "iterations", "", 1, 10000, true,
+    "sweeps over all tets per substep: more is stiffer and slower");
+  f(s.tolerance, "tolerance", "", 0.0, 1.0, false,
+    "relative residual at which a step stops early; 0 runs all iterations");
   f(s.time_step, "time_step", "s", 1e-6, 1.0, true, "simulated time per step");
-  f(s.substeps, "substeps", "", 1, 1000, true, "parts a step is cut into: accurate and stiff, at proportional cost");
+  f(s.substeps, "substeps", "", 1, 1000, true,
+    "parts a step is cut into: accurate and stiff, at proportional cost");
 }
 
 struct Pair {
@@ -37,7 +43,13 @@ struct Pair {
 const std::vector<Pair>& legal_pairs();  // of method and acceleration that exist, best first
 const char* name_of(Method method);      // "jacobi", as in scene files
 const char* name_of(Acceleration acceleration);
-const char* label_of(Method method);     // for people, in menus: "Jacobi XPBD, averaged"
-const char* help_of(Method method);      // tooltip: what it is, what it costs, its limits
+const char* label_of(Method method);  // for people, in menus: "Jacobi XPBD, averaged"
+const char* help_of(Method method);   // tooltip: what it is, what it costs, its limits
+
+/// The best legal pair that has the given names (nullopt: any); nothing if there is none.
+std::optional<Pair> find_pair(std::optional<std::string_view> method,
+                              std::optional<std::string_view> acceleration);
+/// For error messages: "jacobi with none, ...".
+std::string list_of_pairs();
 
 }  // namespace fascia

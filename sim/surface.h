@@ -6,8 +6,8 @@
 
 namespace fascia {
 
-/// Faces that belong to exactly one tet, wound so that the right-hand normal points outward for tets of positive
-/// volume; in ascending order of their tet, so the same input gives the same output.
+/// Faces that belong to exactly one tet, wound so that the right-hand normal points outward for tets of
+/// positive volume; in ascending order of their tet, so the same input gives the same output.
 std::vector<Triangle> boundary_triangles(const std::vector<Tet>& tets);
 
 }  // namespace fascia

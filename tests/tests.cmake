@@ -18,9 +18,10 @@ fascia_test(test_scene SOURCES ${T}/sim/test_scene*.cpp ${T}/sim/test_settings.c
 fascia_test(test_reference SOURCES ${T}/sim/reference/test_*.cpp LIBS sim_core)
 fascia_test(test_gl SOURCES ${T}/render/gl/test_*.cpp ${T}/render/test_context*.cpp LIBS render)
 fascia_test(test_render SOURCES ${T}/render/test_render*.cpp ${T}/render/test_camera.cpp ${T}/render/test_image.cpp
+            ${T}/render/test_framebuffer.cpp
             LIBS render)
 fascia_test(test_solver SOURCES ${T}/sim/gpu/test_*.cpp LIBS sim render)
-fascia_test(test_app SOURCES ${T}/app/test_*.cpp LIBS app nlohmann_json::nlohmann_json)
+fascia_test(test_app SOURCES ${T}/app/test_*.cpp ${T}/app/window_fixture.cpp LIBS app nlohmann_json::nlohmann_json)
 if(TARGET test_app)
   add_dependencies(test_app fascia)
 endif()

@@ -16,7 +16,8 @@ class Buffer {
   /// Zero-filled when `data` is null. `label` shows in KHR_debug messages and in the statistics.
   Buffer(std::string label, std::size_t bytes, const void* data = nullptr);
   template <class T>
-  Buffer(std::string label, const std::vector<T>& data) : Buffer(std::move(label), data.size() * sizeof(T), data.data()) {}
+  Buffer(std::string label, const std::vector<T>& data)
+      : Buffer(std::move(label), data.size() * sizeof(T), data.data()) {}
   ~Buffer();
   Buffer(Buffer&& other) noexcept;
   Buffer& operator=(Buffer&& other) noexcept;
@@ -35,6 +36,7 @@ class Buffer {
     return data;
   }
   /// A buffer texture over the whole buffer (GL_RGBA32F, GL_R32UI, ...), made at the first call and kept.
+  /// Throws Error when the buffer has more texels than the device can fetch.
   GLuint texel_view(GLenum internal_format) const;
 
  private:
@@ -45,7 +47,11 @@ class Buffer {
   mutable std::map<GLenum, GLuint> views_;
 };
 
-/// Bytes of all living Buffers and Textures.
+/// Bytes of all living Buffers and Textures, and of what else was counted with count_bytes (renderbuffers).
 std::size_t allocated_bytes();
+void count_bytes(std::ptrdiff_t change);
+
+/// Of the sized formats that fascia uses; throws Error for others.
+std::size_t bytes_per_texel(GLenum internal_format);
 
 }  // namespace fascia::gl

@@ -1,6 +1,7 @@
-// One recorded compute dispatch: a program, the buffers it reads and writes by block name, and the number of invocations.
-// Kernels declare inputs with INPUT_* and outputs with OUTPUT_* (shaders/common/io.glsl); binding points are assigned here, by
-// name, so no number is written twice. A name that the program does not have, or a block left without a buffer, is an Error.
+// One recorded compute dispatch: a program, the buffers it reads and writes by block name, and the number of
+// invocations. Kernels declare inputs with INPUT_* and outputs with OUTPUT_* (shaders/common/io.glsl);
+// binding points are assigned here, by name, so no number is written twice. A name that the program does not
+// have, or a block left without a buffer, is an Error.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -15,11 +16,13 @@ namespace fascia::gl {
 class ComputePass {
  public:
   using Bindings = std::vector<std::pair<std::string, const Buffer*>>;  // block or sampler name -> buffer
-  /// `invocations` is the number of items; the kernel's guard drops the rest of the last group. The buffers must outlive
-  /// the pass. Throws Error.
-  ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations);
+  /// `invocations` is the number of items; the kernel's guard drops the rest of the last group. The buffers
+  /// must outlive the pass. Throws Error.
+  /// `first_item` is handed to the kernel's uniform of that name, for passes over a part of an array.
+  ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations, std::uint32_t first_item = 0);
 
-  /// Binds, dispatches and puts the barrier that later passes and draws need.
+  /// Binds, dispatches and puts the barrier that later passes and draws need. Throws Error only when a
+  /// reloaded program wants other buffers.
   void run() const;
   const Program& program() const { return *program_; }
 
@@ -27,14 +30,20 @@ class ComputePass {
   void resolve() const;  // block names to binding points; again after a reload
   struct Slot {
     const Buffer* buffer;
-    GLenum texel_format;  // 0: storage block, 1: uniform block, else format of the buffer texture
+    GLenum target;  // GL_SHADER_STORAGE_BUFFER, GL_UNIFORM_BUFFER or GL_TEXTURE_BUFFER
+    GLenum format;  // of the buffer texture
     GLuint unit;
   };
   const Program* program_;
   Bindings buffers_;
-  std::uint32_t groups_ = 0, invocations_ = 0;
+  std::uint32_t invocations_ = 0, first_item_ = 0;
+  mutable std::uint32_t groups_ = 0;
+  mutable GLint invocations_location_ = -1, first_item_location_ = -1;
   mutable std::vector<Slot> slots_;
   mutable unsigned generation_ = 0;
 };
+
+/// Dispatches since the program started.
+std::uint64_t dispatch_count();
 
 }  // namespace fascia::gl

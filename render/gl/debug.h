@@ -5,7 +5,8 @@
 
 namespace fascia::gl {
 
-/// Installs a message callback in the current context; notifications are dropped. `sink` gets one line per message.
+/// Sends the current context's messages to `sink`, one line each; notifications are dropped. There is one
+/// sink for all contexts of the process: the latest.
 void log_debug_messages(std::function<void(const std::string&)> sink);
 
 }  // namespace fascia::gl

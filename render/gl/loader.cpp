@@ -1,13 +1,84 @@
 #include "render/gl/loader.h"
 
-#include <cstring>
-#include <stdexcept>
-#include <string>
+#include <cstdio>
+
+#include "sim/error.h"
 
 namespace fascia::gl {
 
 #define X(name) decltype(&::gl##name) name = nullptr;
 FASCIA_GL_FUNCTIONS(X)
 #undef X
+
+namespace {
+
+Device current_device;
+
+std::string string_of(GLenum name) {
+  const GLubyte* text = GetString ? GetString(name) : nullptr;
+  return text ? reinterpret_cast<const char*>(text) : "";
+}
+
+int integer_of(GLenum name) {
+  GLint value = 0;
+  GetIntegerv(name, &value);
+  return value;
+}
+
+bool is_software(const std::string& renderer) {
+  for (const char* word : {"llvmpipe", "softpipe", "swrast", "Software Rasterizer"})
+    if (renderer.find(word) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace
+
+std::string refusal(const Support& found) {
+  std::string missing;
+  const auto add = [&](const std::string& what) { missing += (missing.empty() ? "" : ", ") + what; };
+  const auto limit = [&](const char* what, int value, int least) {
+    if (value < least) add(std::to_string(least) + " " + what + " (found " + std::to_string(value) + ")");
+  };
+  if (found.major < 4 || (found.major == 4 && found.minor < 3)) {
+    add("version 4.3 with compute shaders");  // the limits below do not exist before it
+  } else {
+    limit("storage blocks in a compute shader", found.storage_blocks, 8);
+    limit("invocations in a work group", found.invocations, 1024);
+    limit("bytes of shared memory", found.shared_memory, 32768);
+    for (const std::string& name : found.missing_functions) add(name);
+  }
+  if (missing.empty()) return "";
+  return "OpenGL: found version " + (found.version.empty() ? "none" : found.version) + " on " +
+         (found.renderer.empty() ? "an unknown renderer" : found.renderer) + "; missing: " + missing;
+}
+
+void load(GetProc get_proc) {
+  Support found;
+#define X(name)                                                         \
+  name = reinterpret_cast<decltype(&::gl##name)>(get_proc("gl" #name)); \
+  if (!name) found.missing_functions.push_back("gl" #name);
+  FASCIA_GL_FUNCTIONS(X)
+#undef X
+  found.renderer = string_of(GL_RENDERER);
+  found.version = string_of(GL_VERSION);
+  std::sscanf(found.version.c_str(), "%d.%d", &found.major, &found.minor);
+  Device now{.renderer = found.renderer, .version = found.version, .software = is_software(found.renderer)};
+  if (found.major > 4 || (found.major == 4 && found.minor >= 3)) {
+    found.storage_blocks = now.max_compute_storage_blocks = integer_of(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS);
+    found.invocations = integer_of(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS);
+    found.shared_memory = integer_of(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE);
+    now.max_texture_buffer_size = integer_of(GL_MAX_TEXTURE_BUFFER_SIZE);
+    GLint64 block_size = 0;
+    GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block_size);
+    now.max_storage_block_size = block_size;
+    GetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &now.max_compute_groups);
+  }
+  if (const std::string message = refusal(found); !message.empty()) throw Error(message);
+  current_device = now;
+}
+
+const Device& device() {
+  return current_device;
+}
 
 }  // namespace fascia::gl

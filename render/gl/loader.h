@@ -1,35 +1,46 @@
-// OpenGL 4.3 core functions as variables in fascia::gl, filled from the context that is current. No GL symbol is linked, so
-// one program serves GLFW, OSMesa and EGL contexts, also several in one process.
+// OpenGL 4.3 core functions as variables in fascia::gl, filled from the context that is current. No GL symbol
+// is linked, so one program serves GLFW, OSMesa and EGL contexts, also several in one process.
 #pragma once
 #ifndef GL_GLEXT_PROTOTYPES
 #define GL_GLEXT_PROTOTYPES  // declarations only: nothing links against them
 #endif
 #include <GL/glcorearb.h>
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 namespace fascia::gl {
 
-#define FASCIA_GL_FUNCTIONS(X) /* one line per function, without the gl prefix, alphabetical */ \
-  X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindBufferBase) X(BindBufferRange) X(BindFramebuffer) \
-  X(BindRenderbuffer) X(BindSampler) X(BindTexture) X(BindVertexArray) X(BlendEquation) X(BlendEquationSeparate) \
-  X(BlendFunc) X(BlendFuncSeparate) X(BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(Clear) \
-  X(ClearBufferData) X(ClearBufferSubData) X(ClearBufferfv) X(ClearColor) X(ClearDepth) X(ClientWaitSync) X(ColorMask) \
-  X(CompileShader) X(CopyBufferSubData) X(CreateProgram) X(CreateShader) X(CullFace) X(DebugMessageCallback) \
-  X(DebugMessageControl) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries) X(DeleteRenderbuffers) \
-  X(DeleteShader) X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask) X(DetachShader) X(Disable) \
-  X(DispatchCompute) X(DispatchComputeIndirect) X(DrawArrays) X(DrawArraysInstanced) X(DrawElements) \
-  X(DrawElementsBaseVertex) X(DrawElementsInstanced) X(Enable) X(EnableVertexAttribArray) X(EndQuery) X(BeginQuery) \
-  X(FenceSync) X(Finish) X(Flush) X(FramebufferRenderbuffer) X(FramebufferTexture2D) X(FrontFace) X(GenBuffers) \
-  X(GenFramebuffers) X(GenQueries) X(GenRenderbuffers) X(GenTextures) X(GenVertexArrays) X(GetActiveUniform) \
-  X(GetBufferSubData) X(GetError) X(GetFloatv) X(GetInteger64v) X(GetIntegeri_v) X(GetIntegerv) X(GetProgramInfoLog) \
-  X(GetProgramInterfaceiv) X(GetProgramResourceIndex) X(GetProgramResourceName) X(GetProgramResourceiv) X(GetProgramiv) \
-  X(GetQueryObjectui64v) X(GetQueryObjectiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi) \
-  X(GetUniformLocation) X(InvalidateFramebuffer) X(IsEnabled) X(LineWidth) X(LinkProgram) X(MapBufferRange) \
-  X(MemoryBarrier) X(ObjectLabel) X(PixelStorei) X(PointSize) X(PolygonMode) X(PolygonOffset) X(ReadBuffer) X(ReadPixels) \
-  X(RenderbufferStorage) X(RenderbufferStorageMultisample) X(Scissor) X(ShaderSource) X(ShaderStorageBlockBinding) \
-  X(TexBuffer) X(TexImage2D) X(TexImage2DMultisample) X(TexParameterfv) X(TexParameteri) X(TexSubImage2D) X(Uniform1f) \
-  X(Uniform1i) X(Uniform1ui) X(Uniform2f) X(Uniform3f) X(Uniform4f) X(Uniform4fv) X(UniformBlockBinding) \
-  X(UniformMatrix4fv) X(UnmapBuffer) X(UseProgram) X(VertexAttribDivisor) X(VertexAttribIPointer) X(VertexAttribPointer) \
-  X(Viewport) X(DrawBuffers) X(DrawBuffer) X(GetUniformBlockIndex) X(QueryCounter)
+// clang-format off
+#define FASCIA_GL_FUNCTIONS(X) /* without the gl prefix, alphabetical */ \
+  X(ActiveTexture) X(AttachShader) X(BeginQuery) X(BindBuffer) X(BindBufferBase) X(BindBufferRange) \
+  X(BindFramebuffer) X(BindRenderbuffer) X(BindSampler) X(BindTexture) X(BindVertexArray) X(BlendEquation) \
+  X(BlendEquationSeparate) X(BlendFunc) X(BlendFuncSeparate) X(BlitFramebuffer) X(BufferData) \
+  X(BufferSubData) X(CheckFramebufferStatus) X(Clear) X(ClearBufferData) X(ClearBufferSubData) \
+  X(ClearBufferfv) X(ClearColor) X(ClearDepth) X(ClientWaitSync) X(ColorMask) X(CompileShader) \
+  X(CopyBufferSubData) X(CreateProgram) X(CreateShader) X(CullFace) X(DebugMessageCallback) \
+  X(DebugMessageControl) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries) \
+  X(DeleteRenderbuffers) X(DeleteShader) X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) \
+  X(DepthFunc) X(DepthMask) X(DetachShader) X(Disable) X(DispatchCompute) X(DispatchComputeIndirect) \
+  X(DrawArrays) X(DrawArraysInstanced) X(DrawBuffer) X(DrawBuffers) X(DrawElements) \
+  X(DrawElementsBaseVertex) X(DrawElementsInstanced) X(Enable) X(EnableVertexAttribArray) X(EndQuery) \
+  X(FenceSync) X(Finish) X(Flush) X(FramebufferRenderbuffer) X(FramebufferTexture2D) X(FrontFace) \
+  X(GenBuffers) X(GenFramebuffers) X(GenQueries) X(GenRenderbuffers) X(GenTextures) X(GenVertexArrays) \
+  X(GetActiveUniform) X(GetBufferSubData) X(GetError) X(GetFloatv) X(GetInteger64v) X(GetIntegeri_v) \
+  X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramInterfaceiv) X(GetProgramResourceIndex) \
+  X(GetProgramResourceName) X(GetProgramResourceiv) X(GetProgramiv) X(GetQueryObjectiv) \
+  X(GetQueryObjectui64v) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi) \
+  X(GetUniformBlockIndex) X(GetUniformLocation) X(InvalidateFramebuffer) X(IsEnabled) X(LineWidth) \
+  X(LinkProgram) X(MapBufferRange) X(MemoryBarrier) X(ObjectLabel) X(PixelStorei) X(PointSize) \
+  X(PolygonMode) X(PolygonOffset) X(ProgramUniform1f) X(ProgramUniform1i) X(ProgramUniform1ui) \
+  X(ProgramUniform4f) X(ProgramUniformMatrix4fv) X(QueryCounter) X(ReadBuffer) X(ReadPixels) \
+  X(RenderbufferStorage) X(RenderbufferStorageMultisample) X(Scissor) X(ShaderSource) \
+  X(ShaderStorageBlockBinding) X(TexBuffer) X(TexImage2D) X(TexImage2DMultisample) X(TexParameterfv) \
+  X(TexParameteri) X(TexSubImage2D) X(Uniform1f) X(Uniform1i) X(Uniform1ui) X(Uniform2f) X(Uniform3f) \
+  X(Uniform4f) X(Uniform4fv) X(UniformBlockBinding) X(UniformMatrix4fv) X(UnmapBuffer) X(UseProgram) \
+  X(VertexAttribDivisor) X(VertexAttribIPointer) X(VertexAttribPointer) X(Viewport)
+// clang-format on
 
 #define X(name) extern decltype(&::gl##name) name;
 FASCIA_GL_FUNCTIONS(X)
@@ -37,18 +48,32 @@ FASCIA_GL_FUNCTIONS(X)
 
 using GetProc = void* (*)(const char* name);
 
-/// Fills every function above from the current context. Throws Error naming what is missing and what was found when the
-/// context is below 4.3 core or has no compute shaders.
+/// Fills every function above from the current context. Throws Error naming what is missing and what was
+/// found when the context is below 4.3 or has no compute shaders.
 void load(GetProc get_proc);
 
 /// What the current context is: filled by load().
 struct Device {
-  const char* renderer = "";  // GL_RENDERER
-  const char* version = "";   // GL_VERSION
-  bool software = false;      // llvmpipe, softpipe or swrast
-  int max_texture_buffer_size = 0;     // texels
-  int max_compute_storage_blocks = 0;  // SSBO blocks in one compute kernel
+  std::string renderer;                     // GL_RENDERER
+  std::string version;                      // GL_VERSION
+  bool software = false;                    // llvmpipe, softpipe or swrast
+  int max_texture_buffer_size = 0;          // texels
+  int max_compute_storage_blocks = 0;       // SSBO blocks in one compute kernel
+  std::int64_t max_storage_block_size = 0;  // [bytes]
+  int max_compute_groups = 0;               // work groups along x in one dispatch
 };
 const Device& device();
+
+/// What decides whether a context can serve; the limits are those that OpenGL 4.3 guarantees.
+struct Support {
+  std::string renderer, version;
+  int major = 0, minor = 0;
+  int storage_blocks = 0;  // in one compute kernel
+  int invocations = 0;     // in one work group
+  int shared_memory = 0;   // [bytes]
+  std::vector<std::string> missing_functions;
+};
+/// One line: what was found, what is missing. Empty when nothing is.
+std::string refusal(const Support& found);
 
 }  // namespace fascia::gl

@@ -11,7 +11,8 @@
 
 namespace fascia::gl {
 
-/// How kernels read their inputs (platform fact: SSBO reads cost llvmpipe 8 to 12 times a texelFetch of the same buffer).
+/// How kernels read their inputs (platform fact: SSBO reads cost llvmpipe 8 to 12 times a texelFetch of the
+/// same buffer).
 enum class LoadPath { storage, texel };
 const char* name_of(LoadPath path);  // "ssbo", "texel"
 
@@ -24,9 +25,12 @@ class Program {
 
   GLuint id() const { return id_; }
   const std::string& label() const { return label_; }  // "sim/predict.comp [DAMPING=1 ...]"
-  unsigned generation() const { return generation_; }  // grows with every reload: bindings must be looked up again
+  /// Grows with every reload: bindings must be looked up again, and uniforms set again.
+  unsigned generation() const { return generation_; }
   void use() const;
-  // Uniforms by name; setting one that the program does not have does nothing (the driver may have optimised it away).
+  const std::map<std::string, Texel>& declared() const { return declared_; }  // buffers, see ShaderText
+  // Uniforms by name, kept by the program until it is reloaded; it need not be in use. Setting one that the
+  // program does not have does nothing (the driver may have optimised it away).
   void set(const char* name, float value) const;
   void set(const char* name, int value) const;
   void set(const char* name, unsigned value) const;
@@ -38,6 +42,7 @@ class Program {
   GLuint id_ = 0;
   unsigned generation_ = 0;
   std::string label_;
+  std::map<std::string, Texel> declared_;
 };
 
 class ProgramCache {
@@ -46,9 +51,11 @@ class ProgramCache {
   ProgramCache(std::filesystem::path folder, LoadPath load_path);
   LoadPath load_path() const { return load_path_; }
 
-  /// Compiled at the first call, then kept at the same address. Throws Error with the log mapped to file:line and the variant.
+  /// Compiled at the first call, then kept at the same address. Throws Error with the log mapped to file:line
+  /// and the variant.
   const Program& compute(const std::string& file, const Defines& defines = {});
-  const Program& draw(const std::string& vertex_file, const std::string& fragment_file, const Defines& defines = {});
+  const Program& draw(const std::string& vertex_file, const std::string& fragment_file,
+                      const Defines& defines = {});
 
   /// Compiles every cached program again from disk. One that fails keeps its old code; returns the messages.
   std::vector<std::string> reload();
@@ -60,8 +67,9 @@ class ProgramCache {
     Defines defines;
     std::unique_ptr<Program> program;
   };
-  const Program& get(const std::string& key, std::vector<std::pair<GLenum, std::string>> stages, const Defines& defines);
-  GLuint link(const Entry& entry) const;
+  const Program& get(const std::string& name, std::vector<std::pair<GLenum, std::string>> stages,
+                     const Defines& defines);
+  void link(const Entry& entry) const;  // into entry.program, which stays as it is when this throws
 
   std::filesystem::path folder_;
   LoadPath load_path_;

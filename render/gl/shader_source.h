@@ -1,7 +1,9 @@
-// Shader text from disk: #include "..." (relative to the shader folder, each file once), #define lines for a variant, and a
-// map from flat line numbers back to files, since drivers ignore the source number of #line. No OpenGL here.
+// Shader text from disk: #include "..." (relative to the shader folder, each file once), #define lines for a
+// variant, and a map from flat line numbers back to files, since drivers ignore the source number of #line.
+// No OpenGL here.
 #pragma once
 #include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,16 +12,28 @@ namespace fascia::gl {
 
 using Defines = std::vector<std::pair<std::string, std::string>>;  // NAME, value; sorted by the cache
 
+/// What one texel of an input is, as INPUT_VEC4, INPUT_UVEC4, INPUT_FLOAT or INPUT_UINT declares it; none for
+/// outputs.
+enum class Texel { none, vec4, uvec4, float1, uint1 };
+
 struct ShaderText {
-  std::string text;  // "#version 430 core", the defines, then the flattened file (whose own #version line must not exist)
+  std::string text;  // "#version 430 core", the defines, then the flattened file (whose own #version line
+                     // must not exist)
   struct Line {
     std::string file;  // relative to the shader folder: "sim/predict.comp"
     int line;
   };
   std::vector<Line> lines;  // [flat line - 1]
+  // Buffers declared with the macros of common/io.glsl, by their second name. Reflection tells neither a
+  // float texel from a vec4 texel nor what the driver optimised away, so the declarations are read here.
+  std::map<std::string, Texel> declared;
 };
 
-/// Throws Error "shaders/sim/x.comp:3: ..." for a missing file or a circular include.
+/// "slot_begin" to "SlotBegin": the block name that belongs to a buffer's name.
+std::string pascal_case(const std::string& snake_case);
+
+/// Throws Error "shaders/sim/x.comp:3: ..." for a missing file, a circular include, or a declaration whose
+/// two names disagree.
 ShaderText read_shader(const std::filesystem::path& folder, const std::string& file, const Defines& defines);
 
 /// A driver's log with every "0:12(3):" or "0(12) :" or "ERROR: 0:12:" replaced by "shaders/sim/x.comp:12:".

@@ -1,5 +1,5 @@
-// Elapsed milliseconds of GPU work: timer queries on a GPU (read some frames late, never waiting), wall clock around glFinish on
-// software renderers, whose queries are nonsense.
+// Elapsed milliseconds of GPU work: pairs of timestamps on a GPU (read some frames late, never waiting; two
+// timers may overlap), wall clock around glFinish on software renderers, whose queries are nonsense.
 #pragma once
 #include <array>
 #include <chrono>
@@ -19,8 +19,11 @@ class Timer {
   double milliseconds() const { return milliseconds_; }  // latest finished measurement
 
  private:
-  std::array<GLuint, 4> queries_{};
-  unsigned next_ = 0, pending_ = 0;
+  static constexpr unsigned kPairs = 4;  // measurements that may be under way
+  void collect();
+  std::array<GLuint, 2 * kPairs> queries_{};  // begin, end, begin, end, ...
+  unsigned next_ = 0, pending_ = 0;           // pair to use next; pairs not read yet
+  bool measuring_ = false;
   std::chrono::steady_clock::time_point start_;
   double milliseconds_ = 0;
   bool software_;

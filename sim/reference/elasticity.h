@@ -1,9 +1,11 @@
 // St. Venant-Kirchhoff energy of one linear tet with its first and second derivatives, in double precision.
 //
-//   F = I + sum_a u_a b_a^T,  eps = 1/2 (F^T F - I),  Psi = lambda/2 tr(eps)^2 + mu eps:eps,  S = lambda tr(eps) I + 2 mu eps
-//   energy = V Psi,  gradient_a = V F S b_a.
-// Kelvin-Voigt damping over an implicit Euler step adds damping/h * (eps - eps_n) to eps in S (see Material::damping):
-// the incremental potential is V [Psi(eps) + damping/h * Psi(eps - eps_n)].
+//   F = I + sum_a u_a b_a^T,  eps = 1/2 (F^T F - I)
+//   Psi = lambda/2 tr(eps)^2 + mu eps:eps,  S = lambda tr(eps) I + 2 mu eps
+//   energy = V Psi,  gradient_a = V F S b_a
+//
+// Kelvin-Voigt damping over an implicit Euler step adds damping/h * (eps - eps_n) to eps in S (see
+// Material::damping): the incremental potential is V [Psi(eps) + damping/h * Psi(eps - eps_n)].
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -25,18 +27,23 @@ struct RestTet {
 };
 
 Eigen::Matrix3d deformation_gradient(const RestTet& rest, const Corners& displacements);
-Vector6d green_strain(const Eigen::Matrix3d& f);                                  // xx, yy, zz, yz, xz, xy; tensor shears
+Vector6d green_strain(const Eigen::Matrix3d& f);  // xx, yy, zz, yz, xz, xy; tensor shears
+/// The same as a matrix, without the digits that forming F costs: small strains keep full relative accuracy.
+Eigen::Matrix3d green_strain_matrix(const RestTet& rest, const Corners& displacements);
 Eigen::Matrix3d second_piola_stress(const Eigen::Matrix3d& strain, const Material& material);  // S [Pa]
-double von_mises(const Eigen::Matrix3d& f, const Material& material);             // of the Cauchy stress F S F^T / J [Pa]
+/// Of the Cauchy stress F S F^T / J [Pa].
+double von_mises(const Eigen::Matrix3d& f, const Material& material);
 
 struct Derivatives {
-  double energy = 0;           // [J]
-  Vector12d gradient;          // dE/du [N], vertex-major
-  Matrix12d hessian;           // [N/m]
+  double energy = 0;   // [J]
+  Vector12d gradient;  // dE/du [N], vertex-major
+  Matrix12d hessian;   // [N/m]
 };
-/// `previous_strain` and `damping_over_h` (damping / h, 0 without) carry the viscous part. With `project`, negative
-/// eigenvalues of the Hessian are clamped to zero (Teran et al. 2005). `with_hessian` false leaves the Hessian unset.
-Derivatives elastic(const RestTet& rest, const Corners& displacements, const Material& material, double damping_over_h,
-                    const Eigen::Matrix3d& previous_strain, bool with_hessian, bool project);
+/// `previous_strain` and `damping_over_h` (damping / h, 0 without) carry the viscous part. With `project`,
+/// negative eigenvalues of the Hessian are clamped to zero (Teran et al. 2005). `with_hessian` false leaves
+/// the Hessian unset.
+Derivatives elastic(const RestTet& rest, const Corners& displacements, const Material& material,
+                    double damping_over_h, const Eigen::Matrix3d& previous_strain, bool with_hessian,
+                    bool project);
 
 }  // namespace fascia::reference

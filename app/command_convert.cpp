@@ -1,0 +1,18 @@
+// fascia convert: between mesh formats, keeping vertex order, regions and names where the format can.
+#include <iostream>
+
+#include "app/commands.h"
+#include "sim/mesh_io.h"
+
+namespace fascia {
+
+int command_convert(const ConvertOptions& options) {
+  const MeshFile file = read_mesh(options.in);
+  write_mesh(options.out, file.mesh);
+  std::cerr << "fascia: " << options.out << ": " << file.mesh.positions.size() << " vertices, " << file.mesh.tets.size()
+            << " tets, from " << file.format << '\n';
+  for (const std::string& note : file.notes) std::cerr << "fascia: " << note << '\n';
+  return exit_done;
+}
+
+}  // namespace fascia

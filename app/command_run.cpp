@@ -1,0 +1,99 @@
+// fascia run: simulate and draw nothing; exports and stats.json.
+#include <chrono>
+#include <iostream>
+
+#include "app/commands.h"
+#include "app/graphics.h"
+#include "app/interrupt.h"
+#include "app/paths.h"
+#include "app/simulation.h"
+#include "app/stats.h"
+#include "sim/error.h"
+#include "sim/state_export.h"
+
+namespace fascia {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+void require_finite(const reference::State& state, const Scene& scene) {
+  for (std::size_t i = 0; i < state.displacement.size(); ++i)
+    if (!state.displacement[i].allFinite())
+      throw Error(scene.file.string(),
+                  "vertex " + std::to_string(i) + " is not finite at " + std::to_string(state.time) + " s",
+                  "expected finite positions: more substeps, softer material or a smaller load may help");
+}
+
+}  // namespace
+
+int command_run(const RunOptions& options) {
+  const std::filesystem::path input =
+      options.input.empty() ? default_scene(find_data_dir(options.data_dir)) : std::filesystem::path(options.input);
+  Scene scene = open_scene(input, options.sets);
+  if (options.static_equilibrium && !options.reference)
+    throw Error("--static", "is solved by the reference solver only", "add --reference");
+  Graphics graphics;
+  if (!options.reference) graphics = open_graphics(options, false);
+  Simulation simulation(std::move(scene), graphics.programs.get(), options.reference);
+  if (!options.quiet)
+    for (const std::string& note : simulation.model.notes) std::cerr << "fascia: " << note << '\n';
+
+  RunStats stats;
+  stats.renderer = options.reference ? "reference solver, double precision" : describe(graphics);
+  std::optional<StateSeries> series;
+  if (options.every > 0 && !options.export_path.empty()) series.emplace(options.export_path);
+  const auto export_frame = [&] {
+    const reference::State state = simulation.state();
+    require_finite(state, simulation.scene);
+    series->write(state.time, simulation.model.file_mesh, reference::export_fields(simulation.model, state));
+  };
+
+  const Clock::time_point start = Clock::now();
+  if (options.static_equilibrium) {
+    const reference::NewtonReport report = simulation.solve_static();
+    stats.solve_ms.push_back(milliseconds_since(start));
+    stats.step_ms = stats.solve_ms;
+    stats.residual = report.relative_residual;
+    stats.steps = 1;
+    if (!options.quiet)
+      std::cerr << "fascia: static equilibrium after " << report.iterations << " Newton iterations, relative residual "
+                << report.relative_residual << '\n';
+  } else {
+    const long steps = steps_to_run(options, simulation.scene);
+    if (series) export_frame();
+    for (long i = 0; i < steps && !interrupted(); ++i) {
+      const Clock::time_point step_start = Clock::now();
+      simulation.step();
+      if (!options.reference) gl::Finish();
+      stats.solve_ms.push_back(milliseconds_since(step_start));
+      ++stats.steps;
+      if (series && stats.steps % options.every == 0) export_frame();
+      stats.step_ms.push_back(milliseconds_since(step_start));
+    }
+  }
+  stats.wall_s = milliseconds_since(start) / 1000;
+
+  const reference::State last = simulation.state();
+  if (GpuSolver* gpu = simulation.gpu()) {
+    gpu->request_diagnostics();
+    if (const auto diagnostics = gpu->take_diagnostics(true)) stats.residual = diagnostics->residual;
+    stats.dispatches_per_step = gpu->dispatches_per_step();
+    stats.gpu_bytes = gl::allocated_bytes();
+  } else if (!options.static_equilibrium) {
+    stats.residual = simulation.newton_report().relative_residual;
+  }
+  if (!options.stats.empty()) write_stats(options.stats, stats, simulation, last);
+  require_finite(last, simulation.scene);
+  if (!series && !options.export_path.empty())
+    write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last));
+  if (!options.quiet)
+    std::cerr << "fascia: " << stats.steps << " steps, " << last.time << " s simulated in " << stats.wall_s << " s, median "
+              << percentiles(stats.solve_ms).median << " ms a step\n";
+  return interrupted() ? exit_interrupted : exit_done;
+}
+
+}  // namespace fascia

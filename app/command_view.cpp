@@ -1,0 +1,36 @@
+// fascia view: the window.
+#include <iostream>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/paths.h"
+#include "app/view_window.h"
+#include "sim/error.h"
+#include "sim/reference/newton.h"
+#include "sim/state_export.h"
+
+namespace fascia {
+
+int command_view(const ViewOptions& options) {
+  if (options.static_equilibrium && !options.reference)
+    throw Error("--static", "is solved by the reference solver only", "add --reference");
+  if (options.context != "auto" && options.context != "window")
+    throw Error("--context " + options.context, "has no window", "expected window, or fascia render for a picture without one");
+  const std::filesystem::path input =
+      options.input.empty() ? default_scene(find_data_dir(options.data_dir)) : std::filesystem::path(options.input);
+  Scene scene = open_scene(input, options.sets);
+  Graphics graphics = open_graphics(options, true, options.width, options.height);
+  ViewWindow window(graphics, options, std::move(scene));
+  if (!options.quiet)
+    for (const std::string& note : window.simulation().model.notes) std::cerr << "fascia: " << note << '\n';
+  window.run();
+
+  const Simulation& simulation = window.simulation();
+  const reference::State last = simulation.state();
+  if (!options.export_path.empty())
+    write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last));
+  if (!options.stats.empty()) write_stats(options.stats, window.stats(), simulation, last);
+  return interrupted() ? exit_interrupted : exit_done;
+}
+
+}  // namespace fascia

@@ -1,0 +1,15 @@
+// The commands of fascia. Each returns the exit code; Error and other exceptions are caught once, in main.
+#pragma once
+#include "app/options.h"
+
+namespace fascia {
+
+inline constexpr int exit_done = 0, exit_failed = 1, exit_usage = 2, exit_interrupted = 130;
+
+int command_view(const ViewOptions& options);
+int command_render(const RenderOptions& options);
+int command_run(const RunOptions& options);
+int command_info(const InfoOptions& options);
+int command_convert(const ConvertOptions& options);
+
+}  // namespace fascia

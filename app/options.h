@@ -1,0 +1,56 @@
+// What the command line says, one struct per command.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fascia {
+
+struct CommonOptions {
+  std::string input;                 // scene or mesh; empty: the default scene
+  std::vector<std::string> sets;     // --set KEY=VALUE
+  std::string context = "auto";      // auto, window, egl, osmesa
+  std::string loads = "auto";        // how kernels read: auto, ssbo, texel
+  std::string data_dir;              // shaders and assets; empty: found beside the program or in the source tree
+  std::optional<long> steps;         // --steps
+  std::optional<double> time;        // --time [s]
+  bool static_equilibrium = false;   // --static
+  bool reference = false;            // --reference
+  bool quiet = false;
+  std::string command_line;          // as typed, for provenance
+};
+
+struct RenderOptions : CommonOptions {
+  std::string out;            // PNG
+  std::string video;          // MP4 or whatever ffmpeg knows by its ending
+  int width = 1280, height = 720;
+  int samples = 4;
+  double fps = 60;
+  bool panels = false;        // --ui
+  std::string color;          // overrides display.color
+  bool wireframe = false;
+};
+
+struct RunOptions : CommonOptions {
+  std::string export_path;  // .vtu, .csv, .msh, .obj
+  long every = 0;           // 0: the end only
+  std::string stats;        // stats.json
+};
+
+struct ViewOptions : CommonOptions {
+  int width = 1280, height = 720;
+  int samples = 0;          // 0: 4 on a GPU, 1 on software renderers
+  std::string export_path;  // state when the window closes: .vtu, .csv, .msh, .obj
+  std::string stats;        // stats.json
+};
+
+struct InfoOptions {
+  std::string input;
+  std::vector<std::string> sets;
+};
+
+struct ConvertOptions {
+  std::string in, out;
+};
+
+}  // namespace fascia

@@ -1,0 +1,99 @@
+#include "app/overlay.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+#include "app/color_bar.h"
+#include "app/panels.h"
+#include "app/ui_style.h"
+
+namespace fascia {
+
+Overlay::Overlay(Graphics& graphics) : graphics_(graphics) {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  if (GLFWwindow* window = graphics.context->window()) {
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    ImGui_ImplGlfw_InitForOther(window, false);  // its callbacks are called by WindowInput, which sees every event first
+  }
+}
+
+Overlay::~Overlay() {
+  renderer_.reset();
+  if (graphics_.context->window()) ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+}
+
+void Overlay::set_scale(float scale) {
+  if (scale == scale_) return;
+  scale_ = scale;
+  ui::apply_style(scale);
+  renderer_ = std::make_unique<ImguiRenderer>(*graphics_.programs);
+}
+
+void Overlay::begin(int width, int height) {
+  GLFWwindow* window = graphics_.context->window();
+  float scale = 1, scale_y = 1;
+  glfwGetWindowContentScale(window, &scale, &scale_y);
+  set_scale(std::clamp(scale, 0.5f, 4.0f));
+  ImGui_ImplGlfw_NewFrame();
+  // From GLFW's screen coordinates to pixels of the picture.
+  ImGuiIO& io = ImGui::GetIO();
+  if (io.MousePos.x > -FLT_MAX) {
+    io.MousePos.x *= io.DisplayFramebufferScale.x;
+    io.MousePos.y *= io.DisplayFramebufferScale.y;
+  }
+  io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+  io.DisplayFramebufferScale = {1, 1};
+  ImGui::NewFrame();
+}
+
+void Overlay::end() {
+  ImGui::ErrorCheckEndFrameRecover(nullptr);  // closes what an exception left open
+  ImGui::Render();
+}
+
+void Overlay::draw_lists(const Framebuffer& framebuffer, bool foreground) {
+  ImDrawData data = *ImGui::GetDrawData();
+  const bool has_foreground = data.CmdListsCount > 0 && data.CmdLists[data.CmdListsCount - 1] == ImGui::GetForegroundDrawList();
+  if (foreground) {
+    if (!has_foreground) return;
+    data.CmdLists += data.CmdListsCount - 1;
+    data.CmdListsCount = 1;
+  } else if (has_foreground) {
+    --data.CmdListsCount;
+  }
+  framebuffer.bind_resolved();
+  renderer_->draw(data);
+}
+
+void Overlay::draw(const Framebuffer& framebuffer) { draw_lists(framebuffer, false); }
+void Overlay::draw_foreground(const Framebuffer& framebuffer) { draw_lists(framebuffer, true); }
+
+void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool panels, const std::optional<Diagnostics>& diagnostics) {
+  set_scale(std::clamp(static_cast<float>(framebuffer.height()) / 720, 0.5f, 4.0f));
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(framebuffer.width()), static_cast<float>(framebuffer.height())};
+  io.DeltaTime = 1.0f / 60;
+  ViewState state;
+  state.facts = SceneFacts(session.simulation.model);
+  state.statistics.diagnostics = diagnostics;
+  // Twice, since ImGui settles sizes of tables and of auto-sized windows on their second frame.
+  for (int pass = 0; pass < 2; ++pass) {
+    ImGui::NewFrame();
+    Requests nobody_asks;
+    if (panels) draw_panels(session, state, nobody_asks);
+    if (session.look.heat_map) draw_color_bar(session.heat_label(), session.look.range);
+    ImGui::Render();
+  }
+  draw(framebuffer);
+}
+
+}  // namespace fascia

@@ -1,0 +1,39 @@
+// What is drawn over the picture: the panels and the heat map's color bar. Owns the ImGui context; works in a window and headless.
+// Everything is laid out in pixels of the picture, so that a window, a screenshot and a headless rendering look alike.
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "app/graphics.h"
+#include "app/session.h"
+#include "render/imgui_renderer.h"
+
+namespace fascia {
+
+class Overlay {
+ public:
+  explicit Overlay(Graphics& graphics);
+  ~Overlay();
+  Overlay(const Overlay&) = delete;
+  Overlay& operator=(const Overlay&) = delete;
+
+  /// One frame of panels (if wanted) and color bar over the resolved framebuffer, without a window.
+  void draw_headless(Session& session, Framebuffer& framebuffer, bool panels, const std::optional<Diagnostics>& diagnostics);
+
+  /// A window's frame: begin, then any ImGui calls, then end; then draw over the resolved framebuffer, first what belongs to the
+  /// picture, then what does not (ImGui's foreground layer).
+  void begin(int width, int height);
+  void end();
+  void draw(const Framebuffer& framebuffer);
+  void draw_foreground(const Framebuffer& framebuffer);
+
+ private:
+  void set_scale(float scale);
+  void draw_lists(const Framebuffer& framebuffer, bool foreground);
+
+  Graphics& graphics_;
+  std::unique_ptr<ImguiRenderer> renderer_;
+  float scale_ = 0;
+};
+
+}  // namespace fascia

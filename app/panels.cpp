@@ -1,0 +1,28 @@
+#include "app/panels.h"
+
+#include <imgui.h>
+
+#include "app/ui_style.h"
+#include "app/ui_widgets.h"
+
+namespace fascia {
+
+float panel_width() { return ui::px(318); }
+
+void draw_panels(Session& session, ViewState& state, Requests& requests) {
+  const float margin = ui::px(10);
+  ImGui::SetNextWindowPos({margin, margin});
+  ImGui::SetNextWindowSize({panel_width(), ImGui::GetIO().DisplaySize.y - 2 * margin});
+  ImGui::Begin("panels", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus);
+  scene_panel(session, state, requests);
+  if (ui::section("Material")) material_panel(session.simulation, state.facts);
+  if (ui::section("Solver")) solver_panel(session.simulation);
+  if (ui::section("Display")) display_panel(session);
+  if (ui::section("Statistics")) statistics_panel(session, state.statistics);
+  if (ui::section("Grab", false)) grab_panel(state.grab);
+  ImGui::End();
+}
+
+}  // namespace fascia

@@ -1,0 +1,37 @@
+// What is shown over the picture. Each panel reads the session and changes it at once; what must wait until the frame is done is
+// asked for in Requests. Between ImGui::NewFrame and ImGui::Render; the size of the picture is ImGui's display size.
+#pragma once
+#include <string>
+
+#include "app/session.h"
+#include "app/view_state.h"
+
+namespace fascia {
+
+/// The column at the left: all panels below, one under the other.
+void draw_panels(Session& session, ViewState& state, Requests& requests);
+
+void scene_panel(const Session& session, ViewState& state, Requests& requests);
+void material_panel(Simulation& simulation, const SceneFacts& facts);
+void solver_panel(Simulation& simulation);
+void display_panel(Session& session);
+void grab_panel(GrabSettings& settings);
+void statistics_panel(Session& session, const Statistics& statistics);
+
+/// Keys and mouse, one line each, over the picture; closes by its button or F1.
+void draw_help(ViewState& state);
+
+/// Lines over the picture: what the mouse does (bottom), that time runs slow or stands (top), the grab's force (at the mouse).
+void draw_hint();
+void draw_notice(const ViewState& state);
+void draw_force(const Grab& grab);
+/// A red dot: in front of everything and not part of pictures.
+void draw_recording_dot(double seconds);
+
+/// A message at the top; true when it was closed.
+bool draw_message(const std::string& text, bool is_error);
+
+/// Width of the column at the left in pixels.
+float panel_width();
+
+}  // namespace fascia

@@ -1,0 +1,102 @@
+// How the scene is solved: method, effort, time step, gravity; and how the hand pulls.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+
+#include "app/panels.h"
+#include "app/ui_style.h"
+#include "app/ui_widgets.h"
+
+namespace fascia {
+namespace {
+
+struct Extra {
+  const char* name;
+  const char* label;
+  double min, max;
+  bool logarithmic;
+};
+constexpr Extra kExtras[] = {{"iterations", "Iterations", 1, 200, true},
+                             {"tolerance", "Tolerance", 0, 0.1, true},
+                             {"time_step", "Time step", 1e-3, 0.1, true},
+                             {"substeps", "Substeps", 1, 30, true}};
+
+std::string name_of_pair(const Pair& pair) {
+  const std::string method = label_of(pair.method);
+  return pair.acceleration == Acceleration::none ? method : method + " + " + name_of(pair.acceleration);
+}
+
+bool pair_combo(SolverSettings& settings) {
+  const Pair current{settings.method, settings.acceleration};
+  bool changed = false;
+  ui::label("Method", help_of(settings.method));
+  if (ImGui::BeginCombo("##method", name_of_pair(current).c_str())) {
+    for (const Pair& pair : legal_pairs()) {
+      if (ImGui::Selectable(name_of_pair(pair).c_str(), pair == current) && !(pair == current)) {
+        settings.method = pair.method;
+        settings.acceleration = pair.acceleration;
+        changed = true;
+      }
+      ui::tooltip(help_of(pair.method));
+    }
+    ImGui::EndCombo();
+  } else {
+    ui::tooltip(help_of(settings.method));
+  }
+  return changed;
+}
+
+void gravity_row(Simulation& simulation) {
+  constexpr const char* kHelp = "Acceleration along x, y and z in m/s\xc2\xb2: drag, or double click to type";
+  Eigen::Vector3d gravity = simulation.scene.gravity;
+  ui::label("Gravity", kHelp);
+  const float speed = 0.05f;
+  const double least = -100, most = 100;
+  ImGui::PushItemWidth(-FLT_MIN);
+  if (ImGui::DragScalarN("##gravity", ImGuiDataType_Double, gravity.data(), 3, speed, &least, &most, "%.2f", ImGuiSliderFlags_AlwaysClamp))
+    simulation.set_gravity(gravity);
+  ImGui::PopItemWidth();
+  ui::tooltip(kHelp);
+}
+
+}  // namespace
+
+void solver_panel(Simulation& simulation) {
+  SolverSettings settings = simulation.scene.solver;
+  bool changed = false;
+  if (simulation.uses_reference())
+    ui::fact("Method", "Newton, double precision", "The reference solver on the CPU: exact, slow, and deaf to grabbing");
+  else
+    changed = pair_combo(settings);
+  visit_settings(settings, [&](auto& value, const char* name, const char* unit, auto min, auto max, bool logarithmic, const char* help) {
+    using Value = std::remove_reference_t<decltype(value)>;
+    ui::NumberField field{name, unit, double(min), double(max), double(min), double(max), logarithmic, std::is_same_v<Value, int>, help};
+    for (const Extra& extra : kExtras) {
+      if (std::strcmp(extra.name, name) != 0) continue;
+      field.label = extra.label;
+      field.slider_min = extra.min;
+      field.slider_max = extra.max;
+      field.logarithmic = extra.logarithmic;
+    }
+    double number = value;
+    if (!ui::number(field, number)) return;
+    value = static_cast<Value>(std::clamp(number, field.min, field.max));
+    changed = true;
+  });
+  if (changed) simulation.set_settings(settings);
+  gravity_row(simulation);
+}
+
+void grab_panel(GrabSettings& settings) {
+  double percent = 100 * settings.radius;
+  if (ui::number({"Radius", "%", 1, 40, 0.1, 100, true, false,
+                  "Size of the patch that the mouse holds, in percent of the scene's radius"}, percent))
+    settings.radius = percent / 100;
+  ui::number({"Grip", "", 0.3, 30, 1e-3, 1e3, true, false,
+              "Stiffness of the mouse's springs relative to the tissue's: higher follows more closely and pulls harder"},
+             settings.grip);
+}
+
+}  // namespace fascia

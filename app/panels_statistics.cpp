@@ -1,0 +1,55 @@
+// Numbers about the state and about the clock, each with what it means.
+#include <imgui.h>
+
+#include <cstdio>
+
+#include "app/panels.h"
+#include "app/ui_style.h"
+#include "app/ui_widgets.h"
+#include "app/units.h"
+#include "render/gl/buffer.h"
+
+namespace fascia {
+namespace {
+
+std::string printed(const char* format, double a, double b = 0) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, a, b);
+  return text;
+}
+
+void clock_rows(const Statistics& s) {
+  const auto milliseconds = [&](const History& history) { return s.measured ? printed("%.1f ms", history.mean()) : "-"; };
+  ui::fact("Frame", s.measured ? printed("%.1f ms, %.0f per second", s.frame.mean(), s.frame.mean() > 0 ? 1000 / s.frame.mean() : 0) : "-",
+           "From picture to picture, everything included; the line below shows the last 200");
+  if (s.measured) ui::plot("##frame", s.frame, 26);
+  ui::fact("Solve", milliseconds(s.solve), "The steps of a frame on the GPU");
+  if (s.measured) ui::plot("##solve", s.solve, 26);
+  ui::fact("Render", milliseconds(s.render), "Surface, shadow and ground on the GPU");
+  if (s.measured) ui::plot("##render", s.render, 26);
+  ui::fact("Real time", s.measured ? printed("%.0f %%", 100 * s.speed) : "-", "Simulated time over the time of your clock");
+}
+
+}  // namespace
+
+void statistics_panel(Session& session, const Statistics& statistics) {
+  clock_rows(statistics);
+  if (const auto& d = statistics.diagnostics) {
+    const auto length = [](const Eigen::Vector3d& v) { return v.norm(); };
+    ui::fact("Residual", printed("%.2g", d->residual), "How far the last step is from solved: 0 is solved, 1 is not begun");
+    ui::fact("J", printed("%.3f to %.3f", d->min_det_f, d->max_det_f), "Smallest and largest volume of a tet over its volume at rest");
+    ui::fact("Inverted tets", std::to_string(d->inverted), "Tets turned inside out: J below 0");
+    ui::fact("Largest strain", printed("%.3g", d->max_strain), "Frobenius norm of the Green strain");
+    ui::fact("Largest stress", engineering(d->max_von_mises, "Pa"), "Von Mises");
+    ui::fact("Energy", engineering(d->elastic, "J") + ", " + engineering(d->kinetic, "J"), "Elastic, kinetic");
+    ui::fact("Reaction", engineering(length(d->reaction), "N"), "Of the supports on the body");
+  }
+  if (const GpuSolver* gpu = session.simulation.gpu())
+    ui::fact("Dispatches", std::to_string(gpu->dispatches_per_step()) + " per step", "Compute dispatches of one time step");
+  ui::fact("GPU memory", bytes_text(static_cast<double>(gl::allocated_bytes())), "All buffers and pictures of the program");
+  ImGui::PushStyleColor(ImGuiCol_Text, ui::kDim);
+  ImGui::TextWrapped("%s", session.renderer_description().c_str());
+  ImGui::PopStyleColor();
+}
+
+}  // namespace fascia

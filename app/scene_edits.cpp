@@ -1,0 +1,33 @@
+#include "app/scene_edits.h"
+
+#include <vector>
+
+namespace fascia {
+namespace {
+
+// Only what is not the body's default, or was given before, so that a saved scene stays as short as it was.
+void follow(MaterialOverride& values, const Material& now, const Material& fallback) {
+  std::vector<double> numbers, defaults;
+  visit_material(now, [&](double value, auto&&...) { numbers.push_back(value); });
+  visit_material(fallback, [&](double value, auto&&...) { defaults.push_back(value); });
+  std::size_t i = 0;
+  visit_material(values, [&](std::optional<double>& value, auto&&...) {
+    if (value || numbers[i] != defaults[i]) value = numbers[i];
+    ++i;
+  });
+  if (values.model || now.model != fallback.model) values.model = now.model;
+}
+
+}  // namespace
+
+void follow_materials(Scene& scene, const Model& model) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    Body& body = scene.bodies[b];
+    const std::size_t first = model.bodies[b].material_begin;
+    body.material = model.materials[first];
+    for (std::size_t m = 0; m < body.region_materials.size(); ++m)
+      follow(body.region_materials[m].second, model.materials[first + 1 + m], body.material);
+  }
+}
+
+}  // namespace fascia

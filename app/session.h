@@ -1,0 +1,47 @@
+// Where simulation and drawing meet: the one place that hands the solver's buffers to the renderer.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/drawn_surface.h"
+#include "app/graphics.h"
+#include "app/simulation.h"
+#include "render/camera.h"
+#include "render/framebuffer.h"
+#include "render/scene_renderer.h"
+
+namespace fascia {
+
+class Session {
+ public:
+  /// Throws Error; a window then keeps the session it has.
+  Session(Graphics& graphics, Scene scene, bool use_reference);
+
+  Simulation simulation;
+  Camera camera;
+  Look look;
+
+  const DisplaySettings& display() const { return simulation.scene.display; }
+  void set_display(const DisplaySettings& display);
+
+  /// Publishes positions and draws the scene into the framebuffer (resolved afterwards, panels may follow).
+  void draw(Framebuffer& framebuffer, const std::optional<GrabMark>& grab = std::nullopt);
+  void set_grabbed(const std::vector<std::uint32_t>& vertices) { renderer_.set_grabbed(vertices); }
+
+  /// Range of the heat map without a fixed one: from 0 to a round number above the largest value seen.
+  void follow_range(const Diagnostics& diagnostics);
+  std::string heat_label() const;  // "von Mises stress [Pa]"; empty without a heat map
+
+  const DrawnSurface& surface() const { return surface_; }
+  const std::string& renderer_description() const { return description_; }
+  void frame();  // camera on the whole body, from the front
+
+ private:
+  DrawnSurface surface_;
+  SceneRenderer renderer_;
+  Eigen::Vector3d box_min_, box_max_;  // of the bodies at rest [m]
+  std::string description_;
+};
+
+}  // namespace fascia

@@ -1,0 +1,61 @@
+#include "app/stats.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "sim/file.h"
+
+namespace fascia {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Json to_json(const Percentiles& p) { return {{"median", p.median}, {"p95", p.p95}, {"max", p.max}}; }
+
+}  // namespace
+
+Percentiles percentiles(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) { return values[static_cast<std::size_t>(std::lround(share * (values.size() - 1)))]; };
+  return {at(0.5), at(0.95), values.back()};
+}
+
+void write_stats(const std::filesystem::path& path, const RunStats& stats, const Simulation& simulation,
+                 const reference::State& last) {
+  const reference::Measures measures = reference::measure(simulation.model, last);
+  const auto finite = [](const Eigen::Vector3d& v) { return v.allFinite(); };
+  const bool nan = !std::all_of(last.displacement.begin(), last.displacement.end(), finite) ||
+                   !std::all_of(last.velocity.begin(), last.velocity.end(), finite);
+  const Json json{{"version", FASCIA_VERSION},
+                  {"renderer", stats.renderer},
+                  {"method", simulation.uses_reference() ? "newton" : name_of(simulation.scene.solver.method)},
+                  {"acceleration", simulation.uses_reference() ? "none" : name_of(simulation.scene.solver.acceleration)},
+                  {"vertices", simulation.model.rest_positions.size()},
+                  {"tets", simulation.model.tets.size()},
+                  {"steps", stats.steps},
+                  {"time_step", simulation.scene.solver.time_step},
+                  {"substeps", simulation.scene.solver.substeps},
+                  {"time", last.time},
+                  {"iterations_per_step", simulation.scene.solver.iterations * simulation.scene.solver.substeps},
+                  {"wall_s", stats.wall_s},
+                  {"ms_per_step", to_json(percentiles(stats.step_ms))},
+                  {"solve_ms_per_step", to_json(percentiles(stats.solve_ms))},
+                  {"residual", stats.residual},
+                  {"nan", nan},
+                  {"inverted", measures.inverted},
+                  {"J", {measures.min_det_f, measures.max_det_f}},
+                  {"kinetic_J", measures.kinetic},
+                  {"elastic_J", measures.elastic},
+                  {"momentum", to_json(measures.momentum)},
+                  {"angular_momentum", to_json(measures.angular_momentum)},
+                  {"reaction_N", {{"fixed", to_json(measures.fixed_reaction)}}},
+                  {"dispatches_per_step", stats.dispatches_per_step},
+                  {"gpu_bytes", stats.gpu_bytes}};
+  write_file(path, json.dump(2) + "\n");
+}
+
+}  // namespace fascia

@@ -1,0 +1,30 @@
+// stats.json: what a run did, how fast, and how good its last state is.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/simulation.h"
+
+namespace fascia {
+
+struct RunStats {
+  std::string renderer;  // or "reference solver, double precision"
+  long steps = 0;
+  double wall_s = 0;
+  std::vector<double> step_ms, solve_ms;   // [steps]; solve: without exports and other work between steps
+  double residual = 0;                     // of the last step, relative
+  std::uint64_t dispatches_per_step = 0;
+  std::size_t gpu_bytes = 0;
+};
+
+struct Percentiles {
+  double median = 0, p95 = 0, max = 0;
+};
+Percentiles percentiles(std::vector<double> values);
+
+void write_stats(const std::filesystem::path& path, const RunStats& stats, const Simulation& simulation,
+                 const reference::State& last);
+
+}  // namespace fascia

@@ -1,0 +1,162 @@
+#include "app/ui_widgets.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/ui_style.h"
+#include "app/units.h"
+
+namespace fascia::ui {
+namespace {
+
+constexpr float kLabelShare = 0.41f, kSliderShare = 0.33f;  // of a row's width; the value has the rest
+
+// The number being typed; there is one keyboard, so one at most.
+struct Typing {
+  ImGuiID id = 0;
+  std::string text, shown;
+  bool fresh = false, wrong = false;
+} typing;
+
+// Bare units read better with real superscripts.
+std::string pretty(std::string text) {
+  if (const std::size_t at = text.find("^3"); at != std::string::npos) text.replace(at, 2, "\xc2\xb3");
+  if (const std::size_t at = text.find("^2"); at != std::string::npos) text.replace(at, 2, "\xc2\xb2");
+  return text;
+}
+
+// The text field in place of the slider. True when a new value was entered.
+bool typed_number(const NumberField& field, double& value) {
+  if (typing.fresh) ImGui::SetKeyboardFocusHere();
+  if (typing.wrong) ImGui::PushStyleColor(ImGuiCol_Text, kDanger);
+  const bool entered = ImGui::InputText("##typed", &typing.text,
+                                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  if (typing.wrong) {
+    ImGui::PopStyleColor();
+    tooltip("expected a number such as " + engineering(field.slider_max, field.unit));
+  }
+  if (typing.fresh) {
+    typing.fresh = false;
+    return false;
+  }
+  if (!entered && !ImGui::IsItemDeactivated()) return false;
+  const std::optional<double> parsed = parse_engineering(typing.text, field.unit);
+  if (entered && !parsed) {
+    typing.wrong = typing.fresh = true;
+    return false;
+  }
+  const bool changed = parsed && typing.text != typing.shown;  // the shown text is rounded: leaving it leaves the value
+  if (changed) value = std::clamp(*parsed, field.min, field.max);
+  typing = {};
+  return changed;
+}
+
+bool wants_to_type() {
+  return (ImGui::IsItemHovered() && (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl))) ||
+         (ImGui::IsItemFocused() && ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressedMap(ImGuiKey_Enter));
+}
+
+// The value at the end of the row, right-aligned; a click on it asks to type another.
+bool value_button(const std::string& text) {
+  const ImVec2 low = ImGui::GetCursorScreenPos(), size{ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()};
+  const bool pressed = ImGui::InvisibleButton("##value", size);
+  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::GetWindowDrawList()->AddText({low.x + size.x - width, low.y + ImGui::GetStyle().FramePadding.y},
+                                      ImGui::GetColorU32(lit ? kAccent : kText), text.c_str());
+  if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
+  return pressed;
+}
+
+}  // namespace
+
+bool section(const char* title, bool open_at_first) {
+  ImGui::Dummy({0, px(2)});
+  ImGui::PushFont(bold_font());
+  const bool open = ImGui::CollapsingHeader(title, open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  ImGui::PopFont();
+  return open;
+}
+
+void tooltip(const std::string& text) {
+  if (text.empty() || !ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(px(300));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void fact(const char* name, const std::string& value, const std::string& help) {
+  const std::string text = pretty(value);
+  ImGui::BeginGroup();
+  ImGui::PushStyleColor(ImGuiCol_Text, kDim);
+  ImGui::TextUnformatted(name);
+  ImGui::PopStyleColor();
+  ImGui::SameLine();
+  const float free = ImGui::GetContentRegionAvail().x, width = ImGui::CalcTextSize(text.c_str()).x;
+  if (width < free) {
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free - width);
+    ImGui::TextUnformatted(text.c_str());
+  } else {
+    ImGui::TextWrapped("%s", text.c_str());
+  }
+  ImGui::EndGroup();
+  tooltip(help);
+}
+
+void label(const char* text, const std::string& help) {
+  const float start = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text);
+  tooltip(help);
+  ImGui::SameLine(start + kLabelShare * width);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+}
+
+bool number(const NumberField& field, double& value) {
+  ImGui::PushID(field.label.c_str());
+  const float row = ImGui::GetContentRegionAvail().x;
+  label(field.label.c_str(), field.help);
+  const ImGuiID id = ImGui::GetID("##slider");
+  bool changed = false;
+  if (typing.id == id) {
+    changed = typed_number(field, value);
+  } else {
+    ImGui::SetNextItemWidth(kSliderShare * row);
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_NoInput | (field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &field.slider_min, &field.slider_max, "", flags);
+    tooltip(field.help);
+    const bool asked_at_slider = wants_to_type();
+    ImGui::SameLine(0, 0);
+    if (value_button(pretty(engineering(value, field.unit))) || asked_at_slider) {
+      const std::string text = engineering(value, field.unit, 4);
+      typing = {id, text, text, true, false};
+      ImGui::ClearActiveID();
+    }
+  }
+  if (changed && field.integer) value = std::round(value);
+  ImGui::PopID();
+  return changed;
+}
+
+void plot(const char* id, const History& history, float height) {
+  const auto value_at = [](void* data, int i) { return static_cast<const History*>(data)->at(i); };
+  float largest = 1;
+  for (int i = 0; i < history.count(); ++i) largest = std::max(largest, history.at(i));
+  ImGui::PlotLines(id, value_at, const_cast<History*>(&history), history.count(), 0, nullptr, 0, 1.15f * largest,
+                   {ImGui::GetContentRegionAvail().x, px(height)});
+}
+
+bool button(const char* text, float width, bool lit) {
+  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.55f, 0.27f, 0.22f, 1));
+  const bool pressed = ImGui::Button(text, {width, 0});
+  if (lit) ImGui::PopStyleColor();
+  return pressed;
+}
+
+}  // namespace fascia::ui

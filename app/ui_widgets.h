@@ -1,0 +1,39 @@
+// Rows of the panels: a label at the left, a value or a control at the right, and a tooltip that explains it.
+#pragma once
+#include <string>
+
+#include "app/view_state.h"
+
+namespace fascia::ui {
+
+/// A heading that folds what follows; true while unfolded.
+bool section(const char* title, bool open_at_first = true);
+
+/// Shown while the last item is hovered.
+void tooltip(const std::string& text);
+
+/// "label          value", the value right-aligned; a tooltip if there is help.
+void fact(const char* label, const std::string& value, const std::string& help = "");
+
+struct NumberField {
+  std::string label, unit;
+  double slider_min, slider_max;  // what the slider covers
+  double min, max;                // what may be typed
+  bool logarithmic = false;
+  bool integer = false;
+  std::string help;
+};
+/// A slider and its value in engineering notation; a click on the value, or a double click on the slider, lets the user type
+/// ("12.5 kPa"). True when the value changed.
+bool number(const NumberField& field, double& value);
+
+/// Starts a row whose control is drawn next, filling what is left of the width.
+void label(const char* text, const std::string& help = "");
+
+/// A line of the last values, from 0 to a little above the largest, `height` points high.
+void plot(const char* id, const History& history, float height);
+
+/// A button that fills `width`; drawn in the accent color when `lit`.
+bool button(const char* text, float width, bool lit = false);
+
+}  // namespace fascia::ui

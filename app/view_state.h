@@ -1,0 +1,62 @@
+// What the window knows beside the session, shared by its loop, its keys and its panels; and what keys and panels ask of it.
+#pragma once
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/grab.h"
+#include "sim/gpu/diagnostics.h"
+
+namespace fascia {
+
+/// The latest values of something measured once a frame.
+class History {
+ public:
+  void add(double value);
+  double latest() const { return count_ ? values_[(next_ + values_.size() - 1) % values_.size()] : 0; }
+  double mean() const;  // of the last half second or so
+  int count() const { return static_cast<int>(count_); }
+  float at(int i) const { return values_[(next_ + values_.size() - count_ + static_cast<std::size_t>(i)) % values_.size()]; }
+
+ private:
+  std::array<float, 200> values_{};
+  std::size_t next_ = 0, count_ = 0;
+};
+
+struct Statistics {
+  bool measured = false;  // false: a headless picture, which must not depend on a clock
+  History frame, solve, render;  // [ms]; solve: the steps of a frame
+  double step_ms = 0;            // one step, averaged
+  double speed = 1;              // simulated over real time
+  bool keeps_pace = true;
+  long steps = 0;
+  std::optional<Diagnostics> diagnostics;
+};
+
+/// What of a model does not change while it is simulated, for the panels.
+struct SceneFacts {
+  SceneFacts() = default;
+  explicit SceneFacts(const Model& model);
+  double mass(const Model& model) const;  // [kg], at the densities of now
+
+  std::vector<double> material_volume;  // [material_count] [m^3]
+  std::vector<std::string> material_names;  // without the body's name where there is only one body
+};
+
+struct ViewState {
+  bool paused = false, show_panels = true, show_help = false, recording = false;
+  GrabSettings grab;
+  SceneFacts facts;
+  Statistics statistics;
+};
+
+/// Asked during a frame, carried out between frames.
+struct Requests {
+  bool open_dialog = false, save_dialog = false, reset = false, step = false, frame_view = false, screenshot = false, video = false,
+       reload_shaders = false, close = false;
+  std::optional<std::filesystem::path> open, save;
+};
+
+}  // namespace fascia

@@ -1,0 +1,202 @@
+#include "app/view_window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/color_bar.h"
+#include "app/interrupt.h"
+#include "app/panels.h"
+#include "sim/error.h"
+
+namespace fascia {
+namespace {
+
+constexpr double kIdleWait = 1.0 / 30;  // [s] between frames while time stands still and nobody touches anything
+constexpr double kHiddenWait = 0.1;     // [s] while minimised
+constexpr double kShortestFrame = 0.004;  // [s] where the display does not set the pace
+
+}  // namespace
+
+ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Scene scene)
+    : graphics_(graphics),
+      options_(options),
+      input_(graphics.context->window()),
+      overlay_(graphics),
+      dialogs_(graphics.data_dir),
+      session_(std::make_unique<Session>(graphics, std::move(scene), options.reference)),
+      samples_(options.samples > 0 ? options.samples : gl::device().software ? 1 : 4) {
+  if (options.static_equilibrium) {
+    session_->simulation.solve_static();
+    state_.paused = true;
+  }
+  if (options.steps || options.time) steps_left_ = steps_to_run(options, session_->simulation.scene);
+  state_.facts = SceneFacts(session_->simulation.model);
+  state_.statistics.measured = true;
+  dialogs_.opened(session_->simulation.scene.file);
+  set_title();
+  glfwSwapInterval(1);
+}
+
+void ViewWindow::run() {
+  GLFWwindow* window = graphics_.context->window();
+  Clock::time_point last = Clock::now();
+  const Clock::time_point start = last;
+  while (!glfwWindowShouldClose(window) && !interrupted() && steps_left_ != 0) {
+    if (glfwGetWindowAttrib(window, GLFW_ICONIFIED))
+      glfwWaitEventsTimeout(kHiddenWait);
+    else if (state_.paused && !mouse_.dragging())
+      glfwWaitEventsTimeout(kIdleWait);
+    else
+      glfwPollEvents();
+    const Clock::time_point now = Clock::now();
+    const double elapsed = std::chrono::duration<double>(now - last).count();
+    if (elapsed < kShortestFrame) {
+      glfwWaitEventsTimeout(kShortestFrame - elapsed);
+      continue;
+    }
+    last = now;
+    state_.statistics.frame.add(1000 * elapsed);
+    frame(elapsed);
+  }
+  stats_.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+  if (video_.running()) video_.finish();
+  stats_.renderer = session_->renderer_description();
+  stats_.solve_ms = stats_.step_ms;
+  stats_.dispatches_per_step = session_->simulation.gpu()->dispatches_per_step();
+  stats_.gpu_bytes = gl::allocated_bytes();
+}
+
+template <class Work>
+bool ViewWindow::attempt(Work&& work) {
+  try {
+    work();
+    return true;
+  } catch (const std::bad_alloc&) {
+    say("Out of memory", true);
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+  return false;
+}
+
+void ViewWindow::say(const std::string& text, bool is_error) {
+  message_ = Message{text, is_error, Clock::now() + std::chrono::seconds(is_error ? 3600 : 4)};
+}
+
+void ViewWindow::frame(double elapsed) {
+  if (!update_framebuffer()) {
+    input_.take();
+    pacing_.restart();
+    return;
+  }
+  Requests requests;
+  overlay_.begin(framebuffer_->width(), framebuffer_->height());
+  attempt([&] { handle_input(requests); });
+  attempt([&] { build_panels(requests); });
+  overlay_.end();
+  attempt([&] { carry_out(requests); });
+  if (!attempt([&] { simulate(elapsed, requests); })) state_.paused = true;
+  if (!attempt([&] { draw(); })) state_.paused = true;
+  overlay_.draw(*framebuffer_);
+  attempt([&] { capture(requests); });
+  overlay_.draw_foreground(*framebuffer_);
+  framebuffer_->present(framebuffer_->width(), framebuffer_->height());
+  glfwSwapBuffers(graphics_.context->window());
+}
+
+bool ViewWindow::update_framebuffer() {
+  GLFWwindow* window = graphics_.context->window();
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window, &width, &height);
+  if (width < 1 || height < 1 || glfwGetWindowAttrib(window, GLFW_ICONIFIED)) return false;
+  if (framebuffer_ && framebuffer_->width() == width && framebuffer_->height() == height) return true;
+  if (video_.running() && !video_.fits(width, height)) attempt([&] { toggle_video(); });
+  framebuffer_.reset();  // before the new one: two large ones may not fit
+  framebuffer_ = std::make_unique<Framebuffer>(width, height, samples_);
+  return true;
+}
+
+void ViewWindow::build_panels(Requests& requests) {
+  Statistics& s = state_.statistics;
+  s.speed = pacing_.speed();
+  s.keeps_pace = pacing_.keeps_pace();
+  state_.recording = video_.running();
+  if (session_->look.heat_map) draw_color_bar(session_->heat_label(), session_->look.range);
+  draw_notice(state_);
+  if (state_.show_panels) {
+    draw_panels(*session_, state_, requests);
+    draw_hint();
+  }
+  if (mouse_.grab().holding()) draw_force(mouse_.grab());
+  if (state_.show_help) draw_help(state_);
+  dialogs_.draw(requests);
+  if (message_ && (draw_message(message_->text, message_->is_error) || Clock::now() > message_->until)) message_.reset();
+  if (video_.running()) draw_recording_dot(video_.seconds());
+}
+
+void ViewWindow::make_step() {
+  mouse_.pull(*session_);
+  session_->simulation.step();
+  simulated_ += session_->simulation.scene.solver.time_step;
+  ++state_.statistics.steps;
+  ++stats_.steps;
+  if (steps_left_ > 0) --steps_left_;
+  diagnose_ = true;
+}
+
+void ViewWindow::simulate(double elapsed, const Requests& requests) {
+  Statistics& s = state_.statistics;
+  const double time_step = session_->simulation.scene.solver.time_step;
+  int steps = 0;
+  if (!state_.paused) {
+    steps = pacing_.advance(elapsed, time_step, s.step_ms / 1000);
+    if (video_.running()) steps = std::min(steps, VideoCapture::steps_per_frame(time_step));
+  } else {
+    pacing_.restart();
+    steps = requests.step ? 1 : 0;
+  }
+  if (steps_left_ >= 0) steps = static_cast<int>(std::min<long>(steps, steps_left_));
+  simulated_ = 0;
+  if (steps > 0) {
+    solve_timer_.begin();
+    for (int i = 0; i < steps; ++i) make_step();
+    solve_timer_.end();
+    if (const double ms = solve_timer_.milliseconds(); ms > 0) {
+      s.solve.add(ms);
+      stats_.step_ms.push_back(ms / steps);
+      s.step_ms = s.step_ms > 0 ? 0.8 * s.step_ms + 0.2 * ms / steps : ms / steps;
+    }
+  }
+  read_diagnostics();
+}
+
+void ViewWindow::read_diagnostics() {
+  GpuSolver& solver = *session_->simulation.gpu();
+  if (diagnose_) solver.request_diagnostics();
+  diagnose_ = false;
+  const std::optional<Diagnostics> d = solver.take_diagnostics(false);
+  if (!d) return;
+  if (!d->finite && !state_.paused) {
+    state_.paused = true;
+    say("The state is no longer finite; R goes back to the start. Smaller time steps or more substeps may help", true);
+  }
+  mouse_.grab().observe(d->grab_force);
+  session_->follow_range(*d);
+  stats_.residual = d->residual;
+  state_.statistics.diagnostics = d;
+}
+
+void ViewWindow::draw() {
+  render_timer_.begin();
+  std::optional<GrabMark> mark;
+  if (mouse_.grab().holding()) mark = mouse_.grab().mark();
+  session_->draw(*framebuffer_, mark);
+  render_timer_.end();
+  if (const double ms = render_timer_.milliseconds(); ms > 0) state_.statistics.render.add(ms);
+}
+
+}  // namespace fascia

@@ -1,0 +1,86 @@
+// The window: one frame after the other of input, panels, steps, drawing. Whatever fails in a frame becomes a message, and the scene
+// that is open stays open.
+#pragma once
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/capture.h"
+#include "app/file_dialogs.h"
+#include "app/mouse_tool.h"
+#include "app/options.h"
+#include "app/overlay.h"
+#include "app/pacing.h"
+#include "app/stats.h"
+#include "app/view_state.h"
+#include "app/window_input.h"
+#include "render/gl/timer.h"
+
+namespace fascia {
+
+class ViewWindow {
+ public:
+  /// Throws Error when the scene cannot be simulated.
+  ViewWindow(Graphics& graphics, const ViewOptions& options, Scene scene);
+
+  /// Until the window is closed, the asked number of steps is done or the program is interrupted.
+  void run();
+
+  const Simulation& simulation() const { return session_->simulation; }
+  const RunStats& stats() const { return stats_; }  // of all steps made
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Message {
+    std::string text;
+    bool is_error = false;
+    Clock::time_point until;
+  };
+
+  void frame(double elapsed);
+  bool update_framebuffer();  // false: nothing to draw on, the window is minimised
+  void handle_input(Requests& requests);
+  void press_key(int key, int mods, Requests& requests);
+  void build_panels(Requests& requests);
+  void simulate(double elapsed, const Requests& requests);
+  void make_step();
+  void read_diagnostics();
+  void draw();
+  void capture(const Requests& requests);
+
+  void carry_out(const Requests& requests);
+  void open(const std::filesystem::path& path);
+  void save(const std::filesystem::path& path);
+  void set_title();
+  void reset();
+  void toggle_video();
+  void reload_shaders();
+  Provenance provenance() const;
+
+  /// Runs `work`; an exception becomes a message.
+  template <class Work>
+  bool attempt(Work&& work);
+  void say(const std::string& text, bool is_error = false);
+
+  Graphics& graphics_;
+  const ViewOptions& options_;
+  WindowInput input_;
+  Overlay overlay_;
+  FileDialogs dialogs_;
+  std::unique_ptr<Session> session_;
+  std::unique_ptr<Framebuffer> framebuffer_;
+  MouseTool mouse_;
+  Pacing pacing_;
+  VideoCapture video_;
+  ViewState state_;
+  RunStats stats_;
+  std::optional<Message> message_;
+  gl::Timer solve_timer_, render_timer_;
+  int samples_;
+  long steps_left_ = -1;      // until the window closes by itself; negative: it does not
+  double simulated_ = 0;      // in this frame [s]
+  bool diagnose_ = true;      // the state has changed since the last diagnostics
+};
+
+}  // namespace fascia

@@ -1,0 +1,67 @@
+#include "app/window_input.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace fascia {
+
+using Kind = InputEvent::Kind;
+
+WindowInput& WindowInput::of(GLFWwindow* window) { return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window)); }
+
+void WindowInput::add(InputEvent event) {
+  int window_width = 0, window_height = 0, width = 0, height = 0;
+  glfwGetWindowSize(window_, &window_width, &window_height);
+  glfwGetFramebufferSize(window_, &width, &height);
+  event.at = {at_.x() * width / std::max(1, window_width), at_.y() * height / std::max(1, window_height)};
+  events_.push_back(std::move(event));
+}
+
+WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
+  glfwSetWindowUserPointer(window, this);
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+    of(w).at_ = {x, y};
+    of(w).add({Kind::move});
+  });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
+    ImGui_ImplGlfw_MouseButtonCallback(w, button, action, mods);
+    of(w).add({action == GLFW_PRESS ? Kind::press : Kind::release, button, mods});
+  });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+    ImGui_ImplGlfw_ScrollCallback(w, x, y);
+    InputEvent event{Kind::scroll};
+    event.scroll = y;
+    of(w).add(std::move(event));
+  });
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+    ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, mods);
+    if (action == GLFW_PRESS || (action == GLFW_REPEAT && key == GLFW_KEY_PERIOD)) of(w).add({Kind::key, key, mods});
+  });
+  glfwSetCharCallback(window, ImGui_ImplGlfw_CharCallback);
+  glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
+  glfwSetCursorEnterCallback(window, ImGui_ImplGlfw_CursorEnterCallback);
+  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+    InputEvent event{Kind::drop};
+    event.files.assign(paths, paths + count);
+    of(w).add(std::move(event));
+  });
+}
+
+WindowInput::~WindowInput() {
+  glfwSetCursorPosCallback(window_, nullptr);
+  glfwSetMouseButtonCallback(window_, nullptr);
+  glfwSetScrollCallback(window_, nullptr);
+  glfwSetKeyCallback(window_, nullptr);
+  glfwSetCharCallback(window_, nullptr);
+  glfwSetWindowFocusCallback(window_, nullptr);
+  glfwSetCursorEnterCallback(window_, nullptr);
+  glfwSetDropCallback(window_, nullptr);
+}
+
+std::vector<InputEvent> WindowInput::take() { return std::exchange(events_, {}); }
+
+}  // namespace fascia

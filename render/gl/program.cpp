@@ -1,0 +1,150 @@
+#include "render/gl/program.h"
+
+#include <algorithm>
+
+#include "sim/error.h"
+
+namespace fascia::gl {
+namespace {
+
+/// The lines of a driver's log as one line, for Error.
+std::string one_line(const std::string& log) {
+  std::string result, line;
+  for (const char c : log + "\n") {
+    if (c != '\n') {
+      if (c != '\0' && c != '\r') line += c;
+      continue;
+    }
+    if (line.find_first_not_of(" \t") != std::string::npos) result += (result.empty() ? "" : " | ") + line;
+    line.clear();
+  }
+  return result;
+}
+
+template <class GetInteger, class GetLog>
+std::string log_of(GLuint id, GetInteger get_integer, GetLog get_log) {
+  GLint length = 0;
+  get_integer(id, GL_INFO_LOG_LENGTH, &length);
+  std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+  get_log(id, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  return log;
+}
+
+struct Shader {
+  explicit Shader(GLenum stage) : id(CreateShader(stage)) {}
+  ~Shader() { DeleteShader(id); }
+  Shader(const Shader&) = delete;
+  Shader& operator=(const Shader&) = delete;
+  const GLuint id;
+};
+
+void compile(const Shader& shader, const ShaderText& source, const std::string& label) {
+  const char* text = source.text.c_str();
+  ShaderSource(shader.id, 1, &text, nullptr);
+  CompileShader(shader.id);
+  GLint done = 0;
+  GetShaderiv(shader.id, GL_COMPILE_STATUS, &done);
+  if (done) return;
+  const std::string log = one_line(map_log(source, log_of(shader.id, GetShaderiv, GetShaderInfoLog)));
+  throw Error((log.empty() ? "shaders/" + source.lines.front().file + ": does not compile" : log) + "; in " +
+              label);
+}
+
+}  // namespace
+
+const char* name_of(LoadPath path) {
+  return path == LoadPath::storage ? "ssbo" : "texel";
+}
+
+Program::~Program() {
+  if (id_) DeleteProgram(id_);
+}
+
+void Program::use() const {
+  UseProgram(id_);
+}
+void Program::set(const char* name, float value) const {
+  ProgramUniform1f(id_, GetUniformLocation(id_, name), value);
+}
+void Program::set(const char* name, int value) const {
+  ProgramUniform1i(id_, GetUniformLocation(id_, name), value);
+}
+void Program::set(const char* name, unsigned value) const {
+  ProgramUniform1ui(id_, GetUniformLocation(id_, name), value);
+}
+void Program::set(const char* name, float x, float y, float z, float w) const {
+  ProgramUniform4f(id_, GetUniformLocation(id_, name), x, y, z, w);
+}
+void Program::set_matrix(const char* name, const float* column_major_4x4) const {
+  ProgramUniformMatrix4fv(id_, GetUniformLocation(id_, name), 1, GL_FALSE, column_major_4x4);
+}
+
+ProgramCache::ProgramCache(std::filesystem::path folder, LoadPath load_path)
+    : folder_(std::move(folder)), load_path_(load_path) {}
+
+const Program& ProgramCache::compute(const std::string& file, const Defines& defines) {
+  return get(file, {{GL_COMPUTE_SHADER, file}}, defines);
+}
+
+const Program& ProgramCache::draw(const std::string& vertex_file, const std::string& fragment_file,
+                                  const Defines& defines) {
+  return get(vertex_file + " + " + fragment_file,
+             {{GL_VERTEX_SHADER, vertex_file}, {GL_FRAGMENT_SHADER, fragment_file}}, defines);
+}
+
+const Program& ProgramCache::get(const std::string& name, std::vector<std::pair<GLenum, std::string>> stages,
+                                 const Defines& defines) {
+  Entry entry{std::move(stages), defines, std::make_unique<Program>()};
+  std::sort(entry.defines.begin(), entry.defines.end());
+  std::string label = name, list;
+  for (const auto& [key, value] : entry.defines) list += (list.empty() ? "" : " ") + key + "=" + value;
+  if (!list.empty()) label += " [" + list + "]";
+  const auto found = programs_.find(label);
+  if (found != programs_.end()) return *found->second.program;
+  entry.program->label_ = label;
+  entry.defines.emplace_back("READ_TEXELS", load_path_ == LoadPath::texel ? "1" : "0");
+  link(entry);
+  return *programs_.emplace(label, std::move(entry)).first->second.program;
+}
+
+void ProgramCache::link(const Entry& entry) const {
+  Program& program = *entry.program;
+  std::map<std::string, Texel> declared;
+  std::vector<std::unique_ptr<Shader>> shaders;
+  for (const auto& [stage, file] : entry.stages) {
+    const ShaderText source = read_shader(folder_, file, entry.defines);
+    compile(*shaders.emplace_back(std::make_unique<Shader>(stage)), source, program.label_);
+    declared.insert(source.declared.begin(), source.declared.end());
+  }
+  const GLuint id = CreateProgram();
+  for (const auto& shader : shaders) AttachShader(id, shader->id);
+  LinkProgram(id);
+  for (const auto& shader : shaders) DetachShader(id, shader->id);
+  GLint done = 0;
+  GetProgramiv(id, GL_LINK_STATUS, &done);
+  if (!done) {
+    const std::string log = one_line(log_of(id, GetProgramiv, GetProgramInfoLog));
+    DeleteProgram(id);
+    throw Error("shaders/" + program.label_ + ": does not link: " + log);
+  }
+  ObjectLabel(GL_PROGRAM, id, static_cast<GLsizei>(std::min<std::size_t>(program.label_.size(), 100)),
+              program.label_.c_str());
+  if (program.id_) DeleteProgram(program.id_);
+  program.id_ = id;
+  program.declared_ = std::move(declared);
+  ++program.generation_;
+}
+
+std::vector<std::string> ProgramCache::reload() {
+  std::vector<std::string> messages;
+  for (const auto& [label, entry] : programs_) {
+    try {
+      link(entry);
+    } catch (const Error& error) {
+      messages.push_back(error.what());
+    }
+  }
+  return messages;
+}
+
+}  // namespace fascia::gl

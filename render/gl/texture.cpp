@@ -1,0 +1,77 @@
+#include "render/gl/texture.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "render/gl/buffer.h"
+#include "sim/error.h"
+
+namespace fascia::gl {
+
+Texture::Texture(std::string label, GLenum internal_format, int width, int height, int samples, GLenum format,
+                 GLenum type, const void* pixels)
+    : target_(samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D), width_(width), height_(height) {
+  const auto fail = [&] {
+    throw Error("texture " + label,
+                "cannot have " + std::to_string(width) + " x " + std::to_string(height) + " texels with " +
+                    std::to_string(samples) + " samples",
+                "expected a size and sample count that " + device().renderer + " has room for");
+  };
+  // Asked for first: llvmpipe crashes on sizes far beyond its limit instead of refusing them.
+  GLint most = 0;
+  GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+  if (width < 1 || height < 1 || width > most || height > most) fail();
+  while (GetError() != GL_NO_ERROR) {
+  }
+  GenTextures(1, &id_);
+  BindTexture(target_, id_);
+  if (samples > 0) {
+    TexImage2DMultisample(target_, samples, internal_format, width, height, GL_TRUE);
+  } else {
+    const bool depth = internal_format == GL_DEPTH_COMPONENT24 || internal_format == GL_DEPTH_COMPONENT32F;
+    PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    TexImage2D(target_, 0, static_cast<GLint>(internal_format), width, height, 0,
+               depth ? GL_DEPTH_COMPONENT : format, depth ? GL_FLOAT : type, pixels);
+    TexParameteri(target_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    TexParameteri(target_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    TexParameteri(target_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    TexParameteri(target_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  }
+  if (GetError() != GL_NO_ERROR) {
+    DeleteTextures(1, &id_);
+    fail();
+  }
+  ObjectLabel(GL_TEXTURE, id_, static_cast<GLsizei>(std::min<std::size_t>(label.size(), 100)), label.c_str());
+  bytes_ = bytes_per_texel(internal_format) * static_cast<std::size_t>(width) *
+           static_cast<std::size_t>(height) * static_cast<std::size_t>(std::max(samples, 1));
+  count_bytes(static_cast<std::ptrdiff_t>(bytes_));
+}
+
+Texture::~Texture() {
+  release();
+}
+
+Texture::Texture(Texture&& other) noexcept {
+  *this = std::move(other);
+}
+
+Texture& Texture::operator=(Texture&& other) noexcept {
+  if (this == &other) return *this;
+  release();
+  id_ = std::exchange(other.id_, 0);
+  target_ = other.target_;
+  width_ = std::exchange(other.width_, 0);
+  height_ = std::exchange(other.height_, 0);
+  bytes_ = std::exchange(other.bytes_, 0);
+  return *this;
+}
+
+void Texture::release() {
+  if (!id_) return;
+  DeleteTextures(1, &id_);
+  count_bytes(-static_cast<std::ptrdiff_t>(bytes_));
+  id_ = 0;
+  bytes_ = 0;
+}
+
+}  // namespace fascia::gl

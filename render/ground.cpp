@@ -1,0 +1,46 @@
+#include "render/ground.h"
+
+#include <cmath>
+
+#include "render/camera.h"
+
+namespace fascia {
+
+GridScale grid_scale(double scene_radius) {
+  // About eight fine lines across the scene.
+  const double wanted = scene_radius / 4, decade = std::pow(10.0, std::floor(std::log10(wanted)));
+  if (wanted >= 5 * decade) return {5 * decade, 2};
+  if (wanted >= 2 * decade) return {2 * decade, 5};
+  return {decade, 5};
+}
+
+Ground::Ground(gl::ProgramCache& programs)
+    : middle_(programs.draw("draw/ground.vert", "draw/ground.frag", {{"SHADOW", "1"}})),
+      around_(programs.draw("draw/ground.vert", "draw/ground.frag", {{"SHADOW", "0"}})),
+      background_(programs.draw("draw/fullscreen.vert", "draw/background.frag")) {}
+
+void Ground::lay(const Look& look, FrameUniforms& frame) {
+  const Eigen::Matrix3d standing = standing_axes(look.up);
+  const GridScale scale = grid_scale(look.radius);
+  frame.grid_x << standing.col(0).cast<float>(), float(scale.spacing);
+  frame.grid_z << standing.col(2).cast<float>(), 1 / float(scale.strong);
+}
+
+void Ground::draw(bool shadow) const {
+  constexpr GLint kAround = 48,
+                  kMiddle = 6;  // vertices of the cells around the shadow map's, and of that one
+  no_vertices_.bind();
+  around_.use();
+  gl::DrawArrays(GL_TRIANGLES, 0, shadow ? kAround : kAround + kMiddle);
+  if (!shadow) return;
+  middle_.use();
+  gl::DrawArrays(GL_TRIANGLES, kAround, kMiddle);
+}
+
+void Ground::draw_background() const {
+  no_vertices_.bind();
+  background_.use();
+  gl::DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace fascia

@@ -1,0 +1,29 @@
+// The stage: a ground plane with a grid that fades into the background, and the background itself.
+#pragma once
+#include "render/frame_uniforms.h"
+#include "render/gl/program.h"
+#include "render/look.h"
+#include "render/vertex_array.h"
+
+namespace fascia {
+
+struct GridScale {
+  double spacing;  // of the fine lines [m]: 1, 2 or 5 times a power of ten
+  int strong;      // every how many fine lines a strong one
+};
+GridScale grid_scale(double scene_radius);
+
+class Ground {
+ public:
+  explicit Ground(gl::ProgramCache& programs);
+  static void lay(const Look& look, FrameUniforms& frame);
+  /// With `shadow`, the map of light on the ground is bound to texture unit 0.
+  void draw(bool shadow) const;
+  void draw_background() const;  // where nothing was drawn
+
+ private:
+  const gl::Program &middle_, &around_, &background_;
+  VertexArray no_vertices_;
+};
+
+}  // namespace fascia

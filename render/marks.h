@@ -1,0 +1,37 @@
+// What is drawn over the surface: dots on fixed and grabbed vertices, and the grab spring.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "render/gl/program.h"
+#include "render/look.h"
+#include "render/vertex_array.h"
+
+namespace fascia {
+
+class Marks {
+ public:
+  Marks(gl::ProgramCache& programs, std::span<const std::uint32_t> fixed);
+  void set_grabbed(std::span<const std::uint32_t> vertices);
+  void draw(const gl::Buffer& positions, const std::optional<GrabMark>& grab) const;
+
+ private:
+  struct Dots {
+    gl::Buffer vertices;
+    GLsizei count = 0;
+    VertexArray vertex_array;
+    void set(const char* label, std::span<const std::uint32_t> list);
+  };
+  struct Style {
+    float radius;  // [points]
+    Eigen::Vector4f fill, border;
+  };
+  void draw_dots(const Dots& dots, const Style& style) const;
+
+  const gl::Program &dots_program_, &arrow_program_;
+  Dots fixed_, grabbed_;
+  VertexArray no_vertices_;
+};
+
+}  // namespace fascia

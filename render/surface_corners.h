@@ -1,0 +1,27 @@
+// The surface's vertices split for shading: where the rest shape has a sharp edge, the triangles on either
+// side get normals of their own. A corner is a vertex with the fan of triangles that share one normal. No
+// OpenGL.
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace fascia {
+
+struct SurfaceCorners {
+  std::vector<std::uint32_t> vertex;     // [corner_count] vertex of the positions buffer
+  std::vector<std::uint32_t> fan_begin;  // [corner_count + 1] into fan, in triangles
+  std::vector<std::uint32_t>
+      fan;  // [2 * 3 * triangle_count] the other two vertices of each triangle, in its winding
+  std::vector<std::uint32_t> indices;  // [3 * triangle_count] the triangles by corner
+};
+
+/// `rest_positions` may be empty: then every vertex is one corner. Throws Error for an index beyond
+/// vertex_count.
+SurfaceCorners make_surface_corners(std::span<const std::array<std::uint32_t, 3>> triangles,
+                                    std::uint32_t vertex_count,
+                                    std::span<const Eigen::Vector3d> rest_positions);
+
+}  // namespace fascia

@@ -1,0 +1,36 @@
+// The surface on the GPU: normals from the deformed positions each frame, then drawn for the light and for
+// the camera.
+#pragma once
+#include <optional>
+
+#include "render/gl/compute_pass.h"
+#include "render/look.h"
+#include "render/surface_corners.h"
+#include "render/vertex_array.h"
+
+namespace fascia {
+
+class SurfaceRenderer {
+ public:
+  SurfaceRenderer(gl::ProgramCache& programs, const SurfaceCorners& corners);
+  /// Positions and normals of this frame. `positions` is vec4 [vertex_count].
+  void update(const gl::Buffer& positions);
+  void draw_depth() const;
+  /// The shadow map, if any, is bound to texture unit 0.
+  void draw(const Look& look) const;
+  const gl::Buffer& corner_positions() const { return position_; }
+  const gl::Buffer& corner_normals() const { return normal_; }
+
+ private:
+  const gl::Program& program(const Look& look) const;
+  gl::ProgramCache& programs_;
+  const gl::Program &normals_, &depth_;
+  gl::Buffer corner_vertex_, fan_begin_, fan_, indices_, position_, normal_;
+  std::uint32_t corner_count_;
+  GLsizei index_count_;
+  VertexArray vertices_, no_vertices_;
+  std::optional<gl::ComputePass> pass_;
+  GLuint pass_positions_ = 0;  // buffer that pass_ was recorded for
+};
+
+}  // namespace fascia

@@ -1,0 +1,2 @@
+// Depth only: there is nothing to compute.
+void main() {}

@@ -1,0 +1,33 @@
+// Structures read by C++ and GLSL alike. Only float, int, uint, vec4 and ivec4: their layout is the same on both sides.
+#ifndef FASCIA_SHARED_TYPES_H
+#define FASCIA_SHARED_TYPES_H
+#ifdef __cplusplus
+namespace fascia::shared {
+struct vec4 {
+  float x, y, z, w;
+};
+#endif
+
+// What every kernel of a substep knows (uniform block Step).
+struct StepValues {
+  vec4 gravity;   // xyz acceleration [m/s^2], w substep h [s]
+  vec4 material;  // of a scene with one material: x Young's modulus E [Pa], y Poisson's ratio [-], z damping [s], w density [kg/m^3]
+};
+
+// Partial sums of one invocation of the diagnostic kernels; the CPU adds them up in double precision.
+struct TetPartial {
+  vec4 range;   // x smallest J, y largest J, z largest |strain| (Frobenius), w largest von Mises stress [Pa]
+  vec4 sums;    // x elastic energy [J], y inverted tets, z non-finite tets, w unused
+};
+struct VertexPartial {
+  vec4 momentum;   // xyz [kg m/s], w kinetic energy [J]
+  vec4 angular;    // xyz about the origin [kg m^2/s], w non-finite vertices
+  vec4 reaction;   // xyz force of the supports on the body [N], w largest speed squared [m^2/s^2]
+  vec4 residual;   // of free vertices: x |g|^2, y |M (u - u~)|^2, z |h^2 f|^2 + |h^2 M gravity|^2 [kg^2 m^2], w |M v|^2
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(StepValues) % 16 == 0 && sizeof(TetPartial) % 16 == 0 && sizeof(VertexPartial) % 16 == 0);
+}  // namespace fascia::shared
+#endif
+#endif

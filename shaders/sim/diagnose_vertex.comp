@@ -1,0 +1,42 @@
+// Momentum, energy, support reaction and the residual g = M (u - u~) - h^2 f of the implicit step, after diagnose_tet.
+// Each invocation walks through every invocations-th vertex and keeps its own sums.
+#include "common/io.glsl"
+#include "common/step.glsl"
+COMPUTE_1D
+INPUT_VEC4(RestPosition, rest_position)  // [vertex_count] w inverse mass [1/kg]
+INPUT_FLOAT(Mass, mass)                  // [vertex_count] [kg], also of held vertices
+INPUT_VEC4(Displacement, displacement)   // [vertex_count] u [m]
+INPUT_VEC4(Predicted, predicted)         // [vertex_count] u~ [m]
+INPUT_VEC4(Velocity, velocity)           // [vertex_count] [m/s]
+INPUT_UINT(SlotBegin, slot_begin)        // [vertex_count + 1]
+INPUT_VEC4(Correction, correction)       // [4 * tet_count] h^2 times the force of each corner [kg m]
+OUTPUT(VertexPartial, VertexPartials, vertex_partials)  // [invocations]
+uniform uint vertex_count;
+
+void main() {
+  ITEM_OR_RETURN(i)
+  VertexPartial partial = VertexPartial(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+  for (uint v = i; v < vertex_count; v += invocations) {
+    vec3 impulse = vec3(0.0);
+    uint end = FETCH1(slot_begin, v + 1u);
+    for (uint k = FETCH1(slot_begin, v); k < end; ++k) impulse += FETCH(correction, k).xyz;
+    vec4 rest = FETCH(rest_position, v);
+    float m = FETCH1(mass, v);
+    vec3 u = FETCH(displacement, v).xyz, velocity_v = FETCH(velocity, v).xyz;
+    vec3 p = m * velocity_v;
+    bool finite = !any(isnan(u)) && !any(isinf(u));
+    partial.momentum += vec4(p, 0.5 * dot(p, velocity_v));
+    partial.angular += vec4(cross(rest.xyz + u, p), finite ? 0.0 : 1.0);
+    partial.reaction.w = max(partial.reaction.w, dot(velocity_v, velocity_v));
+    if (rest.w > 0.0) {
+      vec3 inertia = m * (u - FETCH(predicted, v).xyz);
+      vec3 g = inertia - impulse;
+      vec3 weight = SUBSTEP * SUBSTEP * m * GRAVITY;
+      partial.residual +=
+          vec4(dot(g, g), dot(inertia, inertia), dot(impulse, impulse) + dot(weight, weight), dot(p, p));
+    } else {
+      partial.reaction.xyz -= impulse / (SUBSTEP * SUBSTEP) + m * GRAVITY;
+    }
+  }
+  vertex_partials[i] = partial;
+}

@@ -1,0 +1,24 @@
+// Positions of embedded surface vertices, x = X + sum_a w_a u_a, after publish has written the mesh vertices (whose scalars
+// are blended the same way). They lie behind the mesh vertices in the same buffer.
+#include "common/io.glsl"
+COMPUTE_1D
+INPUT_VEC4(EmbedPosition, embed_position)    // [count] X of the surface vertex [m]
+INPUT_UVEC4(EmbedVertices, embed_vertices)   // [count]
+INPUT_VEC4(EmbedWeights, embed_weights)      // [count] barycentric
+INPUT_VEC4(Displacement, displacement)       // [vertex_count] u [m]
+INOUT(vec4, Position, position)              // [vertex_count + count]
+uniform uint vertex_count;
+
+void main() {
+  ITEM_OR_RETURN(i)
+  uvec4 v = FETCH(embed_vertices, i);
+  vec4 w = FETCH(embed_weights, i);
+  vec3 u = w.x * FETCH(displacement, v.x).xyz + w.y * FETCH(displacement, v.y).xyz + w.z * FETCH(displacement, v.z).xyz +
+           w.w * FETCH(displacement, v.w).xyz;
+#if HEAT
+  float scalar = dot(w, vec4(position[v.x].w, position[v.y].w, position[v.z].w, position[v.w].w));
+#else
+  float scalar = 0.0;
+#endif
+  position[vertex_count + i] = vec4(FETCH(embed_position, i).xyz + u, scalar);
+}

@@ -1,0 +1,29 @@
+// The tets of one color, in place: no two of them share a free vertex, so each sees what the colors before it did.
+// Dispatched once per color, in the order of the colors.
+#include "common/io.glsl"
+#include "sim/xpbd_block.glsl"
+COMPUTE_1D
+INPUT_UINT(ColorTet, color_tet)          // [tet_count] tets sorted by color
+INOUT(vec4, Displacement, displacement)  // [vertex_count] xyz u [m], w inverse mass [1/kg]
+INOUT(vec4, Multiplier, multiplier)      // [2 * tet_count] lambda, xyz of xx, yy, zz then of yz, xz, xy
+uniform uint first_item;                 // where this color begins in color_tet
+
+void main() {
+  ITEM_OR_RETURN(i)
+  uint t = FETCH1(color_tet, first_item + i);
+  Tet tet = load_tet(t);
+  vec4 u0 = displacement[tet.v.x], u1 = displacement[tet.v.y], u2 = displacement[tet.v.z], u3 = displacement[tet.v.w];
+#if FIRST_ITERATION
+  vec3 lambda_d = vec3(0.0), lambda_s = vec3(0.0);
+#else
+  vec3 lambda_d = multiplier[2u * t].xyz, lambda_s = multiplier[2u * t + 1u].xyz;
+#endif
+  BlockStep s = solve_block(t, tet, u0, u1, u2, u3, lambda_d, lambda_s);
+  multiplier[2u * t] = vec4(lambda_d + s.change_d, 0.0);
+  multiplier[2u * t + 1u] = vec4(lambda_s + s.change_s, 0.0);
+  // Held vertices may be shared within a color: they do not move, so they are not written.
+  if (u0.w > 0.0) displacement[tet.v.x].xyz = u0.xyz + s.dx0;
+  if (u1.w > 0.0) displacement[tet.v.y].xyz = u1.xyz + s.dx1;
+  if (u2.w > 0.0) displacement[tet.v.z].xyz = u2.xyz + s.dx2;
+  if (u3.w > 0.0) displacement[tet.v.w].xyz = u3.xyz + s.dx3;
+}

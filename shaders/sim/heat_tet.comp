@@ -1,0 +1,31 @@
+// The scalar that the heat map shows, weighted by volume, into the slots that publish averages. Runs only while shown.
+#include "common/io.glsl"
+#include "common/step.glsl"
+#include "common/symmetric.glsl"
+#include "common/tet.glsl"
+#include "sim/feature_material.glsl"
+#include "sim/material/st_venant_kirchhoff.glsl"
+#include "sim/tet_scalars.glsl"
+COMPUTE_1D
+INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
+INPUT_UVEC4(TetSlots, tet_slots)        // [tet_count]
+OUTPUT(vec4, Correction, correction)    // [4 * tet_count] x volume * scalar, y volume
+
+void main() {
+  ITEM_OR_RETURN(t)
+  Tet tet = load_tet(t);
+  mat3 h = displacement_gradient(tet, FETCH(displacement, tet.v.x).xyz, FETCH(displacement, tet.v.y).xyz,
+                                 FETCH(displacement, tet.v.z).xyz, FETCH(displacement, tet.v.w).xyz);
+  Sym3 e = green_strain(h);
+#if HEAT_STRAIN
+  float scalar = strain_norm(e);
+#else
+  float scalar = von_mises_stress(mat3(1.0) + h, 1.0 + det_f_minus_one(h), second_piola_stress(e, material_of(t)));
+#endif
+  vec4 weighted = vec4(tet.volume * scalar, tet.volume, 0.0, 0.0);
+  uvec4 slot = FETCH(tet_slots, t);
+  correction[slot.x] = weighted;
+  correction[slot.y] = weighted;
+  correction[slot.z] = weighted;
+  correction[slot.w] = weighted;
+}

@@ -1,0 +1,15 @@
+// Averages the corrections of a vertex's tets: u += 1/n sum dx. A gather in fixed order, so runs repeat bit for bit.
+// After jacobi_tet. This averaging is the poster's; its fixed point is softer than the material (see the README's limits).
+#include "common/io.glsl"
+COMPUTE_1D
+INPUT_UINT(SlotBegin, slot_begin)        // [vertex_count + 1]
+INPUT_VEC4(Correction, correction)       // [4 * tet_count] sorted by vertex
+INOUT(vec4, Displacement, displacement)  // [vertex_count]
+
+void main() {
+  ITEM_OR_RETURN(i)
+  uint begin = FETCH1(slot_begin, i), end = FETCH1(slot_begin, i + 1u);
+  vec3 sum = vec3(0.0);
+  for (uint k = begin; k < end; ++k) sum += FETCH(correction, k).xyz;
+  if (end > begin) displacement[i].xyz += sum / float(end - begin);
+}

@@ -1,0 +1,29 @@
+// Inertial prediction u~ = u_n + h v_n + h^2 g of every vertex; the iterations start there.
+// Reads velocity and the inverse masses; writes previous_displacement, predicted, displacement (w: inverse mass).
+// First pass of a substep. Held vertices (inverse mass 0) stay where they are.
+// With MASS_SPLITTING the w of displacement is what each of a vertex's n tets sees: a share m / n of its mass (Tonge, Benevolenski,
+// Voroshilov 2012). The mean of the n corrections is then their sum at full mass: positions get all that the multipliers got.
+#include "common/io.glsl"
+#include "common/step.glsl"
+COMPUTE_1D
+INPUT_VEC4(RestPosition, rest_position)  // [vertex_count] xyz X [m], w inverse mass [1/kg]
+INPUT_VEC4(Velocity, velocity)           // [vertex_count] [m/s]
+INOUT(vec4, Displacement, displacement)  // [vertex_count] u [m]
+#if MASS_SPLITTING
+INPUT_UINT(SlotBegin, slot_begin)  // [vertex_count + 1] its differences are the numbers of tets around each vertex
+float copies(uint i) { return float(FETCH1(slot_begin, i + 1u) - FETCH1(slot_begin, i)); }
+#else
+float copies(uint i) { return 1.0; }
+#endif
+OUTPUT(vec4, PreviousDisplacement, previous_displacement)
+OUTPUT(vec4, Predicted, predicted)
+
+void main() {
+  ITEM_OR_RETURN(i)
+  vec3 u = displacement[i].xyz;
+  float inv_mass = FETCH(rest_position, i).w;
+  vec3 move = inv_mass > 0.0 ? SUBSTEP * (FETCH(velocity, i).xyz + SUBSTEP * GRAVITY) : vec3(0.0);
+  previous_displacement[i] = vec4(u, inv_mass);
+  predicted[i] = vec4(u + move, inv_mass);
+  displacement[i] = vec4(u + move, copies(i) * inv_mass);
+}

@@ -1,0 +1,142 @@
+#include "sim/gpu/diagnostics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fascia {
+namespace {
+
+// Few enough to read back cheaply, enough to fill a GPU.
+std::uint32_t partial_count(std::uint32_t items) { return std::clamp<std::uint32_t>(items / 16, 64, 4096); }
+
+}  // namespace
+
+DiagnosticsReader::DiagnosticsReader(const SimBuffers& buffers)
+    : tet_partial_count_(partial_count(buffers.tet_count)),
+      vertex_partial_count_(partial_count(buffers.vertex_count)),
+      tet_partials_("tet_partials", tet_partial_count_ * sizeof(shared::TetPartial)),
+      vertex_partials_("vertex_partials", vertex_partial_count_ * sizeof(shared::VertexPartial)) {}
+
+void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
+                               const gl::Buffer& previous_strain, const GrabSprings& grab) {
+  passes_.clear();
+  gl::ComputePass::Bindings tet{{"step", &buffers.step},
+                                {"tet_vertices", &buffers.tet_vertices},
+                                {"tet_shape", &buffers.tet_shape},
+                                {"tet_slots", &buffers.tet_slots},
+                                {"displacement", &buffers.displacement},
+                                {"correction", &buffers.correction},
+                                {"tet_partials", &tet_partials_}};
+  tet = with_damping(with_material(std::move(tet), features, buffers), features, previous_strain);
+  tet_program_ = &programs.compute("sim/diagnose_tet.comp", defines_of(features));
+  passes_.emplace_back(*tet_program_, std::move(tet), tet_partial_count_);
+  if (!grab.empty()) passes_.push_back(grab.load(programs, buffers));
+  vertex_program_ = &programs.compute("sim/diagnose_vertex.comp");
+  passes_.emplace_back(*vertex_program_,
+                       gl::ComputePass::Bindings{{"step", &buffers.step},
+                                                 {"rest_position", &buffers.rest_position},
+                                                 {"mass", &buffers.mass},
+                                                 {"displacement", &buffers.displacement},
+                                                 {"predicted", &buffers.predicted},
+                                                 {"velocity", &buffers.velocity},
+                                                 {"slot_begin", &buffers.slot_begin},
+                                                 {"correction", &buffers.correction},
+                                                 {"vertex_partials", &vertex_partials_}},
+                       vertex_partial_count_);
+}
+
+void DiagnosticsReader::request(const SimBuffers& buffers, const GrabSprings& grab, double substep) {
+  tet_program_->set("tet_count", buffers.tet_count);
+  vertex_program_->set("vertex_count", buffers.vertex_count);
+  for (const gl::ComputePass& pass : passes_) pass.run();
+
+  newest_ ^= 1u;
+  Pending& p = pending_[newest_];
+  const std::size_t grab_bytes = grab.count() * sizeof(shared::vec4);
+  const std::size_t bytes = tet_partials_.bytes() + vertex_partials_.bytes() + grab_bytes;
+  if (p.staging.bytes() != bytes) p.staging = gl::Buffer("diagnostics_staging", bytes);
+  if (p.fence) gl::DeleteSync(p.fence);
+  gl::BindBuffer(GL_COPY_WRITE_BUFFER, p.staging.id());
+  std::size_t offset = 0;
+  const auto copy = [&](const gl::Buffer& from) {
+    gl::BindBuffer(GL_COPY_READ_BUFFER, from.id());
+    gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, static_cast<GLintptr>(offset),
+                          static_cast<GLsizeiptr>(from.bytes()));
+    offset += from.bytes();
+  };
+  copy(tet_partials_);
+  copy(vertex_partials_);
+  if (grab_bytes) copy(grab.multiplier());
+  p.grabbed = grab.count();
+  p.substep = substep;
+  p.fence = gl::FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+}
+
+std::optional<Diagnostics> DiagnosticsReader::take(bool wait) {
+  Pending& newest = pending_[newest_];
+  Pending& older = pending_[newest_ ^ 1u];
+  for (Pending* p : {&newest, &older}) {
+    if (!p->fence) continue;
+    const GLenum status = gl::ClientWaitSync(p->fence, GL_SYNC_FLUSH_COMMANDS_BIT, wait ? GLuint64(10'000'000'000) : 0);
+    if (status == GL_TIMEOUT_EXPIRED) continue;
+    gl::DeleteSync(p->fence);
+    p->fence = nullptr;
+    if (p == &newest && older.fence) {  // overtaken
+      gl::DeleteSync(older.fence);
+      older.fence = nullptr;
+    }
+    return sum_up(*p);
+  }
+  return std::nullopt;
+}
+
+Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
+  std::vector<shared::TetPartial> tets(tet_partial_count_);
+  std::vector<shared::VertexPartial> vertices(vertex_partial_count_);
+  std::vector<shared::vec4> grabbed(pending.grabbed);
+  pending.staging.download(0, tet_partials_.bytes(), tets.data());
+  pending.staging.download(tet_partials_.bytes(), vertex_partials_.bytes(), vertices.data());
+  if (!grabbed.empty())
+    pending.staging.download(tet_partials_.bytes() + vertex_partials_.bytes(), grabbed.size() * sizeof(shared::vec4),
+                             grabbed.data());
+  Diagnostics d;
+  double inverted = 0, broken = 0, residual = 0, inertia = 0, load = 0, motion = 0, grab = 0, speed2 = 0;
+  d.min_det_f = 3.4e38;
+  d.max_det_f = -3.4e38;
+  for (const shared::TetPartial& t : tets) {
+    d.min_det_f = std::min<double>(d.min_det_f, t.range.x);
+    d.max_det_f = std::max<double>(d.max_det_f, t.range.y);
+    d.max_strain = std::max<double>(d.max_strain, t.range.z);
+    d.max_von_mises = std::max<double>(d.max_von_mises, t.range.w);
+    d.elastic += t.sums.x;
+    inverted += t.sums.y;
+    broken += t.sums.z;
+  }
+  for (const shared::VertexPartial& v : vertices) {
+    d.momentum += Eigen::Vector3d(v.momentum.x, v.momentum.y, v.momentum.z);
+    d.kinetic += v.momentum.w;
+    d.angular_momentum += Eigen::Vector3d(v.angular.x, v.angular.y, v.angular.z);
+    broken += v.angular.w;
+    d.reaction += Eigen::Vector3d(v.reaction.x, v.reaction.y, v.reaction.z);
+    speed2 = std::max<double>(speed2, v.reaction.w);
+    residual += v.residual.x;
+    inertia += v.residual.y;
+    load += v.residual.z;
+    motion += v.residual.w;
+  }
+  for (const shared::vec4& g : grabbed) {
+    const Eigen::Vector3d impulse(g.x, g.y, g.z);
+    d.grab_force += impulse;
+    grab += impulse.squaredNorm();
+  }
+  d.grab_force /= pending.substep * pending.substep;
+  const double scale = std::sqrt(inertia) + std::sqrt(load) + std::sqrt(grab);
+  const double rounding = 1e-6 * pending.substep * std::sqrt(motion);  // ten float32 roundings of M (u - u_n)
+  d.residual = scale > rounding ? std::sqrt(residual) / scale : 0;
+  d.inverted = static_cast<int>(inverted);
+  d.max_speed = std::sqrt(speed2);
+  d.finite = broken == 0;
+  return d;
+}
+
+}  // namespace fascia

@@ -1,0 +1,55 @@
+// Numbers about the state, computed on the GPU and read without waiting: residual, energies, momentum, J, strain, stress, grab force.
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "render/gl/compute_pass.h"
+#include "sim/gpu/features.h"
+#include "sim/gpu/grab_springs.h"
+
+namespace fascia {
+
+struct Diagnostics {
+  /// |g| / (|M (u - u~)| + |h^2 f| + |h^2 loads|) with g = M (u - u~) - h^2 f over free vertices: 0 is solved, 1 is
+  /// nothing solved. Zero when all forces are below the rounding of the motion itself.
+  double residual = 0;
+  double kinetic = 0, elastic = 0;                                  // [J]
+  Eigen::Vector3d momentum{0, 0, 0}, angular_momentum{0, 0, 0};     // [kg m/s], [kg m^2/s]
+  Eigen::Vector3d reaction{0, 0, 0};                                // of the supports on the body [N]
+  Eigen::Vector3d grab_force{0, 0, 0};                              // of the grab on the body [N]
+  double min_det_f = 1, max_det_f = 1, max_strain = 0, max_von_mises = 0, max_speed = 0;  // [-], [-], [-], [Pa], [m/s]
+  int inverted = 0;
+  bool finite = true;
+};
+
+class DiagnosticsReader {
+ public:
+  explicit DiagnosticsReader(const SimBuffers& buffers);
+  void record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
+              const gl::Buffer& previous_strain, const GrabSprings& grab);
+  /// Dispatches the sums over the current state and queues their copy. `substep` h [s].
+  void request(const SimBuffers& buffers, const GrabSprings& grab, double substep);
+  /// The newest finished request, if there is one that was not taken yet. With `wait`, the last request.
+  std::optional<Diagnostics> take(bool wait);
+
+ private:
+  struct Pending {
+    gl::Buffer staging;
+    GLsync fence = nullptr;
+    std::uint32_t grabbed = 0;
+    double substep = 0;
+  };
+  Diagnostics sum_up(const Pending& pending) const;
+
+  std::uint32_t tet_partial_count_, vertex_partial_count_;
+  gl::Buffer tet_partials_, vertex_partials_;
+  std::vector<gl::ComputePass> passes_;
+  const gl::Program *tet_program_ = nullptr, *vertex_program_ = nullptr;
+  std::array<Pending, 2> pending_;
+  unsigned newest_ = 0;
+};
+
+}  // namespace fascia

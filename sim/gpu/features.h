@@ -1,0 +1,24 @@
+// What a scene needs of the kernels. Turns into defines (shaders/sim/feature_*.glsl), so that what is off is not compiled,
+// not bound and not allocated.
+#pragma once
+#include "render/gl/compute_pass.h"
+#include "sim/gpu/sim_buffers.h"
+
+namespace fascia {
+
+struct Features {
+  bool material_per_tet = false;
+  bool damping = false;
+  bool operator==(const Features&) const = default;
+};
+
+Features features_of(const Model& model);
+gl::Defines defines_of(const Features& features);
+
+/// Adds the buffers that the feature includes declare. `previous_strain` is used only with damping.
+gl::ComputePass::Bindings with_material(gl::ComputePass::Bindings bindings, const Features& features,
+                                        const SimBuffers& buffers);
+gl::ComputePass::Bindings with_damping(gl::ComputePass::Bindings bindings, const Features& features,
+                                       const gl::Buffer& previous_strain);
+
+}  // namespace fascia

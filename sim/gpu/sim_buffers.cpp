@@ -1,0 +1,117 @@
+#include "sim/gpu/sim_buffers.h"
+
+#include <Eigen/LU>
+#include <numeric>
+
+namespace fascia {
+namespace {
+
+using shared::vec4;
+
+vec4 to_vec4(const Eigen::Vector3d& v, double w) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), static_cast<float>(w)};
+}
+
+vec4 to_vec4(const Material& m) {
+  return {static_cast<float>(m.young_modulus), static_cast<float>(m.poisson_ratio), static_cast<float>(m.damping),
+          static_cast<float>(m.density)};
+}
+
+// Counting sort of tet corners by vertex: slot_begin and the slot of every corner.
+void make_slots(const Model& model, std::vector<std::uint32_t>& begin, std::vector<Tet>& slots) {
+  begin.assign(model.rest_positions.size() + 1, 0);
+  for (const Tet& tet : model.tets)
+    for (const std::uint32_t v : tet) ++begin[v + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  slots.resize(model.tets.size());
+  for (std::size_t t = 0; t < model.tets.size(); ++t)
+    for (int a = 0; a < 4; ++a) slots[t][a] = next[model.tets[t][a]]++;
+}
+
+std::vector<vec4> make_shapes(const Model& model) {
+  std::vector<vec4> shapes(3 * model.tets.size());
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const Tet& tet = model.tets[t];
+    Eigen::Matrix3d dm;
+    for (int k = 0; k < 3; ++k) dm.col(k) = model.rest_positions[tet[k + 1]] - model.rest_positions[tet[0]];
+    const Eigen::Matrix3d inv_dm = dm.inverse();
+    for (int k = 0; k < 3; ++k)
+      shapes[3 * t + k] = to_vec4(inv_dm.row(k).transpose(), k == 0 ? dm.determinant() / 6 : 0);
+  }
+  return shapes;
+}
+
+}  // namespace
+
+SimBuffers::SimBuffers(const Model& model)
+    : vertex_count(static_cast<std::uint32_t>(model.rest_positions.size())),
+      tet_count(static_cast<std::uint32_t>(model.tets.size())) {
+  const std::size_t vertex_bytes = vertex_count * sizeof(vec4), tet_bytes = tet_count * sizeof(vec4);
+  displacement = gl::Buffer("displacement", vertex_bytes);
+  velocity = gl::Buffer("velocity", vertex_bytes);
+  previous_displacement = gl::Buffer("previous_displacement", vertex_bytes);
+  predicted = gl::Buffer("predicted", vertex_bytes);
+  rest_position = gl::Buffer("rest_position", vertex_bytes);
+  mass = gl::Buffer("mass", vertex_count * sizeof(float));
+  tet_vertices = gl::Buffer("tet_vertices", model.tets);
+  tet_shape = gl::Buffer("tet_shape", make_shapes(model));
+  std::vector<std::uint32_t> begin;
+  std::vector<Tet> slots;
+  make_slots(model, begin, slots);
+  tet_slots = gl::Buffer("tet_slots", slots);
+  slot_begin = gl::Buffer("slot_begin", begin);
+  if (model.materials.size() > 1) {
+    tet_material = gl::Buffer("tet_material", model.tet_material);
+    materials = gl::Buffer("materials", model.materials.size() * sizeof(vec4));
+  }
+  correction = gl::Buffer("correction", 4 * tet_bytes);
+  step = gl::Buffer("step", sizeof(shared::StepValues));
+  upload_materials(model);
+  upload_state(model, reference::initial_state(model));
+}
+
+void SimBuffers::upload_state(const Model& model, const reference::State& state) {
+  std::vector<vec4> values(vertex_count);
+  for (std::size_t i = 0; i < vertex_count; ++i) values[i] = to_vec4(state.displacement[i], 0);
+  displacement.upload(0, values.size() * sizeof(vec4), values.data());
+  const std::vector<char> held = model.held();
+  for (std::size_t i = 0; i < vertex_count; ++i)
+    values[i] = to_vec4(held[i] ? Eigen::Vector3d(0, 0, 0) : state.velocity[i], 0);
+  velocity.upload(0, values.size() * sizeof(vec4), values.data());
+}
+
+reference::State SimBuffers::download_state(double time) const {
+  const auto unpack = [](const std::vector<vec4>& values) {
+    std::vector<Eigen::Vector3d> out;
+    out.reserve(values.size());
+    for (const vec4& v : values) out.emplace_back(v.x, v.y, v.z);
+    return out;
+  };
+  return {unpack(displacement.read<vec4>()), unpack(velocity.read<vec4>()), time};
+}
+
+void SimBuffers::upload_materials(const Model& model) {
+  if (materials) {
+    std::vector<vec4> values;
+    for (const Material& m : model.materials) values.push_back(to_vec4(m));
+    materials.upload(0, values.size() * sizeof(vec4), values.data());
+  }
+  const std::vector<double> masses = lumped_masses(model);
+  const std::vector<char> held = model.held();
+  std::vector<vec4> rest(vertex_count);
+  std::vector<float> mass_values(vertex_count);
+  for (std::size_t i = 0; i < vertex_count; ++i) {
+    rest[i] = to_vec4(model.rest_positions[i], held[i] || masses[i] <= 0 ? 0 : 1 / masses[i]);
+    mass_values[i] = static_cast<float>(masses[i]);
+  }
+  rest_position.upload(0, rest.size() * sizeof(vec4), rest.data());
+  mass.upload(0, mass_values.size() * sizeof(float), mass_values.data());
+}
+
+void SimBuffers::upload_step(const Model& model, double substep) {
+  const shared::StepValues values{to_vec4(model.gravity, substep), to_vec4(model.materials.front())};
+  step.upload(0, sizeof values, &values);
+}
+
+}  // namespace fascia

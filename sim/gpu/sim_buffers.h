@@ -1,0 +1,49 @@
+// The arrays that every GPU method shares, in structure-of-arrays layout, float32. Displacements are stored instead of positions:
+// near rest they keep seven digits where positions would lose them to the distance from the origin.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "render/gl/buffer.h"
+#include "shaders/shared/types.h"
+#include "sim/model.h"
+#include "sim/reference/newton.h"
+#include "sim/settings.h"
+
+namespace fascia {
+
+struct SimBuffers {
+  explicit SimBuffers(const Model& model);
+
+  std::uint32_t vertex_count = 0, tet_count = 0;
+
+  // State, vec4 [vertex_count].
+  gl::Buffer displacement;           // xyz u = x - X [m], w inverse mass as tets see it [1/kg]
+  gl::Buffer velocity;               // xyz v [m/s]
+  gl::Buffer previous_displacement;  // u at the start of the substep
+  gl::Buffer predicted;              // u~, where inertia and gravity alone would lead
+
+  // Constants of the model.
+  gl::Buffer rest_position;  // vec4 [vertex_count] X [m], w inverse mass [1/kg], 0 where held
+  gl::Buffer mass;           // float [vertex_count] [kg]
+  gl::Buffer tet_vertices;   // uvec4 [tet_count]
+  gl::Buffer tet_shape;      // vec4 [3 * tet_count] rows of Dm^-1 [1/m], w of the first row: volume [m^3]
+  gl::Buffer tet_slots;      // uvec4 [tet_count] slot of each corner, sorted by vertex
+  gl::Buffer slot_begin;     // uint [vertex_count + 1] first slot of each vertex
+  gl::Buffer tet_material;   // uint [tet_count]; not made for a single material
+  gl::Buffer materials;      // vec4 [material_count]; not made for a single material
+
+  // Scratch, vec4 [4 * tet_count]: what each corner of a tet adds to its vertex.
+  gl::Buffer correction;
+
+  gl::Buffer step;  // uniform block Step (shared::StepValues)
+
+  void upload_state(const Model& model, const reference::State& state);
+  reference::State download_state(double time) const;
+  /// Masses follow density; call after any material change.
+  void upload_materials(const Model& model);
+  void upload_step(const Model& model, double substep);
+  bool material_per_tet() const { return static_cast<bool>(tet_material); }
+};
+
+}  // namespace fascia

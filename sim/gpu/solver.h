@@ -1,0 +1,72 @@
+// The GPU solver: owns the state and runs recorded lists of passes. A method adds its passes between prediction and velocity
+// update; what a scene does not use is not in the lists. Needs a current context with gl loaded.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/gpu/diagnostics.h"
+#include "sim/gpu/gauss_seidel.h"
+#include "sim/gpu/jacobi.h"
+#include "sim/gpu/motion_targets.h"
+#include "sim/gpu/surface_positions.h"
+
+namespace fascia {
+
+/// The first pass of every substep (shaders/sim/predict.comp).
+gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, bool split_masses);
+
+class GpuSolver {
+ public:
+  /// `model` must outlive the solver. Its materials and gravity may be changed; tell the solver with materials_changed().
+  /// `surface_points` are extra vertices to draw, embedded in the tets (scene key "surface"); none by default.
+  GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
+            const std::vector<Eigen::Vector3d>& surface_points = {});
+
+  /// One frame step of settings.time_step: substeps, each of predict, iterations, velocity.
+  void step();
+  void reset();  // to the initial state
+  double time() const { return time_; }  // [s]
+
+  const SolverSettings& settings() const { return settings_; }
+  void set_settings(const SolverSettings& settings);
+  void materials_changed();  // also gravity: acts on the next step; no state buffer is rebuilt
+  void set_grab(const std::vector<GrabSpring>& springs);  // empty: let go
+  void set_color(ColorBy color);
+
+  /// Brings positions() up to date with the state.
+  void publish() const { surface_.run(); }
+  const gl::Buffer& positions() const { return surface_.positions(); }  // vec4 [vertex_count + points]
+
+  void request_diagnostics();
+  std::optional<Diagnostics> take_diagnostics(bool wait) { return diagnostics_.take(wait); }
+
+  reference::State download() const { return buffers_.download_state(time_); }
+  void upload(const reference::State& state);
+
+  std::uint64_t dispatches_per_step() const;
+  const SimBuffers& buffers() const { return buffers_; }
+
+ private:
+  void record();
+  std::vector<gl::ComputePass> iteration(bool first) const;
+
+  gl::ProgramCache& programs_;
+  const Model& model_;
+  SolverSettings settings_;
+  Features features_;
+  ColorBy color_ = ColorBy::none;
+  SimBuffers buffers_;
+  gl::Buffer previous_strain_;  // vec4 [2 * tet_count]; made when a material is first damped
+  std::optional<JacobiMethod> jacobi_;  // only the method in use exists
+  std::optional<GaussSeidelMethod> gauss_seidel_;
+  MotionTargets motions_;
+  GrabSprings grab_;
+  DiagnosticsReader diagnostics_;
+  SurfacePositions surface_;
+  std::vector<gl::ComputePass> begin_, first_iteration_, iteration_, end_;  // of one substep
+  double time_ = 0;
+};
+
+}  // namespace fascia

@@ -1,0 +1,64 @@
+#include "sim/gpu/surface_positions.h"
+
+namespace fascia {
+
+SurfacePositions::SurfacePositions(const SimBuffers& buffers, const std::vector<Eigen::Vector3d>& points,
+                                   const std::vector<EmbeddedPoint>& embedded)
+    : vertex_count_(buffers.vertex_count),
+      embedded_count_(static_cast<std::uint32_t>(embedded.size())),
+      positions_("positions", (vertex_count_ + embedded.size()) * sizeof(shared::vec4)) {
+  if (embedded.empty()) return;
+  std::vector<shared::vec4> rest, weights;
+  std::vector<Tet> vertices;
+  const auto to_float = [](double v) { return static_cast<float>(v); };
+  for (std::size_t i = 0; i < embedded.size(); ++i) {
+    rest.push_back({to_float(points[i].x()), to_float(points[i].y()), to_float(points[i].z()), 0});
+    const auto& w = embedded[i].weights;
+    weights.push_back({to_float(w[0]), to_float(w[1]), to_float(w[2]), to_float(w[3])});
+    vertices.push_back(embedded[i].vertices);
+  }
+  embed_position_ = gl::Buffer("embed_position", rest);
+  embed_vertices_ = gl::Buffer("embed_vertices", vertices);
+  embed_weights_ = gl::Buffer("embed_weights", weights);
+}
+
+void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
+                              ColorBy color) {
+  passes_.clear();
+  gl::ComputePass::Bindings publish{{"rest_position", &buffers.rest_position},
+                                    {"displacement", &buffers.displacement},
+                                    {"position", &positions_}};
+  const bool heat = color != ColorBy::none;
+  if (heat) {
+    gl::Defines defines = defines_of({features.material_per_tet, false});
+    defines.emplace_back("HEAT_STRAIN", color == ColorBy::strain ? "1" : "0");
+    gl::ComputePass::Bindings tet{{"step", &buffers.step},
+                                  {"tet_vertices", &buffers.tet_vertices},
+                                  {"tet_shape", &buffers.tet_shape},
+                                  {"tet_slots", &buffers.tet_slots},
+                                  {"displacement", &buffers.displacement},
+                                  {"correction", &buffers.correction}};
+    passes_.emplace_back(programs.compute("sim/heat_tet.comp", defines),
+                         with_material(std::move(tet), features, buffers), buffers.tet_count);
+    publish.emplace_back("slot_begin", &buffers.slot_begin);
+    publish.emplace_back("correction", &buffers.correction);
+  }
+  passes_.emplace_back(programs.compute("sim/publish.comp", {{"HEAT", heat ? "1" : "0"}}), std::move(publish),
+                       buffers.vertex_count);
+  if (embedded_count_ == 0) return;
+  embed_program_ = &programs.compute("sim/embed.comp", {{"HEAT", heat ? "1" : "0"}});
+  passes_.emplace_back(*embed_program_,
+                       gl::ComputePass::Bindings{{"embed_position", &embed_position_},
+                                                 {"embed_vertices", &embed_vertices_},
+                                                 {"embed_weights", &embed_weights_},
+                                                 {"displacement", &buffers.displacement},
+                                                 {"position", &positions_}},
+                       embedded_count_);
+}
+
+void SurfacePositions::run() const {
+  if (embed_program_) embed_program_->set("vertex_count", vertex_count_);
+  for (const gl::ComputePass& pass : passes_) pass.run();
+}
+
+}  // namespace fascia

@@ -1,0 +1,29 @@
+// Positions for drawing, x = X + u in float32, with the heat map's scalar in w: first the mesh vertices, then the vertices of
+// surfaces embedded in the tets. Made by the GPU for the GPU.
+#pragma once
+#include <vector>
+
+#include "render/gl/compute_pass.h"
+#include "sim/embedding.h"
+#include "sim/gpu/features.h"
+
+namespace fascia {
+
+class SurfacePositions {
+ public:
+  /// `points` and `embedded` [n] belong together: rest positions of surface vertices and what they hang on; both may be empty.
+  SurfacePositions(const SimBuffers& buffers, const std::vector<Eigen::Vector3d>& points,
+                   const std::vector<EmbeddedPoint>& embedded);
+  /// Passes for the heat map that is shown; none costs one pass.
+  void record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features, ColorBy color);
+  void run() const;
+  const gl::Buffer& positions() const { return positions_; }  // vec4 [vertex_count + embedded]
+
+ private:
+  std::uint32_t vertex_count_, embedded_count_;
+  gl::Buffer positions_, embed_position_, embed_vertices_, embed_weights_;
+  const gl::Program* embed_program_ = nullptr;
+  std::vector<gl::ComputePass> passes_;
+};
+
+}  // namespace fascia

@@ -1,0 +1,219 @@
+#include "sim/model.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
+
+#include "sim/csv.h"
+#include "sim/error.h"
+#include "sim/mesh_doctor.h"
+#include "sim/mesh_io.h"
+#include "sim/model_materials.h"
+#include "sim/model_motion.h"
+#include "sim/model_selection.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Linear tets are visibly too stiff above it, on any affordable mesh.
+constexpr double kLockingPoissonRatio = 0.45;
+
+/// One body on its way into the model.
+struct LoadedBody {
+  const Scene& scene;
+  const Body& body;
+  std::string where;  // "scene.json: bodies[0]"
+  MeshFile file;
+  MeshRepair repaired;
+  std::vector<char> used;  // [vertex_count] 1 where a usable tet has the vertex
+};
+
+LoadedBody load(const Scene& scene, std::size_t index) {
+  const Body& body = scene.bodies[index];
+  const std::filesystem::path path = scene.resolve(body.mesh);
+  const std::string where = scene.file.string() + ": bodies[" + std::to_string(index) + "]";
+  LoadedBody loaded{scene, body, where, read_mesh(path), {}, {}};
+  loaded.repaired = repair(loaded.file.mesh);
+  if (loaded.repaired.tets.empty()) {
+    throw Error(
+        path.string(),
+        "has no tet with volume (" + std::to_string(loaded.repaired.degenerate.size()) + " degenerate)",
+        "expected at least one");
+  }
+  loaded.used = used_vertices(loaded.repaired.tets, loaded.file.mesh.positions.size());
+  return loaded;
+}
+
+void note_tets(const std::string& body, const std::vector<std::uint32_t>& tets, const std::string& what,
+               std::vector<std::string>& notes) {
+  if (tets.empty()) return;
+  const bool is_one = tets.size() == 1;
+  notes.push_back(body + ": " + std::to_string(tets.size()) + (is_one ? " tet " : " tets ") + what +
+                  (is_one ? " (tet " : " (first: tet ") + std::to_string(tets.front()) + ")");
+}
+
+void add_notes(const LoadedBody& loaded, std::vector<std::string>& notes) {
+  const std::string& name = loaded.body.name;
+  for (const std::string& note : loaded.file.notes) notes.push_back(name + ": " + note);
+  note_tets(name, loaded.repaired.flipped, "flipped in the file, reoriented", notes);
+  note_tets(name, loaded.repaired.degenerate, "degenerate, left out of the physics", notes);
+  note_tets(name, loaded.repaired.duplicated, "duplicated, left out of the physics", notes);
+  if (const auto unused = std::count(loaded.used.begin(), loaded.used.end(), 0); unused > 0) {
+    notes.push_back(name + ": " + std::to_string(unused) + (unused == 1 ? " vertex" : " vertices") +
+                    " in no tet, kept in exports");
+  }
+}
+
+void add_materials(const LoadedBody& loaded, Model& model, BodyPart& part) {
+  const BodyMaterials resolved = resolve_materials(loaded.body, loaded.file.mesh, loaded.where);
+  part.material_begin = static_cast<std::uint32_t>(model.materials.size());
+  part.material_count = static_cast<std::uint32_t>(resolved.materials.size());
+  std::vector<char> in_use(resolved.materials.size(), 0);
+  for (const std::uint32_t source : loaded.repaired.source) {
+    const std::uint32_t material = resolved.material_of(loaded.file.mesh.regions[source]);
+    in_use[material] = 1;
+    model.tet_material.push_back(part.material_begin + material);
+  }
+  for (std::size_t m = 0; m < resolved.materials.size(); ++m) {
+    const double ratio = resolved.materials[m].poisson_ratio;
+    if (!in_use[m] || ratio <= kLockingPoissonRatio) continue;
+    std::string text = std::to_string(ratio);
+    text.erase(text.find_last_not_of('0') + 1);
+    model.notes.push_back(resolved.names[m] + ": Poisson's ratio " + text +
+                          "; linear tets lock above 0.45: expect too little motion on a coarse mesh");
+  }
+  model.materials.insert(model.materials.end(), resolved.materials.begin(), resolved.materials.end());
+  model.material_names.insert(model.material_names.end(), resolved.names.begin(), resolved.names.end());
+}
+
+/// Appends the body's motions and fixed vertices in the model's numbering; [vertex_count] 1 where held.
+std::vector<char> add_constraints(const LoadedBody& loaded, std::uint32_t vertex_begin, Model& model) {
+  const TetMesh& mesh = loaded.file.mesh;
+  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> motion_of(mesh.positions.size(), kNone);
+  for (std::size_t m = 0; m < loaded.body.prescribed.size(); ++m) {
+    const std::string where = loaded.where + ".prescribed[" + std::to_string(m) + "]";
+    Motion motion = resolve_motion(loaded.body.prescribed[m], loaded.scene, mesh, loaded.used, where);
+    for (std::uint32_t& vertex : motion.vertices) {
+      if (motion_of[vertex] != kNone) {
+        throw Error(where,
+                    "moves vertex " + std::to_string(vertex) + ", as prescribed[" +
+                        std::to_string(motion_of[vertex]) + "] does",
+                    "expected each vertex in one motion");
+      }
+      motion_of[vertex] = m;
+      vertex += vertex_begin;
+    }
+    model.motions.push_back(std::move(motion));
+  }
+  std::vector<char> held(mesh.positions.size(), 0);
+  for (std::size_t s = 0; s < loaded.body.fixed.size(); ++s) {
+    const std::string where = loaded.where + ".fixed[" + std::to_string(s) + "]";
+    for (const std::uint32_t vertex : select_vertices(loaded.body.fixed[s], mesh, loaded.used, where))
+      held[vertex] = 1;
+  }
+  for (std::uint32_t v = 0; v < held.size(); ++v) {
+    const bool is_moved = motion_of[v] != kNone;
+    if (held[v] && !is_moved) model.fixed.push_back(vertex_begin + v);
+    held[v] = held[v] || is_moved;
+  }
+  return held;
+}
+
+void add_velocity(const LoadedBody& loaded, const std::vector<char>& held, Model& model) {
+  const auto* file = std::get_if<std::string>(&loaded.body.initial_velocity);
+  std::vector<Vector3d> velocity =
+      file ? read_complete_vertex_csv(loaded.scene.resolve(*file), held.size())
+           : std::vector<Vector3d>(held.size(), std::get<Vector3d>(loaded.body.initial_velocity));
+  for (std::size_t v = 0; v < held.size(); ++v) {
+    if (held[v]) velocity[v].setZero();
+  }
+  model.initial_velocity.insert(model.initial_velocity.end(), velocity.begin(), velocity.end());
+}
+
+Tet shifted(Tet tet, std::uint32_t by) {
+  for (std::uint32_t& vertex : tet) vertex += by;
+  return tet;
+}
+
+/// Appends the placed mesh to the arrays of the model and of its file_mesh.
+void add_mesh(const LoadedBody& loaded, const BodyPart& part, Model& model) {
+  const TetMesh& mesh = loaded.file.mesh;
+  TetMesh& all = model.file_mesh;
+  const Eigen::Affine3d place = placement(loaded.body.transform);
+  const auto first_tet = static_cast<std::uint32_t>(all.tets.size());
+  for (const Vector3d& position : mesh.positions) all.positions.push_back(place * position);
+  for (const Tet& tet : mesh.tets) all.tets.push_back(shifted(tet, part.vertex_begin));
+  all.regions.insert(all.regions.end(), mesh.regions.begin(), mesh.regions.end());
+  all.region_names.insert(mesh.region_names.begin(), mesh.region_names.end());
+  for (const auto& [name, vertices] : mesh.groups) {
+    for (const std::uint32_t vertex : vertices) all.groups[name].push_back(part.vertex_begin + vertex);
+  }
+  for (const Tet& tet : loaded.repaired.tets) model.tets.push_back(shifted(tet, part.vertex_begin));
+  for (const std::uint32_t source : loaded.repaired.source) model.tet_source.push_back(first_tet + source);
+}
+
+void add_body(const LoadedBody& loaded, Model& model) {
+  BodyPart part;
+  part.name = loaded.body.name;
+  part.vertex_begin = static_cast<std::uint32_t>(model.file_mesh.positions.size());
+  part.vertex_count = static_cast<std::uint32_t>(loaded.file.mesh.positions.size());
+  part.tet_begin = static_cast<std::uint32_t>(model.tets.size());
+  part.tet_count = static_cast<std::uint32_t>(loaded.repaired.tets.size());
+  add_notes(loaded, model.notes);
+  add_materials(loaded, model, part);
+  add_velocity(loaded, add_constraints(loaded, part.vertex_begin, model), model);
+  add_mesh(loaded, part, model);
+  model.bodies.push_back(std::move(part));
+}
+
+}  // namespace
+
+Model build_model(const Scene& scene) {
+  Model model;
+  model.gravity = scene.gravity;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(load(scene, b), model);
+  model.rest_positions = model.file_mesh.positions;
+  return model;
+}
+
+std::vector<char> Model::held() const {
+  std::vector<char> held(rest_positions.size(), 0);
+  for (const std::uint32_t vertex : fixed) held[vertex] = 1;
+  for (const Motion& motion : motions) {
+    for (const std::uint32_t vertex : motion.vertices) held[vertex] = 1;
+  }
+  return held;
+}
+
+std::vector<double> lumped_masses(const Model& model) {
+  std::vector<double> masses(model.rest_positions.size(), 0.0);
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const Tet& tet = model.tets[t];
+    const auto& x = model.rest_positions;
+    const double volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6;
+    const double quarter = model.materials[model.tet_material[t]].density * volume / 4;
+    for (const std::uint32_t vertex : tet) masses[vertex] += quarter;
+  }
+  return masses;
+}
+
+std::uint64_t mesh_hash(const TetMesh& mesh) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  const auto add = [&](auto value) {  // least significant byte first, on any machine
+    for (std::size_t byte = 0; byte < sizeof value; ++byte) {
+      hash = (hash ^ ((value >> (8 * byte)) & 0xff)) * 0x100000001b3;
+    }
+  };
+  for (const Vector3d& position : mesh.positions) {
+    for (const double coordinate : position) add(std::bit_cast<std::uint64_t>(coordinate));
+  }
+  for (const Tet& tet : mesh.tets) {
+    for (const std::uint32_t vertex : tet) add(vertex);
+  }
+  return hash;
+}
+
+}  // namespace fascia

@@ -1,0 +1,112 @@
+#include "sim/reference/elasticity.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace fascia::reference {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// H = F - I from differences of displacements, so that neither the identity nor a common translation costs
+// digits.
+Matrix3d displacement_gradient(const RestTet& rest, const Corners& u) {
+  Matrix3d h = Matrix3d::Zero();
+  for (int a = 1; a < 4; ++a) h += (u[a] - u[0]) * rest.gradients.col(a).transpose();
+  return h;
+}
+
+Matrix3d strain_of(const Matrix3d& h) {
+  return 0.5 * (h + h.transpose() + h.transpose() * h);
+}
+
+double energy_density(const Matrix3d& strain, const Material& material) {
+  const double trace = strain.trace();
+  return 0.5 * material.lame_lambda() * trace * trace + material.lame_mu() * strain.squaredNorm();
+}
+
+void clamp_negative_eigenvalues(Matrix12d& hessian) {
+  const Eigen::SelfAdjointEigenSolver<Matrix12d> eigen(hessian);
+  if (eigen.eigenvalues()[0] >= 0) return;
+  const Vector12d clamped = eigen.eigenvalues().cwiseMax(0.0);
+  hessian = eigen.eigenvectors() * clamped.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+}  // namespace
+
+RestTet::RestTet(const Corners& x) {
+  Matrix3d edges;
+  edges << x[1] - x[0], x[2] - x[0], x[3] - x[0];
+  gradients.rightCols<3>() = edges.inverse().transpose();
+  gradients.col(0) = -gradients.rightCols<3>().rowwise().sum();
+  volume = edges.determinant() / 6;
+}
+
+Matrix3d deformation_gradient(const RestTet& rest, const Corners& displacements) {
+  return Matrix3d::Identity() + displacement_gradient(rest, displacements);
+}
+
+Vector6d green_strain(const Matrix3d& f) {
+  const Matrix3d strain = strain_of(f - Matrix3d::Identity());
+  Vector6d voigt;
+  voigt << strain(0, 0), strain(1, 1), strain(2, 2), strain(1, 2), strain(0, 2), strain(0, 1);
+  return voigt;
+}
+
+Matrix3d green_strain_matrix(const RestTet& rest, const Corners& displacements) {
+  return strain_of(displacement_gradient(rest, displacements));
+}
+
+Matrix3d second_piola_stress(const Matrix3d& strain, const Material& material) {
+  return material.lame_lambda() * strain.trace() * Matrix3d::Identity() + 2 * material.lame_mu() * strain;
+}
+
+double von_mises(const Matrix3d& f, const Material& material) {
+  // The Cauchy stress of a tet squashed flat is infinite; the bound keeps it a number that a file can hold.
+  const double volume_ratio = std::max(std::abs(f.determinant()), 1e-12);
+  const Matrix3d strain = strain_of(f - Matrix3d::Identity());
+  const Matrix3d cauchy = f * second_piola_stress(strain, material) * f.transpose() / volume_ratio;
+  const Matrix3d deviator = cauchy - cauchy.trace() / 3 * Matrix3d::Identity();
+  return std::sqrt(1.5 * deviator.squaredNorm());
+}
+
+Derivatives elastic(const RestTet& rest, const Corners& displacements, const Material& material,
+                    double damping_over_h, const Matrix3d& previous_strain, bool with_hessian, bool project) {
+  const Matrix3d h = displacement_gradient(rest, displacements);
+  const Matrix3d f = Matrix3d::Identity() + h;
+  const Matrix3d strain = strain_of(h);
+  const Matrix3d strain_change = strain - previous_strain;
+  const Matrix3d stress = second_piola_stress(strain + damping_over_h * strain_change, material);
+
+  Derivatives result;
+  result.energy = rest.volume * (energy_density(strain, material) +
+                                 damping_over_h * energy_density(strain_change, material));
+  const Eigen::Matrix<double, 3, 4> fb = f * rest.gradients;  // F b_a
+  Eigen::Map<Eigen::Matrix<double, 3, 4>>(result.gradient.data()) =
+      rest.volume * (f * stress) * rest.gradients;
+  if (!with_hessian) return result;
+
+  // Block (a, b) of the second variation of V Psi:
+  // V [ (b_a . S b_b) I + lambda (F b_a)(F b_b)^T + mu (b_a . b_b) F F^T + mu (F b_b)(F b_a)^T ]
+  const double lambda = rest.volume * (1 + damping_over_h) * material.lame_lambda();
+  const double mu = rest.volume * (1 + damping_over_h) * material.lame_mu();
+  const Matrix3d mu_fft = mu * f * f.transpose();
+  const Eigen::Matrix4d bb = rest.gradients.transpose() * rest.gradients;
+  const Eigen::Matrix4d bsb = rest.volume * rest.gradients.transpose() * stress * rest.gradients;
+  for (int a = 0; a < 4; ++a)
+    for (int b = a; b < 4; ++b) {
+      Matrix3d block = bb(a, b) * mu_fft;
+      block.diagonal().array() += bsb(a, b);
+      block += fb.col(a) * (lambda * fb.col(b)).transpose() + fb.col(b) * (mu * fb.col(a)).transpose();
+      result.hessian.block<3, 3>(3 * a, 3 * b) = block;
+      if (a != b) result.hessian.block<3, 3>(3 * b, 3 * a) = block.transpose();
+    }
+  if (project) clamp_negative_eigenvalues(result.hessian);
+  return result;
+}
+
+}  // namespace fascia::reference

@@ -1,0 +1,88 @@
+#include "sim/reference/held_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "sim/error.h"
+
+namespace fascia::reference {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double largest_turn = 0.5;  // [rad] a linear prediction stretches what turns by this much to 1.12
+
+std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t v) {
+  while (parent[v] != v) v = parent[v] = parent[parent[v]];
+  return v;
+}
+
+}  // namespace
+
+HeldPath::HeldPath(const Model& model, const VectorXd& displacement, double from, double to)
+    : model_(model), from_(from), to_(to), motions_(model.motions) {
+  for (Motion& motion : motions_)
+    // A jump of this interval; a state at time 0 has made none yet.
+    if (motion.duration == 0 && motion.start <= to && (motion.start > from || from == 0)) {
+      motion.start = from;
+      motion.duration = to - from;
+    }
+  offset_ = -positions(from_);
+  for (const Motion& motion : motions_)
+    for (const std::uint32_t v : motion.vertices) offset_.segment<3>(3 * v) += displacement.segment<3>(3 * v);
+}
+
+VectorXd HeldPath::positions(double t) const {
+  VectorXd u = VectorXd::Zero(3 * model_.rest_positions.size());
+  for (const Motion& motion : motions_)
+    for (std::size_t k = 0; k < motion.vertices.size(); ++k) {
+      const std::uint32_t v = motion.vertices[k];
+      u.segment<3>(3 * v) = motion.position(k, model_.rest_positions[v], t) - model_.rest_positions[v];
+    }
+  return u;
+}
+
+void HeldPath::place(double s, VectorXd& u) const {
+  const VectorXd held = positions(from_ + s * (to_ - from_)) + (1 - s) * offset_;
+  for (const Motion& motion : motions_)
+    for (const std::uint32_t v : motion.vertices) u.segment<3>(3 * v) = held.segment<3>(3 * v);
+}
+
+bool HeldPath::moves() const {
+  return positions(to_) != positions(from_) + offset_;
+}
+
+double HeldPath::largest_increment() const {
+  double increment = 1;
+  for (const Motion& motion : motions_) {
+    if (!motion.targets.empty() || motion.angle == 0 || motion.duration == 0) continue;
+    const double turn = std::abs(motion.angle) * (to_ - from_) / motion.duration;
+    increment = std::min(increment, largest_turn / turn);
+  }
+  return increment;
+}
+
+void require_supports(const Model& model) {
+  if (model.gravity.isZero(0)) return;
+  std::vector<std::uint32_t> parent(model.rest_positions.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  for (const Tet& tet : model.tets)
+    for (int a = 1; a < 4; ++a) parent[root_of(parent, tet[a])] = root_of(parent, tet[0]);
+  const std::vector<char> held = model.held();
+  std::vector<char> supported(parent.size(), 0);
+  for (std::uint32_t v = 0; v < parent.size(); ++v)
+    if (held[v]) supported[root_of(parent, v)] = 1;
+  for (const Tet& tet : model.tets) {
+    if (supported[root_of(parent, tet[0])]) continue;
+    std::string name = "the mesh";
+    for (const BodyPart& body : model.bodies)
+      if (tet[0] >= body.vertex_begin && tet[0] < body.vertex_begin + body.vertex_count) name = body.name;
+    throw Error("static equilibrium",
+                "a part of " + name + " (vertex " + std::to_string(tet[0]) + ") is held nowhere",
+                "expected fixed or prescribed vertices in every part, or no gravity");
+  }
+}
+
+}  // namespace fascia::reference

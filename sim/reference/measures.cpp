@@ -1,0 +1,74 @@
+// What is known of a state of the reference solver: energies, momenta, reactions, strains and stresses.
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "sim/reference/elasticity.h"
+#include "sim/reference/newton.h"
+
+namespace fascia::reference {
+namespace {
+
+using Eigen::Vector3d;
+
+Corners gather(const std::vector<Vector3d>& vectors, const Tet& tet) {
+  return {vectors[tet[0]], vectors[tet[1]], vectors[tet[2]], vectors[tet[3]]};
+}
+
+}  // namespace
+
+State initial_state(const Model& model) {
+  State state;
+  state.displacement.assign(model.rest_positions.size(), Vector3d::Zero());
+  state.velocity = model.initial_velocity;
+  return state;
+}
+
+Measures measure(const Model& model, const State& state) {
+  Measures result;
+  const std::vector<double> mass = lumped_masses(model);
+  const std::vector<char> held = model.held();
+  for (std::size_t v = 0; v < mass.size(); ++v) {
+    const Vector3d position = model.rest_positions[v] + state.displacement[v];
+    const Vector3d momentum = mass[v] * state.velocity[v];
+    result.kinetic += 0.5 * momentum.dot(state.velocity[v]);
+    result.momentum += momentum;
+    result.angular_momentum += position.cross(momentum);
+    if (held[v]) result.fixed_reaction -= mass[v] * model.gravity;
+  }
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const RestTet rest(gather(model.rest_positions, model.tets[t]));
+    const Corners u = gather(state.displacement, model.tets[t]);
+    const Derivatives d =
+        elastic(rest, u, model.materials[model.tet_material[t]], 0, Eigen::Matrix3d::Zero(), false, false);
+    result.elastic += d.energy;
+    for (int a = 0; a < 4; ++a)
+      if (held[model.tets[t][a]]) result.fixed_reaction += d.gradient.segment<3>(3 * a);
+    const double det_f = deformation_gradient(rest, u).determinant();
+    result.min_det_f = t == 0 ? det_f : std::min(result.min_det_f, det_f);
+    result.max_det_f = t == 0 ? det_f : std::max(result.max_det_f, det_f);
+    result.inverted += det_f <= 0;
+  }
+  return result;
+}
+
+StateFields export_fields(const Model& model, const State& state) {
+  StateFields fields;
+  fields.displacement = state.displacement;
+  fields.velocity = state.velocity;
+  const std::size_t tet_count = model.file_mesh.tets.size();
+  fields.green_strain.assign(tet_count, Vector6d::Zero());
+  fields.von_mises.assign(tet_count, 0);
+  fields.det_f.assign(tet_count, 1);
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const RestTet rest(gather(model.rest_positions, model.tets[t]));
+    const Eigen::Matrix3d f = deformation_gradient(rest, gather(state.displacement, model.tets[t]));
+    const std::uint32_t source = model.tet_source[t];
+    fields.green_strain[source] = green_strain(f);
+    fields.von_mises[source] = von_mises(f, model.materials[model.tet_material[t]]);
+    fields.det_f[source] = f.determinant();
+  }
+  return fields;
+}
+
+}  // namespace fascia::reference

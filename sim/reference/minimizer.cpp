@@ -1,0 +1,132 @@
+#include "sim/reference/minimizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fascia::reference {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// While a step shrinks the gradient to this share, the factorisation at hand is as good as a new one at a
+// tenth of its cost: an iteration with it gains at least as many digits per second.
+constexpr double reuse_below = 0.1;
+
+}  // namespace
+
+Minimizer::Minimizer(const ElasticSystem& system) : system_(system), hessian_(system.empty_hessian()) {
+  cholesky_.analyzePattern(hessian_);
+}
+
+Minimizer::Value Minimizer::evaluate(const Potential& potential, const VectorXd& u) const {
+  Value value;
+  VectorXd internal;
+  value.energy = system_.evaluate(u, potential.viscous, internal);
+  value.magnitude = std::abs(value.energy);
+  VectorXd applied = VectorXd::Zero(u.size()), motion = VectorXd::Zero(u.size()), gradient = internal;
+  for (std::size_t v = 0; v < system_.first_dof().size(); ++v) {
+    if (system_.first_dof()[v] < 0) continue;
+    for (std::size_t i = 3 * v; i < 3 * v + 3; ++i) {
+      const double distance = u[i] - potential.target[i];
+      const double kinetic = 0.5 * potential.inertia[i] * distance * distance,
+                   work = potential.force[i] * u[i];
+      value.energy += kinetic - work;
+      value.magnitude += kinetic + std::abs(work);
+      gradient[i] += potential.inertia[i] * distance - potential.force[i];
+      applied[i] = potential.force[i];
+      motion[i] = potential.inertia[i] * (u[i] - potential.start[i]);
+    }
+  }
+  value.gradient = system_.free_part(gradient);
+  value.force_scale = std::max({internal.norm(), applied.norm(), motion.norm()});
+  return value;
+}
+
+void Minimizer::factorize(const Potential& potential, const VectorXd& u) {
+  VectorXd scale;
+  const VectorXd inertia = system_.free_part(potential.inertia);
+  for (const bool project : {false, true}) {
+    system_.assemble(u, potential.viscous, project, hessian_, scale);
+    hessian_.diagonal() += inertia;
+    if (!project) {
+      scale += potential.inertia.cwiseProduct(u.cwiseAbs() + potential.target.cwiseAbs()) +
+               potential.force.cwiseAbs();
+      rounding_ = epsilon * system_.free_part(scale).norm();
+    }
+    cholesky_.factorize(hessian_);
+    if (cholesky_.info() == Eigen::Success) return;
+  }
+  // Still singular: a body that nothing holds. A growing multiple of the identity makes a step of it.
+  const double largest = hessian_.diagonal().maxCoeff();
+  double shift = 0;
+  while (cholesky_.info() != Eigen::Success) {
+    shift = std::max(1e-10 * std::max(largest, std::numeric_limits<double>::min()), 100 * shift);
+    cholesky_.setShift(shift);
+    cholesky_.factorize(hessian_);
+  }
+  cholesky_.setShift(0);
+}
+
+bool Minimizer::line_search(const Potential& potential, const VectorXd& direction, VectorXd& u, Value& value,
+                            double& step) const {
+  const double slope = value.gradient.dot(direction);
+  const double rounding = 32 * epsilon * value.magnitude;
+  for (step = 1; step > 1e-12; step /= 2) {
+    VectorXd trial = u;
+    system_.add_to_free(direction, step, trial);
+    Value trial_value = evaluate(potential, trial);
+    if (trial_value.energy <= value.energy + 1e-4 * step * slope + rounding) {  // Armijo; false for NaN
+      u = std::move(trial);
+      value = std::move(trial_value);
+      return true;
+    }
+  }
+  return false;
+}
+
+void Minimizer::move_held(const Potential& potential, const VectorXd& change, VectorXd& u) {
+  factorize(potential, u);
+  const VectorXd dragged = system_.free_part(system_.hessian_times(u, potential.viscous, change));
+  const VectorXd direction = -cholesky_.solve(evaluate(potential, u).gradient + dragged);
+  u += change;
+  VectorXd taken_along = u;
+  system_.add_to_free(direction, 1, taken_along);
+  const bool inside_out = system_.min_det_f(taken_along) <= 0 && system_.min_det_f(u) > 0;
+  if (!inside_out && evaluate(potential, taken_along).energy < evaluate(potential, u).energy) u = taken_along;
+}
+
+NewtonReport Minimizer::minimize(const Potential& potential, double tolerance, const Limits& limits,
+                                 VectorXd& u) {
+  NewtonReport report;
+  Value value = evaluate(potential, u);
+  bool reuse = false;
+  double previous = std::numeric_limits<double>::infinity();
+  rounding_ = 0;
+  for (;; ++report.iterations) {
+    const double residual = value.gradient.norm();
+    report.relative_residual = residual == 0 ? 0 : residual / value.force_scale;
+    const bool at_rounding = residual <= rounding_ && residual > 0.5 * previous;
+    const bool inside_out = limits.upright && system_.min_det_f(u) <= 0;
+    report.converged = !inside_out && (report.relative_residual <= tolerance || at_rounding);
+    if (report.converged || inside_out || report.iterations == limits.iterations) return report;
+
+    if (!reuse) factorize(potential, u);
+    const VectorXd direction = -cholesky_.solve(value.gradient);
+    double step = 0;
+    if (!line_search(potential, direction, u, value, step)) {
+      if (reuse) {
+        reuse = false;
+        continue;
+      }
+      report.converged = residual <= rounding_;
+      return report;
+    }
+    reuse = step == 1 && value.gradient.norm() < reuse_below * residual;
+    previous = residual;
+  }
+}
+
+}  // namespace fascia::reference

@@ -1,0 +1,57 @@
+// Newton's method with backtracking for the one problem that a time step and a static equilibrium share:
+//
+//   minimise over the free u:  sum_e V_e Psi_e(u) + 1/2 (u - target)^T diag(inertia) (u - target) - force . u
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+
+#include "sim/reference/elastic_system.h"
+#include "sim/reference/newton.h"
+
+namespace fascia::reference {
+
+/// Arrays are [3 * vertex_count]; entries of held vertices are not used.
+struct Potential {
+  ViscousStep viscous;
+  Eigen::VectorXd inertia;  // m / h^2 [N/m]; zero in statics
+  Eigen::VectorXd target;   // u~ [m]
+  Eigen::VectorXd start;    // u_n [m]; inertia * (u - start) is the force that would stop the motion
+  Eigen::VectorXd force;    // [N]
+};
+
+class Minimizer {
+ public:
+  explicit Minimizer(const ElasticSystem& system);
+
+  /// Moves held vertices by `change` [3 * vertex_count] and takes the free ones along by one linear step,
+  /// unless staying where they are has less energy or turns no tet inside out.
+  void move_held(const Potential& potential, const Eigen::VectorXd& change, Eigen::VectorXd& u);
+
+  struct Limits {
+    int iterations;
+    bool upright;  // give up as soon as a tet turns inside out
+  };
+  /// Minimises from `u` with its held entries as they are, to |gradient| <= tolerance * force scale
+  /// (NewtonReport) or to the rounding of the gradient, whichever is larger.
+  NewtonReport minimize(const Potential& potential, double tolerance, const Limits& limits,
+                        Eigen::VectorXd& u);
+
+ private:
+  struct Value {
+    double energy = 0;         // [J]
+    double magnitude = 0;      // [J] sum of absolute terms, for a bound on the rounding of `energy`
+    Eigen::VectorXd gradient;  // [N] over the unknowns
+    double force_scale = 0;    // [N] NewtonReport
+  };
+  Value evaluate(const Potential& potential, const Eigen::VectorXd& u) const;
+  void factorize(const Potential& potential, const Eigen::VectorXd& u);
+  bool line_search(const Potential& potential, const Eigen::VectorXd& direction, Eigen::VectorXd& u,
+                   Value& value, double& step) const;
+
+  const ElasticSystem& system_;
+  SparseMatrix hessian_;
+  Eigen::SimplicialLLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>> cholesky_;
+  double rounding_ = 0;  // [N] bound on the rounding of the gradient at the last factorisation
+};
+
+}  // namespace fascia::reference

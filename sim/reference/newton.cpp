@@ -1,0 +1,165 @@
+#include "sim/reference/newton.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "sim/reference/held_path.h"
+#include "sim/reference/minimizer.h"
+
+namespace fascia::reference {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double step_tolerance = 1e-12;
+constexpr double static_tolerance = 1e-10;
+constexpr double increment_tolerance = 1e-6;  // of equilibria on the way, which only start the next increment
+constexpr double smallest_increment = 1.0 / 128;
+constexpr int patience = 40;        // Newton iterations after which a smaller increment is tried
+constexpr int last_patience = 400;  // where there is none to try
+
+VectorXd flat(const std::vector<Vector3d>& vectors) {
+  return Eigen::Map<const VectorXd>(vectors.empty() ? nullptr : vectors[0].data(), 3 * vectors.size());
+}
+
+std::vector<Vector3d> vectors_of(const VectorXd& all) {
+  std::vector<Vector3d> result(all.size() / 3);
+  for (std::size_t v = 0; v < result.size(); ++v) result[v] = all.segment<3>(3 * v);
+  return result;
+}
+
+VectorXd per_component(const std::vector<double>& per_vertex) {
+  VectorXd all(3 * per_vertex.size());
+  for (std::size_t v = 0; v < per_vertex.size(); ++v) all.segment<3>(3 * v).setConstant(per_vertex[v]);
+  return all;
+}
+
+}  // namespace
+
+struct NewtonSolver::Impl {
+  Impl(const Model& m, const SolverSettings& s)
+      : model(m),
+        settings(s),
+        system(model),
+        minimizer(system),
+        mass(per_component(lumped_masses(model))),
+        gravity(model.gravity.replicate(model.rest_positions.size(), 1)) {}
+
+  NewtonReport substep(State& state);
+  NewtonReport solve_static(State& state, double tolerance);
+
+  /// Minimises potential(1) with the held vertices at the end of their path, from `u`, by the largest
+  /// increments of s in (0, 1] that Newton's method survives with every tet upright. `divisible` says whether
+  /// smaller increments are smaller problems.
+  NewtonReport follow(const HeldPath& path, const std::function<Potential(double s)>& potential,
+                      bool divisible, double tolerance, VectorXd& u);
+
+  const Model& model;
+  const SolverSettings settings;
+  const ElasticSystem system;
+  Minimizer minimizer;
+  const VectorXd mass;     // [3 * vertex_count] [kg]
+  const VectorXd gravity;  // [3 * vertex_count] [m/s^2]
+};
+
+NewtonReport NewtonSolver::Impl::follow(const HeldPath& path,
+                                        const std::function<Potential(double)>& potential, bool divisible,
+                                        double tolerance, VectorXd& u) {
+  NewtonReport total;
+  const double largest = path.largest_increment();
+  // Where small increments do not help either, or there are none, whatever comes is accepted.
+  bool careful = divisible;
+  const bool upright = system.min_det_f(u) > 0;
+  double done = 0, increment = largest;
+  while (done < 1) {
+    const double next = std::min(1.0, done + increment);
+    const Potential problem = potential(next);
+    VectorXd trial = u, target = u;
+    path.place(next, target);
+    if (const VectorXd change = target - u; !change.isZero(0)) minimizer.move_held(problem, change, trial);
+    const Minimizer::Limits limits{careful ? patience : last_patience, careful && upright};
+    const NewtonReport report =
+        minimizer.minimize(problem, next < 1 ? increment_tolerance : tolerance, limits, trial);
+    total.iterations += report.iterations;
+    if (careful && !report.converged) {
+      increment = (next - done) / 2;
+      careful = increment >= smallest_increment * largest;
+      if (!careful) increment = largest;
+      continue;
+    }
+    u = std::move(trial);
+    done = next;
+    increment = std::min(2 * increment, largest);
+    total.relative_residual = report.relative_residual;
+    total.converged = report.converged;
+  }
+  return total;
+}
+
+NewtonReport NewtonSolver::Impl::substep(State& state) {
+  const double h = settings.substep();
+  const VectorXd old = flat(state.displacement), velocity = flat(state.velocity);
+  Potential potential;
+  potential.inertia = mass / (h * h);
+  potential.target = old + h * velocity + h * h * gravity;
+  potential.start = old;
+  potential.force = VectorXd::Zero(old.size());
+  if (system.viscous()) potential.viscous = {system.strains(old), h};
+
+  // Coasting is the better start, but not if it turns tets inside out.
+  VectorXd u = old;
+  system.add_to_free(system.free_part(velocity), h, u);
+  if (system.min_det_f(u) <= 0 && system.min_det_f(old) > 0) u = old;
+
+  const HeldPath path(model, old, state.time, state.time + h);
+  const NewtonReport report = follow(
+      path, [&](double) { return potential; }, path.moves(), step_tolerance, u);
+  state.displacement = vectors_of(u);
+  state.velocity = vectors_of((u - old) / h);
+  state.time += h;
+  return report;
+}
+
+NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance) {
+  require_supports(model);
+  double end = state.time;
+  for (const Motion& motion : model.motions) end = std::max(end, motion.start + motion.duration);
+  VectorXd u = flat(state.displacement), internal;
+  const HeldPath path(model, u, state.time, std::max(end, state.time + 1e-3));
+
+  // The state is in equilibrium with a part of the load; the rest is added as s goes to 1.
+  const VectorXd weight = mass.cwiseProduct(gravity);
+  system.evaluate(u, {}, internal);
+  const VectorXd missing = weight - internal, start = u, zero = VectorXd::Zero(u.size());
+  const auto potential = [&](double s) {
+    return Potential{{}, zero, start, start, weight - (1 - s) * missing};
+  };
+  const NewtonReport report = follow(path, potential, true, tolerance > 0 ? tolerance : static_tolerance, u);
+  state.displacement = vectors_of(u);
+  state.velocity.assign(state.displacement.size(), Vector3d::Zero());
+  state.time = end;
+  return report;
+}
+
+NewtonSolver::NewtonSolver(const Model& model, const SolverSettings& settings)
+    : impl_(std::make_unique<Impl>(model, settings)) {}
+NewtonSolver::~NewtonSolver() = default;
+
+NewtonReport NewtonSolver::step(State& state) {
+  NewtonReport report;
+  report.converged = true;
+  for (int k = 0; k < impl_->settings.substeps; ++k) {
+    const NewtonReport part = impl_->substep(state);
+    report.iterations += part.iterations;
+    report.relative_residual = std::max(report.relative_residual, part.relative_residual);
+    report.converged = report.converged && part.converged;
+  }
+  return report;
+}
+
+NewtonReport NewtonSolver::solve_static(State& state, double tolerance) {
+  return impl_->solve_static(state, tolerance);
+}
+
+}  // namespace fascia::reference

@@ -1,0 +1,81 @@
+#include "sim/scene.h"
+
+#include <fstream>
+#include <numbers>
+
+#include "sim/error.h"
+#include "sim/file.h"
+#include "sim/scene_json.h"
+#include "sim/scene_overrides.h"
+#include "sim/scene_read.h"
+
+namespace fascia {
+namespace {
+
+constexpr double kLowestShare = 0.02;  // of the height: how much of a mesh opened alone is held
+
+/// The first character that is no space, without reading the whole of a large mesh.
+char first_character(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  char c = 0;
+  if (in >> c) return c;
+  read_file(path);  // says so if it is no readable file
+  throw Error(path.string(), "is empty", "expected a scene (JSON) or a tet mesh");
+}
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors start JSON files with it
+
+bool is_scene(const std::filesystem::path& path) {
+  const char first = first_character(path);
+  return first == '{' || first == kByteOrderMark[0] || path.extension() == ".json";
+}
+
+}  // namespace
+
+std::filesystem::path Scene::resolve(const std::string& relative) const {
+  return file.parent_path() / relative;  // an absolute path replaces the folder
+}
+
+Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  DocumentOrigin origin{path.string(), {}};
+  nlohmann::json document;
+  if (is_scene(path)) {
+    document = parse_json(read_file(path), path.string());
+  } else {
+    document["fascia_scene"] = 1;
+    document["title"] = path.filename().string();
+    document["bodies"][0]["mesh"] = path.filename().string();
+    document["bodies"][0]["fixed"][0]["lowest"] = kLowestShare;
+  }
+  apply_overrides(document, overrides, origin);
+  Scene scene = read_scene(document, origin);
+  scene.file = path;
+  return scene;
+}
+
+Eigen::Affine3d placement(const Transform& transform) {
+  using Eigen::Vector3d;
+  const Vector3d angles = transform.rotate_deg * (std::numbers::pi / 180);
+  return Eigen::Translation3d(transform.translate) * Eigen::AngleAxisd(angles.z(), Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(angles.y(), Vector3d::UnitY()) * Eigen::AngleAxisd(angles.x(), Vector3d::UnitX()) *
+         Eigen::Scaling(transform.scale);
+}
+
+const char* name_of(ColorBy color) {
+  switch (color) {
+    case ColorBy::none:
+      return "none";
+    case ColorBy::strain:
+      return "strain";
+    case ColorBy::von_mises:
+      return "von_mises";
+  }
+  return "";
+}
+
+const std::vector<ColorBy>& all_colors() {
+  static const std::vector<ColorBy> colors = {ColorBy::none, ColorBy::strain, ColorBy::von_mises};
+  return colors;
+}
+
+}  // namespace fascia

@@ -1,0 +1,20 @@
+// JSON text to a document, stricter than the parser it uses: a key given twice is refused, nesting is
+// bounded, and a syntax error is one line "file:line:column: ...".
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace fascia {
+
+/// `where` names the text in errors: a file, or "--set KEY".
+nlohmann::json parse_json(std::string_view text, const std::string& where);
+
+/// JSON paths as errors print them: "bodies[0].materials.default".
+std::string path_of_key(const std::string& parent, std::string_view key);
+std::string path_of_element(const std::string& parent, std::size_t index);
+
+/// A value as errors print it, cut short where it is long.
+std::string excerpt(const nlohmann::json& value);
+
+}  // namespace fascia

@@ -1,0 +1,130 @@
+#include "sim/scene_overrides.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <optional>
+
+#include "sim/error.h"
+#include "sim/scene.h"
+#include "sim/scene_json.h"
+
+namespace fascia {
+namespace {
+
+using nlohmann::json;
+
+std::optional<std::size_t> index_of(const std::string& segment) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(segment.data(), segment.data() + segment.size(), index);
+  if (error != std::errc() || end != segment.data() + segment.size()) return std::nullopt;
+  return index;
+}
+
+/// A scene with every default written out: shows which keys hold lists, and what a vector is before one of
+/// its elements is set.
+const json& template_document() {
+  static const json document = [] {
+    Scene scene;
+    scene.camera.emplace();
+    Body& body = scene.bodies.emplace_back();
+    body.fixed.emplace_back(LowestSelection{0.02});
+    body.prescribed.emplace_back().select = LowestSelection{0.02};
+    body.surface = "surface.obj";
+    return parse_json(scene_to_json(scene, ""), "template");
+  }();
+  return document;
+}
+
+/// "bodies[0].mesh" and "bodies.0.mesh" to {"bodies", "0", "mesh"}; empty if any segment is.
+std::vector<std::string> segments_of(const std::string& key) {
+  std::vector<std::string> segments(1);
+  for (const char c : key) {
+    if (c == '.' || c == '[') {
+      segments.emplace_back();
+    } else if (c != ']') {
+      segments.back() += c;
+    }
+  }
+  for (const std::string& segment : segments) {
+    if (segment.empty()) return {};
+  }
+  if (template_document()["bodies"][0].contains(segments.front()))
+    segments.insert(segments.begin(), {"bodies", "0"});
+  return segments;
+}
+
+const json* child(const json* parent, const std::string& segment) {
+  if (!parent) return nullptr;
+  if (parent->is_array()) return parent->empty() ? nullptr : &parent->front();
+  return parent->contains(segment) ? &(*parent)[segment] : nullptr;
+}
+
+/// What a missing value must be for `next` to lead into it.
+json container_for(const json* pattern, const std::string& next) {
+  if (pattern && pattern->is_array()) return pattern->front().is_number() ? *pattern : json::array();
+  if (pattern && pattern->is_object()) return json::object();
+  return index_of(next) ? json::array() : json::object();
+}
+
+void apply(json& document, const std::string& key, const std::vector<std::string>& segments, json value,
+           DocumentOrigin& origin) {
+  const std::string where = "--set " + key;
+  json* node = &document;
+  const json* pattern = &template_document();
+  std::string path, touched;
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const std::string& segment = segments[s];
+    const bool is_last = s + 1 == segments.size();
+    pattern = child(pattern, segment);
+    bool is_new = false;
+    if (node->is_object()) {
+      path = path_of_key(path, segment);
+      is_new = !node->contains(segment);
+      if (is_new && !is_last) (*node)[segment] = container_for(pattern, segments[s + 1]);
+      node = &(*node)[segment];
+    } else if (node->is_array()) {
+      const auto index = index_of(segment);
+      if (!index || *index > node->size()) {
+        throw Error(
+            where,
+            "\"" + segment + "\" is no element of " + path + ", which has " + std::to_string(node->size()),
+            "expected 0 to " + std::to_string(node->size()) + " (the end: a new element)");
+      }
+      path = path_of_element(path, *index);
+      is_new = *index == node->size();
+      if (is_new) node->push_back(is_last ? json() : container_for(pattern, segments[s + 1]));
+      node = &(*node)[*index];
+    } else {
+      throw Error(where, path + " is " + excerpt(*node), "expected no key below it");
+    }
+    if (touched.empty() && (is_new || is_last)) touched = path;
+  }
+  *node = std::move(value);
+  origin.overrides.push_back({key, path, touched});
+}
+
+json value_of(const std::string& text) {
+  try {
+    return parse_json(text, "");
+  } catch (const Error&) {
+    return text;
+  }
+}
+
+}  // namespace
+
+void apply_overrides(json& document, const std::vector<std::string>& overrides, DocumentOrigin& origin) {
+  for (const std::string& text : overrides) {
+    const std::size_t equals = std::min(text.find('='), text.size());
+    const std::string key = text.substr(0, equals);
+    const std::vector<std::string> segments = segments_of(key);
+    if (equals == text.size() || segments.empty()) {
+      throw Error("--set " + text, equals == text.size() ? "has no =" : "has no key",
+                  "expected KEY=VALUE such as solver.iterations=40");
+    }
+    apply(document, key, segments, value_of(text.substr(equals + 1)), origin);
+  }
+}
+
+}  // namespace fascia

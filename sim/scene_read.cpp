@@ -1,0 +1,123 @@
+// The top level of a scene file: everything but the bodies.
+#include "sim/scene_read.h"
+
+#include <Eigen/Geometry>
+
+#include "sim/scene_json.h"
+#include "sim/suggest.h"
+
+namespace fascia {
+namespace {
+
+constexpr double kLargestAcceleration = 1e6;  // [m/s^2]
+constexpr double kFarthest = 1e9;             // [m]
+constexpr double kLongest = 1e9;              // [s]
+
+SolverSettings read_solver(const Node& node) {
+  SolverSettings solver;
+  std::vector<std::string> known = {"method", "acceleration"};
+  visit_settings(solver, [&](auto&, const char* name, auto&&...) { known.push_back(name); });
+  node.expect_object(known);
+  visit_settings(solver, [&](auto& field, const char* name, const char* unit, auto min, auto max, auto&&...) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(field)>, int>) {
+      node.read(name, field, min, max);
+    } else {
+      node.read(name, field, min, max, unit);
+    }
+  });
+
+  const std::string expected = "a method and acceleration that exist: " + list_of_pairs();
+  const auto method_node = node.find("method"), acceleration_node = node.find("acceleration");
+  std::optional<std::string> method, acceleration;
+  if (method_node) method = method_node->text(expected);
+  if (acceleration_node) acceleration = acceleration_node->text(expected);
+  std::vector<std::string> methods, accelerations;
+  for (const Pair& pair : legal_pairs()) {
+    methods.push_back(name_of(pair.method));
+    accelerations.push_back(name_of(pair.acceleration));
+  }
+  if (method && !find_pair(method, {})) {
+    method_node->fail("is " + excerpt(*method) + perhaps(*method, methods), expected);
+  }
+  if (acceleration && !find_pair({}, acceleration)) {
+    acceleration_node->fail("is " + excerpt(*acceleration) + perhaps(*acceleration, accelerations), expected);
+  }
+  const auto pair = find_pair(method, acceleration);
+  if (!pair)
+    acceleration_node->fail(excerpt(*acceleration) + " does not go with " + excerpt(*method), expected);
+  solver.method = pair->method;
+  solver.acceleration = pair->acceleration;
+  return solver;
+}
+
+CameraSettings read_camera(const Node& node) {
+  CameraSettings camera;
+  node.expect_object({"eye", "target", "up", "fov_deg"});
+  camera.eye = node.at("eye", "a list of 3 numbers [m] (without a camera the view is framed on the bodies)")
+                   .vector(-kFarthest, kFarthest, "m");
+  node.read("target", camera.target, -kFarthest, kFarthest, "m");
+  node.read("up", camera.up, -kFarthest, kFarthest, "");
+  node.read("fov_deg", camera.fov_deg, 1, 170, "degrees");
+  const Eigen::Vector3d view = camera.target - camera.eye;
+  if (view.isZero(0)) node.fail("eye and target are the same point", "two different points");
+  // Below a millionth of a radian the right-hand axis of the picture has no digits left in float32.
+  if (view.cross(camera.up).norm() <= 1e-6 * view.norm() * camera.up.norm()) {
+    node.fail("up has no part across the view from eye to target", "an up vector across the view");
+  }
+  return camera;
+}
+
+DisplaySettings read_display(const Node& node) {
+  DisplaySettings display;
+  node.expect_object({"color", "range", "wireframe"});
+  if (const auto color = node.find("color")) {
+    std::vector<std::string> names;
+    for (const ColorBy by : all_colors()) names.push_back(name_of(by));
+    const std::string name = color->text("one of " + join(names));
+    bool known = false;
+    for (const ColorBy by : all_colors()) {
+      if (name != name_of(by)) continue;
+      display.color = by;
+      known = true;
+    }
+    if (!known) color->fail("is " + excerpt(name) + perhaps(name, names), "one of " + join(names));
+  }
+  if (const auto range = node.find("range")) {
+    const std::string expected = "a list of 2 numbers, the lower one first";
+    const std::vector<Node> ends = range->elements(expected);
+    if (ends.size() != 2) range->refuse(expected);
+    constexpr double kLargest = 1e30;
+    display.range = {ends[0].number(-kLargest, kLargest, ""), ends[1].number(-kLargest, kLargest, "")};
+    if (!((*display.range)[0] < (*display.range)[1])) range->refuse(expected);
+  }
+  if (const auto wireframe = node.find("wireframe")) display.wireframe = wireframe->boolean();
+  return display;
+}
+
+}  // namespace
+
+Scene read_scene(const nlohmann::json& document, const DocumentOrigin& origin) {
+  const Node root(document, "", origin);
+  root.expect_object(
+      {"fascia_scene", "title", "gravity", "bodies", "solver", "camera", "display", "duration"});
+  root.at("fascia_scene", "1, the version of the format").number(1, 1, "");
+  Scene scene;
+  if (const auto title = root.find("title")) scene.title = title->text("a text");
+  root.read("gravity", scene.gravity, -kLargestAcceleration, kLargestAcceleration, "m/s^2");
+  root.read("duration", scene.duration, 0, kLongest, "s");
+  const Node bodies = root.at("bodies", "a list of at least one body");
+  for (const Node& body : bodies.elements("a list of at least one body"))
+    scene.bodies.push_back(read_body(body));
+  if (scene.bodies.empty()) bodies.refuse("a list of at least one body");
+  if (const auto solver = root.find("solver")) {
+    scene.solver = read_solver(*solver);
+  } else {
+    scene.solver.method = legal_pairs().front().method;
+    scene.solver.acceleration = legal_pairs().front().acceleration;
+  }
+  if (const auto camera = root.find("camera")) scene.camera = read_camera(*camera);
+  if (const auto display = root.find("display")) scene.display = read_display(*display);
+  return scene;
+}
+
+}  // namespace fascia

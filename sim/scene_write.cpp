@@ -1,0 +1,170 @@
+// A scene as a JSON text that people can read and edit: every setting is written, with the fewest digits that
+// read back to the same number, and lists of numbers stay on one line.
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "sim/scene.h"
+
+namespace fascia {
+namespace {
+
+namespace fs = std::filesystem;
+using json = nlohmann::ordered_json;
+
+/// Whole numbers without ".0".
+json number(double value) {
+  if (std::abs(value) < 1e9 && value == std::floor(value)) return static_cast<std::int64_t>(value);
+  return value;
+}
+
+json vector(const Eigen::Vector3d& v) {
+  return json::array({number(v.x()), number(v.y()), number(v.z())});
+}
+
+json selection(const Selection& selection) {
+  struct Writer {
+    json& object;
+    void operator()(const BoxSelection& s) { object["box"] = json::array({vector(s.min), vector(s.max)}); }
+    void operator()(const SphereSelection& s) {
+      object["sphere"] = {{"center", vector(s.center)}, {"radius", number(s.radius)}};
+    }
+    void operator()(const VertexSelection& s) { object["vertices"] = s.vertices; }
+    void operator()(const GroupSelection& s) { object["group"] = s.group; }
+    void operator()(const LowestSelection& s) { object["lowest"] = number(s.share); }
+  };
+  json object;
+  std::visit(Writer{object}, selection);
+  return object;
+}
+
+/// Of a Material or a MaterialOverride: what it has.
+template <class M>
+json material(const M& material) {
+  json object = json::object();
+  visit_material(material, [&](const auto& field, const char* name, auto&&...) {
+    if (const std::optional<double> value = field) object[name] = number(*value);
+  });
+  if (const std::optional<MaterialModel> model = material.model) object["model"] = name_of(*model);
+  return object;
+}
+
+class SceneWriter {
+ public:
+  SceneWriter(const Scene& scene, const fs::path& folder) : scene_(scene), folder_(folder) {
+    std::error_code ec;
+    const fs::path from = scene.file.parent_path();
+    same_folder_ =
+        from == folder || fs::equivalent(from.empty() ? "." : from, folder.empty() ? "." : folder, ec);
+  }
+
+  json write() const {
+    json object = {{"fascia_scene", 1}, {"title", scene_.title}, {"gravity", vector(scene_.gravity)}};
+    for (const Body& b : scene_.bodies) object["bodies"].push_back(body(b));
+    json& solver = object["solver"];
+    solver = {{"method", name_of(scene_.solver.method)},
+              {"acceleration", name_of(scene_.solver.acceleration)}};
+    visit_settings(scene_.solver,
+                   [&](const auto& field, const char* name, auto&&...) { solver[name] = number(field); });
+    if (const auto& camera = scene_.camera) {
+      object["camera"] = {{"eye", vector(camera->eye)},
+                          {"target", vector(camera->target)},
+                          {"up", vector(camera->up)},
+                          {"fov_deg", number(camera->fov_deg)}};
+    }
+    json& display = object["display"];
+    display["color"] = name_of(scene_.display.color);
+    if (const auto& range = scene_.display.range) {
+      display["range"] = json::array({number((*range)[0]), number((*range)[1])});
+    }
+    display["wireframe"] = scene_.display.wireframe;
+    object["duration"] = number(scene_.duration);
+    return object;
+  }
+
+ private:
+  json body(const Body& body) const {
+    json object = {{"name", body.name}, {"mesh", path(body.mesh)}};
+    object["transform"] = {{"scale", number(body.transform.scale)},
+                           {"rotate_deg", vector(body.transform.rotate_deg)},
+                           {"translate", vector(body.transform.translate)}};
+    object["materials"]["default"] = material(body.material);
+    for (const auto& [region, values] : body.region_materials) object["materials"][region] = material(values);
+    object["fixed"] = json::array();
+    for (const Selection& s : body.fixed) object["fixed"].push_back(selection(s));
+    object["prescribed"] = json::array();
+    for (const PrescribedMotion& m : body.prescribed) object["prescribed"].push_back(motion(m));
+    if (const auto* file = std::get_if<std::string>(&body.initial_velocity)) {
+      object["initial_velocity"] = path(*file);
+    } else {
+      object["initial_velocity"] = vector(std::get<Eigen::Vector3d>(body.initial_velocity));
+    }
+    if (!body.surface.empty()) object["surface"] = path(body.surface);
+    return object;
+  }
+
+  json motion(const PrescribedMotion& motion) const {
+    json object = json::object();
+    if (motion.select) object["select"] = selection(*motion.select);
+    if (!motion.targets.empty()) {
+      object["targets"] = path(motion.targets);
+    } else {
+      object["translate"] = vector(motion.translate);
+      object["rotate_deg"] = {{"axis", vector(motion.axis)},
+                              {"angle", number(motion.angle_deg)},
+                              {"center", vector(motion.center)}};
+      object["scale"] = number(motion.scale);
+    }
+    object["start"] = number(motion.start);
+    object["duration"] = number(motion.duration);
+    return object;
+  }
+
+  std::string path(const std::string& relative) const {
+    if (same_folder_ || fs::path(relative).is_absolute()) return relative;
+    std::error_code ec;
+    const fs::path target = scene_.resolve(relative);
+    const fs::path from_folder = fs::relative(target, folder_.empty() ? "." : folder_, ec);
+    return (from_folder.empty() ? fs::absolute(target, ec) : from_folder).string();
+  }
+
+  const Scene& scene_;
+  fs::path folder_;
+  bool same_folder_ = false;
+};
+
+bool has_objects(const json& list) {
+  for (const json& element : list) {
+    if (element.is_object() || (element.is_array() && has_objects(element))) return true;
+  }
+  return false;
+}
+
+/// What fits stands on one line, and so does a list without objects, however long.
+std::string text_of(const json& value, const std::string& indent, bool on_one_line) {
+  if (value.is_primitive() || value.empty())
+    return value.dump(-1, ' ', false, json::error_handler_t::replace);
+  if (!on_one_line) {
+    constexpr std::size_t kLongestLine = 100;
+    std::string line = text_of(value, "", true);
+    if (indent.size() + line.size() <= kLongestLine || (value.is_array() && !has_objects(value))) return line;
+  }
+  const std::string deeper = on_one_line ? "" : indent + "  ";
+  std::string text;
+  for (const auto& item : value.items()) {
+    if (!text.empty()) text += on_one_line ? ", " : ",\n";
+    text += deeper;
+    if (value.is_object()) text += text_of(item.key(), "", true) + ": ";
+    text += text_of(item.value(), deeper, on_one_line);
+  }
+  if (!on_one_line) text = "\n" + text + "\n" + indent;
+  return value.is_object() ? "{" + text + "}" : "[" + text + "]";
+}
+
+}  // namespace
+
+std::string scene_to_json(const Scene& scene, const fs::path& folder) {
+  return text_of(SceneWriter(scene, folder).write(), "", false) + "\n";
+}
+
+}  // namespace fascia

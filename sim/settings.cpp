@@ -1,0 +1,79 @@
+#include "sim/settings.h"
+
+#include "sim/suggest.h"
+
+namespace fascia {
+
+const std::vector<Pair>& legal_pairs() {
+  static const std::vector<Pair> pairs = {{Method::mass_splitting, Acceleration::none},
+                                           {Method::gauss_seidel, Acceleration::none},
+                                           {Method::jacobi, Acceleration::none}};
+  return pairs;
+}
+
+const char* name_of(Method method) {
+  switch (method) {
+    case Method::jacobi:
+      return "jacobi";
+    case Method::mass_splitting:
+      return "mass_splitting";
+    case Method::gauss_seidel:
+      return "gauss_seidel";
+  }
+  return "";
+}
+
+const char* name_of(Acceleration acceleration) {
+  switch (acceleration) {
+    case Acceleration::none:
+      return "none";
+  }
+  return "";
+}
+
+const char* label_of(Method method) {
+  switch (method) {
+    case Method::jacobi:
+      return "Jacobi XPBD, averaged";
+    case Method::mass_splitting:
+      return "Jacobi XPBD, mass splitting";
+    case Method::gauss_seidel:
+      return "Gauss-Seidel XPBD, colored";
+  }
+  return "";
+}
+
+const char* help_of(Method method) {
+  switch (method) {
+    case Method::jacobi:
+      return "All tets at once, each vertex takes the mean of its tets' corrections: the poster's method. Always stable, but too "
+             "soft: it does not converge to the material's stiffness, however many iterations it gets.";
+    case Method::mass_splitting:
+      return "All tets at once, each with its share of a vertex's mass. As cheap and stable as averaging, keeps momentum, and "
+             "converges to within a few percent of the exact step; stiff tissue needs many iterations or substeps.";
+    case Method::gauss_seidel:
+      return "Color by color, each tet sees the corrections before it; one dispatch per color. Converges fastest on soft "
+             "tissue with short steps. Stiff tissue with long steps makes it invert tets or diverge: use more substeps.";
+  }
+  return "";
+}
+
+std::optional<Pair> find_pair(std::optional<std::string_view> method,
+                              std::optional<std::string_view> acceleration) {
+  for (const Pair& pair : legal_pairs()) {
+    if (method && *method != name_of(pair.method)) continue;
+    if (acceleration && *acceleration != name_of(pair.acceleration)) continue;
+    return pair;
+  }
+  return std::nullopt;
+}
+
+std::string list_of_pairs() {
+  std::vector<std::string> pairs;
+  for (const Pair& pair : legal_pairs()) {
+    pairs.push_back(std::string(name_of(pair.method)) + " with " + name_of(pair.acceleration));
+  }
+  return join(pairs);
+}
+
+}  // namespace fascia

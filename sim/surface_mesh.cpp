@@ -1,0 +1,47 @@
+#include "sim/surface_mesh.h"
+
+#include <cmath>
+#include <sstream>
+#include <tiny_obj_loader.h>
+
+#include "sim/error.h"
+#include "sim/file.h"
+
+namespace fascia {
+
+SurfaceMesh read_obj(const std::filesystem::path& path) {
+  std::istringstream text(read_file(path));
+  tinyobj::attrib_t attributes;
+  std::vector<tinyobj::shape_t> shapes;
+  std::vector<tinyobj::material_t> materials;
+  std::string warning, error;
+  const bool read = tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &text, nullptr, true);
+  if (!read) {
+    if (const std::size_t end = error.find('\n'); end != std::string::npos) error.resize(end);
+    throw Error(path.string(), error.empty() ? "cannot be understood" : error, "expected a Wavefront .obj surface");
+  }
+  SurfaceMesh mesh;
+  for (std::size_t i = 0; i + 2 < attributes.vertices.size(); i += 3) {
+    mesh.positions.emplace_back(attributes.vertices[i], attributes.vertices[i + 1], attributes.vertices[i + 2]);
+    if (!mesh.positions.back().allFinite())
+      throw Error(path.string(), "vertex " + std::to_string(i / 3 + 1) + " is not finite", "expected finite coordinates");
+  }
+  for (const tinyobj::shape_t& shape : shapes) {
+    const auto& indices = shape.mesh.indices;
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+      Triangle triangle;
+      for (int k = 0; k < 3; ++k) {
+        const int v = indices[i + k].vertex_index;
+        if (v < 0 || static_cast<std::size_t>(v) >= mesh.positions.size())
+          throw Error(path.string(), "a face uses vertex " + std::to_string(v + 1),
+                      "expected 1 to " + std::to_string(mesh.positions.size()));
+        triangle[k] = static_cast<std::uint32_t>(v);
+      }
+      mesh.triangles.push_back(triangle);
+    }
+  }
+  if (mesh.triangles.empty()) throw Error(path.string(), "has no faces", "expected a Wavefront .obj surface");
+  return mesh;
+}
+
+}  // namespace fascia

@@ -1,0 +1,214 @@
+// The real window on a virtual display, used by hands made of xdotool.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "sim/file.h"
+#include "tests/app/window_fixture.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+constexpr int kWidth = 1000, kHeight = 700;
+constexpr int kPanels = 340;  // a little more than the column of panels is wide
+
+// A cube of soft tissue on its clamped base, without gravity: nothing moves unless a hand moves it. It stands in the middle of
+// the picture.
+std::string cube_scene(const std::string& title, double young_modulus) {
+  return nlohmann::json{
+      {"fascia_scene", 1},
+      {"title", title},
+      {"gravity", {0, 0, 0}},
+      {"bodies",
+       {{{"name", "cube"},
+         {"mesh", (source_dir() / "assets/meshes/cube.msh").string()},
+         {"materials", {{"default", {{"young_modulus", young_modulus}, {"damping", 0.1}}}}},
+         {"fixed", {{{"lowest", 0.02}}}}}}}}
+      .dump(2);
+}
+
+struct Desk {
+  TemporaryFolder folder;
+  VirtualDisplay display{kWidth, kHeight};
+  std::string scene(const std::string& name, const std::string& text) const {
+    write_file(folder / name, text);
+    return (folder / name).string();
+  }
+};
+
+const std::vector<std::string> kSize = {"--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)};
+
+std::vector<std::string> with_size(std::vector<std::string> arguments) {
+  arguments.insert(arguments.end(), kSize.begin(), kSize.end());
+  return arguments;
+}
+
+double changed_share(const Screenshot& a, const Screenshot& b) {
+  return difference(right_part(a.image, kPanels), right_part(b.image, kPanels)).share;
+}
+
+// Middle of the first slider's knob in the panels: the accent color (see ui_style.cpp), in the uppermost rows where it is.
+struct Place {
+  int x = 0, y = 0;
+};
+Place first_slider(const Image& image) {
+  const auto is_knob = [&](int x, int y) {
+    const std::uint8_t* p = &image.rgba[4 * (static_cast<std::size_t>(y) * image.width + x)];
+    return p[0] > 180 && p[1] > 80 && p[1] < 140 && p[2] > 60 && p[2] < 120;
+  };
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 20; x < kPanels; ++x) {
+      int length = 0;
+      while (x + length < kPanels && is_knob(x + length, y)) ++length;
+      if (length >= 4) return {x + length / 2, y + 5};
+    }
+  return {};
+}
+
+double farthest_vertex(const std::filesystem::path& csv, const std::filesystem::path& rest_csv) {
+  std::ifstream now(csv), rest(rest_csv);
+  std::string a, b;
+  double farthest = 0;
+  while (std::getline(now, a) && std::getline(rest, b)) {
+    double index = 0, p[3], q[3];
+    if (std::sscanf(a.c_str(), "%lf,%lf,%lf,%lf", &index, p, p + 1, p + 2) != 4) continue;
+    if (std::sscanf(b.c_str(), "%lf,%lf,%lf,%lf", &index, q, q + 1, q + 2) != 4) continue;
+    farthest = std::max(farthest, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+  }
+  return farthest;
+}
+
+}  // namespace
+
+TEST_CASE("tissue is dragged, a slider moved and keys pressed in the window") {
+  const Desk desk;
+  const std::string scene = desk.scene("cube.json", cube_scene("Test cube", 2e4));
+  FasciaWindow window(with_size({scene, "--export", "dragged.csv", "--stats", "stats.json"}), desk.folder.path());
+  const Screenshot rest = window.screenshot();
+  CHECK(rest.image.width == kWidth);
+  CHECK(rest.title == "Test cube");
+  CHECK(rest.young_modulus == 2e4);
+
+  INFO("a drag on tissue deforms it, and letting go and R bring it back");
+  window.move(kWidth / 2, kHeight / 2);
+  window.press();
+  window.move(kWidth / 2 + 160, kHeight / 2 - 60);
+  Screenshot dragged;
+  CHECK(eventually([&] { return changed_share(rest, dragged = window.screenshot()) > 0.01; }));
+  window.release();
+  window.key("r");
+  // Nothing acts on the tissue after a reset: the very picture of rest comes back.
+  CHECK(eventually([&] { return changed_share(rest, window.screenshot()) < 1e-4; }));
+
+  INFO("a slider changes the material of the running scene");
+  const Place knob = first_slider(rest.image);
+  REQUIRE(knob.y > 0);
+  window.move(knob.x, knob.y);
+  window.press();
+  window.move(knob.x + 40, knob.y);
+  window.release();
+  Screenshot stiffer;
+  CHECK(eventually([&] { return (stiffer = window.screenshot()).young_modulus > 1e5; }));
+
+  INFO("keys");
+  window.key("space");
+  Screenshot paused;
+  CHECK(eventually([&] {
+    const std::string moment = window.screenshot().moment;
+    return (paused = window.screenshot()).moment == moment;
+  }));
+  long step = 0, next = 0;
+  REQUIRE(std::sscanf(paused.moment.c_str(), "step %ld", &step) == 1);
+  window.key("period");
+  CHECK(eventually([&] { return window.screenshot().moment != paused.moment; }));
+  REQUIRE(std::sscanf(window.screenshot().moment.c_str(), "step %ld", &next) == 1);
+  CHECK(next == step + 1);
+  window.key("w");
+  Screenshot wire;
+  CHECK(eventually([&] { return (wire = window.screenshot()).wireframe; }));
+  CHECK(changed_share(paused, wire) > 0.005);
+  window.key("h");
+  const auto panels_of = [](const Screenshot& shot) { return Image{kPanels, kHeight, [&] {
+    std::vector<std::uint8_t> pixels;
+    for (int y = 0; y < kHeight; ++y) {
+      const auto row = shot.image.rgba.begin() + 4 * y * kWidth;
+      pixels.insert(pixels.end(), row, row + 4 * kPanels);
+    }
+    return pixels;
+  }()}; };
+  CHECK(eventually([&] { return difference(panels_of(wire), panels_of(window.screenshot())).share > 0.5; }));
+
+  INFO("closing while the hand still pulls writes the deformed state");
+  window.key("space");
+  window.move(kWidth / 2, kHeight / 2);
+  window.press();
+  window.move(kWidth / 2 + 160, kHeight / 2 - 60);
+  const Screenshot before = window.screenshot();
+  CHECK(eventually([&] { return window.screenshot().moment != before.moment; }));
+  CHECK(eventually([&] { return changed_share(wire, window.screenshot()) > 0.01; }));
+  window.key("ctrl+q");
+  CHECK(window.wait() == 0);
+  CAPTURE(window.said());
+  const auto stats = nlohmann::json::parse(read_file(desk.folder / "stats.json"));
+  CHECK(stats.at("steps").get<long>() > step);
+  CHECK(stats.at("nan").get<bool>() == false);
+  REQUIRE(run_fascia({"run", scene, "--steps", "0", "--context", "osmesa", "--export", (desk.folder / "rest.csv").string()}).exit_code == 0);
+  const double farthest = farthest_vertex(desk.folder / "dragged.csv", desk.folder / "rest.csv");
+  CHECK(farthest > 0.01);  // [m] of a cube of 0.1 m or more
+}
+
+TEST_CASE("a scene that cannot be opened leaves the open one, and another opens by its path") {
+  const Desk desk;
+  const std::string first = desk.scene("first.json", cube_scene("First", 1e5));
+  desk.scene("second.json", cube_scene("Second", 1e6));
+  desk.scene("broken.json", "{\"fascia_scene\": 1, \"titel\": 3}");
+  FasciaWindow window(with_size({first}), desk.folder.path());
+  CHECK(window.screenshot().title == "First");
+
+  // Characters typed before the dialog has taken the keyboard are lost, so everything is tried until it works; Escape closes a
+  // dialog that was left open.
+  const auto open = [&](const std::string& name) {
+    window.key("Escape");
+    window.key("ctrl+o");
+    window.pause();
+    window.type(name);
+    window.key("Return");
+    window.pause();
+    window.key("Escape");
+  };
+  // Of the red box that an error is shown in (see panels_help.cpp).
+  const auto red_pixels = [](const Screenshot& shot) {
+    long count = 0;
+    for (std::size_t i = 0; i < shot.image.rgba.size(); i += 4)
+      count += std::abs(shot.image.rgba[i] - 84) < 12 && std::abs(shot.image.rgba[i + 1] - 26) < 12 && std::abs(shot.image.rgba[i + 2] - 24) < 12;
+    return count;
+  };
+  CHECK(red_pixels(window.screenshot()) < 100);
+  for (const char* bad : {"broken.json", "missing.json"}) {
+    CAPTURE(bad);
+    CHECK(eventually([&] {
+      open(bad);
+      const Screenshot shot = window.screenshot();
+      CHECK(shot.title == "First");
+      return red_pixels(shot) > 2000;
+    }));
+  }
+  CHECK(eventually([&] {
+    open("second.json");
+    return window.screenshot().title == "Second";
+  }));
+  window.key("ctrl+q");
+  CHECK(window.wait() == 0);
+}
+
+TEST_CASE("a window closes by itself after the asked steps") {
+  const Desk desk;
+  const std::string scene = desk.scene("cube.json", cube_scene("Cube", 1e5));
+  const CommandResult result = run_fascia(with_size({"view", scene, "--steps", "5", "--stats", "stats.json"}), desk.folder.path());
+  CAPTURE(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(nlohmann::json::parse(read_file(desk.folder / "stats.json")).at("steps") == 5);
+}

@@ -1,0 +1,69 @@
+// A virtual display with a fascia window on it, and hands: everything a test of the real window needs. Nothing waits for a fixed
+// time; what is expected is polled for, with limits that only a hung program reaches.
+#pragma once
+#include <sys/types.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "render/image.h"
+#include "tests/support/support.h"
+
+namespace fascia::test {
+
+/// Xvfb on a display number of its own; DISPLAY points to it as long as it lives.
+class VirtualDisplay {
+ public:
+  VirtualDisplay(int width, int height);
+  ~VirtualDisplay();
+  VirtualDisplay(const VirtualDisplay&) = delete;
+  VirtualDisplay& operator=(const VirtualDisplay&) = delete;
+
+ private:
+  pid_t server_ = -1;
+};
+
+struct Screenshot {
+  Image image;
+  std::string title, moment;
+  double young_modulus = 0;  // of the first body's default material [Pa]
+  bool wireframe = false;
+};
+
+class FasciaWindow {
+ public:
+  /// Starts `fascia view` with the arguments in `folder` and waits until it shows a picture.
+  FasciaWindow(std::vector<std::string> arguments, std::filesystem::path folder);
+  ~FasciaWindow();
+  FasciaWindow(const FasciaWindow&) = delete;
+  FasciaWindow& operator=(const FasciaWindow&) = delete;
+
+  void key(const std::string& name);  // as xdotool names it: "p", "ctrl+o"
+  void type(const std::string& text);
+  void pause();                       // as long as a person would, which proves nothing
+  void move(int x, int y);            // in small steps from where the mouse is
+  void press();                       // left button
+  void release();
+  Screenshot screenshot();            // through P
+  bool running();
+  /// Exit code; the program must end by itself.
+  int wait();
+  std::string said() const;           // stdout and stderr
+
+ private:
+  std::filesystem::path folder_, log_;
+  pid_t child_ = -1;
+  std::string window_;
+  int exit_code_ = -1;
+  int x_ = 0, y_ = 0;
+};
+
+/// Polls until `condition` holds. False after a very long time.
+bool eventually(const std::function<bool()>& condition);
+
+/// The columns from `left` on: the picture without the panels.
+Image right_part(const Image& image, int left);
+
+}  // namespace fascia::test

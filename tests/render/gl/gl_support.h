@@ -1,0 +1,52 @@
+// What the tests that need OpenGL share: the contexts they run on, and a shader folder of a test's own.
+#pragma once
+#include <catch2/catch.hpp>
+
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "render/context.h"
+#include "sim/error.h"
+#include "tests/support/support.h"
+
+namespace fascia::test {
+
+/// Runs the rest of the test case once on OSMesa and once on EGL.
+inline std::unique_ptr<Context> each_context() {
+  const auto name = GENERATE(as<std::string>(), "osmesa", "egl");
+  INFO(name);
+  auto context = name == "osmesa" ? make_osmesa_context({}) : make_egl_context({}, EglDevices::any);
+  REQUIRE(context->name() == name);
+  return context;
+}
+
+/// With the project's common/io.glsl in it.
+class ShaderFolder {
+ public:
+  ShaderFolder() {
+    std::filesystem::create_directory(folder_ / "common");
+    std::filesystem::copy(source_dir() / "shaders/common/io.glsl", folder_ / "common/io.glsl");
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  const std::filesystem::path& path() const { return folder_.path(); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+/// The message of the Error that `action` must throw.
+template <class Action>
+std::string error_of(Action action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  FAIL("no Error was thrown");
+  return "";
+}
+
+}  // namespace fascia::test

@@ -1,0 +1,263 @@
+// Every kernel that all methods share, alone, against the same pass in double precision on random states.
+// Tolerances: one or a few float32 operations per output, 6e-8 each; sums of n terms grow it by at most n.
+#include <catch2/catch.hpp>
+
+#include "sim/gpu/solver.h"
+#include "tests/sim/gpu/double_xpbd.h"
+#include "tests/sim/gpu/gpu_fixture.h"
+#include "tests/support/models.h"
+
+using namespace fascia;
+using namespace fascia::test;
+using Eigen::Vector3d;
+using shared::vec4;
+
+namespace {
+
+const Material soft{2e4, 0.35, 1050, 0, MaterialModel::st_venant_kirchhoff};
+
+Model block() {
+  return make_model(make_box(5, 4, 3, {0.1, 0.08, 0.06}), soft, [](const Vector3d& x) { return x.y() < 1e-9; });
+}
+
+std::vector<Vector3d> unpack(const gl::Buffer& buffer) {
+  std::vector<Vector3d> out;
+  for (const vec4& v : buffer.read<vec4>()) out.emplace_back(v.x, v.y, v.z);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("predict adds velocity and gravity to free vertices only", "[gpu]") {
+  const bool split = GENERATE(false, true);
+  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
+  Gpu gpu(loads);
+  const Model model = block();
+  SimBuffers buffers(model);
+  const double h = 1.0 / 90;
+  buffers.upload_step(model, h);
+  const reference::State state = random_state(model, 0.01, 1);
+  buffers.upload_state(model, state);
+  prediction(gpu.programs, buffers, split).run();
+  const std::vector<char> held = model.held();
+  const std::vector<double> mass = lumped_masses(model);
+  std::vector<Vector3d> expected = state.displacement;
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    if (!held[i]) expected[i] += h * (state.velocity[i] + h * model.gravity);
+  CHECK(relative_rms(unpack(buffers.displacement), expected) < 3e-7);
+  CHECK(relative_rms(unpack(buffers.predicted), expected) < 3e-7);
+  CHECK(relative_rms(unpack(buffers.previous_displacement), state.displacement) == 0);
+  const std::vector<vec4> values = buffers.displacement.read<vec4>(), predicted = buffers.predicted.read<vec4>();
+  std::vector<int> valence(values.size(), 0);
+  for (const Tet& tet : model.tets)
+    for (const auto v : tet) ++valence[v];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    CAPTURE(i);
+    CHECK(predicted[i].w == Approx(held[i] ? 0 : 1 / mass[i]).epsilon(1e-6));
+    CHECK(values[i].w == Approx(held[i] ? 0 : (split ? valence[i] : 1) / mass[i]).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("velocity is the change of displacement over the substep", "[gpu]") {
+  Gpu gpu;
+  const Model model = block();
+  SimBuffers buffers(model);
+  const double h = 1.0 / 60;
+  buffers.upload_step(model, h);
+  const reference::State now = random_state(model, 0.01, 1), before = random_state(model, 0.01, 2);
+  buffers.upload_state(model, before);
+  const std::vector<vec4> previous = buffers.displacement.read<vec4>();
+  buffers.previous_displacement.upload(0, buffers.previous_displacement.bytes(), previous.data());
+  buffers.upload_state(model, now);
+  gl::ComputePass(gpu.programs.compute("sim/velocity.comp"),
+                  {{"step", &buffers.step},
+                   {"displacement", &buffers.displacement},
+                   {"previous_displacement", &buffers.previous_displacement},
+                   {"velocity", &buffers.velocity}},
+                  buffers.vertex_count)
+      .run();
+  std::vector<Vector3d> expected;
+  for (std::size_t i = 0; i < now.displacement.size(); ++i)
+    expected.push_back((now.displacement[i] - before.displacement[i]) / h);
+  CHECK(relative_rms(unpack(buffers.velocity), expected) < 3e-7);
+}
+
+TEST_CASE("previous strain is the Green strain of the start of the substep", "[gpu]") {
+  Gpu gpu;
+  const Model model = block();
+  SimBuffers buffers(model);
+  const reference::State state = random_state(model, 0.004, 6);
+  buffers.upload_state(model, state);
+  const std::vector<vec4> u = buffers.displacement.read<vec4>();
+  buffers.previous_displacement.upload(0, buffers.previous_displacement.bytes(), u.data());
+  const gl::Buffer strain("strain", 2 * sizeof(vec4) * buffers.tet_count);
+  gl::ComputePass(gpu.programs.compute("sim/previous_strain.comp"),
+                  {{"tet_vertices", &buffers.tet_vertices},
+                   {"tet_shape", &buffers.tet_shape},
+                   {"previous_displacement", &buffers.previous_displacement},
+                   {"previous_strain", &strain}},
+                  buffers.tet_count)
+      .run();
+  const DoubleXpbd exact(model, {});
+  std::vector<Vector3d> expected;
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const Vector6d e = exact.strain(t, state.displacement);
+    expected.push_back(e.head<3>());
+    expected.push_back(e.tail<3>());
+  }
+  CHECK(relative_rms(unpack(strain), expected) < 1e-6);
+}
+
+TEST_CASE("diagnostics equal the reference measures", "[gpu]") {
+  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
+  const bool two_materials = GENERATE(false, true);
+  Gpu gpu(loads);
+  Model model = block();
+  if (two_materials) {
+    model.materials.push_back({9e4, 0.45, 2000, 0, MaterialModel::st_venant_kirchhoff});
+    for (std::size_t t = 0; t < model.tets.size(); t += 2) model.tet_material[t] = 1;
+  }
+  GpuSolver solver(gpu.programs, model, {});
+  const reference::State state = random_state(model, 0.004, 4);
+  solver.upload(state);
+  solver.request_diagnostics();
+  const auto got = solver.take_diagnostics(true);
+  REQUIRE(got);
+  const reference::Measures expected = reference::measure(model, state);
+  const auto close = [](const Vector3d& a, const Vector3d& b) {
+    INFO("got " << a.transpose() << ", expected " << b.transpose());
+    CHECK((a - b).norm() < 3e-6 * b.norm());
+  };
+  CHECK(got->kinetic == Approx(expected.kinetic).epsilon(2e-6));
+  CHECK(got->elastic == Approx(expected.elastic).epsilon(5e-6));
+  close(got->momentum, expected.momentum);
+  close(got->angular_momentum, expected.angular_momentum);
+  close(got->reaction, expected.fixed_reaction);
+  CHECK(got->min_det_f == Approx(expected.min_det_f).epsilon(1e-5));
+  CHECK(got->max_det_f == Approx(expected.max_det_f).epsilon(1e-5));
+  CHECK(got->inverted == expected.inverted);
+  CHECK(got->finite);
+
+  const StateFields fields = reference::export_fields(model, state);
+  double strain = 0, stress = 0;
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const auto& e = fields.green_strain[t];
+    strain = std::max(strain, std::sqrt(e.head<3>().squaredNorm() + 2 * e.tail<3>().squaredNorm()));
+    stress = std::max(stress, fields.von_mises[t]);
+  }
+  CHECK(got->max_strain == Approx(strain).epsilon(1e-5));
+  CHECK(got->max_von_mises == Approx(stress).epsilon(1e-4));  // divided by J, whose smallest value is near zero here
+}
+
+TEST_CASE("the residual is zero for the exact implicit Euler step and one for the untouched prediction", "[gpu]") {
+  Gpu gpu;
+  Model model = block();
+  model.gravity.setZero();  // a load would count in the scale
+  const SolverSettings settings;
+  reference::NewtonSolver newton(model, settings);
+  reference::State state = random_state(model, 0.002, 12);
+  const reference::State before = state;
+  newton.step(state);
+
+  GpuSolver solver(gpu.programs, model, settings);
+  const SimBuffers& buffers = solver.buffers();
+  const auto residual_with = [&](const std::vector<Vector3d>& displacement) {
+    // A step leaves the prediction of `before` in the buffers; then the displacement is put in place of its result.
+    solver.upload(before);
+    solver.step();
+    reference::State replaced = before;
+    replaced.displacement = displacement;
+    solver.upload(replaced);
+    solver.request_diagnostics();
+    return solver.take_diagnostics(true)->residual;
+  };
+  const double exact = residual_with(state.displacement);
+  const double prediction = residual_with(unpack(buffers.predicted));
+  CAPTURE(exact, prediction);
+  CHECK(exact < 2e-5);  // float32 displacements of 1e-3 relative to their differences
+  CHECK(prediction == Approx(1.0).epsilon(1e-5));
+}
+
+TEST_CASE("published positions and heat map scalars", "[gpu]") {
+  const auto color = GENERATE(ColorBy::none, ColorBy::strain, ColorBy::von_mises);
+  Gpu gpu;
+  const Model model = block();
+  GpuSolver solver(gpu.programs, model, {});
+  const reference::State state = random_state(model, 0.002, 5);
+  solver.upload(state);
+  solver.set_color(color);
+  solver.publish();
+  const std::vector<vec4> got = solver.positions().read<vec4>();
+  const StateFields fields = reference::export_fields(model, state);
+  std::vector<double> weight(got.size(), 0), scalar(got.size(), 0);
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const Tet& tet = model.tets[t];
+    const auto& x = model.rest_positions;
+    const double volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6;
+    const auto& e = fields.green_strain[t];
+    const double value = color == ColorBy::strain ? std::sqrt(e.head<3>().squaredNorm() + 2 * e.tail<3>().squaredNorm())
+                                                  : fields.von_mises[t];
+    for (const auto v : tet) {
+      weight[v] += volume;
+      scalar[v] += volume * value;
+    }
+  }
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    const Vector3d expected = model.rest_positions[i] + state.displacement[i];
+    CAPTURE(i, got[i].x, got[i].y, got[i].z, got[i].w, expected.transpose());
+    CHECK((Vector3d(got[i].x, got[i].y, got[i].z) - expected).norm() < 2e-8);
+    CHECK(got[i].w == Approx(color == ColorBy::none ? 0 : scalar[i] / weight[i]).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("a grab spring alone obeys implicit Euler", "[gpu]") {
+  // One tet so soft that only the spring acts: (m / h^2 + k) (u - target) = m / h^2 (u~ - target).
+  Gpu gpu;
+  TetMesh mesh;
+  mesh.positions = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}};
+  mesh.tets = {{0, 1, 2, 3}};
+  mesh.regions = {0};
+  Model model = make_model(mesh, {1e-3, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff}, [](const Vector3d&) { return false; });
+  model.gravity.setZero();
+  SolverSettings settings;
+  GpuSolver solver(gpu.programs, model, settings);
+  const double m = lumped_masses(model)[1], h = settings.substep();
+  const double stiffness = GENERATE(1e-2, 1e1, 1e5);
+  const Vector3d target(0.03, -0.02, 0.01);
+  solver.set_grab({{1, target, stiffness}});
+  solver.step();
+  const Vector3d expected = target * stiffness / (m / (h * h) + stiffness);
+  const reference::State state = solver.download();
+  CAPTURE(stiffness, state.displacement[1].transpose(), expected.transpose());
+  CHECK((state.displacement[1] - expected).norm() < 1e-4 * expected.norm());
+  solver.request_diagnostics();
+  const auto diagnostics = solver.take_diagnostics(true);
+  const Vector3d force = stiffness * (target - expected);
+  CAPTURE(diagnostics->grab_force.transpose(), force.transpose());
+  CHECK((diagnostics->grab_force - force).norm() < 1e-3 * force.norm());
+  CHECK(diagnostics->residual < 1e-4);  // the spring counts as a load
+
+  solver.set_grab({});
+  solver.step();
+  solver.request_diagnostics();
+  CHECK(solver.take_diagnostics(true)->grab_force.norm() == 0);
+}
+
+TEST_CASE("prescribed vertices follow their motion exactly", "[gpu]") {
+  Gpu gpu;
+  Model model = block();
+  Motion motion;
+  motion.vertices = {30, 31, 32};
+  motion.translate = {0.01, 0.02, -0.01};
+  motion.start = 0.05;
+  motion.duration = 0.1;
+  model.motions = {motion};
+  GpuSolver solver(gpu.programs, model, {});
+  for (int step = 1; step <= 12; ++step) {
+    solver.step();
+    const reference::State state = solver.download();
+    const double share = std::clamp((step / 60.0 - 0.05) / 0.1, 0.0, 1.0);
+    CAPTURE(step, share, state.displacement[31].transpose());
+    CHECK((state.displacement[31] - share * motion.translate).norm() < 1e-8);
+  }
+}

@@ -1,0 +1,128 @@
+// The XPBD methods against their double-precision transcription: one tet pass, one vertex pass, whole steps.
+//
+// Tolerances: float32 carries 6e-8 relative. The strain of a state with displacement gradients of 0.1 to 0.3 is known to
+// about 1e-7 relative; the 6x6 system's condition number (about 1 / (1 - 2 nu), times the spread of the tet's shape, some tens)
+// amplifies that to a few 1e-6. A whole step feeds 20 iterations with such errors, which the iteration itself damps.
+#include <catch2/catch.hpp>
+
+#include "sim/gpu/solver.h"
+#include "tests/sim/gpu/double_xpbd.h"
+#include "tests/sim/gpu/gpu_fixture.h"
+#include "tests/support/models.h"
+
+using namespace fascia;
+using namespace fascia::test;
+using Eigen::Vector3d;
+using shared::vec4;
+
+namespace {
+
+Model beam(const Material& material) {
+  return make_model(make_box(6, 3, 2, {0.2, 0.1, 0.07}), material, [](const Vector3d& x) { return x.x() < 1e-9; });
+}
+
+}  // namespace
+
+TEST_CASE("tet corrections and multipliers equal the double-precision block solve", "[gpu]") {
+  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
+  const double nu = GENERATE(-0.9, 0.0, 0.3, 0.45, 0.499);
+  const double damping = GENERATE(0.0, 0.02);
+  const double young = GENERATE(1e3, 1e9);
+  CAPTURE(gl::name_of(loads), nu, damping, young);
+  Gpu gpu(loads);
+  Model model = beam({young, nu, 1000, damping, MaterialModel::st_venant_kirchhoff});
+  SolverSettings settings;
+  const bool split = GENERATE(false, true);
+  settings.method = split ? Method::mass_splitting : Method::jacobi;
+  SimBuffers buffers(model);
+  buffers.upload_step(model, settings.substep());
+  const reference::State state = random_state(model, 0.004, 3);
+  buffers.upload_state(model, state);
+  const Features features = features_of(model);
+  gl::Buffer previous_strain("previous_strain", 2 * sizeof(vec4) * buffers.tet_count);
+  const JacobiMethod method(buffers.tet_count);
+  // predict puts the inverse masses beside the displacements and moves the vertices; compare from where it ends.
+  prediction(gpu.programs, buffers, split).run();
+  if (features.damping)
+    gl::ComputePass(gpu.programs.compute("sim/previous_strain.comp"),
+                    {{"tet_vertices", &buffers.tet_vertices},
+                     {"tet_shape", &buffers.tet_shape},
+                     {"previous_displacement", &buffers.previous_displacement},
+                     {"previous_strain", &previous_strain}},
+                    buffers.tet_count)
+        .run();
+  const reference::State moved = buffers.download_state(0);
+
+  const auto first = method.iteration(gpu.programs, buffers, features, previous_strain, true);
+  const auto next = method.iteration(gpu.programs, buffers, features, previous_strain, false);
+  const DoubleXpbd exact(model, settings);
+  const std::vector<Tet> slots = buffers.tet_slots.read<Tet>();
+  const auto compare = [&](const std::vector<Vector6d>& lambda, const std::vector<Vector3d>& u) {
+    const std::vector<vec4> correction = buffers.correction.read<vec4>();
+    std::vector<Vector3d> got, expected;
+    std::vector<Vector6d> updated;
+    for (std::size_t t = 0; t < model.tets.size(); ++t) {
+      const auto r = exact.solve_tet(t, u, exact.strain(t, state.displacement), lambda[t]);
+      updated.push_back(r.multiplier);
+      for (int a = 0; a < 4; ++a) {
+        const vec4 c = correction[slots[t][a]];
+        got.emplace_back(c.x, c.y, c.z);
+        expected.push_back(r.correction[a]);
+      }
+    }
+    // 1 - 2 nu = 0.002 at nu = 0.499 costs three digits of the compliance matrix itself.
+    const double tolerance = 3e-6 + 4e-8 / (1 - 2 * nu);
+    const double error = relative_rms(got, expected);
+    CAPTURE(error, tolerance);
+    CHECK(error < tolerance);
+    return updated;
+  };
+  first[0].run();
+  const auto lambda = compare(std::vector<Vector6d>(model.tets.size(), Vector6d::Zero()), moved.displacement);
+
+  // The second iteration must start from the multipliers that the first one stored.
+  first[1].run();
+  const reference::State averaged = buffers.download_state(0);
+  next[0].run();
+  compare(lambda, averaged.displacement);
+}
+
+TEST_CASE("whole steps equal the double-precision method", "[gpu]") {
+  const Method method = GENERATE(Method::jacobi, Method::mass_splitting, Method::gauss_seidel);
+  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
+  const double damping = GENERATE(0.0, 0.01);
+  const int substeps = GENERATE(1, 4);
+  CAPTURE(name_of(method), gl::name_of(loads), damping, substeps);
+  Gpu gpu(loads);
+  Model model = beam({3e4, 0.4, 900, damping, MaterialModel::st_venant_kirchhoff});
+  // A second material, so that the per-tet lookup is part of the comparison.
+  model.materials.push_back({2e5, 0.2, 1500, 0, MaterialModel::st_venant_kirchhoff});
+  for (std::size_t t = 0; t < model.tets.size(); t += 3) model.tet_material[t] = 1;
+  Motion motion;
+  for (std::uint32_t i = 0; i < model.rest_positions.size(); ++i)
+    if (model.rest_positions[i].x() > 0.2 - 1e-9) motion.vertices.push_back(i);
+  motion.axis = Vector3d::UnitX();
+  motion.angle = 0.5;
+  motion.center = {0, 0.05, 0.035};
+  motion.duration = 0.1;
+  model.motions.push_back(motion);
+  SolverSettings settings;
+  settings.method = method;
+  settings.substeps = substeps;
+
+  GpuSolver solver(gpu.programs, model, settings);
+  DoubleXpbd exact(model, settings);
+  reference::State state = random_state(model, 0.001, 8);
+  solver.upload(state);
+  for (int step = 0; step < 10; ++step) {
+    solver.step();
+    exact.step(state);
+  }
+  const reference::State got = solver.download();
+  CHECK(got.time == Approx(state.time));
+  const double error = relative_rms(got.displacement, state.displacement);
+  const double velocity_error = relative_rms(got.velocity, state.velocity);
+  CAPTURE(error, velocity_error);
+  CHECK(error < 1e-5);
+  CHECK(velocity_error < 1e-4);  // v = (u - u_n) / h loses the digits that u and u_n share
+}

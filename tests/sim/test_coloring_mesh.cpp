@@ -1,0 +1,77 @@
+// Colorings: valid, repeatable, balanced.
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "sim/coloring.h"
+#include "sim/mesh_generate.h"
+
+using namespace fascia;
+
+namespace {
+
+void check_valid(const std::vector<Tet>& tets, const std::vector<char>& held, const Coloring& coloring) {
+  REQUIRE(coloring.order.size() == tets.size());
+  CHECK(std::set<std::uint32_t>(coloring.order.begin(), coloring.order.end()).size() == tets.size());
+  CHECK(coloring.begin.back() == tets.size());
+  for (std::size_t color = 0; color < coloring.color_count(); ++color) {
+    std::set<std::uint32_t> seen;
+    for (std::uint32_t i = coloring.begin[color]; i < coloring.begin[color + 1]; ++i)
+      for (const std::uint32_t v : tets[coloring.order[i]]) {
+        CAPTURE(color, v);
+        if (!held[v]) REQUIRE(seen.insert(v).second);
+      }
+    CHECK(!seen.empty());
+  }
+}
+
+}  // namespace
+
+TEST_CASE("no two tets of a color share a free vertex") {
+  const TetMesh mesh = make_box(7, 5, 4, {0.7, 0.5, 0.4});
+  std::vector<char> held(mesh.positions.size(), 0);
+  const Coloring free = color_tets(mesh.tets, held);
+  check_valid(mesh.tets, held, free);
+  for (std::size_t v = 0; v < held.size(); ++v) held[v] = mesh.positions[v].x() < 0.35;
+  const Coloring clamped = color_tets(mesh.tets, held);
+  check_valid(mesh.tets, held, clamped);
+  CAPTURE(free.color_count(), clamped.color_count());
+  CHECK(clamped.color_count() <= free.color_count());
+}
+
+TEST_CASE("a coloring needs at least the largest valence and repeats") {
+  const TetMesh mesh = make_box(6, 6, 6, {1, 1, 1});
+  const std::vector<char> held(mesh.positions.size(), 0);
+  std::vector<std::size_t> valence(mesh.positions.size(), 0);
+  for (const Tet& tet : mesh.tets)
+    for (const auto v : tet) ++valence[v];
+  const std::size_t largest = *std::max_element(valence.begin(), valence.end());
+  const Coloring a = color_tets(mesh.tets, held), b = color_tets(mesh.tets, held);
+  CAPTURE(a.color_count(), largest);
+  CHECK(a.color_count() >= largest);
+  CHECK(a.color_count() <= 2 * largest);
+  CHECK(a.order == b.order);
+  CHECK(a.begin == b.begin);
+}
+
+TEST_CASE("colors are balanced: none is a crumb") {
+  const TetMesh mesh = make_box(12, 6, 6, {2, 1, 1});
+  const Coloring c = color_tets(mesh.tets, std::vector<char>(mesh.positions.size(), 0));
+  const double mean = static_cast<double>(mesh.tets.size()) / c.color_count();
+  for (std::size_t color = 0; color < c.color_count(); ++color) {
+    CAPTURE(color, c.begin[color + 1] - c.begin[color], mean);
+    CHECK(c.begin[color + 1] - c.begin[color] > 0.3 * mean);
+  }
+}
+
+TEST_CASE("more than 64 colors around one vertex") {
+  std::vector<Tet> fan;
+  for (std::uint32_t i = 0; i < 150; ++i) fan.push_back({0, 3 * i + 1, 3 * i + 2, 3 * i + 3});
+  const Coloring c = color_tets(fan, std::vector<char>(451, 0));
+  CHECK(c.color_count() == 150);
+}
+
+TEST_CASE("all vertices held: one color; no tets: none") {
+  const TetMesh mesh = make_box(2, 2, 2, {1, 1, 1});
+  CHECK(color_tets(mesh.tets, std::vector<char>(mesh.positions.size(), 1)).color_count() == 1);
+  CHECK(color_tets({}, {}).color_count() == 0);
+}

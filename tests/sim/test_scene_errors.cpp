@@ -1,0 +1,386 @@
+// What a user reads when a scene is wrong: the exact line, for every kind of mistake and for every key's
+// range.
+#include <functional>
+
+#include "sim/scene_json.h"
+#include "tests/sim/scene_test.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+/// The error of opening `text` as s.json.
+std::string error_of(const std::string& text) {
+  return SceneFile(text).open_error();
+}
+/// With `keys` in the first body.
+std::string body_error(const std::string& keys) {
+  return error_of(scene_text(keys));
+}
+/// With `keys` at the top level.
+std::string top_error(const std::string& keys) {
+  return error_of(scene_text("", keys));
+}
+
+}  // namespace
+
+TEST_CASE("files that are no scene and no mesh") {
+  const SceneFile file("", "empty.json");
+  CHECK(file.open_error() == "empty.json: is empty; expected a scene (JSON) or a tet mesh");
+  write_file(file / "blank", " \n\t\n");
+  CHECK(file.error_of([&] { open_scene(file / "blank"); }) ==
+        "blank: is empty; expected a scene (JSON) or a tet mesh");
+  CHECK(file.error_of([&] { open_scene(file / "nowhere.json"); }) ==
+        "nowhere.json: no such file; expected a readable file");
+  std::filesystem::create_directory(file / "folder");
+  CHECK(file.error_of([&] { open_scene(file / "folder"); }) == "folder: is a directory; expected a file");
+}
+
+TEST_CASE("a syntax error has its line and column") {
+  // The words after the position are the parser's own, so only what it found is compared.
+  const auto check = [](const std::string& text, const std::string& position, const std::string& word) {
+    const std::string error = error_of(text);
+    CAPTURE(text, error);
+    CHECK(error.find("s.json:" + position + ": ") == 0);
+    CHECK(error.find(word) != std::string::npos);
+  };
+  check("{", "1:2", "end of input");
+  check("{\"fascia_scene\": 1,}", "1:20", "'}'");
+  check("{\n  \"fascia_scene\": 1\n  \"title\": \"x\"}", "3:9", "string literal");
+  check("{\n\n \"duration\": 2.5.1}", "3:17", "'2.5.'");
+  check("{\"title\": \"a\nb\"}", "1:13", "control character");
+  check("{\"title\": \"\xff\"}", "1:12", "UTF-8");
+  check("{\"duration\": 1e999}", "1:18", "1e999");
+  check("{\"duration\": NaN}", "1:14", "N");
+  check(scene_text() + "}", "1:51", "end of input");
+  check("{\"title\": \"" + std::string(100000, 'x'), "1:100012", "missing closing quote");
+  CHECK(error_of("{\"title\": \"" + std::string(100000, 'x')).size() < 300);
+}
+
+TEST_CASE("every truncation of a scene is an error of one line") {
+  const std::string text = scene_text(R"("fixed": [{"box": [[0, 0, 0], [1, 1, 1]]}], "name": "\u00e4")");
+  for (std::size_t length = 0; length < text.size(); ++length) {
+    CAPTURE(length);
+    CHECK(!error_of(text.substr(0, length)).empty());
+  }
+}
+
+TEST_CASE("nesting is bounded") {
+  const std::string expected = "s.json: is nested deeper than 32 levels; expected a scene";
+  CHECK(error_of("{\"a\": " + std::string(100000, '[')) == expected);
+  std::string objects;
+  for (int depth = 0; depth < 100000; ++depth) objects += "{\"a\":";
+  CHECK(error_of(objects) == expected);
+}
+
+TEST_CASE("a key given twice is refused where it stands") {
+  CHECK(error_of(R"({"title": "a", "title": "b"})") ==
+        "s.json: title: is given twice; expected each key once");
+  CHECK(body_error(R"("name": "a", "name": "b")") ==
+        "s.json: bodies[0].name: is given twice; expected each key once");
+  CHECK(
+      error_of(
+          R"({"bodies": [{"mesh": "a"}, {"fixed": [{"lowest": 1}, {"sphere": {"radius": 1, "radius": 1}}]}]})") ==
+      "s.json: bodies[1].fixed[1].sphere.radius: is given twice; expected each key once");
+  CHECK(body_error(R"("materials": {"2": {}, "2": {}})") ==
+        "s.json: bodies[0].materials.2: is given twice; expected each key once");
+  CHECK(error_of(R"({"a\nb": 1, "a\nb": 1})") == "s.json: \"a\\nb\": is given twice; expected each key once");
+}
+
+TEST_CASE("an unknown key is named with the nearest known one, at every level") {
+  CHECK(top_error(R"("gravty": [0, 0, 0])") ==
+        "s.json: gravty: unknown key \"gravty\", perhaps \"gravity\"; expected one of fascia_scene, title, "
+        "gravity, "
+        "bodies, solver, camera, display, duration");
+  CHECK(top_error(R"("solver": {"iters": 3})") ==
+        "s.json: solver.iters: unknown key \"iters\", perhaps \"iterations\"; expected one of method, "
+        "acceleration, "
+        "iterations, tolerance, time_step, substeps");
+  CHECK(top_error(R"("camera": {"eye": [0, 0, 1], "fov": 40})") ==
+        "s.json: camera.fov: unknown key \"fov\"; expected one of eye, target, up, fov_deg");
+  CHECK(top_error(R"("display": {"colour": "none"})") ==
+        "s.json: display.colour: unknown key \"colour\", perhaps \"color\"; expected one of color, range, "
+        "wireframe");
+  CHECK(body_error(R"("fixd": [])") ==
+        "s.json: bodies[0].fixd: unknown key \"fixd\", perhaps \"fixed\"; expected one of name, mesh, "
+        "transform, "
+        "materials, fixed, prescribed, initial_velocity, surface");
+  CHECK(body_error(R"("transform": {"rotate": [0, 0, 0]})") ==
+        "s.json: bodies[0].transform.rotate: unknown key \"rotate\", perhaps \"rotate_deg\"; expected one of "
+        "scale, "
+        "rotate_deg, translate");
+  CHECK(body_error(R"("materials": {"default": {"youngs_modulus": 1}})") ==
+        "s.json: bodies[0].materials.default.youngs_modulus: unknown key \"youngs_modulus\", perhaps "
+        "\"young_modulus\"; expected one of model, young_modulus, poisson_ratio, density, damping");
+  CHECK(body_error(R"("materials": {"7": {"E": 1}})") ==
+        "s.json: bodies[0].materials.7.E: unknown key \"E\"; expected one of model, young_modulus, "
+        "poisson_ratio, "
+        "density, damping");
+  CHECK(
+      body_error(R"("fixed": [{"boxx": 1}])") ==
+      "s.json: bodies[0].fixed[0].boxx: unknown key \"boxx\", perhaps \"box\"; expected one of box, sphere, "
+      "vertices, group, lowest");
+  CHECK(
+      body_error(R"("fixed": [{"sphere": {"centre": [0, 0, 0], "radius": 1}}])") ==
+      "s.json: bodies[0].fixed[0].sphere.centre: unknown key \"centre\", perhaps \"center\"; expected one of "
+      "center, radius");
+  CHECK(body_error(R"("prescribed": [{"target": "a.csv"}])") ==
+        "s.json: bodies[0].prescribed[0].target: unknown key \"target\", perhaps \"targets\"; expected one "
+        "of select, "
+        "translate, rotate_deg, scale, targets, start, duration");
+  CHECK(body_error(R"("prescribed": [{"select": {"lowest": 0}, "rotate_deg": {"angel": 90}}])") ==
+        "s.json: bodies[0].prescribed[0].rotate_deg.angel: unknown key \"angel\", perhaps \"angle\"; "
+        "expected one of "
+        "axis, angle, center");
+}
+
+TEST_CASE("a missing key is named") {
+  CHECK(error_of("{}") == "s.json: fascia_scene: is missing; expected 1, the version of the format");
+  CHECK(error_of(R"({"fascia_scene": 2, "bodies": []})") == "s.json: fascia_scene: is 2; expected 1");
+  CHECK(error_of(R"({"fascia_scene": 1})") ==
+        "s.json: bodies: is missing; expected a list of at least one body");
+  CHECK(error_of(R"({"fascia_scene": 1, "bodies": []})") ==
+        "s.json: bodies: is []; expected a list of at least one body");
+  CHECK(error_of(R"({"fascia_scene": 1, "bodies": [{}]})") ==
+        "s.json: bodies[0].mesh: is missing; expected the path of a tet mesh");
+  CHECK(error_of(R"({"fascia_scene": 1, "bodies": [{"mesh": ""}]})") ==
+        "s.json: bodies[0].mesh: is \"\"; expected the path of a tet mesh");
+  CHECK(top_error(R"("camera": {})") ==
+        "s.json: camera.eye: is missing; expected a list of 3 numbers [m] (without a camera the view is "
+        "framed on the "
+        "bodies)");
+  CHECK(body_error(R"("fixed": [{"sphere": {"radius": 1}}])") ==
+        "s.json: bodies[0].fixed[0].sphere.center: is missing; expected a list of 3 numbers [m]");
+  CHECK(body_error(R"("fixed": [{"sphere": {"center": [0, 0, 0]}}])") ==
+        "s.json: bodies[0].fixed[0].sphere.radius: is missing; expected a radius [m]");
+}
+
+TEST_CASE("a wrong type says what is there and what was expected") {
+  CHECK(error_of(R"({"fascia_scene": "1"})") == "s.json: fascia_scene: is \"1\"; expected a number, 1");
+  CHECK(top_error(R"("title": 5)") == "s.json: title: is 5; expected a text");
+  CHECK(top_error(R"("gravity": -9.81)") ==
+        "s.json: gravity: is -9.81; expected a list of 3 numbers [m/s^2]");
+  CHECK(top_error(R"("gravity": [0, -9.81])") ==
+        "s.json: gravity: is [0,-9.81]; expected a list of 3 numbers [m/s^2]");
+  CHECK(top_error(R"("gravity": [0, "down", 0])") ==
+        "s.json: gravity[1]: is \"down\"; expected a number, -1e+06 to 1e+06 m/s^2");
+  CHECK(top_error(R"("solver": [])") ==
+        "s.json: solver: is []; expected an object with method, acceleration, iterations, tolerance, "
+        "time_step, "
+        "substeps");
+  CHECK(top_error(R"("solver": {"iterations": 2.5})") ==
+        "s.json: solver.iterations: is 2.5; expected a whole number, 1 to 10000");
+  CHECK(top_error(R"("solver": {"iterations": true})") ==
+        "s.json: solver.iterations: is true; expected a whole number, 1 to 10000");
+  CHECK(top_error(R"("display": {"wireframe": 1})") ==
+        "s.json: display.wireframe: is 1; expected true or false");
+  CHECK(top_error(R"("display": {"color": "red"})") ==
+        "s.json: display.color: is \"red\"; expected one of none, strain, von_mises");
+  CHECK(
+      top_error(R"("display": {"color": "mises"})") ==
+      "s.json: display.color: is \"mises\", perhaps \"von_mises\"; expected one of none, strain, von_mises");
+  CHECK(top_error(R"("display": {"range": [0]})") ==
+        "s.json: display.range: is [0]; expected a list of 2 numbers, the lower one first");
+  CHECK(top_error(R"("display": {"range": [1, 1]})") ==
+        "s.json: display.range: is [1,1]; expected a list of 2 numbers, the lower one first");
+  CHECK(error_of(R"({"fascia_scene": 1, "bodies": {}})") ==
+        "s.json: bodies: is {}; expected a list of at least one body");
+  CHECK(error_of(R"({"fascia_scene": 1, "bodies": ["m.msh"]})") ==
+        "s.json: bodies[0]: is \"m.msh\"; expected an object with name, mesh, transform, materials, fixed, "
+        "prescribed, "
+        "initial_velocity, surface");
+  CHECK(body_error(R"("name": 1)") == "s.json: bodies[0].name: is 1; expected a text");
+  CHECK(body_error(R"("surface": 1)") ==
+        "s.json: bodies[0].surface: is 1; expected the path of an .obj file");
+  CHECK(body_error(R"("initial_velocity": 1)") ==
+        "s.json: bodies[0].initial_velocity: is 1; expected a list of 3 numbers [m/s] or the path of a CSV "
+        "file");
+  CHECK(body_error(R"("initial_velocity": "")") ==
+        "s.json: bodies[0].initial_velocity: is \"\"; expected a list of 3 numbers [m/s] or the path of a "
+        "CSV file");
+  CHECK(body_error(R"("materials": [])") ==
+        "s.json: bodies[0].materials: is []; expected an object of materials: \"default\", region numbers or "
+        "group "
+        "names");
+  CHECK(body_error(R"("materials": {"young_modulus": 1})") ==
+        "s.json: bodies[0].materials.young_modulus: is 1; expected an object such as {\"young_modulus\": "
+        "1e5}, under "
+        "\"default\", a region number or a group name");
+  CHECK(body_error(R"("fixed": {"lowest": 0})") ==
+        "s.json: bodies[0].fixed: is {\"lowest\":0}; expected a list of selections");
+  CHECK(body_error(R"("prescribed": 1)") == "s.json: bodies[0].prescribed: is 1; expected a list of motions");
+  CHECK(body_error("\"name\": [" + std::string(200, '1').insert(100, ",") + "]") ==
+        "s.json: bodies[0].name: is [1.111111111111111e+99,1.111111111111111e+99]; expected a text");
+}
+
+TEST_CASE("a value that does not fit one line is cut") {
+  CHECK(excerpt(nlohmann::json(std::string(100, 'x'))) == "\"" + std::string(59, 'x') + "...");
+}
+
+TEST_CASE("selections") {
+  const std::string corners =
+      "; expected a list of two corners, [[xmin, ymin, zmin], [xmax, ymax, zmax]] [m]";
+  CHECK(body_error(R"("fixed": [{}])") ==
+        "s.json: bodies[0].fixed[0]: selects nothing; expected one of box, sphere, vertices, group, lowest");
+  CHECK(body_error(R"("fixed": [{"group": "a", "lowest": 0.1}])") ==
+        "s.json: bodies[0].fixed[0]: has group and lowest; expected one of box, sphere, vertices, group, "
+        "lowest");
+  CHECK(body_error(R"("fixed": [{"box": 1}])") == "s.json: bodies[0].fixed[0].box: is 1" + corners);
+  CHECK(body_error(R"("fixed": [{"box": [[0, 0, 0]]}])") ==
+        "s.json: bodies[0].fixed[0].box: is [[0,0,0]]" + corners);
+  CHECK(body_error(R"("fixed": [{"box": [[0, 0, 1], [1, 1, 0]]}])") ==
+        "s.json: bodies[0].fixed[0].box: is [[0,0,1],[1,1,0]]" + corners);
+  CHECK(body_error(R"("fixed": [{"vertices": []}])") ==
+        "s.json: bodies[0].fixed[0].vertices: is []; expected at least one vertex index");
+  CHECK(body_error(R"("fixed": [{"vertices": [0, -1]}])") ==
+        "s.json: bodies[0].fixed[0].vertices[1]: is -1; expected a whole number, 0 to 2.14748e+09");
+  CHECK(body_error(R"("fixed": [{"group": 3}])") ==
+        "s.json: bodies[0].fixed[0].group: is 3; expected the name of a group of the mesh");
+}
+
+TEST_CASE("prescribed motions") {
+  CHECK(body_error(R"("prescribed": [{}])") ==
+        "s.json: bodies[0].prescribed[0]: moves nothing; expected a select, or targets");
+  CHECK(body_error(R"("prescribed": [{"targets": "a.csv", "translate": [0, 0, 1]}])") ==
+        "s.json: bodies[0].prescribed[0]: has targets and translate; expected one of them");
+  CHECK(body_error(R"("prescribed": [{"targets": ""}])") ==
+        "s.json: bodies[0].prescribed[0].targets: is \"\"; expected the path of a CSV file index,x,y,z");
+  CHECK(body_error(
+            R"("prescribed": [{"select": {"lowest": 0}, "rotate_deg": {"axis": [0, 0, 0], "angle": 1}}])") ==
+        "s.json: bodies[0].prescribed[0].rotate_deg: axis has no direction; expected an axis of length 1e-06 "
+        "or more");
+}
+
+TEST_CASE("cameras that see nothing") {
+  CHECK(top_error(R"("camera": {"eye": [1, 2, 3], "target": [1, 2, 3]})") ==
+        "s.json: camera: eye and target are the same point; expected two different points");
+  CHECK(top_error(R"("camera": {"eye": [0, 5, 0]})") ==
+        "s.json: camera: up has no part across the view from eye to target; expected an up vector across the "
+        "view");
+}
+
+TEST_CASE("methods, accelerations and material models that do not exist list those that do") {
+  const std::string pairs = "; expected a method and acceleration that exist: " + list_of_pairs();
+  CHECK(top_error(R"("solver": {"method": "two_level"})") ==
+        "s.json: solver.method: is \"two_level\"" + pairs);
+  CHECK(top_error(R"("solver": {"method": "jacoby"})") ==
+        "s.json: solver.method: is \"jacoby\", perhaps \"jacobi\"" + pairs);
+  CHECK(top_error(R"("solver": {"method": 1})") == "s.json: solver.method: is 1" + pairs);
+  CHECK(top_error(R"("solver": {"acceleration": "nonlinear_cg"})") ==
+        "s.json: solver.acceleration: is \"nonlinear_cg\"" + pairs);
+  CHECK(top_error(R"("solver": {"method": "jacobi", "acceleration": "chebyshev"})") ==
+        "s.json: solver.acceleration: is \"chebyshev\"" + pairs);
+  CHECK(body_error(R"("materials": {"default": {"model": "stable_neo_hookean"}})") ==
+        "s.json: bodies[0].materials.default.model: is \"stable_neo_hookean\"; expected a model that exists: "
+        "st_venant_kirchhoff");
+  CHECK(body_error(R"("materials": {"2": {"model": "st_venant_kirchoff"}})") ==
+        "s.json: bodies[0].materials.2.model: is \"st_venant_kirchoff\", perhaps \"st_venant_kirchhoff\"; "
+        "expected a "
+        "model that exists: st_venant_kirchhoff");
+}
+
+namespace {
+
+struct RangedKey {
+  std::string path;  // as errors print it
+  std::string range;
+  double min, max;
+  std::function<std::string(const std::string&)> scene;  // a scene with the value
+};
+
+std::vector<RangedKey> ranged_keys() {
+  const auto top = [](const std::string& before, const std::string& after) {
+    return [=](const std::string& value) { return scene_text("", before + value + after); };
+  };
+  const auto body = [](const std::string& before, const std::string& after) {
+    return [=](const std::string& value) { return scene_text(before + value + after); };
+  };
+  const std::string motion = "\"prescribed\": [{\"select\": {\"lowest\": 0}, ";
+  const std::string whole = "a whole number, ";
+  const std::string moved = "bodies[0].prescribed[0].";
+  std::vector<RangedKey> keys = {
+      {"gravity[0]", "-1e+06 to 1e+06 m/s^2", -1e6, 1e6, top("\"gravity\": [", ", 0, 0]")},
+      {"duration", "0 to 1e+09 s", 0, 1e9, top("\"duration\": ", "")},
+      {"camera.eye[0]", "-1e+09 to 1e+09 m", -1e9, 1e9, top("\"camera\": {\"eye\": [", ", 0, 1]}")},
+      {"camera.target[0]", "-1e+09 to 1e+09 m", -1e9, 1e9,
+       top("\"camera\": {\"eye\": [0, 0, 1], \"target\": [", ", 0, 0]}")},
+      {"camera.up[1]", "-1e+09 to 1e+09", -1e9, 1e9,
+       top("\"camera\": {\"eye\": [0, 0, 1], \"up\": [0, ", ", 0]}")},
+      {"camera.fov_deg", "1 to 170 degrees", 1, 170,
+       top("\"camera\": {\"eye\": [0, 0, 1], \"fov_deg\": ", "}")},
+      {"display.range[0]", "-1e+30 to 1e+30", -1e30, 0, top("\"display\": {\"range\": [", ", 1]}")},
+      {"bodies[0].transform.scale", "1e-09 to 1e+09", 1e-9, 1e9, body("\"transform\": {\"scale\": ", "}")},
+      {"bodies[0].transform.rotate_deg[2]", "-36000 to 36000 degrees", -36000, 36000,
+       body("\"transform\": {\"rotate_deg\": [0, 0, ", "]}")},
+      {"bodies[0].transform.translate[2]", "-1e+06 to 1e+06 m", -1e6, 1e6,
+       body("\"transform\": {\"translate\": [0, 0, ", "]}")},
+      {"bodies[0].initial_velocity[1]", "-1e+06 to 1e+06 m/s", -1e6, 1e6,
+       body("\"initial_velocity\": [0, ", ", 0]")},
+      {"bodies[0].fixed[0].lowest", "0 to 1 of the height", 0, 1, body("\"fixed\": [{\"lowest\": ", "}]")},
+      {"bodies[0].fixed[0].sphere.radius", "0 to 1e+30 m", 0, 1e30,
+       body("\"fixed\": [{\"sphere\": {\"center\": [0, 0, 0], \"radius\": ", "}}]")},
+      {"bodies[0].fixed[0].box[0][0]", "-1e+30 to 1e+30 m", -1e30, 1e30,
+       body("\"fixed\": [{\"box\": [[", ", 0, 0], [1e30, 0, 0]]}]")},
+      {moved + "start", "0 to 1e+09 s", 0, 1e9, body(motion + "\"start\": ", "}]")},
+      {moved + "duration", "0 to 1e+09 s", 0, 1e9, body(motion + "\"duration\": ", "}]")},
+      {moved + "scale", "0.001 to 1000", 1e-3, 1e3, body(motion + "\"scale\": ", "}]")},
+      {moved + "translate[0]", "-1e+06 to 1e+06 m", -1e6, 1e6,
+       body(motion + "\"translate\": [", ", 0, 0]}]")},
+      {moved + "rotate_deg.angle", "-36000 to 36000 degrees", -36000, 36000,
+       body(motion + "\"rotate_deg\": {\"angle\": ", "}}]")},
+      {moved + "rotate_deg.axis[0]", "-1e+06 to 1e+06", -1e6, 1e6,
+       body(motion + "\"rotate_deg\": {\"axis\": [", ", 0, 0]}}]")},
+      {moved + "rotate_deg.center[0]", "-1e+06 to 1e+06 m", -1e6, 1e6,
+       body(motion + "\"rotate_deg\": {\"center\": [", ", 0, 0]}}]")},
+      {"solver.iterations", whole + "1 to 10000", 1, 10000, top("\"solver\": {\"iterations\": ", "}")},
+      {"solver.substeps", whole + "1 to 1000", 1, 1000, top("\"solver\": {\"substeps\": ", "}")},
+      {"solver.tolerance", "0 to 1", 0, 1, top("\"solver\": {\"tolerance\": ", "}")},
+      {"solver.time_step", "1e-06 to 1 s", 1e-6, 1, top("\"solver\": {\"time_step\": ", "}")},
+  };
+  for (const std::string region : {"default", "2"}) {
+    const std::string path = "bodies[0].materials." + region + ".";
+    const auto material = [&](const std::string& key) {
+      return body("\"materials\": {\"" + region + "\": {\"" + key + "\": ", "}}");
+    };
+    keys.push_back({path + "young_modulus", "0.001 to 1e+14 Pa", 1e-3, 1e14, material("young_modulus")});
+    keys.push_back({path + "poisson_ratio", "-0.9 to 0.499", -0.9, 0.499, material("poisson_ratio")});
+    keys.push_back({path + "density", "0.001 to 1e+06 kg/m^3", 1e-3, 1e6, material("density")});
+    keys.push_back({path + "damping", "0 to 10 s", 0, 10, material("damping")});
+  }
+  return keys;
+}
+
+}  // namespace
+
+TEST_CASE("every number is accepted at the ends of its range and refused beyond them") {
+  for (const RangedKey& key : ranged_keys()) {
+    CAPTURE(key.path);
+    for (const double value : {key.min, key.max}) {
+      const std::string text = nlohmann::json(value).dump();
+      CAPTURE(text);
+      CHECK_NOTHROW(SceneFile(key.scene(text)).open());
+    }
+    const bool is_whole = key.range.find("whole") != std::string::npos;
+    const double step = is_whole ? 1 : 1e-3 * std::max({std::abs(key.min), std::abs(key.max), 1e-6});
+    std::vector<double> outside = {key.min - step};
+    if (key.path != "display.range[0]")
+      outside.push_back(key.max + step);  // its upper end is the other number
+    for (const double value : outside) {
+      const std::string text = nlohmann::json(value).dump();
+      CHECK(error_of(key.scene(text)) == "s.json: " + key.path + ": is " + text + "; expected " + key.range);
+    }
+    CHECK(error_of(key.scene("null")).find("s.json: " + key.path + ": is null; expected a") == 0);
+  }
+}
+
+TEST_CASE("values without physical meaning are refused") {
+  CHECK(body_error(R"("materials": {"default": {"young_modulus": 0}})") ==
+        "s.json: bodies[0].materials.default.young_modulus: is 0; expected 0.001 to 1e+14 Pa");
+  CHECK(body_error(R"("materials": {"default": {"young_modulus": -5}})") ==
+        "s.json: bodies[0].materials.default.young_modulus: is -5; expected 0.001 to 1e+14 Pa");
+  CHECK(body_error(R"("materials": {"default": {"poisson_ratio": 0.5}})") ==
+        "s.json: bodies[0].materials.default.poisson_ratio: is 0.5; expected -0.9 to 0.499");
+  CHECK(body_error(R"("materials": {"tumour": {"density": 0}})") ==
+        "s.json: bodies[0].materials.tumour.density: is 0; expected 0.001 to 1e+06 kg/m^3");
+}

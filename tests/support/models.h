@@ -1,0 +1,59 @@
+// Models made in code, for tests of solvers.
+#pragma once
+#include <functional>
+#include <random>
+
+#include "sim/mesh_generate.h"
+#include "sim/model.h"
+#include "sim/reference/newton.h"
+
+namespace fascia::test {
+
+/// A model of a healthy mesh with one material, fixed where `fixed` says so.
+inline Model make_model(const TetMesh& mesh, const Material& material,
+                        const std::function<bool(const Eigen::Vector3d&)>& fixed) {
+  Model model;
+  model.rest_positions = mesh.positions;
+  model.tets = mesh.tets;
+  model.tet_material.assign(mesh.tets.size(), 0);
+  model.materials = {material};
+  model.material_names = {"body: default"};
+  model.initial_velocity.assign(mesh.positions.size(), Eigen::Vector3d::Zero());
+  for (std::uint32_t i = 0; i < mesh.positions.size(); ++i)
+    if (fixed(mesh.positions[i])) model.fixed.push_back(i);
+  model.file_mesh = mesh;
+  for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) model.tet_source.push_back(t);
+  const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
+  const auto tets = static_cast<std::uint32_t>(mesh.tets.size());
+  model.bodies = {{"body", 0, vertices, 0, tets, 0, 1}};
+  return model;
+}
+
+/// Displacements and velocities of about `amplitude` [m], different at every vertex, zero where held; the same for the same seed.
+inline reference::State random_state(const Model& model, double amplitude, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
+  reference::State state = reference::initial_state(model);
+  const std::vector<char> held = model.held();
+  for (std::size_t i = 0; i < state.displacement.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const double u = uniform(random), v = uniform(random);
+      if (held[i]) continue;
+      // What float32 can hold, so that both sides of a comparison start from the same numbers.
+      state.displacement[i][k] = static_cast<float>(u);
+      state.velocity[i][k] = static_cast<float>(10 * v);
+    }
+  return state;
+}
+
+/// RMS of a - b over the RMS of b.
+inline double relative_rms(const std::vector<Eigen::Vector3d>& a, const std::vector<Eigen::Vector3d>& b) {
+  double error = 0, size = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    error += (a[i] - b[i]).squaredNorm();
+    size += b[i].squaredNorm();
+  }
+  return std::sqrt(error / size);
+}
+
+}  // namespace fascia::test
