@@ -70,7 +70,8 @@ void GmshReader::end_section(std::string_view name) {
 }
 
 void GmshReader::skip_section(std::string_view name) {
-  const std::string end = (major_ == 1 ? "$END" : "$End") + std::string(name.substr(1));
+  const bool upper = std::none_of(name.begin(), name.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+  const std::string end = (upper ? "$END" : "$End") + std::string(name.substr(1));
   if (!in_.skip_past("\n" + end)) in_.fail("the section has no end", "expected " + end);
 }
 

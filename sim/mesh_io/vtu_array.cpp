@@ -6,7 +6,7 @@
 #include <bit>
 #include <map>
 
-#include "sim/mesh_io/base64.h"
+#include "sim/mesh_io/byte_text.h"
 
 namespace fascia {
 namespace {

@@ -3,7 +3,7 @@
 #include <bit>
 #include <list>
 
-#include "sim/mesh_io/base64.h"
+#include "sim/mesh_io/byte_text.h"
 #include "sim/mesh_io/formats.h"
 #include "sim/mesh_io/vtk.h"
 

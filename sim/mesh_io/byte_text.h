@@ -1,5 +1,5 @@
-// Base64 (RFC 4648) as VTK writes it: possibly several padded streams one after the other, with blanks
-// between.
+// Bytes as text: base64 (RFC 4648) as VTK writes it, possibly several padded streams one after the other,
+// with blanks between them.
 #pragma once
 #include <optional>
 #include <string>

@@ -1,4 +1,4 @@
-#include "sim/mesh_io/base64.h"
+#include "sim/mesh_io/byte_text.h"
 
 #include <array>
 #include <cstdint>
