@@ -21,6 +21,23 @@ void WindowInput::add(InputEvent event) {
   events_.push_back(std::move(event));
 }
 
+void WindowInput::forward_key(const KeyChange& change) {
+  const auto same_key = [&](const KeyChange& other) { return other.key == change.key; };
+  if (change.action == GLFW_RELEASE && std::any_of(pressed_.begin(), pressed_.end(), same_key)) {
+    deferred_.push_back(change);
+    return;
+  }
+  if (change.action == GLFW_PRESS) pressed_.push_back(change);
+  ImGui_ImplGlfw_KeyCallback(window_, change.key, change.scancode, change.action, change.mods);
+}
+
+void WindowInput::forward_deferred() {
+  for (const KeyChange& change : deferred_)
+    ImGui_ImplGlfw_KeyCallback(window_, change.key, change.scancode, change.action, change.mods);
+  deferred_.clear();
+  pressed_.clear();
+}
+
 WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
   glfwSetWindowUserPointer(window, this);
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
@@ -38,7 +55,7 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
     of(w).add(std::move(event));
   });
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
-    ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, mods);
+    of(w).forward_key({key, scancode, action, mods});
     if (action == GLFW_PRESS || (action == GLFW_REPEAT && key == GLFW_KEY_PERIOD)) of(w).add({Kind::key, key, mods});
   });
   glfwSetCharCallback(window, ImGui_ImplGlfw_CharCallback);
@@ -62,6 +79,9 @@ WindowInput::~WindowInput() {
   glfwSetDropCallback(window_, nullptr);
 }
 
-std::vector<InputEvent> WindowInput::take() { return std::exchange(events_, {}); }
+std::vector<InputEvent> WindowInput::take() {
+  forward_deferred();
+  return std::exchange(events_, {});
+}
 
 }  // namespace fascia

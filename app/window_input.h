@@ -29,12 +29,19 @@ class WindowInput {
   std::vector<InputEvent> take();  // since the last call
 
  private:
+  struct KeyChange {
+    int key, scancode, action, mods;
+  };
   static WindowInput& of(GLFWwindow* window);
   void add(InputEvent event);
+  /// To ImGui, which looks at keys once a frame: the release of a key pressed in the same frame waits for the next one.
+  void forward_key(const KeyChange& change);
+  void forward_deferred();
 
   GLFWwindow* window_;
   Eigen::Vector2d at_{0, 0};  // in GLFW's screen coordinates
   std::vector<InputEvent> events_;
+  std::vector<KeyChange> pressed_, deferred_;  // since the last take()
 };
 
 }  // namespace fascia
