@@ -25,6 +25,7 @@ std::vector<int> elimination_order(const Model& model) {
       }
 
   const int n = static_cast<int>(vertices.size());
+  if (n == 0) return compact;
   std::vector<Eigen::Triplet<double>> edges;
   for (const Tet& tet : model.tets)
     for (const std::uint32_t v : tet)
@@ -60,19 +61,11 @@ ElasticSystem::ElasticSystem(const Model& model) : model_(model) {
     for (const std::uint32_t v : tet)
       for (const std::uint32_t w : tet)
         if (order[v] >= 0 && order[v] <= order[w]) rows[order[w]].push_back(order[v]);
-  pattern_.resize(dof_count_, dof_count_);
-  Eigen::VectorXi column_sizes(dof_count_);
-  for (int j = 0; j < free_count; ++j) {
-    std::sort(rows[j].begin(), rows[j].end());
-    rows[j].erase(std::unique(rows[j].begin(), rows[j].end()), rows[j].end());
-    for (int c = 0; c < 3; ++c) column_sizes[3 * j + c] = 3 * (static_cast<int>(rows[j].size()) - 1) + c + 1;
+  for (std::vector<int>& column : rows) {
+    std::sort(column.begin(), column.end());
+    column.erase(std::unique(column.begin(), column.end()), column.end());
   }
-  pattern_.reserve(column_sizes);
-  for (int j = 0; j < free_count; ++j)
-    for (int c = 0; c < 3; ++c)
-      for (const int i : rows[j])
-        for (int r = 0; r < (i == j ? c + 1 : 3); ++r) pattern_.insert(3 * i + r, 3 * j + c) = 0;
-  pattern_.makeCompressed();
+  if (dof_count_ > 0) make_pattern(rows);
 
   block_rank_.resize(model.tets.size());
   for (std::size_t t = 0; t < model.tets.size(); ++t)
@@ -84,6 +77,20 @@ ElasticSystem::ElasticSystem(const Model& model) : model_(model) {
         if (i < 0 || i > j) continue;
         rank = static_cast<int>(std::lower_bound(rows[j].begin(), rows[j].end(), i) - rows[j].begin());
       }
+}
+
+void ElasticSystem::make_pattern(const std::vector<std::vector<int>>& rows) {
+  pattern_.resize(dof_count_, dof_count_);
+  const int block_count = static_cast<int>(rows.size());
+  Eigen::VectorXi column_sizes(dof_count_);
+  for (int j = 0; j < block_count; ++j)
+    for (int c = 0; c < 3; ++c) column_sizes[3 * j + c] = 3 * (static_cast<int>(rows[j].size()) - 1) + c + 1;
+  pattern_.reserve(column_sizes);
+  for (int j = 0; j < block_count; ++j)
+    for (int c = 0; c < 3; ++c)
+      for (const int i : rows[j])
+        for (int r = 0; r < (i == j ? c + 1 : 3); ++r) pattern_.insert(3 * i + r, 3 * j + c) = 0;
+  pattern_.makeCompressed();
 }
 
 VectorXd ElasticSystem::free_part(const VectorXd& all) const {

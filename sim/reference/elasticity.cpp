@@ -29,10 +29,11 @@ double energy_density(const Matrix3d& strain, const Material& material) {
   return 0.5 * material.lame_lambda() * trace * trace + material.lame_mu() * strain.squaredNorm();
 }
 
+// The eigenvectors are of run-time size: unrolled at 12 x 12 they take sanitizers minutes to compile.
 void clamp_negative_eigenvalues(Matrix12d& hessian) {
-  const Eigen::SelfAdjointEigenSolver<Matrix12d> eigen(hessian);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(hessian);
   if (eigen.eigenvalues()[0] >= 0) return;
-  const Vector12d clamped = eigen.eigenvalues().cwiseMax(0.0);
+  const Eigen::VectorXd clamped = eigen.eigenvalues().cwiseMax(0.0);
   hessian = eigen.eigenvectors() * clamped.asDiagonal() * eigen.eigenvectors().transpose();
 }
 

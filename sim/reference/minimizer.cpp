@@ -18,7 +18,7 @@ constexpr double reuse_below = 0.1;
 }  // namespace
 
 Minimizer::Minimizer(const ElasticSystem& system) : system_(system), hessian_(system.empty_hessian()) {
-  cholesky_.analyzePattern(hessian_);
+  if (system.dof_count() > 0) cholesky_.analyzePattern(hessian_);
 }
 
 Minimizer::Value Minimizer::evaluate(const Potential& potential, const VectorXd& u) const {
@@ -88,6 +88,10 @@ bool Minimizer::line_search(const Potential& potential, const VectorXd& directio
 }
 
 void Minimizer::move_held(const Potential& potential, const VectorXd& change, VectorXd& u) {
+  if (system_.dof_count() == 0) {
+    u += change;
+    return;
+  }
   factorize(potential, u);
   const VectorXd dragged = system_.free_part(system_.hessian_times(u, potential.viscous, change));
   const VectorXd direction = -cholesky_.solve(evaluate(potential, u).gradient + dragged);
