@@ -35,9 +35,17 @@ class UsedColors {
   std::vector<std::uint64_t> words_;
 };
 
-}  // namespace
+// Sorts tets by color and finishes the coloring.
+void sort_by_color(Coloring& coloring, const std::vector<std::uint32_t>& visit, const std::vector<std::uint32_t>& color_of,
+                   const std::vector<std::uint32_t>& size) {
+  coloring.begin.assign(size.size() + 1, 0);
+  std::partial_sum(size.begin(), size.end(), coloring.begin.begin() + 1);
+  std::vector<std::uint32_t> next(coloring.begin.begin(), coloring.begin.end() - 1);
+  coloring.order.resize(visit.size());
+  for (const std::uint32_t t : visit) coloring.order[next[color_of[t]]++] = t;
+}
 
-Coloring color_tets(const std::vector<Tet>& tets, const std::vector<char>& held) {
+Coloring color_exactly(const std::vector<Tet>& tets, const std::vector<char>& held, const std::vector<std::uint32_t>& visit) {
   UsedColors used(held.size());
   std::vector<std::uint32_t> color_of(tets.size()), size;
   const auto allowed = [&](const Tet& tet, std::uint32_t color) {
@@ -47,7 +55,7 @@ Coloring color_tets(const std::vector<Tet>& tets, const std::vector<char>& held)
     for (const std::uint32_t v : tet)
       if (!held[v]) used.set(v, color, on);
   };
-  for (std::size_t t = 0; t < tets.size(); ++t) {
+  for (const std::uint32_t t : visit) {
     std::uint32_t color = 0;
     while (color < size.size() && !allowed(tets[t], color)) ++color;
     if (color == size.size()) size.push_back(0);
@@ -57,7 +65,7 @@ Coloring color_tets(const std::vector<Tet>& tets, const std::vector<char>& held)
   }
   // First fit fills the first colors and leaves crumbs in the last ones.
   const std::size_t mean = tets.size() / std::max<std::size_t>(1, size.size());
-  for (std::size_t t = 0; t < tets.size(); ++t) {
+  for (const std::uint32_t t : visit) {
     const std::uint32_t from = color_of[t];
     if (size[from] <= mean) continue;
     std::uint32_t to = from;
@@ -70,14 +78,78 @@ Coloring color_tets(const std::vector<Tet>& tets, const std::vector<char>& held)
     ++size[to];
     color_of[t] = to;
   }
-
   Coloring coloring;
-  coloring.begin.assign(size.size() + 1, 0);
-  std::partial_sum(size.begin(), size.end(), coloring.begin.begin() + 1);
-  std::vector<std::uint32_t> next(coloring.begin.begin(), coloring.begin.end() - 1);
-  coloring.order.resize(tets.size());
-  for (std::uint32_t t = 0; t < tets.size(); ++t) coloring.order[next[color_of[t]]++] = t;
+  coloring.corners = tets;
+  sort_by_color(coloring, visit, color_of, size);
   return coloring;
+}
+
+// The copies of every vertex, each with the colors that move it: a bit per color.
+class Copies {
+ public:
+  explicit Copies(std::size_t vertex_count) : masks_(vertex_count, std::vector<std::uint64_t>(1)) {}
+
+  /// The first copy that `color` does not move yet; count(vertex) when there is none.
+  std::size_t free_copy(std::uint32_t vertex, std::uint32_t color) const {
+    std::size_t copy = 0;
+    while (copy < masks_[vertex].size() && (masks_[vertex][copy] >> color & 1)) ++copy;
+    return copy;
+  }
+  std::size_t count(std::uint32_t vertex) const { return masks_[vertex].size(); }
+  void take(std::uint32_t vertex, std::size_t copy, std::uint32_t color) {
+    if (copy == masks_[vertex].size()) masks_[vertex].push_back(0);
+    masks_[vertex][copy] |= std::uint64_t{1} << color;
+  }
+
+ private:
+  std::vector<std::vector<std::uint64_t>> masks_;
+};
+
+Coloring color_with_phantoms(const std::vector<Tet>& tets, const std::vector<char>& held,
+                             const std::vector<std::uint32_t>& visit, std::uint32_t color_count) {
+  Copies copies(held.size());
+  std::vector<std::uint32_t> color_of(tets.size()), size(color_count);
+  std::vector<Tet> copy_of(tets.size());
+  for (const std::uint32_t t : visit) {
+    std::uint32_t best = 0, fewest = 5;
+    for (std::uint32_t color = 0; color < color_count; ++color) {
+      std::uint32_t phantoms = 0;
+      for (const std::uint32_t v : tets[t])
+        if (!held[v] && copies.free_copy(v, color) == copies.count(v)) ++phantoms;
+      if (phantoms > fewest || (phantoms == fewest && size[color] >= size[best])) continue;
+      best = color;
+      fewest = phantoms;
+    }
+    color_of[t] = best;
+    ++size[best];
+    for (int a = 0; a < 4; ++a) {
+      const std::uint32_t v = tets[t][a];
+      copy_of[t][a] = held[v] ? 0 : static_cast<std::uint32_t>(copies.free_copy(v, best));
+      if (!held[v]) copies.take(v, copy_of[t][a], best);
+    }
+  }
+  Coloring coloring;
+  const auto vertex_count = static_cast<std::uint32_t>(held.size());
+  std::vector<std::uint32_t> first(vertex_count);  // phantom of each vertex
+  for (std::uint32_t v = 0; v < vertex_count; ++v) {
+    first[v] = vertex_count + static_cast<std::uint32_t>(coloring.phantom_vertex.size());
+    coloring.phantom_vertex.insert(coloring.phantom_vertex.end(), copies.count(v) - 1, v);
+  }
+  coloring.corners = tets;
+  for (std::size_t t = 0; t < tets.size(); ++t)
+    for (int a = 0; a < 4; ++a)
+      if (copy_of[t][a] > 0) coloring.corners[t][a] = first[tets[t][a]] + copy_of[t][a] - 1;
+  std::erase(size, 0u);  // a mesh of fewer tets than colors
+  sort_by_color(coloring, visit, color_of, size);
+  return coloring;
+}
+
+}  // namespace
+
+Coloring color_tets(const std::vector<Tet>& tets, const std::vector<char>& held, const std::vector<std::uint32_t>& visit,
+                    std::uint32_t max_colors) {
+  return max_colors == 0 ? color_exactly(tets, held, visit)
+                         : color_with_phantoms(tets, held, visit, std::min<std::uint32_t>(max_colors, 64));
 }
 
 }  // namespace fascia

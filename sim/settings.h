@@ -8,7 +8,14 @@
 namespace fascia {
 
 enum class Method { jacobi, mass_splitting, gauss_seidel };
-enum class Acceleration { none };
+enum class Acceleration { none, chebyshev, anderson_positions };
+constexpr int kLargestWindow = 10;  // of Anderson acceleration
+
+struct Pair {
+  Method method;
+  Acceleration acceleration;
+  bool operator==(const Pair&) const = default;
+};
 
 struct SolverSettings {
   Method method = Method::mass_splitting;
@@ -17,9 +24,13 @@ struct SolverSettings {
   double tolerance = 0;           // relative residual at which a step's iterations stop; 0 runs all of them
   double time_step = 1.0 / 60.0;  // dt [s] of a frame step
   int substeps = 1;               // equal parts of a step, h = dt / substeps
+  int colors = 0;                 // of gauss_seidel; 0: as many as the mesh needs, else phantoms make do with so many
+  double spectral_radius = 0;     // of the plain iteration, for chebyshev; 0: estimated while it runs
+  int window = 5;                 // earlier iterations that Anderson acceleration combines
   bool operator==(const SolverSettings&) const = default;
 
   double substep() const { return time_step / substeps; }  // h [s]
+  Pair pair() const { return {method, acceleration}; }
 };
 
 /// f(field, name, unit, min, max, logarithmic, help) for the numeric fields; method and acceleration are
@@ -33,22 +44,29 @@ void visit_settings(S& s, F&& f) {
   f(s.time_step, "time_step", "s", 1e-6, 1.0, true, "simulated time per step");
   f(s.substeps, "substeps", "", 1, 1000, true,
     "parts a step is cut into: accurate and stiff, at proportional cost");
+  f(s.colors, "colors", "", 0, 64, false,
+    "dispatches of a sweep; 0: as many as the mesh needs. Fewer split vertices into phantoms (Fratarcangeli, Pellacini 2015): "
+    "cheaper where a dispatch is dear, slower to converge");
+  f(s.spectral_radius, "spectral_radius", "", 0.0, 0.9999, false,
+    "factor by which a plain iteration shrinks the slowest error; 0: estimated from the decay of the residual. Too high "
+    "overshoots, too low accelerates little");
+  f(s.window, "window", "", 1, kLargestWindow, false,
+    "earlier iterations that are combined: more converge in fewer iterations, at two dot products each");
 }
 
-struct Pair {
-  Method method;
-  Acceleration acceleration;
-  bool operator==(const Pair&) const = default;
-};
 const std::vector<Pair>& legal_pairs();  // of method and acceleration that exist, best first
 const char* name_of(Method method);      // "jacobi", as in scene files
 const char* name_of(Acceleration acceleration);
 const char* label_of(Method method);  // for people, in menus: "Jacobi XPBD, averaged"
-const char* help_of(Method method);   // tooltip: what it is, what it costs, its limits
+const char* label_of(Acceleration acceleration);
+const char* help_of(Method method);  // tooltip: what it is, what it costs, its limits
+const char* help_of(Acceleration acceleration);
 
 /// The best legal pair that has the given names (nullopt: any); nothing if there is none.
 std::optional<Pair> find_pair(std::optional<std::string_view> method,
                               std::optional<std::string_view> acceleration);
+/// Whether a setting does anything with this pair: "colors", for instance, only with gauss_seidel.
+bool applies(std::string_view setting, const Pair& pair);
 /// For error messages: "jacobi with none, ...".
 std::string list_of_pairs();
 

@@ -105,6 +105,14 @@ void Buffer::upload(std::size_t offset, std::size_t bytes, const void* data) {
   BufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
 }
 
+void Buffer::copy(const Buffer& from, std::size_t bytes) {
+  assert(bytes <= bytes_ && bytes <= from.bytes_);
+  if (bytes == 0) return;
+  BindBuffer(GL_COPY_READ_BUFFER, from.id_);
+  BindBuffer(GL_COPY_WRITE_BUFFER, id_);
+  CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(bytes));
+}
+
 void Buffer::download(std::size_t offset, std::size_t bytes, void* data) const {
   assert(offset + bytes <= bytes_);
   if (bytes == 0) return;

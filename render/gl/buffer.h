@@ -29,6 +29,8 @@ class Buffer {
 
   void upload(std::size_t offset, std::size_t bytes, const void* data);
   void download(std::size_t offset, std::size_t bytes, void* data) const;  // waits for the GPU
+  /// The first `bytes` of another buffer, without a way through the CPU.
+  void copy(const Buffer& from, std::size_t bytes);
   template <class T>
   std::vector<T> read() const {
     std::vector<T> data(bytes_ / sizeof(T));

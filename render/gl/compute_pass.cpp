@@ -111,9 +111,12 @@ std::uint64_t dispatch_count() {
   return dispatches;
 }
 
-ComputePass::ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations,
-                         std::uint32_t first_item)
-    : program_(&program), buffers_(std::move(buffers)), invocations_(invocations), first_item_(first_item) {
+ComputePass::ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations, Constants constants)
+    : program_(&program),
+      buffers_(std::move(buffers)),
+      constants_(std::move(constants)),
+      invocations_(invocations) {
+  constants_.emplace_back("invocations", invocations);
   resolve();
 }
 
@@ -154,8 +157,10 @@ void ComputePass::resolve() const {
     throw Error(where, std::to_string(groups) + " work groups",
                 "expected at most " + std::to_string(device().max_compute_groups));
   groups_ = static_cast<std::uint32_t>(groups);
-  invocations_location_ = GetUniformLocation(program_->id(), "invocations");
-  first_item_location_ = GetUniformLocation(program_->id(), "first_item");
+  uniforms_.clear();  // a uniform that the driver optimised away has no location
+  for (const auto& [name, value] : constants_)
+    if (const GLint location = GetUniformLocation(program_->id(), name.c_str()); location >= 0)
+      uniforms_.emplace_back(location, value);
   slots_ = std::move(slots);
   generation_ = program_->generation();
 }
@@ -172,8 +177,7 @@ void ComputePass::run() const {
       BindBufferBase(slot.target, slot.unit, slot.buffer->id());
     }
   }
-  if (invocations_location_ >= 0) Uniform1ui(invocations_location_, invocations_);
-  if (first_item_location_ >= 0) Uniform1ui(first_item_location_, first_item_);
+  for (const auto& [location, value] : uniforms_) Uniform1ui(location, value);
   DispatchCompute(groups_, 1, 1);
   // Everything that later passes, draws and copies may do with the results.
   MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT |

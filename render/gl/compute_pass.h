@@ -16,10 +16,11 @@ namespace fascia::gl {
 class ComputePass {
  public:
   using Bindings = std::vector<std::pair<std::string, const Buffer*>>;  // block or sampler name -> buffer
+  using Constants = std::vector<std::pair<std::string, std::uint32_t>>;  // name of a uint uniform -> value
   /// `invocations` is the number of items; the kernel's guard drops the rest of the last group. The buffers
-  /// must outlive the pass. Throws Error.
-  /// `first_item` is handed to the kernel's uniform of that name, for passes over a part of an array.
-  ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations, std::uint32_t first_item = 0);
+  /// must outlive the pass. `constants` are this pass's own values of the kernel's uniforms: other passes of the
+  /// same program may have others. Throws Error.
+  ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations, Constants constants = {});
 
   /// Binds, dispatches and puts the barrier that later passes and draws need. Throws Error only when a
   /// reloaded program wants other buffers.
@@ -36,9 +37,10 @@ class ComputePass {
   };
   const Program* program_;
   Bindings buffers_;
-  std::uint32_t invocations_ = 0, first_item_ = 0;
+  Constants constants_;
+  std::uint32_t invocations_ = 0;
   mutable std::uint32_t groups_ = 0;
-  mutable GLint invocations_location_ = -1, first_item_location_ = -1;
+  mutable std::vector<std::pair<GLint, std::uint32_t>> uniforms_;  // location, value
   mutable std::vector<Slot> slots_;
   mutable unsigned generation_ = 0;
 };

@@ -11,13 +11,14 @@ struct vec4 {
 // What every kernel of a substep knows (uniform block Step).
 struct StepValues {
   vec4 gravity;   // xyz acceleration [m/s^2], w substep h [s]
+  vec4 solver;    // x spectral radius for Chebyshev acceleration, 0: estimated; yzw unused
   vec4 material;  // of a scene with one material: x Young's modulus E [Pa], y Poisson's ratio [-], z damping [s], w density [kg/m^3]
 };
 
 // Partial sums of one invocation of the diagnostic kernels; the CPU adds them up in double precision.
 struct TetPartial {
   vec4 range;   // x smallest J, y largest J, z largest |strain| (Frobenius), w largest von Mises stress [Pa]
-  vec4 sums;    // x elastic energy [J], y inverted tets, z non-finite tets, w unused
+  vec4 sums;    // x elastic energy [J], y inverted tets, z non-finite tets, w volume * |strain|^2 [m^3]
 };
 struct VertexPartial {
   vec4 momentum;   // xyz [kg m/s], w kinetic energy [J]

@@ -41,9 +41,10 @@ void main() {
     float j = 1.0 + det_f_minus_one(h);
     float energy = 0.5 * tet.volume * contract(elastic, e);
     bool finite = !(isnan(j) || isinf(j) || isnan(energy) || isinf(energy));
-    partial.range = vec4(min(partial.range.x, j), max(partial.range.y, j), max(partial.range.z, strain_norm(e)),
+    float strain = strain_norm(e);
+    partial.range = vec4(min(partial.range.x, j), max(partial.range.y, j), max(partial.range.z, strain),
                          max(partial.range.w, von_mises_stress(f, j, elastic)));
-    partial.sums += vec4(energy, j <= 0.0 ? 1.0 : 0.0, finite ? 0.0 : 1.0, 0.0);
+    partial.sums += vec4(energy, j <= 0.0 ? 1.0 : 0.0, finite ? 0.0 : 1.0, tet.volume * strain * strain);
   }
   tet_partials[i] = partial;
 }

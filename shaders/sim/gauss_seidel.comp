@@ -3,14 +3,13 @@
 #include "common/io.glsl"
 #include "sim/xpbd_block.glsl"
 COMPUTE_1D
-INPUT_UINT(ColorTet, color_tet)          // [tet_count] tets sorted by color
-INOUT(vec4, Displacement, displacement)  // [vertex_count] xyz u [m], w inverse mass [1/kg]
+INOUT(vec4, Displacement, displacement)  // [vertex_count + phantom_count] xyz u [m], w inverse mass [1/kg]
 INOUT(vec4, Multiplier, multiplier)      // [2 * tet_count] lambda, xyz of xx, yy, zz then of yz, xz, xy
-uniform uint first_item;                 // where this color begins in color_tet
+uniform uint first_item;                 // where this color begins: the tets are sorted by color
 
 void main() {
   ITEM_OR_RETURN(i)
-  uint t = FETCH1(color_tet, first_item + i);
+  uint t = first_item + i;
   Tet tet = load_tet(t);
   vec4 u0 = displacement[tet.v.x], u1 = displacement[tet.v.y], u2 = displacement[tet.v.z], u3 = displacement[tet.v.w];
 #if FIRST_ITERATION

@@ -1,8 +1,9 @@
 // Inertial prediction u~ = u_n + h v_n + h^2 g of every vertex; the iterations start there.
 // Reads velocity and the inverse masses; writes previous_displacement, predicted, displacement (w: inverse mass).
 // First pass of a substep. Held vertices (inverse mass 0) stay where they are.
-// With MASS_SPLITTING the w of displacement is what each of a vertex's n tets sees: a share m / n of its mass (Tonge, Benevolenski,
+// With MASS_SPLITTING the w of displacement is what each of a vertex's n copies sees: a share m / n of its mass (Tonge, Benevolenski,
 // Voroshilov 2012). The mean of the n corrections is then their sum at full mass: positions get all that the multipliers got.
+// Copies: one per tet around the vertex (Jacobi), or the vertex and its phantoms (colors).
 #include "common/io.glsl"
 #include "common/step.glsl"
 COMPUTE_1D
@@ -10,8 +11,8 @@ INPUT_VEC4(RestPosition, rest_position)  // [vertex_count] xyz X [m], w inverse 
 INPUT_VEC4(Velocity, velocity)           // [vertex_count] [m/s]
 INOUT(vec4, Displacement, displacement)  // [vertex_count] u [m]
 #if MASS_SPLITTING
-INPUT_UINT(SlotBegin, slot_begin)  // [vertex_count + 1] its differences are the numbers of tets around each vertex
-float copies(uint i) { return float(FETCH1(slot_begin, i + 1u) - FETCH1(slot_begin, i)); }
+INPUT_UINT(CopyBegin, copy_begin)  // [vertex_count + 1] its differences are the numbers of copies
+float copies(uint i) { return float(FETCH1(copy_begin, i + 1u) - FETCH1(copy_begin, i)); }
 #else
 float copies(uint i) { return 1.0; }
 #endif

@@ -14,6 +14,7 @@ std::uint32_t partial_count(std::uint32_t items) { return std::clamp<std::uint32
 DiagnosticsReader::DiagnosticsReader(const SimBuffers& buffers)
     : tet_partial_count_(partial_count(buffers.tet_count)),
       vertex_partial_count_(partial_count(buffers.vertex_count)),
+      volume_(buffers.volume),
       tet_partials_("tet_partials", tet_partial_count_ * sizeof(shared::TetPartial)),
       vertex_partials_("vertex_partials", vertex_partial_count_ * sizeof(shared::VertexPartial)) {}
 
@@ -28,11 +29,10 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
                                 {"correction", &buffers.correction},
                                 {"tet_partials", &tet_partials_}};
   tet = with_damping(with_material(std::move(tet), features, buffers), features, previous_strain);
-  tet_program_ = &programs.compute("sim/diagnose_tet.comp", defines_of(features));
-  passes_.emplace_back(*tet_program_, std::move(tet), tet_partial_count_);
+  passes_.emplace_back(programs.compute("sim/diagnose_tet.comp", defines_of(features)), std::move(tet), tet_partial_count_,
+                       gl::ComputePass::Constants{{"tet_count", buffers.tet_count}});
   if (!grab.empty()) passes_.push_back(grab.load(programs, buffers));
-  vertex_program_ = &programs.compute("sim/diagnose_vertex.comp");
-  passes_.emplace_back(*vertex_program_,
+  passes_.emplace_back(programs.compute("sim/diagnose_vertex.comp"),
                        gl::ComputePass::Bindings{{"step", &buffers.step},
                                                  {"rest_position", &buffers.rest_position},
                                                  {"mass", &buffers.mass},
@@ -42,12 +42,10 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
                                                  {"slot_begin", &buffers.slot_begin},
                                                  {"correction", &buffers.correction},
                                                  {"vertex_partials", &vertex_partials_}},
-                       vertex_partial_count_);
+                       vertex_partial_count_, gl::ComputePass::Constants{{"vertex_count", buffers.vertex_count}});
 }
 
-void DiagnosticsReader::request(const SimBuffers& buffers, const GrabSprings& grab, double substep) {
-  tet_program_->set("tet_count", buffers.tet_count);
-  vertex_program_->set("vertex_count", buffers.vertex_count);
+void DiagnosticsReader::request(const GrabSprings& grab, double substep) {
   for (const gl::ComputePass& pass : passes_) pass.run();
 
   newest_ ^= 1u;
@@ -100,7 +98,7 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
     pending.staging.download(tet_partials_.bytes() + vertex_partials_.bytes(), grabbed.size() * sizeof(shared::vec4),
                              grabbed.data());
   Diagnostics d;
-  double inverted = 0, broken = 0, residual = 0, inertia = 0, load = 0, motion = 0, grab = 0, speed2 = 0;
+  double inverted = 0, broken = 0, residual = 0, inertia = 0, load = 0, motion = 0, grab = 0, speed2 = 0, strain2 = 0;
   d.min_det_f = 3.4e38;
   d.max_det_f = -3.4e38;
   for (const shared::TetPartial& t : tets) {
@@ -111,6 +109,7 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
     d.elastic += t.sums.x;
     inverted += t.sums.y;
     broken += t.sums.z;
+    strain2 += t.sums.w;
   }
   for (const shared::VertexPartial& v : vertices) {
     d.momentum += Eigen::Vector3d(v.momentum.x, v.momentum.y, v.momentum.z);
@@ -133,6 +132,7 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
   const double scale = std::sqrt(inertia) + std::sqrt(load) + std::sqrt(grab);
   const double rounding = 1e-6 * pending.substep * std::sqrt(motion);  // ten float32 roundings of M (u - u_n)
   d.residual = scale > rounding ? std::sqrt(residual) / scale : 0;
+  d.rms_strain = std::sqrt(strain2 / volume_);
   d.inverted = static_cast<int>(inverted);
   d.max_speed = std::sqrt(speed2);
   d.finite = broken == 0;

@@ -21,6 +21,7 @@ struct Diagnostics {
   Eigen::Vector3d reaction{0, 0, 0};                                // of the supports on the body [N]
   Eigen::Vector3d grab_force{0, 0, 0};                              // of the grab on the body [N]
   double min_det_f = 1, max_det_f = 1, max_strain = 0, max_von_mises = 0, max_speed = 0;  // [-], [-], [-], [Pa], [m/s]
+  double rms_strain = 0;  // root of the mean of |strain|^2 (Frobenius) over the volume
   int inverted = 0;
   bool finite = true;
 };
@@ -31,7 +32,7 @@ class DiagnosticsReader {
   void record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
               const gl::Buffer& previous_strain, const GrabSprings& grab);
   /// Dispatches the sums over the current state and queues their copy. `substep` h [s].
-  void request(const SimBuffers& buffers, const GrabSprings& grab, double substep);
+  void request(const GrabSprings& grab, double substep);
   /// The newest finished request, if there is one that was not taken yet. With `wait`, the last request.
   std::optional<Diagnostics> take(bool wait);
 
@@ -45,9 +46,9 @@ class DiagnosticsReader {
   Diagnostics sum_up(const Pending& pending) const;
 
   std::uint32_t tet_partial_count_, vertex_partial_count_;
+  double volume_;  // of all tets [m^3]
   gl::Buffer tet_partials_, vertex_partials_;
   std::vector<gl::ComputePass> passes_;
-  const gl::Program *tet_program_ = nullptr, *vertex_program_ = nullptr;
   std::array<Pending, 2> pending_;
   unsigned newest_ = 0;
 };

@@ -1,12 +1,31 @@
 #include "sim/gpu/gauss_seidel.h"
 
+#include "sim/locality.h"
+
 namespace fascia {
 
-GaussSeidelMethod::GaussSeidelMethod(const Model& model)
-    : multiplier_("multiplier", 2 * sizeof(shared::vec4) * model.tets.size()) {
-  const Coloring coloring = color_tets(model.tets, model.held());
-  color_begin_ = coloring.begin;
-  color_tet_ = gl::Buffer("color_tet", coloring.order);
+GaussSeidelMethod::GaussSeidelMethod(const Model& model, SimBuffers& buffers, int colors)
+    : colors_asked_(colors),
+      coloring_(color_tets(model.tets, model.held(), curve_order(model.rest_positions, model.tets),
+                           static_cast<std::uint32_t>(colors))),
+      multiplier_("multiplier", 2 * sizeof(shared::vec4) * model.tets.size()),
+      phantom_count_(static_cast<std::uint32_t>(coloring_.phantom_vertex.size())) {
+  buffers.set_tet_order(model, coloring_.order);
+  buffers.set_phantom_count(phantom_count_);
+  if (phantom_count_ == 0) return;
+  std::vector<Tet> corners;
+  for (const std::uint32_t t : coloring_.order) corners.push_back(coloring_.corners[t]);
+  std::vector<std::uint32_t> copy_begin(buffers.vertex_count + 1), split;
+  for (const std::uint32_t v : coloring_.phantom_vertex) {
+    ++copy_begin[v + 1];
+    if (split.empty() || split.back() != v) split.push_back(v);
+  }
+  for (std::uint32_t v = 0; v < buffers.vertex_count; ++v) copy_begin[v + 1] += copy_begin[v] + 1;
+  corners_ = gl::Buffer("color_corners", corners);
+  phantom_vertex_ = gl::Buffer("phantom_vertex", coloring_.phantom_vertex);
+  copy_begin_ = gl::Buffer("copy_begin", copy_begin);
+  split_vertex_ = gl::Buffer("split_vertex", split);
+  split_count_ = static_cast<std::uint32_t>(split.size());
 }
 
 std::vector<gl::ComputePass> GaussSeidelMethod::iteration(gl::ProgramCache& programs, const SimBuffers& buffers,
@@ -15,13 +34,26 @@ std::vector<gl::ComputePass> GaussSeidelMethod::iteration(gl::ProgramCache& prog
   gl::Defines defines = defines_of(features);
   defines.emplace_back("FIRST_ITERATION", first ? "1" : "0");
   const gl::Program& program = programs.compute("sim/gauss_seidel.comp", defines);
-  gl::ComputePass::Bindings bindings{{"step", &buffers.step},           {"tet_vertices", &buffers.tet_vertices},
-                                     {"tet_shape", &buffers.tet_shape}, {"color_tet", &color_tet_},
-                                     {"multiplier", &multiplier_},      {"displacement", &buffers.displacement}};
+  gl::ComputePass::Bindings bindings{{"step", &buffers.step},
+                                     {"tet_vertices", phantom_count_ ? &corners_ : &buffers.tet_vertices},
+                                     {"tet_shape", &buffers.tet_shape},
+                                     {"multiplier", &multiplier_},
+                                     {"displacement", &buffers.displacement}};
   bindings = with_damping(with_material(std::move(bindings), features, buffers), features, previous_strain);
   std::vector<gl::ComputePass> passes;
-  for (std::size_t color = 0; color + 1 < color_begin_.size(); ++color)
-    passes.emplace_back(program, bindings, color_begin_[color + 1] - color_begin_[color], color_begin_[color]);
+  if (phantom_count_)
+    passes.emplace_back(programs.compute("sim/split_phantoms.comp"),
+                        gl::ComputePass::Bindings{{"phantom_vertex", &phantom_vertex_}, {"displacement", &buffers.displacement}},
+                        phantom_count_, gl::ComputePass::Constants{{"first_item", buffers.vertex_count}});
+  for (std::size_t color = 0; color < coloring_.color_count(); ++color)
+    passes.emplace_back(program, bindings, coloring_.begin[color + 1] - coloring_.begin[color],
+                        gl::ComputePass::Constants{{"first_item", coloring_.begin[color]}});
+  if (phantom_count_)
+    passes.emplace_back(programs.compute("sim/merge_phantoms.comp"),
+                        gl::ComputePass::Bindings{{"split_vertex", &split_vertex_},
+                                                  {"copy_begin", &copy_begin_},
+                                                  {"displacement", &buffers.displacement}},
+                        split_count_, gl::ComputePass::Constants{{"first_item", buffers.vertex_count}});
   return passes;
 }
 

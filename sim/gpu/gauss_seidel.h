@@ -1,5 +1,7 @@
 // XPBD swept color by color (the poster's section 3.1): each tet sees the corrections of the colors before it. Converges where
-// averaged Jacobi stays soft; costs one dispatch per color.
+// averaged Jacobi stays soft; costs one dispatch per color. With a bound on the colors some vertices are split into phantoms, which
+// share the vertex's mass and are averaged after each sweep (see sim/coloring.h): one color is mass-split Jacobi, enough colors are
+// plain Gauss-Seidel.
 #pragma once
 #include <vector>
 
@@ -12,15 +14,25 @@ namespace fascia {
 
 class GaussSeidelMethod {
  public:
-  explicit GaussSeidelMethod(const Model& model);
+  /// `colors` 0: as many as the mesh needs. Puts the tets of `buffers` into the order of the colors, along a curve within each.
+  GaussSeidelMethod(const Model& model, SimBuffers& buffers, int colors);
+
   /// The passes of one iteration, one per color. The first one of a substep starts from zero multipliers.
   std::vector<gl::ComputePass> iteration(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
                                          const gl::Buffer& previous_strain, bool first) const;
 
+  int colors_asked() const { return colors_asked_; }
+  const Coloring& coloring() const { return coloring_; }
+  /// uint [vertex_count + 1] vertices and phantoms before each vertex; null without phantoms.
+  const gl::Buffer* copy_begin() const { return phantom_count_ ? &copy_begin_ : nullptr; }
+
  private:
-  std::vector<std::uint32_t> color_begin_;  // [color_count + 1]
-  gl::Buffer color_tet_;                    // uint [tet_count] tets sorted by color
-  gl::Buffer multiplier_;                   // vec4 [2 * tet_count] lambda
+  int colors_asked_;
+  Coloring coloring_;
+  gl::Buffer multiplier_;  // vec4 [2 * tet_count] lambda
+  gl::Buffer corners_;     // uvec4 [tet_count] what each corner moves; with phantoms
+  gl::Buffer phantom_vertex_, copy_begin_, split_vertex_;  // [phantom_count], [vertex_count + 1], vertices that have phantoms
+  std::uint32_t phantom_count_ = 0, split_count_ = 0;
 };
 
 }  // namespace fascia

@@ -36,8 +36,16 @@ gl::ComputePass GrabSprings::pull(gl::ProgramCache& programs, const SimBuffers& 
 
 gl::ComputePass GrabSprings::load(gl::ProgramCache& programs, const SimBuffers& buffers) const {
   return {programs.compute("sim/grab_load.comp"),
-          {{"grab_vertex", &vertex_}, {"grab_multiplier", &multiplier_}, {"predicted", &buffers.predicted}},
+          {{"grab_vertex", &vertex_},
+           {"grab_multiplier", &multiplier_},
+           {"slot_begin", &buffers.slot_begin},
+           {"correction", &buffers.correction}},
           count()};
+}
+
+void GrabSprings::forget() {
+  const std::vector<vec4> zero(count());
+  multiplier_.upload(0, zero.size() * sizeof(vec4), zero.data());
 }
 
 }  // namespace fascia

@@ -23,6 +23,7 @@ class GrabSprings {
 
   gl::ComputePass pull(gl::ProgramCache& programs, const SimBuffers& buffers, bool first) const;
   gl::ComputePass load(gl::ProgramCache& programs, const SimBuffers& buffers) const;  // for the residual
+  void forget();  // the multipliers of the last substep, which the first iteration of the next one would do
   const gl::Buffer& multiplier() const { return multiplier_; }  // vec4 [count] h^2 times the force on the tissue [kg m]
   std::uint32_t count() const { return static_cast<std::uint32_t>(vertices_.size()); }
 

@@ -1,5 +1,6 @@
 #include "sim/gpu/sim_buffers.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <numeric>
 
@@ -17,22 +18,26 @@ vec4 to_vec4(const Material& m) {
           static_cast<float>(m.density)};
 }
 
-// Counting sort of tet corners by vertex: slot_begin and the slot of every corner.
-void make_slots(const Model& model, std::vector<std::uint32_t>& begin, std::vector<Tet>& slots) {
-  begin.assign(model.rest_positions.size() + 1, 0);
+std::vector<std::uint32_t> first_slots(const Model& model) {
+  std::vector<std::uint32_t> begin(model.rest_positions.size() + 1, 0);
   for (const Tet& tet : model.tets)
     for (const std::uint32_t v : tet) ++begin[v + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-  slots.resize(model.tets.size());
-  for (std::size_t t = 0; t < model.tets.size(); ++t)
-    for (int a = 0; a < 4; ++a) slots[t][a] = next[model.tets[t][a]]++;
+  return begin;
 }
 
-std::vector<vec4> make_shapes(const Model& model) {
-  std::vector<vec4> shapes(3 * model.tets.size());
-  for (std::size_t t = 0; t < model.tets.size(); ++t) {
-    const Tet& tet = model.tets[t];
+// Counting sort of tet corners by vertex: the slot of every corner. `next` begins as the first slot of each vertex.
+std::vector<Tet> make_slots(const std::vector<Tet>& tets, std::vector<std::uint32_t> next) {
+  std::vector<Tet> slots(tets.size());
+  for (std::size_t t = 0; t < tets.size(); ++t)
+    for (int a = 0; a < 4; ++a) slots[t][a] = next[tets[t][a]]++;
+  return slots;
+}
+
+std::vector<vec4> make_shapes(const Model& model, const std::vector<Tet>& tets) {
+  std::vector<vec4> shapes(3 * tets.size());
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    const Tet& tet = tets[t];
     Eigen::Matrix3d dm;
     for (int k = 0; k < 3; ++k) dm.col(k) = model.rest_positions[tet[k + 1]] - model.rest_positions[tet[0]];
     const Eigen::Matrix3d inv_dm = dm.inverse();
@@ -54,21 +59,43 @@ SimBuffers::SimBuffers(const Model& model)
   predicted = gl::Buffer("predicted", vertex_bytes);
   rest_position = gl::Buffer("rest_position", vertex_bytes);
   mass = gl::Buffer("mass", vertex_count * sizeof(float));
-  tet_vertices = gl::Buffer("tet_vertices", model.tets);
-  tet_shape = gl::Buffer("tet_shape", make_shapes(model));
-  std::vector<std::uint32_t> begin;
-  std::vector<Tet> slots;
-  make_slots(model, begin, slots);
-  tet_slots = gl::Buffer("tet_slots", slots);
-  slot_begin = gl::Buffer("slot_begin", begin);
+  slot_begin = gl::Buffer("slot_begin", first_slots(model));
+  std::vector<std::uint32_t> order(tet_count);
+  std::iota(order.begin(), order.end(), 0u);
+  set_tet_order(model, order);
+  for (const Tet& tet : model.tets) {
+    const std::vector<Eigen::Vector3d>& x = model.rest_positions;
+    volume += (x[tet[1]] - x[tet[0]]).cross(x[tet[2]] - x[tet[0]]).dot(x[tet[3]] - x[tet[0]]) / 6;
+  }
   if (model.materials.size() > 1) {
-    tet_material = gl::Buffer("tet_material", model.tet_material);
     materials = gl::Buffer("materials", model.materials.size() * sizeof(vec4));
   }
   correction = gl::Buffer("correction", 4 * tet_bytes);
   step = gl::Buffer("step", sizeof(shared::StepValues));
   upload_materials(model);
   upload_state(model, reference::initial_state(model));
+}
+
+void SimBuffers::set_tet_order(const Model& model, const std::vector<std::uint32_t>& order) {
+  std::vector<Tet> tets;
+  std::vector<std::uint32_t> material;
+  tets.reserve(order.size());
+  for (const std::uint32_t t : order) {
+    tets.push_back(model.tets[t]);
+    if (model.materials.size() > 1) material.push_back(model.tet_material[t]);
+  }
+  tet_vertices = gl::Buffer("tet_vertices", tets);
+  tet_shape = gl::Buffer("tet_shape", make_shapes(model, tets));
+  tet_slots = gl::Buffer("tet_slots", make_slots(tets, first_slots(model)));
+  if (!material.empty()) tet_material = gl::Buffer("tet_material", material);
+}
+
+void SimBuffers::set_phantom_count(std::uint32_t count) {
+  const std::size_t bytes = (vertex_count + count) * sizeof(vec4);
+  if (bytes == displacement.bytes()) return;
+  gl::Buffer wider("displacement", bytes);
+  wider.copy(displacement, vertex_count * sizeof(vec4));
+  displacement = std::move(wider);
 }
 
 void SimBuffers::upload_state(const Model& model, const reference::State& state) {
@@ -82,13 +109,15 @@ void SimBuffers::upload_state(const Model& model, const reference::State& state)
 }
 
 reference::State SimBuffers::download_state(double time) const {
-  const auto unpack = [](const std::vector<vec4>& values) {
+  const auto unpack = [&](const gl::Buffer& buffer) {
+    std::vector<vec4> values(vertex_count);
+    buffer.download(0, vertex_count * sizeof(vec4), values.data());
     std::vector<Eigen::Vector3d> out;
-    out.reserve(values.size());
+    out.reserve(vertex_count);
     for (const vec4& v : values) out.emplace_back(v.x, v.y, v.z);
     return out;
   };
-  return {unpack(displacement.read<vec4>()), unpack(velocity.read<vec4>()), time};
+  return {unpack(displacement), unpack(velocity), time};
 }
 
 void SimBuffers::upload_materials(const Model& model) {
@@ -109,8 +138,10 @@ void SimBuffers::upload_materials(const Model& model) {
   mass.upload(0, mass_values.size() * sizeof(float), mass_values.data());
 }
 
-void SimBuffers::upload_step(const Model& model, double substep) {
-  const shared::StepValues values{to_vec4(model.gravity, substep), to_vec4(model.materials.front())};
+void SimBuffers::upload_step(const Model& model, const SolverSettings& settings) {
+  const shared::StepValues values{to_vec4(model.gravity, settings.substep()),
+                                  {static_cast<float>(settings.spectral_radius), 0, 0, 0},
+                                  to_vec4(model.materials.front())};
   step.upload(0, sizeof values, &values);
 }
 

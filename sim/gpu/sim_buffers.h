@@ -16,9 +16,10 @@ struct SimBuffers {
   explicit SimBuffers(const Model& model);
 
   std::uint32_t vertex_count = 0, tet_count = 0;
+  double volume = 0;  // of all tets at rest [m^3]
 
   // State, vec4 [vertex_count].
-  gl::Buffer displacement;           // xyz u = x - X [m], w inverse mass as tets see it [1/kg]
+  gl::Buffer displacement;           // xyz u = x - X [m], w inverse mass as tets see it [1/kg]; phantoms may follow
   gl::Buffer velocity;               // xyz v [m/s]
   gl::Buffer previous_displacement;  // u at the start of the substep
   gl::Buffer predicted;              // u~, where inertia and gravity alone would lead
@@ -38,11 +39,16 @@ struct SimBuffers {
 
   gl::Buffer step;  // uniform block Step (shared::StepValues)
 
+  /// The tets in another order: `order` [tet_count] indices into model.tets. Needs passes that count on the old one recorded anew.
+  void set_tet_order(const Model& model, const std::vector<std::uint32_t>& order);
+  /// Room for `count` copies of vertices behind the displacements, which stay.
+  void set_phantom_count(std::uint32_t count);
+
   void upload_state(const Model& model, const reference::State& state);
   reference::State download_state(double time) const;
   /// Masses follow density; call after any material change.
   void upload_materials(const Model& model);
-  void upload_step(const Model& model, double substep);
+  void upload_step(const Model& model, const SolverSettings& settings);
   bool material_per_tet() const { return static_cast<bool>(tet_material); }
 };
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/gpu/anderson_positions.h"
+#include "sim/gpu/chebyshev.h"
 #include "sim/gpu/diagnostics.h"
 #include "sim/gpu/gauss_seidel.h"
 #include "sim/gpu/jacobi.h"
@@ -14,8 +16,9 @@
 
 namespace fascia {
 
-/// The first pass of every substep (shaders/sim/predict.comp).
-gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, bool split_masses);
+/// The first pass of every substep (shaders/sim/predict.comp). `copy_begin`: uint [vertex_count + 1], copies before each vertex, of
+/// methods that split a vertex's mass between copies; null for those that do not.
+gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin);
 
 class GpuSolver {
  public:
@@ -39,17 +42,28 @@ class GpuSolver {
   void publish() const { surface_.run(); }
   const gl::Buffer& positions() const { return surface_.positions(); }  // vec4 [vertex_count + points]
 
+  /// One substep that diagnoses the state after every iteration, and before the first: [iterations + 1]. For plots of convergence:
+  /// waits for the GPU each time.
+  std::vector<Diagnostics> traced_substep();
+
   void request_diagnostics();
   std::optional<Diagnostics> take_diagnostics(bool wait) { return diagnostics_.take(wait); }
 
   reference::State download() const { return buffers_.download_state(time_); }
   void upload(const reference::State& state);
+  /// The state of another solver of the same model, without a way through the CPU.
+  void copy_state(const GpuSolver& from);
+  const GaussSeidelMethod* gauss_seidel() const { return gauss_seidel_ ? &*gauss_seidel_ : nullptr; }
+  const Chebyshev* chebyshev() const { return chebyshev_ ? &*chebyshev_ : nullptr; }
 
   std::uint64_t dispatches_per_step() const;
   const SimBuffers& buffers() const { return buffers_; }
 
  private:
+  void make_method();  // what the pair needs, and nothing else
   void record();
+  void begin_substep();
+  void settings_changed();
   std::vector<gl::ComputePass> iteration(bool first) const;
 
   gl::ProgramCache& programs_;
@@ -59,8 +73,10 @@ class GpuSolver {
   ColorBy color_ = ColorBy::none;
   SimBuffers buffers_;
   gl::Buffer previous_strain_;  // vec4 [2 * tet_count]; made when a material is first damped
-  std::optional<JacobiMethod> jacobi_;  // only the method in use exists
+  std::optional<JacobiMethod> jacobi_;  // of these only what is in use exists
   std::optional<GaussSeidelMethod> gauss_seidel_;
+  std::optional<Chebyshev> chebyshev_;
+  std::optional<AndersonPositions> anderson_positions_;
   MotionTargets motions_;
   GrabSprings grab_;
   DiagnosticsReader diagnostics_;

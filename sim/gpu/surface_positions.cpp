@@ -46,18 +46,16 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
   passes_.emplace_back(programs.compute("sim/publish.comp", {{"HEAT", heat ? "1" : "0"}}), std::move(publish),
                        buffers.vertex_count);
   if (embedded_count_ == 0) return;
-  embed_program_ = &programs.compute("sim/embed.comp", {{"HEAT", heat ? "1" : "0"}});
-  passes_.emplace_back(*embed_program_,
+  passes_.emplace_back(programs.compute("sim/embed.comp", {{"HEAT", heat ? "1" : "0"}}),
                        gl::ComputePass::Bindings{{"embed_position", &embed_position_},
                                                  {"embed_vertices", &embed_vertices_},
                                                  {"embed_weights", &embed_weights_},
                                                  {"displacement", &buffers.displacement},
                                                  {"position", &positions_}},
-                       embedded_count_);
+                       embedded_count_, gl::ComputePass::Constants{{"vertex_count", vertex_count_}});
 }
 
 void SurfacePositions::run() const {
-  if (embed_program_) embed_program_->set("vertex_count", vertex_count_);
   for (const gl::ComputePass& pass : passes_) pass.run();
 }
 

@@ -22,7 +22,6 @@ class SurfacePositions {
  private:
   std::uint32_t vertex_count_, embedded_count_;
   gl::Buffer positions_, embed_position_, embed_vertices_, embed_weights_;
-  const gl::Program* embed_program_ = nullptr;
   std::vector<gl::ComputePass> passes_;
 };
 

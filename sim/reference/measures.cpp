@@ -26,6 +26,7 @@ State initial_state(const Model& model) {
 
 Measures measure(const Model& model, const State& state) {
   Measures result;
+  double strain2 = 0, volume = 0;
   const std::vector<double> mass = lumped_masses(model);
   const std::vector<char> held = model.held();
   for (std::size_t v = 0; v < mass.size(); ++v) {
@@ -44,11 +45,14 @@ Measures measure(const Model& model, const State& state) {
     result.elastic += d.energy;
     for (int a = 0; a < 4; ++a)
       if (held[model.tets[t][a]]) result.fixed_reaction += d.gradient.segment<3>(3 * a);
+    strain2 += rest.volume * green_strain_matrix(rest, u).squaredNorm();
+    volume += rest.volume;
     const double det_f = deformation_gradient(rest, u).determinant();
     result.min_det_f = t == 0 ? det_f : std::min(result.min_det_f, det_f);
     result.max_det_f = t == 0 ? det_f : std::max(result.max_det_f, det_f);
     result.inverted += det_f <= 0;
   }
+  if (volume > 0) result.rms_strain = std::sqrt(strain2 / volume);
   return result;
 }
 

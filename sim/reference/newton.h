@@ -32,6 +32,7 @@ struct Measures {
   /// energy's gradient minus the weight. Inertia and viscous forces are not included.
   Eigen::Vector3d fixed_reaction{0, 0, 0};
   double min_det_f = 1, max_det_f = 1;  // range of J over tets
+  double rms_strain = 0;                // root of the mean of |Green strain|^2 (Frobenius) over the volume
   int inverted = 0;                     // tets with J <= 0
 };
 Measures measure(const Model& model, const State& state);

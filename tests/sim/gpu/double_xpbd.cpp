@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-#include "sim/coloring.h"
+#include "sim/locality.h"
 
 namespace fascia::test {
 namespace {
@@ -25,16 +25,35 @@ Shape shape_of(const Model& model, std::size_t tet) {
   return shape;
 }
 
-Eigen::Matrix3d gradient_of(const Model& model, std::size_t tet, const Shape& shape, const std::vector<Eigen::Vector3d>& u) {
+using Corners = std::array<Eigen::Vector3d, 4>;
+
+Corners corners_of(const Tet& tet, const std::vector<Eigen::Vector3d>& u) { return {u[tet[0]], u[tet[1]], u[tet[2]], u[tet[3]]}; }
+
+Eigen::Matrix3d gradient_of(const Shape& shape, const Corners& u) {
   Eigen::Matrix3d f = Eigen::Matrix3d::Identity();
-  for (int a = 0; a < 4; ++a) f += u[model.tets[tet][a]] * shape.b.col(a).transpose();
+  for (int a = 0; a < 4; ++a) f += u[a] * shape.b.col(a).transpose();
   return f;
+}
+
+Vector6d strain_of(const Eigen::Matrix3d& f) {
+  const Eigen::Matrix3d e = 0.5 * (f.transpose() * f - Eigen::Matrix3d::Identity());
+  Vector6d c;
+  for (int k = 0; k < 6; ++k) c[k] = e(row_of[k], column_of[k]);
+  return c;
+}
+
+Eigen::VectorXd flat(const std::vector<Eigen::Vector3d>& u) {
+  return Eigen::Map<const Eigen::VectorXd>(u.front().data(), 3 * static_cast<Eigen::Index>(u.size()));
+}
+
+void unflatten(const Eigen::VectorXd& x, std::vector<Eigen::Vector3d>& u) {
+  Eigen::Map<Eigen::VectorXd>(u.front().data(), x.size()) = x;
 }
 
 }  // namespace
 
 DoubleXpbd::DoubleXpbd(const Model& model, const SolverSettings& settings)
-    : model_(model), settings_(settings), valence_(model.rest_positions.size(), 0) {
+    : model_(model), settings_(settings), valence_(model.rest_positions.size(), 0), chebyshev_(settings.spectral_radius) {
   const std::vector<char> held = model.held();
   for (const double m : lumped_masses(model)) inv_mass_.push_back(held[inv_mass_.size()] || m <= 0 ? 0 : 1 / m);
   for (const Tet& tet : model.tets)
@@ -42,20 +61,24 @@ DoubleXpbd::DoubleXpbd(const Model& model, const SolverSettings& settings)
   seen_inv_mass_ = inv_mass_;
   if (settings.method == Method::mass_splitting)
     for (std::size_t v = 0; v < valence_.size(); ++v) seen_inv_mass_[v] *= valence_[v];
+  if (settings.method != Method::gauss_seidel) return;
+  coloring_ = color_tets(model.tets, held, curve_order(model.rest_positions, model.tets), static_cast<std::uint32_t>(settings.colors));
+  for (const std::uint32_t v : coloring_.phantom_vertex) seen_inv_mass_[v] += inv_mass_[v];
 }
 
 Vector6d DoubleXpbd::strain(std::size_t tet, const std::vector<Eigen::Vector3d>& u) const {
-  const Eigen::Matrix3d f = gradient_of(model_, tet, shape_of(model_, tet), u);
-  const Eigen::Matrix3d e = 0.5 * (f.transpose() * f - Eigen::Matrix3d::Identity());
-  Vector6d c;
-  for (int k = 0; k < 6; ++k) c[k] = e(row_of[k], column_of[k]);
-  return c;
+  return strain_of(gradient_of(shape_of(model_, tet), corners_of(model_.tets[tet], u)));
 }
 
-DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const std::vector<Eigen::Vector3d>& u,
-                                                const Vector6d& previous_strain, const Vector6d& multiplier) const {
+DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const std::vector<Eigen::Vector3d>& u, const Vector6d& previous_strain,
+                                            const Vector6d& multiplier) const {
+  return solve_tet(t, corners_of(model_.tets[t], u), previous_strain, multiplier);
+}
+
+DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const Corners& u, const Vector6d& previous_strain,
+                                            const Vector6d& multiplier) const {
   const Shape shape = shape_of(model_, t);
-  const Eigen::Matrix3d f = gradient_of(model_, t, shape, u);
+  const Eigen::Matrix3d f = gradient_of(shape, u);
   Eigen::Matrix<double, 6, 12> g;  // d strain_k / d u_a = 1/2 (F_row b_column + F_column b_row)
   Eigen::Matrix<double, 12, 1> w;
   for (int a = 0; a < 4; ++a) {
@@ -70,7 +93,7 @@ DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const std::vector<Eig
   d.diagonal() += (Vector6d() << 2, 2, 2, 4, 4, 4).finished() * m.lame_mu();
   const double h = settings_.substep(), rate = m.damping / h;
   const Eigen::Matrix<double, 6, 6> alpha = (shape.volume * h * h * d).inverse();
-  const Vector6d c = strain(t, u);
+  const Vector6d c = strain_of(f);
   const Eigen::Matrix<double, 6, 6> system = (1 + rate) * g * w.asDiagonal() * g.transpose() + alpha;
   const Vector6d change = system.ldlt().solve(-(c + rate * (c - previous_strain)) - alpha * multiplier);
   const Eigen::Matrix<double, 12, 1> dx = w.asDiagonal() * g.transpose() * change;
@@ -78,6 +101,36 @@ DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const std::vector<Eig
   result.multiplier = multiplier + change;
   for (int a = 0; a < 4; ++a) result.correction[a] = dx.segment<3>(3 * a);
   return result;
+}
+
+void DoubleXpbd::sweep(std::vector<Eigen::Vector3d>& u, std::vector<Vector6d>& lambda, const std::vector<Vector6d>& before) const {
+  std::vector<Eigen::Vector3d> copies = u;
+  for (const std::uint32_t v : coloring_.phantom_vertex) copies.push_back(u[v]);
+  if (settings_.method == Method::gauss_seidel) {
+    for (const std::uint32_t t : coloring_.order) {
+      std::array<Eigen::Vector3d, 4> corners;
+      for (int a = 0; a < 4; ++a) corners[a] = copies[coloring_.corners[t][a]];
+      const TetResult r = solve_tet(t, corners, before[t], lambda[t]);
+      lambda[t] = r.multiplier;
+      for (int a = 0; a < 4; ++a) copies[coloring_.corners[t][a]] += r.correction[a];
+    }
+    std::vector<double> count(u.size(), 1);
+    for (std::size_t v = 0; v < u.size(); ++v) u[v] = copies[v];
+    for (std::size_t p = 0; p < coloring_.phantom_vertex.size(); ++p) {
+      u[coloring_.phantom_vertex[p]] += copies[u.size() + p];
+      ++count[coloring_.phantom_vertex[p]];
+    }
+    for (std::size_t v = 0; v < u.size(); ++v) u[v] /= count[v];
+    return;
+  }
+  std::vector<Eigen::Vector3d> sum(u.size(), Eigen::Vector3d::Zero());
+  for (std::size_t t = 0; t < model_.tets.size(); ++t) {
+    const TetResult r = solve_tet(t, u, before[t], lambda[t]);
+    lambda[t] = r.multiplier;
+    for (int a = 0; a < 4; ++a) sum[model_.tets[t][a]] += r.correction[a];
+  }
+  for (std::size_t v = 0; v < u.size(); ++v)
+    if (valence_[v]) u[v] += sum[v] / valence_[v];
 }
 
 void DoubleXpbd::step(reference::State& state) {
@@ -95,21 +148,13 @@ void DoubleXpbd::step(reference::State& state) {
       }
     std::vector<Vector6d> lambda(model_.tets.size(), Vector6d::Zero()), before;
     for (std::size_t t = 0; t < model_.tets.size(); ++t) before.push_back(strain(t, u_n));
-    for (int i = 0; i < settings_.iterations && settings_.method == Method::gauss_seidel; ++i)
-      for (const std::uint32_t t : color_tets(model_.tets, model_.held()).order) {
-        const TetResult r = solve_tet(t, u, before[t], lambda[t]);
-        lambda[t] = r.multiplier;
-        for (int a = 0; a < 4; ++a) u[model_.tets[t][a]] += r.correction[a];
-      }
-    for (int i = 0; i < settings_.iterations && settings_.method != Method::gauss_seidel; ++i) {
-      std::vector<Eigen::Vector3d> sum(u.size(), Eigen::Vector3d::Zero());
-      for (std::size_t t = 0; t < model_.tets.size(); ++t) {
-        const TetResult r = solve_tet(t, u, before[t], lambda[t]);
-        lambda[t] = r.multiplier;
-        for (int a = 0; a < 4; ++a) sum[model_.tets[t][a]] += r.correction[a];
-      }
-      for (std::size_t v = 0; v < u.size(); ++v)
-        if (valence_[v]) u[v] += sum[v] / valence_[v];
+    DoubleAnderson anderson(settings_.window);
+    chebyshev_.begin_step();
+    for (int i = 0; i < settings_.iterations; ++i) {
+      const Eigen::VectorXd x = flat(u);
+      sweep(u, lambda, before);
+      if (settings_.acceleration == Acceleration::anderson_positions) unflatten(anderson.next(x, flat(u)), u);
+      if (settings_.acceleration == Acceleration::chebyshev) unflatten(chebyshev_.next(x, flat(u)), u);
     }
     for (std::size_t v = 0; v < u.size(); ++v) state.velocity[v] = (u[v] - u_n[v]) / h;
   }

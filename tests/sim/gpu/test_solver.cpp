@@ -251,10 +251,30 @@ TEST_CASE("features that are off cost no dispatch, no program and no byte", "[gp
   CHECK(gl::allocated_bytes() - with_damping == 2 * (4 + 16 + 16));
   settings.method = Method::gauss_seidel;  // the other method's memory goes, its own comes
   solver.set_settings(settings);
-  const std::size_t colors = color_tets(plain.tets, plain.held()).color_count();
+  const std::size_t colors = solver.gauss_seidel()->coloring().color_count();
   CAPTURE(colors);
   CHECK(solver.dispatches_per_step() == 2 * (2 + 7 * (colors + 1) + 1));
-  CHECK(gl::allocated_bytes() - with_damping == 2 * (4 + 16 + 16) + 4 * plain.tets.size());
+  CHECK(gl::allocated_bytes() - with_damping == 2 * (4 + 16 + 16));
+  const std::size_t plain_bytes = gl::allocated_bytes(), vertices = plain.rest_positions.size();
+  settings.acceleration = Acceleration::anderson_positions;
+  settings.window = 3;
+  solver.set_settings(settings);
+  CHECK(solver.dispatches_per_step() == 2 * (2 + 7 * (colors + 1) + 1 + 6 * 4 + 1));
+  CHECK(gl::allocated_bytes() - plain_bytes == 16 * vertices * (3 + 2 * 3) + 16 * 64 * 3 + 4 * 113);
+  settings.acceleration = Acceleration::chebyshev;
+  solver.set_settings(settings);
+  CHECK(solver.dispatches_per_step() == 2 * (2 + 7 * (colors + 1 + 3) + 1));
+  CHECK(gl::allocated_bytes() - plain_bytes == 16 * vertices * 2 + 16 * 64 + 4 * 5);
+  settings.acceleration = Acceleration::none;
+  settings.colors = 5;
+  solver.set_settings(settings);
+  const std::size_t phantoms = solver.gauss_seidel()->coloring().phantom_vertex.size();
+  CAPTURE(phantoms);
+  CHECK(solver.dispatches_per_step() == 2 * (2 + 7 * (5 + 2 + 1) + 1));  // split and merge beside the colors and the grab
+  CHECK(gl::allocated_bytes() > plain_bytes + 16 * phantoms);
+  settings.colors = 0;
+  solver.set_settings(settings);
+  CHECK(gl::allocated_bytes() == plain_bytes);
   settings.method = Method::jacobi;
   solver.set_settings(settings);
   solver.set_grab({});

@@ -1,0 +1,70 @@
+// Anderson acceleration, third pass, one work group: theta = argmin |f_k - dF theta|^2 by the normal equations, scaled to a unit
+// diagonal. REGULARIZATION keeps columns that float32 cannot tell apart from cancelling each other.
+// When |f|^2 has grown fourfold the history misleads: it is forgotten, and the iteration is a plain one.
+// After anderson_dots, before anderson_apply.
+#include "common/io.glsl"
+#include "sim/anderson_state.glsl"
+COMPUTE_1D
+INPUT_VEC4(DotPartials, dot_partials)  // [window * partials]
+INOUT(float, AndersonState, anderson_state)
+uniform uint window, partials;  // partials of one column
+#define LARGEST_WINDOW 10
+#define REGULARIZATION 1e-6
+
+shared vec4 dots[LARGEST_WINDOW];
+
+void main() {
+  uint lane = gl_LocalInvocationID.x;
+  if (lane < window) {
+    vec4 sum = vec4(0.0);
+    for (uint p = 0u; p < partials; ++p) sum += FETCH(dot_partials, lane * partials + p);
+    dots[lane] = sum;
+  }
+  barrier();
+  if (lane != 0u) return;
+
+  uint newest = uint(anderson_state[ANDERSON_NEXT]);
+  uint count = min(uint(anderson_state[ANDERSON_COUNT]) + 1u, window);
+  float squared = dots[0].z;
+  bool misled = squared > 4.0 * anderson_state[ANDERSON_SQUARED];
+  anderson_state[ANDERSON_SQUARED] = squared;
+  if (misled) {
+    anderson_state[ANDERSON_NEXT] = 0.0;
+    anderson_state[ANDERSON_COUNT] = 0.0;
+    return;
+  }
+  anderson_state[ANDERSON_NEXT] = float((newest + 1u) % window);
+  anderson_state[ANDERSON_COUNT] = float(count);
+
+  // Columns are used from slot 0 on, so the first `count` slots are filled.
+  float a[LARGEST_WINDOW][LARGEST_WINDOW], x[LARGEST_WINDOW], scale[LARGEST_WINDOW];
+  for (uint j = 0u; j < count; ++j) {
+    anderson_state[ANDERSON_GRAM + newest * window + j] = dots[j].x;
+    anderson_state[ANDERSON_GRAM + j * window + newest] = dots[j].x;
+  }
+  for (uint j = 0u; j < count; ++j) {
+    float diagonal = anderson_state[ANDERSON_GRAM + j * window + j];
+    scale[j] = diagonal > 0.0 ? inversesqrt(diagonal) : 0.0;
+    x[j] = scale[j] * dots[j].y;
+  }
+  for (uint j = 0u; j < count; ++j) {
+    for (uint k = 0u; k < j; ++k) a[j][k] = scale[j] * scale[k] * anderson_state[ANDERSON_GRAM + j * window + k];
+    a[j][j] = 1.0 + REGULARIZATION;
+  }
+  // Cholesky: a becomes L, then x the solution.
+  for (uint j = 0u; j < count; ++j) {
+    for (uint k = 0u; k < j; ++k) {
+      for (uint l = 0u; l < k; ++l) a[j][k] -= a[j][l] * a[k][l];
+      a[j][k] /= a[k][k];
+      a[j][j] -= a[j][k] * a[j][k];
+    }
+    a[j][j] = sqrt(max(a[j][j], REGULARIZATION));
+    for (uint k = 0u; k < j; ++k) x[j] -= a[j][k] * x[k];
+    x[j] /= a[j][j];
+  }
+  for (uint j = count; j-- > 0u;) {
+    for (uint k = j + 1u; k < count; ++k) x[j] -= a[k][j] * x[k];
+    x[j] /= a[j][j];
+    anderson_state[ANDERSON_WEIGHTS + j] = scale[j] * x[j];
+  }
+}

@@ -1,0 +1,55 @@
+#include "sim/gpu/chebyshev.h"
+
+#include "sim/gpu/reduction.h"
+
+namespace fascia {
+namespace {
+
+constexpr std::size_t kVector = sizeof(shared::vec4);
+constexpr std::size_t kStateFloats = 5, kRadius = 1;  // as in chebyshev_state.glsl
+
+}  // namespace
+
+Chebyshev::Chebyshev(const gl::ProgramCache& programs, std::uint32_t vertex_count)
+    : vertex_count_(vertex_count),
+      lanes_(Reduction(programs, vertex_count).lanes),
+      partials_(Reduction(programs, vertex_count).partials),
+      iterate_("chebyshev_iterate", kVector * vertex_count),
+      before_("chebyshev_before", kVector * vertex_count),
+      square_partials_("chebyshev_square_partials", kVector * partials_),
+      state_("chebyshev_state", kStateFloats * sizeof(float)) {}
+
+std::vector<gl::ComputePass> Chebyshev::passes(gl::ProgramCache& programs, const gl::Buffer& step, const gl::Buffer& start,
+                                               const gl::Buffer& displacement, bool first) const {
+  const gl::Defines defines{{"FIRST_ITERATION", first ? "1" : "0"}};
+  std::vector<gl::ComputePass> passes;
+  passes.emplace_back(programs.compute("sim/chebyshev_difference.comp"),
+                      gl::ComputePass::Bindings{{"displacement", &displacement},
+                                                {"start", first ? &start : &iterate_},
+                                                {"square_partials", &square_partials_}},
+                      lanes_, gl::ComputePass::Constants{{"vertex_count", vertex_count_}});
+  passes.emplace_back(programs.compute("sim/chebyshev_weight.comp", defines),
+                      gl::ComputePass::Bindings{
+                          {"step", &step}, {"square_partials", &square_partials_}, {"chebyshev_state", &state_}},
+                      Reduction::kGroup, gl::ComputePass::Constants{{"partials", partials_}});
+  gl::ComputePass::Bindings apply{{"displacement", &displacement}, {"iterate", &iterate_}, {"before", &before_}};
+  if (first)
+    apply.emplace_back("start", &start);
+  else
+    apply.emplace_back("chebyshev_state", &state_);
+  passes.emplace_back(programs.compute("sim/chebyshev_apply.comp", defines), std::move(apply), vertex_count_);
+  return passes;
+}
+
+void Chebyshev::forget_spectral_radius() {
+  const float unknown = 0;
+  state_.upload(kRadius * sizeof unknown, sizeof unknown, &unknown);
+}
+
+double Chebyshev::spectral_radius() const {
+  float radius = 0;
+  state_.download(kRadius * sizeof radius, sizeof radius, &radius);
+  return radius;
+}
+
+}  // namespace fascia

@@ -1,0 +1,15 @@
+// An order of the tets along a space-filling curve: neighbours in space come close in memory, whatever order the mesh file had.
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "sim/tet_mesh.h"
+
+namespace fascia {
+
+/// Tets sorted by the Morton code (1024 cells along the longest side of the bounding box) of their centroids; tets of one cell
+/// keep their order. [tet_count] indices into `tets`.
+std::vector<std::uint32_t> curve_order(const std::vector<Eigen::Vector3d>& positions, const std::vector<Tet>& tets);
+
+}  // namespace fascia
