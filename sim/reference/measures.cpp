@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "sim/reference/elasticity.h"
 #include "sim/reference/newton.h"
