@@ -9,6 +9,7 @@ inline constexpr int exit_done = 0, exit_failed = 1, exit_usage = 2, exit_interr
 int command_view(const ViewOptions& options);
 int command_render(const RenderOptions& options);
 int command_run(const RunOptions& options);
+int command_bench_figures(const BenchOptions& options);
 int command_info(const InfoOptions& options);
 int command_convert(const ConvertOptions& options);
 

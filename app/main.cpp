@@ -25,11 +25,7 @@ void parse_size(CLI::App* command, int& width, int& height) {
       ->default_str(std::to_string(width) + "x" + std::to_string(height));
 }
 
-void add_common(CLI::App* command, CommonOptions& o) {
-  command->add_option("scene", o.input, "scene (.json) or tetrahedral mesh; default: the shipped liver");
-  command->add_option("--set", o.sets, "override a scene value, e.g. solver.iterations=40")->type_name("KEY=VALUE")->allow_extra_args(false);
-  auto* steps = command->add_option("--steps", o.steps, "steps to simulate")->check(CLI::NonNegativeNumber);
-  command->add_option("--time", o.time, "seconds to simulate; default: the scene's duration")->type_name("SECONDS")->check(CLI::NonNegativeNumber)->excludes(steps);
+void add_graphics(CLI::App* command, CommonOptions& o) {
   command->add_option("--context", o.context, "where OpenGL comes from")
       ->check(CLI::IsMember({"auto", "window", "egl", "osmesa"}))
       ->capture_default_str();
@@ -37,9 +33,17 @@ void add_common(CLI::App* command, CommonOptions& o) {
       ->check(CLI::IsMember({"auto", "ssbo", "texel"}))
       ->capture_default_str();
   command->add_option("--data-dir", o.data_dir, "folder that holds shaders/ and assets/")->type_name("DIR");
+  command->add_flag("--quiet", o.quiet, "say nothing but errors");
+}
+
+void add_common(CLI::App* command, CommonOptions& o) {
+  command->add_option("scene", o.input, "scene (.json) or tetrahedral mesh; default: the shipped liver");
+  command->add_option("--set", o.sets, "override a scene value, e.g. solver.iterations=40")->type_name("KEY=VALUE")->allow_extra_args(false);
+  auto* steps = command->add_option("--steps", o.steps, "steps to simulate")->check(CLI::NonNegativeNumber);
+  command->add_option("--time", o.time, "seconds to simulate; default: the scene's duration")->type_name("SECONDS")->check(CLI::NonNegativeNumber)->excludes(steps);
   command->add_flag("--static", o.static_equilibrium, "static equilibrium instead of motion (with --reference)");
   command->add_flag("--reference", o.reference, "the double-precision CPU solver instead of the GPU");
-  command->add_flag("--quiet", o.quiet, "say nothing but errors");
+  add_graphics(command, o);
 }
 
 int run(int argc, char** argv) {
@@ -52,6 +56,7 @@ int run(int argc, char** argv) {
   ViewOptions view;
   RenderOptions render;
   RunOptions simulate;
+  BenchOptions figures;
   InfoOptions info;
   ConvertOptions convert;
 
@@ -83,6 +88,14 @@ int run(int argc, char** argv) {
   run_command->add_option("--every", simulate.every, "export every K-th step as numbered files")->type_name("K")->check(CLI::PositiveNumber);
   run_command->add_option("--stats", simulate.stats, "numbers about the run")->type_name("FILE.json");
 
+  CLI::App* bench_command = app.add_subcommand("bench", "measurements as tables, charts and pictures");
+  bench_command->require_subcommand(1);
+  CLI::App* figures_command = bench_command->add_subcommand("figures", "the figures of the poster, and what colorings cost");
+  figures_command->add_option("--out", figures.out, "folder for the files, made if missing")->type_name("DIR")->required();
+  figures_command->add_flag("--quick", figures.quick, "small meshes, few iterations: the same files in less time, the numbers worth little");
+  parse_size(figures_command, figures.width, figures.height);
+  add_graphics(figures_command, figures);
+
   CLI::App* info_command = app.add_subcommand("info", "mesh doctor: sizes, materials, defects");
   info_command->add_option("scene", info.input, "scene (.json) or tetrahedral mesh")->required();
   info_command->add_option("--set", info.sets, "override a scene value")->type_name("KEY=VALUE")->allow_extra_args(false);
@@ -100,6 +113,7 @@ int run(int argc, char** argv) {
   view.command_line = render.command_line = simulate.command_line = command_line;
   if (*render_command) return command_render(render);
   if (*run_command) return command_run(simulate);
+  if (*figures_command) return command_bench_figures(figures);
   if (*info_command) return command_info(info);
   if (*convert_command) return command_convert(convert);
   return command_view(view);

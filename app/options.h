@@ -44,6 +44,12 @@ struct ViewOptions : CommonOptions {
   std::string stats;        // stats.json
 };
 
+struct BenchOptions : CommonOptions {
+  std::string out;  // folder
+  bool quick = false;
+  int width = 1280, height = 720;
+};
+
 struct InfoOptions {
   std::string input;
   std::vector<std::string> sets;

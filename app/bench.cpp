@@ -1,0 +1,75 @@
+#include "app/bench.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <system_error>
+#include <thread>
+
+#include "app/gnuplot.h"
+#include "app/interrupt.h"
+#include "sim/error.h"
+
+namespace fascia {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path made_folder(const std::string& name) {
+  std::error_code ec;
+  fs::create_directories(name, ec);
+  if (ec || !fs::is_directory(name, ec)) throw Error(name, "cannot be made: " + ec.message(), "expected a folder for the output");
+  return name;
+}
+
+std::string processor() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);)
+    if (line.rfind("model name", 0) == 0 && line.find(": ") != std::string::npos) return line.substr(line.find(": ") + 2);
+  return "unknown processor";
+}
+
+}  // namespace
+
+Bench::Bench(const BenchOptions& o)
+    : options(o), folder(made_folder(o.out)), graphics(open_graphics(o, false)), has_gnuplot(gnuplot_installed()) {
+  const char* threads = std::getenv("LP_NUM_THREADS");
+  notes_ = {std::string("fascia ") + FASCIA_VERSION + ", bench figures" + (options.quick ? " --quick" : ""),
+            "renderer: " + describe(graphics),
+            "machine: " + processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores",
+            std::string("LP_NUM_THREADS: ") + (threads ? threads : "not set")};
+}
+
+void Bench::stop_if_interrupted() const {
+  if (interrupted()) throw Interrupted{};
+}
+
+void Bench::say(const std::string& line) const {
+  stop_if_interrupted();
+  if (!options.quiet) std::cerr << "fascia: " << line << '\n';
+}
+
+void Bench::write(const std::string& name, Table table) const {
+  table.notes.insert(table.notes.begin(), notes_.begin(), notes_.end());
+  write_table(folder / (name + ".csv"), table);
+}
+
+void Bench::write(const std::string& name, const Image& picture, Session& session, long step) const {
+  const Simulation& simulation = session.simulation;
+  // Without --out: these pictures are made to be shown, and the user's folders are nobody's business.
+  const std::string command = std::string("fascia bench figures") + (options.quick ? " --quick" : "");
+  write_png(folder / (name + ".png"), picture,
+            provenance_of(simulation.scene, simulation.model, session.renderer_description(), command, step, simulation.time()));
+}
+
+void Bench::draw(const std::string& name, const Chart& chart) const {
+  if (has_gnuplot) write_chart(folder / name, chart);
+}
+
+std::string name_of(const Pair& pair) { return std::string(name_of(pair.method)) + " + " + name_of(pair.acceleration); }
+
+std::string label_of(const Pair& pair) {
+  const std::string method = label_of(pair.method);
+  return pair.acceleration == Acceleration::none ? method : method + " + " + label_of(pair.acceleration);
+}
+
+}  // namespace fascia

@@ -1,0 +1,122 @@
+#include "app/bench_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "app/bench_beam.h"
+
+namespace fascia {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+SolverSettings settings_of(const Pair& pair, int iterations) {
+  SolverSettings settings;
+  settings.method = pair.method;
+  settings.acceleration = pair.acceleration;
+  settings.iterations = iterations;
+  return settings;
+}
+
+// Where inertia and gravity alone lead.
+std::vector<Eigen::Vector3d> prediction_of(const Model& model, const reference::State& state, double h) {
+  std::vector<Eigen::Vector3d> predicted = state.displacement;
+  const std::vector<char> held = model.held();
+  for (std::size_t v = 0; v < predicted.size(); ++v)
+    if (!held[v]) predicted[v] += h * state.velocity[v] + h * h * model.gravity;
+  return predicted;
+}
+
+double sum_of_squares(const std::vector<Eigen::Vector3d>& a, const std::vector<Eigen::Vector3d>& b) {
+  double sum = 0;
+  for (std::size_t v = 0; v < a.size(); ++v) sum += (a[v] - b[v]).squaredNorm();
+  return sum;
+}
+
+}  // namespace
+
+BeamStep::BeamStep(Bench& bench, double young_modulus, int iterations)
+    : scene_(beam_scene(bench, young_modulus, settings_of(legal_pairs().front(), iterations))),
+      model_(build_model(scene_)),
+      start_(bent_beam(model_)),
+      exact_(start_),
+      predicted_(prediction_of(model_, start_, scene_.solver.substep())) {
+  reference::NewtonSolver(model_, scene_.solver).step(exact_);
+  exact_strain_ = reference::measure(model_, exact_).rms_strain;
+  for (const Pair& pair : legal_pairs()) {
+    bench.stop_if_interrupted();
+    PairTrace traced{pair, std::make_unique<GpuSolver>(*bench.graphics.programs, model_, settings_of(pair, iterations)), {}, 0};
+    traced.solver->upload(start_);
+    traced.trace = traced.solver->traced_substep();
+    traced.error = error(traced.solver->download());
+    pairs_.push_back(std::move(traced));
+  }
+}
+
+std::size_t BeamStep::plain() const {
+  const auto plain = std::find_if(pairs_.begin(), pairs_.end(),
+                                  [](const PairTrace& p) { return p.pair == Pair{Method::jacobi, Acceleration::none}; });
+  return static_cast<std::size_t>(plain - pairs_.begin());
+}
+
+double BeamStep::error(const reference::State& state) const {
+  return std::sqrt(sum_of_squares(state.displacement, exact_.displacement) / sum_of_squares(exact_.displacement, predicted_));
+}
+
+double BeamStep::error_after(PairTrace& pair, int iterations) const {
+  pair.solver->set_settings(settings_of(pair.pair, iterations));
+  pair.solver->upload(start_);
+  pair.solver->step();
+  return error(pair.solver->download());
+}
+
+std::vector<std::string> BeamStep::notes() const {
+  const Material& m = model_.materials.front();
+  std::ostringstream beam, exact;
+  beam << "beam of " << model_.tets.size() << " tets, E = " << m.young_modulus << " Pa, nu = " << m.poisson_ratio << ", density "
+       << m.density << " kg/m^3; one step of 1/60 s from a smooth bend and twist at rest";
+  exact << "rms_strain of the exact step: " << exact_strain_;
+  return {beam.str(), exact.str(),
+          "error: RMS |x - x_exact| over RMS |x_exact - x~|, x~ the prediction that the iterations start from"};
+}
+
+Table BeamStep::traces() const {
+  Table table;
+  table.notes = notes();
+  table.columns = {"method", "acceleration", "iteration", "rms_strain", "residual", "inverted_tets"};
+  for (const PairTrace& p : pairs_)
+    for (std::size_t i = 0; i < p.trace.size(); ++i) {
+      const Diagnostics& d = p.trace[i];
+      table.rows.push_back({name_of(p.pair.method), name_of(p.pair.acceleration), i,
+                            d.finite ? d.rms_strain : kUnknown, d.finite ? d.residual : kUnknown, d.inverted});
+    }
+  return table;
+}
+
+void BeamStep::add_last(std::vector<Cell>& row, const PairTrace& pair) const {
+  const Diagnostics& last = pair.trace.back();
+  row.insert(row.end(), {last.finite ? last.rms_strain : kUnknown, pair.error, last.inverted, last.finite ? "yes" : "no"});
+}
+
+Chart BeamStep::chart(const std::string& title) const {
+  Chart chart;
+  chart.title = title + ", " + std::to_string(model_.tets.size()) + " tets";
+  chart.x = {"iterations", true, Eigen::Vector2d(1, scene_.solver.iterations)};
+  chart.y = {"Green strain, RMS of the Frobenius norm [-]", true,
+             Eigen::Vector2d(0.5 * exact_strain_, 1.5 * pairs_.front().trace.front().rms_strain)};
+  for (const PairTrace& p : pairs_) {
+    Series series;
+    series.name = label_of(p.pair);
+    series.color = static_cast<int>(p.pair.method);
+    series.dash = static_cast<int>(p.pair.acceleration);
+    for (std::size_t i = 1; i < p.trace.size(); ++i)
+      series.points.emplace_back(static_cast<double>(i), p.trace[i].finite ? p.trace[i].rms_strain : kUnknown);
+    chart.series.push_back(std::move(series));
+  }
+  chart.levels.push_back({"Exact step", exact_strain_});
+  return chart;
+}
+
+}  // namespace fascia

@@ -1,0 +1,122 @@
+// Figure 2 of the poster: a stiff beam after half a second under its weight, as averaged Jacobi leaves it with each acceleration,
+// and as the exact solution of the same steps has it.
+#include <cmath>
+
+#include "app/bench.h"
+#include "app/bench_beam.h"
+#include "app/bench_grid.h"
+#include "render/framebuffer.h"
+
+namespace fascia {
+namespace {
+
+constexpr double kYoungModulus = 1e9;  // [Pa]
+
+struct Candidate {
+  std::string method, acceleration, label;  // as in scene files; for people
+  std::unique_ptr<Session> session;
+};
+
+Scene hanging_beam(const Bench& bench, const Pair& pair) {
+  SolverSettings settings;
+  settings.method = pair.method;
+  settings.acceleration = pair.acceleration;
+  settings.iterations = bench.full_or_quick(40, 10);
+  Scene scene = beam_scene(bench, kYoungModulus, settings);
+  scene.camera = CameraSettings{{1.7, 0.3, 4.1}, {0.48, -0.47, 0.125}, {0, 1, 0}, 23};
+  scene.display.color = ColorBy::strain;
+  scene.display.range = Eigen::Vector2d(0, 0.4);
+  return scene;
+}
+
+std::vector<Candidate> candidates_of(Bench& bench) {
+  std::vector<Candidate> candidates;
+  for (const Pair& pair : legal_pairs())
+    if (pair.method == Method::jacobi)
+      candidates.push_back({name_of(pair.method), name_of(pair.acceleration), label_of(pair),
+                            std::make_unique<Session>(bench.graphics, hanging_beam(bench, pair), false)});
+  candidates.push_back({"exact", "none", "Exact solver",
+                        std::make_unique<Session>(bench.graphics, hanging_beam(bench, legal_pairs().front()), true)});
+  return candidates;
+}
+
+Image picture_of(const Bench& bench, Session& session) {
+  session.look.ground = false;  // the soft ones fall through it
+  session.look.center = {0.5, -0.5, 0.125};
+  session.look.radius = 1.3;
+  Framebuffer framebuffer(bench.options.width / 3, bench.options.height * 2 / 3, 4);
+  session.draw(framebuffer);
+  return framebuffer.read();
+}
+
+double tip_deflection(const Model& model, const reference::State& state) {
+  const std::vector<std::uint32_t> tip = beam_tip(model);
+  double sum = 0;
+  for (const std::uint32_t v : tip) sum -= state.displacement[v].y();
+  return sum / static_cast<double>(tip.size());
+}
+
+// RMS of a - b over the RMS of b.
+double relative_error(const reference::State& a, const reference::State& b) {
+  double error = 0, size = 0;
+  for (std::size_t v = 0; v < a.displacement.size(); ++v) {
+    error += (a.displacement[v] - b.displacement[v]).squaredNorm();
+    size += b.displacement[v].squaredNorm();
+  }
+  return std::sqrt(error / size);
+}
+
+bool is_finite(const reference::State& state) {
+  for (const Eigen::Vector3d& u : state.displacement)
+    if (!u.allFinite()) return false;
+  return true;
+}
+
+std::string digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+}  // namespace
+
+void bench_stiff_beam(Bench& bench) {
+  const int steps = bench.full_or_quick(30, 6);
+  std::vector<Candidate> candidates = candidates_of(bench);
+  const Simulation& exact = candidates.back().session->simulation;
+  const SolverSettings& settings = exact.scene.solver;
+  bench.say("figure 2: stiff beam, " + std::to_string(exact.model.tets.size()) + " tets, " + std::to_string(steps) + " steps of " +
+            std::to_string(settings.iterations) + " iterations, and exactly");
+  for (int step = 0; step < steps; ++step)
+    for (Candidate& c : candidates) {
+      bench.stop_if_interrupted();
+      c.session->simulation.step();
+    }
+
+  Table table;
+  table.notes = {"beam of " + std::to_string(exact.model.tets.size()) + " tets, E = 1e9 Pa, from rest under gravity, " +
+                     std::to_string(steps) + " steps of 1/60 s with " + std::to_string(settings.iterations) + " iterations each",
+                 "relative_error: RMS of the difference to the exact solver's displacement over the RMS of that displacement"};
+  table.columns = {"method", "acceleration", "tip_deflection_m", "rms_strain", "relative_error", "inverted_tets", "finite"};
+  PictureGrid grid;
+  grid.title = "Stiff beam (E = 1 GPa, " + std::to_string(exact.model.tets.size()) + " tets) after " + std::to_string(steps) +
+               " steps of 1/60 s, " + std::to_string(settings.iterations) + " iterations a step";
+  grid.scale_label = candidates.back().session->heat_label();
+  grid.range = *exact.scene.display.range;
+  grid.columns = 4;
+  const reference::State exact_state = exact.state();
+  for (Candidate& c : candidates) {
+    const reference::State state = c.session->simulation.state();
+    const reference::Measures measures = reference::measure(exact.model, state);
+    const double tip = tip_deflection(exact.model, state);
+    table.rows.push_back({c.method, c.acceleration, tip, measures.rms_strain, relative_error(state, exact_state),
+                          measures.inverted, is_finite(state) ? "yes" : "no"});
+    Image picture = picture_of(bench, *c.session);
+    bench.write("fig2_" + c.method + (c.method == "exact" ? "" : "_" + c.acceleration), picture, *c.session, steps);
+    grid.panels.push_back({std::move(picture), {c.label, "tip " + digits(tip) + " m lower"}});
+  }
+  bench.write("fig2", std::move(table));
+  if (bench.has_gnuplot) write_grid(bench.folder / "fig2.png", grid);
+}
+
+}  // namespace fascia

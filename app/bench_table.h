@@ -1,0 +1,33 @@
+// Tables of a benchmark as CSV files: lines "# ..." that say what was measured, the names of the columns, rows.
+#pragma once
+#include <concepts>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace fascia {
+
+/// A text, an integer, or a number with the seven digits that float32 results are good for. Empty: there is no such number.
+class Cell {
+ public:
+  Cell() = default;
+  Cell(std::string text) : text_(std::move(text)) {}
+  Cell(const char* text) : text_(text) {}
+  Cell(std::integral auto number) : text_(std::to_string(number)) {}
+  Cell(double number);
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+struct Table {
+  std::vector<std::string> notes;    // one line each
+  std::vector<std::string> columns;  // name_unit
+  std::vector<std::vector<Cell>> rows;
+};
+
+/// Through a temporary name. Throws Error.
+void write_table(const std::filesystem::path& path, const Table& table);
+
+}  // namespace fascia

@@ -1,0 +1,44 @@
+// Line charts as files: what is drawn, apart from how gnuplot is told to.
+#pragma once
+#include <Eigen/Core>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fascia {
+
+struct Axis {
+  std::string label;  // with its unit
+  bool logarithmic = false;
+  std::optional<Eigen::Vector2d> range;  // smallest and largest value; absent: that of the data
+};
+
+struct Series {
+  std::string name;  // in the legend; empty: none
+  std::vector<Eigen::Vector2d> points;  // what is not finite, or not positive on a logarithmic axis, is a gap
+  int color = 0;     // number of a palette that color-blind people can tell apart, from 0
+  int dash = 0;      // 0: solid
+  bool line = true, marks = false;
+};
+
+struct Level {  // a horizontal line through the whole chart
+  std::string name;
+  double y = 0;
+};
+
+struct Chart {
+  std::string title;
+  Axis x, y;
+  std::vector<Series> series;
+  std::vector<Level> levels;
+  int legend_rows = 3;  // the legend stands in columns below the data, levels last
+};
+
+/// Draws `path`.svg and `path`.png. Throws Error, also when gnuplot is not installed.
+void write_chart(const std::filesystem::path& path, const Chart& chart);
+
+/// A text as a gnuplot string.
+std::string gnuplot_quoted(const std::string& text);
+
+}  // namespace fascia
