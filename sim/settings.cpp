@@ -68,8 +68,9 @@ const char* help_of(Acceleration acceleration) {
     case Acceleration::none:
       return "Every iteration as the method makes it.";
     case Acceleration::chebyshev:
-      return "Overshoots by weights that follow from the spectral radius of the iteration (Wang 2015): two more dispatches and "
-             "nearly free. Falls back to plain iterations when the residual grows.";
+      return "Overshoots by weights that follow from the spectral radius of the iteration (Wang 2015): three dispatches, nearly free. "
+             "Falls back to plain iterations when the residual grows. It moves the positions and not the multipliers: with many "
+             "iterations the body gets stiffer than its material.";
     case Acceleration::anderson_positions:
       return "Combines the last iterations so that the change of positions gets smallest (Peng et al. 2018): the poster's. "
              "Its limitation: the multipliers are not combined, so the tissue's own compliance is lost: with many iterations "

@@ -162,6 +162,7 @@ void GpuSolver::settings_changed() {
 }
 
 void GpuSolver::materials_changed() {
+  ++materials_version_;
   settings_changed();
   buffers_.upload_materials(model_);
   if (const Features features = features_of(model_); features != features_) {
@@ -182,7 +183,10 @@ void GpuSolver::set_color(ColorBy color) {
 }
 
 void GpuSolver::follow(const GpuSolver& leader) {
-  materials_changed();
+  if (materials_version_ != leader.materials_version_) {
+    materials_changed();
+    materials_version_ = leader.materials_version_;
+  }
   set_grab(leader.springs_);
   buffers_.displacement.copy(leader.buffers_.displacement, buffers_.vertex_count * sizeof(shared::vec4));
   buffers_.velocity.copy(leader.buffers_.velocity, buffers_.velocity.bytes());

@@ -84,6 +84,7 @@ class GpuSolver {
   SurfacePositions surface_;
   std::vector<gl::ComputePass> begin_, first_iteration_, iteration_, end_;  // of one substep
   double time_ = 0;
+  unsigned materials_version_ = 0;  // changes of materials and gravity so far
 };
 
 }  // namespace fascia
