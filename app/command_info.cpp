@@ -1,13 +1,41 @@
 // fascia info: the mesh doctor's report, for a mesh or for every body of a scene.
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <numeric>
 
 #include "app/commands.h"
+#include "sim/coloring.h"
+#include "sim/locality.h"
 #include "sim/mesh_doctor.h"
 #include "sim/model.h"
 
 namespace fascia {
+
+namespace {
+
+// Dispatches of a Gauss-Seidel sweep and how evenly they are filled.
+void print_coloring(const std::string& name, const Model& model, const Coloring& coloring) {
+  std::size_t least = model.tets.size(), most = 0;
+  for (std::size_t color = 0; color < coloring.color_count(); ++color) {
+    least = std::min<std::size_t>(least, coloring.begin[color + 1] - coloring.begin[color]);
+    most = std::max<std::size_t>(most, coloring.begin[color + 1] - coloring.begin[color]);
+  }
+  std::cout << "  coloring     " << name << ": " << coloring.color_count() << " colors of " << least << " to " << most << " tets, "
+            << coloring.phantom_vertex.size() << " phantoms\n";
+}
+
+void print_colorings(const Model& model, int asked) {
+  const std::vector<char> held = model.held();
+  const std::vector<std::uint32_t> visit = curve_order(model.rest_positions, model.tets);
+  print_coloring("plain", model, color_tets(model.tets, held, visit));
+  for (const int colors : {16, 8})
+    if (colors != asked) print_coloring("at most " + std::to_string(colors), model, color_tets(model.tets, held, visit, static_cast<std::uint32_t>(colors)));
+  if (asked > 0)
+    print_coloring("solver.colors " + std::to_string(asked), model, color_tets(model.tets, held, visit, static_cast<std::uint32_t>(asked)));
+}
+
+}  // namespace
 
 int command_info(const InfoOptions& options) {
   const Scene scene = open_scene(options.input, options.sets);
@@ -31,6 +59,7 @@ int command_info(const InfoOptions& options) {
     std::cout << "  material     " << model.material_names[i] << ": E " << m.young_modulus << " Pa, nu " << m.poisson_ratio
               << ", density " << m.density << " kg/m^3, damping " << m.damping << " s\n";
   }
+  print_colorings(model, scene.solver.colors);
   for (const std::string& note : model.notes) std::cout << "  note         " << note << '\n';
   return exit_done;
 }

@@ -42,7 +42,7 @@ int command_render(const RenderOptions& options) {
   if (!options.color.empty()) sets.push_back("display.color=" + options.color);
   if (options.wireframe) sets.push_back("display.wireframe=true");
   Scene scene = open_scene(options.input.empty() ? default_scene(data_dir) : std::filesystem::path(options.input), sets);
-  Graphics graphics = open_graphics(options, false, options.width, options.height);
+  Graphics graphics = open_graphics(options, false, options.width, options.height, scene.solver.method);
   Session session(graphics, std::move(scene), options.reference);
   Simulation& simulation = session.simulation;
   announce(options, graphics, simulation.model.notes);

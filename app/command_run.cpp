@@ -37,7 +37,7 @@ int command_run(const RunOptions& options) {
   if (options.static_equilibrium && !options.reference)
     throw Error("--static", "is solved by the reference solver only", "add --reference");
   Graphics graphics;
-  if (!options.reference) graphics = open_graphics(options, false);
+  if (!options.reference) graphics = open_graphics(options, false, 16, 16, scene.solver.method);
   Simulation simulation(std::move(scene), graphics.programs.get(), options.reference);
   announce(options, graphics, simulation.model.notes);
 

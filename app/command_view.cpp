@@ -19,7 +19,7 @@ int command_view(const ViewOptions& options) {
   const std::filesystem::path input =
       options.input.empty() ? default_scene(find_data_dir(options.data_dir)) : std::filesystem::path(options.input);
   Scene scene = open_scene(input, options.sets);
-  Graphics graphics = open_graphics(options, true, options.width, options.height);
+  Graphics graphics = open_graphics(options, true, options.width, options.height, scene.solver.method);
   ViewWindow window(graphics, options, std::move(scene));
   if (!options.quiet)
     for (const std::string& note : window.simulation().model.notes) std::cerr << "fascia: " << note << '\n';

@@ -10,10 +10,11 @@
 namespace fascia {
 namespace {
 
-// llvmpipe: Jacobi's few large dispatches and the rasteriser both gain from every core.
-void choose_software_threads() {
-  const std::string cores = std::to_string(std::max(1u, std::min(16u, std::thread::hardware_concurrency())));
-  setenv("LP_NUM_THREADS", cores.c_str(), 0);
+// llvmpipe: Jacobi's few large dispatches and the rasteriser both gain from every core. Colors are many small dispatches, each of
+// which costs 14 to 42 us with worker threads and 0.3 us without.
+void choose_software_threads(Method method) {
+  const unsigned cores = std::max(1u, std::min(16u, std::thread::hardware_concurrency()));
+  setenv("LP_NUM_THREADS", std::to_string(method == Method::gauss_seidel ? 0 : cores).c_str(), 0);
 }
 
 // Storage blocks on GPUs; texel fetches on llvmpipe, whose storage reads cost 8 to 12 times as much.
@@ -25,10 +26,10 @@ gl::LoadPath choose_loads(const std::string& name) {
 
 }  // namespace
 
-Graphics open_graphics(const CommonOptions& options, bool for_view, int width, int height) {
+Graphics open_graphics(const CommonOptions& options, bool for_view, int width, int height, Method method) {
   Graphics graphics;
   graphics.data_dir = find_data_dir(options.data_dir);
-  choose_software_threads();
+  choose_software_threads(method);
   ContextRequest request;
   request.name = options.context;
   request.for_view = for_view;

@@ -8,6 +8,7 @@
 #include "app/options.h"
 #include "render/context.h"
 #include "render/gl/program.h"
+#include "sim/settings.h"
 
 namespace fascia {
 
@@ -17,9 +18,10 @@ struct Graphics {
   std::unique_ptr<gl::ProgramCache> programs;
 };
 
-/// Makes the context that the options ask for. On software renderers the number of rasteriser threads is chosen first
-/// (LP_NUM_THREADS, if the user did not set it).
-Graphics open_graphics(const CommonOptions& options, bool for_view, int width = 16, int height = 16);
+/// Makes the context that the options ask for. On software renderers the number of rasteriser threads is chosen first, for the
+/// method that will run (LP_NUM_THREADS, if the user did not set it); it cannot be changed later.
+Graphics open_graphics(const CommonOptions& options, bool for_view, int width = 16, int height = 16,
+                       Method method = Method::jacobi);
 
 /// "llvmpipe (LLVM 15.0.6, 256 bits) through osmesa, kernels read by texel"
 std::string describe(const Graphics& graphics);

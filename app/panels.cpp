@@ -19,6 +19,8 @@ void draw_panels(Session& session, ViewState& state, Requests& requests) {
   scene_panel(session, state, requests);
   if (ui::section("Material")) material_panel(session.simulation, state.facts);
   if (ui::section("Solver")) solver_panel(session.simulation);
+  state.show_convergence = ui::section("Convergence", false);
+  if (state.show_convergence) convergence_panel(session.simulation, state.convergence);
   if (ui::section("Display")) display_panel(session);
   if (ui::section("Statistics")) statistics_panel(session, state.statistics);
   if (ui::section("Grab", false)) grab_panel(state.grab);

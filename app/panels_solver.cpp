@@ -21,30 +21,45 @@ struct Extra {
 constexpr Extra kExtras[] = {{"iterations", "Iterations", 1, 200, true},
                              {"tolerance", "Tolerance", 0, 0.1, true},
                              {"time_step", "Time step", 1e-3, 0.1, true},
-                             {"substeps", "Substeps", 1, 30, true}};
+                             {"substeps", "Substeps", 1, 30, true},
+                             {"colors", "Colors", 0, 40, false},
+                             {"spectral_radius", "Spectral radius", 0, 0.9999, false},
+                             {"window", "Window", 1, 10, false}};
 
-std::string name_of_pair(const Pair& pair) {
-  const std::string method = label_of(pair.method);
-  return pair.acceleration == Acceleration::none ? method : method + " + " + name_of(pair.acceleration);
-}
-
-bool pair_combo(SolverSettings& settings) {
-  const Pair current{settings.method, settings.acceleration};
+// A list of choices that each have a label and an explanation. True when another one was chosen.
+template <class Choice>
+bool choice_combo(const char* label, const std::vector<Choice>& choices, Choice& chosen) {
   bool changed = false;
-  ui::label("Method", help_of(settings.method));
-  if (ImGui::BeginCombo("##method", name_of_pair(current).c_str())) {
-    for (const Pair& pair : legal_pairs()) {
-      if (ImGui::Selectable(name_of_pair(pair).c_str(), pair == current) && !(pair == current)) {
-        settings.method = pair.method;
-        settings.acceleration = pair.acceleration;
+  ui::label(label, help_of(chosen));
+  ImGui::PushID(label);
+  if (ImGui::BeginCombo("##choice", label_of(chosen))) {
+    for (const Choice choice : choices) {
+      if (ImGui::Selectable(label_of(choice), choice == chosen) && choice != chosen) {
+        chosen = choice;
         changed = true;
       }
-      ui::tooltip(help_of(pair.method));
+      ui::tooltip(help_of(choice));
     }
     ImGui::EndCombo();
   } else {
-    ui::tooltip(help_of(settings.method));
+    ui::tooltip(help_of(chosen));
   }
+  ImGui::PopID();
+  return changed;
+}
+
+bool pair_combos(SolverSettings& settings) {
+  std::vector<Method> methods;
+  for (const Pair& pair : legal_pairs())
+    if (std::find(methods.begin(), methods.end(), pair.method) == methods.end()) methods.push_back(pair.method);
+  bool changed = choice_combo("Method", methods, settings.method);
+  // A method that cannot have the acceleration in use gets the best one that it can have.
+  const auto pair = find_pair(name_of(settings.method), name_of(settings.acceleration));
+  settings.acceleration = pair.value_or(*find_pair(name_of(settings.method), {})).acceleration;
+  std::vector<Acceleration> accelerations;
+  for (const Pair& legal : legal_pairs())
+    if (legal.method == settings.method) accelerations.push_back(legal.acceleration);
+  changed |= choice_combo("Acceleration", accelerations, settings.acceleration);
   return changed;
 }
 
@@ -69,8 +84,9 @@ void solver_panel(Simulation& simulation) {
   if (simulation.uses_reference())
     ui::fact("Method", "Newton, double precision", "The reference solver on the CPU: exact, slow, and deaf to grabbing");
   else
-    changed = pair_combo(settings);
+    changed = pair_combos(settings);
   visit_settings(settings, [&](auto& value, const char* name, const char* unit, auto min, auto max, bool logarithmic, const char* help) {
+    if (!applies(name, settings.pair())) return;
     using Value = std::remove_reference_t<decltype(value)>;
     ui::NumberField field{name, unit, double(min), double(max), double(min), double(max), logarithmic, std::is_same_v<Value, int>, help};
     for (const Extra& extra : kExtras) {
@@ -86,6 +102,11 @@ void solver_panel(Simulation& simulation) {
     changed = true;
   });
   if (changed) simulation.set_settings(settings);
+  if (const GpuSolver* gpu = simulation.gpu(); gpu && gpu->gauss_seidel()) {
+    const Coloring& coloring = gpu->gauss_seidel()->coloring();
+    ui::fact("In use", std::to_string(coloring.color_count()) + " colors, " + std::to_string(coloring.phantom_vertex.size()) + " phantoms",
+             "Each color is a dispatch; phantoms are copies of vertices that more colors than allowed would move");
+  }
   gravity_row(simulation);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/convergence.h"
 #include "app/grab.h"
 #include "sim/gpu/diagnostics.h"
 
@@ -47,6 +48,8 @@ struct SceneFacts {
 
 struct ViewState {
   bool paused = false, show_panels = true, show_help = false, recording = false;
+  bool show_convergence = false;  // measured only while it is shown
+  Convergence convergence;
   GrabSettings grab;
   SceneFacts facts;
   Statistics statistics;

@@ -142,6 +142,7 @@ void ViewWindow::build_panels(Requests& requests) {
 
 void ViewWindow::make_step() {
   mouse_.pull(*session_);
+  if (state_.show_panels && state_.show_convergence) state_.convergence.measure(session_->simulation, *graphics_.programs);
   session_->simulation.step();
   simulated_ += session_->simulation.scene.solver.time_step;
   ++state_.statistics.steps;

@@ -89,6 +89,7 @@ void ViewWindow::open(const fs::path& path) {
   // The new session is made while the old one still stands: if it cannot be made, nothing has happened.
   auto opened = std::make_unique<Session>(graphics_, open_scene(path), options_.reference);
   mouse_.cancel(*session_);
+  state_.convergence.forget();
   session_ = std::move(opened);
   dialogs_.opened(path);
   state_.facts = SceneFacts(session_->simulation.model);

@@ -4,37 +4,21 @@
 #include "common/io.glsl"
 #include "sim/anderson_state.glsl"
 COMPUTE_1D
-INPUT_VEC4(Displacement, displacement)  // [vertex_count] G(x_k) [m]
-INPUT_VEC4(Start, start)                // [vertex_count] x_k [m]
-#if FIRST_ITERATION
-OUTPUT(vec4, Iterate, iterate)    // [vertex_count] x_1 = G(x_0)
-OUTPUT(vec4, Residual, residual)  // [vertex_count] f_0
-OUTPUT(vec4, Image, image)        // [vertex_count] G(x_0)
-OUTPUT(float, AndersonState, anderson_state)
-#else
+INPUT_VEC4(Displacement, displacement)         // [vertex_count] G(x_k) [m]
+INPUT_VEC4(Iterate, iterate)                   // [vertex_count] x_k [m]
 INPUT_FLOAT(AndersonState, anderson_state)
 INOUT(vec4, Residual, residual)                // [vertex_count] f_{k-1} to f_k
 INOUT(vec4, Image, image)                      // [vertex_count] G(x_{k-1}) to G(x_k)
 OUTPUT(vec4, ResidualChange, residual_change)  // [window * vertex_count] dF
 OUTPUT(vec4, ImageChange, image_change)        // [window * vertex_count] dG
-#endif
 
 void main() {
   ITEM_OR_RETURN(i)
   vec3 g = FETCH(displacement, i).xyz;
-  vec3 f = g - FETCH(start, i).xyz;
-#if FIRST_ITERATION
-  iterate[i] = vec4(g, 0.0);
-  if (i == 0u) {
-    anderson_state[ANDERSON_NEXT] = 0.0;
-    anderson_state[ANDERSON_COUNT] = 0.0;
-    anderson_state[ANDERSON_SQUARED] = 3.4e38;
-  }
-#else
+  vec3 f = g - FETCH(iterate, i).xyz;
   uint column = uint(FETCH1(anderson_state, ANDERSON_NEXT)) * invocations + i;
   residual_change[column] = vec4(f - residual[i].xyz, 0.0);
   image_change[column] = vec4(g - image[i].xyz, 0.0);
-#endif
   residual[i] = vec4(f, 0.0);
   image[i] = vec4(g, 0.0);
 }

@@ -19,6 +19,7 @@ uniform uint partials;
 #define DAMPING 0.75
 #define LARGEST_RADIUS 0.9995
 #define GROWTH 4.0  // of |f|^2
+#define ROUNDING 1e-8  // share of the first |f|^2 below which the residual tells of float32 and no longer of the iteration
 
 shared float lane_sums[GROUP_SIZE];
 
@@ -44,6 +45,7 @@ void main() {
   float rho = MANUAL_SPECTRAL_RADIUS > 0.0 ? MANUAL_SPECTRAL_RADIUS : chebyshev_state[CHEBYSHEV_RADIUS];
 #if FIRST_ITERATION
   float count = -PLAIN + 1.0, omega = 1.0, begin = squared;
+  chebyshev_state[CHEBYSHEV_FIRST_SQUARED] = squared;
 #else
   float count = chebyshev_state[CHEBYSHEV_COUNT], omega = chebyshev_state[CHEBYSHEV_WEIGHT];
   float begin = chebyshev_state[CHEBYSHEV_CYCLE_SQUARED], before = chebyshev_state[CHEBYSHEV_SQUARED];
@@ -58,7 +60,8 @@ void main() {
     rho = max(1.0 - 2.0 * (1.0 - rho), 0.1);
   } else {
     count += 1.0;
-    float better = count < SHORTEST_CYCLE || begin == 0.0 ? rho : larger_radius(rho, count, sqrt(squared / begin));
+    bool telling = count >= SHORTEST_CYCLE && squared > ROUNDING * chebyshev_state[CHEBYSHEV_FIRST_SQUARED];
+    float better = telling ? larger_radius(rho, count, sqrt(squared / begin)) : rho;
     if (better > rho && MANUAL_SPECTRAL_RADIUS == 0.0) {
       rho = better;
       count = 0.0;

@@ -27,20 +27,19 @@ AndersonPositions::AndersonPositions(const gl::ProgramCache& programs, std::uint
 std::vector<gl::ComputePass> AndersonPositions::passes(gl::ProgramCache& programs, const gl::Buffer& start,
                                                        const gl::Buffer& displacement, bool first) const {
   gl::ComputePass::Bindings difference{{"displacement", &displacement},
-                                       {"start", first ? &start : &iterate_},
+                                       {"iterate", &iterate_},
                                        {"residual", &residual_},
                                        {"image", &image_},
                                        {"anderson_state", &state_}};
-  if (first) {
-    difference.emplace_back("iterate", &iterate_);
-  } else {
-    difference.emplace_back("residual_change", &residual_change_);
-    difference.emplace_back("image_change", &image_change_);
-  }
   std::vector<gl::ComputePass> passes;
-  passes.emplace_back(programs.compute("sim/anderson_difference.comp", {{"FIRST_ITERATION", first ? "1" : "0"}}),
-                      std::move(difference), vertex_count_);
-  if (first) return passes;
+  if (first) {
+    difference.emplace_back("start", &start);
+    passes.emplace_back(programs.compute("sim/anderson_begin.comp"), std::move(difference), vertex_count_);
+    return passes;
+  }
+  difference.emplace_back("residual_change", &residual_change_);
+  difference.emplace_back("image_change", &image_change_);
+  passes.emplace_back(programs.compute("sim/anderson_difference.comp"), std::move(difference), vertex_count_);
   passes.emplace_back(programs.compute("sim/anderson_dots.comp"),
                       gl::ComputePass::Bindings{{"anderson_state", &state_},
                                                 {"residual", &residual_},

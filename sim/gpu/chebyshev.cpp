@@ -6,7 +6,7 @@ namespace fascia {
 namespace {
 
 constexpr std::size_t kVector = sizeof(shared::vec4);
-constexpr std::size_t kStateFloats = 5, kRadius = 1;  // as in chebyshev_state.glsl
+constexpr std::size_t kStateFloats = 6, kRadius = 1;  // as in chebyshev_state.glsl
 
 }  // namespace
 
@@ -21,14 +21,13 @@ Chebyshev::Chebyshev(const gl::ProgramCache& programs, std::uint32_t vertex_coun
 
 std::vector<gl::ComputePass> Chebyshev::passes(gl::ProgramCache& programs, const gl::Buffer& step, const gl::Buffer& start,
                                                const gl::Buffer& displacement, bool first) const {
-  const gl::Defines defines{{"FIRST_ITERATION", first ? "1" : "0"}};
   std::vector<gl::ComputePass> passes;
   passes.emplace_back(programs.compute("sim/chebyshev_difference.comp"),
                       gl::ComputePass::Bindings{{"displacement", &displacement},
                                                 {"start", first ? &start : &iterate_},
                                                 {"square_partials", &square_partials_}},
                       lanes_, gl::ComputePass::Constants{{"vertex_count", vertex_count_}});
-  passes.emplace_back(programs.compute("sim/chebyshev_weight.comp", defines),
+  passes.emplace_back(programs.compute("sim/chebyshev_weight.comp", {{"FIRST_ITERATION", first ? "1" : "0"}}),
                       gl::ComputePass::Bindings{
                           {"step", &step}, {"square_partials", &square_partials_}, {"chebyshev_state", &state_}},
                       Reduction::kGroup, gl::ComputePass::Constants{{"partials", partials_}});
@@ -37,7 +36,8 @@ std::vector<gl::ComputePass> Chebyshev::passes(gl::ProgramCache& programs, const
     apply.emplace_back("start", &start);
   else
     apply.emplace_back("chebyshev_state", &state_);
-  passes.emplace_back(programs.compute("sim/chebyshev_apply.comp", defines), std::move(apply), vertex_count_);
+  passes.emplace_back(programs.compute(first ? "sim/chebyshev_begin.comp" : "sim/chebyshev_apply.comp"), std::move(apply),
+                      vertex_count_);
   return passes;
 }
 

@@ -171,6 +171,7 @@ void GpuSolver::materials_changed() {
 }
 
 void GpuSolver::set_grab(const std::vector<GrabSpring>& springs) {
+  springs_ = springs;
   if (grab_.set(springs)) record();
 }
 
@@ -180,10 +181,12 @@ void GpuSolver::set_color(ColorBy color) {
   surface_.record(programs_, buffers_, features_, color_);
 }
 
-void GpuSolver::copy_state(const GpuSolver& from) {
-  buffers_.displacement.copy(from.buffers_.displacement, buffers_.vertex_count * sizeof(shared::vec4));
-  buffers_.velocity.copy(from.buffers_.velocity, buffers_.velocity.bytes());
-  time_ = from.time_;
+void GpuSolver::follow(const GpuSolver& leader) {
+  materials_changed();
+  set_grab(leader.springs_);
+  buffers_.displacement.copy(leader.buffers_.displacement, buffers_.vertex_count * sizeof(shared::vec4));
+  buffers_.velocity.copy(leader.buffers_.velocity, buffers_.velocity.bytes());
+  time_ = leader.time_;
 }
 
 void GpuSolver::request_diagnostics() { diagnostics_.request(grab_, settings_.substep()); }

@@ -51,8 +51,8 @@ class GpuSolver {
 
   reference::State download() const { return buffers_.download_state(time_); }
   void upload(const reference::State& state);
-  /// The state of another solver of the same model, without a way through the CPU.
-  void copy_state(const GpuSolver& from);
+  /// State, materials, gravity and grab of another solver of the same model; the state without a way through the CPU.
+  void follow(const GpuSolver& leader);
   const GaussSeidelMethod* gauss_seidel() const { return gauss_seidel_ ? &*gauss_seidel_ : nullptr; }
   const Chebyshev* chebyshev() const { return chebyshev_ ? &*chebyshev_ : nullptr; }
 
@@ -78,6 +78,7 @@ class GpuSolver {
   std::optional<Chebyshev> chebyshev_;
   std::optional<AndersonPositions> anderson_positions_;
   MotionTargets motions_;
+  std::vector<GrabSpring> springs_;
   GrabSprings grab_;
   DiagnosticsReader diagnostics_;
   SurfacePositions surface_;

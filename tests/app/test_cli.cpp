@@ -53,6 +53,36 @@ TEST_CASE("usage errors exit with 2", "[cli]") {
   }
 }
 
+TEST_CASE("the number of worker threads changes no bit, with every method", "[cli]") {
+  const TemporaryFolder folder;
+  for (const std::string method : {"jacobi", "mass_splitting", "gauss_seidel"}) {
+    std::vector<std::string> states;
+    for (const char* threads : {"0", "1", "2"}) {
+      const fs::path out = folder / (method + threads + ".csv");
+      const CommandResult result =
+          run_command({"/usr/bin/env", std::string("LP_NUM_THREADS=") + threads, FASCIA_BINARY, "run", cube().string(), "--quiet", "--context",
+                       "osmesa", "--steps", "5", "--set", "solver.method=" + method, "--set", "solver.acceleration=anderson_positions",
+                       "--export", out.string()});
+      CAPTURE(method, threads, result.err);
+      REQUIRE(result.exit_code == 0);
+      states.push_back(read_file(out));
+    }
+    CAPTURE(method);
+    CHECK(states[0].size() > 1000);
+    CHECK(states[0] == states[1]);
+    CHECK(states[0] == states[2]);
+  }
+}
+
+TEST_CASE("info reports colors and their balance", "[cli]") {
+  const CommandResult result = run_fascia({"info", cube().string(), "--set", "solver.colors=5"});
+  CAPTURE(result.out);
+  CHECK(result.exit_code == 0);
+  CHECK(result.out.find("coloring     plain: ") != std::string::npos);
+  CHECK(result.out.find("coloring     solver.colors 5: 5 colors of ") != std::string::npos);
+  CHECK(result.out.find(" phantoms") != std::string::npos);
+}
+
 TEST_CASE("help and version", "[cli]") {
   CHECK(run_fascia({"--version"}).out.rfind("fascia ", 0) == 0);
   for (const char* command : {"view", "render", "run", "info", "convert"}) {

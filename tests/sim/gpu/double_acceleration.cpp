@@ -50,6 +50,7 @@ Eigen::VectorXd DoubleChebyshev::next(const Eigen::VectorXd& x, const Eigen::Vec
   double rho = radius();
   if (iteration_ == 0) {
     count_ = -kPlain + 1;
+    first_ = norm;
   } else if (count_ < 0) {
     if (++count_ == 0) {
       if (rho == 0 && last_ > 0) rho = std::clamp(norm / last_, 0.1, 0.9995);
@@ -60,7 +61,7 @@ Eigen::VectorXd DoubleChebyshev::next(const Eigen::VectorXd& x, const Eigen::Vec
     rho = std::max(1 - 2 * (1 - rho), 0.1);
   } else {
     ++count_;
-    if (count_ >= kShortest && begin_ > 0 && manual_ == 0) {
+    if (count_ >= kShortest && norm > 1e-4 * first_ && manual_ == 0) {
       const double s = std::sqrt(1 - rho * rho), r = (1 - s) / (1 + s), rp = std::pow(r, count_);
       const double expected = 1 / std::cosh(count_ * std::acosh(1 / rho)), reached = norm / begin_;
       if (reached > std::pow(expected, 0.75)) {

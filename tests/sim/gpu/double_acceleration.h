@@ -28,7 +28,7 @@ class DoubleChebyshev {
   double radius() const { return manual_ > 0 ? manual_ : radius_; }
 
  private:
-  double manual_, radius_ = 0, omega_ = 1, begin_ = 0, last_ = 0;
+  double manual_, radius_ = 0, omega_ = 1, begin_ = 0, last_ = 0, first_ = 0;
   int iteration_ = 0, count_ = 0;
   Eigen::VectorXd before_;
 };

@@ -153,6 +153,94 @@ TEST_CASE("the same steps give the same bits: run to run, context to context, lo
   CHECK(same(positions(gl::LoadPath::texel, "egl")));
 }
 
+TEST_CASE("every pair of method and acceleration repeats bit for bit", "[gpu]") {
+  const Pair pair = GENERATE(from_range(legal_pairs()));
+  SolverSettings settings;
+  settings.method = pair.method;
+  settings.acceleration = pair.acceleration;
+  if (pair.method == Method::gauss_seidel) settings.colors = GENERATE(0, 6);
+  CAPTURE(name_of(pair.method), name_of(pair.acceleration), settings.colors);
+  const auto positions = [&](const std::string& context) {
+    Gpu gpu(gl::LoadPath::texel, context);
+    const Model model = bar(0.01);
+    GpuSolver solver(gpu.programs, model, settings);
+    for (int i = 0; i < 10; ++i) solver.step();
+    return solver.buffers().displacement.read<vec4>();
+  };
+  const auto a = positions("osmesa");
+  for (const char* context : {"osmesa", "egl"}) {
+    const auto b = positions(context);
+    CAPTURE(context);
+    REQUIRE(a.size() == b.size());
+    CHECK(std::memcmp(a.data(), b.data(), a.size() * sizeof(vec4)) == 0);
+  }
+}
+
+TEST_CASE("an acceleration that was switched off leaves nothing behind, to the bit", "[gpu]") {
+  const Method method = any_method();
+  CAPTURE(name_of(method));
+  Gpu gpu;
+  const Model model = bar();
+  const auto run = [&](bool accelerated_before) {
+    GpuSolver solver(gpu.programs, model, with(method));
+    for (const Pair& pair : legal_pairs()) {
+      SolverSettings settings = with(pair.method);
+      settings.acceleration = pair.acceleration;
+      settings.colors = 6;
+      if (accelerated_before) solver.set_settings(settings);
+      if (accelerated_before) solver.step();
+    }
+    solver.set_settings(with(method));
+    solver.upload(random_state(model, 0.001, 4));
+    for (int i = 0; i < 5; ++i) solver.step();
+    return solver.download().displacement;
+  };
+  const auto plain = run(false), after = run(true);
+  for (std::size_t i = 0; i < plain.size(); ++i) REQUIRE(plain[i] == after[i]);
+}
+
+TEST_CASE("Chebyshev's plain iterations equal the method to the bit", "[gpu]") {
+  // The first four of a step have weight 1.
+  const Method method = any_method();
+  CAPTURE(name_of(method));
+  Gpu gpu;
+  const Model model = bar();
+  const auto run = [&](Acceleration acceleration, int iterations) {
+    SolverSettings settings = with(method);
+    settings.acceleration = acceleration;
+    settings.iterations = iterations;
+    GpuSolver solver(gpu.programs, model, settings);
+    solver.upload(random_state(model, 0.001, 4));
+    solver.step();
+    return solver.download().displacement;
+  };
+  const auto plain = run(Acceleration::none, 4), accelerated = run(Acceleration::chebyshev, 4);
+  for (std::size_t i = 0; i < plain.size(); ++i) REQUIRE(plain[i] == accelerated[i]);
+  CHECK(relative_rms(run(Acceleration::none, 8), run(Acceleration::chebyshev, 8)) > 1e-6);
+}
+
+TEST_CASE("a traced substep is the substep, and its residual falls", "[gpu]") {
+  Gpu gpu;
+  const Model model = bar();
+  GpuSolver solver(gpu.programs, model, with(Method::gauss_seidel)), leader(gpu.programs, model, with(Method::gauss_seidel));
+  leader.upload(random_state(model, 0.001, 4));
+  leader.set_grab({{100, {0.01, 0, 0}, 20}, {101, {0.01, 0, 0}, 20}});
+  leader.step();
+  solver.follow(leader);
+  const std::vector<Diagnostics> trace = solver.traced_substep();
+  leader.step();
+  REQUIRE(trace.size() == 21);
+  const auto a = solver.download(), b = leader.download();
+  for (std::size_t i = 0; i < a.displacement.size(); ++i) REQUIRE(a.displacement[i] == b.displacement[i]);
+  CHECK(a.time == b.time);
+  std::vector<double> residuals;
+  for (const Diagnostics& d : trace) residuals.push_back(d.residual);
+  CAPTURE(residuals);
+  CHECK(residuals.front() == Approx(1).epsilon(0.01));
+  CHECK(std::is_sorted(residuals.rbegin(), residuals.rend()));
+  CHECK(residuals.back() < 0.7);
+}
+
 TEST_CASE("a hanging bar: stiffer with more iterations, never stiffer than exact by more than rounding", "[gpu]") {
   const Method method = any_method();
   CAPTURE(name_of(method));
@@ -264,7 +352,7 @@ TEST_CASE("features that are off cost no dispatch, no program and no byte", "[gp
   settings.acceleration = Acceleration::chebyshev;
   solver.set_settings(settings);
   CHECK(solver.dispatches_per_step() == 2 * (2 + 7 * (colors + 1 + 3) + 1));
-  CHECK(gl::allocated_bytes() - plain_bytes == 16 * vertices * 2 + 16 * 64 + 4 * 5);
+  CHECK(gl::allocated_bytes() - plain_bytes == 16 * vertices * 2 + 16 * 64 + 4 * 6);
   settings.acceleration = Acceleration::none;
   settings.colors = 5;
   solver.set_settings(settings);
