@@ -52,6 +52,12 @@ std::vector<std::uint32_t> beam_tip(const Model& model) {
   return tip;
 }
 
+double squared_distance(const std::vector<Vector3d>& a, const std::vector<Vector3d>& b) {
+  double sum = 0;
+  for (std::size_t v = 0; v < a.size(); ++v) sum += (a[v] - b[v]).squaredNorm();
+  return sum;
+}
+
 reference::State bent_beam(const Model& model) {
   reference::State state = reference::initial_state(model);
   for (std::size_t v = 0; v < model.rest_positions.size(); ++v) {

@@ -5,6 +5,7 @@
 #include "app/bench.h"
 #include "app/bench_beam.h"
 #include "app/bench_grid.h"
+#include "app/units.h"
 #include "render/framebuffer.h"
 
 namespace fascia {
@@ -13,7 +14,8 @@ namespace {
 constexpr double kYoungModulus = 1e9;  // [Pa]
 
 struct Candidate {
-  std::string method, acceleration, label;  // as in scene files; for people
+  std::string method, acceleration;  // as in scene files
+  std::vector<std::string> caption;  // for people
   std::unique_ptr<Session> session;
 };
 
@@ -33,9 +35,10 @@ std::vector<Candidate> candidates_of(Bench& bench) {
   std::vector<Candidate> candidates;
   for (const Pair& pair : legal_pairs())
     if (pair.method == Method::jacobi)
-      candidates.push_back({name_of(pair.method), name_of(pair.acceleration), label_of(pair),
+      candidates.push_back({name_of(pair.method), name_of(pair.acceleration),
+                            {label_of(pair.method), std::string("acceleration: ") + label_of(pair.acceleration)},
                             std::make_unique<Session>(bench.graphics, hanging_beam(bench, pair), false)});
-  candidates.push_back({"exact", "none", "Exact solver",
+  candidates.push_back({"exact", "none", {"Exact solver", ""},
                         std::make_unique<Session>(bench.graphics, hanging_beam(bench, legal_pairs().front()), true)});
   return candidates;
 }
@@ -56,26 +59,16 @@ double tip_deflection(const Model& model, const reference::State& state) {
   return sum / static_cast<double>(tip.size());
 }
 
-// RMS of a - b over the RMS of b.
-double relative_error(const reference::State& a, const reference::State& b) {
-  double error = 0, size = 0;
-  for (std::size_t v = 0; v < a.displacement.size(); ++v) {
-    error += (a.displacement[v] - b.displacement[v]).squaredNorm();
-    size += b.displacement[v].squaredNorm();
-  }
-  return std::sqrt(error / size);
+// RMS of the difference to the exact displacement over the RMS of that one.
+double relative_error(const reference::State& state, const reference::State& exact) {
+  const std::vector<Eigen::Vector3d> rest(exact.displacement.size(), Eigen::Vector3d::Zero());
+  return std::sqrt(squared_distance(state.displacement, exact.displacement) / squared_distance(exact.displacement, rest));
 }
 
 bool is_finite(const reference::State& state) {
   for (const Eigen::Vector3d& u : state.displacement)
     if (!u.allFinite()) return false;
   return true;
-}
-
-std::string digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
 }
 
 }  // namespace
@@ -113,7 +106,8 @@ void bench_stiff_beam(Bench& bench) {
                           measures.inverted, is_finite(state) ? "yes" : "no"});
     Image picture = picture_of(bench, *c.session);
     bench.write("fig2_" + c.method + (c.method == "exact" ? "" : "_" + c.acceleration), picture, *c.session, steps);
-    grid.panels.push_back({std::move(picture), {c.label, "tip " + digits(tip) + " m lower"}});
+    c.caption.push_back("tip " + engineering(tip, "m") + " lower");
+    grid.panels.push_back({std::move(picture), c.caption});
   }
   bench.write("fig2", std::move(table));
   if (bench.has_gnuplot) write_grid(bench.folder / "fig2.png", grid);

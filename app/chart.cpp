@@ -11,6 +11,7 @@ namespace {
 
 // Okabe and Ito's colors without yellow, which is lost on white, and without black, which levels have.
 constexpr std::array kColors{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
+constexpr std::size_t kLegendColumns = 3;
 constexpr std::array kDashes{"solid", "(14,5)", "(3,4)", "(14,4,3,4)"};
 constexpr std::array kMarks{7, 5, 9, 11, 13, 15};  // filled shapes; one less is the same shape, empty
 
@@ -25,6 +26,7 @@ void write_axis(std::ostream& out, char name, const Axis& axis) {
   out << "set " << name << "label " << gnuplot_quoted(axis.label) << '\n';
   out << "set format " << name << " '%g'\n";
   if (axis.logarithmic) out << "set logscale " << name << "\nset m" << name << "tics 10\n";
+  if (!axis.logarithmic && !axis.range) out << "set " << name << "range [0:*]\n";
   if (axis.range) out << "set " << name << "range [" << axis.range->x() << ':' << axis.range->y() << "]\n";
 }
 
@@ -56,11 +58,14 @@ std::string script_of(const Chart& chart, const std::string& terminal) {
   out << "set encoding utf8\nset terminal " << terminal << '\n';
   out << "set title " << gnuplot_quoted(chart.title) << '\n';
   // Below the data, so that it covers none of them.
-  out << "set key outside below center vertical maxrows " << chart.legend_rows << " Left reverse samplen 2.5 font ',12'\n";
+  out << "set key outside below center vertical maxrows " << (chart.series.size() + kLegendColumns - 1) / kLegendColumns
+      << " Left reverse samplen 2.5 font ',13'\n";
   out << "set border 3 linecolor rgb '#404040'\nset tics nomirror out\nset grid linetype 1 linecolor rgb '#e0e0e0'\n";
   write_axis(out, 'x', chart.x);
   write_axis(out, 'y', chart.y);
   for (std::size_t i = 0; i < chart.series.size(); ++i) write_points(out, i, chart.series[i], chart);
+  for (const Level& level : chart.levels)
+    out << "set label " << gnuplot_quoted(level.name) << " at graph 0.01, first " << level.y << " left offset 0,0.6 front\n";
   const char* separator = "plot ";
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     out << separator;
@@ -68,7 +73,7 @@ std::string script_of(const Chart& chart, const std::string& terminal) {
     separator = ", ";
   }
   for (const Level& level : chart.levels) {
-    out << separator << level.y << " with lines linecolor rgb 'black' linewidth 2 " << legend(level.name);
+    out << separator << level.y << " with lines linecolor rgb 'black' linewidth 2 notitle";
     separator = ", ";
   }
   out << '\n';

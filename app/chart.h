@@ -11,7 +11,7 @@ namespace fascia {
 struct Axis {
   std::string label;  // with its unit
   bool logarithmic = false;
-  std::optional<Eigen::Vector2d> range;  // smallest and largest value; absent: that of the data
+  std::optional<Eigen::Vector2d> range;  // smallest and largest value; absent: that of the data, from 0 if linear
 };
 
 struct Series {
@@ -22,7 +22,7 @@ struct Series {
   bool line = true, marks = false;
 };
 
-struct Level {  // a horizontal line through the whole chart
+struct Level {  // a horizontal line through the whole chart, with its name on it at the left
   std::string name;
   double y = 0;
 };
@@ -32,10 +32,9 @@ struct Chart {
   Axis x, y;
   std::vector<Series> series;
   std::vector<Level> levels;
-  int legend_rows = 3;  // the legend stands in columns below the data, levels last
 };
 
-/// Draws `path`.svg and `path`.png. Throws Error, also when gnuplot is not installed.
+/// Draws `path`.svg and `path`.png; the legend stands below, in three columns. Throws Error, also when gnuplot is not installed.
 void write_chart(const std::filesystem::path& path, const Chart& chart);
 
 /// A text as a gnuplot string.

@@ -1,5 +1,6 @@
 // fascia bench figures: measures and draws what the poster shows in its four figures, and what colorings cost.
 #include <chrono>
+#include <cmath>
 #include <iostream>
 
 #include "app/bench.h"

@@ -1,6 +1,7 @@
 // fascia bench figures in its quick form: every file is there, tables can be read and belong together.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -74,9 +75,9 @@ std::vector<Row> rows_of(const CsvFile& csv, const Pair& pair) {
   return rows;
 }
 
-CommandResult run_figures(const fs::path& folder, const std::string& path = "/usr/bin:/bin") {
-  return run_command({"/usr/bin/env", "PATH=" + path, FASCIA_BINARY, "bench", "figures", "--quick", "--quiet", "--context", "osmesa",
-                      "--size", "320x180", "--out", folder.string()});
+CommandResult run_figures(const fs::path& folder, const std::string& path = std::getenv("PATH")) {
+  return run_command({"/usr/bin/env", "PATH=" + path, FASCIA_BINARY, "bench", "figures", "--quick", "--quiet", "--context",
+                      "osmesa", "--size", "320x180", "--out", folder.string()});
 }
 
 }  // namespace
