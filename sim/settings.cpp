@@ -42,11 +42,11 @@ const char* name_of(Acceleration acceleration) {
 const char* label_of(Method method) {
   switch (method) {
     case Method::jacobi:
-      return "Jacobi XPBD, averaged";
+      return "Jacobi, averaged";
     case Method::mass_splitting:
-      return "Jacobi XPBD, mass splitting";
+      return "Jacobi, mass splitting";
     case Method::gauss_seidel:
-      return "Gauss-Seidel XPBD, colored";
+      return "Gauss-Seidel, colored";
   }
   return "";
 }
