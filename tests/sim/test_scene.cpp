@@ -223,7 +223,10 @@ TEST_CASE("a written scene is readable: lists of numbers on one line, no needles
     "iterations": 20,
     "tolerance": 0,
     "time_step": 0.016666666666666666,
-    "substeps": 1
+    "substeps": 1,
+    "colors": 0,
+    "spectral_radius": 0,
+    "window": 5
   },
   "display": {"color": "none", "wireframe": false},
   "duration": 2
