@@ -32,14 +32,14 @@ std::vector<Eigen::Vector3d> prediction_of(const Model& model, const reference::
 }  // namespace
 
 BeamStep::BeamStep(Bench& bench, double young_modulus, int iterations)
-    : scene_(beam_scene(bench, young_modulus, settings_of(legal_pairs().front(), iterations))),
+    : scene_(beam_scene(bench, young_modulus, settings_of(poster_pairs().front(), iterations))),
       model_(build_model(scene_)),
       start_(bent_beam(model_)),
       exact_(start_),
       predicted_(prediction_of(model_, start_, scene_.solver.substep())) {
   reference::NewtonSolver(model_, scene_.solver).step(exact_);
   exact_strain_ = reference::measure(model_, exact_).rms_strain;
-  for (const Pair& pair : legal_pairs()) {
+  for (const Pair& pair : poster_pairs()) {
     bench.stop_if_interrupted();
     PairTrace traced{pair, std::make_unique<GpuSolver>(*bench.graphics.programs, model_, settings_of(pair, iterations)), {}, 0};
     traced.solver->upload(start_);

@@ -152,4 +152,39 @@ Coloring color_tets(const std::vector<Tet>& tets, const std::vector<char>& held,
                          : color_with_phantoms(tets, held, visit, std::min<std::uint32_t>(max_colors, 64));
 }
 
+VertexColoring color_vertices(const std::vector<Tet>& tets, const std::vector<char>& held) {
+  const std::size_t vertex_count = held.size();
+  std::vector<std::uint32_t> tet_begin(vertex_count + 1, 0);
+  for (const Tet& tet : tets)
+    for (const std::uint32_t v : tet) ++tet_begin[v + 1];
+  std::partial_sum(tet_begin.begin(), tet_begin.end(), tet_begin.begin());
+  std::vector<std::uint32_t> around(tet_begin.back()), next(tet_begin.begin(), tet_begin.end() - 1);
+  for (std::uint32_t t = 0; t < tets.size(); ++t)
+    for (const std::uint32_t v : tets[t]) around[next[v]++] = t;
+
+  constexpr std::uint32_t kNone = ~0u;
+  std::vector<std::uint32_t> color(vertex_count, kNone), taken;  // taken: the last vertex that met each color
+  VertexColoring coloring{{}, {0}};
+  for (std::uint32_t v = 0; v < vertex_count; ++v) {
+    if (held[v] || tet_begin[v] == tet_begin[v + 1]) continue;
+    for (std::uint32_t k = tet_begin[v]; k < tet_begin[v + 1]; ++k)
+      for (const std::uint32_t other : tets[around[k]])
+        if (color[other] != kNone) taken[color[other]] = v;
+    std::uint32_t c = 0;
+    while (c < taken.size() && taken[c] == v) ++c;
+    if (c == taken.size()) {
+      taken.push_back(kNone);
+      coloring.begin.push_back(0);
+    }
+    color[v] = c;
+    ++coloring.begin[c + 1];
+  }
+  std::partial_sum(coloring.begin.begin(), coloring.begin.end(), coloring.begin.begin());
+  coloring.order.resize(coloring.begin.back());
+  std::vector<std::uint32_t> at(coloring.begin.begin(), coloring.begin.end() - 1);
+  for (std::uint32_t v = 0; v < vertex_count; ++v)
+    if (color[v] != kNone) coloring.order[at[color[v]]++] = v;
+  return coloring;
+}
+
 }  // namespace fascia

@@ -27,4 +27,13 @@ struct Coloring {
 Coloring color_tets(const std::vector<Tet>& tets, const std::vector<char>& held, const std::vector<std::uint32_t>& visit,
                     std::uint32_t max_colors = 0);
 
+/// Colors for vertices: no two of one color share a tet. Held vertices and those in no tet have none.
+struct VertexColoring {
+  std::vector<std::uint32_t> order;  // colored vertices sorted by color, within a color by index
+  std::vector<std::uint32_t> begin;  // [color_count + 1] where each color starts in `order`
+  std::size_t color_count() const { return begin.size() - 1; }
+};
+/// Greedy, first fit in the order of the vertices. Same input, same coloring.
+VertexColoring color_vertices(const std::vector<Tet>& tets, const std::vector<char>& held);
+
 }  // namespace fascia

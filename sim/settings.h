@@ -7,8 +7,8 @@
 
 namespace fascia {
 
-enum class Method { jacobi, mass_splitting, gauss_seidel };
-enum class Acceleration { none, chebyshev, anderson_positions };
+enum class Method { jacobi, mass_splitting, gauss_seidel, exact_xpbd, vertex_descent, two_level };
+enum class Acceleration { none, chebyshev, anderson_positions, anderson, nonlinear_cg, subspace };
 constexpr int kLargestWindow = 10;  // of Anderson acceleration
 
 struct Pair {
@@ -18,12 +18,13 @@ struct Pair {
 };
 
 struct SolverSettings {
-  Method method = Method::mass_splitting;
-  Acceleration acceleration = Acceleration::none;
-  int iterations = 20;            // per substep
+  Method method = Method::two_level;
+  Acceleration acceleration = Acceleration::nonlinear_cg;
+  int iterations = 10;            // per substep, at most
   double tolerance = 0;           // relative residual at which a step's iterations stop; 0 runs all of them
   double time_step = 1.0 / 60.0;  // dt [s] of a frame step
   int substeps = 1;               // equal parts of a step, h = dt / substeps
+  double frame_budget = 0;        // [ms] that a step may take: it gets the iterations that fit; 0: no limit
   int colors = 0;                 // of gauss_seidel; 0: as many as the mesh needs, else phantoms make do with so many
   double spectral_radius = 0;     // of the plain iteration, for chebyshev; 0: estimated while it runs
   int window = 5;                 // earlier iterations that Anderson acceleration combines
@@ -44,6 +45,9 @@ void visit_settings(S& s, F&& f) {
   f(s.time_step, "time_step", "s", 1e-6, 1.0, true, "simulated time per step");
   f(s.substeps, "substeps", "", 1, 1000, true,
     "parts a step is cut into: accurate and stiff, at proportional cost");
+  f(s.frame_budget, "frame_budget", "ms", 0.0, 10000.0, false,
+    "wall time a step may take: it gets as many of the iterations as fit, one at least; 0 runs all of them. What runs then depends on "
+    "the machine's speed");
   f(s.colors, "colors", "", 0, 64, false,
     "dispatches of a sweep; 0: as many as the mesh needs. Fewer split vertices into phantoms (Fratarcangeli, Pellacini 2015): "
     "cheaper where a dispatch is dear, slower to converge");
@@ -54,7 +58,9 @@ void visit_settings(S& s, F&& f) {
     "earlier iterations that are combined: more converge in fewer iterations, at two dot products each");
 }
 
-const std::vector<Pair>& legal_pairs();  // of method and acceleration that exist, best first
+const std::vector<Pair>& legal_pairs();  // of method and acceleration that make sense, best first
+/// Those of the poster (Boukadida, Andrews, Paquette 2019), and of mass splitting beside them, in the order of legal_pairs().
+std::vector<Pair> poster_pairs();
 const char* name_of(Method method);      // "jacobi", as in scene files
 const char* name_of(Acceleration acceleration);
 const char* label_of(Method method);  // for people, in menus: "Jacobi XPBD, averaged"

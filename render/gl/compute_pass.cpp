@@ -12,6 +12,7 @@ std::uint64_t dispatches = 0;
 GLenum format_of(Texel texel) {
   switch (texel) {
     case Texel::vec4:
+    case Texel::vec4_in_place:
       return GL_RGBA32F;
     case Texel::uvec4:
       return GL_RGBA32UI;
@@ -85,7 +86,7 @@ std::vector<Wanted> assign_units(const Program& program, const std::string& wher
 void check_bindings(const Program& program, const ComputePass::Bindings& buffers, const std::string& where) {
   const auto& declared = program.declared();
   const auto is_input = [&](const std::string& name) {
-    return declared.contains(name) && declared.at(name) != Texel::none;
+    return declared.contains(name) && declared.at(name) != Texel::none && declared.at(name) != Texel::vec4_in_place;
   };
   const auto is_output = [&](const std::string& name) {
     return declared.contains(name) && declared.at(name) == Texel::none;
@@ -100,7 +101,7 @@ void check_bindings(const Program& program, const ComputePass::Bindings& buffers
         throw Error(where, name + " is bound twice", "expected one buffer for one name");
       if (buffer == other && is_input(name) && is_output(other_name))
         throw Error(where, name + " and " + other_name + " are one buffer, read and written",
-                    "expected it once, as INOUT");
+                    "expected it once, as INOUT, or read as INPUT_VEC4_IN_PLACE");
     }
   }
 }

@@ -13,8 +13,8 @@ namespace fascia::gl {
 using Defines = std::vector<std::pair<std::string, std::string>>;  // NAME, value; sorted by the cache
 
 /// What one texel of an input is, as INPUT_VEC4, INPUT_UVEC4, INPUT_FLOAT or INPUT_UINT declares it; none for
-/// outputs.
-enum class Texel { none, vec4, uvec4, float1, uint1 };
+/// outputs. vec4_in_place (INPUT_VEC4_IN_PLACE): a vec4 of a buffer that the dispatch also writes, under another name.
+enum class Texel { none, vec4, vec4_in_place, uvec4, float1, uint1 };
 
 struct ShaderText {
   std::string text;  // "#version 430 core", the defines, then the flattened file (whose own #version line

@@ -6,6 +6,8 @@
 //   INPUT_UINT(SlotBegin, slot_begin)        ->  uint b = FETCH1(slot_begin, i);
 //   OUTPUT(vec4, Correction, correction)     ->  correction[i] = ...;
 //   INOUT(vec4, Displacement, displacement)  ->  displacement[i] += ...;
+//   INPUT_VEC4_IN_PLACE(Corner, corner)      ->  an input that is the dispatch's own output under another name, for kernels where no
+//                                                invocation reads what another one writes, and each reads before it writes
 // The application binds by the second name; the block name is the same word in PascalCase.
 #if READ_TEXELS
 #define INPUT_VEC4(Block, name) uniform samplerBuffer name;
@@ -22,6 +24,7 @@
 #define FETCH(name, i) name[i]
 #define FETCH1(name, i) name[i]
 #endif
+#define INPUT_VEC4_IN_PLACE(Block, name) INPUT_VEC4(Block, name)
 #define OUTPUT(type, Block, name) layout(std430) writeonly buffer Block { type name[]; };
 #define INOUT(type, Block, name) layout(std430) buffer Block { type name[]; };
 

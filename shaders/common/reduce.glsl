@@ -1,7 +1,8 @@
 // Sums over an array, the same on every run: each of a fixed number of lanes adds up every lanes-th item, then
 //   REDUCE_TREE 1 (GPUs): the lanes of a work group are added up in a tree; one partial sum per group;
 //   REDUCE_TREE 0 (software renderers, where shared memory costs 20 times more): one partial sum per lane.
-// The number of lanes is a multiple of GROUP_SIZE. The kernel that uses the sum adds up the partials.
+// The number of lanes is a multiple of GROUP_SIZE. The kernel that uses the sum adds up the partials. Partials that follow n others
+// are stored at i + n * PARTIAL_STRIDE.
 #define REDUCE_TREE (1 - READ_TEXELS)
 
 #if REDUCE_TREE
@@ -15,7 +16,10 @@ shared vec4 lane_sums[GROUP_SIZE];
     if (gl_LocalInvocationID.x < half_size)                                         \
       lane_sums[gl_LocalInvocationID.x] += lane_sums[gl_LocalInvocationID.x + half_size]; \
   }                                                                                 \
-  if (gl_LocalInvocationID.x == 0u) partials[i / GROUP_SIZE] = lane_sums[0];
+  if (gl_LocalInvocationID.x == 0u) partials[(i) / GROUP_SIZE] = lane_sums[0];      \
+  barrier();
+#define PARTIAL_STRIDE GROUP_SIZE
 #else
 #define STORE_PARTIAL(partials, i, sum) partials[i] = sum;
+#define PARTIAL_STRIDE 1u
 #endif

@@ -17,5 +17,11 @@ Sym3 green_strain(mat3 h) {
                          h[1].x + h[0].y + dot(h[0], h[1])));
 }
 
+// Change of the Green strain with a change d of F: sym(F^T d).
+Sym3 strain_change(mat3 f, mat3 d) {
+  return Sym3(vec3(dot(f[0], d[0]), dot(f[1], d[1]), dot(f[2], d[2])),
+              0.5 * vec3(dot(f[1], d[2]) + dot(f[2], d[1]), dot(f[0], d[2]) + dot(f[2], d[0]), dot(f[0], d[1]) + dot(f[1], d[0])));
+}
+
 // Voigt components with tensor shears, in the order xx, yy, zz, yz, xz, xy.
 Sym3 with_halved_shears(vec3 d, vec3 s) { return Sym3(d, 0.5 * s); }

@@ -5,9 +5,9 @@
 #include "common/io.glsl"
 #include "sim/anderson_state.glsl"
 COMPUTE_1D
-INPUT_VEC4(DotPartials, dot_partials)  // [window * partials]
+INPUT_VEC4(DotPartials, dot_partials)  // [parts * window * partials]
 INOUT(float, AndersonState, anderson_state)
-uniform uint window, partials;  // partials of one column
+uniform uint window, partials, parts;  // partials of one column of one part
 #define LARGEST_WINDOW 10
 #define REGULARIZATION 1e-6
 
@@ -17,7 +17,8 @@ void main() {
   uint lane = gl_LocalInvocationID.x;
   if (lane < window) {
     vec4 sum = vec4(0.0);
-    for (uint p = 0u; p < partials; ++p) sum += FETCH(dot_partials, lane * partials + p);
+    for (uint part = 0u; part < parts; ++part)
+      for (uint p = 0u; p < partials; ++p) sum += FETCH(dot_partials, (part * window + lane) * partials + p);
     dots[lane] = sum;
   }
   barrier();

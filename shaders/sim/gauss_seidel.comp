@@ -3,21 +3,23 @@
 #include "common/io.glsl"
 #include "sim/xpbd_block.glsl"
 COMPUTE_1D
-INOUT(vec4, Displacement, displacement)  // [vertex_count + phantom_count] xyz u [m], w inverse mass [1/kg]
-INOUT(vec4, Multiplier, multiplier)      // [2 * tet_count] lambda, xyz of xx, yy, zz then of yz, xz, xy
+INPUT_VEC4_IN_PLACE(Corner, corner)       // [vertex_count + phantom_count] displacement: xyz u [m], w inverse mass [1/kg]
+OUTPUT(vec4, Displacement, displacement)
+INPUT_VEC4_IN_PLACE(Lambda, lambda)       // [2 * tet_count] multiplier: xyz of xx, yy, zz then of yz, xz, xy
+OUTPUT(vec4, Multiplier, multiplier)
 uniform uint first_item;                 // where this color begins: the tets are sorted by color
 
 void main() {
   ITEM_OR_RETURN(i)
   uint t = first_item + i;
   Tet tet = load_tet(t);
-  vec4 u0 = displacement[tet.v.x], u1 = displacement[tet.v.y], u2 = displacement[tet.v.z], u3 = displacement[tet.v.w];
+  vec4 u0 = FETCH(corner, tet.v.x), u1 = FETCH(corner, tet.v.y), u2 = FETCH(corner, tet.v.z), u3 = FETCH(corner, tet.v.w);
 #if FIRST_ITERATION
   vec3 lambda_d = vec3(0.0), lambda_s = vec3(0.0);
 #else
-  vec3 lambda_d = multiplier[2u * t].xyz, lambda_s = multiplier[2u * t + 1u].xyz;
+  vec3 lambda_d = FETCH(lambda, 2u * t).xyz, lambda_s = FETCH(lambda, 2u * t + 1u).xyz;
 #endif
-  BlockStep s = solve_block(t, tet, u0, u1, u2, u3, lambda_d, lambda_s);
+  BlockStep s = solve_block(t, tet, u0, u1, u2, u3, lambda_d, lambda_s, Sym3(vec3(0.0), vec3(0.0)));
   multiplier[2u * t] = vec4(lambda_d + s.change_d, 0.0);
   multiplier[2u * t + 1u] = vec4(lambda_s + s.change_s, 0.0);
   // Held vertices may be shared within a color: they do not move, so they are not written.

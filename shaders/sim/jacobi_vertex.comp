@@ -4,6 +4,9 @@
 COMPUTE_1D
 INPUT_UINT(SlotBegin, slot_begin)        // [vertex_count + 1]
 INPUT_VEC4(Correction, correction)       // [4 * tet_count] sorted by vertex
+#if EXACT
+INPUT_VEC4(PrimalStep, primal_step)      // [vertex_count] xyz g/m^ [m], 0 where held
+#endif
 INOUT(vec4, Displacement, displacement)  // [vertex_count]
 
 void main() {
@@ -11,5 +14,9 @@ void main() {
   uint begin = FETCH1(slot_begin, i), end = FETCH1(slot_begin, i + 1u);
   vec3 sum = vec3(0.0);
   for (uint k = begin; k < end; ++k) sum += FETCH(correction, k).xyz;
-  if (end > begin) displacement[i].xyz += sum / float(end - begin);
+  vec3 step = end > begin ? sum / float(end - begin) : vec3(0.0);
+#if EXACT
+  step -= FETCH(primal_step, i).xyz;
+#endif
+  displacement[i].xyz += step;
 }

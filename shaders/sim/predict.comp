@@ -1,6 +1,7 @@
 // Inertial prediction u~ = u_n + h v_n + h^2 g of every vertex; the iterations start there.
 // Reads velocity and the inverse masses; writes previous_displacement, predicted, displacement (w: inverse mass).
 // First pass of a substep. Held vertices (inverse mass 0) stay where they are.
+// With START_WITHOUT_GRAVITY the iterations start at u_n + h v_n instead: a stiff body hardly follows gravity within a step.
 // With MASS_SPLITTING the w of displacement is what each of a vertex's n copies sees: a share m / n of its mass (Tonge, Benevolenski,
 // Voroshilov 2012). The mean of the n corrections is then their sum at full mass: positions get all that the multipliers got.
 // Copies: one per tet around the vertex (Jacobi), or the vertex and its phantoms (colors).
@@ -23,8 +24,13 @@ void main() {
   ITEM_OR_RETURN(i)
   vec3 u = displacement[i].xyz;
   float inv_mass = FETCH(rest_position, i).w;
-  vec3 move = inv_mass > 0.0 ? SUBSTEP * (FETCH(velocity, i).xyz + SUBSTEP * GRAVITY) : vec3(0.0);
+  vec3 drift = inv_mass > 0.0 ? SUBSTEP * FETCH(velocity, i).xyz : vec3(0.0);
+  vec3 fall = inv_mass > 0.0 ? SUBSTEP * SUBSTEP * GRAVITY : vec3(0.0);
   previous_displacement[i] = vec4(u, inv_mass);
-  predicted[i] = vec4(u + move, inv_mass);
-  displacement[i] = vec4(u + move, copies(i) * inv_mass);
+  predicted[i] = vec4(u + (drift + fall), inv_mass);
+#if START_WITHOUT_GRAVITY
+  displacement[i] = vec4(u + drift, inv_mass);
+#else
+  displacement[i] = vec4(u + (drift + fall), copies(i) * inv_mass);
+#endif
 }

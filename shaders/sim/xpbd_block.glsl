@@ -18,8 +18,9 @@ struct BlockStep {
   vec3 dx0, dx1, dx2, dx3;      // corrections of the corners [m]
 };
 
-// u: displacement [m] and, in w, inverse mass [1/kg] of the corners of tet t.
-BlockStep solve_block(uint t, Tet tet, vec4 u0, vec4 u1, vec4 u2, vec4 u3, vec3 lambda_d, vec3 lambda_s) {
+// u: displacement [m] and, in w, inverse mass [1/kg] of the corners of tet t. `foreseen`: strain that the corners are about to lose
+// whatever the tet does.
+BlockStep solve_block(uint t, Tet tet, vec4 u0, vec4 u1, vec4 u2, vec4 u3, vec3 lambda_d, vec3 lambda_s, Sym3 foreseen) {
   mat3 h = displacement_gradient(tet, u0.xyz, u1.xyz, u2.xyz, u3.xyz);
   mat3 f = mat3(1.0) + h;
   vec3 b0 = -(tet.b1 + tet.b2 + tet.b3);
@@ -37,6 +38,7 @@ BlockStep solve_block(uint t, Tet tet, vec4 u0, vec4 u1, vec4 u2, vec4 u3, vec3 
   float shear = 0.5 * (1.0 + material.y) * compliance;  // 1 / (4 mu)
 
   Sym3 before = previous_strain_of(t);
+  e = Sym3(e.d - foreseen.d, e.s - foreseen.s);
   vec3 change_d = -(e.d + damping * (e.d - before.d)) - (compliance - lateral) * lambda_d -
                lateral * (lambda_d.x + lambda_d.y + lambda_d.z);
   vec3 change_s = -(e.s + damping * (e.s - before.s)) - shear * lambda_s;

@@ -31,6 +31,7 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
   tet = with_damping(with_material(std::move(tet), features, buffers), features, previous_strain);
   passes_.emplace_back(programs.compute("sim/diagnose_tet.comp", defines_of(features)), std::move(tet), tet_partial_count_,
                        gl::ComputePass::Constants{{"tet_count", buffers.tet_count}});
+  if (!grab.empty() && grab.at_vertices()) passes_.push_back(grab.measure(programs, buffers));
   if (!grab.empty()) passes_.push_back(grab.load(programs, buffers));
   passes_.emplace_back(programs.compute("sim/diagnose_vertex.comp"),
                        gl::ComputePass::Bindings{{"step", &buffers.step},

@@ -28,32 +28,33 @@ GaussSeidelMethod::GaussSeidelMethod(const Model& model, SimBuffers& buffers, in
   split_count_ = static_cast<std::uint32_t>(split.size());
 }
 
-std::vector<gl::ComputePass> GaussSeidelMethod::iteration(gl::ProgramCache& programs, const SimBuffers& buffers,
-                                                          const Features& features, const gl::Buffer& previous_strain,
-                                                          bool first) const {
-  gl::Defines defines = defines_of(features);
+Passes GaussSeidelMethod::iteration(const Recording& r, bool first) const {
+  gl::Defines defines = defines_of(r.features);
   defines.emplace_back("FIRST_ITERATION", first ? "1" : "0");
-  const gl::Program& program = programs.compute("sim/gauss_seidel.comp", defines);
-  gl::ComputePass::Bindings bindings{{"step", &buffers.step},
-                                     {"tet_vertices", phantom_count_ ? &corners_ : &buffers.tet_vertices},
-                                     {"tet_shape", &buffers.tet_shape},
+  const gl::Program& program = r.programs.compute("sim/gauss_seidel.comp", defines);
+  gl::ComputePass::Bindings bindings{{"step", &r.buffers.step},
+                                     {"tet_vertices", phantom_count_ ? &corners_ : &r.buffers.tet_vertices},
+                                     {"tet_shape", &r.buffers.tet_shape},
+                                     {"lambda", &multiplier_},
                                      {"multiplier", &multiplier_},
-                                     {"displacement", &buffers.displacement}};
-  bindings = with_damping(with_material(std::move(bindings), features, buffers), features, previous_strain);
-  std::vector<gl::ComputePass> passes;
+                                     {"corner", &r.buffers.displacement},
+                                     {"displacement", &r.buffers.displacement}};
+  bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
+  Passes passes;
   if (phantom_count_)
-    passes.emplace_back(programs.compute("sim/split_phantoms.comp"),
-                        gl::ComputePass::Bindings{{"phantom_vertex", &phantom_vertex_}, {"displacement", &buffers.displacement}},
-                        phantom_count_, gl::ComputePass::Constants{{"first_item", buffers.vertex_count}});
+    passes.emplace_back(r.programs.compute("sim/split_phantoms.comp"),
+                        gl::ComputePass::Bindings{{"phantom_vertex", &phantom_vertex_}, {"displacement", &r.buffers.displacement}},
+                        phantom_count_, gl::ComputePass::Constants{{"first_item", r.buffers.vertex_count}});
   for (std::size_t color = 0; color < coloring_.color_count(); ++color)
     passes.emplace_back(program, bindings, coloring_.begin[color + 1] - coloring_.begin[color],
                         gl::ComputePass::Constants{{"first_item", coloring_.begin[color]}});
   if (phantom_count_)
-    passes.emplace_back(programs.compute("sim/merge_phantoms.comp"),
+    passes.emplace_back(r.programs.compute("sim/merge_phantoms.comp"),
                         gl::ComputePass::Bindings{{"split_vertex", &split_vertex_},
                                                   {"copy_begin", &copy_begin_},
-                                                  {"displacement", &buffers.displacement}},
-                        split_count_, gl::ComputePass::Constants{{"first_item", buffers.vertex_count}});
+                                                  {"displacement", &r.buffers.displacement}},
+                        split_count_, gl::ComputePass::Constants{{"first_item", r.buffers.vertex_count}});
+  if (!r.grab.empty()) passes.push_back(r.grab.pull(r.programs, r.buffers, first));
   return passes;
 }
 

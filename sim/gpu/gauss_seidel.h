@@ -3,28 +3,23 @@
 // share the vertex's mass and are averaged after each sweep (see sim/coloring.h): one color is mass-split Jacobi, enough colors are
 // plain Gauss-Seidel.
 #pragma once
-#include <vector>
-
-#include "render/gl/compute_pass.h"
 #include "sim/coloring.h"
-#include "sim/gpu/features.h"
-#include "sim/gpu/sim_buffers.h"
+#include "sim/gpu/method.h"
 
 namespace fascia {
 
-class GaussSeidelMethod {
+class GaussSeidelMethod : public StepMethod {
  public:
   /// `colors` 0: as many as the mesh needs. Puts the tets of `buffers` into the order of the colors, along a curve within each.
   GaussSeidelMethod(const Model& model, SimBuffers& buffers, int colors);
 
-  /// The passes of one iteration, one per color. The first one of a substep starts from zero multipliers.
-  std::vector<gl::ComputePass> iteration(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
-                                         const gl::Buffer& previous_strain, bool first) const;
+  /// One pass per color. The first iteration of a substep starts from zero multipliers.
+  Passes iteration(const Recording& recording, bool first) const override;
 
   int colors_asked() const { return colors_asked_; }
   const Coloring& coloring() const { return coloring_; }
-  /// uint [vertex_count + 1] vertices and phantoms before each vertex; null without phantoms.
-  const gl::Buffer* copy_begin() const { return phantom_count_ ? &copy_begin_ : nullptr; }
+  /// Vertices and phantoms before each vertex; null without phantoms.
+  const gl::Buffer* copy_begin() const override { return phantom_count_ ? &copy_begin_ : nullptr; }
 
  private:
   int colors_asked_;

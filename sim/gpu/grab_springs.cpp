@@ -12,15 +12,53 @@ bool GrabSprings::set(const std::vector<GrabSpring>& springs) {
     targets.push_back({static_cast<float>(s.target.x()), static_cast<float>(s.target.y()),
                        static_cast<float>(s.target.z()), static_cast<float>(s.stiffness)});
   }
+  springs_ = std::move(targets);
   if (vertices == vertices_) {
-    if (!targets.empty()) target_.upload(0, targets.size() * sizeof(vec4), targets.data());
+    if (!springs_.empty()) target_.upload(0, springs_.size() * sizeof(vec4), springs_.data());
+    spread();
     return false;
   }
+  if (vertex_spring_)
+    for (const std::uint32_t v : vertices_) vertex_spring_.upload(v * sizeof(vec4), sizeof(vec4), std::vector<vec4>(1).data());
   vertices_ = std::move(vertices);
   vertex_ = vertices_.empty() ? gl::Buffer() : gl::Buffer("grab_vertex", vertices_);
-  target_ = targets.empty() ? gl::Buffer() : gl::Buffer("grab_target", targets);
-  multiplier_ = targets.empty() ? gl::Buffer() : gl::Buffer("grab_multiplier", targets.size() * sizeof(vec4));
+  target_ = springs_.empty() ? gl::Buffer() : gl::Buffer("grab_target", springs_);
+  multiplier_ = springs_.empty() ? gl::Buffer() : gl::Buffer("grab_multiplier", springs_.size() * sizeof(vec4));
+  spread();
   return true;
+}
+
+void GrabSprings::set_at_vertices(bool at_vertices, std::uint32_t vertex_count) {
+  at_vertices_ = at_vertices;
+  vertex_count_ = vertex_count;
+  vertex_spring_ = {};
+  spread();
+}
+
+void GrabSprings::spread() {
+  if (!at_vertices_ || vertices_.empty()) {
+    vertex_spring_ = {};
+    return;
+  }
+  if (!vertex_spring_) vertex_spring_ = gl::Buffer("vertex_spring", vertex_count_ * sizeof(vec4));
+  for (std::size_t i = 0; i < vertices_.size(); ++i)
+    vertex_spring_.upload(vertices_[i] * sizeof(vec4), sizeof(vec4), &springs_[i]);
+}
+
+gl::Defines GrabSprings::with_springs(gl::Defines defines, gl::ComputePass::Bindings& bindings) const {
+  defines.emplace_back("GRAB", empty() ? "0" : "1");
+  if (!empty()) bindings.emplace_back("vertex_spring", &vertex_spring_);
+  return defines;
+}
+
+gl::ComputePass GrabSprings::measure(gl::ProgramCache& programs, const SimBuffers& buffers) const {
+  return {programs.compute("sim/grab_measure.comp"),
+          {{"step", &buffers.step},
+           {"grab_vertex", &vertex_},
+           {"grab_target", &target_},
+           {"displacement", &buffers.displacement},
+           {"grab_multiplier", &multiplier_}},
+          count()};
 }
 
 gl::ComputePass GrabSprings::pull(gl::ProgramCache& programs, const SimBuffers& buffers, bool first) const {

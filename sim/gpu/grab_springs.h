@@ -19,17 +19,30 @@ class GrabSprings {
  public:
   /// Replaces all springs. Returns true when their number or vertices changed, so that passes must be recorded again.
   bool set(const std::vector<GrabSpring>& springs);
+  /// Whether methods want the springs at the vertices (feature_grab.glsl) or as constraints of their own (grab.comp).
+  void set_at_vertices(bool at_vertices, std::uint32_t vertex_count);
   bool empty() const { return vertices_.empty(); }
 
+  /// As constraints, after an iteration.
   gl::ComputePass pull(gl::ProgramCache& programs, const SimBuffers& buffers, bool first) const;
+  /// Adds vertex_spring and the define GRAB to a kernel that includes feature_grab.glsl.
+  gl::Defines with_springs(gl::Defines defines, gl::ComputePass::Bindings& bindings) const;
+  /// Brings multiplier() up to date with the displacements, which springs at vertices need.
+  gl::ComputePass measure(gl::ProgramCache& programs, const SimBuffers& buffers) const;
+  bool at_vertices() const { return at_vertices_; }
   gl::ComputePass load(gl::ProgramCache& programs, const SimBuffers& buffers) const;  // for the residual
   void forget();  // the multipliers of the last substep, which the first iteration of the next one would do
   const gl::Buffer& multiplier() const { return multiplier_; }  // vec4 [count] h^2 times the force on the tissue [kg m]
   std::uint32_t count() const { return static_cast<std::uint32_t>(vertices_.size()); }
 
  private:
+  void spread();
   std::vector<std::uint32_t> vertices_;
+  std::vector<shared::vec4> springs_;  // target displacement [m] and stiffness [N/m]
+  bool at_vertices_ = false;
+  std::uint32_t vertex_count_ = 0;
   gl::Buffer vertex_, target_, multiplier_;
+  gl::Buffer vertex_spring_;  // vec4 [vertex_count], zero where nothing pulls; only with springs at vertices
 };
 
 }  // namespace fascia

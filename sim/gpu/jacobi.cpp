@@ -2,28 +2,31 @@
 
 namespace fascia {
 
-JacobiMethod::JacobiMethod(std::uint32_t tet_count) : multiplier_("multiplier", 2 * sizeof(shared::vec4) * tet_count) {}
+JacobiMethod::JacobiMethod(const SimBuffers& buffers, bool split_masses)
+    : copy_begin_(split_masses ? &buffers.slot_begin : nullptr),
+      multiplier_("multiplier", 2 * sizeof(shared::vec4) * buffers.tet_count) {}
 
-std::vector<gl::ComputePass> JacobiMethod::iteration(gl::ProgramCache& programs, const SimBuffers& buffers,
-                                                     const Features& features, const gl::Buffer& previous_strain,
-                                                     bool first) const {
-  gl::Defines defines = defines_of(features);
+Passes JacobiMethod::iteration(const Recording& r, bool first) const {
+  gl::Defines defines = defines_of(r.features);
   defines.emplace_back("FIRST_ITERATION", first ? "1" : "0");
-  gl::ComputePass::Bindings tet{{"step", &buffers.step},
-                                {"tet_vertices", &buffers.tet_vertices},
-                                {"tet_shape", &buffers.tet_shape},
-                                {"tet_slots", &buffers.tet_slots},
-                                {"displacement", &buffers.displacement},
+  defines.emplace_back("EXACT", "0");
+  gl::ComputePass::Bindings tet{{"step", &r.buffers.step},
+                                {"tet_vertices", &r.buffers.tet_vertices},
+                                {"tet_shape", &r.buffers.tet_shape},
+                                {"tet_slots", &r.buffers.tet_slots},
+                                {"displacement", &r.buffers.displacement},
+                                {"lambda", &multiplier_},
                                 {"multiplier", &multiplier_},
-                                {"correction", &buffers.correction}};
-  tet = with_damping(with_material(std::move(tet), features, buffers), features, previous_strain);
-  std::vector<gl::ComputePass> passes;
-  passes.emplace_back(programs.compute("sim/jacobi_tet.comp", defines), std::move(tet), buffers.tet_count);
-  passes.emplace_back(programs.compute("sim/jacobi_vertex.comp"),
-                      gl::ComputePass::Bindings{{"slot_begin", &buffers.slot_begin},
-                                                {"correction", &buffers.correction},
-                                                {"displacement", &buffers.displacement}},
-                      buffers.vertex_count);
+                                {"correction", &r.buffers.correction}};
+  tet = with_damping(with_material(std::move(tet), r.features, r.buffers), r.features, r.previous_strain);
+  Passes passes;
+  passes.emplace_back(r.programs.compute("sim/jacobi_tet.comp", defines), std::move(tet), r.buffers.tet_count);
+  passes.emplace_back(r.programs.compute("sim/jacobi_vertex.comp", {{"EXACT", "0"}}),
+                      gl::ComputePass::Bindings{{"slot_begin", &r.buffers.slot_begin},
+                                                {"correction", &r.buffers.correction},
+                                                {"displacement", &r.buffers.displacement}},
+                      r.buffers.vertex_count);
+  if (!r.grab.empty()) passes.push_back(r.grab.pull(r.programs, r.buffers, first));
   return passes;
 }
 

@@ -4,8 +4,15 @@
 #include <numeric>
 #include <tuple>
 
+#include "sim/gpu/exact_xpbd.h"
+#include "sim/gpu/jacobi.h"
+#include "sim/gpu/two_level.h"
+#include "sim/gpu/vertex_descent.h"
+
 namespace fascia {
 namespace {
+
+void append(Passes& passes, Passes more) { std::move(more.begin(), more.end(), std::back_inserter(passes)); }
 
 void run(const std::vector<gl::ComputePass>& passes) {
   for (const gl::ComputePass& pass : passes) pass.run();
@@ -13,7 +20,8 @@ void run(const std::vector<gl::ComputePass>& passes) {
 
 }  // namespace
 
-gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin) {
+gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin,
+                           bool gravity_at_start) {
   gl::ComputePass::Bindings bindings{{"step", &buffers.step},
                                      {"rest_position", &buffers.rest_position},
                                      {"velocity", &buffers.velocity},
@@ -21,8 +29,9 @@ gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers
                                      {"previous_displacement", &buffers.previous_displacement},
                                      {"predicted", &buffers.predicted}};
   if (copy_begin) bindings.emplace_back("copy_begin", copy_begin);
-  return {programs.compute("sim/predict.comp", {{"MASS_SPLITTING", copy_begin ? "1" : "0"}}), std::move(bindings),
-          buffers.vertex_count};
+  return {programs.compute("sim/predict.comp", {{"MASS_SPLITTING", copy_begin ? "1" : "0"},
+                                                {"START_WITHOUT_GRAVITY", gravity_at_start ? "0" : "1"}}),
+          std::move(bindings), buffers.vertex_count};
 }
 
 GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
@@ -41,37 +50,63 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
 }
 
 void GpuSolver::make_method() {
-  if (settings_.method == Method::gauss_seidel) {
-    jacobi_.reset();
-    if (!gauss_seidel_ || gauss_seidel_->colors_asked() != settings_.colors) {
-      gauss_seidel_.reset();
-      gauss_seidel_.emplace(model_, buffers_, settings_.colors);
-    }
-  } else {
-    if (gauss_seidel_) {
-      gauss_seidel_.reset();
-      std::vector<std::uint32_t> file_order(buffers_.tet_count);
-      std::iota(file_order.begin(), file_order.end(), 0u);
-      buffers_.set_tet_order(model_, file_order);
-      buffers_.set_phantom_count(0);
-    }
-    if (!jacobi_) jacobi_.emplace(buffers_.tet_count);
+  const auto* sweep = gauss_seidel();
+  const bool was_gauss_seidel = sweep != nullptr;
+  const bool keep = sweep && settings_.method == Method::gauss_seidel && sweep->colors_asked() == settings_.colors;
+  if (!keep) method_.reset();  // before the next one is made: both may not fit
+  if (!keep && was_gauss_seidel && settings_.method != Method::gauss_seidel) {
+    std::vector<std::uint32_t> file_order(buffers_.tet_count);
+    std::iota(file_order.begin(), file_order.end(), 0u);
+    buffers_.set_tet_order(model_, file_order);
+    buffers_.set_phantom_count(0);
   }
+  const bool joint = settings_.acceleration == Acceleration::anderson;
+  bool springs_at_vertices = false;
+  switch (settings_.method) {
+    case Method::jacobi:
+    case Method::mass_splitting:
+      method_ = std::make_unique<JacobiMethod>(buffers_, settings_.method == Method::mass_splitting);
+      break;
+    case Method::gauss_seidel:
+      if (!keep) method_ = std::make_unique<GaussSeidelMethod>(model_, buffers_, settings_.colors);
+      break;
+    case Method::exact_xpbd:
+      method_ = std::make_unique<ExactXpbdMethod>(buffers_);
+      springs_at_vertices = true;
+      break;
+    case Method::vertex_descent:
+      method_ = std::make_unique<VertexDescentMethod>(model_, buffers_);
+      springs_at_vertices = true;
+      break;
+    case Method::two_level:
+      method_ = std::make_unique<TwoLevelMethod>(programs_, model_, buffers_, settings_);
+      springs_at_vertices = true;
+      break;
+  }
+  grab_.set_at_vertices(springs_at_vertices, buffers_.vertex_count);
+
   chebyshev_.reset();
-  anderson_positions_.reset();
+  anderson_.reset();
+  multiplier_weight_ = {};
   if (settings_.acceleration == Acceleration::chebyshev) chebyshev_.emplace(programs_, buffers_.vertex_count);
   if (settings_.acceleration == Acceleration::anderson_positions)
-    anderson_positions_.emplace(programs_, buffers_.vertex_count, settings_.window);
+    anderson_.emplace(programs_, std::vector<AndersonPart>{{&buffers_.displacement, buffers_.vertex_count, nullptr}}, settings_.window);
+  if (joint) {
+    const auto* exact = dynamic_cast<const ExactXpbdMethod*>(method_.get());
+    std::vector<AndersonPart> parts{{&buffers_.displacement, buffers_.vertex_count, exact ? &exact->raised_mass() : &buffers_.mass}};
+    if (method_->multiplier()) {
+      multiplier_weight_ = gl::Buffer("multiplier_weight", 2 * sizeof(float) * buffers_.tet_count);
+      parts.push_back({method_->multiplier(), 2 * buffers_.tet_count, &multiplier_weight_});
+    }
+    anderson_.emplace(programs_, std::move(parts), settings_.window);
+  }
 }
 
 void GpuSolver::record() {
   if (features_.damping && !previous_strain_)
     previous_strain_ = gl::Buffer("previous_strain", 2 * sizeof(shared::vec4) * buffers_.tet_count);
   begin_.clear();
-  const gl::Buffer* copy_begin = gauss_seidel_                                 ? gauss_seidel_->copy_begin()
-                                 : settings_.method == Method::mass_splitting ? &buffers_.slot_begin
-                                                                              : nullptr;
-  begin_.push_back(prediction(programs_, buffers_, copy_begin));
+  begin_.push_back(prediction(programs_, buffers_, method_->copy_begin(), !method_->starts_without_gravity()));
   if (!motions_.empty()) begin_.push_back(motions_.pass(programs_, buffers_));
   if (features_.damping)
     begin_.emplace_back(programs_.compute("sim/previous_strain.comp"),
@@ -80,9 +115,21 @@ void GpuSolver::record() {
                                                   {"previous_displacement", &buffers_.previous_displacement},
                                                   {"previous_strain", &previous_strain_}},
                         buffers_.tet_count);
+  append(begin_, method_->begin(recording()));
+  refresh_ = method_->refresh(recording());
+  if (multiplier_weight_) {
+    gl::ComputePass::Bindings bindings{{"step", &buffers_.step},
+                                       {"tet_vertices", &buffers_.tet_vertices},
+                                       {"tet_shape", &buffers_.tet_shape},
+                                       {"multiplier_weight", &multiplier_weight_}};
+    begin_.emplace_back(
+        programs_.compute("sim/multiplier_weight.comp", {{"MATERIAL_PER_TET", features_.material_per_tet ? "1" : "0"}}),
+        with_material(std::move(bindings), features_, buffers_), buffers_.tet_count);
+  }
+  if (anderson_) append(begin_, anderson_->begin(programs_));
   first_iteration_ = iteration(true);
   iteration_ = iteration(false);
-  end_.clear();
+  end_ = method_->end(recording());
   end_.emplace_back(programs_.compute("sim/velocity.comp"),
                     gl::ComputePass::Bindings{{"step", &buffers_.step},
                                               {"displacement", &buffers_.displacement},
@@ -93,30 +140,30 @@ void GpuSolver::record() {
   surface_.record(programs_, buffers_, features_, color_);
 }
 
-std::vector<gl::ComputePass> GpuSolver::iteration(bool first) const {
-  std::vector<gl::ComputePass> passes = jacobi_ ? jacobi_->iteration(programs_, buffers_, features_, previous_strain_, first)
-                                                : gauss_seidel_->iteration(programs_, buffers_, features_, previous_strain_, first);
-  if (!grab_.empty()) passes.push_back(grab_.pull(programs_, buffers_, first));
-  // The prediction is where the iterations start.
-  std::vector<gl::ComputePass> accelerate;
-  if (chebyshev_) accelerate = chebyshev_->passes(programs_, buffers_.step, buffers_.predicted, buffers_.displacement, first);
-  if (anderson_positions_)
-    accelerate = anderson_positions_->passes(programs_, buffers_.predicted, buffers_.displacement, first);
-  std::move(accelerate.begin(), accelerate.end(), std::back_inserter(passes));
+Passes GpuSolver::iteration(bool first) {
+  Passes passes = method_->iteration(recording(), first);
+  // Chebyshev acceleration goes with methods whose iterations start at the prediction.
+  if (chebyshev_) append(passes, chebyshev_->passes(programs_, buffers_.step, buffers_.predicted, buffers_.displacement, first));
+  if (anderson_) append(passes, anderson_->passes(programs_, first));
   return passes;
 }
 
 void GpuSolver::begin_substep() {
+  method_->update(false);
   time_ += settings_.substep();
   motions_.upload(model_, time_);
   run(begin_);
 }
 
+void GpuSolver::iterate(int iteration) {
+  if (iteration % StepMethod::kRefresh == 0) run(refresh_);
+  run(iteration == 0 ? first_iteration_ : iteration_);
+}
+
 void GpuSolver::step() {
   for (int s = 0; s < settings_.substeps; ++s) {
     begin_substep();
-    run(first_iteration_);
-    for (int i = 1; i < settings_.iterations; ++i) run(iteration_);
+    for (int i = 0; i < settings_.iterations; ++i) iterate(i);
     run(end_);
   }
 }
@@ -131,7 +178,7 @@ std::vector<Diagnostics> GpuSolver::traced_substep() {
   if (!grab_.empty()) grab_.forget();
   diagnose();
   for (int i = 0; i < settings_.iterations; ++i) {
-    run(i == 0 ? first_iteration_ : iteration_);
+    iterate(i);
     diagnose();
   }
   run(end_);
@@ -158,6 +205,7 @@ void GpuSolver::set_settings(const SolverSettings& settings) {
 
 void GpuSolver::settings_changed() {
   buffers_.upload_step(model_, settings_);
+  method_->values_changed(model_, settings_);
   if (chebyshev_) chebyshev_->forget_spectral_radius();
 }
 
@@ -196,7 +244,9 @@ void GpuSolver::follow(const GpuSolver& leader) {
 void GpuSolver::request_diagnostics() { diagnostics_.request(grab_, settings_.substep()); }
 
 std::uint64_t GpuSolver::dispatches_per_step() const {
-  const std::uint64_t iterations = first_iteration_.size() + (settings_.iterations - 1) * iteration_.size();
+  const std::uint64_t refreshes = (settings_.iterations + StepMethod::kRefresh - 1) / StepMethod::kRefresh;
+  const std::uint64_t iterations =
+      first_iteration_.size() + (settings_.iterations - 1) * iteration_.size() + refreshes * refresh_.size();
   return settings_.substeps * (begin_.size() + iterations + end_.size());
 }
 

@@ -6,19 +6,19 @@
 #include <string>
 #include <vector>
 
-#include "sim/gpu/anderson_positions.h"
+#include "sim/gpu/anderson.h"
 #include "sim/gpu/chebyshev.h"
 #include "sim/gpu/diagnostics.h"
 #include "sim/gpu/gauss_seidel.h"
-#include "sim/gpu/jacobi.h"
 #include "sim/gpu/motion_targets.h"
 #include "sim/gpu/surface_positions.h"
 
 namespace fascia {
 
 /// The first pass of every substep (shaders/sim/predict.comp). `copy_begin`: uint [vertex_count + 1], copies before each vertex, of
-/// methods that split a vertex's mass between copies; null for those that do not.
-gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin);
+/// methods that split a vertex's mass between copies; null for those that do not. `gravity_at_start`: the iterations start at u~.
+gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin,
+                           bool gravity_at_start = true);
 
 class GpuSolver {
  public:
@@ -53,7 +53,9 @@ class GpuSolver {
   void upload(const reference::State& state);
   /// State, materials, gravity and grab of another solver of the same model; the state without a way through the CPU.
   void follow(const GpuSolver& leader);
-  const GaussSeidelMethod* gauss_seidel() const { return gauss_seidel_ ? &*gauss_seidel_ : nullptr; }
+  /// Waits for what is computed beside the frame (the coarse level's inverse after a change of materials or h) and takes it.
+  void finish_background() { method_->update(true); }
+  const GaussSeidelMethod* gauss_seidel() const { return dynamic_cast<const GaussSeidelMethod*>(method_.get()); }
   const Chebyshev* chebyshev() const { return chebyshev_ ? &*chebyshev_ : nullptr; }
 
   std::uint64_t dispatches_per_step() const;
@@ -63,8 +65,10 @@ class GpuSolver {
   void make_method();  // what the pair needs, and nothing else
   void record();
   void begin_substep();
+  void iterate(int iteration);
   void settings_changed();
-  std::vector<gl::ComputePass> iteration(bool first) const;
+  Recording recording() { return {programs_, buffers_, features_, previous_strain_, grab_}; }
+  Passes iteration(bool first);
 
   gl::ProgramCache& programs_;
   const Model& model_;
@@ -73,16 +77,16 @@ class GpuSolver {
   ColorBy color_ = ColorBy::none;
   SimBuffers buffers_;
   gl::Buffer previous_strain_;  // vec4 [2 * tet_count]; made when a material is first damped
-  std::optional<JacobiMethod> jacobi_;  // of these only what is in use exists
-  std::optional<GaussSeidelMethod> gauss_seidel_;
-  std::optional<Chebyshev> chebyshev_;
-  std::optional<AndersonPositions> anderson_positions_;
+  std::unique_ptr<StepMethod> method_;
+  std::optional<Chebyshev> chebyshev_;  // of these only what is in use exists
+  std::optional<Anderson> anderson_;
+  gl::Buffer multiplier_weight_;  // float [2 * tet_count], with Anderson acceleration of multipliers
   MotionTargets motions_;
   std::vector<GrabSpring> springs_;
   GrabSprings grab_;
   DiagnosticsReader diagnostics_;
   SurfacePositions surface_;
-  std::vector<gl::ComputePass> begin_, first_iteration_, iteration_, end_;  // of one substep
+  Passes begin_, refresh_, first_iteration_, iteration_, end_;  // of one substep
   double time_ = 0;
   unsigned materials_version_ = 0;  // changes of materials and gravity so far
 };

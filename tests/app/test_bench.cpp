@@ -124,7 +124,7 @@ TEST_CASE("bench figures, quick form", "[bench]") {
     CHECK(traces.notes.find("rms_strain of the exact step: ") != std::string::npos);
     const double start = number(traces.rows.front(), "rms_strain");
     CHECK(start == Approx(0.1).epsilon(0.3));
-    for (const Pair& pair : legal_pairs()) {
+    for (const Pair& pair : poster_pairs()) {
       CAPTURE(name_of(pair.method), name_of(pair.acceleration));
       const std::vector<Row> trace = rows_of(traces, pair), of_last = rows_of(last, pair);
       REQUIRE(trace.size() > 10);

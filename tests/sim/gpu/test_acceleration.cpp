@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "sim/gpu/anderson_positions.h"
+#include "sim/gpu/anderson.h"
 #include "sim/gpu/chebyshev.h"
 #include "tests/sim/gpu/gpu_fixture.h"
 
@@ -45,12 +45,13 @@ struct LinearIteration {
     return std::sqrt(error);
   }
   /// Relative errors after 0, 1, ... iterations of the sweep and the acceleration.
-  template <class Acceleration>
-  std::vector<double> run(int iterations, Acceleration&& passes) {
+  template <class Acceleration, class Begin = std::vector<gl::ComputePass> (*)()>
+  std::vector<double> run(int iterations, Acceleration&& passes, Begin&& begin = [] { return std::vector<gl::ComputePass>(); }) {
     const std::vector<vec4> zero(kVertices);
     displacement.upload(0, 16 * kVertices, zero.data());
     start.upload(0, 16 * kVertices, zero.data());
     std::vector<double> errors;
+    for (const gl::ComputePass& pass : begin()) pass.run();
     for (int k = 0; k <= iterations; ++k) {
       errors.push_back(sweep() / first_error());
       for (const gl::ComputePass& pass : passes(k == 0)) pass.run();
@@ -75,10 +76,15 @@ TEST_CASE("Anderson solves a linear problem of m different factors in m + 1 iter
   LinearIteration problem;
   const double factors[] = {0.9, -0.5, 0.4};
   for (std::size_t i = 0; i < problem.factor.size(); ++i) problem.factor[i] = factors[i % static_cast<std::size_t>(m)];
-  const AndersonPositions anderson(gpu.programs, kVertices, 5);
-  const auto errors = problem.run(m + 1, [&](bool first) {
-    return anderson.passes(gpu.programs, problem.start, problem.displacement, first);
-  });
+  // In one part or two, weighted or not: the solution is the same, and so is the number of iterations.
+  const bool two_parts = GENERATE(false, true);
+  gl::Buffer second{"second", 16 * kVertices};
+  const gl::Buffer weight{"weight", std::vector<float>(kVertices, 3.0f)};
+  std::vector<AndersonPart> parts{{&problem.displacement, kVertices, two_parts ? &weight : nullptr}};
+  if (two_parts) parts.push_back({&second, kVertices, &weight});
+  const Anderson anderson(gpu.programs, parts, 5);
+  const auto errors = problem.run(m + 1, [&](bool first) { return anderson.passes(gpu.programs, first); },
+                                  [&] { return anderson.begin(gpu.programs); });
   CAPTURE(gl::name_of(loads), m, errors);
   CHECK(errors[static_cast<std::size_t>(m)] > 1e-3);  // not before
   // Exact up to the regularization of 1e-6 and the rounding of the dot products, times the condition of nearly parallel columns.
@@ -92,10 +98,9 @@ TEST_CASE("a window that is too small still converges, more slowly", "[gpu]") {
     problem.factor[i] = 0.98 * static_cast<double>(i) / static_cast<double>(problem.factor.size());
   std::vector<double> last;
   for (const int window : {1, 3, 10}) {
-    const AndersonPositions anderson(gpu.programs, kVertices, window);
-    last.push_back(problem.run(20, [&](bool first) {
-                            return anderson.passes(gpu.programs, problem.start, problem.displacement, first);
-                          }).back());
+    const Anderson anderson(gpu.programs, {{&problem.displacement, kVertices, nullptr}}, window);
+    last.push_back(problem.run(20, [&](bool first) { return anderson.passes(gpu.programs, first); },
+                               [&] { return anderson.begin(gpu.programs); }).back());
   }
   const double plain = problem.run(20, [](bool) { return std::vector<gl::ComputePass>(); }).back();
   CAPTURE(last, plain);

@@ -1,0 +1,10 @@
+// Anderson acceleration, before the first sweep of a substep: remembers where it starts, z_0.
+#include "common/io.glsl"
+COMPUTE_1D
+INPUT_VEC4(Value, value)        // [invocations]
+OUTPUT(vec4, Iterate, iterate)  // [invocations] z_0
+
+void main() {
+  ITEM_OR_RETURN(i)
+  iterate[i] = vec4(FETCH(value, i).xyz, 0.0);
+}

@@ -1,0 +1,37 @@
+// Elastic (and viscous) force of every tet on its corners, and its energy: the terms of tets in the objective of an implicit Euler
+// step, 1/2 (u - u~)^T M (u - u~) + h^2 sum V [Psi(eps) + damping/h Psi(eps - eps_n)].
+// Reads displacement; writes the slots that gradient gathers: xyz h^2 V F S b_a [kg m], w a quarter of the energy [kg m^2].
+#include "common/io.glsl"
+#include "common/step.glsl"
+#include "common/symmetric.glsl"
+#include "common/tet.glsl"
+#include "sim/feature_material.glsl"
+#include "sim/feature_damping.glsl"
+#include "sim/material/st_venant_kirchhoff.glsl"
+COMPUTE_1D
+INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
+INPUT_UVEC4(TetSlots, tet_slots)        // [tet_count]
+OUTPUT(vec4, Correction, correction)    // [4 * tet_count]
+
+void main() {
+  ITEM_OR_RETURN(t)
+  Tet tet = load_tet(t);
+  mat3 h = displacement_gradient(tet, FETCH(displacement, tet.v.x).xyz, FETCH(displacement, tet.v.y).xyz,
+                                 FETCH(displacement, tet.v.z).xyz, FETCH(displacement, tet.v.w).xyz);
+  mat3 f = mat3(1.0) + h;
+  Sym3 e = green_strain(h);
+  vec4 material = material_of(t);
+  float damping = damping_over_h(material);
+  Sym3 before = previous_strain_of(t);
+  Sym3 change = Sym3(e.d - before.d, e.s - before.s);
+  Sym3 elastic = second_piola_stress(e, material), viscous = second_piola_stress(change, material);
+  Sym3 s = Sym3(elastic.d + damping * viscous.d, elastic.s + damping * viscous.s);
+  float scale = SUBSTEP * SUBSTEP * tet.volume;
+  float energy = 0.125 * scale * (contract(elastic, e) + damping * contract(viscous, change));
+  vec3 f1 = scale * (f * times(s, tet.b1)), f2 = scale * (f * times(s, tet.b2)), f3 = scale * (f * times(s, tet.b3));
+  uvec4 slot = FETCH(tet_slots, t);
+  correction[slot.x] = vec4(-(f1 + f2 + f3), energy);
+  correction[slot.y] = vec4(f1, energy);
+  correction[slot.z] = vec4(f2, energy);
+  correction[slot.w] = vec4(f3, energy);
+}

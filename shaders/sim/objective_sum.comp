@@ -1,0 +1,14 @@
+// The objective of the step, summed over the vertices, into the w of the partials that subspace_solve reads. After gradient.
+#include "common/io.glsl"
+#include "common/reduce.glsl"
+COMPUTE_1D
+INPUT_VEC4(Gradient, gradient)             // [vertex_count] w objective [kg m^2]
+OUTPUT(vec4, DotPartials, dot_partials)
+uniform uint vertex_count;
+
+void main() {
+  ITEM_OR_RETURN(i)
+  float sum = 0.0;
+  for (uint v = i; v < vertex_count; v += invocations) sum += FETCH(gradient, v).w;
+  STORE_PARTIAL(dot_partials, i, vec4(0.0, 0.0, 0.0, sum))
+}

@@ -1,0 +1,103 @@
+// The step within span{z_f, z_c, p} that minimises the quadratic model of the objective, one work group. The model is scaled by its
+// diagonal, and its eigenvalues count by their absolute value, at least EIGENVALUE_FLOOR: a direction of negative curvature is
+// descended like one of positive, and one that the others can express adds nothing.
+// A last step that raised the objective is taken back by half instead; with FINAL, entirely.
+// After subspace_dots and subspace_curvature, before subspace_update.
+#include "common/io.glsl"
+#include "sim/subspace_state.glsl"
+COMPUTE_1D
+INPUT_VEC4(DotPartials, dot_partials)              // [3 * partials]
+#if !FINAL
+INPUT_VEC4(CurvaturePartials, curvature_partials)  // [curvature_count]
+uniform uint curvature_count;
+#endif
+INOUT(float, SubspaceState, subspace_state)
+uniform uint partials;
+#define EIGENVALUE_FLOOR 1e-7
+#define OBJECTIVE_ROUNDING 2e-6  // of float32 sums of some thousand terms
+
+shared vec4 sums[4];
+
+// One Jacobi rotation: makes a[p][q] zero. v collects the eigenvectors in its columns.
+#define ROTATE(p, q, r)                                                   \
+  if (abs(a[p][q]) > 1e-20) {                                             \
+    float theta = 0.5 * (a[q][q] - a[p][p]) / a[p][q];                    \
+    float t = sign(theta) / (abs(theta) + sqrt(theta * theta + 1.0));     \
+    if (theta == 0.0) t = 1.0;                                            \
+    float c = inversesqrt(t * t + 1.0), s = t * c;                        \
+    float apq = a[p][q], apr = a[p][r], aqr = a[q][r];                    \
+    a[p][p] -= t * apq;                                                   \
+    a[q][q] += t * apq;                                                   \
+    a[p][q] = a[q][p] = 0.0;                                              \
+    a[p][r] = a[r][p] = c * apr - s * aqr;                                \
+    a[q][r] = a[r][q] = s * apr + c * aqr;                                \
+    vec3 vp = v[p], vq = v[q];                                            \
+    v[p] = c * vp - s * vq;                                               \
+    v[q] = s * vp + c * vq;                                               \
+  }
+
+void main() {
+  uint lane = gl_LocalInvocationID.x;
+#if FINAL
+  if (lane == 0u) {
+    vec4 sum = vec4(0.0);
+    for (uint k = 0u; k < partials; ++k) sum += FETCH(dot_partials, k);
+    sums[0] = sum;
+  }
+#else
+  if (lane < 3u) {
+    vec4 sum = vec4(0.0);
+    for (uint k = 0u; k < partials; ++k) sum += FETCH(dot_partials, lane * partials + k);
+    sums[lane] = sum;
+  } else if (lane == 3u) {
+    vec4 sum = vec4(0.0);
+    for (uint k = 0u; k < curvature_count; ++k) sum += FETCH(curvature_partials, k);
+    sums[3] = sum;
+  }
+#endif
+  barrier();
+  if (lane != 0u) return;
+
+  vec3 step = vec3(0.0), last = vec3(0.0);
+  float objective = sums[0].w;
+  bool accepted = true;
+#if !FIRST_ITERATION
+  float before = subspace_state[SUBSPACE_OBJECTIVE];
+  accepted = objective <= before + OBJECTIVE_ROUNDING * (abs(before) + abs(objective));  // false for NaN
+#endif
+#if FINAL
+  if (!accepted) step = vec3(0.0, 0.0, -1.0);
+#else
+  if (accepted) {
+    subspace_state[SUBSPACE_OBJECTIVE] = objective;
+    vec3 slope = sums[0].xyz;
+    float ff = sums[1].x + sums[3].x, fc = sums[1].y + sums[3].y, cc = sums[1].z + sums[3].z;
+    float fp = sums[2].x, cp = sums[2].y, pp = sums[2].z;
+    vec3 diagonal = abs(vec3(ff, cc, pp));
+    vec3 scale = vec3(diagonal.x > 0.0 ? inversesqrt(diagonal.x) : 0.0, diagonal.y > 0.0 ? inversesqrt(diagonal.y) : 0.0,
+                      diagonal.z > 0.0 ? inversesqrt(diagonal.z) : 0.0);
+    mat3 a = mat3(vec3(ff * scale.x * scale.x, fc * scale.x * scale.y, fp * scale.x * scale.z),
+                  vec3(fc * scale.x * scale.y, cc * scale.y * scale.y, cp * scale.y * scale.z),
+                  vec3(fp * scale.x * scale.z, cp * scale.y * scale.z, pp * scale.z * scale.z));
+    mat3 v = mat3(1.0);
+    for (int sweep = 0; sweep < 6; ++sweep) {
+      ROTATE(0, 1, 2)
+      ROTATE(0, 2, 1)
+      ROTATE(1, 2, 0)
+    }
+    vec3 b = -slope * scale, x = vec3(0.0);
+    for (int k = 0; k < 3; ++k) x += dot(v[k], b) / max(abs(a[k][k]), EIGENVALUE_FLOOR) * v[k];
+    step = x * scale;
+    if (any(isnan(step)) || any(isinf(step))) step = vec3(0.0);
+    last = step;
+  } else {
+    step = vec3(0.0, 0.0, -0.5);
+    last = vec3(0.0, 0.0, 0.5);
+  }
+#endif
+  for (uint k = 0u; k < 3u; ++k) {
+    subspace_state[SUBSPACE_STEP + k] = step[k];
+    subspace_state[SUBSPACE_LAST_STEP + k] = last[k];
+  }
+  subspace_state[SUBSPACE_ACCEPTED] = accepted ? 1.0 : 0.0;
+}

@@ -1,0 +1,38 @@
+// Takes the step that subspace_solve chose.
+#include "common/io.glsl"
+#include "sim/subspace_state.glsl"
+COMPUTE_1D
+INPUT_FLOAT(SubspaceState, subspace_state)
+#if !FINAL
+INPUT_VEC4(FineDirection, fine_direction)  // [vertex_count] z_f [m]
+#if SPLIT
+INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]
+#endif
+INPUT_VEC4(Gradient, gradient)                   // [vertex_count] g [kg m]
+OUTPUT(vec4, PreviousGradient, previous_gradient)  // [vertex_count] g before the new p
+#endif
+INOUT(vec4, LastStep, last_step)         // [vertex_count] p [m]
+INOUT(vec4, Displacement, displacement)  // [vertex_count] u [m]
+
+void main() {
+  ITEM_OR_RETURN(i)
+#if FIRST_ITERATION
+  vec3 p = vec3(0.0);
+#else
+  vec3 p = last_step[i].xyz;
+#endif
+  vec3 step = FETCH1(subspace_state, SUBSPACE_STEP + 2u) * p;
+#if !FINAL
+  vec3 zf = FETCH(fine_direction, i).xyz;
+  step += FETCH1(subspace_state, SUBSPACE_STEP) * zf;
+  vec3 last = FETCH1(subspace_state, SUBSPACE_LAST_STEP) * zf + FETCH1(subspace_state, SUBSPACE_LAST_STEP + 2u) * p;
+#if SPLIT
+  vec3 zc = FETCH(coarse_direction, i).xyz;
+  step += FETCH1(subspace_state, SUBSPACE_STEP + 1u) * zc;
+  last += FETCH1(subspace_state, SUBSPACE_LAST_STEP + 1u) * zc;
+#endif
+  last_step[i] = vec4(last, 0.0);
+  if (FETCH1(subspace_state, SUBSPACE_ACCEPTED) > 0.5) previous_gradient[i] = FETCH(gradient, i);
+#endif
+  displacement[i].xyz += step;
+}

@@ -1,0 +1,43 @@
+// Both corrections of every vertex: of its own block, z_f = H_ii^-1 g, and of the coarse space, z_c = P times the nodes' corrections.
+// After gradient and, with COARSE, coarse_solve.
+#include "common/io.glsl"
+#include "common/symmetric.glsl"
+COMPUTE_1D
+INPUT_VEC4(Gradient, gradient)           // [vertex_count] g [kg m]
+INPUT_VEC4(Predicted, predicted)         // [vertex_count] w inverse mass, 0 where held
+INPUT_VEC4(BlockInverse, block_inverse)  // [2 * vertex_count]
+#if COARSE
+INPUT_UINT(CoarseRows, coarse_rows)              // [vertex_count + 1] where each row begins, then node and weight (float bits) in turn
+INPUT_VEC4(CoarseCorrection, coarse_correction)  // [node_count] [m]
+#endif
+#if SWEEP
+// x - 0.4 (z_f + z_c): the largest eigenvalue of the preconditioned Hessian was never seen above 2.3, so this contracts.
+#define RELAXATION 0.4
+INOUT(vec4, Displacement, displacement)  // [vertex_count] u [m]
+#else
+OUTPUT(vec4, FineDirection, fine_direction)      // [vertex_count] z_f [m], the sum of both without SPLIT
+#if SPLIT
+OUTPUT(vec4, CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]
+#endif
+#endif
+
+void main() {
+  ITEM_OR_RETURN(i)
+  vec3 fine = vec3(0.0), coarse = vec3(0.0);
+  if (FETCH(predicted, i).w > 0.0) {
+    fine = times(Sym3(FETCH(block_inverse, 2u * i).xyz, FETCH(block_inverse, 2u * i + 1u).xyz), FETCH(gradient, i).xyz);
+#if COARSE
+    uint end = FETCH1(coarse_rows, i + 1u);
+    for (uint k = FETCH1(coarse_rows, i); k < end; k += 2u)
+      coarse += uintBitsToFloat(FETCH1(coarse_rows, k + 1u)) * FETCH(coarse_correction, FETCH1(coarse_rows, k)).xyz;
+#endif
+  }
+#if SWEEP
+  displacement[i].xyz -= RELAXATION * (fine + coarse);
+#elif SPLIT
+  fine_direction[i] = vec4(fine, 0.0);
+  coarse_direction[i] = vec4(coarse, 0.0);
+#else
+  fine_direction[i] = vec4(fine + coarse, 0.0);
+#endif
+}

@@ -1,0 +1,66 @@
+#include "sim/coarse_matrix.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace fascia {
+
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+
+MatrixXd coarse_matrix(const Model& model, const CoarseSpace& space, double h) {
+  MatrixXd a = MatrixXd::Zero(3 * space.node_count, 3 * space.node_count);
+  std::vector<std::pair<std::uint32_t, Vector3d>> gradients;  // of the coarse functions in a tet
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const Tet& tet = model.tets[t];
+    Matrix3d dm;
+    for (int k = 0; k < 3; ++k) dm.col(k) = model.rest_positions[tet[k + 1]] - model.rest_positions[tet[0]];
+    const Matrix3d inv_dm = dm.inverse();
+    gradients.clear();
+    for (int corner = 0; corner < 4; ++corner) {
+      const Vector3d b = corner == 0 ? Vector3d(-inv_dm.colwise().sum().transpose()) : Vector3d(inv_dm.row(corner - 1).transpose());
+      const std::uint32_t v = tet[static_cast<std::size_t>(corner)];
+      for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k) {
+        const auto same =
+            std::find_if(gradients.begin(), gradients.end(), [&](const auto& g) { return g.first == space.node[k]; });
+        if (same == gradients.end())
+          gradients.emplace_back(space.node[k], space.weight[k] * b);
+        else
+          same->second += space.weight[k] * b;
+      }
+    }
+    const Material& material = model.materials[model.tet_material[t]];
+    const double scale = h * h * dm.determinant() / 6 * (1 + material.damping / h);
+    const double lambda = scale * material.lame_lambda(), mu = scale * material.lame_mu();
+    for (const auto& [i, p] : gradients)
+      for (const auto& [j, q] : gradients) {
+        if (j > i) continue;
+        Matrix3d block = lambda * p * q.transpose() + mu * q * p.transpose();
+        block.diagonal().array() += mu * p.dot(q);
+        a.block<3, 3>(3 * i, 3 * j) += block;
+      }
+  }
+  const std::vector<double> masses = lumped_masses(model);
+  for (std::size_t v = 0; v < masses.size(); ++v)
+    for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k)
+      for (std::uint32_t l = space.begin[v]; l < space.begin[v + 1]; ++l)
+        if (space.node[l] <= space.node[k])
+          a.block<3, 3>(3 * space.node[k], 3 * space.node[l]).diagonal().array() +=
+              masses[v] * space.weight[k] * space.weight[l];
+  return a.selfadjointView<Eigen::Lower>();
+}
+
+Eigen::MatrixXf coarse_inverse(MatrixXd matrix) {
+  const Eigen::VectorXd diagonal = matrix.diagonal();
+  Eigen::LLT<MatrixXd> factor;
+  for (double raise = 1e-7; raise < 10; raise *= 100) {
+    matrix.diagonal() = (1 + raise) * diagonal;
+    factor.compute(matrix);
+    if (factor.info() == Eigen::Success) return factor.solve(MatrixXd::Identity(matrix.rows(), matrix.cols())).cast<float>();
+  }
+  return Eigen::MatrixXf::Zero(matrix.rows(), matrix.cols());  // not finite: the fine level works alone
+}
+
+}  // namespace fascia

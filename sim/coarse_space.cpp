@@ -1,0 +1,285 @@
+#include "sim/coarse_space.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+constexpr double kWeakNode = 0.1;        // of the mean mass
+constexpr double kLeastWeight = 1e-12;   // of a lattice corner that counts
+constexpr std::size_t kFewVertices = 24; // below: more lattice nodes than vertices, and nothing to gain
+
+struct Lattice {
+  Vector3d low, extent;
+  std::array<int, 3> cells{1, 1, 1};
+
+  struct Corner {
+    std::uint64_t key;
+    double weight;
+  };
+  std::array<Corner, 8> corners(const Vector3d& x) const {
+    std::array<int, 3> cell;
+    Vector3d part;
+    for (int k = 0; k < 3; ++k) {
+      const double at = extent[k] > 0 ? (x[k] - low[k]) / extent[k] * cells[k] : 0;
+      cell[k] = std::clamp(static_cast<int>(at), 0, cells[k] - 1);
+      part[k] = at - cell[k];
+    }
+    std::array<Corner, 8> found;
+    for (unsigned c = 0; c < 8; ++c) {
+      found[c] = {0, 1};
+      for (unsigned k = 0; k < 3; ++k) {
+        const unsigned upper = c >> k & 1u;
+        found[c].weight *= upper ? part[k] : 1 - part[k];
+        found[c].key = found[c].key * 1024 + static_cast<unsigned>(cell[k]) + upper;
+      }
+    }
+    return found;
+  }
+};
+
+struct Edges {  // of the mesh between free vertices, in rows
+  std::vector<std::uint32_t> begin, other;
+};
+
+Edges free_edges(const Model& model, const std::vector<char>& held) {
+  Edges edges;
+  edges.begin.assign(model.rest_positions.size() + 1, 0);
+  const auto each = [&](auto&& f) {
+    for (const Tet& tet : model.tets)
+      for (const std::uint32_t a : tet)
+        for (const std::uint32_t b : tet)
+          if (a != b && !held[a] && !held[b]) f(a, b);
+  };
+  each([&](std::uint32_t a, std::uint32_t) { ++edges.begin[a + 1]; });
+  std::partial_sum(edges.begin.begin(), edges.begin.end(), edges.begin.begin());
+  edges.other.resize(edges.begin.back());
+  std::vector<std::uint32_t> next(edges.begin.begin(), edges.begin.end() - 1);
+  each([&](std::uint32_t a, std::uint32_t b) { edges.other[next[a]++] = b; });
+  return edges;
+}
+
+/// Pieces that `members` fall into when only edges between them count: [members] number of the piece of each. `local` [vertex_count]
+/// is scratch, all -1 before and after.
+std::vector<std::uint32_t> pieces(const std::vector<std::uint32_t>& members, const Edges& edges, std::vector<int>& local,
+                                  std::uint32_t& count) {
+  for (std::size_t i = 0; i < members.size(); ++i) local[members[i]] = static_cast<int>(i);
+  constexpr std::uint32_t kNone = ~0u;
+  std::vector<std::uint32_t> piece(members.size(), kNone), stack;
+  count = 0;
+  for (std::uint32_t i = 0; i < members.size(); ++i) {
+    if (piece[i] != kNone) continue;
+    piece[i] = count;
+    stack.assign(1, i);
+    while (!stack.empty()) {
+      const std::uint32_t v = members[stack.back()];
+      stack.pop_back();
+      for (std::uint32_t e = edges.begin[v]; e < edges.begin[v + 1]; ++e) {
+        const int j = local[edges.other[e]];
+        if (j < 0 || piece[static_cast<std::size_t>(j)] != kNone) continue;
+        piece[static_cast<std::size_t>(j)] = count;
+        stack.push_back(static_cast<std::uint32_t>(j));
+      }
+    }
+    ++count;
+  }
+  for (const std::uint32_t v : members) local[v] = -1;
+  return piece;
+}
+
+/// Cells as near to cubes as the box allows, so many that about `target` lattice nodes have a vertex in reach.
+Lattice fit_lattice(const std::vector<Vector3d>& positions, const std::vector<std::uint32_t>& free, std::uint32_t target) {
+  Lattice lattice;
+  Vector3d high = positions[free.front()];
+  lattice.low = high;
+  for (const std::uint32_t v : free) {
+    lattice.low = lattice.low.cwiseMin(positions[v]);
+    high = high.cwiseMax(positions[v]);
+  }
+  lattice.extent = high - lattice.low;
+  const double longest = lattice.extent.maxCoeff();
+  const auto with_cell = [&](double size) {
+    Lattice l = lattice;
+    for (int k = 0; k < 3; ++k) l.cells[k] = std::clamp(static_cast<int>(std::lround(l.extent[k] / size)), 1, 1000);
+    return l;
+  };
+  std::vector<std::uint64_t> keys;
+  const auto nodes_of = [&](const Lattice& l) {
+    keys.clear();
+    for (const std::uint32_t v : free) {
+      for (const Lattice::Corner& c : l.corners(positions[v]))
+        if (c.weight > kLeastWeight) keys.push_back(c.key);
+      if (keys.size() < 4'000'000) continue;
+      std::sort(keys.begin(), keys.end());
+      keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    }
+    std::sort(keys.begin(), keys.end());
+    return static_cast<double>(std::unique(keys.begin(), keys.end()) - keys.begin());
+  };
+  double small = longest / 100, large = 2 * longest;
+  Lattice best = with_cell(large);
+  double best_miss = std::abs(nodes_of(best) - target);
+  for (int i = 0; i < 14; ++i) {
+    const double size = std::sqrt(small * large);
+    const Lattice l = with_cell(size);
+    const double nodes = nodes_of(l);
+    if (std::abs(nodes - target) < best_miss) {
+      best_miss = std::abs(nodes - target);
+      best = l;
+    }
+    (nodes > target ? small : large) = size;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::uint32_t coarse_node_target(std::size_t tet_count) {
+  return static_cast<std::uint32_t>(std::clamp(0.9 * std::sqrt(static_cast<double>(tet_count)), 30.0, 500.0));
+}
+
+CoarseSpace make_coarse_space(const Model& model, std::uint32_t target) {
+  const std::size_t vertex_count = model.rest_positions.size();
+  CoarseSpace space;
+  space.begin.assign(vertex_count + 1, 0);
+  const std::vector<char> held = model.held();
+  const std::vector<double> masses = lumped_masses(model);
+  std::vector<std::uint32_t> free;
+  for (std::uint32_t v = 0; v < vertex_count; ++v)
+    if (!held[v] && masses[v] > 0) free.push_back(v);
+  if (free.size() < kFewVertices) return space;
+  target = std::min(target, static_cast<std::uint32_t>(free.size() / 3));
+
+  const Lattice lattice = fit_lattice(model.rest_positions, free, target);
+  struct Reach {
+    std::uint64_t key;
+    std::uint32_t vertex;
+    double weight;
+  };
+  std::vector<Reach> reaches;
+  for (const std::uint32_t v : free)
+    for (const Lattice::Corner& c : lattice.corners(model.rest_positions[v]))
+      if (c.weight > kLeastWeight) reaches.push_back({c.key, v, c.weight});
+  std::stable_sort(reaches.begin(), reaches.end(), [](const Reach& a, const Reach& b) { return a.key < b.key; });
+
+  const Edges edges = free_edges(model, held);
+  std::vector<int> local(vertex_count, -1);
+  std::uint32_t part_count = 0;
+  const std::vector<std::uint32_t> free_part = pieces(free, edges, local, part_count);
+  std::vector<std::uint32_t> part(vertex_count, 0);
+  for (std::size_t i = 0; i < free.size(); ++i) part[free[i]] = free_part[i];
+
+  // One node per lattice node and piece; then the weak ones go.
+  std::vector<std::uint32_t> node_of(reaches.size()), node_part;
+  std::vector<double> node_mass;
+  for (std::size_t first = 0; first < reaches.size();) {
+    std::size_t last = first;
+    std::vector<std::uint32_t> members;
+    while (last < reaches.size() && reaches[last].key == reaches[first].key) members.push_back(reaches[last++].vertex);
+    std::uint32_t count = 0;
+    const std::vector<std::uint32_t> piece = pieces(members, edges, local, count);
+    const auto base = static_cast<std::uint32_t>(node_mass.size());
+    node_mass.resize(base + count, 0.0);
+    node_part.resize(base + count, 0);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const std::uint32_t node = node_of[first + i] = base + piece[i];
+      node_mass[node] += reaches[first + i].weight * masses[members[i]];
+      node_part[node] = part[members[i]];
+    }
+    first = last;
+  }
+  std::vector<double> part_mass(part_count, 0), part_nodes(part_count, 0);
+  for (std::size_t j = 0; j < node_mass.size(); ++j) {
+    part_mass[node_part[j]] += node_mass[j];
+    ++part_nodes[node_part[j]];
+  }
+  std::vector<int> kept(node_mass.size(), -1);
+  for (std::size_t j = 0; j < node_mass.size(); ++j)
+    if (node_mass[j] > kWeakNode * part_mass[node_part[j]] / part_nodes[node_part[j]])
+      kept[j] = static_cast<int>(space.node_count++);
+
+  std::vector<double> total(vertex_count, 0);
+  for (std::size_t r = 0; r < reaches.size(); ++r)
+    if (kept[node_of[r]] >= 0) total[reaches[r].vertex] += reaches[r].weight;
+  const auto counts = [&](std::size_t r) { return kept[node_of[r]] >= 0 && total[reaches[r].vertex] > 1e-3; };
+  for (std::size_t r = 0; r < reaches.size(); ++r)
+    if (counts(r)) ++space.begin[reaches[r].vertex + 1];
+  std::partial_sum(space.begin.begin(), space.begin.end(), space.begin.begin());
+  space.node.resize(space.begin.back());
+  space.weight.resize(space.begin.back());
+  std::vector<std::uint32_t> next(space.begin.begin(), space.begin.end() - 1);
+  for (std::size_t r = 0; r < reaches.size(); ++r) {
+    if (!counts(r)) continue;
+    const std::uint32_t v = reaches[r].vertex, at = next[v]++;
+    space.node[at] = static_cast<std::uint32_t>(kept[node_of[r]]);
+    space.weight[at] = reaches[r].weight / total[v];
+  }
+  return space;
+}
+
+CoarseGather make_coarse_gather(const Model& model, const CoarseSpace& space) {
+  struct Entry {
+    std::uint32_t node;
+    Vector3d gradient;
+    double weight;
+  };
+  const std::size_t vertex_count = model.rest_positions.size();
+  std::vector<std::vector<Entry>> rows(vertex_count);
+  const auto entry = [&](std::uint32_t v, std::uint32_t node) -> Entry& {
+    for (Entry& e : rows[v])
+      if (e.node == node) return e;
+    return rows[v].emplace_back(Entry{node, Vector3d::Zero(), 0});
+  };
+  std::vector<double> volume(space.node_count, 0);
+  std::vector<std::pair<std::uint32_t, double>> share;  // node, sum of the corners' weights
+  for (const Tet& tet : model.tets) {
+    share.clear();
+    for (const std::uint32_t v : tet)
+      for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k) {
+        const auto same = std::find_if(share.begin(), share.end(), [&](const auto& s) { return s.first == space.node[k]; });
+        if (same == share.end())
+          share.emplace_back(space.node[k], space.weight[k]);
+        else
+          same->second += space.weight[k];
+      }
+    Eigen::Matrix3d dm;
+    for (int k = 0; k < 3; ++k) dm.col(k) = model.rest_positions[tet[k + 1]] - model.rest_positions[tet[0]];
+    const Eigen::Matrix3d inv_dm = dm.inverse();
+    const double v = dm.determinant() / 6;
+    for (const auto& [node, s] : share) {
+      volume[node] += v * s;
+      for (int a = 0; a < 4; ++a) {
+        const Vector3d b = a == 0 ? Vector3d(-inv_dm.colwise().sum().transpose()) : Vector3d(inv_dm.row(a - 1).transpose());
+        entry(tet[static_cast<std::size_t>(a)], node).gradient += v * s * b;
+      }
+    }
+  }
+  for (std::uint32_t v = 0; v < vertex_count; ++v)
+    for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k) entry(v, space.node[k]).weight = space.weight[k];
+
+  CoarseGather gather;
+  gather.begin.assign(space.node_count + 1, 0);
+  for (const auto& row : rows)
+    for (const Entry& e : row) ++gather.begin[e.node + 1];
+  std::partial_sum(gather.begin.begin(), gather.begin.end(), gather.begin.begin());
+  gather.vertex.resize(gather.begin.back());
+  gather.gradient.resize(gather.begin.back());
+  gather.weight.resize(gather.begin.back());
+  std::vector<std::uint32_t> next(gather.begin.begin(), gather.begin.end() - 1);
+  for (std::uint32_t v = 0; v < vertex_count; ++v)
+    for (const Entry& e : rows[v]) {
+      const std::uint32_t at = next[e.node]++;
+      gather.vertex[at] = v;
+      gather.gradient[at] = e.gradient / volume[e.node];
+      gather.weight[at] = e.weight;
+    }
+  return gather;
+}
+
+}  // namespace fascia

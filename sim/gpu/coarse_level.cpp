@@ -1,0 +1,129 @@
+#include "sim/gpu/coarse_level.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+
+#include "sim/coarse_matrix.h"
+
+namespace fascia {
+namespace {
+
+using shared::vec4;
+
+vec4 to_vec4(const Eigen::Vector3d& v, double w) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), static_cast<float>(w)};
+}
+
+std::vector<std::uint32_t> pack_rows(const CoarseSpace& space) {
+  const auto vertex_count = static_cast<std::uint32_t>(space.begin.size() - 1);
+  std::vector<std::uint32_t> rows;
+  rows.reserve(vertex_count + 1 + 2 * space.node.size());
+  for (const std::uint32_t begin : space.begin) rows.push_back(vertex_count + 1 + 2 * begin);
+  for (std::size_t k = 0; k < space.node.size(); ++k) {
+    rows.push_back(space.node[k]);
+    rows.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(space.weight[k])));
+  }
+  return rows;
+}
+
+/// What the coarse matrix is made of, without the arrays that only files and drawing need.
+Model material_part(const Model& model) {
+  Model part;
+  part.rest_positions = model.rest_positions;
+  part.tets = model.tets;
+  part.tet_material = model.tet_material;
+  part.materials = model.materials;
+  return part;
+}
+
+}  // namespace
+
+CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, const SolverSettings& settings)
+    : space_(make_coarse_space(model, coarse_node_target(model.tets.size()))),
+      materials_(model.materials),
+      h_(settings.substep()) {
+  if (empty()) return;
+  const CoarseGather gather = make_coarse_gather(model, space_);
+  std::vector<vec4> entries;
+  for (std::size_t k = 0; k < gather.vertex.size(); ++k) entries.push_back(to_vec4(gather.gradient[k], gather.weight[k]));
+  const std::uint32_t n = space_.node_count;
+  // Enough invocations to fill the machine: about 2,000 on software renderers, 16,000 on GPUs.
+  const std::uint32_t wanted = programs.load_path() == gl::LoadPath::storage ? 16384 : 2048;
+  lanes_ = std::clamp<std::uint32_t>(wanted / n, 1, 64);
+  row_quads_ = (3 * n + 3) / 4;
+  gather_begin_ = gl::Buffer("gather_begin", gather.begin);
+  gather_vertex_ = gl::Buffer("gather_vertex", gather.vertex);
+  gather_entry_ = gl::Buffer("gather_entry", entries);
+  rows_ = gl::Buffer("coarse_rows", pack_rows(space_));
+  partials_ = gl::Buffer("coarse_partials", 3 * sizeof(vec4) * n * lanes_);
+  rotation_ = gl::Buffer("coarse_rotation", sizeof(vec4) * n);
+  gradient_ = gl::Buffer("coarse_gradient", sizeof(vec4) * row_quads_);
+  inverse_rows_ = gl::Buffer("coarse_inverse", sizeof(vec4) * row_quads_ * 3 * n);
+  correction_ = gl::Buffer("coarse_correction", sizeof(vec4) * n);
+  upload(compute(space_, {material_part(model), settings.substep()}));
+}
+
+Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const {
+  const std::uint32_t n = space_.node_count;
+  Passes passes;
+  passes.emplace_back(r.programs.compute("sim/coarse_restrict.comp"),
+                      gl::ComputePass::Bindings{{"gather_begin", &gather_begin_},
+                                                {"gather_vertex", &gather_vertex_},
+                                                {"gather_entry", &gather_entry_},
+                                                {"gradient", &gradient},
+                                                {"displacement", &r.buffers.displacement},
+                                                {"coarse_partials", &partials_}},
+                      n * lanes_, gl::ComputePass::Constants{{"lanes", lanes_}});
+  passes.emplace_back(r.programs.compute("sim/coarse_rotate.comp"),
+                      gl::ComputePass::Bindings{{"coarse_partials", &partials_},
+                                                {"coarse_rotation", &rotation_},
+                                                {"coarse_gradient", &gradient_}},
+                      n, gl::ComputePass::Constants{{"lanes", lanes_}});
+  passes.emplace_back(r.programs.compute("sim/coarse_solve.comp"),
+                      gl::ComputePass::Bindings{{"coarse_inverse", &inverse_rows_},
+                                                {"coarse_gradient", &gradient_},
+                                                {"coarse_rotation", &rotation_},
+                                                {"coarse_correction", &correction_}},
+                      n, gl::ComputePass::Constants{{"row_quads", row_quads_}});
+  return passes;
+}
+
+Eigen::MatrixXf CoarseLevel::compute(const CoarseSpace& space, const Job& job) {
+  return coarse_inverse(coarse_matrix(job.model, space, job.h));
+}
+
+void CoarseLevel::upload(const Eigen::MatrixXf& inverse) {
+  std::vector<float> rows(std::size_t{4} * row_quads_ * static_cast<std::size_t>(inverse.rows()), 0.0f);
+  for (Eigen::Index i = 0; i < inverse.rows(); ++i)
+    for (Eigen::Index k = 0; k < inverse.cols(); ++k)
+      rows[static_cast<std::size_t>(i) * 4 * row_quads_ + static_cast<std::size_t>(k)] = inverse(k, i);  // symmetric
+  inverse_rows_.upload(0, rows.size() * sizeof(float), rows.data());
+}
+
+void CoarseLevel::start(Job job) {
+  inverse_ = std::async(std::launch::async, [space = space_, job = std::move(job)] { return compute(space, job); });
+}
+
+void CoarseLevel::values_changed(const Model& model, const SolverSettings& settings) {
+  if (empty() || (model.materials == materials_ && settings.substep() == h_)) return;
+  materials_ = model.materials;
+  h_ = settings.substep();
+  Job job{material_part(model), settings.substep()};
+  if (inverse_.valid())
+    next_ = std::move(job);
+  else
+    start(std::move(job));
+}
+
+void CoarseLevel::update(bool wait) {
+  while (inverse_.valid()) {
+    if (!wait && inverse_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    upload(inverse_.get());
+    if (!next_) return;
+    start(std::move(*next_));
+    next_.reset();
+  }
+}
+
+}  // namespace fascia

@@ -1,0 +1,50 @@
+// The coarse level of the two-level method on the GPU: from the gradient to a smooth correction, R A_c^-1 R^T P^T g at the coarse nodes,
+// with the rest matrix A_c and one rotation R per node, taken from the displacements of every iteration. When materials or h change,
+// the inverse is computed on another thread, and the old one serves until the new one is ready.
+#pragma once
+#include <Eigen/Core>
+#include <future>
+
+#include "sim/coarse_space.h"
+#include "sim/gpu/method.h"
+
+namespace fascia {
+
+class CoarseLevel {
+ public:
+  CoarseLevel(const gl::ProgramCache& programs, const Model& model, const SolverSettings& settings);
+  bool empty() const { return space_.node_count == 0; }  // a mesh too small to need it
+  std::uint32_t node_count() const { return space_.node_count; }
+
+  /// Three passes from `gradient` (vec4 [vertex_count]) to correction().
+  Passes passes(const Recording& recording, const gl::Buffer& gradient) const;
+  const gl::Buffer& rows() const { return rows_; }              // uint: P in rows of vertices (two_level_correct.comp)
+  const gl::Buffer& correction() const { return correction_; }  // vec4 [node_count] [m]
+
+  /// Starts to compute the inverse if materials or h are other ones; one that waits for older values is let go.
+  void values_changed(const Model& model, const SolverSettings& settings);
+  /// Uploads an inverse that is ready; with `wait`, waits until the newest is.
+  void update(bool wait);
+  bool busy() const { return inverse_.valid() || next_.has_value(); }
+
+ private:
+  struct Job {  // a copy of what the thread needs: the model may change meanwhile
+    Model model;
+    double h;
+  };
+  static Eigen::MatrixXf compute(const CoarseSpace& space, const Job& job);
+  void start(Job job);
+  void upload(const Eigen::MatrixXf& inverse);
+
+  CoarseSpace space_;
+  std::uint32_t lanes_ = 1;      // invocations that share a node in the restriction
+  std::uint32_t row_quads_ = 0;  // vec4 per row of the inverse
+  gl::Buffer gather_begin_, gather_vertex_, gather_entry_, rows_;
+  gl::Buffer partials_, rotation_, gradient_, inverse_rows_, correction_;
+  std::vector<Material> materials_;  // that the newest inverse is for, ready or not
+  double h_ = 0;                     // [s]
+  std::future<Eigen::MatrixXf> inverse_;
+  std::optional<Job> next_;
+};
+
+}  // namespace fascia

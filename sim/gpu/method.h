@@ -1,0 +1,51 @@
+// What a solver method is to the step: the passes that it records between the prediction and the velocity update.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "render/gl/compute_pass.h"
+#include "sim/gpu/features.h"
+#include "sim/gpu/grab_springs.h"
+#include "sim/gpu/sim_buffers.h"
+
+namespace fascia {
+
+using Passes = std::vector<gl::ComputePass>;
+
+/// What passes are recorded from. All of it outlives them.
+struct Recording {
+  gl::ProgramCache& programs;
+  const SimBuffers& buffers;
+  const Features& features;
+  const gl::Buffer& previous_strain;  // made only with damping
+  const GrabSprings& grab;
+};
+
+class StepMethod {
+ public:
+  StepMethod() = default;
+  virtual ~StepMethod() = default;
+  StepMethod(const StepMethod&) = delete;
+  StepMethod& operator=(const StepMethod&) = delete;
+
+  /// uint [vertex_count + 1], copies before each vertex, of methods that share a vertex's mass between copies; null for the others.
+  virtual const gl::Buffer* copy_begin() const { return nullptr; }
+  /// Whether the iterations start where inertia alone leads, x_n + h v_n, and not at the prediction, which gravity has moved too.
+  virtual bool starts_without_gravity() const { return false; }
+  /// vec4 [2 * tet_count], of methods whose multipliers are part of the state that an acceleration combines; null for the others.
+  virtual const gl::Buffer* multiplier() const { return nullptr; }
+  virtual Passes begin(const Recording&) const { return {}; }  // once a substep, after the prediction
+  /// Before the first and every kRefresh-th iteration: what changes slowly enough to serve for some of them.
+  virtual Passes refresh(const Recording&) const { return {}; }
+  static constexpr int kRefresh = 8;
+  /// One iteration, the grab's springs included. The first one of a substep finds no history.
+  virtual Passes iteration(const Recording& recording, bool first) const = 0;
+  virtual Passes end(const Recording&) const { return {}; }  // once a substep, before the velocity update
+  /// Materials, masses, gravity or h have other values; buffers and passes stay.
+  virtual void values_changed(const Model&, const SolverSettings&) {}
+  /// Uploads what was computed beside the frame, if it is ready, or, with `wait`, when it is.
+  virtual void update(bool wait) { static_cast<void>(wait); }
+};
+
+}  // namespace fascia

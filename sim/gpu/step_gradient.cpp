@@ -1,0 +1,37 @@
+#include "sim/gpu/step_gradient.h"
+
+namespace fascia {
+
+StepGradient::StepGradient(std::uint32_t vertex_count) : gradient_("gradient", vertex_count * sizeof(shared::vec4)) {}
+
+Passes StepGradient::passes(const Recording& r) const {
+  gl::ComputePass::Bindings tet{{"step", &r.buffers.step},
+                                {"tet_vertices", &r.buffers.tet_vertices},
+                                {"tet_shape", &r.buffers.tet_shape},
+                                {"tet_slots", &r.buffers.tet_slots},
+                                {"displacement", &r.buffers.displacement},
+                                {"correction", &r.buffers.correction}};
+  tet = with_damping(with_material(std::move(tet), r.features, r.buffers), r.features, r.previous_strain);
+  gl::ComputePass::Bindings vertex{{"step", &r.buffers.step},
+                                   {"displacement", &r.buffers.displacement},
+                                   {"predicted", &r.buffers.predicted},
+                                   {"mass", &r.buffers.mass},
+                                   {"slot_begin", &r.buffers.slot_begin},
+                                   {"correction", &r.buffers.correction},
+                                   {"gradient", &gradient_}};
+  const gl::Defines vertex_defines = r.grab.with_springs({}, vertex);
+  Passes passes;
+  passes.emplace_back(r.programs.compute("sim/elastic_force.comp", defines_of(r.features)), std::move(tet), r.buffers.tet_count);
+  passes.emplace_back(r.programs.compute("sim/gradient.comp", vertex_defines), std::move(vertex), r.buffers.vertex_count);
+  return passes;
+}
+
+gl::Buffer make_vertex_tets(const SimBuffers& buffers) {
+  const auto slots = buffers.tet_slots.read<Tet>();
+  std::vector<std::uint32_t> entries(4 * slots.size());
+  for (std::uint32_t t = 0; t < slots.size(); ++t)
+    for (std::uint32_t a = 0; a < 4; ++a) entries[slots[t][a]] = 4 * t + a;
+  return {"vertex_tets", entries};
+}
+
+}  // namespace fascia

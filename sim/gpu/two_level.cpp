@@ -1,0 +1,146 @@
+#include "sim/gpu/two_level.h"
+
+#include <iterator>
+
+#include "sim/gpu/reduction.h"
+
+namespace fascia {
+namespace {
+
+using shared::vec4;
+constexpr std::size_t kStateFloats = 8;  // shaders/sim/subspace_state.glsl
+
+void append(Passes& passes, Passes more) { std::move(more.begin(), more.end(), std::back_inserter(passes)); }
+
+}  // namespace
+
+TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& model, const SimBuffers& buffers,
+                               const SolverSettings& settings)
+    : minimizes_(settings.acceleration == Acceleration::subspace || settings.acceleration == Acceleration::nonlinear_cg),
+      splits_(settings.acceleration == Acceleration::subspace),
+      gradient_(buffers.vertex_count),
+      coarse_(programs, model, settings),
+      vertex_tets_(make_vertex_tets(buffers)),
+      block_inverse_("block_inverse", 2 * sizeof(vec4) * buffers.vertex_count),
+      vertex_lanes_(Reduction(programs, buffers.vertex_count).lanes),
+      vertex_partials_(Reduction(programs, buffers.vertex_count).partials),
+      tet_lanes_(Reduction(programs, buffers.tet_count).lanes),
+      tet_partials_(Reduction(programs, buffers.tet_count).partials) {
+  splits_ = splits_ && !coarse_.empty();
+  if (!minimizes_) return;
+  const std::size_t bytes = sizeof(vec4) * buffers.vertex_count;
+  fine_direction_ = gl::Buffer("fine_direction", bytes);
+  if (splits_) coarse_direction_ = gl::Buffer("coarse_direction", bytes);
+  last_step_ = gl::Buffer("last_step", bytes);
+  previous_gradient_ = gl::Buffer("previous_gradient", bytes);
+  dot_partials_ = gl::Buffer("dot_partials", 3 * sizeof(vec4) * vertex_partials_);
+  curvature_partials_ = gl::Buffer("curvature_partials", sizeof(vec4) * tet_partials_);
+  state_ = gl::Buffer("subspace_state", kStateFloats * sizeof(float));
+}
+
+Passes TwoLevelMethod::refresh(const Recording& r) const {
+  gl::ComputePass::Bindings bindings{{"step", &r.buffers.step},
+                                     {"tet_vertices", &r.buffers.tet_vertices},
+                                     {"tet_shape", &r.buffers.tet_shape},
+                                     {"displacement", &r.buffers.displacement},
+                                     {"mass", &r.buffers.mass},
+                                     {"slot_begin", &r.buffers.slot_begin},
+                                     {"vertex_tets", &vertex_tets_},
+                                     {"block_inverse", &block_inverse_}};
+  bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
+  const gl::Defines defines = r.grab.with_springs(defines_of(r.features), bindings);
+  Passes passes;
+  passes.emplace_back(r.programs.compute("sim/block_inverse.comp", defines), std::move(bindings), r.buffers.vertex_count);
+  return passes;
+}
+
+Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
+  Passes passes = gradient_.passes(r);
+  if (!coarse_.empty()) append(passes, coarse_.passes(r, gradient_.gradient()));
+  gl::ComputePass::Bindings correct{{"gradient", &gradient_.gradient()},
+                                    {"predicted", &r.buffers.predicted},
+                                    {"block_inverse", &block_inverse_}};
+  if (!coarse_.empty()) {
+    correct.emplace_back("coarse_rows", &coarse_.rows());
+    correct.emplace_back("coarse_correction", &coarse_.correction());
+  }
+  if (minimizes_) {
+    correct.emplace_back("fine_direction", &fine_direction_);
+    if (splits_) correct.emplace_back("coarse_direction", &coarse_direction_);
+  } else {
+    correct.emplace_back("displacement", &r.buffers.displacement);
+  }
+  passes.emplace_back(r.programs.compute("sim/two_level_correct.comp", {{"COARSE", coarse_.empty() ? "0" : "1"},
+                                                                        {"SPLIT", splits_ ? "1" : "0"},
+                                                                        {"SWEEP", minimizes_ ? "0" : "1"}}),
+                      std::move(correct), r.buffers.vertex_count);
+  if (minimizes_) append(passes, subspace_step(r, first, false));
+  return passes;
+}
+
+Passes TwoLevelMethod::end(const Recording& r) const {
+  if (!minimizes_) return {};
+  Passes passes = gradient_.passes(r);  // the last step, too, is taken back if it raised the objective
+  append(passes, subspace_step(r, false, true));
+  return passes;
+}
+
+Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) const {
+  const gl::Defines defines{{"FINAL", last ? "1" : "0"}, {"FIRST_ITERATION", first ? "1" : "0"}, {"SPLIT", splits_ ? "1" : "0"}};
+  Passes passes;
+  const auto add = [&](const char* kernel, const gl::Defines& with, gl::ComputePass::Bindings bindings, std::uint32_t invocations,
+                       gl::ComputePass::Constants constants = {}) {
+    passes.emplace_back(r.programs.compute(kernel, with), std::move(bindings), invocations, std::move(constants));
+  };
+  const auto with_coarse = [&](gl::ComputePass::Bindings bindings) {
+    if (splits_) bindings.emplace_back("coarse_direction", &coarse_direction_);
+    return bindings;
+  };
+  if (last) {
+    add("sim/objective_sum.comp", {}, {{"gradient", &gradient_.gradient()}, {"dot_partials", &dot_partials_}}, vertex_lanes_,
+        {{"vertex_count", r.buffers.vertex_count}});
+  } else {
+    gl::ComputePass::Bindings dots = with_coarse({{"step", &r.buffers.step},
+                                                  {"gradient", &gradient_.gradient()},
+                                                  {"mass", &r.buffers.mass},
+                                                  {"fine_direction", &fine_direction_},
+                                                  {"dot_partials", &dot_partials_}});
+    if (!first) {
+      dots.emplace_back("last_step", &last_step_);
+      dots.emplace_back("previous_gradient", &previous_gradient_);
+    }
+    gl::Defines dot_defines = r.grab.with_springs({{"FIRST_ITERATION", first ? "1" : "0"}, {"SPLIT", splits_ ? "1" : "0"}}, dots);
+    add("sim/subspace_dots.comp", dot_defines, std::move(dots), vertex_lanes_,
+        {{"vertex_count", r.buffers.vertex_count}, {"partials", vertex_partials_}});
+    gl::ComputePass::Bindings curvature = with_coarse({{"step", &r.buffers.step},
+                                                       {"tet_vertices", &r.buffers.tet_vertices},
+                                                       {"tet_shape", &r.buffers.tet_shape},
+                                                       {"displacement", &r.buffers.displacement},
+                                                       {"fine_direction", &fine_direction_},
+                                                       {"curvature_partials", &curvature_partials_}});
+    curvature = with_damping(with_material(std::move(curvature), r.features, r.buffers), r.features, r.previous_strain);
+    gl::Defines curvature_defines = defines_of(r.features);
+    curvature_defines.emplace_back("SPLIT", splits_ ? "1" : "0");
+    add("sim/subspace_curvature.comp", curvature_defines, std::move(curvature), tet_lanes_, {{"tet_count", r.buffers.tet_count}});
+  }
+  gl::ComputePass::Bindings solve{{"dot_partials", &dot_partials_}, {"subspace_state", &state_}};
+  gl::ComputePass::Constants constants{{"partials", vertex_partials_}};
+  if (!last) {
+    solve.emplace_back("curvature_partials", &curvature_partials_);
+    constants.emplace_back("curvature_count", tet_partials_);
+  }
+  add("sim/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}, {"FIRST_ITERATION", first ? "1" : "0"}}, std::move(solve),
+      Reduction::kGroup, std::move(constants));
+  gl::ComputePass::Bindings update{
+      {"subspace_state", &state_}, {"last_step", &last_step_}, {"displacement", &r.buffers.displacement}};
+  if (!last) {
+    update = with_coarse(std::move(update));
+    update.emplace_back("fine_direction", &fine_direction_);
+    update.emplace_back("gradient", &gradient_.gradient());
+    update.emplace_back("previous_gradient", &previous_gradient_);
+  }
+  add("sim/subspace_update.comp", defines, std::move(update), r.buffers.vertex_count);
+  return passes;
+}
+
+}  // namespace fascia

@@ -1,0 +1,39 @@
+// Two levels: every vertex's own 3x3 block of the step's Hessian, and a coarse space of a few hundred functions whose stiffness turns
+// with the tissue (coarse_level.h). What the blocks cannot see, motion of large parts, the coarse space solves at once, so the number
+// of iterations hardly depends on the mesh. The two corrections z_f and z_c are combined with the last step p by minimising a
+// quadratic model of the objective over their span, with the curvature of the last step taken from the change of the gradient
+// (compare the locally optimal block iteration of Knyazev 2001, and the two-dimensional subspace trust region of Byrd, Schnabel,
+// Shultz 1988); a step that raises the objective is halved.
+#pragma once
+#include "sim/gpu/coarse_level.h"
+#include "sim/gpu/step_gradient.h"
+
+namespace fascia {
+
+class TwoLevelMethod : public StepMethod {
+ public:
+  /// `subspace`: z_f and z_c each get their own factor. `nonlinear_cg`: their sum gets one. Others: a plain relaxed sweep,
+  /// u - 0.4 (z_f + z_c), for an acceleration to work with.
+  TwoLevelMethod(const gl::ProgramCache& programs, const Model& model, const SimBuffers& buffers, const SolverSettings& settings);
+
+  bool starts_without_gravity() const override { return true; }
+  Passes refresh(const Recording& recording) const override;
+  Passes iteration(const Recording& recording, bool first) const override;
+  Passes end(const Recording& recording) const override;
+  void values_changed(const Model& model, const SolverSettings& settings) override { coarse_.values_changed(model, settings); }
+  void update(bool wait) override { coarse_.update(wait); }
+  const CoarseLevel& coarse() const { return coarse_; }
+
+ private:
+  Passes subspace_step(const Recording& recording, bool first, bool last) const;
+
+  bool minimizes_, splits_;
+  StepGradient gradient_;
+  CoarseLevel coarse_;
+  gl::Buffer vertex_tets_, block_inverse_;
+  std::uint32_t vertex_lanes_, vertex_partials_, tet_lanes_, tet_partials_;
+  gl::Buffer fine_direction_, coarse_direction_, last_step_, previous_gradient_;  // vec4 [vertex_count]
+  gl::Buffer dot_partials_, curvature_partials_, state_;
+};
+
+}  // namespace fascia
