@@ -33,8 +33,6 @@ void draw_frame(Session& session, Overlay& overlay, Framebuffer& framebuffer, bo
 int command_render(const RenderOptions& options) {
   if (options.out.empty() && options.video.empty())
     throw Error("fascia render", "no output named", "expected --out FILE.png, --video FILE.mp4 or both");
-  if (options.static_equilibrium && !options.reference)
-    throw Error("--static", "is solved by the reference solver only", "add --reference");
   if (options.static_equilibrium && !options.video.empty())
     throw Error("--static", "has no motion to put into " + options.video, "leave out --video");
   const std::filesystem::path data_dir = find_data_dir(options.data_dir);

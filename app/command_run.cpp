@@ -34,8 +34,6 @@ int command_run(const RunOptions& options) {
   const std::filesystem::path input =
       options.input.empty() ? default_scene(find_data_dir(options.data_dir)) : std::filesystem::path(options.input);
   Scene scene = open_scene(input, options.sets);
-  if (options.static_equilibrium && !options.reference)
-    throw Error("--static", "is solved by the reference solver only", "add --reference");
   Graphics graphics;
   if (!options.reference) graphics = open_graphics(options, false, 16, 16, scene.solver.method);
   Simulation simulation(std::move(scene), graphics.programs.get(), options.reference);
@@ -58,8 +56,9 @@ int command_run(const RunOptions& options) {
     stats.step_ms = stats.solve_ms;
     stats.residual = report.relative_residual;
     stats.steps = 1;
-    if (!options.quiet)
-      std::cerr << "fascia: static equilibrium after " << report.iterations << " Newton iterations, relative residual "
+    if (!options.quiet || !report.converged)
+      std::cerr << "fascia: " << (report.converged ? "static equilibrium" : "not quite in static equilibrium") << " after "
+                << report.iterations << (options.reference ? " Newton" : "") << " iterations, relative residual "
                 << report.relative_residual << '\n';
   } else {
     const long steps = steps_to_run(options, simulation.scene);
@@ -79,7 +78,8 @@ int command_run(const RunOptions& options) {
   const reference::State last = simulation.state();
   if (GpuSolver* gpu = simulation.gpu()) {
     gpu->request_diagnostics();
-    if (const auto diagnostics = gpu->take_diagnostics(true)) stats.residual = diagnostics->residual;
+    const auto diagnostics = gpu->take_diagnostics(true);
+    if (diagnostics && !options.static_equilibrium) stats.residual = diagnostics->residual;
     stats.dispatches_per_step = gpu->dispatches_per_step();
     stats.gpu_bytes = gl::allocated_bytes();
   } else if (!options.static_equilibrium) {

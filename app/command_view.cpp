@@ -12,8 +12,6 @@
 namespace fascia {
 
 int command_view(const ViewOptions& options) {
-  if (options.static_equilibrium && !options.reference)
-    throw Error("--static", "is solved by the reference solver only", "add --reference");
   if (options.context != "auto" && options.context != "window")
     throw Error("--context " + options.context, "has no window", "expected window, or fascia render for a picture without one");
   const std::filesystem::path input =

@@ -41,7 +41,7 @@ void add_common(CLI::App* command, CommonOptions& o) {
   command->add_option("--set", o.sets, "override a scene value, e.g. solver.iterations=40")->type_name("KEY=VALUE")->allow_extra_args(false);
   auto* steps = command->add_option("--steps", o.steps, "steps to simulate")->check(CLI::NonNegativeNumber);
   command->add_option("--time", o.time, "seconds to simulate; default: the scene's duration")->type_name("SECONDS")->check(CLI::NonNegativeNumber)->excludes(steps);
-  command->add_flag("--static", o.static_equilibrium, "static equilibrium instead of motion (with --reference)");
+  command->add_flag("--static", o.static_equilibrium, "static equilibrium instead of motion");
   command->add_flag("--reference", o.reference, "the double-precision CPU solver instead of the GPU");
   add_graphics(command, o);
 }

@@ -36,6 +36,10 @@ void statistics_panel(Session& session, const Statistics& statistics) {
   clock_rows(statistics);
   if (const auto& d = statistics.diagnostics) {
     const auto length = [](const Eigen::Vector3d& v) { return v.norm(); };
+    const SolverSettings& asked = session.simulation.scene.solver;
+    const int run = session.simulation.iterations_run();
+    ui::fact("Iterations", std::to_string(run) + (run < asked.iterations ? " (frame budget)" : ""),
+             "Of the last step, per substep, and what ended them if not the number asked for");
     ui::fact("Residual", printed("%.2g", d->residual), "How far the last step is from solved: 0 is solved, 1 is not begun");
     ui::fact("J", printed("%.3f to %.3f", d->min_det_f, d->max_det_f), "Smallest and largest volume of a tet over its volume at rest");
     ui::fact("Inverted tets", std::to_string(d->inverted), "Tets turned inside out: J below 0");

@@ -1,9 +1,12 @@
 #include "app/simulation.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "app/drawn_surface.h"
 #include "sim/error.h"
+#include "sim/gpu/static_march.h"
 
 namespace fascia {
 
@@ -21,11 +24,31 @@ Simulation::Simulation(Scene opened, gl::ProgramCache* programs, bool use_refere
 
 void Simulation::step() {
   if (!reference_) {
-    gpu_->step();
+    if (scene.solver.frame_budget > 0)
+      step_within_budget();
+    else
+      gpu_->step();
     return;
   }
   newton_report_ = reference_->step(reference_state_);
   if (gpu_) gpu_->upload(reference_state_);
+}
+
+void Simulation::step_within_budget() {
+  SolverSettings fitting = scene.solver;
+  if (ms_per_iteration_ > 0) {
+    const double fit = fitting.frame_budget / (ms_per_iteration_ * fitting.substeps);
+    fitting.iterations = static_cast<int>(std::clamp<double>(std::floor(fit), 1, fitting.iterations));
+  }
+  if (fitting.iterations != gpu_->settings().iterations) gpu_->set_settings(fitting);
+  gl::Finish();  // what was queued before is not the step's
+  const auto start = std::chrono::steady_clock::now();
+  gpu_->step();
+  gl::Finish();
+  const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  const double per_iteration = ms / (fitting.iterations * fitting.substeps);
+  constexpr double kNews = 0.2;  // share of a new measurement: a hiccup must not halve the accuracy of many steps
+  ms_per_iteration_ = ms_per_iteration_ > 0 ? (1 - kNews) * ms_per_iteration_ + kNews * per_iteration : per_iteration;
 }
 
 void Simulation::reset() {
@@ -36,6 +59,7 @@ void Simulation::reset() {
 double Simulation::time() const { return reference_ ? reference_state_.time : gpu_->time(); }
 
 reference::NewtonReport Simulation::solve_static() {
+  if (!reference_) return march_to_equilibrium(*gpu_, model, scene.solver.tolerance > 0 ? scene.solver.tolerance : 1e-5);
   newton_report_ = reference_->solve_static(reference_state_, scene.solver.tolerance);
   if (!newton_report_.converged)
     throw Error(scene.file.string(),
@@ -47,6 +71,7 @@ reference::NewtonReport Simulation::solve_static() {
 }
 
 void Simulation::set_settings(const SolverSettings& settings) {
+  if (settings.pair() != scene.solver.pair()) ms_per_iteration_ = 0;
   scene.solver = settings;
   if (gpu_) gpu_->set_settings(settings);
   if (reference_) reference_ = std::make_unique<reference::NewtonSolver>(model, settings);

@@ -22,12 +22,16 @@ class Simulation {
   void step();
   void reset();
   double time() const;
-  /// Static equilibrium by the reference solver. Throws Error when it is not reached.
+  /// Static equilibrium, by the reference solver to 1e-10 or by the GPU to 1e-5, or to solver.tolerance if that is given. Throws Error
+  /// when the reference solver does not reach it; the GPU's report tells how far float32 went.
   reference::NewtonReport solve_static();
 
   void set_settings(const SolverSettings& settings);
   void set_material(std::size_t index, const Material& material);  // of model.materials
   void set_gravity(const Eigen::Vector3d& gravity);
+
+  /// Of the last step per substep: fewer than asked for where solver.frame_budget binds.
+  int iterations_run() const { return gpu_ && !reference_ ? gpu_->settings().iterations : scene.solver.iterations; }
 
   reference::State state() const;
   GpuSolver* gpu() { return gpu_.get(); }  // null without a GPU
@@ -35,7 +39,10 @@ class Simulation {
   const reference::NewtonReport& newton_report() const { return newton_report_; }
 
  private:
+  void step_within_budget();
+
   std::unique_ptr<GpuSolver> gpu_;
+  double ms_per_iteration_ = 0;  // of the GPU, a running mean over steps; 0: not measured
   std::unique_ptr<reference::NewtonSolver> reference_;
   reference::State reference_state_;
   reference::NewtonReport newton_report_;

@@ -145,7 +145,7 @@ const char* help_of(Method method) {
              "tissue with short steps. Stiff tissue with long steps makes it invert tets or diverge: use more substeps.";
     case Method::exact_xpbd:
       return "XPBD that converges to the exact step: the residual of the positions, which XPBD drops, is fed back, with masses raised "
-             "by the tension around each vertex. About 1.4 times the cost of Jacobi.";
+             "by the tension around each vertex. About 1.4 times the cost of Jacobi. Few iterations on stiff tissue can add energy.";
     case Method::vertex_descent:
       return "Vertex by vertex, each minimises the energy around it (Chen et al. 2024), one dispatch per vertex color. Converges to the "
              "exact step, fast for short waves, ever more slowly for the bending of large meshes.";

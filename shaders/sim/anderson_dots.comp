@@ -7,7 +7,9 @@ COMPUTE_1D
 INPUT_FLOAT(AndersonState, anderson_state)
 INPUT_VEC4(Residual, residual)               // [vector_count] xyz f_k, w weight
 INPUT_VEC4(ResidualChange, residual_change)  // [window * vector_count] dF
-OUTPUT(vec4, DotPartials, dot_partials)      // x dF_new . dF_j, y dF_j . f, z f . f; those of column 0, then of column 1, ...
+INPUT_VEC4(Image, image)                     // [vector_count] G(z_k)
+// x dF_new . dF_j, y dF_j . f, z f . f, w G . G; those of column 0, then of column 1, ...
+OUTPUT(vec4, DotPartials, dot_partials)
 uniform uint vector_count, lanes;            // lanes of one column
 uniform uint first_partial;
 
@@ -18,8 +20,8 @@ void main() {
   vec4 sum = vec4(0.0);
   for (uint v = i % lanes; v < vector_count; v += lanes) {
     vec4 f = FETCH(residual, v);
-    vec3 d = FETCH(residual_change, column + v).xyz;
-    sum += f.w * vec4(dot(FETCH(residual_change, newest + v).xyz, d), dot(d, f.xyz), dot(f.xyz, f.xyz), 0.0);
+    vec3 d = FETCH(residual_change, column + v).xyz, g = FETCH(image, v).xyz;
+    sum += f.w * vec4(dot(FETCH(residual_change, newest + v).xyz, d), dot(d, f.xyz), dot(f.xyz, f.xyz), dot(g, g));
   }
   STORE_PARTIAL(dot_partials, i + first_partial * PARTIAL_STRIDE, sum)
 }

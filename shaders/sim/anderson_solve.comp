@@ -1,6 +1,7 @@
 // Anderson acceleration, third pass, one work group: theta = argmin |f_k - dF theta|^2 by the normal equations, scaled to a unit
 // diagonal. REGULARIZATION keeps columns that float32 cannot tell apart from cancelling each other.
-// When |f|^2 has grown fourfold the history misleads: it is forgotten, and the iteration is a plain one.
+// When |f|^2 has grown fourfold the history misleads, and when |f| is as small as the rounding of G it is noise: it is forgotten, and
+// the iteration is a plain one.
 // After anderson_dots, before anderson_apply.
 #include "common/io.glsl"
 #include "sim/anderson_state.glsl"
@@ -10,6 +11,7 @@ INOUT(float, AndersonState, anderson_state)
 uniform uint window, partials, parts;  // partials of one column of one part
 #define LARGEST_WINDOW 10
 #define REGULARIZATION 1e-6
+#define ROUNDING 3e-7  // relative, of a sweep in float32
 
 shared vec4 dots[LARGEST_WINDOW];
 
@@ -27,7 +29,7 @@ void main() {
   uint newest = uint(anderson_state[ANDERSON_NEXT]);
   uint count = min(uint(anderson_state[ANDERSON_COUNT]) + 1u, window);
   float squared = dots[0].z;
-  bool misled = squared > 4.0 * anderson_state[ANDERSON_SQUARED];
+  bool misled = squared > 4.0 * anderson_state[ANDERSON_SQUARED] || squared < ROUNDING * ROUNDING * dots[0].w;
   anderson_state[ANDERSON_SQUARED] = squared;
   if (misled) {
     anderson_state[ANDERSON_NEXT] = 0.0;

@@ -16,7 +16,7 @@ INPUT_VEC4(LastStep, last_step)                    // [vertex_count] p [m]
 INPUT_VEC4(PreviousGradient, previous_gradient)    // [vertex_count] g before p [kg m]
 #endif
 #include "sim/feature_grab.glsl"
-// Three arrays of `partials`: x g.z_f, y g.z_c, z g.p, w objective; x z_f M z_f, y z_f M z_c, z z_c M z_c; x z_f.y, y z_c.y, z p.y
+// Three arrays of `partials`: x g.z_f, y g.z_c, z g.p, w objective; x z_f M z_f, y z_f M z_c, z z_c M z_c, w p M p; x z_f.y, y z_c.y, z p.y
 OUTPUT(vec4, DotPartials, dot_partials)
 uniform uint vertex_count, partials;
 
@@ -35,7 +35,7 @@ void main() {
 #endif
     float m = FETCH1(mass, v) + SUBSTEP * SUBSTEP * spring_of(v).w;
     slopes += vec4(dot(g.xyz, zf), dot(g.xyz, zc), dot(g.xyz, p), g.w);
-    masses += m * vec4(dot(zf, zf), dot(zf, zc), dot(zc, zc), 0.0);
+    masses += m * vec4(dot(zf, zf), dot(zf, zc), dot(zc, zc), dot(p, p));
     secants += vec4(dot(zf, y), dot(zc, y), dot(p, y), 0.0);
   }
   STORE_PARTIAL(dot_partials, i, slopes)

@@ -72,7 +72,8 @@ void main() {
     subspace_state[SUBSPACE_OBJECTIVE] = objective;
     vec3 slope = sums[0].xyz;
     float ff = sums[1].x + sums[3].x, fc = sums[1].y + sums[3].y, cc = sums[1].z + sums[3].z;
-    float fp = sums[2].x, cp = sums[2].y, pp = sums[2].z;
+    // The elastic energy adds to the curvature of the masses; what falls below it is the rounding of two gradients' difference.
+    float fp = sums[2].x, cp = sums[2].y, pp = max(sums[2].z, sums[1].w);
     vec3 diagonal = abs(vec3(ff, cc, pp));
     vec3 scale = vec3(diagonal.x > 0.0 ? inversesqrt(diagonal.x) : 0.0, diagonal.y > 0.0 ? inversesqrt(diagonal.y) : 0.0,
                       diagonal.z > 0.0 ? inversesqrt(diagonal.z) : 0.0);

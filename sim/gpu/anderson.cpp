@@ -66,6 +66,7 @@ Passes Anderson::passes(gl::ProgramCache& programs, bool first) const {
                         gl::ComputePass::Bindings{{"anderson_state", &state_},
                                                   {"residual", &history.residual},
                                                   {"residual_change", &history.residual_change},
+                                                  {"image", &history.image},
                                                   {"dot_partials", &dot_partials_}},
                         lanes_ * window_,
                         gl::ComputePass::Constants{{"vector_count", part.count},

@@ -114,7 +114,6 @@ TEST_CASE("bad input is one line and exit 1", "[cli]") {
   expect_failure(with_set("solver.iteratons=4"), {"iteratons", "iterations"});
   expect_failure(with_set("solver.method=two_level"), {"two_level", "jacobi"});
   expect_failure(with_set("fixed=[{\"sphere\":{\"center\":[9,9,9],\"radius\":0.1}}]"), {"fixed"});
-  expect_failure({"run", cube().string(), "--static"}, {"--static", "--reference"});
   expect_failure({"render", cube().string()}, {"--out"});
   expect_failure({"info", (folder / "missing.msh").string()}, {"no such file"});
   expect_failure({"convert", (folder / "missing.msh").string(), (folder / "out.vtk").string()}, {"no such file"});

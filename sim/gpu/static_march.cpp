@@ -1,0 +1,100 @@
+#include "sim/gpu/static_march.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/reference/held_path.h"
+#include "sim/reference/static_residual.h"
+
+namespace fascia {
+namespace {
+
+constexpr int kIterations = 30;        // of the method per step
+constexpr int kPatience = 12;          // steps that may gain nothing
+constexpr int kMostSteps = 400;
+constexpr double kFirstStep = 1.0 / 30;  // [s]
+constexpr double kLongestStep = 300;     // [s] inertia is nothing for whatever fits on a table
+
+double end_of_motions(const Model& model, double time) {
+  for (const Motion& motion : model.motions) time = std::max(time, motion.start + motion.duration);
+  return time;
+}
+
+/// So many that no prescribed vertex moves by more than a third of a tet's width at once.
+int increments(const Model& model, double volume) {
+  double farthest = 0;
+  for (const Motion& motion : model.motions)
+    for (std::size_t k = 0; k < motion.vertices.size(); ++k) {
+      const Eigen::Vector3d& rest = model.rest_positions[motion.vertices[k]];
+      double path = 0;
+      Eigen::Vector3d last = rest;
+      for (int part = 1; part <= 8; ++part) {
+        const Eigen::Vector3d next = motion.position(k, rest, motion.start + motion.duration * part / 8);
+        path += (next - last).norm();
+        last = next;
+      }
+      farthest = std::max(farthest, path);
+    }
+  const double width = std::cbrt(6 * volume / static_cast<double>(model.tets.size()));
+  return std::clamp(static_cast<int>(std::ceil(3 * farthest / width)), 1, 300);
+}
+
+}  // namespace
+
+reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance) {
+  reference::require_supports(model);
+  const SolverSettings settings = solver.settings();
+  SolverSettings marching = settings;
+  marching.substeps = 1;
+  marching.iterations = kIterations;
+  marching.time_step = kFirstStep;
+  solver.set_settings(marching);
+  solver.finish_background();
+
+  reference::State state = solver.download();
+  reference::NewtonReport report;
+  // To time `to` with h the step: where motions are then does not depend on h.
+  const auto step_to = [&](double to) {
+    for (Eigen::Vector3d& v : state.velocity) v.setZero();
+    state.time = to - marching.time_step;
+    solver.upload(state);
+    solver.step();
+    state = solver.download();
+    report.iterations += kIterations;
+  };
+
+  const double begin = state.time, end = end_of_motions(model, begin);
+  if (end > begin) {
+    const int count = increments(model, solver.buffers().volume);
+    for (int k = 1; k <= count; ++k) step_to(begin + (end - begin) * k / count);
+  }
+  reference::State best = state;
+  report.relative_residual = reference::static_residual(model, state);
+  double last = report.relative_residual;
+  for (int steps = 0, idle = 0; steps < kMostSteps && idle < kPatience && report.relative_residual > tolerance; ++steps) {
+    step_to(end);
+    const double residual = reference::static_residual(model, state);
+    ++idle;
+    if (residual < report.relative_residual) {
+      if (residual < 0.9 * report.relative_residual) idle = 0;
+      report.relative_residual = residual;
+      best = state;
+    }
+    // Inertia slows the march: a longer step, unless this one was already too long for its iterations.
+    if (residual < 2 * last && marching.time_step < kLongestStep) {
+      marching.time_step *= 2;
+      solver.set_settings(marching);
+      solver.finish_background();
+    }
+    last = residual;
+  }
+  report.converged = report.relative_residual <= tolerance;
+  for (Eigen::Vector3d& v : best.velocity) v.setZero();
+  best.time = end;
+  solver.set_settings(settings);
+  solver.finish_background();
+  solver.upload(best);
+  return report;
+}
+
+}  // namespace fascia

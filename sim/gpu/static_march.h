@@ -1,0 +1,14 @@
+// Static equilibrium on the GPU: implicit Euler steps without velocity, which only descend the energy of elasticity and weight, with
+// steps in time that grow until inertia is nothing (the proximal point method; as pseudo-transient continuation, Kelley and Keyes
+// 1998). Prescribed motions are applied in increments first.
+#pragma once
+#include "sim/gpu/solver.h"
+
+namespace fascia {
+
+/// Brings `solver` and its state to the end of all motions and to equilibrium, with the solver's own method, to a relative residual of
+/// `tolerance` (reference/static_residual.h) or as far as float32 goes: when a dozen steps gain nothing. Its settings and materials are
+/// as before afterwards. `iterations` of the report are the method's. Throws Error if gravity pulls at a part that nothing holds.
+reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance);
+
+}  // namespace fascia
