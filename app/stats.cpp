@@ -40,7 +40,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
                   {"time_step", simulation.scene.solver.time_step},
                   {"substeps", simulation.scene.solver.substeps},
                   {"time", last.time},
-                  {"iterations_per_step", simulation.scene.solver.iterations * simulation.scene.solver.substeps},
+                  {"iterations_per_step", simulation.iterations_run() * simulation.scene.solver.substeps},
                   {"wall_s", stats.wall_s},
                   {"ms_per_step", to_json(percentiles(stats.step_ms))},
                   {"solve_ms_per_step", to_json(percentiles(stats.solve_ms))},
