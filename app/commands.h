@@ -10,6 +10,8 @@ int command_view(const ViewOptions& options);
 int command_render(const RenderOptions& options);
 int command_run(const RunOptions& options);
 int command_bench_figures(const BenchOptions& options);
+/// `fresh`: measures again what the folder holds.
+int command_bench_accuracy(const BenchOptions& options, bool fresh);
 int command_info(const InfoOptions& options);
 int command_convert(const ConvertOptions& options);
 

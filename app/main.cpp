@@ -95,6 +95,16 @@ int run(int argc, char** argv) {
   figures_command->add_flag("--quick", figures.quick, "small meshes, few iterations: the same files in less time, the numbers worth little");
   parse_size(figures_command, figures.width, figures.height);
   add_graphics(figures_command, figures);
+  BenchOptions accuracy;
+  bool fresh = false;
+  CLI::App* accuracy_command =
+      bench_command->add_subcommand("accuracy", "error against iterations and time, for every method and acceleration");
+  accuracy_command->add_option("--out", accuracy.out, "folder for the files, made if missing; what it holds is not measured again")
+      ->type_name("DIR")
+      ->required();
+  accuracy_command->add_flag("--quick", accuracy.quick, "three small cases, for a first look");
+  accuracy_command->add_flag("--fresh", fresh, "measure again what the folder holds");
+  add_graphics(accuracy_command, accuracy);
 
   CLI::App* info_command = app.add_subcommand("info", "mesh doctor: sizes, materials, defects");
   info_command->add_option("scene", info.input, "scene (.json) or tetrahedral mesh")->required();
@@ -114,6 +124,7 @@ int run(int argc, char** argv) {
   if (*render_command) return command_render(render);
   if (*run_command) return command_run(simulate);
   if (*figures_command) return command_bench_figures(figures);
+  if (*accuracy_command) return command_bench_accuracy(accuracy, fresh);
   if (*info_command) return command_info(info);
   if (*convert_command) return command_convert(convert);
   return command_view(view);
