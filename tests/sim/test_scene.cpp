@@ -220,10 +220,11 @@ TEST_CASE("a written scene is readable: lists of numbers on one line, no needles
   "solver": {
     "method": "jacobi",
     "acceleration": "none",
-    "iterations": 20,
+    "iterations": 10,
     "tolerance": 0,
     "time_step": 0.016666666666666666,
     "substeps": 1,
+    "frame_budget": 0,
     "colors": 0,
     "spectral_radius": 0,
     "window": 5

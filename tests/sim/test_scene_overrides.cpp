@@ -84,7 +84,7 @@ TEST_CASE("the last override wins") {
 
 TEST_CASE("an override repairs what the file has wrong") {
   CHECK(
-      with({"solver.method=jacobi"}, scene_text("", R"("solver": {"method": "two_level"})")).solver.method ==
+      with({"solver.method=jacobi"}, scene_text("", R"("solver": {"method": "multigrid"})")).solver.method ==
       Method::jacobi);
   CHECK(with({"materials.default.young_modulus=1e5"},
              scene_text(R"("materials": {"default": {"young_modulus": 0}})"))
@@ -109,7 +109,7 @@ TEST_CASE("overrides reach a mesh opened alone") {
 TEST_CASE("the mistake of an override names the override, that of the file the file") {
   CHECK(error_with({"solver.iteration=3"}) ==
         "--set solver.iteration: unknown key \"iteration\", perhaps \"iterations\"; expected one of method, "
-        "acceleration, iterations, tolerance, time_step, substeps, colors, spectral_radius, window");
+        "acceleration, iterations, tolerance, time_step, substeps, frame_budget, colors, spectral_radius, window");
   CHECK(error_with({"bodies.0.material.young_modulus=3"}) ==
         "--set bodies.0.material.young_modulus: bodies[0].material: unknown key \"material\", perhaps "
         "\"materials\"; expected "
@@ -121,8 +121,8 @@ TEST_CASE("the mistake of an override names the override, that of the file the f
         "--set solver: solver.iterations: is 0; expected a whole number, 1 to 10000");
   CHECK(error_with({"solver.tolerance=nan"}) ==
         "--set solver.tolerance: is \"nan\"; expected a number, 0 to 1");
-  CHECK(error_with({"solver.method=two_level"}) ==
-        "--set solver.method: is \"two_level\"; expected a method and acceleration that exist: " +
+  CHECK(error_with({"solver.method=multigrid"}) ==
+        "--set solver.method: is \"multigrid\"; expected a method and acceleration that exist: " +
             list_of_pairs());
   CHECK(error_with({"materials.2.density=-1"}) ==
         "--set materials.2.density: is -1; expected 0.001 to 1e+06 kg/m^3");
