@@ -30,10 +30,10 @@ std::string processor() {
 
 }  // namespace
 
-Bench::Bench(const BenchOptions& o)
+Bench::Bench(const BenchOptions& o, const std::string& name)
     : options(o), folder(made_folder(o.out)), graphics(open_graphics(o, false)), has_gnuplot(gnuplot_installed()) {
   const char* threads = std::getenv("LP_NUM_THREADS");
-  notes_ = {std::string("fascia ") + FASCIA_VERSION + ", bench figures" + (options.quick ? " --quick" : ""),
+  notes_ = {std::string("fascia ") + FASCIA_VERSION + ", bench " + name + (options.quick ? " --quick" : ""),
             "renderer: " + describe(graphics),
             "machine: " + processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores",
             std::string("LP_NUM_THREADS: ") + (threads ? threads : "not set")};

@@ -1,4 +1,4 @@
-// What the parts of `fascia bench figures` share: the graphics they measure, the folder they write to, and who measured.
+// What the benchmarks of `fascia bench` share: the graphics they measure, the folder they write to, and who measured.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -16,8 +16,8 @@ struct Interrupted {};  // thrown between pieces of work after Ctrl-C
 
 class Bench {
  public:
-  /// Makes the output folder and the context. Throws Error.
-  explicit Bench(const BenchOptions& options);
+  /// Makes the output folder and the context. `name` is that of the command, "figures". Throws Error.
+  Bench(const BenchOptions& options, const std::string& name);
 
   const BenchOptions& options;
   std::filesystem::path folder;
@@ -32,7 +32,9 @@ class Bench {
   void say(const std::string& line) const;
   void stop_if_interrupted() const;
 
-  /// NAME.csv, below the notes that every table has: version, renderer, machine.
+  /// That every table begins with: version, renderer, machine.
+  const std::vector<std::string>& notes() const { return notes_; }
+  /// NAME.csv, below the notes that every table has.
   void write(const std::string& name, Table table) const;
   void write(const std::string& name, const Image& picture, Session& session, long step) const;  // NAME.png
   void draw(const std::string& name, const Chart& chart) const;  // NAME.svg and NAME.png; nothing without gnuplot

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <thread>
 
 #include "app/accuracy_charts.h"
 #include "app/accuracy_problem.h"
@@ -17,19 +14,6 @@ namespace fascia {
 namespace {
 
 namespace fs = std::filesystem;
-
-// As at the top of the tables of `bench figures`.
-std::vector<std::string> provenance(const Bench& bench) {
-  std::string processor = "unknown processor";
-  std::ifstream in("/proc/cpuinfo");
-  for (std::string line; std::getline(in, line);)
-    if (line.rfind("model name", 0) == 0 && line.find(": ") != std::string::npos) processor = line.substr(line.find(": ") + 2);
-  const char* threads = std::getenv("LP_NUM_THREADS");
-  return {std::string("fascia ") + FASCIA_VERSION + ", bench accuracy" + (bench.options.quick ? " --quick" : ""),
-          "renderer: " + describe(bench.graphics),
-          "machine: " + processor + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores",
-          std::string("LP_NUM_THREADS: ") + (threads ? threads : "not set")};
-}
 
 /// A pair on a case, and the solver that it is measured with.
 class Contender {
@@ -121,7 +105,7 @@ long missing_pairs(const CaseAccuracy& result) {
 }  // namespace
 
 int bench_accuracy(Bench& bench, const AccuracyGrid& grid, bool fresh) {
-  std::vector<std::string> notes = provenance(bench);
+  std::vector<std::string> notes = bench.notes();
   const std::vector<std::string> meaning = AccuracyProblem::notes(grid);
   notes.insert(notes.end(), meaning.begin(), meaning.end());
   const fs::path table = bench.folder / "accuracy.csv";

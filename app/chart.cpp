@@ -9,8 +9,8 @@
 namespace fascia {
 namespace {
 
-// Okabe and Ito's colors without yellow, which is lost on white, and without black, which levels have.
-constexpr std::array kColors{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
+// Okabe and Ito's colors without yellow, which is lost on white; the last one is for lines beside a palette of six.
+constexpr std::array kColors{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
 constexpr std::size_t kLegendColumns = 3;
 constexpr std::array kDashes{"solid", "(14,5)", "(3,4)", "(14,4,3,4)"};
 constexpr std::array kMarks{7, 5, 9, 11, 13, 15};  // filled shapes; one less is the same shape, empty

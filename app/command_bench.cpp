@@ -14,10 +14,11 @@
 namespace fascia {
 namespace {
 
-int run_bench(const BenchOptions& options, const std::string& without_gnuplot, const std::function<void(Bench&)>& measure) {
+int run_bench(const BenchOptions& options, const std::string& name, const std::string& without_gnuplot,
+              const std::function<void(Bench&)>& measure) {
   const auto start = std::chrono::steady_clock::now();
   try {
-    Bench bench(options);
+    Bench bench(options, name);
     bench.say(describe(bench.graphics));
     if (!bench.has_gnuplot) bench.say("no gnuplot: " + without_gnuplot + " only");
     measure(bench);
@@ -33,7 +34,7 @@ int run_bench(const BenchOptions& options, const std::string& without_gnuplot, c
 }  // namespace
 
 int command_bench_figures(const BenchOptions& options) {
-  return run_bench(options, "tables and pictures", [](Bench& bench) {
+  return run_bench(options, "figures", "tables and pictures", [](Bench& bench) {
     bench_scenes(bench);
     bench_stiff_beam(bench);
     bench_convergence(bench);
@@ -42,7 +43,7 @@ int command_bench_figures(const BenchOptions& options) {
 }
 
 int command_bench_accuracy(const BenchOptions& options, bool fresh) {
-  return run_bench(options, "tables",
+  return run_bench(options, "accuracy", "tables",
                    [&](Bench& bench) { bench_accuracy(bench, accuracy_grid(options.quick), fresh); });
 }
 

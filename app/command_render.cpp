@@ -24,6 +24,7 @@ void draw_frame(Session& session, Overlay& overlay, Framebuffer& framebuffer, bo
                 "the state is not finite at " + std::to_string(session.simulation.time()) + " s",
                 "expected finite positions: more substeps, softer material or a smaller load may help");
   if (diagnostics) session.follow_range(*diagnostics);
+  if (session.display().color == ColorBy::error) session.measure_error();
   session.draw(framebuffer);
   if (panels || session.look.heat_map) overlay.draw_headless(session, framebuffer, panels, diagnostics);
 }

@@ -8,6 +8,7 @@
 #include "app/paths.h"
 #include "app/simulation.h"
 #include "app/stats.h"
+#include "app/true_error.h"
 #include "sim/error.h"
 #include "sim/state_export.h"
 
@@ -34,6 +35,8 @@ int command_run(const RunOptions& options) {
   const std::filesystem::path input =
       options.input.empty() ? default_scene(find_data_dir(options.data_dir)) : std::filesystem::path(options.input);
   Scene scene = open_scene(input, options.sets);
+  if (options.error && (options.static_equilibrium || options.reference))
+    throw Error("--error", "compares steps of the GPU with the reference solver", "leave out --static and --reference");
   Graphics graphics;
   if (!options.reference) graphics = open_graphics(options, false, 16, 16, scene.solver.method);
   Simulation simulation(std::move(scene), graphics.programs.get(), options.reference);
@@ -84,6 +87,14 @@ int command_run(const RunOptions& options) {
     stats.gpu_bytes = gl::allocated_bytes();
   } else if (!options.static_equilibrium) {
     stats.residual = simulation.newton_report().relative_residual;
+  }
+  if (options.error) {
+    TrueError measured;
+    const StepError& error = measured.measure(simulation);
+    stats.error = error.relative;
+    if (!options.quiet)
+      std::cerr << "fascia: error of the last step " << 100 * error.relative << " %, largest " << error.largest << " m"
+                << (error.converged ? "" : " (the reference solver did not converge)") << '\n';
   }
   if (!options.stats.empty()) write_stats(options.stats, stats, simulation, last);
   require_finite(last, simulation.scene);

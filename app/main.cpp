@@ -87,6 +87,7 @@ int run(int argc, char** argv) {
   run_command->add_option("--export", simulate.export_path, "the state after the last step: .vtu, .csv, .msh or .obj")->type_name("FILE");
   run_command->add_option("--every", simulate.every, "export every K-th step as numbered files")->type_name("K")->check(CLI::PositiveNumber);
   run_command->add_option("--stats", simulate.stats, "numbers about the run")->type_name("FILE.json");
+  run_command->add_flag("--error", simulate.error, "compare the last step with the exact one, by the reference solver");
 
   CLI::App* bench_command = app.add_subcommand("bench", "measurements as tables, charts and pictures");
   bench_command->require_subcommand(1);

@@ -35,6 +35,7 @@ struct RunOptions : CommonOptions {
   std::string export_path;  // .vtu, .csv, .msh, .obj
   long every = 0;           // 0: the end only
   std::string stats;        // stats.json
+  bool error = false;       // of the last step, against the exact one
 };
 
 struct ViewOptions : CommonOptions {

@@ -15,13 +15,14 @@ const char* title_of(ColorBy color) {
     case ColorBy::none: return "None";
     case ColorBy::strain: return "Green strain";
     case ColorBy::von_mises: return "Von Mises stress";
+    case ColorBy::error: return "True error";
   }
   return "";
 }
 
 bool color_combo(ColorBy& color) {
   bool changed = false;
-  ui::label("Heat map", "Colors the surface by strain or stress; the bar at the right is its scale");
+  ui::label("Heat map", "Colors the surface by strain, stress or the distance to the exact step; the bar at the right is its scale");
   if (ImGui::BeginCombo("##color", title_of(color))) {
     for (const ColorBy choice : all_colors()) {
       if (!ImGui::Selectable(title_of(choice), choice == color) || choice == color) continue;
@@ -44,8 +45,9 @@ bool range_rows(const Session& session, DisplaySettings& display) {
   }
   if (!display.range) return changed;
   const bool stress = display.color == ColorBy::von_mises;
-  const char* unit = stress ? "Pa" : "";
-  const double least = stress ? 1 : 1e-4, most = stress ? 1e9 : 10;
+  const bool error = display.color == ColorBy::error;
+  const char* unit = stress ? "Pa" : error ? "m" : "";
+  const double least = stress ? 1 : error ? 1e-9 : 1e-4, most = stress ? 1e9 : 10;
   Eigen::Vector2d range = *display.range;
   const bool low = ui::number({"from", unit, 0, range.y(), -1e14, 1e14, false, false, "Value of the darkest color"}, range.x());
   const bool high = ui::number({"to", unit, least, most, -1e14, 1e14, true, false, "Value of the brightest color"}, range.y());

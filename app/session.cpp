@@ -52,11 +52,31 @@ void Session::set_display(const DisplaySettings& display) {
   look.wireframe = display.wireframe;
   look.heat_map = display.color != ColorBy::none;
   if (display.range) look.range = display.range->cast<float>();
+  if (display.color == ColorBy::error && true_error.result()) show_error();
 }
 
 void Session::follow_range(const Diagnostics& d) {
+  if (display().color == ColorBy::strain) follow_largest(d.max_strain);
+  if (display().color == ColorBy::von_mises) follow_largest(d.max_von_mises);
+}
+
+void Session::follow_error() {
+  const bool shown = display().color == ColorBy::error;
+  if (true_error.update(simulation, shown || follow_true_error) && shown) show_error();
+}
+
+void Session::measure_error() {
+  true_error.measure(simulation);
+  show_error();
+}
+
+void Session::show_error() {
+  simulation.gpu()->set_vertex_errors(true_error.result()->distance);
+  follow_largest(true_error.result()->largest);
+}
+
+void Session::follow_largest(double largest) {
   if (display().range || !look.heat_map) return;
-  const double largest = display().color == ColorBy::strain ? d.max_strain : d.max_von_mises;
   if (!(largest > 0) || !std::isfinite(largest)) return;
   // Grows at once, shrinks only when most of the range is unused: a bar that flickers cannot be read.
   if (largest > look.range.y() || largest < 0.2 * look.range.y())
@@ -67,6 +87,7 @@ std::string Session::heat_label() const {
   switch (display().color) {
     case ColorBy::strain: return "Green strain, Frobenius norm [-]";
     case ColorBy::von_mises: return "von Mises stress [Pa]";
+    case ColorBy::error: return "distance to the exact step [m]";
     case ColorBy::none: break;
   }
   return "";

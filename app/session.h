@@ -7,6 +7,7 @@
 #include "app/drawn_surface.h"
 #include "app/graphics.h"
 #include "app/simulation.h"
+#include "app/true_error.h"
 #include "render/camera.h"
 #include "render/framebuffer.h"
 #include "render/scene_renderer.h"
@@ -19,6 +20,8 @@ class Session {
   Session(Graphics& graphics, Scene scene, bool use_reference);
 
   Simulation simulation;
+  TrueError true_error;
+  bool follow_true_error = false;  // one measurement after the other
   Camera camera;
   Look look;
 
@@ -31,6 +34,9 @@ class Session {
 
   /// Range of the heat map without a fixed one: from 0 to a round number above the largest value seen.
   void follow_range(const Diagnostics& diagnostics);
+  /// Once a frame, after its steps: the comparison with the exact step, where it is wanted, and its heat map.
+  void follow_error();
+  void measure_error();  // now, for a single picture
   std::string heat_label() const;  // "von Mises stress [Pa]"; empty without a heat map
 
   const DrawnSurface& surface() const { return surface_; }
@@ -38,6 +44,9 @@ class Session {
   void frame();  // camera on the whole body, from the front
 
  private:
+  void follow_largest(double largest);
+  void show_error();
+
   DrawnSurface surface_;
   SceneRenderer renderer_;
   Eigen::Vector3d box_min_, box_max_;  // of the bodies at rest [m]

@@ -12,9 +12,6 @@ namespace fascia {
 
 Simulation::Simulation(Scene opened, gl::ProgramCache* programs, bool use_reference)
     : scene(std::move(opened)), model(build_model(scene)) {
-  if (scene.solver.tolerance > 0 && !use_reference)
-    model.notes.push_back(std::string("solver.tolerance does not stop ") + name_of(scene.solver.method) +
-                          " early: all iterations are run");
   if (programs) gpu_ = std::make_unique<GpuSolver>(*programs, model, scene.solver, embedded_points(scene));
   if (use_reference) {
     reference_ = std::make_unique<reference::NewtonSolver>(model, scene.solver);
@@ -23,6 +20,7 @@ Simulation::Simulation(Scene opened, gl::ProgramCache* programs, bool use_refere
 }
 
 void Simulation::step() {
+  equilibrium_.reset();
   if (!reference_) {
     if (scene.solver.frame_budget > 0)
       step_within_budget();
@@ -46,12 +44,13 @@ void Simulation::step_within_budget() {
   gpu_->step();
   gl::Finish();
   const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  const double per_iteration = ms / (fitting.iterations * fitting.substeps);
+  const double per_iteration = ms / (std::max(gpu_->last_iterations(), 1) * fitting.substeps);
   constexpr double kNews = 0.2;  // share of a new measurement: a hiccup must not halve the accuracy of many steps
   ms_per_iteration_ = ms_per_iteration_ > 0 ? (1 - kNews) * ms_per_iteration_ + kNews * per_iteration : per_iteration;
 }
 
 void Simulation::reset() {
+  equilibrium_.reset();
   if (reference_) reference_state_ = reference::initial_state(model);
   if (gpu_) gpu_->reset();
 }
@@ -59,7 +58,10 @@ void Simulation::reset() {
 double Simulation::time() const { return reference_ ? reference_state_.time : gpu_->time(); }
 
 reference::NewtonReport Simulation::solve_static() {
-  if (!reference_) return march_to_equilibrium(*gpu_, model, scene.solver.tolerance > 0 ? scene.solver.tolerance : 1e-5);
+  if (!reference_) {
+    equilibrium_.emplace();
+    return march_to_equilibrium(*gpu_, model, scene.solver.tolerance > 0 ? scene.solver.tolerance : 1e-5, *equilibrium_);
+  }
   newton_report_ = reference_->solve_static(reference_state_, scene.solver.tolerance);
   if (!newton_report_.converged)
     throw Error(scene.file.string(),
@@ -89,7 +91,13 @@ void Simulation::set_gravity(const Eigen::Vector3d& gravity) {
   if (reference_) reference_ = std::make_unique<reference::NewtonSolver>(model, scene.solver);
 }
 
-reference::State Simulation::state() const { return reference_ ? reference_state_ : gpu_->download(); }
+reference::State Simulation::state() const {
+  return reference_ ? reference_state_ : equilibrium_ ? *equilibrium_ : gpu_->download();
+}
+
+double Simulation::mean_iterations() const {
+  return gpu_ && !reference_ ? gpu_->mean_iterations() : scene.solver.iterations;
+}
 
 long steps_to_run(const CommonOptions& options, const Scene& scene) {
   if (options.steps) return *options.steps;

@@ -30,8 +30,10 @@ class Simulation {
   void set_material(std::size_t index, const Material& material);  // of model.materials
   void set_gravity(const Eigen::Vector3d& gravity);
 
-  /// Of the last step per substep: fewer than asked for where solver.frame_budget binds.
-  int iterations_run() const { return gpu_ && !reference_ ? gpu_->settings().iterations : scene.solver.iterations; }
+  /// Per substep, of all steps so far on average: fewer than asked for where solver.tolerance or solver.frame_budget bind.
+  double mean_iterations() const;
+  /// How many of the iterations the next step gets: fewer than asked for where solver.frame_budget binds.
+  int iterations_granted() const { return gpu_ && !reference_ ? gpu_->settings().iterations : scene.solver.iterations; }
 
   reference::State state() const;
   GpuSolver* gpu() { return gpu_.get(); }  // null without a GPU
@@ -42,6 +44,7 @@ class Simulation {
   void step_within_budget();
 
   std::unique_ptr<GpuSolver> gpu_;
+  std::optional<reference::State> equilibrium_;  // of solve_static() on the GPU, to more digits than float32 holds; until the next change
   double ms_per_iteration_ = 0;  // of the GPU, a running mean over steps; 0: not measured
   std::unique_ptr<reference::NewtonSolver> reference_;
   reference::State reference_state_;

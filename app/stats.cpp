@@ -30,7 +30,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
   const auto finite = [](const Eigen::Vector3d& v) { return v.allFinite(); };
   const bool nan = !std::all_of(last.displacement.begin(), last.displacement.end(), finite) ||
                    !std::all_of(last.velocity.begin(), last.velocity.end(), finite);
-  const Json json{{"version", FASCIA_VERSION},
+  Json json{{"version", FASCIA_VERSION},
                   {"renderer", stats.renderer},
                   {"method", simulation.uses_reference() ? "newton" : name_of(simulation.scene.solver.method)},
                   {"acceleration", simulation.uses_reference() ? "none" : name_of(simulation.scene.solver.acceleration)},
@@ -40,7 +40,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
                   {"time_step", simulation.scene.solver.time_step},
                   {"substeps", simulation.scene.solver.substeps},
                   {"time", last.time},
-                  {"iterations_per_step", simulation.iterations_run() * simulation.scene.solver.substeps},
+                  {"iterations_per_step", simulation.mean_iterations() * simulation.scene.solver.substeps},
                   {"wall_s", stats.wall_s},
                   {"ms_per_step", to_json(percentiles(stats.step_ms))},
                   {"solve_ms_per_step", to_json(percentiles(stats.solve_ms))},
@@ -55,6 +55,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
                   {"reaction_N", {{"fixed", to_json(measures.fixed_reaction)}}},
                   {"dispatches_per_step", stats.dispatches_per_step},
                   {"gpu_bytes", stats.gpu_bytes}};
+  if (stats.error) json["error"] = *stats.error;
   write_file(path, json.dump(2) + "\n");
 }
 

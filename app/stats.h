@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct RunStats {
   double wall_s = 0;
   std::vector<double> step_ms, solve_ms;   // [steps]; solve: without exports and other work between steps
   double residual = 0;                     // of the last step, relative
+  std::optional<double> error;             // of the last step, as in StepError; where it was asked for
   std::uint64_t dispatches_per_step = 0;
   std::size_t gpu_bytes = 0;
 };

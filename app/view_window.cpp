@@ -175,6 +175,7 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
     }
   }
   read_diagnostics();
+  session_->follow_error();
 }
 
 void ViewWindow::read_diagnostics() {

@@ -120,6 +120,7 @@ void ViewWindow::save(const fs::path& path) {
 void ViewWindow::reset() {
   mouse_.cancel(*session_);
   session_->simulation.reset();
+  session_->true_error.forget();
   state_.statistics.steps = 0;
   pacing_.restart();
   diagnose_ = true;

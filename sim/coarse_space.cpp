@@ -48,14 +48,30 @@ struct Edges {  // of the mesh between free vertices, in rows
   std::vector<std::uint32_t> begin, other;
 };
 
-Edges free_edges(const Model& model, const std::vector<char>& held) {
+/// [vertex_count] The stiffest material around each vertex.
+std::vector<std::uint32_t> stiffest_materials(const Model& model) {
+  std::vector<std::uint32_t> stiffest(model.rest_positions.size(), 0);
+  std::vector<double> modulus(stiffest.size(), 0);
+  for (std::size_t t = 0; t < model.tets.size(); ++t)
+    for (const std::uint32_t v : model.tets[t])
+      if (const double e = model.materials[model.tet_material[t]].young_modulus; e > modulus[v]) {
+        modulus[v] = e;
+        stiffest[v] = model.tet_material[t];
+      }
+  return stiffest;
+}
+
+/// With `cut_materials` only edges between vertices of the same material.
+Edges free_edges(const Model& model, const std::vector<char>& held, bool cut_materials) {
+  const std::vector<std::uint32_t> material =
+      cut_materials ? stiffest_materials(model) : std::vector<std::uint32_t>(model.rest_positions.size(), 0);
   Edges edges;
   edges.begin.assign(model.rest_positions.size() + 1, 0);
   const auto each = [&](auto&& f) {
     for (const Tet& tet : model.tets)
       for (const std::uint32_t a : tet)
         for (const std::uint32_t b : tet)
-          if (a != b && !held[a] && !held[b]) f(a, b);
+          if (a != b && !held[a] && !held[b] && material[a] == material[b]) f(a, b);
   };
   each([&](std::uint32_t a, std::uint32_t) { ++edges.begin[a + 1]; });
   std::partial_sum(edges.begin.begin(), edges.begin.end(), edges.begin.begin());
@@ -138,24 +154,12 @@ Lattice fit_lattice(const std::vector<Vector3d>& positions, const std::vector<st
   return best;
 }
 
-}  // namespace
-
-std::uint32_t coarse_node_target(std::size_t tet_count) {
-  return static_cast<std::uint32_t>(std::clamp(0.9 * std::sqrt(static_cast<double>(tet_count)), 30.0, 500.0));
-}
-
-CoarseSpace make_coarse_space(const Model& model, std::uint32_t target) {
+/// Of about `target` lattice nodes, and of at most `most` functions: where that is too few for all parts of the mesh, the lightest have
+/// none and `complete` becomes false.
+CoarseSpace lattice_space(const Model& model, const std::vector<std::uint32_t>& free, const Edges& edges, std::uint32_t target,
+                          std::uint32_t most, bool& complete) {
   const std::size_t vertex_count = model.rest_positions.size();
-  CoarseSpace space;
-  space.begin.assign(vertex_count + 1, 0);
-  const std::vector<char> held = model.held();
   const std::vector<double> masses = lumped_masses(model);
-  std::vector<std::uint32_t> free;
-  for (std::uint32_t v = 0; v < vertex_count; ++v)
-    if (!held[v] && masses[v] > 0) free.push_back(v);
-  if (free.size() < kFewVertices) return space;
-  target = std::min(target, static_cast<std::uint32_t>(free.size() / 3));
-
   const Lattice lattice = fit_lattice(model.rest_positions, free, target);
   struct Reach {
     std::uint64_t key;
@@ -168,7 +172,6 @@ CoarseSpace make_coarse_space(const Model& model, std::uint32_t target) {
       if (c.weight > kLeastWeight) reaches.push_back({c.key, v, c.weight});
   std::stable_sort(reaches.begin(), reaches.end(), [](const Reach& a, const Reach& b) { return a.key < b.key; });
 
-  const Edges edges = free_edges(model, held);
   std::vector<int> local(vertex_count, -1);
   std::uint32_t part_count = 0;
   const std::vector<std::uint32_t> free_part = pieces(free, edges, local, part_count);
@@ -194,19 +197,35 @@ CoarseSpace make_coarse_space(const Model& model, std::uint32_t target) {
     }
     first = last;
   }
-  std::vector<double> part_mass(part_count, 0), part_nodes(part_count, 0);
+  std::vector<double> part_mass(part_count, 0);
+  std::vector<std::uint32_t> part_nodes(part_count, 0);
   for (std::size_t j = 0; j < node_mass.size(); ++j) {
     part_mass[node_part[j]] += node_mass[j];
     ++part_nodes[node_part[j]];
   }
+  const auto strong = [&](std::size_t j) { return node_mass[j] > kWeakNode * part_mass[node_part[j]] / part_nodes[node_part[j]]; };
+  // The heaviest parts come first while there is room.
+  std::vector<std::uint32_t> strong_nodes(part_count, 0), by_mass(part_count);
+  for (std::size_t j = 0; j < node_mass.size(); ++j) strong_nodes[node_part[j]] += strong(j);
+  std::iota(by_mass.begin(), by_mass.end(), 0u);
+  std::stable_sort(by_mass.begin(), by_mass.end(), [&](std::uint32_t a, std::uint32_t b) { return part_mass[a] > part_mass[b]; });
+  std::vector<char> part_kept(part_count, 0);
+  std::uint32_t room = most;
+  complete = true;
+  for (const std::uint32_t p : by_mass) {
+    part_kept[p] = strong_nodes[p] <= room;
+    if (part_kept[p]) room -= strong_nodes[p];
+    complete = complete && part_kept[p];
+  }
+  CoarseSpace space;
   std::vector<int> kept(node_mass.size(), -1);
   for (std::size_t j = 0; j < node_mass.size(); ++j)
-    if (node_mass[j] > kWeakNode * part_mass[node_part[j]] / part_nodes[node_part[j]])
-      kept[j] = static_cast<int>(space.node_count++);
+    if (strong(j) && part_kept[node_part[j]]) kept[j] = static_cast<int>(space.node_count++);
 
   std::vector<double> total(vertex_count, 0);
   for (std::size_t r = 0; r < reaches.size(); ++r)
     if (kept[node_of[r]] >= 0) total[reaches[r].vertex] += reaches[r].weight;
+  space.begin.assign(vertex_count + 1, 0);
   const auto counts = [&](std::size_t r) { return kept[node_of[r]] >= 0 && total[reaches[r].vertex] > 1e-3; };
   for (std::size_t r = 0; r < reaches.size(); ++r)
     if (counts(r)) ++space.begin[reaches[r].vertex + 1];
@@ -219,6 +238,37 @@ CoarseSpace make_coarse_space(const Model& model, std::uint32_t target) {
     const std::uint32_t v = reaches[r].vertex, at = next[v]++;
     space.node[at] = static_cast<std::uint32_t>(kept[node_of[r]]);
     space.weight[at] = reaches[r].weight / total[v];
+  }
+  return space;
+}
+
+}  // namespace
+
+std::uint32_t coarse_node_target(std::size_t tet_count) {
+  return static_cast<std::uint32_t>(std::clamp(0.9 * std::sqrt(static_cast<double>(tet_count)), 30.0, 500.0));
+}
+
+CoarseSpace make_coarse_space(const Model& model, std::uint32_t target) {
+  CoarseSpace space;
+  space.begin.assign(model.rest_positions.size() + 1, 0);
+  const std::vector<char> held = model.held();
+  const std::vector<double> masses = lumped_masses(model);
+  std::vector<std::uint32_t> free;
+  for (std::uint32_t v = 0; v < held.size(); ++v)
+    if (!held[v] && masses[v] > 0) free.push_back(v);
+  if (free.size() < kFewVertices) return space;
+  target = std::min(target, static_cast<std::uint32_t>(free.size() / 3));
+
+  // Many pieces make many functions: then a coarser lattice, or materials that share their functions.
+  const std::uint32_t most = target + target / 2;
+  for (const bool cut_materials : {true, false}) {
+    if (cut_materials && model.materials.size() == 1) continue;
+    const Edges edges = free_edges(model, held, cut_materials);
+    for (const double share : {1.0, 0.5, 0.25}) {
+      bool complete = false;
+      space = lattice_space(model, free, edges, std::max(8u, static_cast<std::uint32_t>(share * target)), most, complete);
+      if (complete) return space;
+    }
   }
   return space;
 }

@@ -1,6 +1,7 @@
 // Coarse space of the two-level solver: a few hundred smooth functions over the body, made for the mesh. Trilinear hats of a
 // lattice over the bounding box, cut apart where the mesh is: a lattice node has one function for each connected piece of the mesh
-// in its reach, so that parts that are near in space but far in the mesh, and separate bodies, do not move each other.
+// in its reach, so that parts that are near in space but far in the mesh, and separate bodies, do not move each other. Pieces end at
+// materials, too: a stiff inclusion can turn and shift as a whole, which functions that reach into the soft around it could not.
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
@@ -19,7 +20,7 @@ struct CoarseSpace {
   std::vector<double> weight;
 };
 
-/// About `target` nodes. Nodes that carry less than a tenth of the mean mass of their part of the mesh are left out: they would
+/// About `target` nodes, at most half as many more: of a body in very many pieces the lightest have none. Nodes that carry less than a tenth of the mean mass of their part of the mesh are left out: they would
 /// make the coarse problem nearly singular. No nodes at all where the mesh has too few vertices to need them.
 CoarseSpace make_coarse_space(const Model& model, std::uint32_t target);
 

@@ -69,12 +69,14 @@ const char* name_of(ColorBy color) {
       return "strain";
     case ColorBy::von_mises:
       return "von_mises";
+    case ColorBy::error:
+      return "error";
   }
   return "";
 }
 
 const std::vector<ColorBy>& all_colors() {
-  static const std::vector<ColorBy> colors = {ColorBy::none, ColorBy::strain, ColorBy::von_mises};
+  static const std::vector<ColorBy> colors = {ColorBy::none, ColorBy::strain, ColorBy::von_mises, ColorBy::error};
   return colors;
 }
 

@@ -91,7 +91,7 @@ struct CameraSettings {
   bool operator==(const CameraSettings&) const = default;
 };
 
-enum class ColorBy { none, strain, von_mises };
+enum class ColorBy { none, strain, von_mises, error };  // error: distance to the exact step
 
 struct DisplaySettings {
   ColorBy color = ColorBy::none;         // heat map on the surface

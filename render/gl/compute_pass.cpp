@@ -166,6 +166,11 @@ void ComputePass::resolve() const {
   generation_ = program_->generation();
 }
 
+void ComputePass::set_indirect(const Buffer& arguments, std::uint32_t index) {
+  arguments_ = &arguments;
+  argument_ = index;
+}
+
 void ComputePass::run() const {
   if (generation_ != program_->generation()) resolve();
   if (groups_ == 0) return;
@@ -179,7 +184,12 @@ void ComputePass::run() const {
     }
   }
   for (const auto& [location, value] : uniforms_) Uniform1ui(location, value);
-  DispatchCompute(groups_, 1, 1);
+  if (arguments_) {
+    BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments_->id());
+    DispatchComputeIndirect(static_cast<GLintptr>(3 * sizeof(std::uint32_t) * argument_));
+  } else {
+    DispatchCompute(groups_, 1, 1);
+  }
   // Everything that later passes, draws and copies may do with the results.
   MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT |
                 GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |

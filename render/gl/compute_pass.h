@@ -26,6 +26,9 @@ class ComputePass {
   /// reloaded program wants other buffers.
   void run() const;
   const Program& program() const { return *program_; }
+  std::uint32_t groups() const { return groups_; }
+  /// From now on the number of groups is what `arguments` (uint [3 * n]) holds at place 3 * `index` when the pass runs.
+  void set_indirect(const Buffer& arguments, std::uint32_t index);
 
  private:
   void resolve() const;  // block names to binding points; again after a reload
@@ -39,6 +42,8 @@ class ComputePass {
   Bindings buffers_;
   Constants constants_;
   std::uint32_t invocations_ = 0;
+  const Buffer* arguments_ = nullptr;  // of an indirect dispatch
+  std::uint32_t argument_ = 0;
   mutable std::uint32_t groups_ = 0;
   mutable std::vector<std::pair<GLint, std::uint32_t>> uniforms_;  // location, value
   mutable std::vector<Slot> slots_;

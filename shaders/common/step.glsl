@@ -4,3 +4,6 @@ layout(std140) uniform Step { StepValues step_values; };
 #define GRAVITY step_values.gravity.xyz
 #define SUBSTEP step_values.gravity.w
 #define MANUAL_SPECTRAL_RADIUS step_values.solver.x
+#define ITERATIONS step_values.solver.y
+#define TOLERANCE step_values.solver.z
+#define INVERSE_MEAN_MASS step_values.solver.w

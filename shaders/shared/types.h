@@ -11,7 +11,7 @@ struct vec4 {
 // What every kernel of a substep knows (uniform block Step).
 struct StepValues {
   vec4 gravity;   // xyz acceleration [m/s^2], w substep h [s]
-  vec4 solver;    // x spectral radius for Chebyshev acceleration, 0: estimated; yzw unused
+  vec4 solver;    // x spectral radius for Chebyshev acceleration, 0: estimated; y iterations, z tolerance, w 1 / mean mass [1/kg]
   vec4 material;  // of a scene with one material: x Young's modulus E [Pa], y Poisson's ratio [-], z damping [s], w density [kg/m^3]
 };
 
@@ -24,7 +24,7 @@ struct VertexPartial {
   vec4 momentum;   // xyz [kg m/s], w kinetic energy [J]
   vec4 angular;    // xyz about the origin [kg m^2/s], w non-finite vertices
   vec4 reaction;   // xyz force of the supports on the body [N], w largest speed squared [m^2/s^2]
-  vec4 residual;   // of free vertices: x |g|^2, y |M (u - u~)|^2, z |h^2 f|^2 + |h^2 M gravity|^2 [kg^2 m^2], w |M v|^2
+  vec4 residual;   // of free vertices, M over the mean mass: x |g|^2, y |M (u - u~)|^2, z |h^2 f|^2 + |h^2 M gravity|^2 [m^2], w |M v|^2
 };
 
 #ifdef __cplusplus

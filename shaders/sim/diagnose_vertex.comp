@@ -1,5 +1,6 @@
 // Momentum, energy, support reaction and the residual g = M (u - u~) - h^2 f of the implicit step, after diagnose_tet.
-// Each invocation walks through every invocations-th vertex and keeps its own sums.
+// Each invocation walks through every invocations-th vertex and keeps its own sums. Forces of the residual are in units of the mean
+// mass, so that the squares of small bodies stay in the range of float32.
 #include "common/io.glsl"
 #include "common/step.glsl"
 COMPUTE_1D
@@ -29,11 +30,12 @@ void main() {
     partial.angular += vec4(cross(rest.xyz + u, p), finite ? 0.0 : 1.0);
     partial.reaction.w = max(partial.reaction.w, dot(velocity_v, velocity_v));
     if (rest.w > 0.0) {
-      vec3 inertia = m * (u - FETCH(predicted, v).xyz);
-      vec3 g = inertia - impulse;
-      vec3 weight = SUBSTEP * SUBSTEP * m * GRAVITY;
+      float unit = INVERSE_MEAN_MASS;
+      vec3 inertia = unit * m * (u - FETCH(predicted, v).xyz), elastic = unit * impulse, momentum = unit * p;
+      vec3 g = inertia - elastic;
+      vec3 weight = SUBSTEP * SUBSTEP * unit * m * GRAVITY;
       partial.residual +=
-          vec4(dot(g, g), dot(inertia, inertia), dot(impulse, impulse) + dot(weight, weight), dot(p, p));
+          vec4(dot(g, g), dot(inertia, inertia), dot(elastic, elastic) + dot(weight, weight), dot(momentum, momentum));
     } else {
       partial.reaction.xyz -= impulse / (SUBSTEP * SUBSTEP) + m * GRAVITY;
     }

@@ -10,6 +10,9 @@
 #include "sim/material/st_venant_kirchhoff.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
+#if COMPENSATED
+INPUT_VEC4(DisplacementLow, displacement_low)  // [vertex_count] what float32 cannot hold of u [m]
+#endif
 INPUT_UVEC4(TetSlots, tet_slots)        // [tet_count]
 OUTPUT(vec4, Correction, correction)    // [4 * tet_count]
 
@@ -18,6 +21,10 @@ void main() {
   Tet tet = load_tet(t);
   mat3 h = displacement_gradient(tet, FETCH(displacement, tet.v.x).xyz, FETCH(displacement, tet.v.y).xyz,
                                  FETCH(displacement, tet.v.z).xyz, FETCH(displacement, tet.v.w).xyz);
+#if COMPENSATED
+  h += displacement_gradient(tet, FETCH(displacement_low, tet.v.x).xyz, FETCH(displacement_low, tet.v.y).xyz,
+                             FETCH(displacement_low, tet.v.z).xyz, FETCH(displacement_low, tet.v.w).xyz);
+#endif
   mat3 f = mat3(1.0) + h;
   Sym3 e = green_strain(h);
   vec4 material = material_of(t);

@@ -3,20 +3,24 @@
 COMPUTE_1D
 INPUT_VEC4(RestPosition, rest_position)  // [vertex_count] X [m]
 INPUT_VEC4(Displacement, displacement)   // [vertex_count] u [m]
-#if HEAT
+#if HEAT_BY_TET
 INPUT_UINT(SlotBegin, slot_begin)   // [vertex_count + 1]
 INPUT_VEC4(Correction, correction)  // [4 * tet_count] from heat_tet
+#elif HEAT_BY_VERTEX
+INPUT_FLOAT(VertexScalar, vertex_scalar)  // [vertex_count]
 #endif
 OUTPUT(vec4, Position, position)  // [vertex_count]
 
 void main() {
   ITEM_OR_RETURN(i)
   float scalar = 0.0;
-#if HEAT
+#if HEAT_BY_TET
   vec2 sum = vec2(0.0);
   uint end = FETCH1(slot_begin, i + 1u);
   for (uint k = FETCH1(slot_begin, i); k < end; ++k) sum += FETCH(correction, k).xy;
   if (sum.y > 0.0) scalar = sum.x / sum.y;
+#elif HEAT_BY_VERTEX
+  scalar = FETCH1(vertex_scalar, i);
 #endif
   position[i] = vec4(FETCH(rest_position, i).xyz + FETCH(displacement, i).xyz, scalar);
 }

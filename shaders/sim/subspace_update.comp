@@ -13,6 +13,9 @@ OUTPUT(vec4, PreviousGradient, previous_gradient)  // [vertex_count] g before th
 #endif
 INOUT(vec4, LastStep, last_step)         // [vertex_count] p [m]
 INOUT(vec4, Displacement, displacement)  // [vertex_count] u [m]
+#if COMPENSATED
+INOUT(vec4, DisplacementLow, displacement_low)  // [vertex_count] what float32 cannot hold of u [m]
+#endif
 
 void main() {
   ITEM_OR_RETURN(i)
@@ -34,5 +37,14 @@ void main() {
   last_step[i] = vec4(last, 0.0);
   if (FETCH1(subspace_state, SUBSPACE_ACCEPTED) > 0.5) previous_gradient[i] = FETCH(gradient, i);
 #endif
+#if COMPENSATED
+  // Knuth's sum of two: precise, so that no compiler simplifies the rounding away.
+  vec3 u = displacement[i].xyz, low = displacement_low[i].xyz + step;
+  precise vec3 sum = u + low, added = sum - u;
+  precise vec3 lost = (u - (sum - added)) + (low - added);
+  displacement[i].xyz = sum;
+  displacement_low[i] = vec4(lost, 0.0);
+#else
   displacement[i].xyz += step;
+#endif
 }

@@ -14,7 +14,6 @@ class CoarseLevel {
  public:
   CoarseLevel(const gl::ProgramCache& programs, const Model& model, const SolverSettings& settings);
   bool empty() const { return space_.node_count == 0; }  // a mesh too small to need it
-  std::uint32_t node_count() const { return space_.node_count; }
 
   /// Three passes from `gradient` (vec4 [vertex_count]) to correction().
   Passes passes(const Recording& recording, const gl::Buffer& gradient) const;
@@ -25,7 +24,6 @@ class CoarseLevel {
   void values_changed(const Model& model, const SolverSettings& settings);
   /// Uploads an inverse that is ready; with `wait`, waits until the newest is.
   void update(bool wait);
-  bool busy() const { return inverse_.valid() || next_.has_value(); }
 
  private:
   struct Job {  // a copy of what the thread needs: the model may change meanwhile

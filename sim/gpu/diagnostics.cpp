@@ -15,6 +15,7 @@ DiagnosticsReader::DiagnosticsReader(const SimBuffers& buffers)
     : tet_partial_count_(partial_count(buffers.tet_count)),
       vertex_partial_count_(partial_count(buffers.vertex_count)),
       volume_(buffers.volume),
+      mean_mass_(buffers.mean_mass),
       tet_partials_("tet_partials", tet_partial_count_ * sizeof(shared::TetPartial)),
       vertex_partials_("vertex_partials", vertex_partial_count_ * sizeof(shared::VertexPartial)) {}
 
@@ -46,13 +47,13 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
                        vertex_partial_count_, gl::ComputePass::Constants{{"vertex_count", buffers.vertex_count}});
 }
 
-void DiagnosticsReader::request(const GrabSprings& grab, double substep) {
+void DiagnosticsReader::request(const GrabSprings& grab, double substep, const gl::Buffer* stop_state) {
   for (const gl::ComputePass& pass : passes_) pass.run();
 
   newest_ ^= 1u;
   Pending& p = pending_[newest_];
   const std::size_t grab_bytes = grab.count() * sizeof(shared::vec4);
-  const std::size_t bytes = tet_partials_.bytes() + vertex_partials_.bytes() + grab_bytes;
+  const std::size_t bytes = tet_partials_.bytes() + vertex_partials_.bytes() + grab_bytes + (stop_state ? stop_state->bytes() : 0);
   if (p.staging.bytes() != bytes) p.staging = gl::Buffer("diagnostics_staging", bytes);
   if (p.fence) gl::DeleteSync(p.fence);
   gl::BindBuffer(GL_COPY_WRITE_BUFFER, p.staging.id());
@@ -66,8 +67,11 @@ void DiagnosticsReader::request(const GrabSprings& grab, double substep) {
   copy(tet_partials_);
   copy(vertex_partials_);
   if (grab_bytes) copy(grab.multiplier());
+  if (stop_state) copy(*stop_state);
   p.grabbed = grab.count();
   p.substep = substep;
+  p.mean_mass = mean_mass_;
+  p.counts_iterations = stop_state != nullptr;
   p.fence = gl::FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
 }
 
@@ -95,10 +99,14 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
   std::vector<shared::vec4> grabbed(pending.grabbed);
   pending.staging.download(0, tet_partials_.bytes(), tets.data());
   pending.staging.download(tet_partials_.bytes(), vertex_partials_.bytes(), vertices.data());
-  if (!grabbed.empty())
-    pending.staging.download(tet_partials_.bytes() + vertex_partials_.bytes(), grabbed.size() * sizeof(shared::vec4),
-                             grabbed.data());
+  const std::size_t grab_begin = tet_partials_.bytes() + vertex_partials_.bytes(), grab_bytes = grabbed.size() * sizeof(shared::vec4);
+  if (!grabbed.empty()) pending.staging.download(grab_begin, grab_bytes, grabbed.data());
   Diagnostics d;
+  if (pending.counts_iterations) {
+    std::uint32_t iterations = 0;
+    pending.staging.download(grab_begin + grab_bytes, sizeof iterations, &iterations);
+    d.iterations = static_cast<int>(iterations);
+  }
   double inverted = 0, broken = 0, residual = 0, inertia = 0, load = 0, motion = 0, grab = 0, speed2 = 0, strain2 = 0;
   d.min_det_f = 3.4e38;
   d.max_det_f = -3.4e38;
@@ -127,7 +135,7 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
   for (const shared::vec4& g : grabbed) {
     const Eigen::Vector3d impulse(g.x, g.y, g.z);
     d.grab_force += impulse;
-    grab += impulse.squaredNorm();
+    grab += (impulse / pending.mean_mass).squaredNorm();
   }
   d.grab_force /= pending.substep * pending.substep;
   const double scale = std::sqrt(inertia) + std::sqrt(load) + std::sqrt(grab);

@@ -23,6 +23,7 @@ struct Diagnostics {
   double min_det_f = 1, max_det_f = 1, max_strain = 0, max_von_mises = 0, max_speed = 0;  // [-], [-], [-], [Pa], [m/s]
   double rms_strain = 0;  // root of the mean of |strain|^2 (Frobenius) over the volume
   int inverted = 0;
+  std::optional<int> iterations;  // of the last substep, where solver.tolerance ends them
   bool finite = true;
 };
 
@@ -31,8 +32,8 @@ class DiagnosticsReader {
   explicit DiagnosticsReader(const SimBuffers& buffers);
   void record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
               const gl::Buffer& previous_strain, const GrabSprings& grab);
-  /// Dispatches the sums over the current state and queues their copy. `substep` h [s].
-  void request(const GrabSprings& grab, double substep);
+  /// Dispatches the sums over the current state and queues their copy. `substep` h [s]. `stop_state`: of a StopRule, or null.
+  void request(const GrabSprings& grab, double substep, const gl::Buffer* stop_state);
   /// The newest finished request, if there is one that was not taken yet. With `wait`, the last request.
   std::optional<Diagnostics> take(bool wait);
 
@@ -41,12 +42,14 @@ class DiagnosticsReader {
     gl::Buffer staging;
     GLsync fence = nullptr;
     std::uint32_t grabbed = 0;
-    double substep = 0;
+    double substep = 0, mean_mass = 0;
+    bool counts_iterations = false;
   };
   Diagnostics sum_up(const Pending& pending) const;
 
   std::uint32_t tet_partial_count_, vertex_partial_count_;
   double volume_;  // of all tets [m^3]
+  const double& mean_mass_;  // [kg] follows the materials
   gl::Buffer tet_partials_, vertex_partials_;
   std::vector<gl::ComputePass> passes_;
   std::array<Pending, 2> pending_;

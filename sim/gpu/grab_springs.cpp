@@ -18,8 +18,9 @@ bool GrabSprings::set(const std::vector<GrabSpring>& springs) {
     spread();
     return false;
   }
+  constexpr vec4 kNone{};
   if (vertex_spring_)
-    for (const std::uint32_t v : vertices_) vertex_spring_.upload(v * sizeof(vec4), sizeof(vec4), std::vector<vec4>(1).data());
+    for (const std::uint32_t v : vertices_) vertex_spring_.upload(v * sizeof(vec4), sizeof(vec4), &kNone);
   vertices_ = std::move(vertices);
   vertex_ = vertices_.empty() ? gl::Buffer() : gl::Buffer("grab_vertex", vertices_);
   target_ = springs_.empty() ? gl::Buffer() : gl::Buffer("grab_target", springs_);
@@ -28,15 +29,16 @@ bool GrabSprings::set(const std::vector<GrabSpring>& springs) {
   return true;
 }
 
-void GrabSprings::set_at_vertices(bool at_vertices, std::uint32_t vertex_count) {
+void GrabSprings::set_use(bool at_vertices, bool spread_wanted, std::uint32_t vertex_count) {
   at_vertices_ = at_vertices;
+  spread_ = spread_wanted;
   vertex_count_ = vertex_count;
   vertex_spring_ = {};
   spread();
 }
 
 void GrabSprings::spread() {
-  if (!at_vertices_ || vertices_.empty()) {
+  if (!spread_ || vertices_.empty()) {
     vertex_spring_ = {};
     return;
   }

@@ -1,26 +1,21 @@
 // Springs that pull a patch of vertices to targets: the mouse's grip on the tissue. Buffers exist only while something is held.
 #pragma once
-#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
 #include "render/gl/compute_pass.h"
 #include "sim/gpu/sim_buffers.h"
+#include "sim/grab_spring.h"
 
 namespace fascia {
-
-struct GrabSpring {
-  std::uint32_t vertex;
-  Eigen::Vector3d target;  // displacement the spring pulls to [m]
-  double stiffness;        // [N/m]
-};
 
 class GrabSprings {
  public:
   /// Replaces all springs. Returns true when their number or vertices changed, so that passes must be recorded again.
   bool set(const std::vector<GrabSpring>& springs);
-  /// Whether methods want the springs at the vertices (feature_grab.glsl) or as constraints of their own (grab.comp).
-  void set_at_vertices(bool at_vertices, std::uint32_t vertex_count);
+  /// Whether the method takes the springs at the vertices (feature_grab.glsl) or as constraints of their own (grab.comp), and whether
+  /// any kernel wants them at the vertices.
+  void set_use(bool at_vertices, bool spread, std::uint32_t vertex_count);
   bool empty() const { return vertices_.empty(); }
 
   /// As constraints, after an iteration.
@@ -39,10 +34,10 @@ class GrabSprings {
   void spread();
   std::vector<std::uint32_t> vertices_;
   std::vector<shared::vec4> springs_;  // target displacement [m] and stiffness [N/m]
-  bool at_vertices_ = false;
+  bool at_vertices_ = false, spread_ = false;
   std::uint32_t vertex_count_ = 0;
   gl::Buffer vertex_, target_, multiplier_;
-  gl::Buffer vertex_spring_;  // vec4 [vertex_count], zero where nothing pulls; only with springs at vertices
+  gl::Buffer vertex_spring_;  // vec4 [vertex_count], zero where nothing pulls; only where it is wanted
 };
 
 }  // namespace fascia

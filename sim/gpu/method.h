@@ -1,7 +1,7 @@
 // What a solver method is to the step: the passes that it records between the prediction and the velocity update.
 #pragma once
-#include <cstdint>
-#include <memory>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "render/gl/compute_pass.h"
@@ -13,6 +13,8 @@ namespace fascia {
 
 using Passes = std::vector<gl::ComputePass>;
 
+inline void append(Passes& passes, Passes more) { std::move(more.begin(), more.end(), std::back_inserter(passes)); }
+
 /// What passes are recorded from. All of it outlives them.
 struct Recording {
   gl::ProgramCache& programs;
@@ -21,6 +23,8 @@ struct Recording {
   const gl::Buffer& previous_strain;  // made only with damping
   const GrabSprings& grab;
 };
+
+class StepGradient;
 
 class StepMethod {
  public:
@@ -35,13 +39,15 @@ class StepMethod {
   virtual bool starts_without_gravity() const { return false; }
   /// vec4 [2 * tet_count], of methods whose multipliers are part of the state that an acceleration combines; null for the others.
   virtual const gl::Buffer* multiplier() const { return nullptr; }
+  /// What is computed before every iteration, of methods that descend the step's objective; null for the others.
+  virtual const StepGradient* gradient() const { return nullptr; }
   virtual Passes begin(const Recording&) const { return {}; }  // once a substep, after the prediction
   /// Before the first and every kRefresh-th iteration: what changes slowly enough to serve for some of them.
   virtual Passes refresh(const Recording&) const { return {}; }
   static constexpr int kRefresh = 8;
   /// One iteration, the grab's springs included. The first one of a substep finds no history.
   virtual Passes iteration(const Recording& recording, bool first) const = 0;
-  virtual Passes end(const Recording&) const { return {}; }  // once a substep, before the velocity update
+  virtual Passes end(const Recording&) const { return {}; }  // after the last iteration of a substep, unless a stop rule ended them
   /// Materials, masses, gravity or h have other values; buffers and passes stay.
   virtual void values_changed(const Model&, const SolverSettings&) {}
   /// Uploads what was computed beside the frame, if it is ready, or, with `wait`, when it is.

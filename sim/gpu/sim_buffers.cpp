@@ -102,6 +102,11 @@ void SimBuffers::upload_state(const Model& model, const reference::State& state)
   std::vector<vec4> values(vertex_count);
   for (std::size_t i = 0; i < vertex_count; ++i) values[i] = to_vec4(state.displacement[i], 0);
   displacement.upload(0, values.size() * sizeof(vec4), values.data());
+  if (displacement_low) {
+    for (std::size_t i = 0; i < vertex_count; ++i)
+      values[i] = to_vec4(state.displacement[i] - Eigen::Vector3d(values[i].x, values[i].y, values[i].z), 0);
+    displacement_low.upload(0, values.size() * sizeof(vec4), values.data());
+  }
   const std::vector<char> held = model.held();
   for (std::size_t i = 0; i < vertex_count; ++i)
     values[i] = to_vec4(held[i] ? Eigen::Vector3d(0, 0, 0) : state.velocity[i], 0);
@@ -117,7 +122,12 @@ reference::State SimBuffers::download_state(double time) const {
     for (const vec4& v : values) out.emplace_back(v.x, v.y, v.z);
     return out;
   };
-  return {unpack(displacement), unpack(velocity), time};
+  reference::State state{unpack(displacement), unpack(velocity), time};
+  if (displacement_low) {
+    const std::vector<Eigen::Vector3d> low = unpack(displacement_low);
+    for (std::size_t i = 0; i < vertex_count; ++i) state.displacement[i] += low[i];
+  }
+  return state;
 }
 
 void SimBuffers::upload_materials(const Model& model) {
@@ -134,13 +144,15 @@ void SimBuffers::upload_materials(const Model& model) {
     rest[i] = to_vec4(model.rest_positions[i], held[i] || masses[i] <= 0 ? 0 : 1 / masses[i]);
     mass_values[i] = static_cast<float>(masses[i]);
   }
+  mean_mass = std::accumulate(masses.begin(), masses.end(), 0.0) / vertex_count;
   rest_position.upload(0, rest.size() * sizeof(vec4), rest.data());
   mass.upload(0, mass_values.size() * sizeof(float), mass_values.data());
 }
 
 void SimBuffers::upload_step(const Model& model, const SolverSettings& settings) {
   const shared::StepValues values{to_vec4(model.gravity, settings.substep()),
-                                  {static_cast<float>(settings.spectral_radius), 0, 0, 0},
+                                  {static_cast<float>(settings.spectral_radius), static_cast<float>(settings.iterations),
+                                   static_cast<float>(settings.tolerance), static_cast<float>(1 / mean_mass)},
                                   to_vec4(model.materials.front())};
   step.upload(0, sizeof values, &values);
 }

@@ -16,10 +16,12 @@ struct SimBuffers {
   explicit SimBuffers(const Model& model);
 
   std::uint32_t vertex_count = 0, tet_count = 0;
-  double volume = 0;  // of all tets at rest [m^3]
+  double volume = 0;     // of all tets at rest [m^3]
+  double mean_mass = 0;  // of the vertices [kg]
 
   // State, vec4 [vertex_count].
   gl::Buffer displacement;           // xyz u = x - X [m], w inverse mass as tets see it [1/kg]; phantoms may follow
+  gl::Buffer displacement_low;       // xyz what float32 cannot hold of u, u = displacement + displacement_low; made for static equilibria only
   gl::Buffer velocity;               // xyz v [m/s]
   gl::Buffer previous_displacement;  // u at the start of the substep
   gl::Buffer predicted;              // u~, where inertia and gravity alone would lead

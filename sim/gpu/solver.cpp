@@ -1,6 +1,5 @@
 #include "sim/gpu/solver.h"
 
-#include <iterator>
 #include <numeric>
 #include <tuple>
 
@@ -12,9 +11,7 @@
 namespace fascia {
 namespace {
 
-void append(Passes& passes, Passes more) { std::move(more.begin(), more.end(), std::back_inserter(passes)); }
-
-void run(const std::vector<gl::ComputePass>& passes) {
+void run(const Passes& passes) {
   for (const gl::ComputePass& pass : passes) pass.run();
 }
 
@@ -50,11 +47,13 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
 }
 
 void GpuSolver::make_method() {
-  const auto* sweep = gauss_seidel();
-  const bool was_gauss_seidel = sweep != nullptr;
-  const bool keep = sweep && settings_.method == Method::gauss_seidel && sweep->colors_asked() == settings_.colors;
-  if (!keep) method_.reset();  // before the next one is made: both may not fit
-  if (!keep && was_gauss_seidel && settings_.method != Method::gauss_seidel) {
+  const GaussSeidelMethod* sweep = gauss_seidel();
+  const bool colors_stay = sweep && settings_.method == Method::gauss_seidel && sweep->colors_asked() == settings_.colors;
+  const bool order_goes = sweep && settings_.method != Method::gauss_seidel;
+  auto* two_level = dynamic_cast<TwoLevelMethod*>(method_.get());
+  const bool levels_stay = two_level && settings_.method == Method::two_level;
+  if (!colors_stay && !levels_stay) method_.reset();  // before the next one is made: both may not fit
+  if (order_goes) {
     std::vector<std::uint32_t> file_order(buffers_.tet_count);
     std::iota(file_order.begin(), file_order.end(), 0u);
     buffers_.set_tet_order(model_, file_order);
@@ -68,7 +67,7 @@ void GpuSolver::make_method() {
       method_ = std::make_unique<JacobiMethod>(buffers_, settings_.method == Method::mass_splitting);
       break;
     case Method::gauss_seidel:
-      if (!keep) method_ = std::make_unique<GaussSeidelMethod>(model_, buffers_, settings_.colors);
+      if (!colors_stay) method_ = std::make_unique<GaussSeidelMethod>(model_, buffers_, settings_.colors);
       break;
     case Method::exact_xpbd:
       method_ = std::make_unique<ExactXpbdMethod>(buffers_);
@@ -79,11 +78,17 @@ void GpuSolver::make_method() {
       springs_at_vertices = true;
       break;
     case Method::two_level:
-      method_ = std::make_unique<TwoLevelMethod>(programs_, model_, buffers_, settings_);
+      if (levels_stay)
+        two_level->set_acceleration(settings_.acceleration);
+      else
+        method_ = std::make_unique<TwoLevelMethod>(programs_, model_, buffers_, settings_);
       springs_at_vertices = true;
       break;
   }
-  grab_.set_at_vertices(springs_at_vertices, buffers_.vertex_count);
+  stop_.reset();
+  if (settings_.tolerance > 0) stop_.emplace(programs_, buffers_, method_->gradient());
+  substeps_ = 0;
+  grab_.set_use(springs_at_vertices, springs_at_vertices || stop_, buffers_.vertex_count);
 
   chebyshev_.reset();
   anderson_.reset();
@@ -116,6 +121,9 @@ void GpuSolver::record() {
                                                   {"previous_strain", &previous_strain_}},
                         buffers_.tet_count);
   append(begin_, method_->begin(recording()));
+  before_first_ = before_ = {};
+  before_every_ = 1;
+  if (const StepGradient* gradient = method_->gradient()) before_first_ = before_ = gradient->passes(recording());
   refresh_ = method_->refresh(recording());
   if (multiplier_weight_) {
     gl::ComputePass::Bindings bindings{{"step", &buffers_.step},
@@ -130,6 +138,10 @@ void GpuSolver::record() {
   first_iteration_ = iteration(true);
   iteration_ = iteration(false);
   end_ = method_->end(recording());
+  if (stop_) {
+    stop_->record(recording(), before_first_, before_, {&refresh_, &first_iteration_, &iteration_, &end_});
+    before_every_ = stop_->interval();
+  }
   end_.emplace_back(programs_.compute("sim/velocity.comp"),
                     gl::ComputePass::Bindings{{"step", &buffers_.step},
                                               {"displacement", &buffers_.displacement},
@@ -151,11 +163,13 @@ Passes GpuSolver::iteration(bool first) {
 void GpuSolver::begin_substep() {
   method_->update(false);
   time_ += settings_.substep();
+  ++substeps_;
   motions_.upload(model_, time_);
   run(begin_);
 }
 
 void GpuSolver::iterate(int iteration) {
+  if (iteration % before_every_ == 0) run(iteration == 0 ? before_first_ : before_);
   if (iteration % StepMethod::kRefresh == 0) run(refresh_);
   run(iteration == 0 ? first_iteration_ : iteration_);
 }
@@ -166,6 +180,7 @@ void GpuSolver::step() {
     for (int i = 0; i < settings_.iterations; ++i) iterate(i);
     run(end_);
   }
+  has_step_ = true;
 }
 
 std::vector<Diagnostics> GpuSolver::traced_substep() {
@@ -190,10 +205,11 @@ void GpuSolver::reset() { upload(reference::initial_state(model_)); }
 void GpuSolver::upload(const reference::State& state) {
   buffers_.upload_state(model_, state);
   time_ = state.time;
+  has_step_ = false;
 }
 
 void GpuSolver::set_settings(const SolverSettings& settings) {
-  const auto needs = [](const SolverSettings& s) { return std::tuple(s.method, s.acceleration, s.colors, s.window); };
+  const auto needs = [](const SolverSettings& s) { return std::tuple(s.method, s.acceleration, s.colors, s.window, s.tolerance > 0); };
   const bool same_passes = needs(settings) == needs(settings_);
   settings_ = settings;
   if (!same_passes) {
@@ -204,6 +220,7 @@ void GpuSolver::set_settings(const SolverSettings& settings) {
 }
 
 void GpuSolver::settings_changed() {
+  has_step_ = false;
   buffers_.upload_step(model_, settings_);
   method_->values_changed(model_, settings_);
   if (chebyshev_) chebyshev_->forget_spectral_radius();
@@ -211,8 +228,8 @@ void GpuSolver::settings_changed() {
 
 void GpuSolver::materials_changed() {
   ++materials_version_;
-  settings_changed();
   buffers_.upload_materials(model_);
+  settings_changed();
   if (const Features features = features_of(model_); features != features_) {
     features_ = features;
     record();
@@ -221,6 +238,7 @@ void GpuSolver::materials_changed() {
 
 void GpuSolver::set_grab(const std::vector<GrabSpring>& springs) {
   springs_ = springs;
+  has_step_ = false;
   if (grab_.set(springs)) record();
 }
 
@@ -241,12 +259,29 @@ void GpuSolver::follow(const GpuSolver& leader) {
   time_ = leader.time_;
 }
 
-void GpuSolver::request_diagnostics() { diagnostics_.request(grab_, settings_.substep()); }
+void GpuSolver::request_diagnostics() { diagnostics_.request(grab_, settings_.substep(), stop_ ? &stop_->state() : nullptr); }
+
+void GpuSolver::set_compensated(bool compensated) {
+  const reference::State state = download();
+  buffers_.displacement_low = compensated ? gl::Buffer("displacement_low", sizeof(shared::vec4) * buffers_.vertex_count) : gl::Buffer();
+  upload(state);
+  record();
+}
+
+int GpuSolver::last_iterations() const {
+  return stop_ && substeps_ > 0 ? static_cast<int>(stop_->state().read<std::uint32_t>().front()) : settings_.iterations;
+}
+
+double GpuSolver::mean_iterations() const {
+  if (!stop_ || substeps_ == 0) return settings_.iterations;
+  return static_cast<double>(stop_->state().read<std::uint32_t>().back()) / static_cast<double>(substeps_);
+}
 
 std::uint64_t GpuSolver::dispatches_per_step() const {
   const std::uint64_t refreshes = (settings_.iterations + StepMethod::kRefresh - 1) / StepMethod::kRefresh;
-  const std::uint64_t iterations =
-      first_iteration_.size() + (settings_.iterations - 1) * iteration_.size() + refreshes * refresh_.size();
+  const std::uint64_t others = (settings_.iterations - 1) / before_every_;  // runs of before_ after the first
+  const std::uint64_t iterations = before_first_.size() + others * before_.size() + first_iteration_.size() +
+                                   (settings_.iterations - 1) * iteration_.size() + refreshes * refresh_.size();
   return settings_.substeps * (begin_.size() + iterations + end_.size());
 }
 

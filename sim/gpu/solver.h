@@ -11,6 +11,8 @@
 #include "sim/gpu/diagnostics.h"
 #include "sim/gpu/gauss_seidel.h"
 #include "sim/gpu/motion_targets.h"
+#include "sim/gpu/step_snapshot.h"
+#include "sim/gpu/stop_rule.h"
 #include "sim/gpu/surface_positions.h"
 
 namespace fascia {
@@ -37,6 +39,8 @@ class GpuSolver {
   void materials_changed();  // also gravity: acts on the next step; no state buffer is rebuilt
   void set_grab(const std::vector<GrabSpring>& springs);  // empty: let go
   void set_color(ColorBy color);
+  /// What the heat map of ColorBy::error shows: float [vertex_count] [m]. Zero at first.
+  void set_vertex_errors(const std::vector<float>& errors) { surface_.set_vertex_errors(errors); }
 
   /// Brings positions() up to date with the state.
   void publish() const { surface_.run(); }
@@ -49,8 +53,17 @@ class GpuSolver {
   void request_diagnostics();
   std::optional<Diagnostics> take_diagnostics(bool wait) { return diagnostics_.take(wait); }
 
+  /// Whether the buffers hold a substep from its start to its end, solved under the model, settings and springs of now.
+  bool has_step() const { return has_step_; }
+  const std::vector<GrabSpring>& springs() const { return springs_; }
+
   reference::State download() const { return buffers_.download_state(time_); }
   void upload(const reference::State& state);
+  /// Displacements in two floats each, for static equilibria: methods that descend the energy then sum up what float32 would lose.
+  void set_compensated(bool compensated);
+  /// Of the substeps so far, on average: fewer than settings().iterations where solver.tolerance ends them. Waits for the GPU then.
+  double mean_iterations() const;
+  int last_iterations() const;  // of the last substep; as mean_iterations()
   /// State, materials, gravity and grab of another solver of the same model; the state without a way through the CPU.
   void follow(const GpuSolver& leader);
   /// Waits for what is computed beside the frame (the coarse level's inverse after a change of materials or h) and takes it.
@@ -81,13 +94,17 @@ class GpuSolver {
   std::optional<Chebyshev> chebyshev_;  // of these only what is in use exists
   std::optional<Anderson> anderson_;
   gl::Buffer multiplier_weight_;  // float [2 * tet_count], with Anderson acceleration of multipliers
+  std::optional<StopRule> stop_;  // with solver.tolerance
   MotionTargets motions_;
   std::vector<GrabSpring> springs_;
   GrabSprings grab_;
   DiagnosticsReader diagnostics_;
   SurfacePositions surface_;
-  Passes begin_, refresh_, first_iteration_, iteration_, end_;  // of one substep
+  Passes begin_, before_first_, before_, refresh_, first_iteration_, iteration_, end_;  // of one substep
+  int before_every_ = 1;  // iterations from one run of before_ to the next
   double time_ = 0;
+  std::uint64_t substeps_ = 0;  // since stop_ was made
+  bool has_step_ = false;
   unsigned materials_version_ = 0;  // changes of materials and gravity so far
 };
 

@@ -41,14 +41,16 @@ int increments(const Model& model, double volume) {
 
 }  // namespace
 
-reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance) {
+reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance, reference::State& equilibrium) {
   reference::require_supports(model);
   const SolverSettings settings = solver.settings();
   SolverSettings marching = settings;
   marching.substeps = 1;
   marching.iterations = kIterations;
   marching.time_step = kFirstStep;
+  marching.tolerance = 0;
   solver.set_settings(marching);
+  solver.set_compensated(true);
   solver.finish_background();
 
   reference::State state = solver.download();
@@ -92,8 +94,10 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
   for (Eigen::Vector3d& v : best.velocity) v.setZero();
   best.time = end;
   solver.set_settings(settings);
+  solver.set_compensated(false);
   solver.finish_background();
   solver.upload(best);
+  equilibrium = std::move(best);
   return report;
 }
 

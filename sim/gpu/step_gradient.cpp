@@ -12,6 +12,9 @@ Passes StepGradient::passes(const Recording& r) const {
                                 {"displacement", &r.buffers.displacement},
                                 {"correction", &r.buffers.correction}};
   tet = with_damping(with_material(std::move(tet), r.features, r.buffers), r.features, r.previous_strain);
+  gl::Defines tet_defines = defines_of(r.features);
+  tet_defines.emplace_back("COMPENSATED", r.buffers.displacement_low ? "1" : "0");
+  if (r.buffers.displacement_low) tet.emplace_back("displacement_low", &r.buffers.displacement_low);
   gl::ComputePass::Bindings vertex{{"step", &r.buffers.step},
                                    {"displacement", &r.buffers.displacement},
                                    {"predicted", &r.buffers.predicted},
@@ -21,7 +24,7 @@ Passes StepGradient::passes(const Recording& r) const {
                                    {"gradient", &gradient_}};
   const gl::Defines vertex_defines = r.grab.with_springs({}, vertex);
   Passes passes;
-  passes.emplace_back(r.programs.compute("sim/elastic_force.comp", defines_of(r.features)), std::move(tet), r.buffers.tet_count);
+  passes.emplace_back(r.programs.compute("sim/elastic_force.comp", tet_defines), std::move(tet), r.buffers.tet_count);
   passes.emplace_back(r.programs.compute("sim/gradient.comp", vertex_defines), std::move(vertex), r.buffers.vertex_count);
   return passes;
 }

@@ -28,8 +28,13 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
   gl::ComputePass::Bindings publish{{"rest_position", &buffers.rest_position},
                                     {"displacement", &buffers.displacement},
                                     {"position", &positions_}};
-  const bool heat = color != ColorBy::none;
-  if (heat) {
+  const bool by_tet = color == ColorBy::strain || color == ColorBy::von_mises, by_vertex = color == ColorBy::error;
+  const bool heat = by_tet || by_vertex;
+  if (by_vertex) {
+    if (!vertex_errors_) vertex_errors_ = gl::Buffer("vertex_errors", sizeof(float) * vertex_count_);
+    publish.emplace_back("vertex_scalar", &vertex_errors_);
+  }
+  if (by_tet) {
     gl::Defines defines = defines_of({features.material_per_tet, false});
     defines.emplace_back("HEAT_STRAIN", color == ColorBy::strain ? "1" : "0");
     gl::ComputePass::Bindings tet{{"step", &buffers.step},
@@ -43,7 +48,8 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
     publish.emplace_back("slot_begin", &buffers.slot_begin);
     publish.emplace_back("correction", &buffers.correction);
   }
-  passes_.emplace_back(programs.compute("sim/publish.comp", {{"HEAT", heat ? "1" : "0"}}), std::move(publish),
+  passes_.emplace_back(programs.compute("sim/publish.comp", {{"HEAT_BY_TET", by_tet ? "1" : "0"}, {"HEAT_BY_VERTEX", by_vertex ? "1" : "0"}}),
+                       std::move(publish),
                        buffers.vertex_count);
   if (embedded_count_ == 0) return;
   passes_.emplace_back(programs.compute("sim/embed.comp", {{"HEAT", heat ? "1" : "0"}}),
@@ -53,6 +59,11 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
                                                  {"displacement", &buffers.displacement},
                                                  {"position", &positions_}},
                        embedded_count_, gl::ComputePass::Constants{{"vertex_count", vertex_count_}});
+}
+
+void SurfacePositions::set_vertex_errors(const std::vector<float>& errors) {
+  if (!vertex_errors_) vertex_errors_ = gl::Buffer("vertex_errors", sizeof(float) * vertex_count_);
+  vertex_errors_.upload(0, errors.size() * sizeof(float), errors.data());
 }
 
 void SurfacePositions::run() const {

@@ -17,11 +17,13 @@ class SurfacePositions {
   /// Passes for the heat map that is shown; none costs one pass.
   void record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features, ColorBy color);
   void run() const;
+  void set_vertex_errors(const std::vector<float>& errors);  // [vertex_count], shown with ColorBy::error
   const gl::Buffer& positions() const { return positions_; }  // vec4 [vertex_count + embedded]
 
  private:
   std::uint32_t vertex_count_, embedded_count_;
   gl::Buffer positions_, embed_position_, embed_vertices_, embed_weights_;
+  gl::Buffer vertex_errors_;  // float [vertex_count]; made when first needed
   std::vector<gl::ComputePass> passes_;
 };
 

@@ -1,41 +1,36 @@
 #include "sim/gpu/two_level.h"
 
-#include <iterator>
-
-#include "sim/gpu/reduction.h"
-
 namespace fascia {
 namespace {
 
 using shared::vec4;
 constexpr std::size_t kStateFloats = 8;  // shaders/sim/subspace_state.glsl
 
-void append(Passes& passes, Passes more) { std::move(more.begin(), more.end(), std::back_inserter(passes)); }
-
 }  // namespace
 
 TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& model, const SimBuffers& buffers,
                                const SolverSettings& settings)
-    : minimizes_(settings.acceleration == Acceleration::subspace || settings.acceleration == Acceleration::nonlinear_cg),
-      splits_(settings.acceleration == Acceleration::subspace),
-      gradient_(buffers.vertex_count),
+    : gradient_(buffers.vertex_count),
       coarse_(programs, model, settings),
       vertex_tets_(make_vertex_tets(buffers)),
       block_inverse_("block_inverse", 2 * sizeof(vec4) * buffers.vertex_count),
-      vertex_lanes_(Reduction(programs, buffers.vertex_count).lanes),
-      vertex_partials_(Reduction(programs, buffers.vertex_count).partials),
-      tet_lanes_(Reduction(programs, buffers.tet_count).lanes),
-      tet_partials_(Reduction(programs, buffers.tet_count).partials) {
-  splits_ = splits_ && !coarse_.empty();
-  if (!minimizes_) return;
-  const std::size_t bytes = sizeof(vec4) * buffers.vertex_count;
-  fine_direction_ = gl::Buffer("fine_direction", bytes);
-  if (splits_) coarse_direction_ = gl::Buffer("coarse_direction", bytes);
-  last_step_ = gl::Buffer("last_step", bytes);
-  previous_gradient_ = gl::Buffer("previous_gradient", bytes);
-  dot_partials_ = gl::Buffer("dot_partials", 3 * sizeof(vec4) * vertex_partials_);
-  curvature_partials_ = gl::Buffer("curvature_partials", sizeof(vec4) * tet_partials_);
-  state_ = gl::Buffer("subspace_state", kStateFloats * sizeof(float));
+      vertices_(programs, buffers.vertex_count),
+      tets_(programs, buffers.tet_count) {
+  set_acceleration(settings.acceleration);
+}
+
+void TwoLevelMethod::set_acceleration(Acceleration acceleration) {
+  minimizes_ = acceleration == Acceleration::subspace || acceleration == Acceleration::nonlinear_cg;
+  splits_ = acceleration == Acceleration::subspace && !coarse_.empty();
+  const auto made = [](bool wanted, const char* label, std::size_t bytes) { return wanted ? gl::Buffer(label, bytes) : gl::Buffer(); };
+  const std::size_t bytes = gradient_.gradient().bytes();
+  fine_direction_ = made(minimizes_, "fine_direction", bytes);
+  coarse_direction_ = made(splits_, "coarse_direction", bytes);
+  last_step_ = made(minimizes_, "last_step", bytes);
+  previous_gradient_ = made(minimizes_, "previous_gradient", bytes);
+  dot_partials_ = made(minimizes_, "dot_partials", 3 * sizeof(vec4) * vertices_.partials);
+  curvature_partials_ = made(minimizes_, "curvature_partials", sizeof(vec4) * tets_.partials);
+  state_ = made(minimizes_, "subspace_state", kStateFloats * sizeof(float));
 }
 
 Passes TwoLevelMethod::refresh(const Recording& r) const {
@@ -55,7 +50,7 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
 }
 
 Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
-  Passes passes = gradient_.passes(r);
+  Passes passes;
   if (!coarse_.empty()) append(passes, coarse_.passes(r, gradient_.gradient()));
   gl::ComputePass::Bindings correct{{"gradient", &gradient_.gradient()},
                                     {"predicted", &r.buffers.predicted},
@@ -86,7 +81,7 @@ Passes TwoLevelMethod::end(const Recording& r) const {
 }
 
 Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) const {
-  const gl::Defines defines{{"FINAL", last ? "1" : "0"}, {"FIRST_ITERATION", first ? "1" : "0"}, {"SPLIT", splits_ ? "1" : "0"}};
+  gl::Defines defines{{"FINAL", last ? "1" : "0"}, {"FIRST_ITERATION", first ? "1" : "0"}, {"SPLIT", splits_ ? "1" : "0"}};
   Passes passes;
   const auto add = [&](const char* kernel, const gl::Defines& with, gl::ComputePass::Bindings bindings, std::uint32_t invocations,
                        gl::ComputePass::Constants constants = {}) {
@@ -97,7 +92,7 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
     return bindings;
   };
   if (last) {
-    add("sim/objective_sum.comp", {}, {{"gradient", &gradient_.gradient()}, {"dot_partials", &dot_partials_}}, vertex_lanes_,
+    add("sim/objective_sum.comp", {}, {{"gradient", &gradient_.gradient()}, {"dot_partials", &dot_partials_}}, vertices_.lanes,
         {{"vertex_count", r.buffers.vertex_count}});
   } else {
     gl::ComputePass::Bindings dots = with_coarse({{"step", &r.buffers.step},
@@ -110,8 +105,8 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
       dots.emplace_back("previous_gradient", &previous_gradient_);
     }
     gl::Defines dot_defines = r.grab.with_springs({{"FIRST_ITERATION", first ? "1" : "0"}, {"SPLIT", splits_ ? "1" : "0"}}, dots);
-    add("sim/subspace_dots.comp", dot_defines, std::move(dots), vertex_lanes_,
-        {{"vertex_count", r.buffers.vertex_count}, {"partials", vertex_partials_}});
+    add("sim/subspace_dots.comp", dot_defines, std::move(dots), vertices_.lanes,
+        {{"vertex_count", r.buffers.vertex_count}, {"partials", vertices_.partials}});
     gl::ComputePass::Bindings curvature = with_coarse({{"step", &r.buffers.step},
                                                        {"tet_vertices", &r.buffers.tet_vertices},
                                                        {"tet_shape", &r.buffers.tet_shape},
@@ -121,13 +116,13 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
     curvature = with_damping(with_material(std::move(curvature), r.features, r.buffers), r.features, r.previous_strain);
     gl::Defines curvature_defines = defines_of(r.features);
     curvature_defines.emplace_back("SPLIT", splits_ ? "1" : "0");
-    add("sim/subspace_curvature.comp", curvature_defines, std::move(curvature), tet_lanes_, {{"tet_count", r.buffers.tet_count}});
+    add("sim/subspace_curvature.comp", curvature_defines, std::move(curvature), tets_.lanes, {{"tet_count", r.buffers.tet_count}});
   }
   gl::ComputePass::Bindings solve{{"dot_partials", &dot_partials_}, {"subspace_state", &state_}};
-  gl::ComputePass::Constants constants{{"partials", vertex_partials_}};
+  gl::ComputePass::Constants constants{{"partials", vertices_.partials}};
   if (!last) {
     solve.emplace_back("curvature_partials", &curvature_partials_);
-    constants.emplace_back("curvature_count", tet_partials_);
+    constants.emplace_back("curvature_count", tets_.partials);
   }
   add("sim/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}, {"FIRST_ITERATION", first ? "1" : "0"}}, std::move(solve),
       Reduction::kGroup, std::move(constants));
@@ -139,6 +134,8 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
     update.emplace_back("gradient", &gradient_.gradient());
     update.emplace_back("previous_gradient", &previous_gradient_);
   }
+  defines.emplace_back("COMPENSATED", r.buffers.displacement_low ? "1" : "0");
+  if (r.buffers.displacement_low) update.emplace_back("displacement_low", &r.buffers.displacement_low);
   add("sim/subspace_update.comp", defines, std::move(update), r.buffers.vertex_count);
   return passes;
 }

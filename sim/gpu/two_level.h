@@ -6,6 +6,7 @@
 // Shultz 1988); a step that raises the objective is halved.
 #pragma once
 #include "sim/gpu/coarse_level.h"
+#include "sim/gpu/reduction.h"
 #include "sim/gpu/step_gradient.h"
 
 namespace fascia {
@@ -16,22 +17,24 @@ class TwoLevelMethod : public StepMethod {
   /// u - 0.4 (z_f + z_c), for an acceleration to work with.
   TwoLevelMethod(const gl::ProgramCache& programs, const Model& model, const SimBuffers& buffers, const SolverSettings& settings);
 
+  /// The levels stay as they are.
+  void set_acceleration(Acceleration acceleration);
   bool starts_without_gravity() const override { return true; }
+  const StepGradient* gradient() const override { return &gradient_; }
   Passes refresh(const Recording& recording) const override;
   Passes iteration(const Recording& recording, bool first) const override;
   Passes end(const Recording& recording) const override;
   void values_changed(const Model& model, const SolverSettings& settings) override { coarse_.values_changed(model, settings); }
   void update(bool wait) override { coarse_.update(wait); }
-  const CoarseLevel& coarse() const { return coarse_; }
 
  private:
   Passes subspace_step(const Recording& recording, bool first, bool last) const;
 
-  bool minimizes_, splits_;
+  bool minimizes_ = false, splits_ = false;
   StepGradient gradient_;
   CoarseLevel coarse_;
   gl::Buffer vertex_tets_, block_inverse_;
-  std::uint32_t vertex_lanes_, vertex_partials_, tet_lanes_, tet_partials_;
+  Reduction vertices_, tets_;
   gl::Buffer fine_direction_, coarse_direction_, last_step_, previous_gradient_;  // vec4 [vertex_count]
   gl::Buffer dot_partials_, curvature_partials_, state_;
 };

@@ -115,7 +115,7 @@ NewtonReport Minimizer::minimize(const Potential& potential, double tolerance, c
     const bool at_rounding = residual <= rounding_ && residual > 0.5 * previous;
     const bool inside_out = limits.upright && system_.min_det_f(u) <= 0;
     report.converged = !inside_out && (report.relative_residual <= tolerance || at_rounding);
-    if (report.converged || inside_out || report.iterations == limits.iterations) return report;
+    if (report.converged || inside_out || report.iterations == limits.iterations || limits.stop.stop_requested()) return report;
 
     if (!reuse) factorize(potential, u);
     const VectorXd direction = -cholesky_.solve(value.gradient);

@@ -4,6 +4,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
+#include <stop_token>
 
 #include "sim/reference/elastic_system.h"
 #include "sim/reference/newton.h"
@@ -30,6 +31,7 @@ class Minimizer {
   struct Limits {
     int iterations;
     bool upright;  // give up as soon as a tet turns inside out
+    std::stop_token stop;
   };
   /// Minimises from `u` with its held entries as they are, to |gradient| <= tolerance * force scale
   /// (NewtonReport) or to the rounding of the gradient, whichever is larger.

@@ -38,9 +38,10 @@ VectorXd per_component(const std::vector<double>& per_vertex) {
 }  // namespace
 
 struct NewtonSolver::Impl {
-  Impl(const Model& m, const SolverSettings& s)
+  Impl(const Model& m, const SolverSettings& s, std::stop_token token)
       : model(m),
         settings(s),
+        stop(std::move(token)),
         system(model),
         minimizer(system),
         mass(per_component(lumped_masses(model))),
@@ -57,6 +58,8 @@ struct NewtonSolver::Impl {
 
   const Model& model;
   const SolverSettings settings;
+  const std::stop_token stop;
+  std::vector<GrabSpring> springs;
   const ElasticSystem system;
   Minimizer minimizer;
   const VectorXd mass;     // [3 * vertex_count] [kg]
@@ -72,13 +75,13 @@ NewtonReport NewtonSolver::Impl::follow(const HeldPath& path,
   bool careful = divisible;
   const bool upright = system.min_det_f(u) > 0;
   double done = 0, increment = largest;
-  while (done < 1) {
+  while (done < 1 && !stop.stop_requested()) {
     const double next = std::min(1.0, done + increment);
     const Potential problem = potential(next);
     VectorXd trial = u, target = u;
     path.place(next, target);
     if (const VectorXd change = target - u; !change.isZero(0)) minimizer.move_held(problem, change, trial);
-    const Minimizer::Limits limits{careful ? patience : last_patience, careful && upright};
+    const Minimizer::Limits limits{careful ? patience : last_patience, careful && upright, stop};
     const NewtonReport report =
         minimizer.minimize(problem, next < 1 ? increment_tolerance : tolerance, limits, trial);
     total.iterations += report.iterations;
@@ -105,6 +108,13 @@ NewtonReport NewtonSolver::Impl::substep(State& state) {
   potential.target = old + h * velocity + h * h * gravity;
   potential.start = old;
   potential.force = VectorXd::Zero(old.size());
+  for (const GrabSpring& spring : springs) {  // two parabolas are one
+    const Eigen::Index i = 3 * static_cast<Eigen::Index>(spring.vertex);
+    const double inertia = potential.inertia[i], sum = inertia + spring.stiffness;
+    potential.target.segment<3>(i) =
+        (inertia * potential.target.segment<3>(i) + spring.stiffness * spring.target) / sum;
+    potential.inertia.segment<3>(i).setConstant(sum);
+  }
   if (system.viscous()) potential.viscous = {system.strains(old), h};
 
   // Coasting is the better start, but not if it turns tets inside out.
@@ -142,8 +152,8 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance) {
   return report;
 }
 
-NewtonSolver::NewtonSolver(const Model& model, const SolverSettings& settings)
-    : impl_(std::make_unique<Impl>(model, settings)) {}
+NewtonSolver::NewtonSolver(const Model& model, const SolverSettings& settings, std::stop_token stop)
+    : impl_(std::make_unique<Impl>(model, settings, std::move(stop))) {}
 NewtonSolver::~NewtonSolver() = default;
 
 NewtonReport NewtonSolver::step(State& state) {
@@ -157,6 +167,8 @@ NewtonReport NewtonSolver::step(State& state) {
   }
   return report;
 }
+
+void NewtonSolver::set_springs(const std::vector<GrabSpring>& springs) { impl_->springs = springs; }
 
 NewtonReport NewtonSolver::solve_static(State& state, double tolerance) {
   return impl_->solve_static(state, tolerance);

@@ -8,8 +8,10 @@
 #pragma once
 #include <Eigen/Core>
 #include <memory>
+#include <stop_token>
 #include <vector>
 
+#include "sim/grab_spring.h"
 #include "sim/model.h"
 #include "sim/settings.h"
 #include "sim/state_export.h"
@@ -50,11 +52,14 @@ struct NewtonReport {
 /// Keeps a reference to the model, which must not change.
 class NewtonSolver {
  public:
-  NewtonSolver(const Model& model, const SolverSettings& settings);
+  /// A solve ends unconverged soon after `stop` is requested.
+  NewtonSolver(const Model& model, const SolverSettings& settings, std::stop_token stop = {});
   ~NewtonSolver();
   /// One frame step: settings.substeps implicit Euler steps, each to a relative residual of 1e-12 or as far
   /// as double goes.
   NewtonReport step(State& state);
+  /// Springs that pull in the steps to come; none at first.
+  void set_springs(const std::vector<GrabSpring>& springs);
   /// Static equilibrium from `state` (its velocity is set to zero, its time to the end of all motions).
   /// `tolerance` 0 means 1e-10. Throws Error if gravity pulls at a part of the mesh that nothing holds.
   NewtonReport solve_static(State& state, double tolerance = 0);

@@ -43,7 +43,7 @@ int run(const fs::path& folder, const AccuracyGrid& grid, bool fresh = false) {
   options.out = folder.string();
   options.context = "osmesa";
   options.quiet = true;
-  Bench bench(options);
+  Bench bench(options, "accuracy");
   return bench_accuracy(bench, grid, fresh);
 }
 

@@ -241,6 +241,21 @@ TEST_CASE("the same run gives the same state file, on every context", "[cli]") {
   }
 }
 
+TEST_CASE("a step within a frame budget gets the iterations that fit, one at least", "[cli]") {
+  const TemporaryFolder folder;
+  const auto iterations = [&](const std::string& milliseconds) {
+    const std::string stats = (folder / "stats.json").string();
+    const CommandResult result = run_fascia({"run", cube().string(), "--quiet", "--steps", "3", "--context", "osmesa", "--stats", stats,
+                                             "--set", "solver.frame_budget=" + milliseconds});
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    return nlohmann::json::parse(read_file(stats)).at("iterations_per_step").get<int>();
+  };
+  CHECK(iterations("0") == 10);
+  CHECK(iterations("0.000001") == 1);
+  CHECK(iterations("10000") == 10);
+}
+
 TEST_CASE("a mesh alone opens, and info examines it", "[cli]") {
   const std::string mesh = (source_dir() / "tests/reference/01_cantilever_small/mesh.msh").string();
   CHECK(run_fascia({"run", mesh, "--quiet", "--steps", "2"}).exit_code == 0);

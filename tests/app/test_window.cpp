@@ -99,9 +99,11 @@ TEST_CASE("tissue is dragged, a slider moved and keys pressed in the window") {
   Screenshot dragged;
   CHECK(eventually([&] { return changed_share(rest, dragged = window.screenshot()) > 0.01; }));
   window.release();
-  window.key("r");
-  // Nothing acts on the tissue after a reset: the very picture of rest comes back.
-  CHECK(eventually([&] { return changed_share(rest, window.screenshot()) < 1e-4; }));
+  // Nothing acts on the tissue after a reset: the very picture of rest comes back. A busy desk can lose a key.
+  CHECK(eventually([&] {
+    window.key("r");
+    return changed_share(rest, window.screenshot()) < 1e-4;
+  }));
 
   INFO("a slider changes the material of the running scene");
   const Place knob = first_slider(rest.image);

@@ -1,0 +1,46 @@
+// The bars and settings that tests of whole GPU steps share.
+#pragma once
+#include <catch2/catch.hpp>
+
+#include "sim/settings.h"
+#include "tests/support/models.h"
+
+namespace fascia::test {
+
+inline Material tissue(double damping = 0) { return {2e4, 0.4, 1000, damping, MaterialModel::st_venant_kirchhoff}; }
+
+inline Model bar(double damping = 0) {
+  return make_model(make_box(8, 3, 3, {0.2, 0.06, 0.06}), tissue(damping), [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
+}
+
+inline Model free_bar(double damping = 0) {
+  Model model = make_model(make_box(8, 3, 3, {0.2, 0.06, 0.06}), tissue(damping), [](const Eigen::Vector3d&) { return false; });
+  model.gravity.setZero();
+  return model;
+}
+
+inline SolverSettings with(Method method) {
+  SolverSettings settings;
+  settings.method = method;
+  settings.acceleration = Acceleration::none;
+  settings.iterations = 20;
+  return settings;
+}
+
+inline SolverSettings with(const Pair& pair) {
+  SolverSettings settings = with(pair.method);
+  settings.acceleration = pair.acceleration;
+  return settings;
+}
+
+inline Method any_method() { return GENERATE(Method::jacobi, Method::mass_splitting, Method::gauss_seidel); }
+
+// One of each kind: what holds for all of them is tested with these.
+inline Pair any_pair() {
+  return GENERATE(Pair{Method::jacobi, Acceleration::none}, Pair{Method::mass_splitting, Acceleration::none},
+                  Pair{Method::gauss_seidel, Acceleration::none}, Pair{Method::exact_xpbd, Acceleration::anderson},
+                  Pair{Method::vertex_descent, Acceleration::anderson}, Pair{Method::two_level, Acceleration::anderson},
+                  Pair{Method::two_level, Acceleration::nonlinear_cg}, Pair{Method::two_level, Acceleration::subspace});
+}
+
+}  // namespace fascia::test

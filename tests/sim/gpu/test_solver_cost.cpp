@@ -1,0 +1,128 @@
+// What GPU steps cost: sliders rebuild nothing, and features that are off are not there.
+#include <catch2/catch.hpp>
+#include <cstring>
+
+#include "sim/gpu/solver.h"
+#include "tests/sim/gpu/bars.h"
+#include "tests/sim/gpu/gpu_fixture.h"
+
+using namespace fascia;
+using namespace fascia::test;
+using Eigen::Vector3d;
+using shared::vec4;
+
+TEST_CASE("sliders act on the next step without new buffers or programs", "[gpu]") {
+  const Pair pair = any_pair();
+  CAPTURE(name_of(pair.method), name_of(pair.acceleration));
+  Gpu gpu;
+  Model model = bar();
+  GpuSolver solver(gpu.programs, model, with(pair));
+  solver.step();
+  const std::size_t programs = gpu.programs.size(), bytes = gl::allocated_bytes();
+  for (const double young : {1e3, 1e5, 1e9}) {
+    model.materials[0].young_modulus = young;
+    model.materials[0].density = young / 100;
+    solver.materials_changed();
+    SolverSettings settings = solver.settings();
+    settings.iterations += 5;
+    settings.substeps += 1;
+    solver.set_settings(settings);
+    solver.step();
+  }
+  CHECK(gpu.programs.size() == programs);
+  CHECK(gl::allocated_bytes() == bytes);
+  CHECK(solver.settings().iterations == 20 + 15);
+
+  // and the result is that of a solver that was made with these values
+  Model fresh = model;
+  GpuSolver other(gpu.programs, fresh, solver.settings());
+  solver.reset();
+  solver.finish_background();
+  for (int i = 0; i < 5; ++i) {
+    solver.step();
+    other.step();
+  }
+  CHECK(relative_rms(solver.download().displacement, other.download().displacement) == 0);
+}
+
+TEST_CASE("features that are off cost no dispatch, no program and no byte", "[gpu]") {
+  Gpu gpu;
+  Model plain = bar();
+  SolverSettings settings = with(Method::jacobi);
+  settings.iterations = 7;
+  settings.substeps = 2;
+  GpuSolver solver(gpu.programs, plain, settings);
+  // predict, 7 x (tets, vertices), velocity, twice
+  CHECK(solver.dispatches_per_step() == 2 * (1 + 7 * 2 + 1));
+  const std::uint64_t before = gl::dispatch_count();
+  solver.step();
+  CHECK(gl::dispatch_count() - before == solver.dispatches_per_step());
+
+  const std::size_t bytes = gl::allocated_bytes();
+  plain.materials[0].damping = 0.01;
+  solver.materials_changed();
+  CHECK(solver.dispatches_per_step() == 2 * (2 + 7 * 2 + 1));
+  CHECK(gl::allocated_bytes() - bytes == 32 * plain.tets.size());
+  const std::size_t with_damping = gl::allocated_bytes();
+
+  solver.set_grab({{40, Vector3d::Zero(), 10}, {41, Vector3d::Zero(), 10}});
+  CHECK(solver.dispatches_per_step() == 2 * (2 + 7 * 3 + 1));
+  CHECK(gl::allocated_bytes() - with_damping == 2 * (4 + 16 + 16));
+  settings.method = Method::gauss_seidel;  // the other method's memory goes, its own comes
+  solver.set_settings(settings);
+  const std::size_t colors = solver.gauss_seidel()->coloring().color_count();
+  CAPTURE(colors);
+  CHECK(solver.dispatches_per_step() == 2 * (2 + 7 * (colors + 1) + 1));
+  CHECK(gl::allocated_bytes() - with_damping == 2 * (4 + 16 + 16));
+  const std::size_t plain_bytes = gl::allocated_bytes(), vertices = plain.rest_positions.size();
+  settings.acceleration = Acceleration::anderson_positions;
+  settings.window = 3;
+  solver.set_settings(settings);
+  CHECK(solver.dispatches_per_step() == 2 * (2 + 1 + 7 * (colors + 1) + 1 + 6 * 4 + 1));
+  CHECK(gl::allocated_bytes() - plain_bytes == 16 * vertices * (3 + 2 * 3) + 16 * 64 * 3 + 4 * 113);
+  settings.acceleration = Acceleration::chebyshev;
+  solver.set_settings(settings);
+  CHECK(solver.dispatches_per_step() == 2 * (2 + 7 * (colors + 1 + 3) + 1));
+  CHECK(gl::allocated_bytes() - plain_bytes == 16 * vertices * 2 + 16 * 64 + 4 * 6);
+  settings.acceleration = Acceleration::none;
+  settings.colors = 5;
+  solver.set_settings(settings);
+  const std::size_t phantoms = solver.gauss_seidel()->coloring().phantom_vertex.size();
+  CAPTURE(phantoms);
+  CHECK(solver.dispatches_per_step() == 2 * (2 + 7 * (5 + 2 + 1) + 1));  // split and merge beside the colors and the grab
+  CHECK(gl::allocated_bytes() > plain_bytes + 16 * phantoms);
+  settings.colors = 0;
+  solver.set_settings(settings);
+  CHECK(gl::allocated_bytes() == plain_bytes);
+  settings.method = Method::jacobi;
+  solver.set_settings(settings);
+  solver.set_grab({});
+  CHECK(solver.dispatches_per_step() == 2 * (2 + 7 * 2 + 1));
+  CHECK(gl::allocated_bytes() == with_damping);
+}
+
+TEST_CASE("neutral values equal the feature switched off, to the bit", "[gpu]") {
+  const Pair pair = any_pair();
+  CAPTURE(name_of(pair.method), name_of(pair.acceleration));
+  Gpu gpu;
+  const auto run = [&](bool two_equal_materials) {
+    Model model = bar();
+    if (two_equal_materials) {
+      model.materials.push_back(model.materials[0]);
+      for (std::size_t t = 0; t < model.tets.size(); t += 2) model.tet_material[t] = 1;
+    }
+    GpuSolver solver(gpu.programs, model, with(pair));
+    for (int i = 0; i < 10; ++i) solver.step();
+    return solver.buffers().displacement.read<vec4>();
+  };
+  const auto off = run(false), neutral = run(true);
+  CHECK(std::memcmp(off.data(), neutral.data(), off.size() * sizeof(vec4)) == 0);
+
+  // Damping compiled in with the value zero: one of two materials is damped, no tet has it.
+  Model damped = bar();
+  damped.materials.push_back(tissue(0.05));
+  GpuSolver solver(gpu.programs, damped, with(pair));
+  for (int i = 0; i < 10; ++i) solver.step();
+  const auto zero_damping = solver.buffers().displacement.read<vec4>();
+  CHECK(std::memcmp(off.data(), zero_damping.data(), off.size() * sizeof(vec4)) == 0);
+}

@@ -1,0 +1,135 @@
+// The passes of the two-level method against the same iteration in double precision, on large rotations, where float32 and frozen
+// rotations would show first.
+#include <catch2/catch.hpp>
+
+#include "sim/gpu/two_level.h"
+#include "sim/gpu/solver.h"
+#include "tests/sim/gpu/double_two_level.h"
+#include "tests/sim/gpu/gpu_fixture.h"
+#include "tests/support/models.h"
+
+using namespace fascia;
+using namespace fascia::test;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using shared::vec4;
+
+namespace {
+
+// A beam of two materials, bent far, with random strains on top.
+Model beam() {
+  Model model = make_model(make_box(16, 4, 4, {0.4, 0.1, 0.1}), {1e5, 0.35, 1000, 0, MaterialModel::st_venant_kirchhoff},
+                           [](const Vector3d& x) { return x.x() < 1e-9; });
+  model.materials.push_back({2e6, 0.3, 1200, 0, MaterialModel::st_venant_kirchhoff});
+  for (std::size_t t = 0; t < model.tets.size(); ++t)
+    if (model.rest_positions[model.tets[t][0]].x() > 0.25) model.tet_material[t] = 1;
+  return model;
+}
+
+reference::State bent(const Model& model) {
+  reference::State state = random_state(model, 5e-4, 7);
+  for (std::size_t v = 0; v < model.rest_positions.size(); ++v) {
+    const Vector3d& x = model.rest_positions[v];
+    const double angle = 4 * x.x(), radius = 0.25 - x.y();
+    if (x.x() > 1e-9) state.displacement[v] += Vector3d(radius * std::sin(angle), 0.25 - radius * std::cos(angle), x.z()) - x;
+  }
+  return state;
+}
+
+VectorXd flat(const gl::Buffer& buffer, std::uint32_t count) {
+  VectorXd all(3 * static_cast<Eigen::Index>(count));
+  const std::vector<vec4> values = buffer.read<vec4>();
+  for (std::uint32_t v = 0; v < count; ++v) all.segment<3>(3 * static_cast<Eigen::Index>(v)) << values[v].x, values[v].y, values[v].z;
+  return all;
+}
+
+void run(const Passes& passes) {
+  for (const gl::ComputePass& pass : passes) pass.run();
+}
+
+// Everything that a step has before its first iteration.
+struct Step {
+  explicit Step(gl::LoadPath loads, Acceleration acceleration) : gpu(loads) {
+    settings.acceleration = acceleration;
+    buffers.upload_step(model, settings);
+    buffers.upload_state(model, bent(model));
+    prediction(gpu.programs, buffers, nullptr, false).run();
+  }
+  Gpu gpu;
+  Model model = beam();
+  SolverSettings settings;
+  SimBuffers buffers{model};
+  Features features = features_of(model);
+  gl::Buffer no_strain;
+  GrabSprings grab;
+  Recording recording{gpu.programs, buffers, features, no_strain, grab};
+  VectorXd displacement() const { return flat(buffers.displacement, buffers.vertex_count); }
+};
+
+}  // namespace
+
+TEST_CASE("the gradient of a step and its objective", "[gpu]") {
+  Step s(GENERATE(gl::LoadPath::texel, gl::LoadPath::storage), Acceleration::none);
+  const VectorXd start = s.displacement();
+  const DoubleTwoLevel exact(s.model, s.settings.substep(), start, flat(s.buffers.predicted, s.buffers.vertex_count));
+  const StepGradient gradient(s.buffers.vertex_count);
+  run(gradient.passes(s.recording));
+  double objective = 0, sum = 0;
+  const VectorXd expected = exact.gradient(start, objective);
+  for (const vec4& g : gradient.gradient().read<vec4>()) sum += g.w;
+  const double error = (flat(gradient.gradient(), s.buffers.vertex_count) - expected).norm() / expected.norm();
+  CAPTURE(error, sum, objective);
+  CHECK(error < 2e-5);
+  CHECK(sum == Approx(objective).epsilon(1e-5));
+}
+
+TEST_CASE("blocks, rotations and the coarse correction: a plain two-level iteration", "[gpu]") {
+  Step s(GENERATE(gl::LoadPath::texel, gl::LoadPath::storage), Acceleration::none);
+  const VectorXd start = s.displacement();
+  DoubleTwoLevel exact(s.model, s.settings.substep(), start, flat(s.buffers.predicted, s.buffers.vertex_count));
+  const TwoLevelMethod method(s.gpu.programs, s.model, s.buffers, s.settings);
+  run(method.refresh(s.recording));
+  for (const bool first : {true, false}) {
+    run(method.gradient()->passes(s.recording));
+    run(method.iteration(s.recording, first));
+    exact.relax(0.4);
+    const double error = (s.displacement() - exact.displacement()).norm() / (exact.displacement() - start).norm();
+    CAPTURE(first, error);
+    CHECK(error < 1e-4);
+  }
+}
+
+TEST_CASE("steps within the span of the corrections and the last step", "[gpu]") {
+  const Acceleration acceleration = GENERATE(Acceleration::nonlinear_cg, Acceleration::subspace);
+  Step s(GENERATE(gl::LoadPath::texel, gl::LoadPath::storage), acceleration);
+  const VectorXd start = s.displacement();
+  DoubleTwoLevel exact(s.model, s.settings.substep(), start, flat(s.buffers.predicted, s.buffers.vertex_count));
+  const TwoLevelMethod method(s.gpu.programs, s.model, s.buffers, s.settings);
+  run(method.refresh(s.recording));
+  for (const int iteration : {0, 1, 2}) {
+    run(method.gradient()->passes(s.recording));
+    run(method.iteration(s.recording, iteration == 0));
+    exact.descend(acceleration == Acceleration::subspace);
+    const double error = (s.displacement() - exact.displacement()).norm() / (exact.displacement() - start).norm();
+    CAPTURE(name_of(acceleration), iteration, error);
+    CHECK(error < 1e-4);
+  }
+}
+
+TEST_CASE("a change of acceleration keeps the levels", "[gpu]") {
+  Gpu gpu;
+  const Model model = beam();
+  SolverSettings settings;
+  GpuSolver switched(gpu.programs, model, settings);
+  switched.step();
+  settings.acceleration = Acceleration::subspace;
+  switched.set_settings(settings);
+  const reference::State start = bent(model);
+  switched.upload(start);
+  switched.step();
+  GpuSolver fresh(gpu.programs, model, settings);
+  fresh.upload(start);
+  fresh.step();
+  CHECK(relative_rms(switched.download().displacement, fresh.download().displacement) == 0);
+  CHECK(switched.dispatches_per_step() == fresh.dispatches_per_step());
+}
