@@ -18,7 +18,7 @@ void draw_panels(Session& session, ViewState& state, Requests& requests) {
                    ImGuiWindowFlags_NoBringToFrontOnFocus);
   scene_panel(session, state, requests);
   if (ui::section("Material")) material_panel(session.simulation, state.facts);
-  if (ui::section("Solver")) solver_panel(session.simulation);
+  if (ui::section("Solver")) solver_panel(session);
   state.show_convergence = ui::section("Convergence", false);
   if (state.show_convergence) convergence_panel(session.simulation, state.convergence);
   if (ui::section("Display")) display_panel(session);

@@ -13,7 +13,7 @@ void draw_panels(Session& session, ViewState& state, Requests& requests);
 
 void scene_panel(const Session& session, ViewState& state, Requests& requests);
 void material_panel(Simulation& simulation, const SceneFacts& facts);
-void solver_panel(Simulation& simulation);
+void solver_panel(Session& session);
 void convergence_panel(const Simulation& simulation, Convergence& convergence);
 void display_panel(Session& session);
 void grab_panel(GrabSettings& settings);

@@ -2,12 +2,14 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <type_traits>
 
 #include "app/panels.h"
 #include "app/ui_style.h"
 #include "app/ui_widgets.h"
+#include "app/units.h"
 
 namespace fascia {
 namespace {
@@ -22,6 +24,7 @@ constexpr Extra kExtras[] = {{"iterations", "Iterations", 1, 200, true},
                              {"tolerance", "Tolerance", 0, 0.1, true},
                              {"time_step", "Time step", 1e-3, 0.1, true},
                              {"substeps", "Substeps", 1, 30, true},
+                             {"frame_budget", "Frame budget", 0, 50, false},
                              {"colors", "Colors", 0, 40, false},
                              {"spectral_radius", "Spectral radius", 0, 0.9999, false},
                              {"window", "Window", 1, 10, false}};
@@ -76,9 +79,35 @@ void gravity_row(Simulation& simulation) {
   ui::tooltip(kHelp);
 }
 
+// The distance to the exact step: asked for once, or all the time.
+void error_row(Session& session) {
+  if (session.simulation.uses_reference()) return;
+  constexpr const char* kHelp =
+      "Distance of the last substep's shape to the exact one, by the reference solver on another thread, in percent of the distance "
+      "between the exact shape and where inertia and gravity alone lead";
+  TrueError& error = session.true_error;
+  if (session.simulation.model.tets.size() > TrueError::kMostTets) {
+    ui::fact("True error", "mesh too large", kHelp);
+    return;
+  }
+  std::string text = error.busy() ? "measuring ..." : "-";
+  if (const auto& result = error.result()) {
+    char percent[32];
+    std::snprintf(percent, sizeof percent, "%.2g %%", 100 * result->relative);
+    text = result->converged ? std::string(percent) + " (" + engineering(result->largest, "m") + ")" : "no exact step found";
+  }
+  ui::fact("True error", text, kHelp);
+  if (ui::button("Measure", 0.5f * ImGui::GetContentRegionAvail().x)) error.request();
+  ui::tooltip("Compares the next step with the exact one");
+  ImGui::SameLine();
+  ImGui::Checkbox("continuously", &session.follow_true_error);
+  ui::tooltip("One comparison after the other; the thread takes time from a solver that runs on the CPU");
+}
+
 }  // namespace
 
-void solver_panel(Simulation& simulation) {
+void solver_panel(Session& session) {
+  Simulation& simulation = session.simulation;
   SolverSettings settings = simulation.scene.solver;
   bool changed = false;
   if (simulation.uses_reference())
@@ -108,6 +137,7 @@ void solver_panel(Simulation& simulation) {
              "Each color is a dispatch; phantoms are copies of vertices that more colors than allowed would move");
   }
   gravity_row(simulation);
+  error_row(session);
 }
 
 void grab_panel(GrabSettings& settings) {

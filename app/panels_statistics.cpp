@@ -30,29 +30,6 @@ void clock_rows(const Statistics& s) {
   ui::fact("Real time", s.measured ? printed("%.0f %%", 100 * s.speed) : "-", "Simulated time over the time of your clock");
 }
 
-// The distance to the exact step: asked for once, or all the time.
-void error_row(Session& session) {
-  if (session.simulation.uses_reference()) return;
-  constexpr const char* kHelp =
-      "Distance of the last substep's shape to the exact one, by the reference solver on another thread, in percent of the distance "
-      "between the exact shape and where inertia and gravity alone lead";
-  TrueError& error = session.true_error;
-  if (session.simulation.model.tets.size() > TrueError::kMostTets) {
-    ui::fact("True error", "mesh too large", kHelp);
-    return;
-  }
-  std::string text = error.busy() ? "measuring ..." : "-";
-  if (const auto& result = error.result()) {
-    text = result->converged ? printed("%.2g %%", 100 * result->relative) + " (" + engineering(result->largest, "m") + ")" : "no exact step found";
-  }
-  ui::fact("True error", text, kHelp);
-  if (ui::button("Measure", 0.5f * ImGui::GetContentRegionAvail().x)) error.request();
-  ui::tooltip("Compares the next step with the exact one");
-  ImGui::SameLine();
-  ImGui::Checkbox("continuously", &session.follow_true_error);
-  ui::tooltip("One comparison after the other; the thread takes time from a solver that runs on the CPU");
-}
-
 }  // namespace
 
 void statistics_panel(Session& session, const Statistics& statistics) {
@@ -65,7 +42,6 @@ void statistics_panel(Session& session, const Statistics& statistics) {
     ui::fact("Iterations", std::to_string(run) + limit,
              "Of the last step, per substep, and what ended them if not the number asked for");
     ui::fact("Residual", printed("%.2g", d->residual), "How far the last step is from solved: 0 is solved, 1 is not begun");
-    error_row(session);
     ui::fact("J", printed("%.3f to %.3f", d->min_det_f, d->max_det_f), "Smallest and largest volume of a tet over its volume at rest");
     ui::fact("Inverted tets", std::to_string(d->inverted), "Tets turned inside out: J below 0");
     ui::fact("Largest strain", printed("%.3g", d->max_strain), "Frobenius norm of the Green strain");

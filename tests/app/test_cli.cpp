@@ -256,6 +256,26 @@ TEST_CASE("a step within a frame budget gets the iterations that fit, one at lea
   CHECK(iterations("10000") == 10);
 }
 
+TEST_CASE("run --error compares the last step with the exact one", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string stats = (folder / "stats.json").string();
+  const auto error = [&](const std::string& iterations) {
+    const CommandResult result = run_fascia({"run", cube().string(), "--steps", "5", "--context", "osmesa", "--stats", stats, "--error",
+                                             "--set", "solver.iterations=" + iterations});
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK(result.err.find("error of the last step") != std::string::npos);
+    return nlohmann::json::parse(read_file(stats)).at("error").get<double>();
+  };
+  const double few = error("2"), many = error("100");
+  CAPTURE(few, many);
+  CHECK(few > 1e-3);
+  CHECK(few < 1);
+  CHECK(many < 1e-4);
+  CHECK(run_fascia({"run", cube().string(), "--static", "--error"}).exit_code == 1);
+  CHECK(run_fascia({"run", cube().string(), "--reference", "--error"}).exit_code == 1);
+}
+
 TEST_CASE("a mesh alone opens, and info examines it", "[cli]") {
   const std::string mesh = (source_dir() / "tests/reference/01_cantilever_small/mesh.msh").string();
   CHECK(run_fascia({"run", mesh, "--quiet", "--steps", "2"}).exit_code == 0);

@@ -246,5 +246,5 @@ TEST_CASE("texts that are no UTF-8 are written with replacements instead of fail
 TEST_CASE("names of colors") {
   std::vector<std::string> names;
   for (const ColorBy color : all_colors()) names.push_back(name_of(color));
-  CHECK(names == std::vector<std::string>{"none", "strain", "von_mises"});
+  CHECK(names == std::vector<std::string>{"none", "strain", "von_mises", "error"});
 }

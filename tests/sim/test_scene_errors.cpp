@@ -176,10 +176,10 @@ TEST_CASE("a wrong type says what is there and what was expected") {
   CHECK(top_error(R"("display": {"wireframe": 1})") ==
         "s.json: display.wireframe: is 1; expected true or false");
   CHECK(top_error(R"("display": {"color": "red"})") ==
-        "s.json: display.color: is \"red\"; expected one of none, strain, von_mises");
+        "s.json: display.color: is \"red\"; expected one of none, strain, von_mises, error");
   CHECK(
       top_error(R"("display": {"color": "mises"})") ==
-      "s.json: display.color: is \"mises\", perhaps \"von_mises\"; expected one of none, strain, von_mises");
+      "s.json: display.color: is \"mises\", perhaps \"von_mises\"; expected one of none, strain, von_mises, error");
   CHECK(top_error(R"("display": {"range": [0]})") ==
         "s.json: display.range: is [0]; expected a list of 2 numbers, the lower one first");
   CHECK(top_error(R"("display": {"range": [1, 1]})") ==
