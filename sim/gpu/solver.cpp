@@ -211,7 +211,14 @@ void GpuSolver::upload(const reference::State& state) {
 void GpuSolver::set_settings(const SolverSettings& settings) {
   const auto needs = [](const SolverSettings& s) { return std::tuple(s.method, s.acceleration, s.colors, s.window, s.tolerance > 0); };
   const bool same_passes = needs(settings) == needs(settings_);
+  SolverSettings before = settings_;
+  before.iterations = settings.iterations;
+  const bool same_step = before == settings;  // but for the number of iterations, which a frame budget changes all the time
   settings_ = settings;
+  if (same_step) {
+    buffers_.upload_step(model_, settings_);
+    return;
+  }
   if (!same_passes) {
     make_method();
     record();

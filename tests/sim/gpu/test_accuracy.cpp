@@ -173,7 +173,10 @@ TEST_CASE("the dynamic reference case with the default settings", "[gpu]") {
   const bool tight = GENERATE(false, true);
   SolverSettings settings;  // the defaults: the case is about them
   settings.time_step = scene.solver.time_step;
-  if (tight) settings.iterations = 40;
+  if (tight) {
+    settings.tolerance = 1e-5;
+    settings.iterations = 100;
+  }
   GpuSolver solver(gpu.programs, model, settings);
   int done = 0;
   for (const int step : {1, 10, 30, 60}) {
