@@ -44,7 +44,7 @@ class Simulation {
   void step_within_budget();
 
   std::unique_ptr<GpuSolver> gpu_;
-  std::optional<reference::State> equilibrium_;  // of solve_static() on the GPU, to more digits than float32 holds; until the next change
+  std::optional<reference::State> equilibrium_;  // of solve_static() on the GPU, to more digits than float32 holds; until the next step
   double ms_per_iteration_ = 0;  // of the GPU, a running mean over steps; 0: not measured
   std::unique_ptr<reference::NewtonSolver> reference_;
   reference::State reference_state_;

@@ -90,7 +90,7 @@ TEST_CASE("the true error is measured on a thread while steps go on") {
   CHECK_FALSE(thread.result());
 }
 
-TEST_CASE("a measurement under way is let go at once") {
+TEST_CASE("a measurement under way can be let go") {
   Gpu gpu;
   Simulation simulation(cantilever({}), &gpu.programs, false);
   simulation.step();
