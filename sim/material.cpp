@@ -3,14 +3,19 @@
 namespace fascia {
 
 const std::vector<MaterialModel>& material_models() {
-  static const std::vector<MaterialModel> models = {MaterialModel::st_venant_kirchhoff};
+  static const std::vector<MaterialModel> models = {MaterialModel::signed_st_venant_kirchhoff, MaterialModel::st_venant_kirchhoff,
+                                                    MaterialModel::stable_neo_hookean};
   return models;
 }
 
 const char* name_of(MaterialModel model) {
   switch (model) {
+    case MaterialModel::signed_st_venant_kirchhoff:
+      return "signed_st_venant_kirchhoff";
     case MaterialModel::st_venant_kirchhoff:
       return "st_venant_kirchhoff";
+    case MaterialModel::stable_neo_hookean:
+      return "stable_neo_hookean";
   }
   return "";
 }

@@ -7,7 +7,8 @@
 
 namespace fascia {
 
-enum class MaterialModel { st_venant_kirchhoff };
+/// signed_st_venant_kirchhoff is St. Venant-Kirchhoff where no direction is compressed below 0.6, and keeps on resisting where one is.
+enum class MaterialModel { signed_st_venant_kirchhoff, st_venant_kirchhoff, stable_neo_hookean };
 
 const std::vector<MaterialModel>& material_models();  // that exist
 const char* name_of(MaterialModel model);             // "st_venant_kirchhoff", as in scene files
@@ -18,7 +19,7 @@ struct Material {
   double poisson_ratio = 0.3;  // nu [-], -0.9 to 0.499
   double density = 1000;       // [kg/m^3]
   double damping = 0;  // ratio of viscosity to stiffness [s] (Kelvin-Voigt: S = D (eps + damping * d eps/dt))
-  MaterialModel model = MaterialModel::st_venant_kirchhoff;
+  MaterialModel model = MaterialModel::signed_st_venant_kirchhoff;
 
   double lame_lambda() const {
     return young_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio));

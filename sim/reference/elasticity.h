@@ -30,7 +30,17 @@ Eigen::Matrix3d deformation_gradient(const RestTet& rest, const Corners& displac
 Vector6d green_strain(const Eigen::Matrix3d& f);  // xx, yy, zz, yz, xz, xy; tensor shears
 /// The same as a matrix, without the digits that forming F costs: small strains keep full relative accuracy.
 Eigen::Matrix3d green_strain_matrix(const RestTet& rest, const Corners& displacements);
-Eigen::Matrix3d second_piola_stress(const Eigen::Matrix3d& strain, const Material& material);  // S [Pa]
+Eigen::Matrix3d second_piola_stress(const Eigen::Matrix3d& strain, const Material& material);  // S [Pa] of St. Venant-Kirchhoff
+
+/// F = U diag(s) V^T with det U = det V = 1 and |s| descending: the last one carries the sign of det F.
+struct SignedSvd {
+  Eigen::Matrix3d u, v;
+  Eigen::Vector3d s;
+};
+SignedSvd signed_svd(const Eigen::Matrix3d& f);
+
+constexpr double kLeastStretch = 0.6;  // of signed_st_venant_kirchhoff: below, the strain of a principal direction falls linearly
+Eigen::Matrix3d first_piola_stress(const Eigen::Matrix3d& f, const Material& material);  // P = dPsi/dF [Pa], elastic part
 /// Of the Cauchy stress F S F^T / J [Pa].
 double von_mises(const Eigen::Matrix3d& f, const Material& material);
 
