@@ -86,8 +86,7 @@ void run_gnuplot(const fs::path& path, const std::string& script) {
   if (status != 0 || fs::file_size(files.picture, ec) == 0 || ec)
     throw Error(path.string(), "gnuplot ended with status " + std::to_string(status) + " (" + last_line(files.log) + ")",
                 "expected a working gnuplot and free disk space");
-  fs::rename(files.picture, path, ec);
-  if (ec) throw Error(path.string(), "cannot be replaced: " + ec.message(), "expected a writable folder");
+  replace_file(files.picture, path);
 }
 
 }  // namespace fascia

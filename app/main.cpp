@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "sim/error.h"
 
 namespace {
 
@@ -135,9 +136,11 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    const int exit_code = run(argc, argv);
+    if (!std::cout.flush()) throw Error("standard output", "writing failed", "expected a device that takes data");
+    return exit_code;
   } catch (const std::bad_alloc&) {
-    std::cerr << "fascia: out of memory\n";
+    std::cerr << "fascia: needs more memory than there is; expected a smaller mesh\n";
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
   }

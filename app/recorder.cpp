@@ -117,9 +117,7 @@ void Recorder::finish() {
   close(pipe_);
   pipe_ = -1;
   if (const int status = wait_for_child(); status != 0) fail("ffmpeg ended with status " + std::to_string(status));
-  std::error_code ec;
-  fs::rename(temporary_, path_, ec);
-  if (ec) throw Error(path_.string(), "cannot be replaced: " + ec.message(), "expected a writable folder");
+  replace_file(temporary_, path_);
 }
 
 void Recorder::fail(const std::string& what) {

@@ -81,7 +81,11 @@ Row parse_row(const std::array<std::string_view, 4>& fields, const std::string& 
 }  // namespace
 
 VertexTable read_vertex_csv(const std::filesystem::path& path, std::size_t vertex_count) {
-  const std::string content = read_file(path);
+  return read_vertex_csv_content(path, read_file(path), vertex_count);
+}
+
+VertexTable read_vertex_csv_content(const std::filesystem::path& path, std::string_view content,
+                                    std::size_t vertex_count) {
   std::string_view rest = content;
   std::vector<Row> rows;
   bool may_be_header = true;

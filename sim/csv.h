@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 namespace fascia {
@@ -17,6 +18,9 @@ struct VertexTable {
 /// "file:line: ..." for a row that is not four finite numbers, an index that is not below `vertex_count` or
 /// is given twice; also for no rows.
 VertexTable read_vertex_csv(const std::filesystem::path& path, std::size_t vertex_count);
+/// As read_vertex_csv of a file with this content.
+VertexTable read_vertex_csv_content(const std::filesystem::path& path, std::string_view content,
+                                    std::size_t vertex_count);
 
 /// The same, and every vertex must have a row: [vertex_count].
 std::vector<Eigen::Vector3d> read_complete_vertex_csv(const std::filesystem::path& path,

@@ -1,13 +1,20 @@
 #include "sim/file.h"
 
 #include <fcntl.h>
+#include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <cerrno>
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <system_error>
 
 #include "sim/error.h"
@@ -48,6 +55,52 @@ std::string sync(const fs::path& path) {
   return error_number ? "writing failed" + reason(error_number) : "";
 }
 
+std::string gigabytes(std::uint64_t bytes) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f GB", static_cast<double>(bytes) / 1e9);
+  return text;
+}
+
+/// What the kernel can give without swapping, or what is left of the process's own limit (ulimit -v) [bytes].
+std::uint64_t free_memory() {
+  std::uint64_t free = std::numeric_limits<std::uint64_t>::max(), number = 0;
+  std::ifstream system("/proc/meminfo");
+  for (std::string word; system >> word;) {
+    if (word == "MemAvailable:" && system >> number) free = number * 1024;
+  }
+  rlimit limit{};
+  std::ifstream process("/proc/self/statm");
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && process >> number) {
+    const std::uint64_t used = number * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+    free = std::min<std::uint64_t>(free, limit.rlim_cur > used ? limit.rlim_cur - used : 0);
+  }
+  return free;
+}
+
+std::string temporary_prefix(const fs::path& path) {
+  return "." + path.stem().string() + ".";
+}
+
+/// Files ".stem.PID-NUMBER.part*" of processes that are gone. One whose number another process has by now stays.
+void remove_stale(const fs::path& target) {
+  const std::string prefix = temporary_prefix(target);
+  std::error_code ec;
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  for (fs::directory_iterator entry(folder, ec), end; !ec && entry != end; entry.increment(ec)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(prefix)) continue;
+    const char* const last = name.data() + name.size();
+    pid_t process = 0;
+    unsigned number = 0;
+    const auto after_process = std::from_chars(name.data() + prefix.size(), last, process);
+    if (after_process.ec != std::errc{} || process <= 0 || after_process.ptr == last || *after_process.ptr != '-') continue;
+    const auto after_number = std::from_chars(after_process.ptr + 1, last, number);
+    if (after_number.ec != std::errc{} || !std::string_view(after_number.ptr, last).starts_with(".part")) continue;
+    std::error_code ignored;
+    if (kill(process, 0) != 0 && errno == ESRCH) fs::remove(entry->path(), ignored);
+  }
+}
+
 }  // namespace
 
 std::string read_file(const fs::path& path) {
@@ -64,8 +117,13 @@ std::string read_file(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Error(path.string(), "cannot be opened" + reason(errno), "expected a readable file");
   std::string content;
-  const auto size = fs::file_size(path, ec);  // pipes have none
-  if (!ec) content.reserve(size);
+  if (const auto size = fs::file_size(path, ec); !ec) {  // pipes have none
+    if (const std::uint64_t free = free_memory(); size > free) {
+      throw Error(path.string(), "needs more than " + gigabytes(size) + " of memory, " + gigabytes(free) + " are free",
+                  "expected a smaller file");
+    }
+    content.reserve(size);
+  }
   char block[1 << 16];
   while (in.read(block, sizeof block) || in.gcount() > 0)
     content.append(block, static_cast<std::size_t>(in.gcount()));
@@ -74,10 +132,21 @@ std::string read_file(const fs::path& path) {
 }
 
 fs::path temporary_name(const fs::path& path) {
-  fs::path name =
-      path.parent_path() / ("." + path.stem().string() + "." + std::to_string(getpid()) + ".part");
+  static std::atomic<unsigned> calls{0};  // threads may write the same target
+  fs::path name = path.parent_path() /
+                  (temporary_prefix(path) + std::to_string(getpid()) + "-" + std::to_string(++calls) + ".part");
   name += path.extension();
   return name;
+}
+
+void replace_file(const fs::path& temporary, const fs::path& target) {
+  std::error_code ec, ignored;
+  fs::rename(temporary, target, ec);
+  if (ec) {
+    fs::remove(temporary, ignored);
+    throw Error(target.string(), "cannot be replaced: " + ec.message(), writable);
+  }
+  remove_stale(target);
 }
 
 std::string lower_ending(const fs::path& path) {
@@ -101,6 +170,10 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
     }
     return;
   }
+  // A rename would replace a read-only file too; whoever made it so wants to keep it.
+  if (fs::exists(status) && access(path.c_str(), W_OK) != 0) {
+    throw Error(path.string(), "cannot be written" + reason(errno), "expected a file that may be changed");
+  }
 
   const fs::path target = fs::is_symlink(path, ec) ? fs::weakly_canonical(path, ec) : path;
   const fs::path temporary = temporary_name(target);
@@ -112,14 +185,12 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
     fs::remove(temporary, ec);
     throw;
   }
-  if (problem.empty()) {
-    fs::rename(temporary, target, ec);
-    if (ec) problem = "cannot be replaced: " + ec.message();
-  }
   if (!problem.empty()) {
     fs::remove(temporary, ec);
     throw Error(path.string(), problem, writable);
   }
+  if (fs::exists(status)) fs::permissions(temporary, status.permissions(), ec);
+  replace_file(temporary, target);
 }
 
 void write_file(const fs::path& path, std::string_view content) {

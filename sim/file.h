@@ -9,17 +9,22 @@
 
 namespace fascia {
 
-/// Throws Error for a missing file, a directory, a device, or a read that fails.
+/// Throws Error for a missing file, a directory, a device, a file larger than the memory that is free, or a
+/// read that fails.
 std::string read_file(const std::filesystem::path& path);
 
-/// Throws Error (missing folder, no permission, disk full); the old file is untouched then. A symbolic link
-/// stays and its target is replaced; a device or a pipe (/dev/stdout) is written to directly.
+/// Throws Error (missing folder, no permission, read-only file, disk full); the old file is untouched then. A
+/// symbolic link stays and its target is replaced; a device or a pipe (/dev/stdout) is written to directly.
 void write_file(const std::filesystem::path& path, std::string_view content);
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& writer);
 
-/// A name beside `path` for a file still being written (same ending, so that child processes know the
-/// format).
+/// A name beside `path` for a file still being written, another one at every call (same ending, so that child
+/// processes know the format). Its process is part of the name.
 std::filesystem::path temporary_name(const std::filesystem::path& path);
+
+/// Renames a finished temporary file to its target, and removes the temporary files that other processes left
+/// of this target when they were killed. Throws Error; the temporary file is removed then.
+void replace_file(const std::filesystem::path& temporary, const std::filesystem::path& target);
 
 /// ".msh" of "Beam.MSH": how formats are told apart.
 std::string lower_ending(const std::filesystem::path& path);

@@ -30,6 +30,14 @@ bool is_scene(const std::filesystem::path& path) {
   return first == '{' || first == kByteOrderMark[0] || path.extension() == ".json";
 }
 
+Scene read_document(nlohmann::json document, const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  DocumentOrigin origin{path.string(), {}};
+  apply_overrides(document, overrides, origin);
+  Scene scene = read_scene(document, origin);
+  scene.file = path;
+  return scene;
+}
+
 }  // namespace
 
 std::filesystem::path Scene::resolve(const std::string& relative) const {
@@ -37,20 +45,17 @@ std::filesystem::path Scene::resolve(const std::string& relative) const {
 }
 
 Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  DocumentOrigin origin{path.string(), {}};
+  if (is_scene(path)) return read_scene_content(path, read_file(path), overrides);
   nlohmann::json document;
-  if (is_scene(path)) {
-    document = parse_json(read_file(path), path.string());
-  } else {
-    document["fascia_scene"] = 1;
-    document["title"] = path.filename().string();
-    document["bodies"][0]["mesh"] = path.filename().string();
-    document["bodies"][0]["fixed"][0]["lowest"] = kLowestShare;
-  }
-  apply_overrides(document, overrides, origin);
-  Scene scene = read_scene(document, origin);
-  scene.file = path;
-  return scene;
+  document["fascia_scene"] = 1;
+  document["title"] = path.filename().string();
+  document["bodies"][0]["mesh"] = path.filename().string();
+  document["bodies"][0]["fixed"][0]["lowest"] = kLowestShare;
+  return read_document(std::move(document), path, overrides);
+}
+
+Scene read_scene_content(const std::filesystem::path& path, std::string_view content, const std::vector<std::string>& overrides) {
+  return read_document(parse_json(content, path.string()), path, overrides);
 }
 
 Eigen::Affine3d placement(const Transform& transform) {

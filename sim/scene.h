@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -118,6 +119,9 @@ struct Scene {
 /// texts "KEY=VALUE"; a KEY that starts with a key of bodies (materials., fixed., transform., ...) means body
 /// 0. An override's error names "--set KEY".
 Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+/// As open_scene of a scene file with this content.
+Scene read_scene_content(const std::filesystem::path& path, std::string_view content,
+                         const std::vector<std::string>& overrides = {});
 
 /// The scene as JSON text that open_scene reads back to the same scene, with mesh paths relative to `folder`.
 std::string scene_to_json(const Scene& scene, const std::filesystem::path& folder);

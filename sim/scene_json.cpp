@@ -49,8 +49,6 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
   }
 
  private:
-  static constexpr std::size_t kDeepest = 32;
-
   /// The parser's own words without its code, the position (ours is in front) and a long quotation of the
   /// text.
   static std::string reason(std::string text) {
@@ -82,8 +80,8 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
     return true;
   }
   bool open(json value) {
-    if (open_.size() == kDeepest) {
-      throw Error(where_, "is nested deeper than " + std::to_string(kDeepest) + " levels",
+    if (open_.size() == kDeepestNesting) {
+      throw Error(where_, "is nested deeper than " + std::to_string(kDeepestNesting) + " levels",
                   "expected a scene");
     }
     open_.push_back(&place(std::move(value)));
@@ -111,9 +109,13 @@ json parse_json(std::string_view text, const std::string& where) {
   return builder.take();
 }
 
+std::string on_one_line(std::string_view text) {
+  const bool plain = std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < ' '; });
+  return plain ? std::string(text) : json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
 std::string path_of_key(const std::string& parent, std::string_view key) {
-  const bool plain = std::none_of(key.begin(), key.end(), [](unsigned char c) { return c < ' '; });
-  const std::string name = plain ? std::string(key) : json(key).dump();  // an error stays one line
+  const std::string name = on_one_line(key);
   return parent.empty() ? name : parent + "." + name;
 }
 

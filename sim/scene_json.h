@@ -1,14 +1,21 @@
 // JSON text to a document, stricter than the parser it uses: a key given twice is refused, nesting is
 // bounded, and a syntax error is one line "file:line:column: ...".
 #pragma once
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
 namespace fascia {
 
+/// Levels of lists and objects; more are refused, because what walks a document does so recursively.
+inline constexpr std::size_t kDeepestNesting = 32;
+
 /// `where` names the text in errors: a file, or "--set KEY".
 nlohmann::json parse_json(std::string_view text, const std::string& where);
+
+/// The text, or if it has line breaks or other control characters, the text as a JSON string.
+std::string on_one_line(std::string_view text);
 
 /// JSON paths as errors print them: "bodies[0].materials.default".
 std::string path_of_key(const std::string& parent, std::string_view key);

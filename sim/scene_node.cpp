@@ -21,7 +21,7 @@ bool is_within(const std::string& path, const std::string& ancestor) {
 std::string DocumentOrigin::where(const std::string& path) const {
   for (auto it = overrides.rbegin(); it != overrides.rend(); ++it) {
     if (!is_within(path, it->touched)) continue;
-    return "--set " + it->key + (path == it->path ? "" : ": " + path);
+    return "--set " + on_one_line(it->key) + (path == it->path ? "" : ": " + path);
   }
   return path.empty() ? file : file + ": " + path;
 }

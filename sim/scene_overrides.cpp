@@ -69,7 +69,7 @@ json container_for(const json* pattern, const std::string& next) {
 
 void apply(json& document, const std::string& key, const std::vector<std::string>& segments, json value,
            DocumentOrigin& origin) {
-  const std::string where = "--set " + key;
+  const std::string where = "--set " + on_one_line(key);
   json* node = &document;
   const json* pattern = &template_document();
   std::string path, touched;
@@ -88,7 +88,7 @@ void apply(json& document, const std::string& key, const std::vector<std::string
       if (!index || *index > node->size()) {
         throw Error(
             where,
-            "\"" + segment + "\" is no element of " + path + ", which has " + std::to_string(node->size()),
+            excerpt(segment) + " is no element of " + path + ", which has " + std::to_string(node->size()),
             "expected 0 to " + std::to_string(node->size()) + " (the end: a new element)");
       }
       path = path_of_element(path, *index);
@@ -120,8 +120,12 @@ void apply_overrides(json& document, const std::vector<std::string>& overrides, 
     const std::string key = text.substr(0, equals);
     const std::vector<std::string> segments = segments_of(key);
     if (equals == text.size() || segments.empty()) {
-      throw Error("--set " + text, equals == text.size() ? "has no =" : "has no key",
+      throw Error("--set " + on_one_line(text), equals == text.size() ? "has no =" : "has no key",
                   "expected KEY=VALUE such as solver.iterations=40");
+    }
+    if (segments.size() > kDeepestNesting) {
+      throw Error("--set " + on_one_line(key), "leads deeper than " + std::to_string(kDeepestNesting) + " levels",
+                  "expected a key of a scene");
     }
     apply(document, key, segments, value_of(text.substr(equals + 1)), origin);
   }

@@ -10,7 +10,11 @@
 namespace fascia {
 
 SurfaceMesh read_obj(const std::filesystem::path& path) {
-  std::istringstream text(read_file(path));
+  return read_obj_content(path, read_file(path));
+}
+
+SurfaceMesh read_obj_content(const std::filesystem::path& path, std::string_view content) {
+  std::istringstream text{std::string(content)};
   tinyobj::attrib_t attributes;
   std::vector<tinyobj::shape_t> shapes;
   std::vector<tinyobj::material_t> materials;

@@ -17,6 +17,7 @@ set(T ${PROJECT_SOURCE_DIR}/tests)
 fascia_test(test_mesh SOURCES ${T}/sim/test_*mesh*.cpp ${T}/sim/test_surface.cpp LIBS sim_core)
 fascia_test(test_scene SOURCES ${T}/sim/test_scene*.cpp ${T}/sim/test_settings.cpp ${T}/sim/test_material.cpp
             ${T}/sim/test_model*.cpp ${T}/sim/test_coarse*.cpp LIBS sim_core nlohmann_json::nlohmann_json)
+fascia_test(test_fuzz SOURCES ${T}/fuzz/fuzz.cpp ${T}/fuzz/fuzz_*.cpp ${T}/fuzz/test_fuzz.cpp LIBS sim_core LABELS fuzz)
 fascia_test(test_reference SOURCES ${T}/sim/reference/test_*.cpp LIBS sim_core)
 fascia_test(test_gl SOURCES ${T}/render/gl/test_*.cpp ${T}/render/test_context*.cpp LIBS render)
 fascia_test(test_render SOURCES ${T}/render/test_render*.cpp ${T}/render/test_camera.cpp ${T}/render/test_image.cpp

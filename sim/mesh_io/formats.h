@@ -18,6 +18,9 @@ void read_vtu(Scanner& in, MeshFile& file);
 void read_medit(Scanner& in, MeshFile& file);
 /// `path` is the .node or the .ele file and `content` what is in it; the other one is read.
 void read_tetgen(const std::filesystem::path& path, std::string_view content, MeshFile& file);
+/// As read_tetgen of two files with these contents.
+void read_tetgen_content(const std::filesystem::path& node_path, std::string_view node,
+                         const std::filesystem::path& ele_path, std::string_view ele, MeshFile& file);
 
 /// As read_mesh of a file with this content.
 MeshFile read_mesh_content(const std::filesystem::path& path, std::string_view content);

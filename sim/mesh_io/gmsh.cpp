@@ -139,12 +139,9 @@ void GmshReader::name_nodes(const std::vector<std::int64_t>& tags) {
 }
 
 int GmshReader::physical_tag(std::int64_t tag) const {
-  const std::int64_t positive =
-      tag < 0 ? -tag : tag;  // a minus sign says that the group turns the element round
-  if (positive > std::numeric_limits<int>::max()) {
-    in_.fail("physical tag " + std::to_string(tag), "expected a 32-bit number");
-  }
-  return static_cast<int>(positive);
+  constexpr std::int64_t most = std::numeric_limits<int>::max();
+  if (tag < -most || tag > most) in_.fail("physical tag " + std::to_string(tag), "expected a 32-bit number");
+  return static_cast<int>(tag < 0 ? -tag : tag);  // a minus sign says that the group turns the element round
 }
 
 void GmshReader::add_element(const GmshElementType& type, std::int64_t element,

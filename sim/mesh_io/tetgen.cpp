@@ -111,16 +111,21 @@ void read_text(const fs::path& where, std::string_view text, MeshFile& file, Rea
 
 }  // namespace
 
-void read_tetgen(const fs::path& path, std::string_view content, MeshFile& file) {
+void read_tetgen_content(const fs::path& node_path, std::string_view node, const fs::path& ele_path, std::string_view ele,
+                         MeshFile& file) {
   file.format = "TetGen .node/.ele";
+  TagMap vertex_of_tag;
+  read_text(node_path, node, file, [&](Scanner& in) { vertex_of_tag = read_node(in, file); });
+  read_text(ele_path, ele, file, [&](Scanner& in) { read_ele(in, vertex_of_tag, file); });
+  finish_mesh(file, ele_path.string());
+}
+
+void read_tetgen(const fs::path& path, std::string_view content, MeshFile& file) {
   const bool is_node = lower_ending(path) == ".node";
   const fs::path node = is_node ? path : partner(path, ".node", ".NODE");
   const fs::path ele = is_node ? partner(path, ".ele", ".ELE") : path;
   const std::string other = read_partner(is_node ? ele : node, path);
-  TagMap vertex_of_tag;
-  read_text(node, is_node ? content : other, file, [&](Scanner& in) { vertex_of_tag = read_node(in, file); });
-  read_text(ele, is_node ? other : content, file, [&](Scanner& in) { read_ele(in, vertex_of_tag, file); });
-  finish_mesh(file, ele.string());
+  read_tetgen_content(node, is_node ? content : other, ele, is_node ? other : content, file);
 }
 
 std::string tetgen_node_text(const TetMesh& mesh) {

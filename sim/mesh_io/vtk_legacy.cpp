@@ -55,6 +55,8 @@ class LegacyReader {
   /// Bytes (binary) or words (text) of an array; end_line() first.
   template <class T>
   std::vector<T> values(VtkType type, std::size_t count, const char* what);
+  /// Fails if an array has more values than the file could hold; so their number does not overflow either.
+  void check_array(const std::string& name, std::size_t components, std::size_t tuples, std::size_t values_per_byte) const;
   /// One array of the current owner: kept if it says something of regions or groups.
   void array(const std::string& name, VtkType type, std::size_t components, std::size_t tuples);
 
@@ -108,6 +110,9 @@ void LegacyReader::read_keyword(const std::string& keyword) {
   if (keyword == "FIELD") return read_field();
   if (keyword == "CELL_DATA" || keyword == "POINT_DATA") {
     const bool of_cells = keyword == "CELL_DATA";
+    // An array is counted against what it belongs to, which must be known by then.
+    if (of_cells && !(has_cells_ && has_types_)) in_.fail("stands before the cells", "expected CELLS and CELL_TYPES first");
+    if (!of_cells && !has_points_) in_.fail("stands before the points", "expected POINTS first");
     owner_ = of_cells ? Owner::cells : Owner::points;
     owner_count_ = of_cells ? cells_.types.size() : file_.mesh.positions.size();
     const auto count = in_.number<std::uint64_t>("a number of values");
@@ -253,12 +258,16 @@ void LegacyReader::add_cells() {
   cells_.connectivity = {};
 }
 
-void LegacyReader::array(const std::string& name, VtkType type, std::size_t components, std::size_t tuples) {
-  if (components != 0 && tuples > (bits_ ? 8 : 1) * in_.data().size() / components) {
+void LegacyReader::check_array(const std::string& name, std::size_t components, std::size_t tuples, std::size_t values_per_byte) const {
+  if (components != 0 && tuples > values_per_byte * in_.data().size() / components) {
     in_.fail("array " + in_quotes(name) + " of " + std::to_string(tuples) + " times " +
                  std::to_string(components) + " values",
              "expected no more than the file holds");
   }
+}
+
+void LegacyReader::array(const std::string& name, VtkType type, std::size_t components, std::size_t tuples) {
+  check_array(name, components, tuples, bits_ ? 8 : 1);
   const std::size_t count = components * tuples;
   if (bits_ && binary_) {
     in_.skip((count + 7) / 8, "an array of bits");
@@ -282,6 +291,7 @@ void LegacyReader::read_field() {
     const auto components = in_.number<std::uint32_t>("the number of components");
     const auto tuples = in_.number<std::uint64_t>("the number of tuples");
     if (in_.take("string")) {
+      check_array(name, components, tuples, 1);
       skip_strings(components * tuples);
       continue;
     }

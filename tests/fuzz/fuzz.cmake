@@ -1,0 +1,13 @@
+# libFuzzer programs build/fuzz/fuzz_NAME, one per tests/fuzz/fuzz_NAME.cpp. scripts/fuzz.sh runs them.
+find_package(tinyobjloader REQUIRED)
+set(F ${PROJECT_SOURCE_DIR}/tests/fuzz)
+add_library(fuzz_support STATIC ${F}/fuzz.cpp ${F}/tiny_obj_loader.cpp)
+target_link_libraries(fuzz_support PUBLIC sim_core)
+target_compile_definitions(fuzz_support PUBLIC FASCIA_LIBFUZZER)
+file(GLOB targets CONFIGURE_DEPENDS ${F}/fuzz_*.cpp)
+foreach(source IN LISTS targets)
+  cmake_path(GET source STEM name)
+  add_executable(${name} ${source})
+  target_link_libraries(${name} PRIVATE fuzz_support)
+  target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+endforeach()

@@ -1,0 +1,13 @@
+// Scene files. What was read is written and read again, and must be the same scene.
+#include "sim/scene.h"
+#include "tests/fuzz/fuzz.h"
+
+using namespace fascia;
+
+FUZZ_TARGET(scene) {
+  const Scene scene = read_scene_content("fuzz.json", data, {});
+  fuzz::require(!scene.bodies.empty(), "a scene has bodies");
+  const std::string text = scene_to_json(scene, "");
+  const Scene copy = read_scene_content("fuzz.json", text, {});
+  fuzz::require(scene_to_json(copy, "") == text, "a written scene reads back as it was");
+}

@@ -1,0 +1,12 @@
+// VTK XML files: XML, base64, appended data, zlib.
+#include "sim/mesh_io/formats.h"
+#include "tests/fuzz/fuzz.h"
+
+using namespace fascia;
+
+FUZZ_TARGET(vtu) {
+  Scanner in("fuzz.vtu", data);
+  MeshFile file;
+  read_vtu(in, file);
+  fuzz::check_mesh(file.mesh);
+}
