@@ -1,5 +1,6 @@
 #include "sim/surface_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <tiny_obj_loader.h>
@@ -8,13 +9,33 @@
 #include "sim/file.h"
 
 namespace fascia {
+namespace {
+
+/// The lines of vertices and faces, the others empty: what they say is passed over anyway, and the library believes the counts of some
+/// (a tag "t") and allocates for them.
+std::string vertices_and_faces(std::string_view content) {
+  std::string out;
+  while (!content.empty()) {
+    const std::size_t end = std::min(content.find_first_of("\r\n"), content.size());
+    const std::string_view line = content.substr(0, end);
+    const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
+    const bool wanted = begin + 1 < line.size() && (line[begin] == 'v' || line[begin] == 'f') &&
+                        (line[begin + 1] == ' ' || line[begin + 1] == '\t');
+    if (wanted) out += line;
+    if (end < content.size()) out += content[end];
+    content.remove_prefix(std::min(end + 1, content.size()));
+  }
+  return out;
+}
+
+}  // namespace
 
 SurfaceMesh read_obj(const std::filesystem::path& path) {
   return read_obj_content(path, read_file(path));
 }
 
 SurfaceMesh read_obj_content(const std::filesystem::path& path, std::string_view content) {
-  std::istringstream text{std::string(content)};
+  std::istringstream text(vertices_and_faces(content));
   tinyobj::attrib_t attributes;
   std::vector<tinyobj::shape_t> shapes;
   std::vector<tinyobj::material_t> materials;

@@ -1,7 +1,9 @@
 // One reader and one writer per mesh format, and what they share. A reader fills a MeshFile from a whole file
 // in memory; a writer returns the text of the file.
 #pragma once
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -56,6 +58,11 @@ std::map<std::string, std::vector<std::uint32_t>> region_groups(const TetMesh& m
 /// The groups that reading the regions does not bring back by itself; pointers into the mesh.
 std::vector<std::pair<std::string, const std::vector<std::uint32_t>*>> groups_beyond_regions(
     const TetMesh& mesh);
+
+/// Whether a number of a format that has only floating-point ones can be a region.
+inline bool is_region(double value) {
+  return value == std::round(value) && value >= std::numeric_limits<int>::min() && value <= std::numeric_limits<int>::max();
+}
 
 inline int region_of(const TetMesh& mesh, std::size_t tet) {
   return mesh.regions.empty() ? 0 : mesh.regions[tet];

@@ -1,6 +1,4 @@
 // TetGen: vertices in NAME.node, tets in NAME.ele, counted from 0 or from 1 as the first vertex says.
-#include <cmath>
-
 #include "sim/error.h"
 #include "sim/file.h"
 #include "sim/mesh_io/formats.h"
@@ -68,7 +66,7 @@ void read_ele(Scanner& in, const TagMap& vertex_of_tag, MeshFile& file) {
     for (unsigned i = 0; i < attributes; ++i) {
       const double attribute = in.number_on_line<double>("an attribute of a tet");
       if (i > 0) continue;
-      const bool fits = attribute == std::round(attribute) && std::abs(attribute) <= 2147483647;
+      const bool fits = is_region(attribute);
       whole &= fits;
       region = fits ? static_cast<int>(attribute) : 0;
     }

@@ -195,7 +195,7 @@ void VtkGrid::add_point_array(const std::string& name, const std::vector<double>
 }
 
 void VtkGrid::add_field_array(const std::string& name, const std::vector<double>& values) {
-  if (values.size() != 1 || values[0] != std::round(values[0]) || std::abs(values[0]) > 2147483647) return;
+  if (values.size() != 1 || !is_region(values[0])) return;
   file_.mesh.region_names[static_cast<int>(values[0])] = name.substr(vtk_region_name_prefix.size());
 }
 
@@ -204,9 +204,7 @@ void VtkGrid::end_piece() {
   regions.resize(file_.mesh.tets.size(), 0);
   if (region_array_) {
     const auto& [name, values] = *region_array_;
-    const bool whole = std::all_of(tet_cells_.begin(), tet_cells_.end(), [&v = values](std::size_t c) {
-      return v[c] == std::round(v[c]) && std::abs(v[c]) <= 2147483647;
-    });
+    const bool whole = std::all_of(tet_cells_.begin(), tet_cells_.end(), [&v = values](std::size_t c) { return is_region(v[c]); });
     if (whole) {
       for (std::size_t i = 0; i < tet_cells_.size(); ++i)
         regions[first_tet_ + i] = static_cast<int>(values[tet_cells_[i]]);
