@@ -137,7 +137,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     const int exit_code = run(argc, argv);
-    if (!std::cout.flush()) throw Error("standard output", "writing failed", "expected a device that takes data");
+    if (!std::cout.flush()) throw fascia::Error("standard output", "writing failed", "expected a device that takes data");
     return exit_code;
   } catch (const std::bad_alloc&) {
     std::cerr << "fascia: needs more memory than there is; expected a smaller mesh\n";
