@@ -48,7 +48,7 @@ Scene open_scene(const std::filesystem::path& path, const std::vector<std::strin
     document["bodies"][0]["fixed"][0]["lowest"] = kLowestShare;
   }
   apply_overrides(document, overrides, origin);
-  Scene scene = read_scene(document, origin);
+  Scene scene = read_scene(Node(document, "", origin));
   scene.file = path;
   return scene;
 }
