@@ -2,11 +2,11 @@
 #include <cmath>
 #include <iostream>
 
+#include "app/breakdown.h"
 #include "app/commands.h"
 #include "app/graphics.h"
 #include "app/interrupt.h"
 #include "app/overlay.h"
-#include "app/paths.h"
 #include "app/recorder.h"
 #include "app/session.h"
 #include "sim/error.h"
@@ -16,13 +16,10 @@ namespace {
 
 // Everything that one picture needs: the scene, then panels and color bar over the resolved frame.
 void draw_frame(Session& session, Overlay& overlay, Framebuffer& framebuffer, bool panels) {
+  require_sound(session.simulation);
   GpuSolver& solver = *session.simulation.gpu();
   solver.request_diagnostics();
   const std::optional<Diagnostics> diagnostics = solver.take_diagnostics(true);
-  if (diagnostics && !diagnostics->finite)
-    throw Error(session.simulation.scene.file.string(),
-                "the state is not finite at " + std::to_string(session.simulation.time()) + " s",
-                "expected finite positions: more substeps, softer material or a smaller load may help");
   if (diagnostics) session.follow_range(*diagnostics);
   if (session.display().color == ColorBy::error) session.measure_error();
   session.draw(framebuffer);
@@ -36,14 +33,14 @@ int command_render(const RenderOptions& options) {
     throw Error("fascia render", "no output named", "expected --out FILE.png, --video FILE.mp4 or both");
   if (options.static_equilibrium && !options.video.empty())
     throw Error("--static", "has no motion to put into " + options.video, "leave out --video");
-  const std::filesystem::path data_dir = find_data_dir(options.data_dir);
   std::vector<std::string> sets = options.sets;
   if (!options.color.empty()) sets.push_back("display.color=" + options.color);
   if (options.wireframe) sets.push_back("display.wireframe=true");
-  Scene scene = open_scene(options.input.empty() ? default_scene(data_dir) : std::filesystem::path(options.input), sets);
-  Graphics graphics = open_graphics(options, false, options.width, options.height, scene.solver.method);
-  Session session(graphics, std::move(scene), options.reference);
+  Opened opened = open_input(options, sets);
+  Graphics graphics = open_graphics(options, false, options.width, options.height, opened.scene.solver.method);
+  Session session(graphics, std::move(opened.scene), options.reference);
   Simulation& simulation = session.simulation;
+  if (opened.replay) simulation.play(std::move(*opened.replay));
   announce(options, graphics, simulation.model.notes);
 
   Framebuffer framebuffer(options.width, options.height, options.samples);
@@ -57,7 +54,7 @@ int command_render(const RenderOptions& options) {
   if (options.static_equilibrium) {
     simulation.solve_static();
   } else {
-    const long steps = steps_to_run(options, simulation.scene);
+    const long steps = steps_to_run(options, simulation);
     const double time_step = simulation.scene.solver.time_step;
     std::optional<Recorder> recorder;
     std::vector<std::uint8_t> pixels(std::size_t{4} * options.width * options.height);
@@ -77,6 +74,7 @@ int command_render(const RenderOptions& options) {
     while (step < steps && !interrupted()) {
       simulation.step();
       ++step;
+      if (simulation.astray()) require_sound(simulation);
       record_due_frames();
     }
     if (recorder) {

@@ -2,10 +2,10 @@
 #include <chrono>
 #include <iostream>
 
+#include "app/breakdown.h"
 #include "app/commands.h"
 #include "app/graphics.h"
 #include "app/interrupt.h"
-#include "app/paths.h"
 #include "app/simulation.h"
 #include "app/stats.h"
 #include "app/true_error.h"
@@ -32,14 +32,13 @@ void require_finite(const reference::State& state, const Scene& scene) {
 }  // namespace
 
 int command_run(const RunOptions& options) {
-  const std::filesystem::path input =
-      options.input.empty() ? default_scene(find_data_dir(options.data_dir)) : std::filesystem::path(options.input);
-  Scene scene = open_scene(input, options.sets);
+  Opened opened = open_input(options, options.sets);
   if (options.error && (options.static_equilibrium || options.reference))
     throw Error("--error", "compares steps of the GPU with the reference solver", "leave out --static and --reference");
   Graphics graphics;
-  if (!options.reference) graphics = open_graphics(options, false, 16, 16, scene.solver.method);
-  Simulation simulation(std::move(scene), graphics.programs.get(), options.reference);
+  if (!options.reference) graphics = open_graphics(options, false, 16, 16, opened.scene.solver.method);
+  Simulation simulation(std::move(opened.scene), graphics.programs.get(), options.reference);
+  if (opened.replay) simulation.play(std::move(*opened.replay));
   announce(options, graphics, simulation.model.notes);
 
   RunStats stats;
@@ -64,12 +63,13 @@ int command_run(const RunOptions& options) {
                 << report.iterations << (options.reference ? " Newton" : "") << " iterations, relative residual "
                 << report.relative_residual << '\n';
   } else {
-    const long steps = steps_to_run(options, simulation.scene);
+    const long steps = steps_to_run(options, simulation);
     if (series) export_frame();
     for (long i = 0; i < steps && !interrupted(); ++i) {
       const Clock::time_point step_start = Clock::now();
       simulation.step();
       if (!options.reference) gl::Finish();
+      if (simulation.astray()) require_sound(simulation);
       stats.solve_ms.push_back(milliseconds_since(step_start));
       ++stats.steps;
       if (series && stats.steps % options.every == 0) export_frame();
@@ -77,6 +77,7 @@ int command_run(const RunOptions& options) {
     }
   }
   stats.wall_s = milliseconds_since(start) / 1000;
+  if (!options.static_equilibrium) require_sound(simulation);
 
   const reference::State last = simulation.state();
   if (GpuSolver* gpu = simulation.gpu()) {

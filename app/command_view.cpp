@@ -3,7 +3,6 @@
 
 #include "app/commands.h"
 #include "app/interrupt.h"
-#include "app/paths.h"
 #include "app/view_window.h"
 #include "sim/error.h"
 #include "sim/reference/newton.h"
@@ -14,11 +13,9 @@ namespace fascia {
 int command_view(const ViewOptions& options) {
   if (options.context != "auto" && options.context != "window")
     throw Error("--context " + options.context, "has no window", "expected window, or fascia render for a picture without one");
-  const std::filesystem::path input =
-      options.input.empty() ? default_scene(find_data_dir(options.data_dir)) : std::filesystem::path(options.input);
-  Scene scene = open_scene(input, options.sets);
-  Graphics graphics = open_graphics(options, true, options.width, options.height, scene.solver.method);
-  ViewWindow window(graphics, options, std::move(scene));
+  Opened opened = open_input(options, options.sets);
+  Graphics graphics = open_graphics(options, true, options.width, options.height, opened.scene.solver.method);
+  ViewWindow window(graphics, options, std::move(opened));
   if (!options.quiet)
     for (const std::string& note : window.simulation().model.notes) std::cerr << "fascia: " << note << '\n';
   window.run();

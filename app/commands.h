@@ -1,6 +1,7 @@
 // The commands of fascia. Each returns the exit code; Error and other exceptions are caught once, in main.
 #pragma once
 #include "app/options.h"
+#include "sim/material.h"
 
 namespace fascia {
 
@@ -12,6 +13,9 @@ int command_run(const RunOptions& options);
 int command_bench_figures(const BenchOptions& options);
 /// `fresh`: measures again what the folder holds.
 int command_bench_accuracy(const BenchOptions& options, bool fresh);
+/// The pairs' cases whose name has a part that matches `only` (empty: all), with that material model.
+int command_stress(const BenchOptions& options, const std::string& only, MaterialModel model);
+int command_soak(const BenchOptions& options, long steps);
 int command_info(const InfoOptions& options);
 int command_convert(const ConvertOptions& options);
 

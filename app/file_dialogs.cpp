@@ -21,7 +21,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   std::error_code ec;
   for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec)) {
     const std::string ending = lower_ending(it->path());
-    for (const char* known : {".json", ".msh", ".vtk", ".vtu", ".node", ".mesh"})
+    for (const char* known : {".json", ".fascia", ".msh", ".vtk", ".vtu", ".node", ".mesh"})
       if (ending == known) files.push_back(it->path());
   }
   std::sort(files.begin(), files.end());

@@ -40,6 +40,7 @@ void add_graphics(CLI::App* command, CommonOptions& o) {
 void add_common(CLI::App* command, CommonOptions& o) {
   command->add_option("scene", o.input, "scene (.json) or tetrahedral mesh; default: the shipped liver");
   command->add_option("--set", o.sets, "override a scene value, e.g. solver.iterations=40")->type_name("KEY=VALUE")->allow_extra_args(false);
+  command->add_option("--replay", o.replay, "recorded inputs, with the scene they were made on")->type_name("FILE");
   auto* steps = command->add_option("--steps", o.steps, "steps to simulate")->check(CLI::NonNegativeNumber);
   command->add_option("--time", o.time, "seconds to simulate; default: the scene's duration")->type_name("SECONDS")->check(CLI::NonNegativeNumber)->excludes(steps);
   command->add_flag("--static", o.static_equilibrium, "static equilibrium instead of motion");
@@ -108,6 +109,30 @@ int run(int argc, char** argv) {
   accuracy_command->add_flag("--fresh", fresh, "measure again what the folder holds");
   add_graphics(accuracy_command, accuracy);
 
+  BenchOptions stress;
+  stress.width = 640;
+  stress.height = 360;
+  std::string only, model = name_of(Material().model);
+  std::vector<std::string> models;
+  for (const MaterialModel m : material_models()) models.push_back(name_of(m));
+  CLI::App* stress_command = app.add_subcommand("stress", "the torture table: what no pair of method and acceleration may break at");
+  stress_command->add_option("--out", stress.out, "folder for the table, its summary, and a replay and a picture of every failure")
+      ->type_name("DIR")
+      ->required();
+  stress_command->add_flag("--quick", stress.quick, "the default pair only, on small meshes");
+  stress_command->add_option("--only", only, "cases whose group/case/method + acceleration has such a part; * and ? as in file names")
+      ->type_name("PATTERN");
+  stress_command->add_option("--model", model, "material model of all bodies")->check(CLI::IsMember(models))->capture_default_str();
+  parse_size(stress_command, stress.width, stress.height);
+  add_graphics(stress_command, stress);
+
+  BenchOptions soak;
+  long soak_steps = 100000;
+  CLI::App* soak_command = app.add_subcommand("soak", "shipped scenes, grabbed and let go for very long, twice: what drifts, what grows");
+  soak_command->add_option("--out", soak.out, "folder for the table")->type_name("DIR")->required();
+  soak_command->add_option("--steps", soak_steps, "of every run")->check(CLI::Range(2400l, 1000000000l))->capture_default_str();
+  add_graphics(soak_command, soak);
+
   CLI::App* info_command = app.add_subcommand("info", "mesh doctor: sizes, materials, defects");
   info_command->add_option("scene", info.input, "scene (.json) or tetrahedral mesh")->required();
   info_command->add_option("--set", info.sets, "override a scene value")->type_name("KEY=VALUE")->allow_extra_args(false);
@@ -127,6 +152,8 @@ int run(int argc, char** argv) {
   if (*run_command) return command_run(simulate);
   if (*figures_command) return command_bench_figures(figures);
   if (*accuracy_command) return command_bench_accuracy(accuracy, fresh);
+  if (*soak_command) return command_soak(soak, soak_steps);
+  if (*stress_command) return command_stress(stress, only, *find_material_model(model));
   if (*info_command) return command_info(info);
   if (*convert_command) return command_convert(convert);
   return command_view(view);

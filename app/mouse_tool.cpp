@@ -59,11 +59,11 @@ void MouseTool::cancel(Session& session) {
   if (!grab_.holding()) return;
   grab_.release();
   session.set_grabbed({});
-  session.simulation.gpu()->set_grab({});
+  session.simulation.set_grab({});
 }
 
 void MouseTool::pull(Session& session) {
-  if (grab_.holding()) session.simulation.gpu()->set_grab(grab_.springs(session.simulation.scene.solver.time_step));
+  if (grab_.holding()) session.simulation.set_grab(grab_.springs(session.simulation.scene.solver.time_step));
 }
 
 }  // namespace fascia

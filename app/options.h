@@ -9,6 +9,7 @@ namespace fascia {
 struct CommonOptions {
   std::string input;                 // scene or mesh; empty: the default scene
   std::vector<std::string> sets;     // --set KEY=VALUE
+  std::string replay;                // recorded inputs, with their scene
   std::string context = "auto";      // auto, window, egl, osmesa
   std::string loads = "auto";        // how kernels read: auto, ssbo, texel
   std::string data_dir;              // shaders and assets; empty: found beside the program or in the source tree

@@ -28,6 +28,28 @@ constexpr Extra kExtras[] = {
     {"damping", "Damping", 0, 1, true, "0 leaves only the damping of the time step. Turning it on costs a few percent of a step."},
 };
 
+const char* label_of_model(MaterialModel model) {
+  switch (model) {
+    case MaterialModel::signed_st_venant_kirchhoff: return "St. Venant-Kirchhoff";
+    case MaterialModel::st_venant_kirchhoff: return "St. Venant-Kirchhoff, plain";
+    case MaterialModel::stable_neo_hookean: return "Neo-Hookean, stable";
+  }
+  return "";
+}
+
+const char* help_of_model(MaterialModel model) {
+  switch (model) {
+    case MaterialModel::signed_st_venant_kirchhoff:
+      return "Linear in the Green strain; goes on resisting where it is compressed below 60 % or turned inside out, and so comes back.";
+    case MaterialModel::st_venant_kirchhoff:
+      return "Linear in the Green strain to the end: softens under strong compression, and is content inside out.";
+    case MaterialModel::stable_neo_hookean:
+      return "Rubber (Smith, de Goes, Kim 2018): softer than the others in tension, stiffer in compression, comes back from inside out. "
+             "For two_level and vertex_descent.";
+  }
+  return "";
+}
+
 const Extra* extra_of(const char* name) {
   for (const Extra& extra : kExtras)
     if (std::strcmp(extra.name, name) == 0) return &extra;
@@ -51,6 +73,10 @@ void material_sliders(Simulation& simulation, std::size_t index) {
                                 std::string(help) + (extra ? std::string(". ") + extra->cost : "")};
     changed |= ui::number(field, value);
   });
+  std::vector<MaterialModel> able;
+  for (const MaterialModel model : material_models())
+    if (carries(simulation.scene.solver.method, model)) able.push_back(model);
+  changed |= ui::choice("Model", able, material.model, label_of_model, help_of_model);
   if (changed) simulation.set_material(index, material);
 }
 

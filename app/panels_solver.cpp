@@ -29,40 +29,25 @@ constexpr Extra kExtras[] = {{"iterations", "Iterations", 1, 200, true},
                              {"spectral_radius", "Spectral radius", 0, 0.9999, false},
                              {"window", "Window", 1, 10, false}};
 
-// A list of choices that each have a label and an explanation. True when another one was chosen.
-template <class Choice>
-bool choice_combo(const char* label, const std::vector<Choice>& choices, Choice& chosen) {
-  bool changed = false;
-  ui::label(label, help_of(chosen));
-  ImGui::PushID(label);
-  if (ImGui::BeginCombo("##choice", label_of(chosen))) {
-    for (const Choice choice : choices) {
-      if (ImGui::Selectable(label_of(choice), choice == chosen) && choice != chosen) {
-        chosen = choice;
-        changed = true;
-      }
-      ui::tooltip(help_of(choice));
-    }
-    ImGui::EndCombo();
-  } else {
-    ui::tooltip(help_of(chosen));
-  }
-  ImGui::PopID();
-  return changed;
-}
+// Found by overload for either kind of choice.
+constexpr auto kLabelOf = [](auto choice) { return label_of(choice); };
+constexpr auto kHelpOf = [](auto choice) { return help_of(choice); };
 
-bool pair_combos(SolverSettings& settings) {
-  std::vector<Method> methods;
-  for (const Pair& pair : legal_pairs())
-    if (std::find(methods.begin(), methods.end(), pair.method) == methods.end()) methods.push_back(pair.method);
-  bool changed = choice_combo("Method", methods, settings.method);
+bool pair_combos(SolverSettings& settings, const std::vector<Material>& materials) {
+  std::vector<Method> able;
+  for (const Pair& pair : legal_pairs()) {
+    const bool carried =
+        std::all_of(materials.begin(), materials.end(), [&](const Material& m) { return carries(pair.method, m.model); });
+    if (carried && std::find(able.begin(), able.end(), pair.method) == able.end()) able.push_back(pair.method);
+  }
+  bool changed = ui::choice("Method", able, settings.method, kLabelOf, kHelpOf);
   // A method that cannot have the acceleration in use gets the best one that it can have.
   const auto pair = find_pair(name_of(settings.method), name_of(settings.acceleration));
   settings.acceleration = pair.value_or(*find_pair(name_of(settings.method), {})).acceleration;
   std::vector<Acceleration> accelerations;
   for (const Pair& legal : legal_pairs())
     if (legal.method == settings.method) accelerations.push_back(legal.acceleration);
-  changed |= choice_combo("Acceleration", accelerations, settings.acceleration);
+  changed |= ui::choice("Acceleration", accelerations, settings.acceleration, kLabelOf, kHelpOf);
   return changed;
 }
 
@@ -113,7 +98,7 @@ void solver_panel(Session& session) {
   if (simulation.uses_reference())
     ui::fact("Method", "Newton, double precision", "The reference solver on the CPU: exact, slow, and deaf to grabbing");
   else
-    changed = pair_combos(settings);
+    changed = pair_combos(settings, simulation.model.materials);
   visit_settings(settings, [&](auto& value, const char* name, const char* unit, auto min, auto max, bool logarithmic, const char* help) {
     if (!applies(name, settings.pair())) return;
     using Value = std::remove_reference_t<decltype(value)>;

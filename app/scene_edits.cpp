@@ -20,13 +20,13 @@ void follow(MaterialOverride& values, const Material& now, const Material& fallb
 
 }  // namespace
 
-void follow_materials(Scene& scene, const Model& model) {
+void follow_materials(Scene& scene, const Model& model, const std::vector<Material>& materials) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     Body& body = scene.bodies[b];
     const std::size_t first = model.bodies[b].material_begin;
-    body.material = model.materials[first];
+    body.material = materials[first];
     for (std::size_t m = 0; m < body.region_materials.size(); ++m)
-      follow(body.region_materials[m].second, model.materials[first + 1 + m], body.material);
+      follow(body.region_materials[m].second, materials[first + 1 + m], body.material);
   }
 }
 

@@ -6,7 +6,8 @@
 
 namespace fascia {
 
-/// The scene's material entries get the values of the model's, wherever they differ.
-void follow_materials(Scene& scene, const Model& model);
+/// The scene's material entries get the values of `materials` [model.materials.size()], wherever they differ.
+void follow_materials(Scene& scene, const Model& model, const std::vector<Material>& materials);
+inline void follow_materials(Scene& scene, const Model& model) { follow_materials(scene, model, model.materials); }
 
 }  // namespace fascia

@@ -5,31 +5,125 @@
 #include <cmath>
 
 #include "app/drawn_surface.h"
+#include "app/paths.h"
 #include "sim/error.h"
+#include "sim/file.h"
 #include "sim/gpu/static_march.h"
 
 namespace fascia {
+namespace {
+
+Opened open_replay(const std::filesystem::path& path, const std::vector<std::string>& sets) {
+  Replay replay = read_replay(path, sets);
+  Scene scene = replay.scene;
+  return {std::move(scene), std::move(replay)};
+}
+
+}  // namespace
 
 Simulation::Simulation(Scene opened, gl::ProgramCache* programs, bool use_reference)
-    : scene(std::move(opened)), model(build_model(scene)) {
+    : scene(std::move(opened)), model(build_model(scene)), programs_(programs) {
   if (programs) gpu_ = std::make_unique<GpuSolver>(*programs, model, scene.solver, embedded_points(scene));
   if (use_reference) {
     reference_ = std::make_unique<reference::NewtonSolver>(model, scene.solver);
     reference_state_ = reference::initial_state(model);
   }
+  begin_anew();
+}
+
+void Simulation::play(Replay replay) {
+  const auto fail = [&](const std::string& what, const std::string& expected) {
+    throw Error(replay.scene.file.string(), what, expected);
+  };
+  const std::size_t vertices = model.rest_positions.size();
+  if (replay.start && replay.start->displacement.size() != vertices)
+    fail("start has " + std::to_string(replay.start->displacement.size()) + " vertices", "expected the mesh's " + std::to_string(vertices));
+  for (const Input& input : replay.inputs) {
+    const auto* material = std::get_if<MaterialInput>(&input.change);
+    if (material && material->index >= model.materials.size())
+      fail("an input changes material " + std::to_string(material->index),
+           "expected an index below " + std::to_string(model.materials.size()));
+    if (const auto* springs = std::get_if<GrabInput>(&input.change))
+      for (const GrabSpring& spring : *springs)
+        if (spring.vertex >= vertices)
+          fail("an input grabs vertex " + std::to_string(spring.vertex), "expected an index below " + std::to_string(vertices));
+  }
+  replay_ = std::move(replay);
+  reset();
+}
+
+void Simulation::repeat_inputs() {
+  if (!replay_) return;
+  for (; next_input_ < replay_->inputs.size() && replay_->inputs[next_input_].step <= steps_ - replay_begin_; ++next_input_) {
+    struct Visitor {
+      Simulation& simulation;
+      void operator()(const SolverSettings& settings) { simulation.set_settings(settings); }
+      void operator()(const MaterialInput& input) { simulation.set_material(input.index, input.material); }
+      void operator()(const GravityInput& input) { simulation.set_gravity(input.gravity); }
+      void operator()(const GrabInput& springs) { simulation.set_grab(springs); }
+    };
+    std::visit(Visitor{*this}, replay_->inputs[next_input_].change);
+    // What is computed beside the frame would be ready at another step each time.
+    if (gpu_) gpu_->finish_background();
+  }
 }
 
 void Simulation::step() {
   equilibrium_.reset();
+  repeat_inputs();
+  ++steps_;
   if (!reference_) {
     if (scene.solver.frame_budget > 0)
       step_within_budget();
     else
       gpu_->step();
+    follow_check(false);
+    if (!astray_ && steps_ - checked_step_ >= kCheckInterval && log_.begin() >= checked_step_) {
+      checked_step_ = steps_;
+      gpu_->request_check();
+    }
     return;
   }
   newton_report_ = reference_->step(reference_state_);
   if (gpu_) gpu_->upload(reference_state_);
+}
+
+void Simulation::follow_check(bool wait) {
+  const std::optional<StateGuard::Verdict> verdict = gpu_->take_check(wait);
+  if (!verdict) return;
+  if (verdict->astray)
+    astray_ = verdict->astray;
+  else
+    log_.forget_before(checked_step_);
+}
+
+std::optional<std::uint32_t> Simulation::check_now() {
+  if (reference_) return std::nullopt;
+  follow_check(true);
+  if (astray_) return astray_;
+  checked_step_ = steps_;
+  gpu_->request_check();
+  follow_check(true);
+  return astray_;
+}
+
+void Simulation::back_to_sound() {
+  equilibrium_.reset();
+  gpu_->restore_sound(false);
+  sound_state_ = gpu_->download();
+  gpu_->restore_sound(true);
+  astray_.reset();
+}
+
+Tuning Simulation::tuning() const {
+  Tuning now{scene.solver, model.materials, model.gravity, gpu_ ? gpu_->springs() : GrabInput{}};
+  now.solver.frame_budget = 0;  // how many iterations fit depends on the moment; those that did are inputs
+  return now;
+}
+
+void Simulation::begin_anew() {
+  checked_step_ = steps_;
+  log_.restart(steps_, tuning());
 }
 
 void Simulation::step_within_budget() {
@@ -38,7 +132,11 @@ void Simulation::step_within_budget() {
     const double fit = fitting.frame_budget / (ms_per_iteration_ * fitting.substeps);
     fitting.iterations = static_cast<int>(std::clamp<double>(std::floor(fit), 1, fitting.iterations));
   }
-  if (fitting.iterations != gpu_->settings().iterations) gpu_->set_settings(fitting);
+  if (fitting.iterations != gpu_->settings().iterations) {
+    gpu_->set_settings(fitting);
+    fitting.frame_budget = 0;
+    log_.add({steps_ - 1, fitting});
+  }
   gl::Finish();  // what was queued before is not the step's
   const auto start = std::chrono::steady_clock::now();
   gpu_->step();
@@ -51,8 +149,13 @@ void Simulation::step_within_budget() {
 
 void Simulation::reset() {
   equilibrium_.reset();
-  if (reference_) reference_state_ = reference::initial_state(model);
-  if (gpu_) gpu_->reset();
+  const reference::State start = replay_ && replay_->start ? *replay_->start : reference::initial_state(model);
+  if (reference_) reference_state_ = start;
+  if (gpu_) gpu_->upload(start);
+  next_input_ = 0;
+  replay_begin_ = steps_;
+  astray_.reset();
+  begin_anew();
 }
 
 double Simulation::time() const { return reference_ ? reference_state_.time : gpu_->time(); }
@@ -73,22 +176,35 @@ reference::NewtonReport Simulation::solve_static() {
 }
 
 void Simulation::set_settings(const SolverSettings& settings) {
+  require_carried(settings.method, model.materials, "solver.method");
   if (settings.pair() != scene.solver.pair()) ms_per_iteration_ = 0;
   scene.solver = settings;
+  SolverSettings logged = settings;
+  logged.frame_budget = 0;
+  log_.add({steps_, logged});
   if (gpu_) gpu_->set_settings(settings);
   if (reference_) reference_ = std::make_unique<reference::NewtonSolver>(model, settings);
 }
 
 void Simulation::set_material(std::size_t index, const Material& material) {
+  require_carried(scene.solver.method, {material}, "material.model");
+  log_.add({steps_, MaterialInput{index, material}});
   model.materials[index] = material;
   if (gpu_) gpu_->materials_changed();
   if (reference_) reference_ = std::make_unique<reference::NewtonSolver>(model, scene.solver);
 }
 
 void Simulation::set_gravity(const Eigen::Vector3d& gravity) {
+  log_.add({steps_, GravityInput{gravity}});
   scene.gravity = model.gravity = gravity;
   if (gpu_) gpu_->materials_changed();
   if (reference_) reference_ = std::make_unique<reference::NewtonSolver>(model, scene.solver);
+}
+
+void Simulation::set_grab(const std::vector<GrabSpring>& springs) {
+  log_.add({steps_, springs});
+  if (gpu_) gpu_->set_grab(springs);
+  if (reference_) reference_->set_springs(springs);
 }
 
 reference::State Simulation::state() const {
@@ -99,9 +215,23 @@ double Simulation::mean_iterations() const {
   return gpu_ && !reference_ ? gpu_->mean_iterations() : scene.solver.iterations;
 }
 
-long steps_to_run(const CommonOptions& options, const Scene& scene) {
+Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets) {
+  if (lower_ending(path) == ".fascia") return open_replay(path, sets);
+  return {open_scene(path, sets), std::nullopt};
+}
+
+Opened open_input(const CommonOptions& options, const std::vector<std::string>& sets) {
+  if (options.replay.empty())
+    return open_file(options.input.empty() ? default_scene(find_data_dir(options.data_dir)) : std::filesystem::path(options.input), sets);
+  if (!options.input.empty()) throw Error("--replay", "has a scene of its own", "leave out " + options.input);
+  return open_replay(options.replay, sets);
+}
+
+long steps_to_run(const CommonOptions& options, const Simulation& simulation) {
   if (options.steps) return *options.steps;
-  return std::lround(options.time.value_or(scene.duration) / scene.solver.time_step);
+  const double time_step = simulation.scene.solver.time_step;
+  if (options.time) return std::lround(*options.time / time_step);
+  return simulation.replay() ? simulation.replay()->steps : std::lround(simulation.scene.duration / time_step);
 }
 
 }  // namespace fascia

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/input_log.h"
 #include "app/options.h"
 #include "sim/gpu/solver.h"
 #include "sim/reference/newton.h"
@@ -15,6 +16,8 @@ class Simulation {
  public:
   /// `programs` null: no GPU at all, which only the reference solver can do without. Throws Error.
   Simulation(Scene scene, gl::ProgramCache* programs, bool use_reference);
+  /// Starts where the replay does and repeats its inputs as the steps go on. Throws Error if they do not fit the scene.
+  void play(Replay replay);
 
   Scene scene;  // as opened; materials and solver settings follow the changes made here
   Model model;
@@ -29,6 +32,18 @@ class Simulation {
   void set_settings(const SolverSettings& settings);
   void set_material(std::size_t index, const Material& material);  // of model.materials
   void set_gravity(const Eigen::Vector3d& gravity);
+  void set_grab(const std::vector<GrabSpring>& springs);  // of the GPU; empty: let go
+
+  /// A vertex that is no longer finite or has run away, as far as is known: the GPU is asked every few steps, and nothing waits.
+  std::optional<std::uint32_t> astray() const { return astray_; }
+  std::optional<std::uint32_t> check_now();  // as astray(), of the state of now: waits for the GPU
+  /// The last sound state, at rest; settings, materials and grab stay as they are. Not recorded before begin_anew().
+  void back_to_sound();
+  reference::State sound_state() const { return sound_state_; }  // of the last back_to_sound(), with its velocities
+  void begin_anew();
+  const InputLog& log() const { return log_; }  // since the last state that is known to be sound
+  long steps_made() const { return steps_; }
+  const std::optional<Replay>& replay() const { return replay_; }
 
   /// Per substep, of all steps so far on average: fewer than asked for where solver.tolerance or solver.frame_budget bind.
   double mean_iterations() const;
@@ -37,21 +52,43 @@ class Simulation {
 
   reference::State state() const;
   GpuSolver* gpu() { return gpu_.get(); }  // null without a GPU
+  gl::ProgramCache* programs() { return programs_; }  // null without a GPU
   bool uses_reference() const { return reference_ != nullptr; }
   const reference::NewtonReport& newton_report() const { return newton_report_; }
 
  private:
   void step_within_budget();
+  void repeat_inputs();
+  void follow_check(bool wait);
+  Tuning tuning() const;
+  static constexpr int kCheckInterval = 8;  // steps
 
+  gl::ProgramCache* programs_;
   std::unique_ptr<GpuSolver> gpu_;
   std::optional<reference::State> equilibrium_;  // of solve_static() on the GPU, to more digits than float32 holds; until the next step
   double ms_per_iteration_ = 0;  // of the GPU, a running mean over steps; 0: not measured
   std::unique_ptr<reference::NewtonSolver> reference_;
   reference::State reference_state_;
   reference::NewtonReport newton_report_;
+
+  long steps_ = 0;        // made
+  std::optional<Replay> replay_;
+  std::size_t next_input_ = 0;  // of the replay
+  long replay_begin_ = 0;       // steps made before it
+  InputLog log_;
+  reference::State sound_state_;
+  std::optional<std::uint32_t> astray_;
+  long checked_step_ = 0;  // the state that was last asked about came before this step
 };
 
-/// Steps that a command makes: --steps, else --time, else the scene's duration.
-long steps_to_run(const CommonOptions& options, const Scene& scene);
+/// What a command opens: --replay's scene, else the scene or mesh that is named, else the default one.
+struct Opened {
+  Scene scene;
+  std::optional<Replay> replay;
+};
+Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets = {});  // a replay by its ending .fascia
+Opened open_input(const CommonOptions& options, const std::vector<std::string>& sets);
+/// Steps that a command makes: --steps, else --time, else those of the replay, else the scene's duration.
+long steps_to_run(const CommonOptions& options, const Simulation& simulation);
 
 }  // namespace fascia

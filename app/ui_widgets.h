@@ -1,6 +1,9 @@
 // Rows of the panels: a label at the left, a value or a control at the right, and a tooltip that explains it.
 #pragma once
+#include <imgui.h>
+
 #include <string>
+#include <vector>
 
 #include "app/view_state.h"
 
@@ -29,6 +32,28 @@ bool number(const NumberField& field, double& value);
 
 /// Starts a row whose control is drawn next, filling what is left of the width.
 void label(const char* text, const std::string& help = "");
+
+/// A list of choices: `label_of` and `help_of` give the texts of each. True when another one was chosen.
+template <class Choice, class Label, class Help>
+bool choice(const char* name, const std::vector<Choice>& choices, Choice& chosen, Label label_of, Help help_of) {
+  bool changed = false;
+  label(name, help_of(chosen));
+  ImGui::PushID(name);
+  if (ImGui::BeginCombo("##choice", label_of(chosen))) {
+    for (const Choice one : choices) {
+      if (ImGui::Selectable(label_of(one), one == chosen) && one != chosen) {
+        chosen = one;
+        changed = true;
+      }
+      tooltip(help_of(one));
+    }
+    ImGui::EndCombo();
+  } else {
+    tooltip(help_of(chosen));
+  }
+  ImGui::PopID();
+  return changed;
+}
 
 /// A line of the last values, from 0 to a little above the largest, `height` points high.
 void plot(const char* id, const History& history, float height);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/breakdown.h"
 #include "app/color_bar.h"
 #include "app/interrupt.h"
 #include "app/panels.h"
@@ -21,19 +22,20 @@ constexpr double kShortestFrame = 0.004;  // [s] where the display does not set 
 
 }  // namespace
 
-ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Scene scene)
+ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened opened)
     : graphics_(graphics),
       options_(options),
       input_(graphics.context->window()),
       overlay_(graphics),
       dialogs_(graphics.data_dir),
-      session_(std::make_unique<Session>(graphics, std::move(scene), options.reference)),
+      session_(std::make_unique<Session>(graphics, std::move(opened.scene), options.reference)),
       samples_(options.samples > 0 ? options.samples : gl::device().software ? 1 : 4) {
+  if (opened.replay) session_->simulation.play(std::move(*opened.replay));
   if (options.static_equilibrium) {
     session_->simulation.solve_static();
     state_.paused = true;
   }
-  if (options.steps || options.time) steps_left_ = steps_to_run(options, session_->simulation.scene);
+  if (options.steps || options.time) steps_left_ = steps_to_run(options, session_->simulation);
   state_.facts = SceneFacts(session_->simulation.model);
   state_.statistics.measured = true;
   dialogs_.opened(session_->simulation.scene.file);
@@ -174,8 +176,33 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
       s.step_ms = s.step_ms > 0 ? 0.8 * s.step_ms + 0.2 * ms / steps : ms / steps;
     }
   }
+  if (session_->simulation.astray()) go_back();
   read_diagnostics();
   session_->follow_error();
+}
+
+// Once or twice the tissue starts again where all was well, at rest and let go. What then comes apart again would do so for ever.
+void ViewWindow::go_back() {
+  constexpr long kForgiven = 600;  // steps
+  constexpr long kMostTimes = 3;
+  Simulation& simulation = session_->simulation;
+  came_apart_ = simulation.steps_made() - came_apart_at_ > kForgiven ? 1 : came_apart_ + 1;
+  came_apart_at_ = simulation.steps_made();
+  mouse_.cancel(*session_);
+  session_->true_error.forget();
+  diagnose_ = true;
+  if (came_apart_ < kMostTimes) {
+    simulation.back_to_sound();
+    simulation.begin_anew();
+    say("The tissue came apart: back to the last sound state, at rest");
+    return;
+  }
+  state_.paused = true;
+  came_apart_ = 0;
+  const Breakdown breakdown = find_breakdown(simulation);
+  const std::string text = breakdown.text(simulation.model) + ". Paused at the last sound state; R goes back to the start. ";
+  say(text + "More iterations or substeps, or softer tissue, may help", true);
+  say(text + keep_replay(breakdown.replay).string() + " repeats it", true);
 }
 
 void ViewWindow::read_diagnostics() {
@@ -184,10 +211,6 @@ void ViewWindow::read_diagnostics() {
   diagnose_ = false;
   const std::optional<Diagnostics> d = solver.take_diagnostics(false);
   if (!d) return;
-  if (!d->finite && !state_.paused) {
-    state_.paused = true;
-    say("The state is no longer finite; R goes back to the start. Smaller time steps or more substeps may help", true);
-  }
   mouse_.grab().observe(d->grab_force);
   session_->follow_range(*d);
   stats_.residual = d->residual;

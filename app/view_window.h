@@ -22,7 +22,7 @@ namespace fascia {
 class ViewWindow {
  public:
   /// Throws Error when the scene cannot be simulated.
-  ViewWindow(Graphics& graphics, const ViewOptions& options, Scene scene);
+  ViewWindow(Graphics& graphics, const ViewOptions& options, Opened opened);
 
   /// Until the window is closed, the asked number of steps is done or the program is interrupted.
   void run();
@@ -46,6 +46,7 @@ class ViewWindow {
   void simulate(double elapsed, const Requests& requests);
   void make_step();
   void read_diagnostics();
+  void go_back();  // the state came apart
   void draw();
   void capture(const Requests& requests);
 
@@ -80,6 +81,8 @@ class ViewWindow {
   int samples_;
   long steps_left_ = -1;      // until the window closes by itself; negative: it does not
   double simulated_ = 0;      // in this frame [s]
+  long came_apart_ = 0;       // times in a row
+  long came_apart_at_ = 0;    // steps made when it last did
   bool diagnose_ = true;      // the state has changed since the last diagnostics
 };
 

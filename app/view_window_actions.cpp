@@ -87,7 +87,9 @@ void ViewWindow::carry_out(const Requests& requests) {
 
 void ViewWindow::open(const fs::path& path) {
   // The new session is made while the old one still stands: if it cannot be made, nothing has happened.
-  auto opened = std::make_unique<Session>(graphics_, open_scene(path), options_.reference);
+  Opened input = open_file(path);
+  auto opened = std::make_unique<Session>(graphics_, std::move(input.scene), options_.reference);
+  if (input.replay) opened->simulation.play(std::move(*input.replay));
   mouse_.cancel(*session_);
   state_.convergence.forget();
   session_ = std::move(opened);

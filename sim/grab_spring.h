@@ -9,6 +9,7 @@ struct GrabSpring {
   std::uint32_t vertex;
   Eigen::Vector3d target;  // displacement the spring pulls to [m]
   double stiffness;        // [N/m]
+  bool operator==(const GrabSpring&) const = default;
 };
 
 }  // namespace fascia

@@ -33,7 +33,7 @@ bool is_scene(const std::filesystem::path& path) {
 Scene read_document(nlohmann::json document, const std::filesystem::path& path, const std::vector<std::string>& overrides) {
   DocumentOrigin origin{path.string(), {}};
   apply_overrides(document, overrides, origin);
-  Scene scene = read_scene(document, origin);
+  Scene scene = read_scene(Node(document, "", origin));
   scene.file = path;
   return scene;
 }

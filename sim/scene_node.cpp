@@ -26,6 +26,8 @@ std::string DocumentOrigin::where(const std::string& path) const {
   return path.empty() ? file : file + ": " + path;
 }
 
+std::string Node::where(const std::string& key) const { return origin_->where(path_of_key(path_, key)); }
+
 void Node::fail(const std::string& what, const std::string& expected) const {
   throw Error(origin_->where(path_), what, "expected " + expected);
 }
@@ -51,7 +53,7 @@ std::optional<Node> Node::find(const std::string& key) const {
 
 Node Node::at(const std::string& key, const std::string& expected) const {
   if (auto node = find(key)) return *node;
-  throw Error(origin_->where(path_of_key(path_, key)), "is missing", "expected " + expected);
+  throw Error(where(key), "is missing", "expected " + expected);
 }
 
 std::vector<std::pair<std::string, Node>> Node::members(const std::string& expected) const {

@@ -28,6 +28,7 @@ class Node {
   Node(const nlohmann::json& value, std::string path, const DocumentOrigin& origin)
       : value_(&value), path_(std::move(path)), origin_(&origin) {}
 
+  std::string where(const std::string& key) const;  // as errors name the value at `key`, whether it is there or not
   [[noreturn]] void fail(const std::string& what, const std::string& expected) const;
   /// "is VALUE; expected ...".
   [[noreturn]] void refuse(const std::string& expected) const;

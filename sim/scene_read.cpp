@@ -13,43 +13,6 @@ constexpr double kLargestAcceleration = 1e6;  // [m/s^2]
 constexpr double kFarthest = 1e9;             // [m]
 constexpr double kLongest = 1e9;              // [s]
 
-SolverSettings read_solver(const Node& node) {
-  SolverSettings solver;
-  std::vector<std::string> known = {"method", "acceleration"};
-  visit_settings(solver, [&](auto&, const char* name, auto&&...) { known.push_back(name); });
-  node.expect_object(known);
-  visit_settings(solver, [&](auto& field, const char* name, const char* unit, auto min, auto max, auto&&...) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(field)>, int>) {
-      node.read(name, field, min, max);
-    } else {
-      node.read(name, field, min, max, unit);
-    }
-  });
-
-  const std::string expected = "a method and acceleration that exist: " + list_of_pairs();
-  const auto method_node = node.find("method"), acceleration_node = node.find("acceleration");
-  std::optional<std::string> method, acceleration;
-  if (method_node) method = method_node->text(expected);
-  if (acceleration_node) acceleration = acceleration_node->text(expected);
-  std::vector<std::string> methods, accelerations;
-  for (const Pair& pair : legal_pairs()) {
-    methods.push_back(name_of(pair.method));
-    accelerations.push_back(name_of(pair.acceleration));
-  }
-  if (method && !find_pair(method, {})) {
-    method_node->fail("is " + excerpt(*method) + perhaps(*method, methods), expected);
-  }
-  if (acceleration && !find_pair({}, acceleration)) {
-    acceleration_node->fail("is " + excerpt(*acceleration) + perhaps(*acceleration, accelerations), expected);
-  }
-  const auto pair = find_pair(method, acceleration);
-  if (!pair)
-    acceleration_node->fail(excerpt(*acceleration) + " does not go with " + excerpt(*method), expected);
-  solver.method = pair->method;
-  solver.acceleration = pair->acceleration;
-  return solver;
-}
-
 CameraSettings read_camera(const Node& node) {
   CameraSettings camera;
   node.expect_object({"eye", "target", "up", "fov_deg"});
@@ -96,8 +59,44 @@ DisplaySettings read_display(const Node& node) {
 
 }  // namespace
 
-Scene read_scene(const nlohmann::json& document, const DocumentOrigin& origin) {
-  const Node root(document, "", origin);
+SolverSettings read_solver(const Node& node) {
+  SolverSettings solver;
+  std::vector<std::string> known = {"method", "acceleration"};
+  visit_settings(solver, [&](auto&, const char* name, auto&&...) { known.push_back(name); });
+  node.expect_object(known);
+  visit_settings(solver, [&](auto& field, const char* name, const char* unit, auto min, auto max, auto&&...) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(field)>, int>) {
+      node.read(name, field, min, max);
+    } else {
+      node.read(name, field, min, max, unit);
+    }
+  });
+
+  const std::string expected = "a method and acceleration that exist: " + list_of_pairs();
+  const auto method_node = node.find("method"), acceleration_node = node.find("acceleration");
+  std::optional<std::string> method, acceleration;
+  if (method_node) method = method_node->text(expected);
+  if (acceleration_node) acceleration = acceleration_node->text(expected);
+  std::vector<std::string> methods, accelerations;
+  for (const Pair& pair : legal_pairs()) {
+    methods.push_back(name_of(pair.method));
+    accelerations.push_back(name_of(pair.acceleration));
+  }
+  if (method && !find_pair(method, {})) {
+    method_node->fail("is " + excerpt(*method) + perhaps(*method, methods), expected);
+  }
+  if (acceleration && !find_pair({}, acceleration)) {
+    acceleration_node->fail("is " + excerpt(*acceleration) + perhaps(*acceleration, accelerations), expected);
+  }
+  const auto pair = find_pair(method, acceleration);
+  if (!pair)
+    acceleration_node->fail(excerpt(*acceleration) + " does not go with " + excerpt(*method), expected);
+  solver.method = pair->method;
+  solver.acceleration = pair->acceleration;
+  return solver;
+}
+
+Scene read_scene(const Node& root) {
   root.expect_object(
       {"fascia_scene", "title", "gravity", "bodies", "solver", "camera", "display", "duration"});
   root.at("fascia_scene", "1, the version of the format").number(1, 1, "");
@@ -109,11 +108,19 @@ Scene read_scene(const nlohmann::json& document, const DocumentOrigin& origin) {
   for (const Node& body : bodies.elements("a list of at least one body"))
     scene.bodies.push_back(read_body(body));
   if (scene.bodies.empty()) bodies.refuse("a list of at least one body");
-  if (const auto solver = root.find("solver")) {
+  const auto solver = root.find("solver");
+  if (solver) {
     scene.solver = read_solver(*solver);
   } else {
     scene.solver.method = legal_pairs().front().method;
     scene.solver.acceleration = legal_pairs().front().acceleration;
+  }
+  const std::string method = solver ? solver->where("method") : root.where("solver.method");
+  for (const Body& body : scene.bodies) {
+    std::vector<Material> materials{body.material};
+    for (const auto& [region, values] : body.region_materials)
+      if (values.model) materials.emplace_back().model = *values.model;
+    require_carried(scene.solver.method, materials, method);
   }
   if (const auto camera = root.find("camera")) scene.camera = read_camera(*camera);
   if (const auto display = root.find("display")) scene.display = read_display(*display);

@@ -1,4 +1,4 @@
-// A JSON document to a Scene, strictly; the one reader behind scene files, --set and meshes opened alone.
+// A JSON document to a Scene, strictly; the one reader behind scene files, --set, meshes opened alone and replays.
 #pragma once
 #include <nlohmann/json.hpp>
 
@@ -7,9 +7,10 @@
 
 namespace fascia {
 
-/// All of the scene but `file`. Throws Error.
-Scene read_scene(const nlohmann::json& document, const DocumentOrigin& origin);
-
+/// All of the scene but `file`. Throws Error, as do the readers of its parts.
+Scene read_scene(const Node& root);
+SolverSettings read_solver(const Node& node);
 Body read_body(const Node& node);
+Material read_material(const Node& node);
 
 }  // namespace fascia

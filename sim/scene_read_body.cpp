@@ -148,6 +148,12 @@ Transform read_transform(const Node& node) {
 
 }  // namespace
 
+Material read_material(const Node& node) {
+  Material material;
+  read_material(node, material);
+  return material;
+}
+
 Body read_body(const Node& node) {
   node.expect_object(
       {"name", "mesh", "transform", "materials", "fixed", "prescribed", "initial_velocity", "surface"});

@@ -1,10 +1,8 @@
-// A scene as a JSON text that people can read and edit: every setting is written, with the fewest digits that
-// read back to the same number, and lists of numbers stay on one line.
+// Every setting is written, with the fewest digits that read back to the same number.
+#include "sim/scene_write.h"
+
 #include <cmath>
 #include <cstdint>
-#include <nlohmann/json.hpp>
-
-#include "sim/scene.h"
 
 namespace fascia {
 namespace {
@@ -61,11 +59,7 @@ class SceneWriter {
   json write() const {
     json object = {{"fascia_scene", 1}, {"title", scene_.title}, {"gravity", vector(scene_.gravity)}};
     for (const Body& b : scene_.bodies) object["bodies"].push_back(body(b));
-    json& solver = object["solver"];
-    solver = {{"method", name_of(scene_.solver.method)},
-              {"acceleration", name_of(scene_.solver.acceleration)}};
-    visit_settings(scene_.solver,
-                   [&](const auto& field, const char* name, auto&&...) { solver[name] = number(field); });
+    object["solver"] = solver_document(scene_.solver);
     if (const auto& camera = scene_.camera) {
       object["camera"] = {{"eye", vector(camera->eye)},
                           {"target", vector(camera->target)},
@@ -140,7 +134,6 @@ bool has_objects(const json& list) {
   return false;
 }
 
-/// What fits stands on one line, and so does a list without objects, however long.
 std::string text_of(const json& value, const std::string& indent, bool on_one_line) {
   if (value.is_primitive() || value.empty())
     return value.dump(-1, ' ', false, json::error_handler_t::replace);
@@ -163,8 +156,20 @@ std::string text_of(const json& value, const std::string& indent, bool on_one_li
 
 }  // namespace
 
-std::string scene_to_json(const Scene& scene, const fs::path& folder) {
-  return text_of(SceneWriter(scene, folder).write(), "", false) + "\n";
+json scene_document(const Scene& scene, const fs::path& folder) { return SceneWriter(scene, folder).write(); }
+
+json solver_document(const SolverSettings& settings) {
+  json solver = {{"method", name_of(settings.method)}, {"acceleration", name_of(settings.acceleration)}};
+  visit_settings(settings, [&](const auto& field, const char* name, auto&&...) { solver[name] = number(field); });
+  return solver;
 }
+
+json material_document(const Material& values) { return material(values); }
+
+json vector_document(const Eigen::Vector3d& v) { return vector(v); }
+
+std::string text_of(const json& document) { return text_of(document, "", false) + "\n"; }
+
+std::string scene_to_json(const Scene& scene, const fs::path& folder) { return text_of(scene_document(scene, folder)); }
 
 }  // namespace fascia

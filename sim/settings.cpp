@@ -1,5 +1,6 @@
 #include "sim/settings.h"
 
+#include "sim/error.h"
 #include "sim/suggest.h"
 
 namespace fascia {
@@ -154,6 +155,21 @@ const char* help_of(Method method) {
              "exact step in few iterations, however fine the mesh and however stiff the tissue.";
   }
   return "";
+}
+
+bool carries(Method method, MaterialModel model) {
+  return model != MaterialModel::stable_neo_hookean || method == Method::two_level || method == Method::vertex_descent;
+}
+
+void require_carried(Method method, const std::vector<Material>& materials, const std::string& where) {
+  for (const Material& material : materials) {
+    if (carries(method, material.model)) continue;
+    std::vector<std::string> able;
+    for (const Pair& pair : legal_pairs())
+      if (carries(pair.method, material.model) && (able.empty() || able.back() != name_of(pair.method))) able.push_back(name_of(pair.method));
+    throw Error(where, std::string(name_of(method)) + " does not carry the material model " + name_of(material.model),
+                "expected one of the methods that do: " + join(able));
+  }
 }
 
 std::optional<Pair> find_pair(std::optional<std::string_view> method,

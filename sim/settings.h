@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/material.h"
+
 namespace fascia {
 
 enum class Method { jacobi, mass_splitting, gauss_seidel, exact_xpbd, vertex_descent, two_level };
@@ -67,6 +69,11 @@ const char* label_of(Method method);  // for people, in menus: "Jacobi XPBD, ave
 const char* label_of(Acceleration acceleration);
 const char* help_of(Method method);  // tooltip: what it is, what it costs, its limits
 const char* help_of(Acceleration acceleration);
+
+/// XPBD's constraints are strains: it carries the models that are quadratic in them. The methods that descend the energy carry all.
+bool carries(Method method, MaterialModel model);
+/// Throws Error naming `where` if the method does not carry the model of one of the materials.
+void require_carried(Method method, const std::vector<Material>& materials, const std::string& where);
 
 /// The best legal pair that has the given names (nullopt: any); nothing if there is none.
 std::optional<Pair> find_pair(std::optional<std::string_view> method,

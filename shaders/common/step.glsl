@@ -7,3 +7,4 @@ layout(std140) uniform Step { StepValues step_values; };
 #define ITERATIONS step_values.solver.y
 #define TOLERANCE step_values.solver.z
 #define INVERSE_MEAN_MASS step_values.solver.w
+#define FARTHEST step_values.guard.x

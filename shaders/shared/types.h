@@ -12,7 +12,8 @@ struct vec4 {
 struct StepValues {
   vec4 gravity;   // xyz acceleration [m/s^2], w substep h [s]
   vec4 solver;    // x spectral radius for Chebyshev acceleration, 0: estimated; y iterations, z tolerance, w 1 / mean mass [1/kg]
-  vec4 material;  // of a scene with one material: x Young's modulus E [Pa], y Poisson's ratio [-], z damping [s], w density [kg/m^3]
+  vec4 material;  // of a scene with one material: x Young's modulus E [Pa], y Poisson's ratio [-], z damping [s], w model
+  vec4 guard;     // x distance from its prediction at which a vertex is taken for lost [m]
 };
 
 // Partial sums of one invocation of the diagnostic kernels; the CPU adds them up in double precision.

@@ -1,13 +1,10 @@
 // Elastic (and viscous) force of every tet on its corners, and its energy: the terms of tets in the objective of an implicit Euler
 // step, 1/2 (u - u~)^T M (u - u~) + h^2 sum V [Psi(eps) + damping/h Psi(eps - eps_n)].
-// Reads displacement; writes the slots that gradient gathers: xyz h^2 V F S b_a [kg m], w a quarter of the energy [kg m^2].
+// Reads displacement; writes the slots that gradient gathers: xyz h^2 V P b_a [kg m], w a quarter of the energy [kg m^2].
 #include "common/io.glsl"
 #include "common/step.glsl"
-#include "common/symmetric.glsl"
 #include "common/tet.glsl"
-#include "sim/feature_material.glsl"
-#include "sim/feature_damping.glsl"
-#include "sim/material/st_venant_kirchhoff.glsl"
+#include "sim/elasticity.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
 #if COMPENSATED
@@ -25,17 +22,9 @@ void main() {
   h += displacement_gradient(tet, FETCH(displacement_low, tet.v.x).xyz, FETCH(displacement_low, tet.v.y).xyz,
                              FETCH(displacement_low, tet.v.z).xyz, FETCH(displacement_low, tet.v.w).xyz);
 #endif
-  mat3 f = mat3(1.0) + h;
-  Sym3 e = green_strain(h);
-  vec4 material = material_of(t);
-  float damping = damping_over_h(material);
-  Sym3 before = previous_strain_of(t);
-  Sym3 change = Sym3(e.d - before.d, e.s - before.s);
-  Sym3 elastic = second_piola_stress(e, material), viscous = second_piola_stress(change, material);
-  Sym3 s = Sym3(elastic.d + damping * viscous.d, elastic.s + damping * viscous.s);
-  float scale = SUBSTEP * SUBSTEP * tet.volume;
-  float energy = 0.125 * scale * (contract(elastic, e) + damping * contract(viscous, change));
-  vec3 f1 = scale * (f * times(s, tet.b1)), f2 = scale * (f * times(s, tet.b2)), f3 = scale * (f * times(s, tet.b3));
+  Elastic response = response_of(t, h, material_of(t));
+  float scale = SUBSTEP * SUBSTEP * tet.volume, energy = 0.25 * scale * response.energy;
+  vec3 f1 = scale * (response.p * tet.b1), f2 = scale * (response.p * tet.b2), f3 = scale * (response.p * tet.b3);
   uvec4 slot = FETCH(tet_slots, t);
   correction[slot.x] = vec4(-(f1 + f2 + f3), energy);
   correction[slot.y] = vec4(f1, energy);

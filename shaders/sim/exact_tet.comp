@@ -1,8 +1,8 @@
 // Exact XPBD, first of four passes: the force of the multipliers on the corners, G_a^T lambda = F mat(lambda) b_a, and what the
 // tension adds to a corner's mass, 2 |b_a|^2 |mat(lambda)|, into the slots that exact_vertex gathers.
 #include "common/io.glsl"
-#include "common/symmetric.glsl"
 #include "common/tet.glsl"
+#include "sim/material/deformation.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
 INPUT_VEC4(Multiplier, multiplier)      // [2 * tet_count] lambda
@@ -12,8 +12,9 @@ OUTPUT(vec4, Correction, correction)    // [4 * tet_count] xyz [kg m], w [kg]
 void main() {
   ITEM_OR_RETURN(t)
   Tet tet = load_tet(t);
-  mat3 f = mat3(1.0) + displacement_gradient(tet, FETCH(displacement, tet.v.x).xyz, FETCH(displacement, tet.v.y).xyz,
-                                             FETCH(displacement, tet.v.z).xyz, FETCH(displacement, tet.v.w).xyz);
+  mat3 h = displacement_gradient(tet, FETCH(displacement, tet.v.x).xyz, FETCH(displacement, tet.v.y).xyz,
+                                 FETCH(displacement, tet.v.z).xyz, FETCH(displacement, tet.v.w).xyz);
+  mat3 f = deformation_of(h, material_of(t)).f;
   Sym3 lambda = with_halved_shears(FETCH(multiplier, 2u * t).xyz, FETCH(multiplier, 2u * t + 1u).xyz);
   float tension = 2.0 * sqrt(contract(lambda, lambda));
   vec3 b0 = -(tet.b1 + tet.b2 + tet.b3);

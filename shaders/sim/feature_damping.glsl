@@ -1,4 +1,6 @@
 // Kelvin-Voigt damping: the strain at the start of the substep, from which the strain rate follows. Neutral value: gamma = 0.
+#include "common/step.glsl"
+#include "common/symmetric.glsl"
 #if DAMPING
 INPUT_VEC4(PreviousStrain, previous_strain)  // [2 * tet_count] xyz of xx, yy, zz then of yz, xz, xy
 float damping_over_h(vec4 material) { return material.z / SUBSTEP; }

@@ -1,10 +1,8 @@
 // The scalar that the heat map shows, weighted by volume, into the slots that publish averages. Runs only while shown.
 #include "common/io.glsl"
 #include "common/step.glsl"
-#include "common/symmetric.glsl"
 #include "common/tet.glsl"
-#include "sim/feature_material.glsl"
-#include "sim/material/st_venant_kirchhoff.glsl"
+#include "sim/elasticity.glsl"
 #include "sim/tet_scalars.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
@@ -16,11 +14,10 @@ void main() {
   Tet tet = load_tet(t);
   mat3 h = displacement_gradient(tet, FETCH(displacement, tet.v.x).xyz, FETCH(displacement, tet.v.y).xyz,
                                  FETCH(displacement, tet.v.z).xyz, FETCH(displacement, tet.v.w).xyz);
-  Sym3 e = green_strain(h);
 #if HEAT_STRAIN
-  float scalar = strain_norm(e);
+  float scalar = strain_norm(green_strain(h));
 #else
-  float scalar = von_mises_stress(mat3(1.0) + h, 1.0 + det_f_minus_one(h), second_piola_stress(e, material_of(t)));
+  float scalar = von_mises_stress(mat3(1.0) + h, 1.0 + det_f_minus_one(h), elastic_of(h, material_of(t)).p);
 #endif
   vec4 weighted = vec4(tet.volume * scalar, tet.volume, 0.0, 0.0);
   uvec4 slot = FETCH(tet_slots, t);

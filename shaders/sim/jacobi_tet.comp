@@ -25,7 +25,7 @@ void main() {
        u3 = FETCH(displacement, tet.v.w);
   Sym3 foreseen = Sym3(vec3(0.0), vec3(0.0));
 #if EXACT
-  mat3 f = mat3(1.0) + displacement_gradient(tet, u0.xyz, u1.xyz, u2.xyz, u3.xyz);
+  mat3 f = deformation_of(displacement_gradient(tet, u0.xyz, u1.xyz, u2.xyz, u3.xyz), material_of(t)).f;
   foreseen = strain_change(f, displacement_gradient(tet, FETCH(primal_step, tet.v.x).xyz, FETCH(primal_step, tet.v.y).xyz,
                                                     FETCH(primal_step, tet.v.z).xyz, FETCH(primal_step, tet.v.w).xyz));
 #endif

@@ -11,10 +11,8 @@ INPUT_VEC4(FineDirection, fine_direction)     // [vertex_count] z_f [m]
 #if SPLIT
 INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]
 #endif
-#if !FIRST_ITERATION
-INPUT_VEC4(LastStep, last_step)                    // [vertex_count] p [m]
-INPUT_VEC4(PreviousGradient, previous_gradient)    // [vertex_count] g before p [kg m]
-#endif
+INPUT_VEC4(LastStep, last_step)                  // [vertex_count] p [m]
+INPUT_VEC4(PreviousGradient, previous_gradient)  // [vertex_count] g before p [kg m]
 #include "sim/feature_grab.glsl"
 // Three arrays of `partials`: x g.z_f, y g.z_c, z g.p, w objective; x z_f M z_f, y z_f M z_c, z z_c M z_c, w p M p; x z_f.y, y z_c.y, z p.y
 OUTPUT(vec4, DotPartials, dot_partials)
@@ -25,13 +23,10 @@ void main() {
   vec4 slopes = vec4(0.0), masses = vec4(0.0), secants = vec4(0.0);
   for (uint v = i; v < vertex_count; v += invocations) {
     vec4 g = FETCH(gradient, v);
-    vec3 zf = FETCH(fine_direction, v).xyz, zc = vec3(0.0), p = vec3(0.0), y = vec3(0.0);
+    vec3 zf = FETCH(fine_direction, v).xyz, zc = vec3(0.0), p = FETCH(last_step, v).xyz;
+    vec3 y = g.xyz - FETCH(previous_gradient, v).xyz;
 #if SPLIT
     zc = FETCH(coarse_direction, v).xyz;
-#endif
-#if !FIRST_ITERATION
-    p = FETCH(last_step, v).xyz;
-    y = g.xyz - FETCH(previous_gradient, v).xyz;
 #endif
     float m = FETCH1(mass, v) + SUBSTEP * SUBSTEP * spring_of(v).w;
     slopes += vec4(dot(g.xyz, zf), dot(g.xyz, zc), dot(g.xyz, p), g.w);

@@ -1,7 +1,9 @@
 // The step within span{z_f, z_c, p} that minimises the quadratic model of the objective, one work group. The model is scaled by its
 // diagonal, and its eigenvalues count by their absolute value, at least EIGENVALUE_FLOOR: a direction of negative curvature is
 // descended like one of positive, and one that the others can express adds nothing.
-// A last step that raised the objective is taken back by half instead; with FINAL, entirely.
+// Of a last step that raised the objective only a part is kept instead: where phi(t) = phi(0) + phi'(0) t + c t^4 has its
+// minimum, but no more than half, for the energy of strained tissue is of fourth order in the displacement. Nothing is kept of a step
+// that had no slope down (inertia's), nor with FINAL.
 // After subspace_dots and subspace_curvature, before subspace_update.
 #include "common/io.glsl"
 #include "sim/subspace_state.glsl"
@@ -60,11 +62,8 @@ void main() {
 
   vec3 step = vec3(0.0), last = vec3(0.0);
   float objective = sums[0].w;
-  bool accepted = true;
-#if !FIRST_ITERATION
   float before = subspace_state[SUBSPACE_OBJECTIVE];
-  accepted = objective <= before + OBJECTIVE_ROUNDING * (abs(before) + abs(objective));  // false for NaN
-#endif
+  bool accepted = objective <= before + OBJECTIVE_ROUNDING * (abs(before) + abs(objective));  // false for NaN
 #if FINAL
   if (!accepted) step = vec3(0.0, 0.0, -1.0);
 #else
@@ -92,8 +91,11 @@ void main() {
     if (any(isnan(step)) || any(isinf(step))) step = vec3(0.0);
     last = step;
   } else {
-    step = vec3(0.0, 0.0, -0.5);
-    last = vec3(0.0, 0.0, 0.5);
+    float slope = sums[0].z - sums[2].z;  // where the step began
+    float kept = slope < 0.0 ? min(0.5, pow(-0.25 * slope / (objective - before), 1.0 / 3.0)) : 0.0;
+    if (!(kept >= 0.0)) kept = 0.0;
+    step = vec3(0.0, 0.0, kept - 1.0);
+    last = vec3(0.0, 0.0, kept);
   }
 #endif
   for (uint k = 0u; k < 3u; ++k) {

@@ -19,11 +19,7 @@ INOUT(vec4, DisplacementLow, displacement_low)  // [vertex_count] what float32 c
 
 void main() {
   ITEM_OR_RETURN(i)
-#if FIRST_ITERATION
-  vec3 p = vec3(0.0);
-#else
   vec3 p = last_step[i].xyz;
-#endif
   vec3 step = FETCH1(subspace_state, SUBSPACE_STEP + 2u) * p;
 #if !FINAL
   vec3 zf = FETCH(fine_direction, i).xyz;

@@ -1,12 +1,18 @@
-// v = (u - u_n) / h. Last pass of a substep.
+// v = (u - u_n) / h. Last pass of a substep. A vertex that is no longer finite, or that the forces have thrown farther from its
+// prediction than anything can mean, is noted: the state is lost.
 #include "common/io.glsl"
 #include "common/step.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)                   // [vertex_count] u [m]
 INPUT_VEC4(PreviousDisplacement, previous_displacement)  // [vertex_count] u_n [m]
+INPUT_VEC4(Predicted, predicted)                         // [vertex_count] xyz u~ [m], w inverse mass, 0 where held
 OUTPUT(vec4, Velocity, velocity)                         // [vertex_count] [m/s]
+INOUT(uint, Astray, astray)                              // [1] smallest index of such a vertex so far
 
 void main() {
   ITEM_OR_RETURN(i)
-  velocity[i] = vec4((FETCH(displacement, i).xyz - FETCH(previous_displacement, i).xyz) / SUBSTEP, 0.0);
+  vec3 u = FETCH(displacement, i).xyz;
+  vec4 predicted_i = FETCH(predicted, i);
+  velocity[i] = vec4((u - FETCH(previous_displacement, i).xyz) / SUBSTEP, 0.0);
+  if (predicted_i.w > 0.0 && !(distance(u, predicted_i.xyz) < FARTHEST)) atomicMin(astray[0], i);
 }

@@ -5,13 +5,13 @@
 //
 // C: Green strain with tensor shears; alpha~ = (V D)^-1 / h^2, where D has 4 mu on the shear diagonal because C counts each
 // shear once; g = damping / h. The Jacobian is never formed: with C^ = F^T F and W = sum_a w_a b_a b_a^T the matrix entries are
-// (G M^-1 G^T)_kl = tr(E_k C^ E_l W), E_k the unit strains, and G_a^T dlambda = F mat(dlambda) b_a.
+// (G M^-1 G^T)_kl = tr(E_k C^ E_l W), E_k the unit strains, and G_a^T dlambda = F mat(dlambda) b_a. With signed stretches C and F are
+// the guarded ones; the viscous C - C_n keeps the plain strain.
 #include "common/step.glsl"
-#include "common/symmetric.glsl"
 #include "common/tet.glsl"
 #include "common/solve6.glsl"
-#include "sim/feature_material.glsl"
 #include "sim/feature_damping.glsl"
+#include "sim/material/deformation.glsl"
 
 struct BlockStep {
   vec3 change_d, change_s;      // dlambda, xx, yy, zz and yz, xz, xy
@@ -22,26 +22,29 @@ struct BlockStep {
 // whatever the tet does.
 BlockStep solve_block(uint t, Tet tet, vec4 u0, vec4 u1, vec4 u2, vec4 u3, vec3 lambda_d, vec3 lambda_s, Sym3 foreseen) {
   mat3 h = displacement_gradient(tet, u0.xyz, u1.xyz, u2.xyz, u3.xyz);
-  mat3 f = mat3(1.0) + h;
+  vec4 material = material_of(t);
+  Deformation deformation = deformation_of(h, material);
+  mat3 f = deformation.f;
+  Sym3 e = deformation.e;
   vec3 b0 = -(tet.b1 + tet.b2 + tet.b3);
 
-  Sym3 e = green_strain(h);
-  Sym3 c = Sym3(1.0 + 2.0 * e.d, 2.0 * e.s);
+  Sym3 c = Sym3(vec3(dot(f[0], f[0]), dot(f[1], f[1]), dot(f[2], f[2])), vec3(dot(f[1], f[2]), dot(f[0], f[2]), dot(f[0], f[1])));
   vec3 p0 = u0.w * b0, p1 = u1.w * tet.b1, p2 = u2.w * tet.b2, p3 = u3.w * tet.b3;
   Sym3 w = Sym3(p0 * b0 + p1 * tet.b1 + p2 * tet.b2 + p3 * tet.b3,
                 p0.yxx * b0.zzy + p1.yxx * tet.b1.zzy + p2.yxx * tet.b2.zzy + p3.yxx * tet.b3.zzy);
 
-  vec4 material = material_of(t);
   float damping = damping_over_h(material);
   float compliance = 1.0 / (tet.volume * SUBSTEP * SUBSTEP * material.x);  // of the xx entry
   float lateral = -material.y * compliance;
   float shear = 0.5 * (1.0 + material.y) * compliance;  // 1 / (4 mu)
 
-  Sym3 before = previous_strain_of(t);
-  e = Sym3(e.d - foreseen.d, e.s - foreseen.s);
-  vec3 change_d = -(e.d + damping * (e.d - before.d)) - (compliance - lateral) * lambda_d -
-               lateral * (lambda_d.x + lambda_d.y + lambda_d.z);
-  vec3 change_s = -(e.s + damping * (e.s - before.s)) - shear * lambda_s;
+  vec3 change_d = foreseen.d - e.d - (compliance - lateral) * lambda_d - lateral * (lambda_d.x + lambda_d.y + lambda_d.z);
+  vec3 change_s = foreseen.s - e.s - shear * lambda_s;
+#if DAMPING
+  Sym3 plain = green_strain(h), before = previous_strain_of(t);
+  change_d -= damping * (plain.d - foreseen.d - before.d);
+  change_s -= damping * (plain.s - foreseen.s - before.s);
+#endif
 
   float s = 1.0 + damping, q = 0.25 * s;
   Lower6 m;

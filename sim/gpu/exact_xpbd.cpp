@@ -22,14 +22,15 @@ Passes ExactXpbdMethod::begin(const Recording& r) const {
 
 Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
   Passes passes;
-  passes.emplace_back(r.programs.compute("sim/exact_tet.comp"),
-                      gl::ComputePass::Bindings{{"tet_vertices", &r.buffers.tet_vertices},
-                                                {"tet_shape", &r.buffers.tet_shape},
-                                                {"tet_slots", &r.buffers.tet_slots},
-                                                {"displacement", &r.buffers.displacement},
-                                                {"multiplier", &multiplier_},
-                                                {"correction", &r.buffers.correction}},
-                      r.buffers.tet_count);
+  gl::ComputePass::Bindings force{{"step", &r.buffers.step},
+                                  {"tet_vertices", &r.buffers.tet_vertices},
+                                  {"tet_shape", &r.buffers.tet_shape},
+                                  {"tet_slots", &r.buffers.tet_slots},
+                                  {"displacement", &r.buffers.displacement},
+                                  {"multiplier", &multiplier_},
+                                  {"correction", &r.buffers.correction}};
+  passes.emplace_back(r.programs.compute("sim/exact_tet.comp", defines_of(r.features)),
+                      with_material(std::move(force), r.features, r.buffers), r.buffers.tet_count);
   gl::ComputePass::Bindings vertex{{"step", &r.buffers.step},
                                    {"predicted", &r.buffers.predicted},
                                    {"mass", &r.buffers.mass},

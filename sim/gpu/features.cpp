@@ -5,12 +5,20 @@
 namespace fascia {
 
 Features features_of(const Model& model) {
-  return {model.materials.size() > 1,
-          std::any_of(model.materials.begin(), model.materials.end(), [](const Material& m) { return m.damping > 0; })};
+  const auto any = [&](auto&& has) { return std::any_of(model.materials.begin(), model.materials.end(), has); };
+  const auto any_of_model = [&](MaterialModel wanted) { return any([=](const Material& m) { return m.model == wanted; }); };
+  return {model.materials.size() > 1, any([](const Material& m) { return m.damping > 0; }),
+          any_of_model(MaterialModel::signed_st_venant_kirchhoff), any_of_model(MaterialModel::st_venant_kirchhoff),
+          any_of_model(MaterialModel::stable_neo_hookean)};
 }
 
 gl::Defines defines_of(const Features& features) {
-  return {{"DAMPING", features.damping ? "1" : "0"}, {"MATERIAL_PER_TET", features.material_per_tet ? "1" : "0"}};
+  const auto flag = [](bool on) { return on ? "1" : "0"; };
+  return {{"DAMPING", flag(features.damping)},
+          {"MATERIAL_PER_TET", flag(features.material_per_tet)},
+          {"SIGNED_ST_VENANT_KIRCHHOFF", flag(features.signed_st_venant_kirchhoff)},
+          {"ST_VENANT_KIRCHHOFF", flag(features.st_venant_kirchhoff)},
+          {"STABLE_NEO_HOOKEAN", flag(features.stable_neo_hookean)}};
 }
 
 gl::ComputePass::Bindings with_material(gl::ComputePass::Bindings bindings, const Features& features,

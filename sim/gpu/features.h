@@ -9,6 +9,7 @@ namespace fascia {
 struct Features {
   bool material_per_tet = false;
   bool damping = false;
+  bool signed_st_venant_kirchhoff = false, st_venant_kirchhoff = false, stable_neo_hookean = false;  // models that the materials have
   bool operator==(const Features&) const = default;
 };
 

@@ -9,13 +9,15 @@ namespace {
 
 using shared::vec4;
 
+constexpr double kFarthest = 100;  // sizes of the scene that the forces may throw a vertex away from its prediction in a substep
+
 vec4 to_vec4(const Eigen::Vector3d& v, double w) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), static_cast<float>(w)};
 }
 
 vec4 to_vec4(const Material& m) {
   return {static_cast<float>(m.young_modulus), static_cast<float>(m.poisson_ratio), static_cast<float>(m.damping),
-          static_cast<float>(m.density)};
+          static_cast<float>(m.model)};
 }
 
 std::vector<std::uint32_t> first_slots(const Model& model) {
@@ -67,10 +69,14 @@ SimBuffers::SimBuffers(const Model& model)
     const std::vector<Eigen::Vector3d>& x = model.rest_positions;
     volume += (x[tet[1]] - x[tet[0]]).cross(x[tet[2]] - x[tet[0]]).dot(x[tet[3]] - x[tet[0]]) / 6;
   }
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& x : model.rest_positions) box.extend(x);
+  size = box.diagonal().norm();
   if (model.materials.size() > 1) {
     materials = gl::Buffer("materials", model.materials.size() * sizeof(vec4));
   }
   correction = gl::Buffer("correction", 4 * tet_bytes);
+  astray = gl::Buffer("astray", sizeof(std::uint32_t));
   step = gl::Buffer("step", sizeof(shared::StepValues));
   upload_materials(model);
   upload_state(model, reference::initial_state(model));
@@ -153,7 +159,8 @@ void SimBuffers::upload_step(const Model& model, const SolverSettings& settings)
   const shared::StepValues values{to_vec4(model.gravity, settings.substep()),
                                   {static_cast<float>(settings.spectral_radius), static_cast<float>(settings.iterations),
                                    static_cast<float>(settings.tolerance), static_cast<float>(1 / mean_mass)},
-                                  to_vec4(model.materials.front())};
+                                  to_vec4(model.materials.front()),
+                                  {static_cast<float>(kFarthest * size), 0, 0, 0}};
   step.upload(0, sizeof values, &values);
 }
 

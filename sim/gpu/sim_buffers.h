@@ -18,6 +18,7 @@ struct SimBuffers {
   std::uint32_t vertex_count = 0, tet_count = 0;
   double volume = 0;     // of all tets at rest [m^3]
   double mean_mass = 0;  // of the vertices [kg]
+  double size = 0;       // diagonal of the box around all vertices at rest [m]
 
   // State, vec4 [vertex_count].
   gl::Buffer displacement;           // xyz u = x - X [m], w inverse mass as tets see it [1/kg]; phantoms may follow
@@ -38,6 +39,8 @@ struct SimBuffers {
 
   // Scratch, vec4 [4 * tet_count]: what each corner of a tet adds to its vertex.
   gl::Buffer correction;
+
+  gl::Buffer astray;  // uint [1] smallest index of a vertex that is lost (shaders/sim/velocity.comp), ~0 for none
 
   gl::Buffer step;  // uniform block Step (shared::StepValues)
 

@@ -41,6 +41,8 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       motions_(model),
       diagnostics_(buffers_),
       surface_(buffers_, surface_points, embed(surface_points, model.rest_positions, model.tets)) {
+  require_carried(settings_.method, model_.materials, "solver.method");
+  guard_.keep(buffers_, time_);
   buffers_.upload_step(model_, settings_);
   make_method();
   record();
@@ -131,7 +133,7 @@ void GpuSolver::record() {
                                        {"tet_shape", &buffers_.tet_shape},
                                        {"multiplier_weight", &multiplier_weight_}};
     begin_.emplace_back(
-        programs_.compute("sim/multiplier_weight.comp", {{"MATERIAL_PER_TET", features_.material_per_tet ? "1" : "0"}}),
+        programs_.compute("sim/multiplier_weight.comp", defines_of(features_)),
         with_material(std::move(bindings), features_, buffers_), buffers_.tet_count);
   }
   if (anderson_) append(begin_, anderson_->begin(programs_));
@@ -146,7 +148,9 @@ void GpuSolver::record() {
                     gl::ComputePass::Bindings{{"step", &buffers_.step},
                                               {"displacement", &buffers_.displacement},
                                               {"previous_displacement", &buffers_.previous_displacement},
-                                              {"velocity", &buffers_.velocity}},
+                                              {"predicted", &buffers_.predicted},
+                                              {"velocity", &buffers_.velocity},
+                                              {"astray", &buffers_.astray}},
                     buffers_.vertex_count);
   diagnostics_.record(programs_, buffers_, features_, previous_strain_, grab_);
   surface_.record(programs_, buffers_, features_, color_);
@@ -206,9 +210,17 @@ void GpuSolver::upload(const reference::State& state) {
   buffers_.upload_state(model_, state);
   time_ = state.time;
   has_step_ = false;
+  guard_.keep(buffers_, time_);
+}
+
+void GpuSolver::restore_sound(bool at_rest) {
+  time_ = guard_.restore(buffers_);
+  if (at_rest) buffers_.velocity.upload(0, buffers_.velocity.bytes(), std::vector<shared::vec4>(buffers_.vertex_count).data());
+  has_step_ = false;
 }
 
 void GpuSolver::set_settings(const SolverSettings& settings) {
+  require_carried(settings.method, model_.materials, "solver.method");
   const auto needs = [](const SolverSettings& s) { return std::tuple(s.method, s.acceleration, s.colors, s.window, s.tolerance > 0); };
   const bool same_passes = needs(settings) == needs(settings_);
   SolverSettings before = settings_;

@@ -11,6 +11,7 @@
 #include "sim/gpu/diagnostics.h"
 #include "sim/gpu/gauss_seidel.h"
 #include "sim/gpu/motion_targets.h"
+#include "sim/gpu/state_guard.h"
 #include "sim/gpu/step_snapshot.h"
 #include "sim/gpu/stop_rule.h"
 #include "sim/gpu/surface_positions.h"
@@ -52,6 +53,12 @@ class GpuSolver {
 
   void request_diagnostics();
   std::optional<Diagnostics> take_diagnostics(bool wait) { return diagnostics_.take(wait); }
+
+  /// Asks whether the state of now is sound, and takes the answer when it is there. Sound states are kept to go back to.
+  void request_check() { guard_.request(buffers_, time_); }
+  std::optional<StateGuard::Verdict> take_check(bool wait) { return guard_.take(wait); }
+  /// To the last state that was found sound, or was put there. With `at_rest` without its velocities.
+  void restore_sound(bool at_rest);
 
   /// Whether the buffers hold a substep from its start to its end, solved under the model, settings and springs of now.
   bool has_step() const { return has_step_; }
@@ -99,6 +106,7 @@ class GpuSolver {
   std::vector<GrabSpring> springs_;
   GrabSprings grab_;
   DiagnosticsReader diagnostics_;
+  StateGuard guard_;
   SurfacePositions surface_;
   Passes begin_, before_first_, before_, refresh_, first_iteration_, iteration_, end_;  // of one substep
   int before_every_ = 1;  // iterations from one run of before_ to the next

@@ -35,7 +35,9 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
     publish.emplace_back("vertex_scalar", &vertex_errors_);
   }
   if (by_tet) {
-    gl::Defines defines = defines_of({features.material_per_tet, false});
+    Features elastic = features;
+    elastic.damping = false;
+    gl::Defines defines = defines_of(elastic);
     defines.emplace_back("HEAT_STRAIN", color == ColorBy::strain ? "1" : "0");
     gl::ComputePass::Bindings tet{{"step", &buffers.step},
                                   {"tet_vertices", &buffers.tet_vertices},

@@ -33,6 +33,30 @@ void TwoLevelMethod::set_acceleration(Acceleration acceleration) {
   state_ = made(minimizes_, "subspace_state", kStateFloats * sizeof(float));
 }
 
+// The start that inertia proposes may be far up the energy's walls: it is a step from u_n, to be kept only if it lowers the objective.
+Passes TwoLevelMethod::begin(const Recording& r) const {
+  if (!minimizes_) return {};
+  Passes passes;
+  passes.emplace_back(r.programs.compute("sim/guess_begin.comp"),
+                      gl::ComputePass::Bindings{{"previous_displacement", &r.buffers.previous_displacement},
+                                                {"predicted", &r.buffers.predicted},
+                                                {"last_step", &last_step_},
+                                                {"displacement", &r.buffers.displacement}},
+                      r.buffers.vertex_count);
+  append(passes, gradient_.passes(r));
+  passes.push_back(objective_sum(r));
+  passes.emplace_back(r.programs.compute("sim/guess_objective.comp"),
+                      gl::ComputePass::Bindings{{"dot_partials", &dot_partials_}, {"subspace_state", &state_}}, 1,
+                      gl::ComputePass::Constants{{"partials", vertices_.partials}});
+  passes.emplace_back(r.programs.compute("sim/guess_take.comp"),
+                      gl::ComputePass::Bindings{{"gradient", &gradient_.gradient()},
+                                                {"last_step", &last_step_},
+                                                {"previous_gradient", &previous_gradient_},
+                                                {"displacement", &r.buffers.displacement}},
+                      r.buffers.vertex_count);
+  return passes;
+}
+
 Passes TwoLevelMethod::refresh(const Recording& r) const {
   gl::ComputePass::Bindings bindings{{"step", &r.buffers.step},
                                      {"tet_vertices", &r.buffers.tet_vertices},
@@ -49,7 +73,7 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
   return passes;
 }
 
-Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
+Passes TwoLevelMethod::iteration(const Recording& r, bool) const {
   Passes passes;
   if (!coarse_.empty()) append(passes, coarse_.passes(r, gradient_.gradient()));
   gl::ComputePass::Bindings correct{{"gradient", &gradient_.gradient()},
@@ -69,19 +93,26 @@ Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
                                                                         {"SPLIT", splits_ ? "1" : "0"},
                                                                         {"SWEEP", minimizes_ ? "0" : "1"}}),
                       std::move(correct), r.buffers.vertex_count);
-  if (minimizes_) append(passes, subspace_step(r, first, false));
+  if (minimizes_) append(passes, subspace_step(r, false));
   return passes;
 }
 
 Passes TwoLevelMethod::end(const Recording& r) const {
   if (!minimizes_) return {};
   Passes passes = gradient_.passes(r);  // the last step, too, is taken back if it raised the objective
-  append(passes, subspace_step(r, false, true));
+  append(passes, subspace_step(r, true));
   return passes;
 }
 
-Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) const {
-  gl::Defines defines{{"FINAL", last ? "1" : "0"}, {"FIRST_ITERATION", first ? "1" : "0"}, {"SPLIT", splits_ ? "1" : "0"}};
+gl::ComputePass TwoLevelMethod::objective_sum(const Recording& r) const {
+  return {r.programs.compute("sim/objective_sum.comp"),
+          {{"gradient", &gradient_.gradient()}, {"dot_partials", &dot_partials_}},
+          vertices_.lanes,
+          {{"vertex_count", r.buffers.vertex_count}}};
+}
+
+Passes TwoLevelMethod::subspace_step(const Recording& r, bool last) const {
+  gl::Defines defines{{"FINAL", last ? "1" : "0"}, {"SPLIT", splits_ ? "1" : "0"}};
   Passes passes;
   const auto add = [&](const char* kernel, const gl::Defines& with, gl::ComputePass::Bindings bindings, std::uint32_t invocations,
                        gl::ComputePass::Constants constants = {}) {
@@ -92,19 +123,16 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
     return bindings;
   };
   if (last) {
-    add("sim/objective_sum.comp", {}, {{"gradient", &gradient_.gradient()}, {"dot_partials", &dot_partials_}}, vertices_.lanes,
-        {{"vertex_count", r.buffers.vertex_count}});
+    passes.push_back(objective_sum(r));
   } else {
     gl::ComputePass::Bindings dots = with_coarse({{"step", &r.buffers.step},
                                                   {"gradient", &gradient_.gradient()},
                                                   {"mass", &r.buffers.mass},
                                                   {"fine_direction", &fine_direction_},
+                                                  {"last_step", &last_step_},
+                                                  {"previous_gradient", &previous_gradient_},
                                                   {"dot_partials", &dot_partials_}});
-    if (!first) {
-      dots.emplace_back("last_step", &last_step_);
-      dots.emplace_back("previous_gradient", &previous_gradient_);
-    }
-    gl::Defines dot_defines = r.grab.with_springs({{"FIRST_ITERATION", first ? "1" : "0"}, {"SPLIT", splits_ ? "1" : "0"}}, dots);
+    const gl::Defines dot_defines = r.grab.with_springs({{"SPLIT", splits_ ? "1" : "0"}}, dots);
     add("sim/subspace_dots.comp", dot_defines, std::move(dots), vertices_.lanes,
         {{"vertex_count", r.buffers.vertex_count}, {"partials", vertices_.partials}});
     gl::ComputePass::Bindings curvature = with_coarse({{"step", &r.buffers.step},
@@ -124,7 +152,7 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
     solve.emplace_back("curvature_partials", &curvature_partials_);
     constants.emplace_back("curvature_count", tets_.partials);
   }
-  add("sim/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}, {"FIRST_ITERATION", first ? "1" : "0"}}, std::move(solve),
+  add("sim/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}}, std::move(solve),
       Reduction::kGroup, std::move(constants));
   gl::ComputePass::Bindings update{
       {"subspace_state", &state_}, {"last_step", &last_step_}, {"displacement", &r.buffers.displacement}};

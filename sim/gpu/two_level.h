@@ -21,6 +21,7 @@ class TwoLevelMethod : public StepMethod {
   void set_acceleration(Acceleration acceleration);
   bool starts_without_gravity() const override { return true; }
   const StepGradient* gradient() const override { return &gradient_; }
+  Passes begin(const Recording& recording) const override;
   Passes refresh(const Recording& recording) const override;
   Passes iteration(const Recording& recording, bool first) const override;
   Passes end(const Recording& recording) const override;
@@ -28,7 +29,8 @@ class TwoLevelMethod : public StepMethod {
   void update(bool wait) override { coarse_.update(wait); }
 
  private:
-  Passes subspace_step(const Recording& recording, bool first, bool last) const;
+  gl::ComputePass objective_sum(const Recording& recording) const;
+  Passes subspace_step(const Recording& recording, bool last) const;
 
   bool minimizes_ = false, splits_ = false;
   StepGradient gradient_;

@@ -1,10 +1,12 @@
 // The real window on a virtual display, used by hands made of xdotool.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "sim/file.h"
+#include "sim/replay.h"
 #include "tests/app/window_fixture.h"
 
 using namespace fascia;
@@ -213,4 +215,30 @@ TEST_CASE("a window closes by itself after the asked steps") {
   CAPTURE(result.err);
   REQUIRE(result.exit_code == 0);
   CHECK(nlohmann::json::parse(read_file(desk.folder / "stats.json")).at("steps") == 5);
+}
+
+TEST_CASE("tissue that keeps coming apart pauses, says so and leaves a replay; the window and the scene stay") {
+  const Desk desk;
+  const std::string scene = desk.scene("cube.json", cube_scene("Cube", 1e5));
+  Replay broken{open_scene(scene), std::nullopt, {}, 100};
+  const Model model = build_model(broken.scene);
+  broken.start = reference::initial_state(model);
+  const std::vector<char> held = model.held();
+  broken.start->displacement[static_cast<std::size_t>(std::find(held.begin(), held.end(), 0) - held.begin())] = {1e25, 0, 0};
+  write_replay(desk.folder / "broken.fascia", broken);
+  FasciaWindow window(with_size({(desk.folder / "broken.fascia").string()}), desk.folder.path());
+  std::filesystem::path kept;
+  CHECK(eventually([&] {
+    for (const auto& entry : std::filesystem::directory_iterator(desk.folder.path()))
+      if (entry.path().extension() == ".fascia" && entry.path().filename() != "broken.fascia") kept = entry.path();
+    return !kept.empty();
+  }));
+  CHECK(window.running());
+  CHECK(window.screenshot().title == "Cube");
+  window.key("ctrl+q");
+  CHECK(window.wait() == 0);
+  const CommandResult again = run_fascia({"run", "--replay", kept.string(), "--context", "osmesa"}, desk.folder.path());
+  CAPTURE(again.err);
+  CHECK(again.exit_code == 1);
+  CHECK(again.err.find("came apart at ") != std::string::npos);
 }

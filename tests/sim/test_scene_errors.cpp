@@ -271,13 +271,15 @@ TEST_CASE("methods, accelerations and material models that do not exist list tho
         "s.json: solver.acceleration: is \"quadratic_cg\"" + pairs);
   CHECK(top_error(R"("solver": {"method": "jacobi", "acceleration": "chebychev"})") ==
         "s.json: solver.acceleration: is \"chebychev\", perhaps \"chebyshev\"" + pairs);
-  CHECK(body_error(R"("materials": {"default": {"model": "stable_neo_hookean"}})") ==
-        "s.json: bodies[0].materials.default.model: is \"stable_neo_hookean\"; expected a model that exists: "
-        "st_venant_kirchhoff");
+  const std::string models = "expected a model that exists: signed_st_venant_kirchhoff, st_venant_kirchhoff, stable_neo_hookean";
+  CHECK(body_error(R"("materials": {"default": {"model": "ogden"}})") ==
+        "s.json: bodies[0].materials.default.model: is \"ogden\"; " + models);
   CHECK(body_error(R"("materials": {"2": {"model": "st_venant_kirchoff"}})") ==
-        "s.json: bodies[0].materials.2.model: is \"st_venant_kirchoff\", perhaps \"st_venant_kirchhoff\"; "
-        "expected a "
-        "model that exists: st_venant_kirchhoff");
+        "s.json: bodies[0].materials.2.model: is \"st_venant_kirchoff\", perhaps \"st_venant_kirchhoff\"; " +
+            models);
+  CHECK(error_of(scene_text(R"("materials": {"2": {"model": "stable_neo_hookean"}})", R"("solver": {"method": "jacobi"})")) ==
+        "s.json: solver.method: jacobi does not carry the material model stable_neo_hookean; "
+        "expected one of the methods that do: two_level, vertex_descent");
 }
 
 namespace {

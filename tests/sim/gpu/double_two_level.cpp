@@ -25,8 +25,10 @@ std::vector<Matrix3d> blocks(const Model& model, const VectorXd& u, const Vector
     const reference::RestTet rest(reference::Corners{x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]});
     const reference::Corners corners{u.segment<3>(at(tet[0])), u.segment<3>(at(tet[1])), u.segment<3>(at(tet[2])), u.segment<3>(at(tet[3]))};
     const Material& material = model.materials[model.tet_material[t]];
-    const Matrix3d strain = reference::green_strain_matrix(rest, corners);
-    const Matrix3d stress = reference::second_piola_stress(strain, material);
+    // Of stable neo-Hookean tets the block has no geometric term.
+    const Matrix3d stress = material.model == MaterialModel::stable_neo_hookean
+                                ? Matrix3d::Zero()
+                                : reference::second_piola_stress(reference::green_strain_matrix(rest, corners), material);
     const auto d = reference::elastic(rest, corners, material, 0, Matrix3d::Zero(), true, false);
     for (int a = 0; a < 4; ++a) {
       const Vector3d b = rest.gradients.col(a);
@@ -97,6 +99,11 @@ VectorXd DoubleTwoLevel::coarse(const VectorXd& gradient) const {
   return z;
 }
 
+void DoubleTwoLevel::begin(const VectorXd& base) {
+  last_step_ = u_ - base;
+  previous_gradient_ = gradient(base, objective_);
+}
+
 void DoubleTwoLevel::relax(double factor) {
   double objective = 0;
   const VectorXd g = gradient(u_, objective);
@@ -106,13 +113,15 @@ void DoubleTwoLevel::relax(double factor) {
 void DoubleTwoLevel::descend(bool split) {
   double objective = 0;
   const VectorXd g = gradient(u_, objective);
-  if (last_step_.size() > 0 && objective > objective_) {
-    last_step_ /= 2;
-    u_ -= last_step_;
+  if (objective > objective_) {
+    const double slope = last_step_.dot(previous_gradient_);
+    const double kept = slope < 0 ? std::min(0.5, std::cbrt(-0.25 * slope / (objective - objective_))) : 0;
+    u_ -= (1 - kept) * last_step_;
+    last_step_ *= kept;
     return;
   }
   objective_ = objective;
-  MatrixXd z(g.size(), (split ? 2 : 1) + (last_step_.size() > 0 ? 1 : 0));
+  MatrixXd z(g.size(), split ? 3 : 2);
   z.col(0) = split ? fine(g) : VectorXd(fine(g) + coarse(g));
   if (split) z.col(1) = coarse(g);
   const Index last = z.cols() - 1, corrections = split ? 2 : 1;
@@ -121,12 +130,10 @@ void DoubleTwoLevel::descend(bool split) {
     const VectorXd hz = h_ * h_ * system_.hessian_times(u_, {}, z.col(k)) + mass_.cwiseProduct(z.col(k));
     for (Index i = 0; i < corrections; ++i) a(i, k) = z.col(i).dot(hz);
   }
-  if (last_step_.size() > 0) {  // the change of the gradient stands for H p
-    z.col(last) = last_step_;
-    const VectorXd y = g - previous_gradient_;
-    for (Index i = 0; i < corrections; ++i) a(i, last) = a(last, i) = z.col(i).dot(y);
-    a(last, last) = std::max(last_step_.dot(y), last_step_.dot(mass_.cwiseProduct(last_step_)));
-  }
+  z.col(last) = last_step_;
+  const VectorXd y = g - previous_gradient_;  // stands for H p
+  for (Index i = 0; i < corrections; ++i) a(i, last) = a(last, i) = z.col(i).dot(y);
+  a(last, last) = std::max(last_step_.dot(y), last_step_.dot(mass_.cwiseProduct(last_step_)));
   const VectorXd scale = a.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
   const SelfAdjointEigenSolver<MatrixXd> eigen(scale.asDiagonal() * a * scale.asDiagonal());
   const VectorXd b = -(scale.asDiagonal() * (z.transpose() * g));

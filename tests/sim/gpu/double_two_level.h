@@ -19,8 +19,9 @@ class DoubleTwoLevel {
   Eigen::VectorXd gradient(const Eigen::VectorXd& u, double& objective) const;
   Eigen::VectorXd fine(const Eigen::VectorXd& gradient) const;    // of the blocks at the start
   Eigen::VectorXd coarse(const Eigen::VectorXd& gradient) const;  // with the rotations of now
+  void begin(const Eigen::VectorXd& base);  // the start is a step from `base`, to be judged by descend()
   void relax(double factor);                                      // u - factor (z_f + z_c)
-  void descend(bool split);  // the step within the span of z_f + z_c, or of both, and the last step; one that raised the objective is halved
+  void descend(bool split);  // the step within the span of z_f + z_c, or of both, and the last step; of one that raised the objective a part is kept
 
  private:
   const Model& model_;

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include "sim/locality.h"
+#include "sim/reference/elasticity.h"
 
 namespace fascia::test {
 namespace {
@@ -42,6 +43,18 @@ Vector6d strain_of(const Eigen::Matrix3d& f) {
   return c;
 }
 
+// F with singular values of at least 0.6, and the strain that goes on along the tangent below.
+void guard(Eigen::Matrix3d& f, Vector6d& c) {
+  constexpr double kLeast = 0.6;
+  const reference::SignedSvd svd = reference::signed_svd(f);
+  Eigen::Vector3d slope = svd.s.cwiseMax(kLeast), e = (0.5 * (slope.cwiseAbs2().array() - 1)).matrix();
+  for (int i = 0; i < 3; ++i)
+    if (svd.s[i] < kLeast) e[i] += kLeast * (svd.s[i] - kLeast);
+  f = svd.u * slope.asDiagonal() * svd.v.transpose();
+  const Eigen::Matrix3d strain = svd.v * e.asDiagonal() * svd.v.transpose();
+  for (int k = 0; k < 6; ++k) c[k] = strain(row_of[k], column_of[k]);
+}
+
 Eigen::VectorXd flat(const std::vector<Eigen::Vector3d>& u) {
   return Eigen::Map<const Eigen::VectorXd>(u.front().data(), 3 * static_cast<Eigen::Index>(u.size()));
 }
@@ -78,7 +91,11 @@ DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const std::vector<Eig
 DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const Corners& u, const Vector6d& previous_strain,
                                             const Vector6d& multiplier) const {
   const Shape shape = shape_of(model_, t);
-  const Eigen::Matrix3d f = gradient_of(shape, u);
+  const Material& m = model_.materials[model_.tet_material[t]];
+  Eigen::Matrix3d f = gradient_of(shape, u);
+  const Vector6d plain = strain_of(f);
+  Vector6d c = plain;
+  if (m.model == MaterialModel::signed_st_venant_kirchhoff) guard(f, c);
   Eigen::Matrix<double, 6, 12> g;  // d strain_k / d u_a = 1/2 (F_row b_column + F_column b_row)
   Eigen::Matrix<double, 12, 1> w;
   for (int a = 0; a < 4; ++a) {
@@ -87,15 +104,13 @@ DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const Corners& u, con
       g.block<1, 3>(k, 3 * a) =
           0.5 * (f.col(row_of[k]) * shape.b(column_of[k], a) + f.col(column_of[k]) * shape.b(row_of[k], a)).transpose();
   }
-  const Material& m = model_.materials[model_.tet_material[t]];
   Eigen::Matrix<double, 6, 6> d = Eigen::Matrix<double, 6, 6>::Zero();  // U = V/2 C^T D C
   d.topLeftCorner<3, 3>().setConstant(m.lame_lambda());
   d.diagonal() += (Vector6d() << 2, 2, 2, 4, 4, 4).finished() * m.lame_mu();
   const double h = settings_.substep(), rate = m.damping / h;
   const Eigen::Matrix<double, 6, 6> alpha = (shape.volume * h * h * d).inverse();
-  const Vector6d c = strain_of(f);
   const Eigen::Matrix<double, 6, 6> system = (1 + rate) * g * w.asDiagonal() * g.transpose() + alpha;
-  const Vector6d change = system.ldlt().solve(-(c + rate * (c - previous_strain)) - alpha * multiplier);
+  const Vector6d change = system.ldlt().solve(-(c + rate * (plain - previous_strain)) - alpha * multiplier);
   const Eigen::Matrix<double, 12, 1> dx = w.asDiagonal() * g.transpose() * change;
   TetResult result;
   result.multiplier = multiplier + change;

@@ -24,7 +24,7 @@ struct LinearIteration {
   double solution(std::size_t i) const { return std::sin(1.0 + static_cast<double>(i)); }
 
   explicit LinearIteration(double manual_radius = 0) {
-    const shared::StepValues values{{0, 0, 0, 1}, {static_cast<float>(manual_radius), 0, 0, 0}, {}};
+    const shared::StepValues values{{0, 0, 0, 1}, {static_cast<float>(manual_radius), 0, 0, 0}, {}, {}};
     step.upload(0, sizeof values, &values);
   }
   /// Puts A x + b in the place of x and returns the error |x - x*| that x had.

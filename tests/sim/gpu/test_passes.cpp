@@ -76,7 +76,9 @@ TEST_CASE("velocity is the change of displacement over the substep", "[gpu]") {
                   {{"step", &buffers.step},
                    {"displacement", &buffers.displacement},
                    {"previous_displacement", &buffers.previous_displacement},
-                   {"velocity", &buffers.velocity}},
+                   {"predicted", &buffers.predicted},
+                   {"velocity", &buffers.velocity},
+                   {"astray", &buffers.astray}},
                   buffers.vertex_count)
       .run();
   std::vector<Vector3d> expected;
@@ -114,8 +116,11 @@ TEST_CASE("previous strain is the Green strain of the start of the substep", "[g
 TEST_CASE("diagnostics equal the reference measures", "[gpu]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   const bool two_materials = GENERATE(false, true);
+  const MaterialModel of_first = GENERATE(from_range(material_models()));
+  CAPTURE(gl::name_of(loads), two_materials, name_of(of_first));
   Gpu gpu(loads);
   Model model = block();
+  model.materials[0].model = of_first;
   if (two_materials) {
     model.materials.push_back({9e4, 0.45, 2000, 0, MaterialModel::st_venant_kirchhoff});
     for (std::size_t t = 0; t < model.tets.size(); t += 2) model.tet_material[t] = 1;

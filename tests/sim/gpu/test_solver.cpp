@@ -288,7 +288,7 @@ TEST_CASE("shared structures have the same layout in C++ and GLSL", "[gpu]") {
   };
   const gl::Program& predict = gpu.programs.compute("sim/predict.comp", {{"MASS_SPLITTING", "0"}});
   CHECK(offset_of(predict, "step_values.gravity", GL_UNIFORM) == offsetof(shared::StepValues, gravity));
-  const gl::Program& tet = gpu.programs.compute("sim/diagnose_tet.comp", {{"DAMPING", "0"}, {"MATERIAL_PER_TET", "0"}});
+  const gl::Program& tet = gpu.programs.compute("sim/diagnose_tet.comp", defines_of(features_of(bar())));
   CHECK(offset_of(tet, "step_values.material", GL_UNIFORM) == offsetof(shared::StepValues, material));
   CHECK(offset_of(tet, "tet_partials[0].sums", GL_BUFFER_VARIABLE) == offsetof(shared::TetPartial, sums));
   const gl::Program& vertex = gpu.programs.compute("sim/diagnose_vertex.comp");

@@ -1,14 +1,19 @@
-// What the elastic energy sees of a tet with displacement gradient H: F and the Green strain. With signed_st_venant_kirchhoff, where a
-// direction is compressed below LEAST_STRETCH or the tet is turned inside out, they are those of singular values that are no
+// What the strain-based models see of a tet with displacement gradient H: F and the Green strain. With signed_st_venant_kirchhoff, where
+// a direction is compressed below LEAST_STRETCH or the tet is turned inside out, they are those of singular values that are no
 // smaller, and of strains that go on along the tangent (sim/reference/elasticity.h): in St. Venant-Kirchhoff's formulas they give
 // the forces of that material.
-#include "common/svd.glsl"
-#define LEAST_STRETCH 0.6
+#include "common/symmetric.glsl"
+#include "common/tet.glsl"
+#include "sim/feature_material.glsl"
 
 struct Deformation {
   mat3 f;
   Sym3 e;
 };
+
+#if SIGNED_ST_VENANT_KIRCHHOFF
+#include "common/svd.glsl"
+#define LEAST_STRETCH 0.6
 
 // Whether all singular values are above LEAST_STRETCH and none is negative: Sylvester's criterion for F^T F = I + 2 e.
 bool upright(mat3 h, Sym3 e) {
@@ -18,11 +23,8 @@ bool upright(mat3 h, Sym3 e) {
          det_f_minus_one(h) > -1.0;
 }
 
-Deformation deformation_of(mat3 h) {
-  Deformation plain = Deformation(mat3(1.0) + h, green_strain(h));
-#if SIGNED_STRETCHES
-  if (upright(h, plain.e)) return plain;
-  Svd svd = signed_svd(plain.f);
+Deformation guarded(mat3 f) {
+  Svd svd = signed_svd(f);
   vec3 slope = max(svd.s, LEAST_STRETCH);
   vec3 e = 0.5 * (slope * slope - 1.0) + LEAST_STRETCH * min(svd.s - LEAST_STRETCH, 0.0);
   vec3 r0 = vec3(svd.v[0].x, svd.v[1].x, svd.v[2].x), r1 = vec3(svd.v[0].y, svd.v[1].y, svd.v[2].y),
@@ -30,7 +32,13 @@ Deformation deformation_of(mat3 h) {
   return Deformation(mat3(slope.x * svd.u[0], slope.y * svd.u[1], slope.z * svd.u[2]) * transpose(svd.v),
                      Sym3(vec3(dot(r0 * e, r0), dot(r1 * e, r1), dot(r2 * e, r2)),
                           vec3(dot(r1 * e, r2), dot(r0 * e, r2), dot(r0 * e, r1))));
-#else
-  return plain;
+}
 #endif
+
+Deformation deformation_of(mat3 h, vec4 material) {
+  Deformation plain = Deformation(mat3(1.0) + h, green_strain(h));
+#if SIGNED_ST_VENANT_KIRCHHOFF
+  if (IS_SIGNED_ST_VENANT_KIRCHHOFF(material) && !upright(h, plain.e)) return guarded(plain.f);
+#endif
+  return plain;
 }

@@ -1,0 +1,149 @@
+#include "app/breakdown.h"
+
+#include <sstream>
+
+#include "app/capture.h"
+#include "app/scene_edits.h"
+#include "sim/error.h"
+#include "sim/reference/elasticity.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+
+// The log, as a replay that begins with the sound state.
+Replay replay_of(const Simulation& simulation, reference::State start) {
+  const InputLog& log = simulation.log();
+  Replay replay{simulation.scene, std::move(start), log.inputs(), simulation.steps_made() - log.begin()};
+  replay.scene.solver = log.tuning().solver;
+  replay.scene.gravity = log.tuning().gravity;
+  follow_materials(replay.scene, simulation.model, log.tuning().materials);
+  for (Input& input : replay.inputs) input.step -= log.begin();
+  if (!log.tuning().springs.empty()) replay.inputs.insert(replay.inputs.begin(), Input{0, log.tuning().springs});
+  return replay;
+}
+
+// Steps through what the log holds, on a solver of its own.
+class Repetition {
+ public:
+  Repetition(gl::ProgramCache& programs, const Simulation& simulation, const Replay& replay)
+      : replay_(replay), model_(simulation.model), tuning_(simulation.log().tuning()) {
+    model_.materials = tuning_.materials;
+    model_.gravity = tuning_.gravity;
+    solver_ = std::make_unique<GpuSolver>(programs, model_, tuning_.solver);
+    solver_->finish_background();
+    solver_->upload(*replay.start);
+  }
+
+  void step() {
+    for (; next_ < replay_.inputs.size() && replay_.inputs[next_].step <= steps_; ++next_) {
+      tuning_.apply(replay_.inputs[next_]);
+      model_.materials = tuning_.materials;
+      model_.gravity = tuning_.gravity;
+      solver_->set_settings(tuning_.solver);
+      solver_->materials_changed();
+      solver_->set_grab(tuning_.springs);
+      solver_->finish_background();
+    }
+    solver_->step();
+    ++steps_;
+  }
+  std::optional<std::uint32_t> astray() {
+    solver_->request_check();
+    return solver_->take_check(true)->astray;
+  }
+  const GpuSolver& solver() const { return *solver_; }
+
+ private:
+  const Replay& replay_;
+  Model model_;
+  Tuning tuning_;
+  std::unique_ptr<GpuSolver> solver_;
+  std::size_t next_ = 0;
+  long steps_ = 0;
+};
+
+void measure_tet(const Model& model, const reference::State& state, std::size_t t, double& strain, double& det_f) {
+  const Tet& tet = model.tets[t];
+  reference::Corners rest, u;
+  for (std::size_t a = 0; a < 4; ++a) {
+    rest[a] = model.rest_positions[tet[a]];
+    u[a] = state.displacement[tet[a]];
+  }
+  const reference::RestTet shape(rest);
+  strain = reference::green_strain_matrix(shape, u).norm();
+  det_f = reference::deformation_gradient(shape, u).determinant();
+}
+
+}  // namespace
+
+std::string Breakdown::text(const Model& model) const {
+  const Tet& v = model.tets[tet];
+  std::ostringstream out;
+  out.precision(3);
+  out << "tet " << model.tet_source[tet] << " (vertices " << v[0] << ' ' << v[1] << ' ' << v[2] << ' ' << v[3] << ", strain " << strain
+      << ", J " << det_f << ") came apart at " << time << " s";
+  return out.str();
+}
+
+Breakdown find_breakdown(Simulation& simulation) {
+  Breakdown breakdown;
+  const std::uint32_t first_lost = *simulation.astray();
+  simulation.back_to_sound();
+  breakdown.replay = replay_of(simulation, simulation.sound_state());
+  gl::ProgramCache& programs = *simulation.programs();
+  std::uint32_t lost = first_lost;
+  reference::State before = *breakdown.replay.start;
+  breakdown.time = simulation.time();
+  const auto repeat = [&](long steps) {
+    Repetition repetition(programs, simulation, breakdown.replay);
+    for (long i = 0; i < steps; ++i) repetition.step();
+    return repetition.solver().download();
+  };
+  Repetition repetition(programs, simulation, breakdown.replay);
+  for (long step = 0; step < breakdown.replay.steps && !breakdown.found; ++step) {
+    repetition.step();
+    if (const auto astray = repetition.astray()) {
+      breakdown.found = true;
+      lost = *astray;
+      breakdown.time = repetition.solver().time();
+      breakdown.replay.steps = step + 1;
+      before = repeat(step);
+    }
+  }
+  double largest = -1;
+  for (std::size_t t = 0; t < simulation.model.tets.size(); ++t) {
+    const Tet& tet = simulation.model.tets[t];
+    if (std::find(tet.begin(), tet.end(), lost) == tet.end()) continue;
+    double strain = 0, det_f = 1;
+    measure_tet(simulation.model, before, t, strain, det_f);
+    if (!(strain > largest)) continue;
+    largest = breakdown.strain = strain;
+    breakdown.det_f = det_f;
+    breakdown.tet = static_cast<std::uint32_t>(t);
+  }
+  simulation.begin_anew();
+  return breakdown;
+}
+
+std::filesystem::path keep_replay(const Replay& replay) {
+  const std::filesystem::path path = dated_name(".fascia");
+  try {
+    write_replay(path, replay);
+    return path;
+  } catch (const Error&) {
+    const std::filesystem::path elsewhere = std::filesystem::temp_directory_path() / path;
+    write_replay(elsewhere, replay);
+    return elsewhere;
+  }
+}
+
+void require_sound(Simulation& simulation) {
+  if (!simulation.check_now()) return;
+  const Breakdown breakdown = find_breakdown(simulation);
+  throw Error(simulation.scene.file.string(), breakdown.text(simulation.model) + ", repeated by " + keep_replay(breakdown.replay).string(),
+              "expected finite positions: more iterations or substeps, softer material or a smaller load may help");
+}
+
+}  // namespace fascia

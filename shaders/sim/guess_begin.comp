@@ -1,0 +1,16 @@
+// The iterations' start, u_n + h v_n, as a step p away from u_n like any other: put aside, so that the objective is known without it.
+// Held vertices stay where they are led to. After predict and prescribe.
+#include "common/io.glsl"
+COMPUTE_1D
+INPUT_VEC4(PreviousDisplacement, previous_displacement)  // [vertex_count] u_n [m]
+INPUT_VEC4(Predicted, predicted)                         // [vertex_count] w inverse mass, 0 where held
+OUTPUT(vec4, LastStep, last_step)                        // [vertex_count] p [m]
+INOUT(vec4, Displacement, displacement)                  // [vertex_count] u [m]
+
+void main() {
+  ITEM_OR_RETURN(i)
+  vec3 before = FETCH(previous_displacement, i).xyz;
+  bool moves = FETCH(predicted, i).w > 0.0;
+  last_step[i] = vec4(moves ? displacement[i].xyz - before : vec3(0.0), 0.0);
+  if (moves) displacement[i].xyz = before;
+}

@@ -1,0 +1,13 @@
+// The step p of guess_begin is taken, now that the objective and its gradient before it are known. After gradient.
+#include "common/io.glsl"
+COMPUTE_1D
+INPUT_VEC4(Gradient, gradient)                     // [vertex_count] g at u_n [kg m]
+INPUT_VEC4(LastStep, last_step)                    // [vertex_count] p [m]
+OUTPUT(vec4, PreviousGradient, previous_gradient)  // [vertex_count]
+INOUT(vec4, Displacement, displacement)            // [vertex_count] u [m]
+
+void main() {
+  ITEM_OR_RETURN(i)
+  previous_gradient[i] = FETCH(gradient, i);
+  displacement[i].xyz += FETCH(last_step, i).xyz;
+}

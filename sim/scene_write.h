@@ -1,0 +1,18 @@
+// Parts of a scene as JSON documents, and a document as a text that people can read and edit.
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include "sim/scene.h"
+
+namespace fascia {
+
+/// With paths relative to `folder`.
+nlohmann::ordered_json scene_document(const Scene& scene, const std::filesystem::path& folder);
+nlohmann::ordered_json solver_document(const SolverSettings& settings);
+nlohmann::ordered_json material_document(const Material& material);
+nlohmann::ordered_json vector_document(const Eigen::Vector3d& v);
+
+/// What fits stands on one line, and so does a list without objects, however long. Ends with a line break.
+std::string text_of(const nlohmann::ordered_json& document);
+
+}  // namespace fascia

@@ -1,0 +1,182 @@
+// What happens when a state comes apart: commands end with one line and a file that repeats it.
+#include <catch2/catch.hpp>
+
+#include <fstream>
+#include <sstream>
+
+#include "app/breakdown.h"
+#include "app/graphics.h"
+#include "app/stress.h"
+#include "sim/error.h"
+#include "sim/mesh_generate.h"
+#include "sim/mesh_io.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::uint32_t kLost = 17;  // of the box's vertices, a free one
+
+CommonOptions headless() {
+  CommonOptions options;
+  options.context = "osmesa";
+  options.quiet = true;
+  return options;
+}
+
+// A clamped box of 48 tets in a folder of its own, and a replay whose start has one vertex so far away that its forces overflow.
+struct Box {
+  TemporaryFolder folder;
+  Scene scene;
+  Box() {
+    write_mesh(folder / "box.msh", make_box(2, 2, 2, {0.2, 0.2, 0.2}));
+    scene.file = folder / "box.json";
+    Body body;
+    body.name = "box";
+    body.mesh = "box.msh";
+    body.fixed.push_back(BoxSelection{{-1e-6, -1, -1}, {1e-6, 1, 1}});
+    scene.bodies.push_back(body);
+  }
+  Replay broken() const {
+    Replay replay{scene, reference::initial_state(build_model(scene)), {}, 30};
+    replay.start->displacement[kLost] = {1e25, 0, 0};
+    return replay;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("run ends with one line, exit code 1 and a replay that ends the same way") {
+  const Box box;
+  write_replay(box.folder / "broken.fascia", box.broken());
+  std::string replay = "broken.fascia";
+  for (int time = 0; time < 2; ++time) {
+    const CommandResult run = run_fascia({"run", "--replay", replay, "--context", "osmesa", "--export", "out.vtu"}, box.folder.path());
+    CAPTURE(run.out, run.err);
+    CHECK(run.exit_code == 1);
+    CHECK_FALSE(std::filesystem::exists(box.folder / "out.vtu"));
+    const std::size_t begin = run.err.find("came apart at "), named = run.err.find("repeated by ");
+    REQUIRE(begin != std::string::npos);
+    REQUIRE(named != std::string::npos);
+    replay = run.err.substr(named + 12, run.err.find(';', named) - named - 12);
+    CHECK(std::filesystem::exists(box.folder / replay));
+    // The tet that is named has the vertex that was lost.
+    const std::size_t list = run.err.find("vertices ") + 9;
+    std::istringstream vertices(run.err.substr(list, run.err.find(',', list) - list));
+    bool has = false;
+    for (std::uint32_t v; vertices >> v;) has |= v == kLost;
+    CHECK(has);
+  }
+}
+
+TEST_CASE("render ends the same way and writes no picture") {
+  const Box box;
+  write_replay(box.folder / "broken.fascia", box.broken());
+  const CommandResult run =
+      run_fascia({"render", "--replay", "broken.fascia", "--context", "osmesa", "--out", "out.png", "--size", "64x64"}, box.folder.path());
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 1);
+  CHECK(run.err.find("came apart at ") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(box.folder / "out.png"));
+}
+
+TEST_CASE("a replay repeats a session of sliders and grabs to the bit") {
+  const Box box;
+  Graphics graphics = open_graphics(headless(), false);
+  Simulation lived(box.scene, graphics.programs.get(), false);
+  std::vector<reference::State> states;
+  const auto live = [&](int steps) {
+    for (int i = 0; i < steps; ++i) {
+      lived.gpu()->finish_background();  // as the replay does, where the coarse level follows a slider
+      lived.step();
+    }
+    states.push_back(lived.state());
+  };
+  Replay replay{box.scene, std::nullopt, {}, 12};
+  const auto both = [&](Input input) {
+    input.step = lived.steps_made();
+    replay.inputs.push_back(input);
+    if (auto* settings = std::get_if<SolverSettings>(&input.change)) lived.set_settings(*settings);
+    if (auto* material = std::get_if<MaterialInput>(&input.change)) lived.set_material(material->index, material->material);
+    if (auto* gravity = std::get_if<GravityInput>(&input.change)) lived.set_gravity(gravity->gravity);
+    if (auto* springs = std::get_if<GrabInput>(&input.change)) lived.set_grab(*springs);
+  };
+  both({0, GrabInput{{kLost, {0.05, 0.02, 0}, 300}}});
+  live(3);
+  Material soft = lived.model.materials[0];
+  soft.young_modulus = 3e4;
+  both({0, MaterialInput{0, soft}});
+  live(3);
+  SolverSettings other = lived.scene.solver;
+  other.method = Method::vertex_descent;
+  other.acceleration = Acceleration::anderson;
+  both({0, other});
+  both({0, GravityInput{{1, 2, 3}}});
+  live(3);
+  both({0, GrabInput{}});
+  live(3);
+
+  write_replay(box.folder / "lived.fascia", replay);
+  Opened opened = open_file(box.folder / "lived.fascia");
+  REQUIRE(opened.replay);
+  Simulation again(std::move(opened.scene), graphics.programs.get(), false);
+  again.play(std::move(*opened.replay));
+  for (std::size_t part = 0; part < states.size(); ++part) {
+    for (int i = 0; i < 3; ++i) again.step();
+    CAPTURE(part);
+    CHECK(again.state().displacement == states[part].displacement);
+    CHECK(again.state().velocity == states[part].velocity);
+  }
+}
+
+TEST_CASE("a lost state is led back to the last sound one, and its replay begins there") {
+  const Box box;
+  Graphics graphics = open_graphics(headless(), false);
+  Simulation simulation(box.scene, graphics.programs.get(), false);
+  for (int i = 0; i < 20; ++i) simulation.step();
+  REQUIRE_FALSE(simulation.check_now());
+  const reference::State sound = simulation.state();
+  // A spring stiffer than floats can carry, as no hand has it.
+  simulation.set_grab({{kLost, {0.1, 0, 0}, 1e38}});
+  for (int i = 0; i < 40 && !simulation.astray(); ++i) simulation.step();
+  REQUIRE(simulation.astray());
+  const Breakdown breakdown = find_breakdown(simulation);
+  INFO(breakdown.text(simulation.model));
+  CHECK(breakdown.found);
+  CHECK(breakdown.replay.steps >= 1);
+  CHECK(breakdown.replay.start->displacement == sound.displacement);
+  CHECK(breakdown.replay.start->velocity == sound.velocity);
+  REQUIRE(breakdown.replay.inputs.size() == 1);
+  CHECK(std::get<GrabInput>(breakdown.replay.inputs[0].change).size() == 1);
+  CHECK_FALSE(simulation.astray());
+  const reference::State back = simulation.state();
+  CHECK(back.displacement == sound.displacement);
+  CHECK(back.velocity == std::vector<Vector3d>(back.velocity.size(), Vector3d::Zero()));
+  simulation.set_grab({});
+  for (int i = 0; i < 20; ++i) simulation.step();
+  CHECK_FALSE(simulation.check_now());
+}
+
+TEST_CASE("a replay that does not fit its mesh is refused") {
+  const Box box;
+  Graphics graphics = open_graphics(headless(), false);
+  const auto error = [&](Replay replay) -> std::string {
+    Simulation simulation(box.scene, graphics.programs.get(), false);
+    try {
+      simulation.play(std::move(replay));
+    } catch (const Error& e) {
+      return std::string(e.what()).substr(std::string(e.what()).find("box.json"));
+    }
+    return "";
+  };
+  Replay replay{box.scene, reference::State{{{0, 0, 0}}, {{0, 0, 0}}, 0}, {}, 1};
+  CHECK(error(replay) == "box.json: start has 1 vertices; expected the mesh's 27");
+  replay.start.reset();
+  replay.inputs = {{0, MaterialInput{3, {}}}};
+  CHECK(error(replay) == "box.json: an input changes material 3; expected an index below 1");
+  replay.inputs = {{0, GrabInput{{27, {0, 0, 0}, 1}}}};
+  CHECK(error(replay) == "box.json: an input grabs vertex 27; expected an index below 27");
+}

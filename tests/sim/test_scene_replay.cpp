@@ -1,0 +1,82 @@
+#include <catch2/catch.hpp>
+
+#include "sim/file.h"
+#include "sim/replay.h"
+#include "tests/sim/scene_test.h"
+
+using namespace fascia;
+using namespace fascia::test;
+using Eigen::Vector3d;
+
+namespace {
+
+std::string replay_text(const std::string& keys) {
+  return R"({"fascia_replay": 1, "scene": )" + scene_text() + ", " + keys + "}";
+}
+
+std::string error_of(const std::string& text) {
+  const SceneFile file(text, "r.fascia");
+  return file.error_of([&] { read_replay(file.path()); });
+}
+
+std::string input_error(const std::string& input) { return error_of(replay_text(R"("steps": 1, "inputs": [)" + input + "]")); }
+
+}  // namespace
+
+TEST_CASE("a replay that is written reads back the same, to the last digit") {
+  const SceneFile file(scene_text(R"("materials": {"default": {"young_modulus": 123456.7}})"));
+  Replay replay{file.open(), std::nullopt, {}, 77};
+  const bool with_start = GENERATE(false, true);
+  if (with_start)
+    replay.start = reference::State{{{0.1f, -1e-7f, 3}, {1.0 / 3, 0, -2e8}}, {{1e-30, 5, 6}, {0, 0, 1}}, 0.7};
+  SolverSettings settings;
+  settings.method = Method::jacobi;
+  settings.acceleration = Acceleration::chebyshev;
+  settings.iterations = 33;
+  Material material;
+  material.young_modulus = 2.5e7;
+  material.damping = 0.1;
+  material.model = MaterialModel::stable_neo_hookean;
+  replay.inputs = {{0, GrabInput{{3, {0.1, 0.2, -0.3}, 1234.5}, {4, {1, 1, 1}, 2}}},
+                   {5, settings},
+                   {5, MaterialInput{1, material}},
+                   {6, GravityInput{{0, 9.81, 0}}},
+                   {40, GrabInput{}}};
+  write_replay(file / "out.fascia", replay);
+  Replay read = read_replay(file / "out.fascia");
+  read.scene.file = replay.scene.file;
+  CHECK(read.scene == replay.scene);
+  CHECK(read.inputs == replay.inputs);
+  CHECK(read.steps == 77);
+  REQUIRE(read.start.has_value() == with_start);
+  if (!with_start) return;
+  CHECK(read.start->displacement == replay.start->displacement);
+  CHECK(read.start->velocity == replay.start->velocity);
+  CHECK(read.start->time == 0.7);
+}
+
+TEST_CASE("--set changes the scene of a replay") {
+  const SceneFile file(replay_text(R"("steps": 3)"), "r.fascia");
+  CHECK(read_replay(file.path(), {"solver.iterations=7"}).scene.solver.iterations == 7);
+  CHECK(file.error_of([&] { read_replay(file.path(), {"solver.iterations=0"}); }) ==
+        "--set solver.iterations: is 0; expected 1 to 10000");
+}
+
+TEST_CASE("what is no replay is refused in one line") {
+  CHECK(error_of("{}") == "r.fascia: fascia_replay: is missing; expected 1, the version of the format");
+  CHECK(error_of(scene_text()) == "r.fascia: bodies: unknown key \"bodies\"; expected one of fascia_replay, scene, steps, start, inputs");
+  CHECK(error_of(R"({"fascia_replay": 2})") == "r.fascia: fascia_replay: is 2; expected 1 to 1");
+  CHECK(error_of(R"({"fascia_replay": 1})") == "r.fascia: scene: is missing; expected the scene that was open");
+  CHECK(error_of(replay_text(R"("inputs": [])")) == "r.fascia: steps: is missing; expected how many steps to make");
+  CHECK(error_of(replay_text(R"("steps": -1)")) == "r.fascia: steps: is -1; expected 0 to 2147483647");
+  CHECK(error_of(replay_text(R"("steps": 1, "start": {"time": 0, "displacement": [[0, 0, 0]], "velocity": []})")) ==
+        "r.fascia: start: 1 displacements, 0 velocities; expected one of each per vertex");
+  CHECK(input_error(R"({"step": 1})") ==
+        "r.fascia: inputs[0]: is {\"step\":1}; expected \"step\" and one of solver, material, gravity, grab");
+  CHECK(input_error(R"({"step": 2, "gravity": [0, 0, 0]}, {"step": 1, "gravity": [0, 0, 0]})") ==
+        "r.fascia: inputs[1].step: is 1; expected 2 to 2147483647");
+  CHECK(input_error(R"({"step": 0, "grab": [[1, 2, 3]]})") ==
+        "r.fascia: inputs[0].grab[0]: is [1,2,3]; expected a spring [vertex, x, y, z, stiffness]: the displacement it pulls to [m], N/m");
+  CHECK(input_error(R"({"step": 0, "material": {"index": 0, "values": {"young_modulus": -1}}})") ==
+        "r.fascia: inputs[0].material.values.young_modulus: is -1; expected 0.001 to 1e+14 Pa");
+}
