@@ -72,7 +72,7 @@ void GmshReader::end_section(std::string_view name) {
 void GmshReader::skip_section(std::string_view name) {
   const bool upper = std::none_of(name.begin(), name.end(), [](char c) { return c >= 'a' && c <= 'z'; });
   const std::string end = (upper ? "$END" : "$End") + std::string(name.substr(1));
-  if (!in_.skip_past("\n" + end)) in_.fail("the section has no end", "expected " + end);
+  if (!in_.skip_past("\n" + end)) in_.fail("the section has no end", "expected " + in_quotes(end));
 }
 
 void GmshReader::read_format() {

@@ -16,12 +16,9 @@ bool is_space(char c) {
   return c == '\n' || is_blank(c);
 }
 
-}  // namespace
-
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t longest = 24;
-  std::string out = "'";
-  for (const char c : text.substr(0, longest)) {
+std::string printable(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
     if (c >= ' ' && c <= '~') {
       out += c;
     } else {
@@ -30,7 +27,14 @@ std::string in_quotes(std::string_view text) {
       out += {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
     }
   }
-  return out + (text.size() > longest ? "...'" : "'");
+  return out;
+}
+
+}  // namespace
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t longest = 24;
+  return "'" + printable(text.substr(0, longest)) + (text.size() > longest ? "...'" : "'");
 }
 
 void Scanner::skip_space(bool across_lines) {
@@ -150,14 +154,14 @@ void Scanner::skip(std::uint64_t size, const char* what) {
 
 std::string Scanner::place(std::size_t offset) const {
   if (by_byte_) {
-    return where_ + ": byte " + std::to_string(offset) + (section_.empty() ? "" : ", " + section_);
+    return where_ + ": byte " + std::to_string(offset) + (section_.empty() ? "" : ", " + printable(section_));
   }
   const auto end = data_.begin() + static_cast<std::ptrdiff_t>(std::min(offset, data_.size()));
   return where_ + ":" + std::to_string(1 + std::count(data_.begin(), end, '\n'));
 }
 
 void Scanner::fail(const std::string& what, const std::string& expected) const {
-  throw Error(place(word_), (by_byte_ || section_.empty() ? "" : section_ + ": ") + what, expected);
+  throw Error(place(word_), (by_byte_ || section_.empty() ? "" : printable(section_) + ": ") + what, expected);
 }
 
 void Scanner::fail_number(const char* what, const char* kind) const {

@@ -83,7 +83,7 @@ TEST_CASE("Gmsh: bad sections and headers", "[mesh_io]") {
         "m.msh:7: $PhysicalNames: physical name is ' clamp'; expected a name in quotes");
   CHECK(v2_error("$EndNodes", "$EndNode") ==
         "m.msh:19: $Nodes: '$EndNode' follows the last entry; expected $EndNodes");
-  CHECK(v2_error("$EndNodeData", "") == "m.msh:28: $NodeData: the section has no end; expected $EndNodeData");
+  CHECK(v2_error("$EndNodeData", "") == "m.msh:28: $NodeData: the section has no end; expected '$EndNodeData'");
   CHECK(error_of("m.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n") ==
         "m.msh:4: has no section of nodes; expected $Nodes");
   CHECK(error_of("m.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n") ==
