@@ -1,7 +1,5 @@
 #include "sim/replay.h"
 
-#include <limits>
-
 #include "sim/file.h"
 #include "sim/scene_json.h"
 #include "sim/scene_overrides.h"
@@ -15,7 +13,7 @@ using Json = nlohmann::ordered_json;
 using Eigen::Vector3d;
 
 constexpr double kAnything = 1e30;
-constexpr int kMostSteps = std::numeric_limits<int>::max();
+constexpr int kMostSteps = 1'000'000'000, kMostVertices = kMostSteps;
 
 Json list_of(const std::vector<Vector3d>& vectors) {
   Json list = Json::array();
@@ -42,7 +40,7 @@ GrabInput read_springs(const Node& node) {
     const std::vector<Node> values = spring.elements(expected);
     if (values.size() != 5) spring.refuse(expected);
     const auto coordinate = [&](std::size_t k) { return values[k].number(-kAnything, kAnything, "m"); };
-    springs.push_back({static_cast<std::uint32_t>(values[0].integer(0, kMostSteps)), {coordinate(1), coordinate(2), coordinate(3)},
+    springs.push_back({static_cast<std::uint32_t>(values[0].integer(0, kMostVertices)), {coordinate(1), coordinate(2), coordinate(3)},
                        values[4].number(0, kAnything, "N/m")});
   }
   return springs;
@@ -71,7 +69,7 @@ Input read_input(const Node& node, long earliest) {
     input.change = read_solver(*solver);
   } else if (const auto material = node.find("material")) {
     material->expect_object({"index", "values"});
-    input.change = MaterialInput{static_cast<std::size_t>(material->at("index", "that of a material").integer(0, kMostSteps)),
+    input.change = MaterialInput{static_cast<std::size_t>(material->at("index", "that of a material").integer(0, kMostVertices)),
                                  read_material(material->at("values", "a material"))};
   } else if (const auto gravity = node.find("gravity")) {
     input.change = GravityInput{gravity->vector(-kAnything, kAnything, "m/s^2")};

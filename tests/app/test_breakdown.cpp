@@ -139,8 +139,8 @@ TEST_CASE("a lost state is led back to the last sound one, and its replay begins
   for (int i = 0; i < 20; ++i) simulation.step();
   REQUIRE_FALSE(simulation.check_now());
   const reference::State sound = simulation.state();
-  // A spring stiffer than floats can carry, as no hand has it.
-  simulation.set_grab({{kLost, {0.1, 0, 0}, 1e38}});
+  // Farther than floats can carry, as no hand reaches.
+  simulation.set_grab({{kLost, {1e25, 0, 0}, 1e20}});
   for (int i = 0; i < 40 && !simulation.astray(); ++i) simulation.step();
   REQUIRE(simulation.astray());
   const Breakdown breakdown = find_breakdown(simulation);

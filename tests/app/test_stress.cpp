@@ -134,9 +134,9 @@ TEST_CASE("a failure leaves a table, a summary, a picture and a replay that repe
   const CommandResult again = run_fascia({"run", "--replay", replay.string(), "--context", "osmesa", "--stats", "stats.json"}, folder.path());
   CAPTURE(again.err);
   CHECK(again.exit_code == 0);
-  CHECK_THAT(read_file(folder / "stats.json"), Catch::Contains("\"steps\": 300") && !Catch::Contains("\"inverted\": 0,"));
+  CHECK_THAT(read_file(folder / "stats.json"), Catch::Contains("\"steps\": 150") && !Catch::Contains("\"inverted\": 0,"));
 
   const CommandResult none = stress({"--only", "no such case"});
   CHECK(none.exit_code == 1);
-  CHECK(none.err == "--only no such case: matches no case; expected a part of group/case/method + acceleration\n");
+  CHECK_THAT(none.err, Catch::EndsWith("--only no such case: matches no case; expected a part of group/case/method + acceleration\n"));
 }

@@ -147,8 +147,8 @@ TEST_CASE("regions take their materials by number or by name, over the default")
     CHECK(model.tet_material == Indices{0, 1});
     CHECK(model.material_names == std::vector<std::string>{"beam: default", "beam: " + key});
     REQUIRE(model.materials.size() == 2);
-    CHECK(model.materials[0] == Material{1e4, 0.3, 900, 0, MaterialModel::st_venant_kirchhoff});
-    CHECK(model.materials[1] == Material{1e6, 0.3, 900, 0, MaterialModel::st_venant_kirchhoff});
+    CHECK(model.materials[0] == Material{1e4, 0.3, 900, 0, MaterialModel::signed_st_venant_kirchhoff});
+    CHECK(model.materials[1] == Material{1e6, 0.3, 900, 0, MaterialModel::signed_st_venant_kirchhoff});
   }
 }
 

@@ -209,7 +209,7 @@ TEST_CASE("a written scene is readable: lists of numbers on one line, no needles
           "poisson_ratio": 0.3,
           "density": 1000,
           "damping": 0,
-          "model": "st_venant_kirchhoff"
+          "model": "signed_st_venant_kirchhoff"
         }
       },
       "fixed": [{"vertices": [0, 1, 2]}, {"lowest": 0.02}],

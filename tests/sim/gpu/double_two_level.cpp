@@ -134,7 +134,8 @@ void DoubleTwoLevel::descend(bool split) {
   const VectorXd y = g - previous_gradient_;  // stands for H p
   for (Index i = 0; i < corrections; ++i) a(i, last) = a(last, i) = z.col(i).dot(y);
   a(last, last) = std::max(last_step_.dot(y), last_step_.dot(mass_.cwiseProduct(last_step_)));
-  const VectorXd scale = a.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+  VectorXd scale = a.diagonal().cwiseAbs().cwiseSqrt();
+  for (double& s : scale) s = s > 0 ? 1 / s : 0;  // nothing was kept of the last step
   const SelfAdjointEigenSolver<MatrixXd> eigen(scale.asDiagonal() * a * scale.asDiagonal());
   const VectorXd b = -(scale.asDiagonal() * (z.transpose() * g));
   const VectorXd modes = (eigen.eigenvectors().transpose() * b).cwiseQuotient(eigen.eigenvalues().cwiseAbs().cwiseMax(1e-7));
