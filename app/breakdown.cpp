@@ -140,6 +140,7 @@ std::filesystem::path keep_replay(const Replay& replay) {
 }
 
 void require_sound(Simulation& simulation) {
+  gl::require_context();
   if (!simulation.check_now()) return;
   const Breakdown breakdown = find_breakdown(simulation);
   throw Error(simulation.scene.file.string(), breakdown.text(simulation.model) + ", repeated by " + keep_replay(breakdown.replay).string(),

@@ -119,7 +119,7 @@ int run(int argc, char** argv) {
   stress_command->add_option("--out", stress.out, "folder for the table, its summary, and a replay and a picture of every failure")
       ->type_name("DIR")
       ->required();
-  stress_command->add_flag("--quick", stress.quick, "the default pair only, on small meshes");
+  stress_command->add_flag("--quick", stress.quick, "small meshes");
   stress_command->add_option("--only", only, "cases whose group/case/method + acceleration has such a part; * and ? as in file names")
       ->type_name("PATTERN");
   stress_command->add_option("--model", model, "material model of all bodies")->check(CLI::IsMember(models))->capture_default_str();

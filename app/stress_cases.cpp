@@ -153,9 +153,10 @@ struct Maker {
       change(s.bodies[0], s.bodies[0].region_materials.emplace_back("2", MaterialOverride{}).second);
       return released("number", name, s, 90);
     };
+    // Soft layers of 10 kPa would be crushed by the weight of the beam in the exact solution, too.
     halves("layers of E 1:1e6", [](Body& body, MaterialOverride& m) {
-      body.material.young_modulus = 1e4;
-      m.young_modulus = 1e10;
+      body.material.young_modulus = 3e4;
+      m.young_modulus = 3e10;
     });
     halves("densities 1:1e4", [](Body& body, MaterialOverride& m) {
       body.material.density = 100;

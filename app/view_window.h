@@ -1,5 +1,5 @@
 // The window: one frame after the other of input, panels, steps, drawing. Whatever fails in a frame becomes a message, and the scene
-// that is open stays open.
+// that is open stays open; only the loss of the device ends it, and leaves the scene as it was some seconds before.
 #pragma once
 #include <chrono>
 #include <memory>
@@ -24,7 +24,8 @@ class ViewWindow {
   /// Throws Error when the scene cannot be simulated.
   ViewWindow(Graphics& graphics, const ViewOptions& options, Opened opened);
 
-  /// Until the window is closed, the asked number of steps is done or the program is interrupted.
+  /// Until the window is closed, the asked number of steps is done or the program is interrupted. Throws gl::ContextLost, which names
+  /// the file that keeps the scene.
   void run();
 
   const Simulation& simulation() const { return session_->simulation; }
@@ -47,6 +48,7 @@ class ViewWindow {
   void make_step();
   void read_diagnostics();
   void go_back();  // the state came apart
+  void remember();
   void draw();
   void capture(const Requests& requests);
 
@@ -84,6 +86,8 @@ class ViewWindow {
   long came_apart_ = 0;       // times in a row
   long came_apart_at_ = 0;    // steps made when it last did
   bool diagnose_ = true;      // the state has changed since the last diagnostics
+  std::optional<Replay> remembered_;  // the scene as it was a few seconds ago, in case that the device is lost
+  Clock::time_point remembered_at_;
 };
 
 }  // namespace fascia

@@ -93,6 +93,7 @@ void ViewWindow::open(const fs::path& path) {
   mouse_.cancel(*session_);
   state_.convergence.forget();
   session_ = std::move(opened);
+  remembered_.reset();
   dialogs_.opened(path);
   state_.facts = SceneFacts(session_->simulation.model);
   state_.statistics = {};

@@ -108,15 +108,21 @@ class EglContext : public Context {
       if (!egl().ChooseConfig(display_, wanted, &config, 1, &count) || count == 0) fail(where_, "no config");
     }
     // An older one than 4.3 only serves to say, in gl::load, what was found instead.
-    for (const auto& [major, minor] : {std::pair{4, 3}, std::pair{3, 3}}) {
+    struct Wish {
+      EGLint major, minor, reset;
+    };
+    for (const Wish& wish : {Wish{4, 3, EGL_LOSE_CONTEXT_ON_RESET}, Wish{4, 3, EGL_NO_RESET_NOTIFICATION},
+                             Wish{3, 3, EGL_NO_RESET_NOTIFICATION}}) {
       const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                   major,
+                                   wish.major,
                                    EGL_CONTEXT_MINOR_VERSION,
-                                   minor,
+                                   wish.minor,
                                    EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                    EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                    EGL_CONTEXT_OPENGL_DEBUG,
                                    debug ? EGL_TRUE : EGL_FALSE,
+                                   EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                                   wish.reset,
                                    EGL_NONE};
       context_ = egl().CreateContext(display_, config, EGL_NO_CONTEXT, attributes);
       if (context_ != EGL_NO_CONTEXT) break;

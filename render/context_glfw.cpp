@@ -31,6 +31,7 @@ class GlfwContext : public Context {
       glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
       glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
       glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, request.debug ? GLFW_TRUE : GLFW_FALSE);
+      glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
       glfwWindowHint(GLFW_DEPTH_BITS, 0);  // everything is drawn into our own framebuffers
       glfwWindowHint(GLFW_STENCIL_BITS, 0);
       window_ = glfwCreateWindow(request.width, request.height, request.title.c_str(), nullptr, nullptr);

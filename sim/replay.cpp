@@ -84,8 +84,12 @@ Input read_input(const Node& node, long earliest) {
 }  // namespace
 
 Replay read_replay(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  return read_replay_content(path, read_file(path), overrides);
+}
+
+Replay read_replay_content(const std::filesystem::path& path, std::string_view content, const std::vector<std::string>& overrides) {
   DocumentOrigin origin{path.string(), {}};
-  nlohmann::json document = parse_json(read_file(path), path.string());
+  nlohmann::json document = parse_json(content, path.string());
   const Node root(document, "", origin);
   root.expect_object({"fascia_replay", "scene", "steps", "start", "inputs"});
   root.at("fascia_replay", "1, the version of the format").number(1, 1, "");
@@ -114,14 +118,18 @@ Replay read_replay(const std::filesystem::path& path, const std::vector<std::str
 }
 
 void write_replay(const std::filesystem::path& path, const Replay& replay) {
-  Json document{{"fascia_replay", 1}, {"scene", scene_document(replay.scene, path.parent_path())}, {"steps", replay.steps}};
+  write_file(path, replay_to_json(replay, path.parent_path()));
+}
+
+std::string replay_to_json(const Replay& replay, const std::filesystem::path& folder) {
+  Json document{{"fascia_replay", 1}, {"scene", scene_document(replay.scene, folder)}, {"steps", replay.steps}};
   if (replay.start)
     document["start"] = {{"time", replay.start->time},
                          {"displacement", list_of(replay.start->displacement)},
                          {"velocity", list_of(replay.start->velocity)}};
   document["inputs"] = Json::array();
   for (const Input& input : replay.inputs) document["inputs"].push_back(document_of(input));
-  write_file(path, text_of(document));
+  return text_of(document);
 }
 
 }  // namespace fascia

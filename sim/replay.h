@@ -3,6 +3,8 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -39,5 +41,9 @@ struct Replay {
 /// `overrides` are --set texts for the scene. Throws Error for anything that is not a replay.
 Replay read_replay(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 void write_replay(const std::filesystem::path& path, const Replay& replay);
+
+/// As read_replay of a file with this content, and what write_replay puts into a file in `folder`.
+Replay read_replay_content(const std::filesystem::path& path, std::string_view content, const std::vector<std::string>& overrides = {});
+std::string replay_to_json(const Replay& replay, const std::filesystem::path& folder);
 
 }  // namespace fascia

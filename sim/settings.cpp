@@ -9,7 +9,7 @@ const std::vector<Pair>& legal_pairs() {
   using M = Method;
   using A = Acceleration;
   static const std::vector<Pair> pairs = {
-      {M::two_level, A::nonlinear_cg},    {M::two_level, A::subspace},        {M::two_level, A::anderson},
+      {M::two_level, A::subspace},        {M::two_level, A::nonlinear_cg},    {M::two_level, A::anderson},
       {M::two_level, A::none},            {M::vertex_descent, A::anderson},   {M::vertex_descent, A::none},
       {M::exact_xpbd, A::anderson},       {M::exact_xpbd, A::none},           {M::mass_splitting, A::none},
       {M::mass_splitting, A::chebyshev},  {M::mass_splitting, A::anderson_positions},
@@ -116,11 +116,11 @@ const char* help_of(Acceleration acceleration) {
       return "Combines the last iterations so that the change of the whole state gets smallest: positions and, with XPBD methods, "
              "multipliers by the same weights, so the material keeps its stiffness. Memory and dot products grow with the window.";
     case Acceleration::nonlinear_cg:
-      return "Steps along the correction and the last step at once, with the factors that minimise a quadratic model of the energy. A "
-             "step that raises the energy is halved.";
+      return "Steps along the correction and the last step at once, with the factors that minimise a quadratic model of the energy. Of a "
+             "step that raises the energy only a part is kept.";
     case Acceleration::subspace:
       return "As conjugate gradients, but the fine and the coarse correction get a factor each: more robust for stiff, thin and mixed "
-             "tissue, at a slightly dearer iteration.";
+             "tissue and more exact in motion, at a slightly dearer iteration.";
   }
   return "";
 }

@@ -21,7 +21,7 @@ struct Pair {
 
 struct SolverSettings {
   Method method = Method::two_level;
-  Acceleration acceleration = Acceleration::nonlinear_cg;
+  Acceleration acceleration = Acceleration::subspace;
   int iterations = 10;            // per substep, at most
   double tolerance = 0;           // relative residual at which a step's iterations stop; 0 runs all of them
   double time_step = 1.0 / 60.0;  // dt [s] of a frame step

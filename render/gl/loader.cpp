@@ -2,13 +2,13 @@
 
 #include <cstdio>
 
-#include "sim/error.h"
 
 namespace fascia::gl {
 
 #define X(name) decltype(&::gl##name) name = nullptr;
 FASCIA_GL_FUNCTIONS(X)
 #undef X
+GLenum (*GetGraphicsResetStatus)() = nullptr;
 
 namespace {
 
@@ -59,6 +59,8 @@ void load(GetProc get_proc) {
   if (!name) found.missing_functions.push_back("gl" #name);
   FASCIA_GL_FUNCTIONS(X)
 #undef X
+  for (const char* name : {"glGetGraphicsResetStatus", "glGetGraphicsResetStatusKHR", "glGetGraphicsResetStatusARB"})
+    if ((GetGraphicsResetStatus = reinterpret_cast<decltype(GetGraphicsResetStatus)>(get_proc(name)))) break;
   found.renderer = string_of(GL_RENDERER);
   found.version = string_of(GL_VERSION);
   std::sscanf(found.version.c_str(), "%d.%d", &found.major, &found.minor);
@@ -75,6 +77,16 @@ void load(GetProc get_proc) {
   }
   if (const std::string message = refusal(found); !message.empty()) throw Error(message);
   current_device = now;
+}
+
+void require_context() {
+  const GLenum status = GetGraphicsResetStatus ? GetGraphicsResetStatus() : GLenum(GL_NO_ERROR);
+  if (status == GL_NO_ERROR) return;
+  const char* whose = status == GL_GUILTY_CONTEXT_RESET     ? ", caused by this program"
+                      : status == GL_INNOCENT_CONTEXT_RESET ? ", caused by another program"
+                                                            : "";
+  throw ContextLost(current_device.renderer, std::string("the device was reset") + whose + ", and what it held is lost",
+                    "expected a device with enough memory that answers in time");
 }
 
 const Device& device() {

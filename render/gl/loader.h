@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/error.h"
+
 namespace fascia::gl {
 
 // clang-format off
@@ -51,6 +53,16 @@ using GetProc = void* (*)(const char* name);
 /// Fills every function above from the current context. Throws Error naming what is missing and what was
 /// found when the context is below 4.3 or has no compute shaders.
 void load(GetProc get_proc);
+
+/// Why the context was lost, GL_NO_ERROR while it is not; null where the driver does not tell. Filled by load().
+extern GLenum (*GetGraphicsResetStatus)();
+/// Throws ContextLost when a reset of the device has taken what the context held. Asks the driver; waits for nothing.
+void require_context();
+
+class ContextLost : public Error {
+ public:
+  using Error::Error;
+};
 
 /// What the current context is: filled by load().
 struct Device {

@@ -29,7 +29,7 @@ void main() {
   uint newest = uint(anderson_state[ANDERSON_NEXT]);
   uint count = min(uint(anderson_state[ANDERSON_COUNT]) + 1u, window);
   float squared = dots[0].z;
-  bool misled = squared > 4.0 * anderson_state[ANDERSON_SQUARED] || squared < ROUNDING * ROUNDING * dots[0].w;
+  bool misled = !(squared <= 4.0 * anderson_state[ANDERSON_SQUARED]) || squared < ROUNDING * ROUNDING * dots[0].w;
   anderson_state[ANDERSON_SQUARED] = squared;
   if (misled) {
     anderson_state[ANDERSON_NEXT] = 0.0;
@@ -65,9 +65,16 @@ void main() {
     for (uint k = 0u; k < j; ++k) x[j] -= a[j][k] * x[k];
     x[j] /= a[j][j];
   }
+  bool finite = true;
   for (uint j = count; j-- > 0u;) {
     for (uint k = j + 1u; k < count; ++k) x[j] -= a[k][j] * x[k];
     x[j] /= a[j][j];
-    anderson_state[ANDERSON_WEIGHTS + j] = scale[j] * x[j];
+    float weight = scale[j] * x[j];
+    anderson_state[ANDERSON_WEIGHTS + j] = weight;
+    finite = finite && !isnan(weight) && !isinf(weight);
+  }
+  if (!finite) {
+    anderson_state[ANDERSON_NEXT] = 0.0;
+    anderson_state[ANDERSON_COUNT] = 0.0;
   }
 }

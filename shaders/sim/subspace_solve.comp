@@ -4,6 +4,7 @@
 // Of a last step that raised the objective only a part is kept instead: where phi(t) = phi(0) + phi'(0) t + c t^4 has its
 // minimum, but no more than half, for the energy of strained tissue is of fourth order in the displacement. Nothing is kept of a step
 // that had no slope down (inertia's), nor with FINAL.
+// Without REMEMBERS the span is that of z_f and z_c.
 // After subspace_dots and subspace_curvature, before subspace_update.
 #include "common/io.glsl"
 #include "sim/subspace_state.glsl"
@@ -73,7 +74,7 @@ void main() {
     float ff = sums[1].x + sums[3].x, fc = sums[1].y + sums[3].y, cc = sums[1].z + sums[3].z;
     // The elastic energy adds to the curvature of the masses; what falls below it is the rounding of two gradients' difference.
     float fp = sums[2].x, cp = sums[2].y, pp = max(sums[2].z, sums[1].w);
-    vec3 diagonal = abs(vec3(ff, cc, pp));
+    vec3 diagonal = abs(vec3(ff, cc, REMEMBERS != 0 ? pp : 0.0));
     vec3 scale = vec3(diagonal.x > 0.0 ? inversesqrt(diagonal.x) : 0.0, diagonal.y > 0.0 ? inversesqrt(diagonal.y) : 0.0,
                       diagonal.z > 0.0 ? inversesqrt(diagonal.z) : 0.0);
     mat3 a = mat3(vec3(ff * scale.x * scale.x, fc * scale.x * scale.y, fp * scale.x * scale.z),

@@ -10,15 +10,15 @@ INPUT_VEC4(BlockInverse, block_inverse)  // [2 * vertex_count]
 INPUT_UINT(CoarseRows, coarse_rows)              // [vertex_count + 1] where each row begins, then node and weight (float bits) in turn
 INPUT_VEC4(CoarseCorrection, coarse_correction)  // [node_count] [m]
 #endif
-#if SWEEP
-// x - 0.4 (z_f + z_c): the largest eigenvalue of the preconditioned Hessian was never seen above 2.3, so this contracts.
-#define RELAXATION 0.4
-INOUT(vec4, Displacement, displacement)  // [vertex_count] u [m]
-#else
-OUTPUT(vec4, FineDirection, fine_direction)      // [vertex_count] z_f [m], the sum of both without SPLIT
+OUTPUT(vec4, FineDirection, fine_direction)  // [vertex_count] z_f [m]; without SPLIT the sum of both, with SWEEP the swept u
 #if SPLIT
-OUTPUT(vec4, CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]
+OUTPUT(vec4, CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]; with SWEEP the sum of both
 #endif
+#if SWEEP
+// u - 0.4 (z_f + z_c): near the minimum the largest eigenvalue of the preconditioned Hessian was never seen above 2.3, so this contracts.
+#define RELAXATION 0.4
+INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
+OUTPUT(vec4, Iterate, iterate)          // [vertex_count] u [m]
 #endif
 
 void main() {
@@ -33,7 +33,10 @@ void main() {
 #endif
   }
 #if SWEEP
-  displacement[i].xyz -= RELAXATION * (fine + coarse);
+  vec3 u = FETCH(displacement, i).xyz;
+  iterate[i] = vec4(u, 0.0);
+  fine_direction[i] = vec4(u - RELAXATION * (fine + coarse), 0.0);
+  coarse_direction[i] = vec4(fine + coarse, 0.0);
 #elif SPLIT
   fine_direction[i] = vec4(fine, 0.0);
   coarse_direction[i] = vec4(coarse, 0.0);

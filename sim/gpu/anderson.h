@@ -26,6 +26,9 @@ class Anderson {
   Passes begin(gl::ProgramCache& programs) const;
   /// After every sweep: one pass per part in the first iteration; three per part and one more in the others.
   Passes passes(gl::ProgramCache& programs, bool first) const;
+  /// vec4 [count]: where the sweep of that part set out from, z_k. Remembered from the iteration before; who moves the state in
+  /// between writes it before every sweep.
+  const gl::Buffer& iterate(std::size_t part) const { return histories_[part].iterate; }
 
  private:
   struct History {

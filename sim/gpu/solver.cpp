@@ -61,7 +61,7 @@ void GpuSolver::make_method() {
     buffers_.set_tet_order(model_, file_order);
     buffers_.set_phantom_count(0);
   }
-  const bool joint = settings_.acceleration == Acceleration::anderson;
+  const bool joint = settings_.acceleration == Acceleration::anderson && settings_.method != Method::two_level;  // which does its own
   bool springs_at_vertices = false;
   switch (settings_.method) {
     case Method::jacobi:
@@ -81,7 +81,7 @@ void GpuSolver::make_method() {
       break;
     case Method::two_level:
       if (levels_stay)
-        two_level->set_acceleration(settings_.acceleration);
+        two_level->set_acceleration(programs_, buffers_, settings_);
       else
         method_ = std::make_unique<TwoLevelMethod>(programs_, model_, buffers_, settings_);
       springs_at_vertices = true;

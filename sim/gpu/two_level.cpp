@@ -15,27 +15,27 @@ TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& mo
       vertex_tets_(make_vertex_tets(buffers)),
       block_inverse_("block_inverse", 2 * sizeof(vec4) * buffers.vertex_count),
       vertices_(programs, buffers.vertex_count),
-      tets_(programs, buffers.tet_count) {
-  set_acceleration(settings.acceleration);
+      tets_(programs, buffers.tet_count),
+      fine_direction_("fine_direction", gradient_.gradient().bytes()),
+      last_step_("last_step", gradient_.gradient().bytes()),
+      previous_gradient_("previous_gradient", gradient_.gradient().bytes()),
+      dot_partials_("dot_partials", 3 * sizeof(vec4) * vertices_.partials),
+      curvature_partials_("curvature_partials", sizeof(vec4) * tets_.partials),
+      state_("subspace_state", kStateFloats * sizeof(float)) {
+  set_acceleration(programs, buffers, settings);
 }
 
-void TwoLevelMethod::set_acceleration(Acceleration acceleration) {
-  minimizes_ = acceleration == Acceleration::subspace || acceleration == Acceleration::nonlinear_cg;
-  splits_ = acceleration == Acceleration::subspace && !coarse_.empty();
-  const auto made = [](bool wanted, const char* label, std::size_t bytes) { return wanted ? gl::Buffer(label, bytes) : gl::Buffer(); };
-  const std::size_t bytes = gradient_.gradient().bytes();
-  fine_direction_ = made(minimizes_, "fine_direction", bytes);
-  coarse_direction_ = made(splits_, "coarse_direction", bytes);
-  last_step_ = made(minimizes_, "last_step", bytes);
-  previous_gradient_ = made(minimizes_, "previous_gradient", bytes);
-  dot_partials_ = made(minimizes_, "dot_partials", 3 * sizeof(vec4) * vertices_.partials);
-  curvature_partials_ = made(minimizes_, "curvature_partials", sizeof(vec4) * tets_.partials);
-  state_ = made(minimizes_, "subspace_state", kStateFloats * sizeof(float));
+void TwoLevelMethod::set_acceleration(const gl::ProgramCache& programs, const SimBuffers& buffers, const SolverSettings& settings) {
+  remembers_ = settings.acceleration == Acceleration::subspace || settings.acceleration == Acceleration::nonlinear_cg;
+  splits_ = (settings.acceleration == Acceleration::subspace && !coarse_.empty()) || settings.acceleration == Acceleration::anderson;
+  coarse_direction_ = splits_ ? gl::Buffer("coarse_direction", fine_direction_.bytes()) : gl::Buffer();
+  anderson_.reset();
+  if (settings.acceleration == Acceleration::anderson)
+    anderson_.emplace(programs, std::vector<AndersonPart>{{&fine_direction_, buffers.vertex_count, &buffers.mass}}, settings.window);
 }
 
 // The start that inertia proposes may be far up the energy's walls: it is a step from u_n, to be kept only if it lowers the objective.
 Passes TwoLevelMethod::begin(const Recording& r) const {
-  if (!minimizes_) return {};
   Passes passes;
   passes.emplace_back(r.programs.compute("sim/guess_begin.comp"),
                       gl::ComputePass::Bindings{{"previous_displacement", &r.buffers.previous_displacement},
@@ -73,32 +73,38 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
   return passes;
 }
 
-Passes TwoLevelMethod::iteration(const Recording& r, bool) const {
+Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
   Passes passes;
   if (!coarse_.empty()) append(passes, coarse_.passes(r, gradient_.gradient()));
   gl::ComputePass::Bindings correct{{"gradient", &gradient_.gradient()},
                                     {"predicted", &r.buffers.predicted},
-                                    {"block_inverse", &block_inverse_}};
+                                    {"block_inverse", &block_inverse_},
+                                    {"fine_direction", &fine_direction_}};
   if (!coarse_.empty()) {
     correct.emplace_back("coarse_rows", &coarse_.rows());
     correct.emplace_back("coarse_correction", &coarse_.correction());
   }
-  if (minimizes_) {
-    correct.emplace_back("fine_direction", &fine_direction_);
-    if (splits_) correct.emplace_back("coarse_direction", &coarse_direction_);
-  } else {
+  if (splits_) correct.emplace_back("coarse_direction", &coarse_direction_);
+  if (anderson_) {
     correct.emplace_back("displacement", &r.buffers.displacement);
+    correct.emplace_back("iterate", &anderson_->iterate(0));
   }
   passes.emplace_back(r.programs.compute("sim/two_level_correct.comp", {{"COARSE", coarse_.empty() ? "0" : "1"},
                                                                         {"SPLIT", splits_ ? "1" : "0"},
-                                                                        {"SWEEP", minimizes_ ? "0" : "1"}}),
+                                                                        {"SWEEP", anderson_ ? "1" : "0"}}),
                       std::move(correct), r.buffers.vertex_count);
-  if (minimizes_) append(passes, subspace_step(r, false));
+  if (anderson_) {
+    append(passes, anderson_->passes(r.programs, first));
+    passes.emplace_back(
+        r.programs.compute("sim/sweep_direction.comp"),
+        gl::ComputePass::Bindings{{"displacement", &r.buffers.displacement}, {"fine_direction", &fine_direction_}},
+        r.buffers.vertex_count);
+  }
+  append(passes, subspace_step(r, false));
   return passes;
 }
 
 Passes TwoLevelMethod::end(const Recording& r) const {
-  if (!minimizes_) return {};
   Passes passes = gradient_.passes(r);  // the last step, too, is taken back if it raised the objective
   append(passes, subspace_step(r, true));
   return passes;
@@ -152,7 +158,7 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool last) const {
     solve.emplace_back("curvature_partials", &curvature_partials_);
     constants.emplace_back("curvature_count", tets_.partials);
   }
-  add("sim/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}}, std::move(solve),
+  add("sim/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}, {"REMEMBERS", remembers_ ? "1" : "0"}}, std::move(solve),
       Reduction::kGroup, std::move(constants));
   gl::ComputePass::Bindings update{
       {"subspace_state", &state_}, {"last_step", &last_step_}, {"displacement", &r.buffers.displacement}};

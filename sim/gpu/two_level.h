@@ -5,6 +5,7 @@
 // (compare the locally optimal block iteration of Knyazev 2001, and the two-dimensional subspace trust region of Byrd, Schnabel,
 // Shultz 1988); a step that raises the objective is halved.
 #pragma once
+#include "sim/gpu/anderson.h"
 #include "sim/gpu/coarse_level.h"
 #include "sim/gpu/reduction.h"
 #include "sim/gpu/step_gradient.h"
@@ -13,12 +14,12 @@ namespace fascia {
 
 class TwoLevelMethod : public StepMethod {
  public:
-  /// `subspace`: z_f and z_c each get their own factor. `nonlinear_cg`: their sum gets one. Others: a plain relaxed sweep,
-  /// u - 0.4 (z_f + z_c), for an acceleration to work with.
+  /// `subspace`: z_f and z_c each get their own factor. `nonlinear_cg`: their sum gets one. `none`: the same without p. `anderson`:
+  /// their sum gets one, and the direction to what Anderson makes of relaxed sweeps u - 0.4 (z_f + z_c) another.
   TwoLevelMethod(const gl::ProgramCache& programs, const Model& model, const SimBuffers& buffers, const SolverSettings& settings);
 
   /// The levels stay as they are.
-  void set_acceleration(Acceleration acceleration);
+  void set_acceleration(const gl::ProgramCache& programs, const SimBuffers& buffers, const SolverSettings& settings);
   bool starts_without_gravity() const override { return true; }
   const StepGradient* gradient() const override { return &gradient_; }
   Passes begin(const Recording& recording) const override;
@@ -32,13 +33,15 @@ class TwoLevelMethod : public StepMethod {
   gl::ComputePass objective_sum(const Recording& recording) const;
   Passes subspace_step(const Recording& recording, bool last) const;
 
-  bool minimizes_ = false, splits_ = false;
+  bool remembers_ = false, splits_ = false;  // whether the span has p; whether it has two directions beside it
   StepGradient gradient_;
   CoarseLevel coarse_;
   gl::Buffer vertex_tets_, block_inverse_;
   Reduction vertices_, tets_;
-  gl::Buffer fine_direction_, coarse_direction_, last_step_, previous_gradient_;  // vec4 [vertex_count]
+  gl::Buffer fine_direction_, coarse_direction_;  // vec4 [vertex_count]; the two directions, whatever they are
+  gl::Buffer last_step_, previous_gradient_;      // vec4 [vertex_count]
   gl::Buffer dot_partials_, curvature_partials_, state_;
+  std::optional<Anderson> anderson_;  // of the sweeps; its results stand in fine_direction_
 };
 
 }  // namespace fascia

@@ -153,14 +153,20 @@ TEST_CASE("ffmpeg missing or failing midway leaves no half video", "[cli]") {
   CHECK(missing.err.find("ffmpeg") != std::string::npos);
   CHECK(fs::is_empty(folder.path()));
 
-  write_file(tools / "ffmpeg", "#!/bin/sh\nhead -c 1000000 >/dev/null\necho 'No space left on device' >&2\nexit 1\n");
-  chmod((tools / "ffmpeg").c_str(), 0755);
-  const CommandResult failing = render(tools.path().string() + ":/usr/bin:/bin");
-  INFO(failing.err);
-  CHECK(failing.exit_code == 1);
-  CHECK(failing.err.find("No space left on device") != std::string::npos);
-  CHECK(std::count(failing.err.begin(), failing.err.end(), '\n') == 1);
-  CHECK(fs::is_empty(folder.path()));
+  const std::string first_frames = "#!/bin/sh\nhead -c 1000000 >/dev/null\n";
+  struct {
+    std::string end, said;
+  } cases[] = {{"echo 'No space left on device' >&2\nexit 1\n", "(No space left on device)"}, {"kill -9 $$\n", "ffmpeg stopped after "}};
+  for (const auto& [end, said] : cases) {
+    write_file(tools / "ffmpeg", first_frames + end);
+    chmod((tools / "ffmpeg").c_str(), 0755);
+    const CommandResult failing = render(tools.path().string() + ":/usr/bin:/bin");
+    INFO(failing.err);
+    CHECK(failing.exit_code == 1);
+    CHECK(failing.err.find(said) != std::string::npos);
+    CHECK(std::count(failing.err.begin(), failing.err.end(), '\n') == 1);
+    CHECK(fs::is_empty(folder.path()));
+  }
 }
 
 TEST_CASE("a picture carries its provenance", "[cli]") {

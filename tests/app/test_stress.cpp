@@ -118,18 +118,18 @@ TEST_CASE("a failure leaves a table, a summary, a picture and a replay that repe
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_fascia(arguments, folder.path());
   };
-  const std::string only = "start/mirrored E=1e+06";
+  const std::string only = "start/mirrored E=1e+06/two_level + subspace";
   const CommandResult passed = stress({"--only", only});
   CAPTURE(passed.err);
   CHECK(passed.exit_code == 0);
-  CHECK_THAT(read_file(folder.path() / "out" / "stress.csv"), Catch::Contains("start,mirrored E=1e+06,two_level,nonlinear_cg,1,"));
-  CHECK_THAT(read_file(folder.path() / "out" / "summary.md"), Catch::Contains("| two_level + nonlinear_cg | 1 / 1 | 1 / 1 |"));
+  CHECK_THAT(read_file(folder.path() / "out" / "stress.csv"), Catch::Contains("start,mirrored E=1e+06,two_level,subspace,1,"));
+  CHECK_THAT(read_file(folder.path() / "out" / "summary.md"), Catch::Contains("| two_level + subspace | 1 / 1 | 1 / 1 |"));
 
   const CommandResult failed = stress({"--only", only, "--model", "st_venant_kirchhoff"});
   CAPTURE(failed.err);
   CHECK(failed.exit_code == 1);
-  CHECK_THAT(failed.err, Catch::Contains("FAILED start/mirrored E=1e+06/two_level + nonlinear_cg: "));
-  const auto replay = folder.path() / "out" / "failures" / "start_mirrored_E_1e_06_two_level___nonlinear_cg.fascia";
+  CHECK_THAT(failed.err, Catch::Contains("FAILED start/mirrored E=1e+06/two_level + subspace: "));
+  const auto replay = folder.path() / "out" / "failures" / "start_mirrored_E_1e_06_two_level___subspace.fascia";
   CHECK(std::filesystem::exists(std::filesystem::path(replay).replace_extension(".png")));
   const CommandResult again = run_fascia({"run", "--replay", replay.string(), "--context", "osmesa", "--stats", "stats.json"}, folder.path());
   CAPTURE(again.err);

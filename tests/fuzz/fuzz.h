@@ -24,21 +24,21 @@ void require(bool kept, const char* promise);
 void check_mesh(const TetMesh& mesh);
 
 #ifdef FASCIA_LIBFUZZER
-#define FUZZ_TARGET(name)                                                            \
-  static void read_##name(std::string_view data);                                    \
-  extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) { \
-    fascia::fuzz::run(read_##name, {reinterpret_cast<const char*>(bytes), size});    \
-    return 0;                                                                        \
-  }                                                                                  \
-  static void read_##name(std::string_view data)
+#define FUZZ_TARGET(name)                                                                                          \
+  static void target_##name(std::string_view data);                                                                \
+  extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {                             \
+    fascia::fuzz::run(target_##name, {reinterpret_cast<const char*>(bytes), size});                                \
+    return 0;                                                                                                      \
+  }                                                                                                                \
+  static void target_##name(std::string_view data)
 #else
 /// All targets of the program, by name.
 std::map<std::string, Target>& targets();
 
-#define FUZZ_TARGET(name)                                                                                       \
-  static void read_##name(std::string_view data);                                                               \
-  [[maybe_unused]] static const bool name##_is_known = fascia::fuzz::targets().emplace(#name, read_##name).second; \
-  static void read_##name(std::string_view data)
+#define FUZZ_TARGET(name)                                                                                          \
+  static void target_##name(std::string_view data);                                                                \
+  [[maybe_unused]] static const bool name##_is_known = fascia::fuzz::targets().emplace(#name, target_##name).second;\
+  static void target_##name(std::string_view data)
 #endif
 
 }  // namespace fascia::fuzz

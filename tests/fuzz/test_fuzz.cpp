@@ -3,13 +3,12 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <new>
 #include <random>
 
 #include "tests/fuzz/fuzz.h"
+#include "tests/fuzz/watched_new.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -17,24 +16,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A count in a file's header must not be believed: the largest single allocation is watched. The inputs are at most 100 KB, and 1032 times
-// as much is what zlib can make of them.
-std::size_t largest_allocation = 0;
-constexpr std::size_t most_allocated = std::size_t{128} << 20;
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  largest_allocation = std::max(largest_allocation, size);
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-
-namespace {
-
 constexpr int mutations_of_a_target = 4000;
+
+// A count in a file's header must not be believed. The inputs are at most 100 KB, and 1032 times as much is what zlib can make of them.
+constexpr std::size_t most_allocated = std::size_t{128} << 20;
 
 std::vector<std::string> contents_of(const fs::path& folder) {
   std::vector<fs::path> paths;
@@ -120,10 +105,10 @@ TEST_CASE("readers read or refuse: seeds, what once broke them, and mutations", 
     std::size_t read = 0, refused = 0, largest = 0;
     const auto run = [&](const std::string& input) {
       INFO("target " << name << ", input: " << input);
-      largest_allocation = 0;
+      test::largest_allocation = 0;
       CHECK_NOTHROW(++(fuzz::run(target, input) ? read : refused));
-      CHECK(largest_allocation <= most_allocated);
-      largest = std::max(largest, largest_allocation);
+      CHECK(test::largest_allocation <= most_allocated);
+      largest = std::max(largest, test::largest_allocation);
     };
     for (const std::string& input : inputs) run(input);
     Mutator mutator(inputs);

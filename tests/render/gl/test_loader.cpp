@@ -19,7 +19,24 @@ Support sufficient() {
   return s;
 }
 
+GLenum reset_status = GL_NO_ERROR;
+GLenum fake_reset_status() { return reset_status; }
+
 }  // namespace
+
+TEST_CASE("a device that was reset is an error, one that cannot tell is not") {
+  auto* const own = GetGraphicsResetStatus;
+  GetGraphicsResetStatus = nullptr;
+  CHECK_NOTHROW(require_context());
+  GetGraphicsResetStatus = fake_reset_status;
+  reset_status = GL_NO_ERROR;
+  CHECK_NOTHROW(require_context());
+  reset_status = GL_GUILTY_CONTEXT_RESET;
+  CHECK_THROWS_WITH(require_context(), Contains("the device was reset, caused by this program, and what it held is lost"));
+  reset_status = GL_UNKNOWN_CONTEXT_RESET;
+  CHECK_THROWS_AS(require_context(), ContextLost);
+  GetGraphicsResetStatus = own;
+}
 
 TEST_CASE("the limits that OpenGL 4.3 guarantees are enough") {
   CHECK(refusal(sufficient()) == "");
