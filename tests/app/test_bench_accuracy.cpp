@@ -86,7 +86,7 @@ TEST_CASE("bench accuracy measures once, and goes on", "[bench]") {
   for (const char* fact : {"# fascia ", "# renderer: ", "# machine: ", "# LP_NUM_THREADS: "}) CHECK(table.find(fact) != std::string::npos);
   REQUIRE(lines.size() == 1 + 3 + 3 + 2);
   CHECK(lines.front() == kColumns);
-  CHECK(lines[1].rfind("one_step,48,1000000,0.3,0.01666667,2,two_level,nonlinear_cg,1,", 0) == 0);
+  CHECK(lines[1].rfind("one_step,48,1000000,0.3,0.01666667,2,two_level,subspace,1,", 0) == 0);
   for (std::size_t row = 1; row < lines.size(); ++row) {
     const std::vector<std::string> cells = cells_of(lines[row]);
     REQUIRE(cells.size() == 12);
@@ -98,7 +98,7 @@ TEST_CASE("bench accuracy measures once, and goes on", "[bench]") {
     if (row > 1 && before[0] == cells[0]) CHECK(error < std::stod(before[9]));
   }
   const std::string summary = read_file(folder / "accuracy.md");
-  CHECK(summary.find("| two_level + nonlinear_cg |") != std::string::npos);
+  CHECK(summary.find("| two_level + subspace |") != std::string::npos);
   CHECK(std::count(summary.begin(), summary.end(), '\n') > 20);
   const std::string chart = file_name_of(grid.cases.front());
   for (const char* ending : {"_iterations.svg", "_iterations.png", "_time.svg", "_time.png"}) {

@@ -20,8 +20,9 @@ class DoubleTwoLevel {
   Eigen::VectorXd fine(const Eigen::VectorXd& gradient) const;    // of the blocks at the start
   Eigen::VectorXd coarse(const Eigen::VectorXd& gradient) const;  // with the rotations of now
   void begin(const Eigen::VectorXd& base);  // the start is a step from `base`, to be judged by descend()
-  void relax(double factor);                                      // u - factor (z_f + z_c)
-  void descend(bool split);  // the step within the span of z_f + z_c, or of both, and the last step; of one that raised the objective a part is kept
+  /// The step within the span of z_f, z_c and the last step (subspace), of z_f + z_c and the last step (nonlinear_cg), or of
+  /// z_f + z_c (none). Of one that raised the objective a part is kept.
+  void descend(Acceleration acceleration);
 
  private:
   const Model& model_;
