@@ -21,8 +21,9 @@ struct Breakdown {
 /// Precondition: simulation.astray(). The simulation goes back to its last sound state, at rest.
 Breakdown find_breakdown(Simulation& simulation);
 
-/// For commands without a window: nothing if the state is sound; throws gl::ContextLost; else writes a replay into the working folder, or the folder for
-/// temporary files where that cannot be written, and throws an Error that says what came apart and names the replay. Waits for the GPU.
+/// For commands without a window: nothing if the state is sound; else writes a replay into the working folder, or the folder for
+/// temporary files where that cannot be written, and throws an Error that says what came apart and names the replay. Throws
+/// gl::ContextLost when there is no state any more. Waits for the GPU.
 void require_sound(Simulation& simulation);
 
 /// The replay, under a dated name. Returns where.

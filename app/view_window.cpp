@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kIdleWait = 1.0 / 30;  // [s] between frames while time stands still and nobody touches anything
 constexpr double kHiddenWait = 0.1;     // [s] while minimised
-constexpr auto kRemember = std::chrono::seconds(10);
+constexpr auto kRemember = std::chrono::seconds(10);  // from one remembered state to the next
 constexpr double kShortestFrame = 0.004;  // [s] where the display does not set the pace
 
 }  // namespace
@@ -66,11 +66,11 @@ void ViewWindow::run() {
     frame(elapsed);
     try {
       gl::require_context();
-      remember();
     } catch (const gl::ContextLost& lost) {
       if (!remembered_) throw;
       throw gl::ContextLost(std::string(lost.what()) + ". The scene is kept in " + keep_replay(*remembered_).string());
     }
+    attempt([&] { remember(); });
   }
   stats_.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   if (video_.running()) video_.finish();
@@ -229,7 +229,7 @@ void ViewWindow::remember() {
   Simulation& simulation = session_->simulation;
   const Clock::time_point now = Clock::now();
   if ((remembered_ && now - remembered_at_ < kRemember) || simulation.check_now()) return;
-  remembered_ = Replay{simulation.scene, simulation.state(), {}, 0};
+  remembered_ = Replay{scene_now(), simulation.state(), {}, 0};
   remembered_at_ = now;
 }
 

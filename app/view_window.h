@@ -48,7 +48,8 @@ class ViewWindow {
   void make_step();
   void read_diagnostics();
   void go_back();  // the state came apart
-  void remember();
+  void remember();              // now and then, for a device that is lost
+  Scene scene_now() const;      // with the materials and the camera of now
   void draw();
   void capture(const Requests& requests);
 

@@ -110,12 +110,16 @@ void ViewWindow::set_title() {
   glfwSetWindowTitle(graphics_.context->window(), (title + " - fascia").c_str());
 }
 
-void ViewWindow::save(const fs::path& path) {
+Scene ViewWindow::scene_now() const {
   Scene scene = session_->simulation.scene;
   follow_materials(scene, session_->simulation.model);
   const Camera& camera = session_->camera;
   scene.camera = CameraSettings{camera.eye, camera.target, camera.up, camera.fov_deg};
-  write_file(path, scene_to_json(scene, path.parent_path()));
+  return scene;
+}
+
+void ViewWindow::save(const fs::path& path) {
+  write_file(path, scene_to_json(scene_now(), path.parent_path()));
   dialogs_.opened(path);
   say("Saved " + path.string());
 }

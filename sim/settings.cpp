@@ -103,7 +103,7 @@ const char* label_of(Acceleration acceleration) {
 const char* help_of(Acceleration acceleration) {
   switch (acceleration) {
     case Acceleration::none:
-      return "Every iteration as the method makes it.";
+      return "Every iteration as the method makes it; two_level still chooses the length of its step by the minimum of a quadratic model.";
     case Acceleration::chebyshev:
       return "Overshoots by weights that follow from the spectral radius of the iteration (Wang 2015): three dispatches, nearly free. "
              "Falls back to plain iterations when the residual grows. It moves the positions and not the multipliers: with many "

@@ -2,7 +2,6 @@
 
 #include <cstdio>
 
-
 namespace fascia::gl {
 
 #define X(name) decltype(&::gl##name) name = nullptr;

@@ -3,7 +3,7 @@
 // of iterations hardly depends on the mesh. The two corrections z_f and z_c are combined with the last step p by minimising a
 // quadratic model of the objective over their span, with the curvature of the last step taken from the change of the gradient
 // (compare the locally optimal block iteration of Knyazev 2001, and the two-dimensional subspace trust region of Byrd, Schnabel,
-// Shultz 1988); a step that raises the objective is halved.
+// Shultz 1988); of a step that raises the objective only a part is kept.
 #pragma once
 #include "sim/gpu/anderson.h"
 #include "sim/gpu/coarse_level.h"

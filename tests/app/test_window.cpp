@@ -278,5 +278,6 @@ TEST_CASE("a window whose device is reset ends and leaves the scene as it was") 
   REQUIRE(kept.size() == 1);
   CHECK(kept[0].scene.title == "Cube");
   CHECK(build_model(kept[0].scene).materials == build_model(scene).materials);
+  CHECK(kept[0].scene.camera.has_value());  // of now: the file has none
   CHECK(kept[0].start.has_value());
 }
