@@ -7,6 +7,7 @@
 
 #include "app/bench.h"
 #include "app/commands.h"
+#include "app/paths.h"
 #include "app/soak.h"
 #include "app/stress.h"
 #include "sim/error.h"
@@ -148,11 +149,15 @@ int command_stress(const BenchOptions& options, const std::string& only, Materia
   return stopped ? exit_interrupted : failed > 0 ? exit_failed : exit_done;
 }
 
-int command_soak(const BenchOptions& options, long steps) {
+int command_soak(const BenchOptions& options, const std::vector<std::string>& scenes, long steps) {
   Bench bench(options, "soak");
   try {
     bench.say(describe(bench.graphics));
-    return soak_scenes(bench, steps) > 0 ? exit_failed : exit_done;
+    std::vector<fs::path> inputs(scenes.begin(), scenes.end());
+    if (inputs.empty())
+      for (const char* name : {"cube.json", "inclusion.json", "beam.json"})
+        inputs.push_back(default_scene(bench.graphics.data_dir).parent_path() / name);
+    return soak_scenes(bench, inputs, steps) > 0 ? exit_failed : exit_done;
   } catch (const Interrupted&) {
     return exit_interrupted;
   }

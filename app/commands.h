@@ -15,7 +15,8 @@ int command_bench_figures(const BenchOptions& options);
 int command_bench_accuracy(const BenchOptions& options, bool fresh);
 /// The pairs' cases whose name has a part that matches `only` (empty: all), with that material model.
 int command_stress(const BenchOptions& options, const std::string& only, MaterialModel model);
-int command_soak(const BenchOptions& options, long steps);
+/// Without scenes: three shipped ones.
+int command_soak(const BenchOptions& options, const std::vector<std::string>& scenes, long steps);
 int command_info(const InfoOptions& options);
 int command_convert(const ConvertOptions& options);
 

@@ -128,7 +128,9 @@ int run(int argc, char** argv) {
 
   BenchOptions soak;
   long soak_steps = 100000;
-  CLI::App* soak_command = app.add_subcommand("soak", "shipped scenes, grabbed and let go for very long, twice: what drifts, what grows");
+  std::vector<std::string> soak_inputs;
+  CLI::App* soak_command = app.add_subcommand("soak", "scenes that are grabbed and let go for very long, twice: what drifts, what grows");
+  soak_command->add_option("scenes", soak_inputs, "scenes (.json) or tetrahedral meshes; default: three shipped ones");
   soak_command->add_option("--out", soak.out, "folder for the table")->type_name("DIR")->required();
   soak_command->add_option("--steps", soak_steps, "of every run")->check(CLI::Range(2400l, 1000000000l))->capture_default_str();
   add_graphics(soak_command, soak);
@@ -152,7 +154,7 @@ int run(int argc, char** argv) {
   if (*run_command) return command_run(simulate);
   if (*figures_command) return command_bench_figures(figures);
   if (*accuracy_command) return command_bench_accuracy(accuracy, fresh);
-  if (*soak_command) return command_soak(soak, soak_steps);
+  if (*soak_command) return command_soak(soak, soak_inputs, soak_steps);
   if (*stress_command) return command_stress(stress, only, *find_material_model(model));
   if (*info_command) return command_info(info);
   if (*convert_command) return command_convert(convert);

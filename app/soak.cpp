@@ -7,7 +7,6 @@
 #include <fstream>
 
 #include "app/breakdown.h"
-#include "app/paths.h"
 
 namespace fascia {
 namespace {
@@ -119,13 +118,14 @@ std::vector<std::string> soak_failures(const SoakRun& first, const SoakRun& seco
   return failures;
 }
 
-int soak_scenes(Bench& bench, long steps) {
+int soak_scenes(Bench& bench, const std::vector<std::filesystem::path>& inputs, long steps) {
   Table table;
   table.columns = {"scene", "tets", "steps", "run", "hash", "elastic_first_J", "elastic_last_J", "kinetic_last_J", "elastic_grabbed_J",
                    "gpu_first_bytes", "gpu_last_bytes", "memory_first_bytes", "memory_last_bytes", "failures"};
   int failed = 0;
-  for (const char* name : {"cube", "inclusion", "beam"}) {
-    const Scene scene = open_scene(default_scene(bench.graphics.data_dir).parent_path() / (std::string(name) + ".json"));
+  for (const std::filesystem::path& input : inputs) {
+    const Scene scene = open_scene(input);
+    const std::string name = input.stem().string();
     const std::size_t tets = build_model(scene).tets.size();
     const SoakRun runs[2] = {soak(bench, scene, steps), soak(bench, scene, steps)};
     std::string what;
@@ -139,7 +139,7 @@ int soak_scenes(Bench& bench, long steps) {
                             run.gpu_first, run.gpu_last, run.memory_first, run.memory_last, what});
     }
     bench.write("soak", table);
-    bench.say(std::string(name) + ": " + (what.empty() ? "passed" : what));
+    bench.say(name + ": " + (what.empty() ? "passed" : what));
   }
   return failed;
 }

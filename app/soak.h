@@ -1,6 +1,7 @@
-// Long runs: shipped scenes that are grabbed and let go again and again, twice, to see what creeps.
+// Long runs: scenes that are grabbed and let go again and again, twice, to see what creeps.
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ SoakRun soak(Bench& bench, const Scene& scene, long steps);
 /// What is wrong with two runs of the same: one text each; empty: nothing.
 std::vector<std::string> soak_failures(const SoakRun& first, const SoakRun& second);
 
-/// The three scenes, twice each: soak.csv. Returns how many failed.
-int soak_scenes(Bench& bench, long steps);
+/// Every scene twice: soak.csv, written anew after each. Returns how many failed.
+int soak_scenes(Bench& bench, const std::vector<std::filesystem::path>& inputs, long steps);
 
 }  // namespace fascia
