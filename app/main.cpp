@@ -80,7 +80,7 @@ int run(int argc, char** argv) {
   render_command->add_option("--video", render.video, "every frame, through ffmpeg")->type_name("FILE.mp4");
   render_command->add_option("--fps", render.fps, "frames per second of the video")->check(CLI::Range(1.0, 1000.0))->capture_default_str();
   render_command->add_option("--samples", render.samples, "samples per pixel")->check(CLI::Range(1, 16))->capture_default_str();
-  render_command->add_option("--color", render.color, "heat map: none, strain or von_mises (scene key display.color)");
+  render_command->add_option("--color", render.color, "heat map: none, strain, von_mises or error (scene key display.color)");
   render_command->add_flag("--wireframe", render.wireframe, "draw the surface's edges");
   render_command->add_flag("--ui", render.panels, "draw the window's panels too");
 

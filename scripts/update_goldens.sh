@@ -2,6 +2,8 @@
 # Renders the golden pictures of tests/app/test_golden.cpp anew. Look at every changed picture before committing it.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source scripts/packages.sh
+[ -n "${FASCIA:-}" ] || build_preset release
 fascia=${FASCIA:-build/release/fascia}
 render() {
   local name=$1 scene=$2

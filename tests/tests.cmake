@@ -9,9 +9,21 @@ function(fascia_test name)
   target_link_libraries(${name} PRIVATE test_support ${T_LIBS})
   target_precompile_headers(${name} REUSE_FROM test_support)
   add_test(NAME ${name} COMMAND ${name})
-  # Small meshes and pictures: llvmpipe's worker threads cost more than they bring, four times as much on a busy machine.
-  set_tests_properties(${name} PROPERTIES LABELS "${T_LABELS}" TIMEOUT 900 ENVIRONMENT LP_NUM_THREADS=0)
+  set_tests_properties(${name} PROPERTIES LABELS "${T_LABELS}" TIMEOUT ${FASCIA_TEST_TIMEOUT} ENVIRONMENT "${FASCIA_TEST_ENVIRONMENT}")
 endfunction()
+
+# A hang, not slowness: sanitizers take ten times as long.
+set(FASCIA_TEST_TIMEOUT 1200)
+if(FASCIA_SANITIZE)
+  set(FASCIA_TEST_TIMEOUT 12000)
+endif()
+# The same renderer on every machine, whatever graphics card it has. Small meshes and pictures: llvmpipe's worker threads cost more
+# than they bring, four times as much on a busy machine.
+set(FASCIA_TEST_ENVIRONMENT LP_NUM_THREADS=0 LIBGL_ALWAYS_SOFTWARE=1)
+set(mesa_egl /usr/share/glvnd/egl_vendor.d/50_mesa.json)
+if(EXISTS ${mesa_egl})
+  list(APPEND FASCIA_TEST_ENVIRONMENT __EGL_VENDOR_LIBRARY_FILENAMES=${mesa_egl})
+endif()
 
 set(T ${PROJECT_SOURCE_DIR}/tests)
 fascia_test(test_mesh SOURCES ${T}/sim/test_*mesh*.cpp ${T}/sim/test_surface.cpp LIBS sim_core)
@@ -30,7 +42,7 @@ if(TARGET test_app)
 endif()
 if(TARGET fascia)
   add_test(NAME stress COMMAND fascia stress --quick --context osmesa --only "/two_level + subspace" --out ${CMAKE_BINARY_DIR}/stress)
-  set_tests_properties(stress PROPERTIES LABELS stress TIMEOUT 900 ENVIRONMENT LP_NUM_THREADS=0)
+  set_tests_properties(stress PROPERTIES LABELS stress TIMEOUT ${FASCIA_TEST_TIMEOUT} ENVIRONMENT "${FASCIA_TEST_ENVIRONMENT}")
 endif()
 add_test(NAME include_directions COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
          -P ${T}/include_directions.cmake)

@@ -50,9 +50,17 @@ std::vector<std::string> with_size(std::vector<std::string> arguments) {
   return arguments;
 }
 
-double changed_share(const Screenshot& a, const Screenshot& b) {
-  return difference(right_part(a.image, kPanels), right_part(b.image, kPanels)).share;
+// Without panels, hints and messages, which lie at the edges.
+Image scene_part(const Screenshot& shot) {
+  constexpr int kEdge = 60;
+  Image part = right_part(shot.image, kPanels);
+  const auto row = static_cast<std::ptrdiff_t>(4) * part.width;
+  part.height -= 2 * kEdge;
+  part.rgba = {part.rgba.begin() + kEdge * row, part.rgba.begin() + (kEdge + part.height) * row};
+  return part;
 }
+
+double changed_share(const Screenshot& a, const Screenshot& b) { return difference(scene_part(a), scene_part(b)).share; }
 
 // Middle of the first slider's knob in the panels: the accent color (see ui_style.cpp), in the uppermost rows where it is.
 struct Place {
