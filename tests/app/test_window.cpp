@@ -184,14 +184,19 @@ TEST_CASE("a scene that cannot be opened leaves the open one, and another opens 
   CHECK(window.screenshot().title == "First");
 
   // Characters typed before the dialog has taken the keyboard are lost, so everything is tried until it works; Escape closes a
-  // dialog that was left open.
+  // dialog that was left open. On a busy machine a frame takes seconds: every try gives it more time.
+  int patience = 0;
   const auto open = [&](const std::string& name) {
+    ++patience;
+    const auto wait = [&] {
+      for (int i = 0; i < patience; ++i) window.pause();
+    };
     window.key("Escape");
     window.key("ctrl+o");
-    window.pause();
+    wait();
     window.type(name);
     window.key("Return");
-    window.pause();
+    wait();
     window.key("Escape");
   };
   // Of the red box that an error is shown in (see panels_help.cpp).
