@@ -7,8 +7,6 @@
 
 #include "app/bench.h"
 #include "app/commands.h"
-#include "app/paths.h"
-#include "app/soak.h"
 #include "app/stress.h"
 #include "sim/error.h"
 #include "sim/file.h"
@@ -147,20 +145,6 @@ int command_stress(const BenchOptions& options, const std::string& only, Materia
   if (!options.quiet)
     std::cerr << "fascia: " << rows.size() << " cases, " << failed << " failed: " << (bench.folder / "summary.md").string() << '\n';
   return stopped ? exit_interrupted : failed > 0 ? exit_failed : exit_done;
-}
-
-int command_soak(const BenchOptions& options, const std::vector<std::string>& scenes, long steps) {
-  Bench bench(options, "soak");
-  try {
-    bench.say(describe(bench.graphics));
-    std::vector<fs::path> inputs(scenes.begin(), scenes.end());
-    if (inputs.empty())
-      for (const char* name : {"cube.json", "inclusion.json", "beam.json"})
-        inputs.push_back(default_scene(bench.graphics.data_dir).parent_path() / name);
-    return soak_scenes(bench, inputs, steps) > 0 ? exit_failed : exit_done;
-  } catch (const Interrupted&) {
-    return exit_interrupted;
-  }
 }
 
 }  // namespace fascia

@@ -12,7 +12,7 @@ function(fascia_test name)
   set_tests_properties(${name} PROPERTIES LABELS "${T_LABELS}" TIMEOUT ${FASCIA_TEST_TIMEOUT} ENVIRONMENT "${FASCIA_TEST_ENVIRONMENT}")
 endfunction()
 
-# A hang, not slowness: sanitizers take ten times as long.
+# Against hangs; code under sanitizers is many times slower.
 set(FASCIA_TEST_TIMEOUT 1200)
 if(FASCIA_SANITIZE)
   set(FASCIA_TEST_TIMEOUT 12000)

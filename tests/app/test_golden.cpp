@@ -14,11 +14,12 @@ using namespace fascia::test;
 
 namespace {
 
-constexpr double max_mean = 0.5 / 255, max_share = 0.005;
+constexpr double max_mean = 0.5 / 255;
 
 struct Golden {
   std::string name, scene;
   std::vector<std::string> options;
+  double max_share = 0.005;
 };
 
 const std::vector<Golden>& goldens() {
@@ -27,7 +28,7 @@ const std::vector<Golden>& goldens() {
       {"beam_wireframe", "beam.json", {"--steps", "30", "--wireframe"}},
       {"ligament_stress", "ligament.json", {"--steps", "30", "--color", "von_mises"}},
       {"inclusion_strain", "inclusion.json", {"--steps", "30", "--color", "strain"}},
-      {"cube_panels", "cube.json", {"--steps", "30", "--ui"}},
+      {"cube_panels", "cube.json", {"--steps", "30", "--ui"}, 0.002},  // one wrong word in a panel is 0.003
       {"cube_rest", "cube.json", {"--steps", "0", "--samples", "1"}},
   };
   return list;
@@ -53,8 +54,8 @@ TEST_CASE("shipped scenes look as they did", "[golden]") {
     const ImageDifference d = difference(actual, read_png(expected));
     CAPTURE(d.mean, d.share);
     CHECK(d.mean <= max_mean);
-    CHECK(d.share <= max_share);
-    if (d.mean > max_mean || d.share > max_share) {
+    CHECK(d.share <= golden.max_share);
+    if (d.mean > max_mean || d.share > golden.max_share) {
       std::filesystem::create_directories("golden_failures");
       write_png("golden_failures/" + golden.name + "_" + context + ".png", actual);
       write_png("golden_failures/" + golden.name + "_" + context + "_difference.png", d.picture);
