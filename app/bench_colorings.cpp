@@ -4,26 +4,13 @@
 #include <array>
 
 #include "app/bench.h"
+#include "app/bench_box.h"
 #include "app/bench_timing.h"
-#include "sim/mesh_generate.h"
 
 namespace fascia {
 namespace {
 
 constexpr std::array kColorsAsked{0, 16, 8, 4, 1};  // 0: as many as the mesh needs
-
-Model box_model(const Eigen::Vector3i& cells) {
-  Model model;
-  model.file_mesh = make_box(cells.x(), cells.y(), cells.z(), {1, 0.25, 0.25});
-  model.rest_positions = model.file_mesh.positions;
-  model.tets = model.file_mesh.tets;
-  model.tet_material.assign(model.tets.size(), 0);
-  model.materials.resize(1);
-  model.initial_velocity.assign(model.rest_positions.size(), Eigen::Vector3d::Zero());
-  for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
-    if (model.rest_positions[v].x() == 0) model.fixed.push_back(v);
-  return model;
-}
 
 SolverSettings settings_with(int colors, int iterations) {
   SolverSettings settings;

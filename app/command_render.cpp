@@ -52,7 +52,8 @@ int command_render(const RenderOptions& options) {
   };
 
   if (options.static_equilibrium) {
-    simulation.solve_static();
+    const reference::NewtonReport report = simulation.solve_static();
+    if (!options.quiet || !report.converged) std::cerr << "fascia: " << describe(report, options.reference) << '\n';
   } else {
     const long steps = steps_to_run(options, simulation);
     const double time_step = simulation.scene.solver.time_step;

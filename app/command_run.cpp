@@ -35,6 +35,9 @@ int command_run(const RunOptions& options) {
   Opened opened = open_input(options, options.sets);
   if (options.error && (options.static_equilibrium || options.reference))
     throw Error("--error", "compares steps of the GPU with the reference solver", "leave out --static and --reference");
+  if (options.every > 0 && (options.export_path.empty() || options.static_equilibrium))
+    throw Error("--every", options.export_path.empty() ? "exports nothing" : "has no steps to export with --static",
+                options.export_path.empty() ? "expected --export FILE beside it" : "leave out one of them");
   Graphics graphics;
   if (!options.reference) graphics = open_graphics(options, false, 16, 16, opened.scene.solver.method);
   Simulation simulation(std::move(opened.scene), graphics.programs.get(), options.reference);
@@ -59,9 +62,7 @@ int command_run(const RunOptions& options) {
     stats.residual = report.relative_residual;
     stats.steps = 1;
     if (!options.quiet || !report.converged)
-      std::cerr << "fascia: " << (report.converged ? "static equilibrium" : "not quite in static equilibrium") << " after "
-                << report.iterations << (options.reference ? " Newton" : "") << " iterations, relative residual "
-                << report.relative_residual << '\n';
+      std::cerr << "fascia: " << describe(report, options.reference) << '\n';
   } else {
     const long steps = steps_to_run(options, simulation);
     if (series) export_frame();
@@ -84,8 +85,7 @@ int command_run(const RunOptions& options) {
     gpu->request_diagnostics();
     const auto diagnostics = gpu->take_diagnostics(true);
     if (diagnostics && !options.static_equilibrium) stats.residual = diagnostics->residual;
-    stats.dispatches_per_step = gpu->dispatches_per_step();
-    stats.gpu_bytes = gl::allocated_bytes();
+    count_work(stats, simulation);
   } else if (!options.static_equilibrium) {
     stats.residual = simulation.newton_report().relative_residual;
   }

@@ -13,6 +13,9 @@ int command_run(const RunOptions& options);
 int command_bench_figures(const BenchOptions& options);
 /// `fresh`: measures again what the folder holds.
 int command_bench_accuracy(const BenchOptions& options, bool fresh);
+/// `against`: an earlier speed.csv, or empty.
+int command_bench_speed(const BenchOptions& options, const std::string& against);
+int command_bench_skip(const BenchOptions& options);
 /// The pairs' cases whose name has a part that matches `only` (empty: all), with that material model.
 int command_stress(const BenchOptions& options, const std::string& only, MaterialModel model);
 /// Without scenes: three shipped ones.

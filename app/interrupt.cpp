@@ -10,7 +10,10 @@ volatile std::sig_atomic_t flag = 0;
 }  // namespace
 
 void catch_interrupts() {
-  const auto remember = [](int) { flag = 1; };
+  const auto remember = [](int signal) {
+    flag = 1;
+    std::signal(signal, SIG_DFL);
+  };
   std::signal(SIGINT, remember);
   std::signal(SIGTERM, remember);
   std::signal(SIGPIPE, SIG_IGN);

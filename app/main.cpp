@@ -109,6 +109,20 @@ int run(int argc, char** argv) {
   accuracy_command->add_flag("--fresh", fresh, "measure again what the folder holds");
   add_graphics(accuracy_command, accuracy);
 
+  BenchOptions speed, skip;
+  std::string against;
+  CLI::App* speed_command = bench_command->add_subcommand("speed", "what steps cost, from 500 to a million tets, for every method and acceleration");
+  speed_command->add_option("--out", speed.out, "folder for the tables, made if missing")->type_name("DIR")->required();
+  speed_command->add_flag("--quick", speed.quick, "small meshes, few pairs");
+  speed_command->add_option("--against", against, "an earlier speed.csv: the ratios, and exit code 1 where something became slower beyond the noise")
+      ->type_name("FILE.csv");
+  parse_size(speed_command, speed.width, speed.height);
+  add_graphics(speed_command, speed);
+  CLI::App* skip_command = bench_command->add_subcommand("skip", "what features cost: never had, switched off, on; exit code 1 if off costs anything");
+  skip_command->add_option("--out", skip.out, "folder for the table, made if missing")->type_name("DIR")->required();
+  skip_command->add_flag("--quick", skip.quick, "a small mesh, few repetitions");
+  add_graphics(skip_command, skip);
+
   BenchOptions stress;
   stress.width = 640;
   stress.height = 360;
@@ -154,6 +168,8 @@ int run(int argc, char** argv) {
   if (*run_command) return command_run(simulate);
   if (*figures_command) return command_bench_figures(figures);
   if (*accuracy_command) return command_bench_accuracy(accuracy, fresh);
+  if (*speed_command) return command_bench_speed(speed, against);
+  if (*skip_command) return command_bench_skip(skip);
   if (*soak_command) return command_soak(soak, soak_inputs, soak_steps);
   if (*stress_command) return command_stress(stress, only, *find_material_model(model));
   if (*info_command) return command_info(info);

@@ -27,7 +27,8 @@ constexpr Extra kExtras[] = {{"iterations", "Iterations", 1, 200, true},
                              {"frame_budget", "Frame budget", 0, 50, false},
                              {"colors", "Colors", 0, 40, false},
                              {"spectral_radius", "Spectral radius", 0, 0.9999, false},
-                             {"window", "Window", 1, 10, false}};
+                             {"window", "Window", 1, 10, false},
+                             {"rest_speed", "Rest speed", 0, 1e-2, true}};
 
 // Found by overload for either kind of choice.
 constexpr auto kLabelOf = [](auto choice) { return label_of(choice); };

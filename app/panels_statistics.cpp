@@ -49,8 +49,10 @@ void statistics_panel(Session& session, const Statistics& statistics) {
     ui::fact("Energy", engineering(d->elastic, "J") + ", " + engineering(d->kinetic, "J"), "Elastic, kinetic");
     ui::fact("Reaction", engineering(length(d->reaction), "N"), "Of the supports on the body");
   }
+  ui::fact("Motion", session.simulation.asleep() ? "at rest, asleep" : "awake",
+           "A body at rest costs nothing until something changes (rest speed)");
   if (const GpuSolver* gpu = session.simulation.gpu())
-    ui::fact("Dispatches", std::to_string(gpu->dispatches_per_step()) + " per step", "Compute dispatches of one time step");
+    ui::fact("Dispatches", std::to_string(gpu->dispatches_per_step()) + " per step", "Compute dispatches of one time step that is solved");
   ui::fact("GPU memory", bytes_text(static_cast<double>(gl::allocated_bytes())), "All buffers and pictures of the program");
   ImGui::PushStyleColor(ImGuiCol_Text, ui::kDim);
   ImGui::TextWrapped("%s", session.renderer_description().c_str());

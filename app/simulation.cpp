@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <sstream>
 
 #include "app/drawn_surface.h"
 #include "app/paths.h"
@@ -25,7 +26,7 @@ Simulation::Simulation(Scene opened, gl::ProgramCache* programs, bool use_refere
     : scene(std::move(opened)), model(build_model(scene)), programs_(programs) {
   if (programs) gpu_ = std::make_unique<GpuSolver>(*programs, model, scene.solver, embedded_points(scene));
   if (use_reference) {
-    reference_ = std::make_unique<reference::NewtonSolver>(model, scene.solver);
+    renew_reference();
     reference_state_ = reference::initial_state(model);
   }
   begin_anew();
@@ -49,6 +50,7 @@ void Simulation::play(Replay replay) {
           fail("an input grabs vertex " + std::to_string(spring.vertex), "expected an index below " + std::to_string(vertices));
   }
   replay_ = std::move(replay);
+  replay_tuning_ = {scene.solver, model.materials, model.gravity, {}};
   reset();
 }
 
@@ -73,28 +75,58 @@ void Simulation::step() {
   repeat_inputs();
   ++steps_;
   if (!reference_) {
+    if (asleep_) {
+      gpu_->rest();
+      ++steps_asleep_;
+      return;
+    }
     if (scene.solver.frame_budget > 0)
       step_within_budget();
     else
       gpu_->step();
     follow_check(false);
-    if (!astray_ && steps_ - checked_step_ >= kCheckInterval && log_.begin() >= checked_step_) {
-      checked_step_ = steps_;
-      gpu_->request_check();
-    }
+    if (!astray_ && steps_ - checked_step_ >= kCheckInterval) look();
     return;
   }
   newton_report_ = reference_->step(reference_state_);
   if (gpu_) gpu_->upload(reference_state_);
 }
 
+// The answer to the last question is there long since, or waited for: so a body falls asleep at the same step in every run.
+void Simulation::look() {
+  follow_check(true);
+  if (astray_) return;
+  checked_step_ = steps_;
+  gpu_->request_check();
+  if (!quiet_ || time() < model.end_of_motions()) return;
+  follow_check(true);  // what sleeps must be known to be sound
+  asleep_ = quiet_ && !astray_;
+}
+
 void Simulation::follow_check(bool wait) {
   const std::optional<StateGuard::Verdict> verdict = gpu_->take_check(wait);
   if (!verdict) return;
-  if (verdict->astray)
+  if (verdict->astray) {
     astray_ = verdict->astray;
-  else
-    log_.forget_before(checked_step_);
+    return;
+  }
+  log_.forget_before(checked_step_);
+  if (checked_step_ > stirred_step_) quiet_ = rest_.add(verdict->movement, scene.solver, gpu_->buffers().size);
+}
+
+void Simulation::stir() {
+  if (asleep_) {  // nothing before this step needs repetition
+    checked_step_ = steps_;
+    log_.forget_before(steps_);
+  }
+  stirred_step_ = steps_;
+  asleep_ = quiet_ = false;
+  rest_.restart();
+}
+
+void Simulation::renew_reference() {
+  reference_ = std::make_unique<reference::NewtonSolver>(model, scene.solver);
+  if (gpu_) reference_->set_springs(gpu_->springs());
 }
 
 std::optional<std::uint32_t> Simulation::check_now() {
@@ -122,6 +154,7 @@ Tuning Simulation::tuning() const {
 }
 
 void Simulation::begin_anew() {
+  stir();
   checked_step_ = steps_;
   log_.restart(steps_, tuning());
 }
@@ -149,6 +182,13 @@ void Simulation::step_within_budget() {
 
 void Simulation::reset() {
   equilibrium_.reset();
+  if (replay_) {
+    set_settings(replay_tuning_.solver);
+    for (std::size_t i = 0; i < model.materials.size(); ++i) set_material(i, replay_tuning_.materials[i]);
+    set_gravity(replay_tuning_.gravity);
+    set_grab({});
+    if (gpu_) gpu_->finish_background();
+  }
   const reference::State start = replay_ && replay_->start ? *replay_->start : reference::initial_state(model);
   if (reference_) reference_state_ = start;
   if (gpu_) gpu_->upload(start);
@@ -177,31 +217,36 @@ reference::NewtonReport Simulation::solve_static() {
 
 void Simulation::set_settings(const SolverSettings& settings) {
   require_carried(settings.method, model.materials, "solver.method");
+  if (gpu_) gpu_->set_settings(settings);  // first: it may find no room
   if (settings.pair() != scene.solver.pair()) ms_per_iteration_ = 0;
   scene.solver = settings;
   SolverSettings logged = settings;
   logged.frame_budget = 0;
+  stir();
   log_.add({steps_, logged});
-  if (gpu_) gpu_->set_settings(settings);
-  if (reference_) reference_ = std::make_unique<reference::NewtonSolver>(model, settings);
+  if (reference_) renew_reference();
 }
 
 void Simulation::set_material(std::size_t index, const Material& material) {
   require_carried(scene.solver.method, {material}, "material.model");
+  stir();
   log_.add({steps_, MaterialInput{index, material}});
   model.materials[index] = material;
   if (gpu_) gpu_->materials_changed();
-  if (reference_) reference_ = std::make_unique<reference::NewtonSolver>(model, scene.solver);
+  if (reference_) renew_reference();
 }
 
 void Simulation::set_gravity(const Eigen::Vector3d& gravity) {
+  stir();
   log_.add({steps_, GravityInput{gravity}});
   scene.gravity = model.gravity = gravity;
   if (gpu_) gpu_->materials_changed();
-  if (reference_) reference_ = std::make_unique<reference::NewtonSolver>(model, scene.solver);
+  if (reference_) renew_reference();
 }
 
 void Simulation::set_grab(const std::vector<GrabSpring>& springs) {
+  if (gpu_ && springs == gpu_->springs()) return;  // a hand that holds still wakes nobody
+  stir();
   log_.add({steps_, springs});
   if (gpu_) gpu_->set_grab(springs);
   if (reference_) reference_->set_springs(springs);
@@ -213,6 +258,13 @@ reference::State Simulation::state() const {
 
 double Simulation::mean_iterations() const {
   return gpu_ && !reference_ ? gpu_->mean_iterations() : scene.solver.iterations;
+}
+
+std::string describe(const reference::NewtonReport& report, bool newton) {
+  std::ostringstream text;
+  text << (report.converged ? "static equilibrium" : "not quite in static equilibrium") << " after " << report.iterations
+       << (newton ? " Newton" : "") << " iterations, relative residual " << report.relative_residual;
+  return text.str();
 }
 
 Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets) {

@@ -41,8 +41,12 @@ class Simulation {
   void back_to_sound();
   reference::State sound_state() const { return sound_state_; }  // of the last back_to_sound(), with its velocities
   void begin_anew();
+  reference::State last_sound() const { return gpu_->download_sound(); }  // as far as is known, with its velocities
   const InputLog& log() const { return log_; }  // since the last state that is known to be sound
   long steps_made() const { return steps_; }
+  /// Whether steps only let time pass, for nothing moves and nothing has changed since it came to rest (solver.rest_speed).
+  bool asleep() const { return asleep_; }
+  long steps_asleep() const { return steps_asleep_; }  // of those made
   const std::optional<Replay>& replay() const { return replay_; }
 
   /// Per substep, of all steps so far on average: fewer than asked for where solver.tolerance or solver.frame_budget bind.
@@ -52,6 +56,7 @@ class Simulation {
 
   reference::State state() const;
   GpuSolver* gpu() { return gpu_.get(); }  // null without a GPU
+  const GpuSolver* gpu() const { return gpu_.get(); }
   gl::ProgramCache* programs() { return programs_; }  // null without a GPU
   bool uses_reference() const { return reference_ != nullptr; }
   const reference::NewtonReport& newton_report() const { return newton_report_; }
@@ -59,7 +64,10 @@ class Simulation {
  private:
   void step_within_budget();
   void repeat_inputs();
+  void look();
   void follow_check(bool wait);
+  void stir();
+  void renew_reference();
   Tuning tuning() const;
   static constexpr int kCheckInterval = 8;  // steps
 
@@ -75,11 +83,19 @@ class Simulation {
   std::optional<Replay> replay_;
   std::size_t next_input_ = 0;  // of the replay
   long replay_begin_ = 0;       // steps made before it
+  Tuning replay_tuning_;        // before its first input
   InputLog log_;
   reference::State sound_state_;
   std::optional<std::uint32_t> astray_;
   long checked_step_ = 0;  // the state that was last asked about came before this step
+  RestWatch rest_;
+  bool quiet_ = false, asleep_ = false;
+  long stirred_step_ = 0;  // the last change came before this step
+  long steps_asleep_ = 0;
 };
+
+/// "static equilibrium after 12 Newton iterations, relative residual 1e-11"
+std::string describe(const reference::NewtonReport& report, bool newton);
 
 /// What a command opens: --replay's scene, else the scene or mesh that is named, else the default one.
 struct Opened {

@@ -1,12 +1,10 @@
 #include "app/soak.h"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <cstring>
-#include <fstream>
 
 #include "app/breakdown.h"
+#include "app/process_memory.h"
 
 namespace fascia {
 namespace {
@@ -16,12 +14,6 @@ using Eigen::Vector3d;
 constexpr long kPull = 60, kHold = 60, kPeriod = 600;  // steps: to the target, there, and of a grab with the rest after it
 constexpr int kDirections = 4;                         // grabs of a round
 constexpr double kReach = 0.2;                         // of the body's size
-
-std::size_t resident_bytes() {
-  std::size_t pages = 0, resident = 0;
-  std::ifstream("/proc/self/statm") >> pages >> resident;
-  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-}
 
 std::uint64_t hash_of(const reference::State& state) {
   std::uint64_t hash = 14695981039346656037ull;  // FNV-1a

@@ -24,6 +24,13 @@ Percentiles percentiles(std::vector<double> values) {
   return {at(0.5), at(0.95), values.back()};
 }
 
+void count_work(RunStats& stats, Simulation& simulation) {
+  stats.dispatches_per_step = simulation.gpu()->dispatches_per_step();
+  stats.kernels = simulation.programs()->size();
+  stats.gpu_bytes = gl::allocated_bytes();
+  stats.gpu_buffers = gl::bytes_by_buffer();
+}
+
 void write_stats(const std::filesystem::path& path, const RunStats& stats, const Simulation& simulation,
                  const reference::State& last) {
   const reference::Measures measures = reference::measure(simulation.model, last);
@@ -37,6 +44,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
                   {"vertices", simulation.model.rest_positions.size()},
                   {"tets", simulation.model.tets.size()},
                   {"steps", stats.steps},
+                  {"steps_asleep", simulation.steps_asleep()},
                   {"time_step", simulation.scene.solver.time_step},
                   {"substeps", simulation.scene.solver.substeps},
                   {"time", last.time},
@@ -54,7 +62,13 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
                   {"angular_momentum", to_json(measures.angular_momentum)},
                   {"reaction_N", {{"fixed", to_json(measures.fixed_reaction)}}},
                   {"dispatches_per_step", stats.dispatches_per_step},
-                  {"gpu_bytes", stats.gpu_bytes}};
+                  {"kernels", stats.kernels},
+                  {"gpu_bytes", stats.gpu_bytes},
+                  {"gpu_buffers", stats.gpu_buffers}};
+  if (const GpuSolver* gpu = simulation.gpu(); gpu && !simulation.uses_reference()) {
+    json["tets_solved"] = gpu->buffers().tet_count;
+    json["bytes_per_iteration"] = gpu->bytes_per_iteration();
+  }
   if (stats.error) json["error"] = *stats.error;
   write_file(path, json.dump(2) + "\n");
 }

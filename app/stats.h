@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,9 +18,14 @@ struct RunStats {
   std::vector<double> step_ms, solve_ms;   // [steps]; solve: without exports and other work between steps
   double residual = 0;                     // of the last step, relative
   std::optional<double> error;             // of the last step, as in StepError; where it was asked for
-  std::uint64_t dispatches_per_step = 0;
+  std::uint64_t dispatches_per_step = 0;   // of a step that is solved
+  std::size_t kernels = 0;                 // variants compiled
   std::size_t gpu_bytes = 0;
+  std::map<std::string, std::size_t> gpu_buffers;  // bytes by name
 };
+
+/// What the GPU has and does for the simulation as it is now.
+void count_work(RunStats& stats, Simulation& simulation);
 
 struct Percentiles {
   double median = 0, p95 = 0, max = 0;

@@ -29,7 +29,7 @@ StepError TrueError::compare(const Problem& problem, const SolvedStep& step, std
   solver.set_springs(problem.springs);
   StepError error;
   error.converged = solver.step(state).converged;
-  error.time = problem.end_time;
+  error.step = problem.step;
   error.distance.reserve(n);
   double squared = 0, scale = 0;
   for (std::size_t v = 0; v < n; ++v) {
@@ -48,12 +48,12 @@ void TrueError::begin(Simulation& simulation) {
   SolverSettings settings = simulation.scene.solver;
   settings.time_step = settings.substep();
   settings.substeps = 1;
-  waiting_ = Problem{simulation.model, settings, solver.springs(), solver.time()};
+  waiting_ = Problem{simulation.model, settings, solver.springs(), solver.time(), solver.steps_solved()};
   snapshot_.request(solver.buffers());
 }
 
 bool TrueError::update(Simulation& simulation, bool continuously) {
-  const bool news = !result_ || result_->time != simulation.time();
+  const bool news = !result_ || result_->step != simulation.gpu()->steps_solved();
   const bool due = (requested_ || (continuously && news)) && !waiting_ && !running_.valid();
   if (due && !simulation.uses_reference() && simulation.gpu()->has_step() && simulation.model.tets.size() <= kMostTets) {
     requested_ = false;

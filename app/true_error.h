@@ -14,7 +14,7 @@ namespace fascia {
 struct StepError {
   double relative = 0;          // RMS |u - u_exact| over RMS |u_exact - u~|: 1 is as far away as the prediction
   double largest = 0;           // [m]
-  double time = 0;              // [s] simulated, at the end of the substep
+  long step = 0;                // GpuSolver::steps_solved() at the end of the substep
   bool converged = true;        // the reference solver: if not, the error means little
   std::vector<float> distance;  // [vertex_count] |u - u_exact| [m]
 };
@@ -45,6 +45,7 @@ class TrueError {
     SolverSettings settings;  // a single substep
     std::vector<GrabSpring> springs;
     double end_time;
+    long step;
   };
   static StepError compare(const Problem& problem, const SolvedStep& step, std::stop_token stop);
   void begin(Simulation& simulation);

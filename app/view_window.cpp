@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 
 #include "app/breakdown.h"
 #include "app/color_bar.h"
@@ -16,8 +17,9 @@
 namespace fascia {
 namespace {
 
-constexpr double kIdleWait = 1.0 / 30;  // [s] between frames while time stands still and nobody touches anything
-constexpr double kHiddenWait = 0.1;     // [s] while minimised
+constexpr double kLongestWait = 1;      // [s] to look after signals and the device, which do not wake a window
+constexpr double kUnsettledWait = 1.0 / 30;  // [s] between frames while something is under way that no event will tell of
+constexpr int kFramesToSettle = 3;      // after an event: panels find their size and what they show over some frames
 constexpr auto kRemember = std::chrono::seconds(10);  // from one remembered state to the next
 constexpr double kShortestFrame = 0.004;  // [s] where the display does not set the pace
 
@@ -33,7 +35,8 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
       samples_(options.samples > 0 ? options.samples : gl::device().software ? 1 : 4) {
   if (opened.replay) session_->simulation.play(std::move(*opened.replay));
   if (options.static_equilibrium) {
-    session_->simulation.solve_static();
+    const reference::NewtonReport report = session_->simulation.solve_static();
+    if (!options.quiet || !report.converged) std::cerr << "fascia: " << describe(report, options.reference) << '\n';
     state_.paused = true;
   }
   if (options.steps || options.time) steps_left_ = steps_to_run(options, session_->simulation);
@@ -49,12 +52,13 @@ void ViewWindow::run() {
   Clock::time_point last = Clock::now();
   const Clock::time_point start = last;
   while (!glfwWindowShouldClose(window) && !interrupted() && steps_left_ != 0) {
-    if (glfwGetWindowAttrib(window, GLFW_ICONIFIED))
-      glfwWaitEventsTimeout(kHiddenWait);
-    else if (state_.paused && !mouse_.dragging())
-      glfwWaitEventsTimeout(kIdleWait);
-    else
-      glfwPollEvents();
+    wait_for_events();
+    require_device();
+    if (frames_to_settle_ == 0 && idle_time() > 0) {
+      last = Clock::now();
+      pacing_.restart();
+      continue;
+    }
     const Clock::time_point now = Clock::now();
     const double elapsed = std::chrono::duration<double>(now - last).count();
     if (elapsed < kShortestFrame) {
@@ -62,22 +66,47 @@ void ViewWindow::run() {
       continue;
     }
     last = now;
+    if (frames_to_settle_ > 0) --frames_to_settle_;
     state_.statistics.frame.add(1000 * elapsed);
     frame(elapsed);
-    try {
-      gl::require_context();
-    } catch (const gl::ContextLost& lost) {
-      if (!remembered_) throw;
-      throw gl::ContextLost(std::string(lost.what()) + ". The scene is kept in " + keep_replay(*remembered_).string());
-    }
+    require_device();
     attempt([&] { remember(); });
   }
   stats_.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   if (video_.running()) video_.finish();
   stats_.renderer = session_->renderer_description();
   stats_.solve_ms = stats_.step_ms;
-  stats_.dispatches_per_step = session_->simulation.gpu()->dispatches_per_step();
-  stats_.gpu_bytes = gl::allocated_bytes();
+  count_work(stats_, session_->simulation);
+}
+
+bool ViewWindow::still() const { return state_.paused || (session_->simulation.asleep() && steps_left_ < 0); }
+
+void ViewWindow::require_device() const {
+  try {
+    gl::require_context();
+  } catch (const gl::ContextLost& lost) {
+    if (!remembered_) throw;
+    throw gl::ContextLost(std::string(lost.what()) + ". The scene is kept in " + keep_replay(*remembered_).string());
+  }
+}
+
+double ViewWindow::idle_time() const {
+  if (glfwGetWindowAttrib(graphics_.context->window(), GLFW_ICONIFIED)) return kLongestWait;
+  const bool under_way = video_.running() || session_->true_error.busy() || session_->simulation.gpu()->diagnosing();
+  if (!still() || under_way || ImGui::IsAnyItemActive()) return 0;
+  if (!message_) return kLongestWait;
+  return std::clamp(std::chrono::duration<double>(message_->until - Clock::now()).count(), 0.0, kLongestWait);
+}
+
+void ViewWindow::wait_for_events() {
+  const double idle = frames_to_settle_ > 0 ? 0 : idle_time();
+  if (idle > 0)
+    glfwWaitEventsTimeout(idle);
+  else if (still() && !mouse_.dragging())
+    glfwWaitEventsTimeout(kUnsettledWait);
+  else
+    glfwPollEvents();
+  if (input_.take_stir()) frames_to_settle_ = kFramesToSettle;
 }
 
 template <class Work>
@@ -158,7 +187,7 @@ void ViewWindow::make_step() {
   ++state_.statistics.steps;
   ++stats_.steps;
   if (steps_left_ > 0) --steps_left_;
-  diagnose_ = true;
+  diagnose_ |= !session_->simulation.asleep();
 }
 
 void ViewWindow::simulate(double elapsed, const Requests& requests) {
@@ -228,8 +257,8 @@ void ViewWindow::read_diagnostics() {
 void ViewWindow::remember() {
   Simulation& simulation = session_->simulation;
   const Clock::time_point now = Clock::now();
-  if ((remembered_ && now - remembered_at_ < kRemember) || simulation.check_now()) return;
-  remembered_ = Replay{scene_now(), simulation.state(), {}, 0};
+  if (remembered_ && now - remembered_at_ < kRemember) return;
+  remembered_ = Replay{scene_now(), simulation.uses_reference() ? simulation.state() : simulation.last_sound(), {}, 0};
   remembered_at_ = now;
 }
 

@@ -1,5 +1,6 @@
 // The window: one frame after the other of input, panels, steps, drawing. Whatever fails in a frame becomes a message, and the scene
-// that is open stays open; only the loss of the device ends it, and leaves the scene as it was some seconds before.
+// that is open stays open; only the loss of the device ends it, and leaves the scene as it was some seconds before. While nothing moves
+// there are no frames: the window sleeps until something happens.
 #pragma once
 #include <chrono>
 #include <memory>
@@ -39,6 +40,10 @@ class ViewWindow {
     Clock::time_point until;
   };
 
+  void wait_for_events();
+  void require_device() const;
+  bool still() const;        // the tissue does not move
+  double idle_time() const;  // [s] for which nothing changes unless somebody does something; 0 while things move
   void frame(double elapsed);
   bool update_framebuffer();  // false: nothing to draw on, the window is minimised
   void handle_input(Requests& requests);
@@ -87,6 +92,7 @@ class ViewWindow {
   long came_apart_ = 0;       // times in a row
   long came_apart_at_ = 0;    // steps made when it last did
   bool diagnose_ = true;      // the state has changed since the last diagnostics
+  int frames_to_settle_ = 3;  // to draw although nothing moves
   std::optional<Replay> remembered_;  // the scene as it was a few seconds ago, in case that the device is lost
   Clock::time_point remembered_at_;
 };

@@ -94,6 +94,7 @@ void ViewWindow::open(const fs::path& path) {
   state_.convergence.forget();
   session_ = std::move(opened);
   remembered_.reset();
+  came_apart_ = 0;
   dialogs_.opened(path);
   state_.facts = SceneFacts(session_->simulation.model);
   state_.statistics = {};

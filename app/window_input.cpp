@@ -14,6 +14,7 @@ using Kind = InputEvent::Kind;
 WindowInput& WindowInput::of(GLFWwindow* window) { return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window)); }
 
 void WindowInput::add(InputEvent event) {
+  stirred_ = true;
   int window_width = 0, window_height = 0, width = 0, height = 0;
   glfwGetWindowSize(window_, &window_width, &window_height);
   glfwGetFramebufferSize(window_, &width, &height);
@@ -55,12 +56,26 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
     of(w).add(std::move(event));
   });
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+    of(w).stirred_ = true;
     of(w).forward_key({key, scancode, action, mods});
     if (action == GLFW_PRESS || (action == GLFW_REPEAT && key == GLFW_KEY_PERIOD)) of(w).add({Kind::key, key, mods});
   });
-  glfwSetCharCallback(window, ImGui_ImplGlfw_CharCallback);
-  glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
-  glfwSetCursorEnterCallback(window, ImGui_ImplGlfw_CursorEnterCallback);
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int character) {
+    of(w).stirred_ = true;
+    ImGui_ImplGlfw_CharCallback(w, character);
+  });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+    of(w).stirred_ = true;
+    ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+  });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+    of(w).stirred_ = true;
+    ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+  });
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).stirred_ = true; });
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).stirred_ = true; });
+  glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int) { of(w).stirred_ = true; });
+  glfwSetWindowCloseCallback(window, [](GLFWwindow* w) { of(w).stirred_ = true; });
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
     InputEvent event{Kind::drop};
     event.files.assign(paths, paths + count);
@@ -77,6 +92,10 @@ WindowInput::~WindowInput() {
   glfwSetWindowFocusCallback(window_, nullptr);
   glfwSetCursorEnterCallback(window_, nullptr);
   glfwSetDropCallback(window_, nullptr);
+  glfwSetWindowRefreshCallback(window_, nullptr);
+  glfwSetFramebufferSizeCallback(window_, nullptr);
+  glfwSetWindowIconifyCallback(window_, nullptr);
+  glfwSetWindowCloseCallback(window_, nullptr);
 }
 
 std::vector<InputEvent> WindowInput::take() {

@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 struct GLFWwindow;
@@ -27,6 +28,8 @@ class WindowInput {
   WindowInput& operator=(const WindowInput&) = delete;
 
   std::vector<InputEvent> take();  // since the last call
+  /// Whether anything at all has reached the window since the last call: input, or a reason to draw it anew.
+  bool take_stir() { return std::exchange(stirred_, false); }
 
  private:
   struct KeyChange {
@@ -41,6 +44,7 @@ class WindowInput {
   GLFWwindow* window_;
   Eigen::Vector2d at_{0, 0};  // in GLFW's screen coordinates
   std::vector<InputEvent> events_;
+  bool stirred_ = false;
   std::vector<KeyChange> pressed_, deferred_;  // since the last take()
 };
 

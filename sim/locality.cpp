@@ -39,4 +39,15 @@ std::vector<std::uint32_t> curve_order(const std::vector<Eigen::Vector3d>& posit
   return order;
 }
 
+std::vector<std::uint32_t> solved_tets(const Model& model) {
+  std::vector<char> fixed(model.rest_positions.size(), 0);
+  for (const std::uint32_t vertex : model.fixed) fixed[vertex] = 1;
+  std::vector<std::uint32_t> order = curve_order(model.rest_positions, model.tets);
+  std::erase_if(order, [&](std::uint32_t t) {
+    const Tet& tet = model.tets[t];
+    return std::all_of(tet.begin(), tet.end(), [&](std::uint32_t v) { return fixed[v] != 0; });
+  });
+  return order;
+}
+
 }  // namespace fascia

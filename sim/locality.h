@@ -4,12 +4,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/tet_mesh.h"
+#include "sim/model.h"
 
 namespace fascia {
 
 /// Tets sorted by the Morton code (1024 cells along the longest side of the bounding box) of their centroids; tets of one cell
 /// keep their order. [tet_count] indices into `tets`.
 std::vector<std::uint32_t> curve_order(const std::vector<Eigen::Vector3d>& positions, const std::vector<Tet>& tets);
+
+/// The tets that a solver needs, along the curve: all but those whose vertices are all fixed, which never strain.
+std::vector<std::uint32_t> solved_tets(const Model& model);
 
 }  // namespace fascia

@@ -188,6 +188,12 @@ std::vector<char> Model::held() const {
   return held;
 }
 
+double Model::end_of_motions() const {
+  double end = 0;
+  for (const Motion& motion : motions) end = std::max(end, motion.start + motion.duration);
+  return end;
+}
+
 std::vector<double> lumped_masses(const Model& model) {
   std::vector<double> masses(model.rest_positions.size(), 0.0);
   for (std::size_t t = 0; t < model.tets.size(); ++t) {

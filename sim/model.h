@@ -49,6 +49,7 @@ struct Model {
   std::vector<std::string> notes;         // repairs and warnings for the user, one line each
 
   std::vector<char> held() const;  // [vertex_count] 1 where fixed or prescribed
+  double end_of_motions() const;   // [s] when the last prescribed vertex has arrived; 0 without any
 };
 
 /// Reads the meshes and CSV files of the scene. Throws Error for anything unreadable, a selection of nothing,

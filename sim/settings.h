@@ -30,6 +30,7 @@ struct SolverSettings {
   int colors = 0;                 // of gauss_seidel; 0: as many as the mesh needs, else phantoms make do with so many
   double spectral_radius = 0;     // of the plain iteration, for chebyshev; 0: estimated while it runs
   int window = 5;                 // earlier iterations that Anderson acceleration combines
+  double rest_speed = 1e-5;       // [1/s] sizes of the scene a second; what moves slower for a while sleeps; 0: nothing sleeps
   bool operator==(const SolverSettings&) const = default;
 
   double substep() const { return time_step / substeps; }  // h [s]
@@ -58,6 +59,9 @@ void visit_settings(S& s, F&& f) {
     "overshoots, too low accelerates little");
   f(s.window, "window", "", 1, kLargestWindow, false,
     "earlier iterations that are combined: more converge in fewer iterations, at two dot products each");
+  f(s.rest_speed, "rest_speed", "1/s", 0.0, 1.0, false,
+    "sizes of the scene per second: what moves slower for a quarter of a second sleeps, and costs nothing until something changes; "
+    "0: never");
 }
 
 const std::vector<Pair>& legal_pairs();  // of method and acceleration that make sense, best first
@@ -65,7 +69,7 @@ const std::vector<Pair>& legal_pairs();  // of method and acceleration that make
 std::vector<Pair> poster_pairs();
 const char* name_of(Method method);      // "jacobi", as in scene files
 const char* name_of(Acceleration acceleration);
-const char* label_of(Method method);  // for people, in menus: "Jacobi XPBD, averaged"
+const char* label_of(Method method);  // for people, in menus: "Jacobi, averaged"
 const char* label_of(Acceleration acceleration);
 const char* help_of(Method method);  // tooltip: what it is, what it costs, its limits
 const char* help_of(Acceleration acceleration);

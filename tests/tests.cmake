@@ -27,7 +27,7 @@ endif()
 
 set(T ${PROJECT_SOURCE_DIR}/tests)
 fascia_test(test_mesh SOURCES ${T}/sim/test_*mesh*.cpp ${T}/sim/test_surface.cpp LIBS sim_core)
-fascia_test(test_scene SOURCES ${T}/sim/test_scene*.cpp ${T}/sim/test_settings.cpp ${T}/sim/test_material.cpp
+fascia_test(test_scene SOURCES ${T}/sim/test_scene*.cpp ${T}/sim/test_settings.cpp ${T}/sim/test_rest.cpp ${T}/sim/test_material.cpp
             ${T}/sim/test_model*.cpp ${T}/sim/test_coarse*.cpp LIBS sim_core nlohmann_json::nlohmann_json)
 fascia_test(test_fuzz SOURCES ${T}/fuzz/fuzz.cpp ${T}/fuzz/fuzz_*.cpp ${T}/fuzz/test_fuzz.cpp ${T}/fuzz/watched_new.cpp LIBS sim_core LABELS fuzz)
 fascia_test(test_reference SOURCES ${T}/sim/reference/test_*.cpp LIBS sim_core)

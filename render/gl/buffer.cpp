@@ -10,6 +10,15 @@ namespace fascia::gl {
 namespace {
 
 std::size_t bytes_alive = 0;
+std::map<std::string, std::size_t> bytes_by_label;
+
+void count_buffer(const std::string& label, std::size_t bytes, bool is_new) {
+  count_bytes(is_new ? static_cast<std::ptrdiff_t>(bytes) : -static_cast<std::ptrdiff_t>(bytes));
+  if (is_new)
+    bytes_by_label[label] += bytes;
+  else if ((bytes_by_label[label] -= bytes) == 0)
+    bytes_by_label.erase(label);
+}
 
 // An empty buffer still gets one vec4 of storage, so that it can be bound and viewed like any other.
 constexpr std::size_t kLeastBytes = 16;
@@ -19,6 +28,7 @@ constexpr std::size_t kLeastBytes = 16;
 std::size_t allocated_bytes() {
   return bytes_alive;
 }
+const std::map<std::string, std::size_t>& bytes_by_buffer() { return bytes_by_label; }
 void count_bytes(std::ptrdiff_t change) {
   bytes_alive += static_cast<std::size_t>(change);
 }
@@ -67,7 +77,7 @@ Buffer::Buffer(std::string label, std::size_t bytes, const void* data)
   }
   ObjectLabel(GL_BUFFER, id_, static_cast<GLsizei>(std::min<std::size_t>(label_.size(), 100)),
               label_.c_str());
-  count_bytes(static_cast<std::ptrdiff_t>(bytes_));
+  count_buffer(label_, bytes_, true);
 }
 
 Buffer::~Buffer() {
@@ -92,7 +102,7 @@ void Buffer::release() {
   if (!id_) return;
   for (const auto& [format, view] : views_) DeleteTextures(1, &view);
   DeleteBuffers(1, &id_);
-  count_bytes(-static_cast<std::ptrdiff_t>(bytes_));
+  count_buffer(label_, bytes_, false);
   views_.clear();
   id_ = 0;
   bytes_ = 0;
@@ -105,12 +115,12 @@ void Buffer::upload(std::size_t offset, std::size_t bytes, const void* data) {
   BufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
 }
 
-void Buffer::copy(const Buffer& from, std::size_t bytes) {
-  assert(bytes <= bytes_ && bytes <= from.bytes_);
+void Buffer::copy(const Buffer& from, std::size_t bytes, std::size_t offset) {
+  assert(offset + bytes <= bytes_ && bytes <= from.bytes_);
   if (bytes == 0) return;
   BindBuffer(GL_COPY_READ_BUFFER, from.id_);
   BindBuffer(GL_COPY_WRITE_BUFFER, id_);
-  CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(bytes));
+  CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes));
 }
 
 void Buffer::download(std::size_t offset, std::size_t bytes, void* data) const {

@@ -29,8 +29,8 @@ class Buffer {
 
   void upload(std::size_t offset, std::size_t bytes, const void* data);
   void download(std::size_t offset, std::size_t bytes, void* data) const;  // waits for the GPU
-  /// The first `bytes` of another buffer, without a way through the CPU.
-  void copy(const Buffer& from, std::size_t bytes);
+  /// The first `bytes` of another buffer to `offset`, without a way through the CPU.
+  void copy(const Buffer& from, std::size_t bytes, std::size_t offset = 0);
   template <class T>
   std::vector<T> read() const {
     std::vector<T> data(bytes_ / sizeof(T));
@@ -51,6 +51,8 @@ class Buffer {
 
 /// Bytes of all living Buffers and Textures, and of what else was counted with count_bytes (renderbuffers).
 std::size_t allocated_bytes();
+/// Bytes of all living Buffers by label.
+const std::map<std::string, std::size_t>& bytes_by_buffer();
 void count_bytes(std::ptrdiff_t change);
 
 /// Of the sized formats that fascia uses; throws Error for others.

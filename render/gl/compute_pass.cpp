@@ -171,6 +171,12 @@ void ComputePass::set_indirect(const Buffer& arguments, std::uint32_t index) {
   argument_ = index;
 }
 
+std::size_t ComputePass::bytes() const {
+  std::size_t bytes = 0;
+  for (const Slot& slot : slots_) bytes += slot.buffer->bytes();
+  return bytes;
+}
+
 void ComputePass::run() const {
   if (generation_ != program_->generation()) resolve();
   if (groups_ == 0) return;

@@ -27,6 +27,8 @@ class ComputePass {
   void run() const;
   const Program& program() const { return *program_; }
   std::uint32_t groups() const { return groups_; }
+  /// Of the buffers that the kernel uses, each once: about what a run moves that reads or writes all of them.
+  std::size_t bytes() const;
   /// From now on the number of groups is what `arguments` (uint [3 * n]) holds at place 3 * `index` when the pass runs.
   void set_indirect(const Buffer& arguments, std::uint32_t index);
 

@@ -1,5 +1,5 @@
 // Adds the springs' impulse to what the tets around each grabbed vertex do, so that the residual counts it.
-// After diagnose_tet, before diagnose_vertex.
+// After diagnose_tet, before diagnose_vertex. A vertex between fixed tets only has no slots, and no residual.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_UINT(GrabVertex, grab_vertex)          // [grab_count]
@@ -9,5 +9,6 @@ INOUT(vec4, Correction, correction)          // [4 * tet_count] h^2 times the fo
 
 void main() {
   ITEM_OR_RETURN(i)
-  correction[FETCH1(slot_begin, FETCH1(grab_vertex, i))].xyz += FETCH(grab_multiplier, i).xyz;
+  uint vertex = FETCH1(grab_vertex, i), slot = FETCH1(slot_begin, vertex);
+  if (slot < FETCH1(slot_begin, vertex + 1u)) correction[slot].xyz += FETCH(grab_multiplier, i).xyz;
 }

@@ -55,7 +55,6 @@ void DiagnosticsReader::request(const GrabSprings& grab, double substep, const g
   const std::size_t grab_bytes = grab.count() * sizeof(shared::vec4);
   const std::size_t bytes = tet_partials_.bytes() + vertex_partials_.bytes() + grab_bytes + (stop_state ? stop_state->bytes() : 0);
   if (p.staging.bytes() != bytes) p.staging = gl::Buffer("diagnostics_staging", bytes);
-  if (p.fence) gl::DeleteSync(p.fence);
   gl::BindBuffer(GL_COPY_WRITE_BUFFER, p.staging.id());
   std::size_t offset = 0;
   const auto copy = [&](const gl::Buffer& from) {
@@ -72,22 +71,15 @@ void DiagnosticsReader::request(const GrabSprings& grab, double substep, const g
   p.substep = substep;
   p.mean_mass = mean_mass_;
   p.counts_iterations = stop_state != nullptr;
-  p.fence = gl::FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  p.fence.set();
 }
 
 std::optional<Diagnostics> DiagnosticsReader::take(bool wait) {
   Pending& newest = pending_[newest_];
   Pending& older = pending_[newest_ ^ 1u];
   for (Pending* p : {&newest, &older}) {
-    if (!p->fence) continue;
-    const GLenum status = gl::ClientWaitSync(p->fence, GL_SYNC_FLUSH_COMMANDS_BIT, wait ? GLuint64(10'000'000'000) : 0);
-    if (status == GL_TIMEOUT_EXPIRED) continue;
-    gl::DeleteSync(p->fence);
-    p->fence = nullptr;
-    if (p == &newest && older.fence) {  // overtaken
-      gl::DeleteSync(older.fence);
-      older.fence = nullptr;
-    }
+    if (!p->fence.take(wait)) continue;
+    if (p == &newest) older.fence.clear();  // overtaken
     return sum_up(*p);
   }
   return std::nullopt;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/gl/compute_pass.h"
+#include "render/gl/fence.h"
 #include "sim/gpu/features.h"
 #include "sim/gpu/grab_springs.h"
 
@@ -34,13 +35,14 @@ class DiagnosticsReader {
               const gl::Buffer& previous_strain, const GrabSprings& grab);
   /// Dispatches the sums over the current state and queues their copy. `substep` h [s]. `stop_state`: of a StopRule, or null.
   void request(const GrabSprings& grab, double substep, const gl::Buffer* stop_state);
+  bool pending() const { return pending_[0].fence.is_set() || pending_[1].fence.is_set(); }  // a request was not taken yet
   /// The newest finished request, if there is one that was not taken yet. With `wait`, the last request.
   std::optional<Diagnostics> take(bool wait);
 
  private:
   struct Pending {
     gl::Buffer staging;
-    GLsync fence = nullptr;
+    gl::Fence fence;
     std::uint32_t grabbed = 0;
     double substep = 0, mean_mass = 0;
     bool counts_iterations = false;

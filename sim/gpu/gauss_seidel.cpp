@@ -1,16 +1,30 @@
 #include "sim/gpu/gauss_seidel.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "sim/locality.h"
 
 namespace fascia {
+namespace {
+
+Coloring color(const Model& model, const std::vector<std::uint32_t>& solved, int colors) {
+  std::vector<Tet> tets;
+  for (const std::uint32_t t : solved) tets.push_back(model.tets[t]);
+  std::vector<std::uint32_t> visit(solved.size());
+  std::iota(visit.begin(), visit.end(), 0u);
+  return color_tets(tets, model.held(), visit, static_cast<std::uint32_t>(colors));
+}
+
+}  // namespace
 
 GaussSeidelMethod::GaussSeidelMethod(const Model& model, SimBuffers& buffers, int colors)
-    : colors_asked_(colors),
-      coloring_(color_tets(model.tets, model.held(), curve_order(model.rest_positions, model.tets),
-                           static_cast<std::uint32_t>(colors))),
-      multiplier_("multiplier", 2 * sizeof(shared::vec4) * model.tets.size()),
-      phantom_count_(static_cast<std::uint32_t>(coloring_.phantom_vertex.size())) {
-  buffers.set_tet_order(model, coloring_.order);
+    : colors_asked_(colors), multiplier_("multiplier", 2 * sizeof(shared::vec4) * buffers.tet_count) {
+  std::vector<std::uint32_t> order = solved_tets(model);
+  coloring_ = color(model, order, colors);
+  phantom_count_ = static_cast<std::uint32_t>(coloring_.phantom_vertex.size());
+  std::transform(coloring_.order.begin(), coloring_.order.end(), order.begin(), [solved = order](std::uint32_t k) { return solved[k]; });
+  buffers.set_tet_order(model, order);
   buffers.set_phantom_count(phantom_count_);
   if (phantom_count_ == 0) return;
   std::vector<Tet> corners;

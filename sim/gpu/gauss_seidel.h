@@ -23,7 +23,7 @@ class GaussSeidelMethod : public StepMethod {
 
  private:
   int colors_asked_;
-  Coloring coloring_;
+  Coloring coloring_;  // of solved_tets(), by their place there
   gl::Buffer multiplier_;  // vec4 [2 * tet_count] lambda
   gl::Buffer corners_;     // uvec4 [tet_count] what each corner moves; with phantoms
   gl::Buffer phantom_vertex_, copy_begin_, split_vertex_;  // [phantom_count], [vertex_count + 1], vertices that have phantoms

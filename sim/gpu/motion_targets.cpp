@@ -7,11 +7,10 @@ namespace fascia {
 
 using shared::vec4;
 
-MotionTargets::MotionTargets(const Model& model) {
+MotionTargets::MotionTargets(const Model& model) : last_change_(model.end_of_motions()) {
   std::map<std::uint32_t, Source> by_vertex;
   for (std::uint32_t m = 0; m < model.motions.size(); ++m) {
     const Motion& motion = model.motions[m];
-    last_change_ = std::max(last_change_, motion.start + motion.duration);
     for (std::uint32_t k = 0; k < motion.vertices.size(); ++k) by_vertex[motion.vertices[k]] = {m, k};
   }
   for (const auto& [vertex, source] : by_vertex) {

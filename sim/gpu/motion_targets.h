@@ -23,7 +23,7 @@ class MotionTargets {
   };
   std::vector<std::uint32_t> vertices_;
   std::vector<Source> sources_;  // [vertices_]; where motions overlap, the last one moves the vertex
-  double last_change_ = 0;       // [s] when every motion has arrived
+  double last_change_;           // [s] when every motion has arrived
   double uploaded_ = -1;         // [s]
   gl::Buffer vertex_, target_;
 };

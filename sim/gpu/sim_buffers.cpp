@@ -4,12 +4,15 @@
 #include <Eigen/LU>
 #include <numeric>
 
+#include "sim/locality.h"
+
 namespace fascia {
 namespace {
 
 using shared::vec4;
 
-constexpr double kFarthest = 100;  // sizes of the scene that the forces may throw a vertex away from its prediction in a substep
+// Sizes of the scene, and of gravity's way in a substep, that the forces may throw a vertex away from its prediction.
+constexpr double kFarthest = 100;
 
 vec4 to_vec4(const Eigen::Vector3d& v, double w) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), static_cast<float>(w)};
@@ -20,10 +23,10 @@ vec4 to_vec4(const Material& m) {
           static_cast<float>(m.model)};
 }
 
-std::vector<std::uint32_t> first_slots(const Model& model) {
+std::vector<std::uint32_t> first_slots(const Model& model, const std::vector<std::uint32_t>& order) {
   std::vector<std::uint32_t> begin(model.rest_positions.size() + 1, 0);
-  for (const Tet& tet : model.tets)
-    for (const std::uint32_t v : tet) ++begin[v + 1];
+  for (const std::uint32_t t : order)
+    for (const std::uint32_t v : model.tets[t]) ++begin[v + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   return begin;
 }
@@ -51,9 +54,19 @@ std::vector<vec4> make_shapes(const Model& model, const std::vector<Tet>& tets) 
 
 }  // namespace
 
+std::vector<Eigen::Vector3d> download_vectors(const gl::Buffer& buffer, std::size_t count) {
+  std::vector<vec4> values(count);
+  buffer.download(0, count * sizeof(vec4), values.data());
+  std::vector<Eigen::Vector3d> vectors;
+  vectors.reserve(count);
+  for (const vec4& v : values) vectors.emplace_back(v.x, v.y, v.z);
+  return vectors;
+}
+
 SimBuffers::SimBuffers(const Model& model)
-    : vertex_count(static_cast<std::uint32_t>(model.rest_positions.size())),
-      tet_count(static_cast<std::uint32_t>(model.tets.size())) {
+    : vertex_count(static_cast<std::uint32_t>(model.rest_positions.size())) {
+  const std::vector<std::uint32_t> order = solved_tets(model);
+  tet_count = static_cast<std::uint32_t>(order.size());
   const std::size_t vertex_bytes = vertex_count * sizeof(vec4), tet_bytes = tet_count * sizeof(vec4);
   displacement = gl::Buffer("displacement", vertex_bytes);
   velocity = gl::Buffer("velocity", vertex_bytes);
@@ -61,16 +74,15 @@ SimBuffers::SimBuffers(const Model& model)
   predicted = gl::Buffer("predicted", vertex_bytes);
   rest_position = gl::Buffer("rest_position", vertex_bytes);
   mass = gl::Buffer("mass", vertex_count * sizeof(float));
-  slot_begin = gl::Buffer("slot_begin", first_slots(model));
-  std::vector<std::uint32_t> order(tet_count);
-  std::iota(order.begin(), order.end(), 0u);
+  slot_begin = gl::Buffer("slot_begin", first_slots(model, order));
   set_tet_order(model, order);
   for (const Tet& tet : model.tets) {
     const std::vector<Eigen::Vector3d>& x = model.rest_positions;
     volume += (x[tet[1]] - x[tet[0]]).cross(x[tet[2]] - x[tet[0]]).dot(x[tet[3]] - x[tet[0]]) / 6;
   }
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& x : model.rest_positions) box.extend(x);
+  for (const Tet& tet : model.tets)
+    for (const std::uint32_t v : tet) box.extend(model.rest_positions[v]);
   size = box.diagonal().norm();
   if (model.materials.size() > 1) {
     materials = gl::Buffer("materials", model.materials.size() * sizeof(vec4));
@@ -92,7 +104,7 @@ void SimBuffers::set_tet_order(const Model& model, const std::vector<std::uint32
   }
   tet_vertices = gl::Buffer("tet_vertices", tets);
   tet_shape = gl::Buffer("tet_shape", make_shapes(model, tets));
-  tet_slots = gl::Buffer("tet_slots", make_slots(tets, first_slots(model)));
+  tet_slots = gl::Buffer("tet_slots", make_slots(tets, first_slots(model, order)));
   if (!material.empty()) tet_material = gl::Buffer("tet_material", material);
 }
 
@@ -120,17 +132,9 @@ void SimBuffers::upload_state(const Model& model, const reference::State& state)
 }
 
 reference::State SimBuffers::download_state(double time) const {
-  const auto unpack = [&](const gl::Buffer& buffer) {
-    std::vector<vec4> values(vertex_count);
-    buffer.download(0, vertex_count * sizeof(vec4), values.data());
-    std::vector<Eigen::Vector3d> out;
-    out.reserve(vertex_count);
-    for (const vec4& v : values) out.emplace_back(v.x, v.y, v.z);
-    return out;
-  };
-  reference::State state{unpack(displacement), unpack(velocity), time};
+  reference::State state{download_vectors(displacement, vertex_count), download_vectors(velocity, vertex_count), time};
   if (displacement_low) {
-    const std::vector<Eigen::Vector3d> low = unpack(displacement_low);
+    const std::vector<Eigen::Vector3d> low = download_vectors(displacement_low, vertex_count);
     for (std::size_t i = 0; i < vertex_count; ++i) state.displacement[i] += low[i];
   }
   return state;
@@ -156,11 +160,12 @@ void SimBuffers::upload_materials(const Model& model) {
 }
 
 void SimBuffers::upload_step(const Model& model, const SolverSettings& settings) {
-  const shared::StepValues values{to_vec4(model.gravity, settings.substep()),
+  const double h = settings.substep();
+  const shared::StepValues values{to_vec4(model.gravity, h),
                                   {static_cast<float>(settings.spectral_radius), static_cast<float>(settings.iterations),
                                    static_cast<float>(settings.tolerance), static_cast<float>(1 / mean_mass)},
                                   to_vec4(model.materials.front()),
-                                  {static_cast<float>(kFarthest * size), 0, 0, 0}};
+                                  {static_cast<float>(kFarthest * (size + h * h * model.gravity.norm())), 0, 0, 0}};
   step.upload(0, sizeof values, &values);
 }
 

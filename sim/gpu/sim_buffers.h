@@ -12,13 +12,17 @@
 
 namespace fascia {
 
+/// The first `count` vec4 of a buffer, without their w. Waits for the GPU.
+std::vector<Eigen::Vector3d> download_vectors(const gl::Buffer& buffer, std::size_t count);
+
 struct SimBuffers {
   explicit SimBuffers(const Model& model);
 
-  std::uint32_t vertex_count = 0, tet_count = 0;
+  std::uint32_t vertex_count = 0;
+  std::uint32_t tet_count = 0;  // of solved_tets(), which are here
   double volume = 0;     // of all tets at rest [m^3]
   double mean_mass = 0;  // of the vertices [kg]
-  double size = 0;       // diagonal of the box around all vertices at rest [m]
+  double size = 0;       // diagonal of the box around all tets at rest [m]
 
   // State, vec4 [vertex_count].
   gl::Buffer displacement;           // xyz u = x - X [m], w inverse mass as tets see it [1/kg]; phantoms may follow
@@ -44,7 +48,8 @@ struct SimBuffers {
 
   gl::Buffer step;  // uniform block Step (shared::StepValues)
 
-  /// The tets in another order: `order` [tet_count] indices into model.tets. Needs passes that count on the old one recorded anew.
+  /// The tets in another order than that of solved_tets(): `order` [tet_count] indices into model.tets. Needs passes that count on the
+  /// old one recorded anew.
   void set_tet_order(const Model& model, const std::vector<std::uint32_t>& order);
   /// Room for `count` copies of vertices behind the displacements, which stay.
   void set_phantom_count(std::uint32_t count);

@@ -1,22 +1,15 @@
 #include "sim/gpu/solver.h"
 
-#include <numeric>
+#include <chrono>
 #include <tuple>
 
 #include "sim/gpu/exact_xpbd.h"
 #include "sim/gpu/jacobi.h"
 #include "sim/gpu/two_level.h"
 #include "sim/gpu/vertex_descent.h"
+#include "sim/locality.h"
 
 namespace fascia {
-namespace {
-
-void run(const Passes& passes) {
-  for (const gl::ComputePass& pass : passes) pass.run();
-}
-
-}  // namespace
-
 gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin,
                            bool gravity_at_start) {
   gl::ComputePass::Bindings bindings{{"step", &buffers.step},
@@ -40,9 +33,9 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       buffers_(model),
       motions_(model),
       diagnostics_(buffers_),
+      guard_(programs, buffers_),
       surface_(buffers_, surface_points, embed(surface_points, model.rest_positions, model.tets)) {
   require_carried(settings_.method, model_.materials, "solver.method");
-  guard_.keep(buffers_, time_);
   buffers_.upload_step(model_, settings_);
   make_method();
   record();
@@ -56,9 +49,7 @@ void GpuSolver::make_method() {
   const bool levels_stay = two_level && settings_.method == Method::two_level;
   if (!colors_stay && !levels_stay) method_.reset();  // before the next one is made: both may not fit
   if (order_goes) {
-    std::vector<std::uint32_t> file_order(buffers_.tet_count);
-    std::iota(file_order.begin(), file_order.end(), 0u);
-    buffers_.set_tet_order(model_, file_order);
+    buffers_.set_tet_order(model_, solved_tets(model_));
     buffers_.set_phantom_count(0);
   }
   const bool joint = settings_.acceleration == Acceleration::anderson && settings_.method != Method::two_level;  // which does its own
@@ -110,6 +101,7 @@ void GpuSolver::make_method() {
 }
 
 void GpuSolver::record() {
+  if (!features_.damping) previous_strain_ = {};
   if (features_.damping && !previous_strain_)
     previous_strain_ = gl::Buffer("previous_strain", 2 * sizeof(shared::vec4) * buffers_.tet_count);
   begin_.clear();
@@ -164,6 +156,28 @@ Passes GpuSolver::iteration(bool first) {
   return passes;
 }
 
+void GpuSolver::run(const Passes& passes) {
+  using Clock = std::chrono::steady_clock;
+  for (const gl::ComputePass& pass : passes) {
+    const Clock::time_point start = times_ ? Clock::now() : Clock::time_point();
+    pass.run();
+    if (!times_) continue;
+    gl::Finish();
+    KernelTime& time = (*times_)[pass.program().label()];
+    time.ms += std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    ++time.runs;
+  }
+}
+
+std::map<std::string, GpuSolver::KernelTime> GpuSolver::timed_step() {
+  std::map<std::string, KernelTime> times;
+  gl::Finish();
+  times_ = &times;
+  step();
+  times_ = nullptr;
+  return times;
+}
+
 void GpuSolver::begin_substep() {
   method_->update(false);
   time_ += settings_.substep();
@@ -185,6 +199,12 @@ void GpuSolver::step() {
     run(end_);
   }
   has_step_ = true;
+  ++steps_solved_;
+}
+
+void GpuSolver::rest() {
+  time_ += settings_.time_step;
+  guard_.pass_time(settings_.time_step);
 }
 
 std::vector<Diagnostics> GpuSolver::traced_substep() {
@@ -226,15 +246,21 @@ void GpuSolver::set_settings(const SolverSettings& settings) {
   SolverSettings before = settings_;
   before.iterations = settings.iterations;
   const bool same_step = before == settings;  // but for the number of iterations, which a frame budget changes all the time
+  before = settings_;
   settings_ = settings;
   if (same_step) {
     buffers_.upload_step(model_, settings_);
     return;
   }
-  if (!same_passes) {
-    make_method();
-    record();
-  }
+  if (!same_passes) try {
+      make_method();
+      record();
+    } catch (...) {  // no room for it
+      settings_ = before;
+      make_method();
+      record();
+      throw;
+    }
   settings_changed();
 }
 
@@ -294,6 +320,15 @@ int GpuSolver::last_iterations() const {
 double GpuSolver::mean_iterations() const {
   if (!stop_ || substeps_ == 0) return settings_.iterations;
   return static_cast<double>(stop_->state().read<std::uint32_t>().back()) / static_cast<double>(substeps_);
+}
+
+double GpuSolver::bytes_per_iteration() const {
+  const auto bytes_of = [](const Passes& passes) {
+    double bytes = 0;
+    for (const gl::ComputePass& pass : passes) bytes += static_cast<double>(pass.bytes());
+    return bytes;
+  };
+  return bytes_of(iteration_) + bytes_of(before_) / before_every_ + bytes_of(refresh_) / StepMethod::kRefresh;
 }
 
 std::uint64_t GpuSolver::dispatches_per_step() const {

@@ -2,6 +2,7 @@
 // update; what a scene does not use is not in the lists. Needs a current context with gl loaded.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,12 @@ class GpuSolver {
 
   /// One frame step of settings.time_step: substeps, each of predict, iterations, velocity.
   void step();
+  struct KernelTime {
+    double ms = 0;  // of all runs
+    int runs = 0;
+  };
+  /// A step whose passes are waited for one by one: by the names of their kernels.
+  std::map<std::string, KernelTime> timed_step();
   void reset();  // to the initial state
   double time() const { return time_; }  // [s]
 
@@ -52,19 +59,25 @@ class GpuSolver {
   std::vector<Diagnostics> traced_substep();
 
   void request_diagnostics();
+  bool diagnosing() const { return diagnostics_.pending(); }  // a request was not taken yet
   std::optional<Diagnostics> take_diagnostics(bool wait) { return diagnostics_.take(wait); }
 
   /// Asks whether the state of now is sound, and takes the answer when it is there. Sound states are kept to go back to.
   void request_check() { guard_.request(buffers_, time_); }
   std::optional<StateGuard::Verdict> take_check(bool wait) { return guard_.take(wait); }
+  /// A step in which nothing moves: the state, which has just been found sound, stays as it is.
+  void rest();
   /// To the last state that was found sound, or was put there. With `at_rest` without its velocities.
   void restore_sound(bool at_rest);
 
   /// Whether the buffers hold a substep from its start to its end, solved under the model, settings and springs of now.
   bool has_step() const { return has_step_; }
   const std::vector<GrabSpring>& springs() const { return springs_; }
+  /// Steps that were solved, not rested: tells whether a state is another one.
+  long steps_solved() const { return steps_solved_; }
 
   reference::State download() const { return buffers_.download_state(time_); }
+  reference::State download_sound() const { return guard_.download(); }  // the state of restore_sound()
   void upload(const reference::State& state);
   /// Displacements in two floats each, for static equilibria: methods that descend the energy then sum up what float32 would lose.
   void set_compensated(bool compensated);
@@ -79,11 +92,14 @@ class GpuSolver {
   const Chebyshev* chebyshev() const { return chebyshev_ ? &*chebyshev_ : nullptr; }
 
   std::uint64_t dispatches_per_step() const;
+  /// Estimated: every buffer that a pass uses, once; what belongs to each iteration, the refreshes shared out.
+  double bytes_per_iteration() const;
   const SimBuffers& buffers() const { return buffers_; }
 
  private:
   void make_method();  // what the pair needs, and nothing else
   void record();
+  void run(const Passes& passes);
   void begin_substep();
   void iterate(int iteration);
   void settings_changed();
@@ -110,7 +126,9 @@ class GpuSolver {
   SurfacePositions surface_;
   Passes begin_, before_first_, before_, refresh_, first_iteration_, iteration_, end_;  // of one substep
   int before_every_ = 1;  // iterations from one run of before_ to the next
+  std::map<std::string, KernelTime>* times_ = nullptr;  // of a timed step
   double time_ = 0;
+  long steps_solved_ = 0;
   std::uint64_t substeps_ = 0;  // since stop_ was made
   bool has_step_ = false;
   unsigned materials_version_ = 0;  // changes of materials and gravity so far

@@ -1,17 +1,18 @@
 #include "sim/gpu/state_guard.h"
 
+#include <bit>
+#include <cmath>
 #include <utility>
 
 namespace fascia {
 namespace {
 
 constexpr std::uint32_t kNone = ~0u;
+constexpr std::size_t kWord = sizeof(std::uint32_t);
 
 }  // namespace
 
-StateGuard::~StateGuard() {
-  if (fence_) gl::DeleteSync(fence_);
-}
+StateGuard::StateGuard(gl::ProgramCache& programs, SimBuffers& buffers) : programs_(programs) { keep(buffers, 0); }
 
 void StateGuard::copy(const SimBuffers& buffers, double time, Copy& to) {
   const std::size_t bytes = sizeof(shared::vec4) * buffers.vertex_count;
@@ -30,29 +31,45 @@ void StateGuard::keep(SimBuffers& buffers, double time) {
 }
 
 void StateGuard::request(const SimBuffers& buffers, double time) {
-  if (fence_) return;
+  if (fence_.is_set()) return;
+  if (!measure_) {
+    motion_ = gl::Buffer("motion", 3 * kWord);
+    note_ = gl::Buffer("guard_note", 4 * kWord);
+    measure_.emplace(programs_.compute("sim/motion.comp"),
+                     gl::ComputePass::Bindings{{"displacement", &buffers.displacement},
+                                               {"velocity", &buffers.velocity},
+                                               {"earlier_displacement", &good_.displacement},
+                                               {"motion", &motion_}},
+                     Reduction(programs_, buffers.vertex_count).lanes,
+                     gl::ComputePass::Constants{{"vertex_count", buffers.vertex_count}});
+  }
+  constexpr std::uint32_t kZero[3] = {};
+  motion_.upload(0, sizeof kZero, kZero);
+  measure_->run();
   copy(buffers, time, candidate_);
-  if (!note_) note_ = gl::Buffer("guard_note", sizeof(std::uint32_t));
-  note_.copy(buffers.astray, sizeof(std::uint32_t));
-  fence_ = gl::FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  note_.copy(buffers.astray, kWord);
+  note_.copy(motion_, motion_.bytes(), kWord);
+  fence_.set();
 }
 
 std::optional<StateGuard::Verdict> StateGuard::take(bool wait) {
-  if (!fence_) return std::nullopt;
-  if (gl::ClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, wait ? GLuint64(10'000'000'000) : 0) == GL_TIMEOUT_EXPIRED)
-    return std::nullopt;
-  gl::DeleteSync(fence_);
-  fence_ = nullptr;
-  const std::uint32_t astray = note_.read<std::uint32_t>().front();
-  if (astray != kNone) return Verdict{astray};
+  if (!fence_.take(wait)) return std::nullopt;
+  const auto note = note_.read<std::uint32_t>();
+  if (note[0] != kNone) return Verdict{note[0], {}};
+  const auto length = [&](std::size_t k) { return std::sqrt(static_cast<double>(std::bit_cast<float>(note[k]))); };
+  const Movement movement{candidate_.time - good_.time, length(1), length(2), length(3)};
   std::swap(good_, candidate_);
-  return Verdict{};
+  return Verdict{std::nullopt, movement};
 }
 
 void StateGuard::clear(SimBuffers& buffers) {
-  if (fence_) gl::DeleteSync(fence_);
-  fence_ = nullptr;
+  fence_.clear();
   buffers.astray.upload(0, sizeof kNone, &kNone);
+}
+
+reference::State StateGuard::download() const {
+  const std::size_t count = good_.displacement.bytes() / sizeof(shared::vec4);
+  return {download_vectors(good_.displacement, count), download_vectors(good_.velocity, count), good_.time};
 }
 
 double StateGuard::restore(SimBuffers& buffers) {

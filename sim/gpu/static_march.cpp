@@ -15,11 +15,6 @@ constexpr int kMostSteps = 400;
 constexpr double kFirstStep = 1.0 / 30;  // [s]
 constexpr double kLongestStep = 300;     // [s] inertia is nothing for whatever fits on a table
 
-double end_of_motions(const Model& model, double time) {
-  for (const Motion& motion : model.motions) time = std::max(time, motion.start + motion.duration);
-  return time;
-}
-
 /// So many that no prescribed vertex moves by more than a third of a tet's width at once.
 int increments(const Model& model, double volume) {
   double farthest = 0;
@@ -65,7 +60,7 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
     report.iterations += kIterations;
   };
 
-  const double begin = state.time, end = end_of_motions(model, begin);
+  const double begin = state.time, end = std::max(begin, model.end_of_motions());
   if (end > begin) {
     const int count = increments(model, solver.buffers().volume);
     for (int k = 1; k <= count; ++k) step_to(begin + (end - begin) * k / count);

@@ -3,6 +3,7 @@
 #pragma once
 #include <optional>
 
+#include "render/gl/fence.h"
 #include "sim/gpu/sim_buffers.h"
 
 namespace fascia {
@@ -18,16 +19,15 @@ class StepSnapshot {
   StepSnapshot() = default;
   StepSnapshot(const StepSnapshot&) = delete;
   StepSnapshot& operator=(const StepSnapshot&) = delete;
-  ~StepSnapshot();
 
-  /// Queues copies of what the last substep left. Needs a current context, as do take() and the destructor.
+  /// Queues copies of what the last substep left. Needs a current context, as does take().
   void request(const SimBuffers& buffers);
   /// Once for every request, when the copies are made; with `wait`, waits for them.
   std::optional<SolvedStep> take(bool wait);
 
  private:
   gl::Buffer previous_, predicted_, solution_;
-  GLsync fence_ = nullptr;
+  gl::Fence fence_;
 };
 
 }  // namespace fascia

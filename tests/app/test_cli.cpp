@@ -221,13 +221,18 @@ TEST_CASE("run exports a series and statistics", "[cli]") {
   const auto stats = nlohmann::json::parse(read_file(folder / "stats.json"));
   for (const char* key : {"version", "renderer", "vertices", "tets", "steps", "time_step", "iterations_per_step", "wall_s",
                           "ms_per_step", "solve_ms_per_step", "residual", "nan", "inverted", "kinetic_J", "elastic_J", "momentum",
-                          "angular_momentum", "reaction_N", "dispatches_per_step", "gpu_bytes"}) {
+                          "angular_momentum", "reaction_N", "dispatches_per_step", "gpu_bytes", "steps_asleep", "kernels", "gpu_buffers",
+                          "tets_solved", "bytes_per_iteration"}) {
     CAPTURE(key);
     CHECK(stats.contains(key));
   }
   CHECK(stats["steps"] == 6);
   CHECK(stats["nan"] == false);
   CHECK(stats["ms_per_step"].contains("median"));
+  CHECK(stats["steps_asleep"] == 0);
+  std::size_t bytes = 0;
+  for (const auto& [name, buffer] : stats["gpu_buffers"].items()) bytes += buffer.get<std::size_t>();
+  CHECK(bytes == stats["gpu_bytes"]);
 }
 
 TEST_CASE("the same run gives the same state file, on every context", "[cli]") {

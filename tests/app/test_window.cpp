@@ -95,6 +95,33 @@ double farthest_vertex(const std::filesystem::path& csv, const std::filesystem::
 
 }  // namespace
 
+TEST_CASE("a window in which nothing moves uses no processor, and wakes when it is touched") {
+  const Desk desk;
+  const std::string scene = desk.scene("cube.json", cube_scene("Test cube", 2e4));
+  FasciaWindow window(with_size({scene, "--stats", "stats.json"}), desk.folder.path());
+  window.screenshot();  // it is up and shows the scene
+  // Less is used the busier the machine is: a window that draws on uses most of the time that it gets.
+  const auto used_in_a_while = [&] {
+    const double before = window.processor_seconds();
+    for (int i = 0; i < 4; ++i) window.pause();
+    return window.processor_seconds() - before;
+  };
+  double used = 0;
+  CHECK(eventually([&] { return (used = used_in_a_while()) < 0.02; }));
+  CAPTURE(used);
+
+  window.move(kWidth / 2, kHeight / 2);
+  window.press();
+  const Screenshot rest = window.screenshot();
+  window.move(kWidth / 2 + 160, kHeight / 2 - 60);
+  CHECK(eventually([&] { return changed_share(rest, window.screenshot()) > 0.01; }));
+  window.release();
+  window.key("ctrl+q");
+  CHECK(window.wait() == 0);
+  const auto stats = nlohmann::json::parse(read_file(desk.folder / "stats.json"));
+  CHECK(stats["steps_asleep"].get<long>() > 0);
+}
+
 TEST_CASE("tissue is dragged, a slider moved and keys pressed in the window") {
   const Desk desk;
   const std::string scene = desk.scene("cube.json", cube_scene("Test cube", 2e4));

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -123,6 +124,18 @@ bool FasciaWindow::running() {
   child_ = -1;
   exit_code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return false;
+}
+
+double FasciaWindow::processor_seconds() const {
+  std::ifstream in("/proc/" + std::to_string(child_) + "/stat");
+  std::string line;
+  std::getline(in, line);
+  std::istringstream fields(line.substr(line.rfind(')') + 2));  // the name before may hold anything
+  std::string field;
+  for (int i = 3; i < 14; ++i) fields >> field;
+  double user = 0, system = 0;
+  fields >> user >> system;
+  return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
 int FasciaWindow::wait() {

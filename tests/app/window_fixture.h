@@ -48,6 +48,7 @@ class FasciaWindow {
   void release();
   Screenshot screenshot();            // through P
   bool running();
+  double processor_seconds() const;   // that the program has used so far
   /// Exit code; the program must end by itself.
   int wait();
   std::string said() const;           // stdout and stderr

@@ -227,7 +227,8 @@ TEST_CASE("a written scene is readable: lists of numbers on one line, no needles
     "frame_budget": 0,
     "colors": 0,
     "spectral_radius": 0,
-    "window": 5
+    "window": 5,
+    "rest_speed": 1e-05
   },
   "display": {"color": "none", "wireframe": false},
   "duration": 2

@@ -96,7 +96,7 @@ TEST_CASE("an unknown key is named with the nearest known one, at every level") 
   CHECK(top_error(R"("solver": {"iters": 3})") ==
         "s.json: solver.iters: unknown key \"iters\", perhaps \"iterations\"; expected one of method, "
         "acceleration, "
-        "iterations, tolerance, time_step, substeps, frame_budget, colors, spectral_radius, window");
+        "iterations, tolerance, time_step, substeps, frame_budget, colors, spectral_radius, window, rest_speed");
   CHECK(top_error(R"("camera": {"eye": [0, 0, 1], "fov": 40})") ==
         "s.json: camera.fov: unknown key \"fov\"; expected one of eye, target, up, fov_deg");
   CHECK(top_error(R"("display": {"colour": "none"})") ==
@@ -168,7 +168,7 @@ TEST_CASE("a wrong type says what is there and what was expected") {
   CHECK(top_error(R"("solver": [])") ==
         "s.json: solver: is []; expected an object with method, acceleration, iterations, tolerance, "
         "time_step, "
-        "substeps, frame_budget, colors, spectral_radius, window");
+        "substeps, frame_budget, colors, spectral_radius, window, rest_speed");
   CHECK(top_error(R"("solver": {"iterations": 2.5})") ==
         "s.json: solver.iterations: is 2.5; expected a whole number, 1 to 10000");
   CHECK(top_error(R"("solver": {"iterations": true})") ==

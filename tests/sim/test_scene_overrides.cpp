@@ -109,7 +109,7 @@ TEST_CASE("overrides reach a mesh opened alone") {
 TEST_CASE("the mistake of an override names the override, that of the file the file") {
   CHECK(error_with({"solver.iteration=3"}) ==
         "--set solver.iteration: unknown key \"iteration\", perhaps \"iterations\"; expected one of method, "
-        "acceleration, iterations, tolerance, time_step, substeps, frame_budget, colors, spectral_radius, window");
+        "acceleration, iterations, tolerance, time_step, substeps, frame_budget, colors, spectral_radius, window, rest_speed");
   CHECK(error_with({"bodies.0.material.young_modulus=3"}) ==
         "--set bodies.0.material.young_modulus: bodies[0].material: unknown key \"material\", perhaps "
         "\"materials\"; expected "

@@ -18,7 +18,7 @@ TEST_CASE("every default lies in its range and every setting has a help text") {
     CHECK(std::string(help).size() > 10);
     ++count;
   });
-  CHECK(count == 8);
+  CHECK(count == 9);
   CHECK(Pair{settings.method, settings.acceleration} == legal_pairs().front());
 }
 

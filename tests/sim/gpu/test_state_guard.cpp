@@ -1,6 +1,7 @@
 // The watch over the state: what it calls lost, and what it goes back to.
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <limits>
 
 #include "sim/gpu/solver.h"
@@ -57,6 +58,25 @@ TEST_CASE("a free fall of any length and a fast start are no reason to worry", "
   for (int i = 0; i < 30; ++i) solver.step();
   CHECK(solver.download().displacement[0].x() > 400);
   CHECK(astray(solver) == std::nullopt);
+}
+
+TEST_CASE("the watch measures the way since the last look, the speed and the displacement", "[gpu]") {
+  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
+  Gpu gpu(loads);
+  const Model model = free_bar();
+  GpuSolver solver(gpu.programs, model, with(Pair{Method::two_level, Acceleration::nonlinear_cg}));
+  reference::State start = reference::initial_state(model);
+  for (Vector3d& u : start.displacement) u = {0, 0.3, 0};
+  for (Vector3d& v : start.velocity) v = {0, 0, 0.6};
+  solver.upload(start);
+  for (int i = 0; i < 6; ++i) solver.step();
+  solver.request_check();
+  const auto verdict = solver.take_check(true);
+  REQUIRE(verdict);
+  CHECK(verdict->movement.duration == Approx(0.1));
+  CHECK(verdict->movement.way == Approx(0.06).epsilon(1e-4));
+  CHECK(verdict->movement.speed == Approx(0.6).epsilon(1e-4));
+  CHECK(verdict->movement.displacement == Approx(std::hypot(0.3, 0.06)).epsilon(1e-4));
 }
 
 TEST_CASE("a vertex that its forces throw out of the scene is noted", "[gpu]") {

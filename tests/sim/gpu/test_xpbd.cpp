@@ -5,6 +5,7 @@
 // amplifies that to a few 1e-6. A whole step feeds 20 iterations with such errors, which the iteration itself damps.
 #include <catch2/catch.hpp>
 
+#include "sim/locality.h"
 #include "sim/gpu/jacobi.h"
 #include "sim/gpu/solver.h"
 #include "tests/sim/gpu/double_xpbd.h"
@@ -64,15 +65,17 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
   const auto next = method.iteration(recording, false);
   const DoubleXpbd exact(model, settings);
   const std::vector<Tet> slots = buffers.tet_slots.read<Tet>();
+  const std::vector<std::uint32_t> order = solved_tets(model);
   const auto compare = [&](const std::vector<Vector6d>& lambda, const std::vector<Vector3d>& u) {
     const std::vector<vec4> correction = buffers.correction.read<vec4>();
     std::vector<Vector3d> got, expected;
     std::vector<Vector6d> updated;
-    for (std::size_t t = 0; t < model.tets.size(); ++t) {
-      const auto r = exact.solve_tet(t, u, exact.strain(t, state.displacement), lambda[t]);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      const std::uint32_t t = order[k];
+      const auto r = exact.solve_tet(t, u, exact.strain(t, state.displacement), lambda[k]);
       updated.push_back(r.multiplier);
       for (int a = 0; a < 4; ++a) {
-        const vec4 c = correction[slots[t][a]];
+        const vec4 c = correction[slots[k][a]];
         got.emplace_back(c.x, c.y, c.z);
         expected.push_back(r.correction[a]);
       }
