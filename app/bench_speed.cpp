@@ -50,7 +50,7 @@ Table speed_table() {
   table.notes = {"boxes of cells cut into 6 tets, one end held, E = 1e6 Pa, nu = 0.3, from a bend and twist at rest; " +
                      std::to_string(kIterations) + " iterations a step of 1/60 s",
                  "the pairs take turns; ms_per_step: medians, prediction and velocities included; _low, _high: a tenth is below, above",
-                 "bytes_per_iteration: every buffer that a pass uses, once; gigabytes_per_s: that over the time"};
+                 "bytes_per_iteration: every buffer that a kernel uses, once; gigabytes_per_s: that over the time"};
   table.columns = {"tets", "vertices", "method", "acceleration", "repetitions", "dispatches_per_step", "gpu_bytes", "bytes_per_iteration",
                    "ms_per_step", "ms_per_step_low", "ms_per_step_high", "ns_per_tet_iteration", "gigabytes_per_s"};
   return table;

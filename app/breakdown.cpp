@@ -38,12 +38,17 @@ class Repetition {
 
   void step() {
     for (; next_ < replay_.inputs.size() && replay_.inputs[next_].step <= steps_; ++next_) {
-      tuning_.apply(replay_.inputs[next_]);
+      const Input& input = replay_.inputs[next_];
+      tuning_.apply(input);
       model_.materials = tuning_.materials;
       model_.gravity = tuning_.gravity;
-      solver_->set_settings(tuning_.solver);
-      solver_->materials_changed();
-      solver_->set_grab(tuning_.springs);
+      // As Simulation does, and no more: what did not change must not stir regions at rest.
+      if (std::holds_alternative<SolverSettings>(input.change))
+        solver_->set_settings(tuning_.solver);
+      else if (std::holds_alternative<GrabInput>(input.change))
+        solver_->set_grab(tuning_.springs);
+      else
+        solver_->materials_changed();
       solver_->finish_background();
     }
     solver_->step();

@@ -41,6 +41,7 @@ int command_render(const RenderOptions& options) {
   Session session(graphics, std::move(opened.scene), options.reference);
   Simulation& simulation = session.simulation;
   if (opened.replay) simulation.play(std::move(*opened.replay));
+  if (session.display().color == ColorBy::error) simulation.gpu()->solve_everything();
   announce(options, graphics, simulation.model.notes);
 
   Framebuffer framebuffer(options.width, options.height, options.samples);

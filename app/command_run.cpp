@@ -42,6 +42,7 @@ int command_run(const RunOptions& options) {
   if (!options.reference) graphics = open_graphics(options, false, 16, 16, opened.scene.solver.method);
   Simulation simulation(std::move(opened.scene), graphics.programs.get(), options.reference);
   if (opened.replay) simulation.play(std::move(*opened.replay));
+  if (options.error) simulation.gpu()->solve_everything();
   announce(options, graphics, simulation.model.notes);
 
   RunStats stats;

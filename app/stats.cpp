@@ -67,6 +67,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
                   {"gpu_buffers", stats.gpu_buffers}};
   if (const GpuSolver* gpu = simulation.gpu(); gpu && !simulation.uses_reference()) {
     json["tets_solved"] = gpu->buffers().tet_count;
+    json["share_solved"] = gpu->share_solved();
     json["bytes_per_iteration"] = gpu->bytes_per_iteration();
   }
   if (stats.error) json["error"] = *stats.error;

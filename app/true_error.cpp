@@ -55,7 +55,8 @@ void TrueError::begin(Simulation& simulation) {
 bool TrueError::update(Simulation& simulation, bool continuously) {
   const bool news = !result_ || result_->step != simulation.gpu()->steps_solved();
   const bool due = (requested_ || (continuously && news)) && !waiting_ && !running_.valid();
-  if (due && !simulation.uses_reference() && simulation.gpu()->has_step() && simulation.model.tets.size() <= kMostTets) {
+  if (due && !simulation.uses_reference() && simulation.gpu()->has_step() && simulation.gpu()->last_was_whole() &&
+      simulation.model.tets.size() <= kMostTets) {
     requested_ = false;
     begin(simulation);
   }

@@ -12,10 +12,12 @@ constexpr double kRounding = 6e-6;
 
 }  // namespace
 
+bool is_still(double way, double seconds, double displacement, const SolverSettings& settings, double size) {
+  return way <= settings.rest_speed * size * seconds + kRounding * displacement;
+}
+
 bool RestWatch::add(const Movement& movement, const SolverSettings& settings, double size) {
-  const auto still = [&](double way, double seconds) {
-    return way <= settings.rest_speed * size * seconds + kRounding * movement.displacement;
-  };
+  const auto still = [&](double way, double seconds) { return is_still(way, seconds, movement.displacement, settings, size); };
   const double h = settings.substep();
   if (still(movement.way, movement.duration) && still(h * movement.speed, h)) {
     quiet_ += movement.duration;

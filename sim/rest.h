@@ -12,6 +12,10 @@ struct Movement {
   double displacement = 0;  // now [m]
 };
 
+/// Whether a way [m] within `seconds` is no movement: below solver.rest_speed, or what float32 rounds of a displacement [m]. `size` of the
+/// scene [m].
+bool is_still(double way, double seconds, double displacement, const SolverSettings& settings, double size);
+
 class RestWatch {
  public:
   /// Whether it is at rest after this look. `size` of the scene [m].

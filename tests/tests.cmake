@@ -20,6 +20,9 @@ endif()
 # The same renderer on every machine, whatever graphics card it has. Small meshes and pictures: llvmpipe's worker threads cost more
 # than they bring, four times as much on a busy machine.
 set(FASCIA_TEST_ENVIRONMENT LP_NUM_THREADS=0 LIBGL_ALWAYS_SOFTWARE=1)
+if(FASCIA_SANITIZE)
+  list(APPEND FASCIA_TEST_ENVIRONMENT LSAN_OPTIONS=print_suppressions=0)  # tests compare what programs print
+endif()
 set(mesa_egl /usr/share/glvnd/egl_vendor.d/50_mesa.json)
 if(EXISTS ${mesa_egl})
   list(APPEND FASCIA_TEST_ENVIRONMENT __EGL_VENDOR_LIBRARY_FILENAMES=${mesa_egl})

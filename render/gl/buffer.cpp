@@ -115,6 +115,11 @@ void Buffer::upload(std::size_t offset, std::size_t bytes, const void* data) {
   BufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
 }
 
+void Buffer::clear() {
+  BindBuffer(GL_COPY_WRITE_BUFFER, id_);
+  ClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
 void Buffer::copy(const Buffer& from, std::size_t bytes, std::size_t offset) {
   assert(offset + bytes <= bytes_ && bytes <= from.bytes_);
   if (bytes == 0) return;

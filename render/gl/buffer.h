@@ -29,6 +29,7 @@ class Buffer {
 
   void upload(std::size_t offset, std::size_t bytes, const void* data);
   void download(std::size_t offset, std::size_t bytes, void* data) const;  // waits for the GPU
+  void clear();  // zeros
   /// The first `bytes` of another buffer to `offset`, without a way through the CPU.
   void copy(const Buffer& from, std::size_t bytes, std::size_t offset = 0);
   template <class T>

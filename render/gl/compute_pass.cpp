@@ -158,10 +158,15 @@ void ComputePass::resolve() const {
     throw Error(where, std::to_string(groups) + " work groups",
                 "expected at most " + std::to_string(device().max_compute_groups));
   groups_ = static_cast<std::uint32_t>(groups);
+  group_size_ = static_cast<std::uint32_t>(size);
   uniforms_.clear();  // a uniform that the driver optimised away has no location
   for (const auto& [name, value] : constants_)
     if (const GLint location = GetUniformLocation(program_->id(), name.c_str()); location >= 0)
       uniforms_.emplace_back(location, value);
+  followed_uniforms_.clear();
+  for (const auto& [name, value] : followed_)
+    if (const GLint location = GetUniformLocation(program_->id(), name.c_str()); location >= 0)
+      followed_uniforms_.emplace_back(location, value);
   slots_ = std::move(slots);
   generation_ = program_->generation();
 }
@@ -169,6 +174,11 @@ void ComputePass::resolve() const {
 void ComputePass::set_indirect(const Buffer& arguments, std::uint32_t index) {
   arguments_ = &arguments;
   argument_ = index;
+}
+
+void ComputePass::follow(const std::string& constant, const std::uint32_t& value) {
+  followed_.emplace_back(constant, &value);
+  resolve();
 }
 
 std::size_t ComputePass::bytes() const {
@@ -179,7 +189,10 @@ std::size_t ComputePass::bytes() const {
 
 void ComputePass::run() const {
   if (generation_ != program_->generation()) resolve();
-  if (groups_ == 0) return;
+  std::uint32_t groups = groups_;
+  for (const auto& [name, value] : followed_)
+    if (name == "invocations") groups = (*value + group_size_ - 1) / group_size_;
+  if (groups == 0) return;
   program_->use();
   for (const Slot& slot : slots_) {
     if (slot.target == GL_TEXTURE_BUFFER) {
@@ -190,11 +203,12 @@ void ComputePass::run() const {
     }
   }
   for (const auto& [location, value] : uniforms_) Uniform1ui(location, value);
+  for (const auto& [location, value] : followed_uniforms_) Uniform1ui(location, *value);
   if (arguments_) {
     BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments_->id());
     DispatchComputeIndirect(static_cast<GLintptr>(3 * sizeof(std::uint32_t) * argument_));
   } else {
-    DispatchCompute(groups_, 1, 1);
+    DispatchCompute(groups, 1, 1);
   }
   // Everything that later passes, draws and copies may do with the results.
   MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT |

@@ -31,6 +31,8 @@ class ComputePass {
   std::size_t bytes() const;
   /// From now on the number of groups is what `arguments` (uint [3 * n]) holds at place 3 * `index` when the pass runs.
   void set_indirect(const Buffer& arguments, std::uint32_t index);
+  /// From now on a constant, "invocations" included, is what `value` holds when the pass runs.
+  void follow(const std::string& constant, const std::uint32_t& value);
 
  private:
   void resolve() const;  // block names to binding points; again after a reload
@@ -46,8 +48,10 @@ class ComputePass {
   std::uint32_t invocations_ = 0;
   const Buffer* arguments_ = nullptr;  // of an indirect dispatch
   std::uint32_t argument_ = 0;
-  mutable std::uint32_t groups_ = 0;
+  std::vector<std::pair<std::string, const std::uint32_t*>> followed_;
+  mutable std::uint32_t groups_ = 0, group_size_ = 1;
   mutable std::vector<std::pair<GLint, std::uint32_t>> uniforms_;  // location, value
+  mutable std::vector<std::pair<GLint, const std::uint32_t*>> followed_uniforms_;
   mutable std::vector<Slot> slots_;
   mutable unsigned generation_ = 0;
 };

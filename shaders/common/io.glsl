@@ -32,4 +32,13 @@
 #define GROUP_SIZE 64
 #endif
 #define COMPUTE_1D layout(local_size_x = GROUP_SIZE) in; uniform uint invocations;
-#define ITEM_OR_RETURN(i) uint i = gl_GlobalInvocationID.x; if (i >= invocations) return;
+// With LISTED a kernel goes through the items of a list: those of a step in which the others rest.
+#ifdef LISTED
+INPUT_UINT(ItemList, item_list)  // [number of items]
+#define LISTED_ITEM(k) FETCH1(item_list, k)
+#else
+#define LISTED_ITEM(k) (k)
+#endif
+#define ITEM_OR_RETURN(i) if (gl_GlobalInvocationID.x >= invocations) return; uint i = LISTED_ITEM(gl_GlobalInvocationID.x);
+// For sums: every invocation goes through every invocations-th item, LISTED_ITEM(k).
+#define LANE_OR_RETURN(i) uint i = gl_GlobalInvocationID.x; if (i >= invocations) return;

@@ -7,7 +7,7 @@ COMPUTE_1D
 INPUT_VEC4(RestPosition, rest_position)  // [vertex_count] w inverse mass [1/kg]
 INPUT_FLOAT(Mass, mass)                  // [vertex_count] [kg], also of held vertices
 INPUT_VEC4(Displacement, displacement)   // [vertex_count] u [m]
-INPUT_VEC4(Predicted, predicted)         // [vertex_count] u~ [m]
+INPUT_VEC4(Predicted, predicted)         // [vertex_count] u~ [m], w inverse mass in this step
 INPUT_VEC4(Velocity, velocity)           // [vertex_count] [m/s]
 INPUT_UINT(SlotBegin, slot_begin)        // [vertex_count + 1]
 INPUT_VEC4(Correction, correction)       // [4 * tet_count] h^2 times the force of each corner [kg m]
@@ -29,6 +29,8 @@ void main() {
     partial.momentum += vec4(p, 0.5 * dot(p, velocity_v));
     partial.angular += vec4(cross(rest.xyz + u, p), finite ? 0.0 : 1.0);
     partial.reaction.w = max(partial.reaction.w, dot(velocity_v, velocity_v));
+    bool rests = rest.w > 0.0 && FETCH(predicted, v).w == 0.0;  // held for this step
+    if (rests) continue;
     if (rest.w > 0.0) {
       float unit = INVERSE_MEAN_MASS;
       vec3 inertia = unit * m * (u - FETCH(predicted, v).xyz), elastic = unit * impulse, momentum = unit * p;

@@ -7,8 +7,8 @@ OUTPUT(vec4, DotPartials, dot_partials)
 uniform uint vertex_count;
 
 void main() {
-  ITEM_OR_RETURN(i)
+  LANE_OR_RETURN(i)
   float sum = 0.0;
-  for (uint v = i; v < vertex_count; v += invocations) sum += FETCH(gradient, v).w;
+  for (uint k = i; k < vertex_count; k += invocations) sum += FETCH(gradient, LISTED_ITEM(k)).w;
   STORE_PARTIAL(dot_partials, i, vec4(0.0, 0.0, 0.0, sum))
 }

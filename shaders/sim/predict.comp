@@ -20,10 +20,17 @@ float copies(uint i) { return 1.0; }
 OUTPUT(vec4, PreviousDisplacement, previous_displacement)
 OUTPUT(vec4, Predicted, predicted)
 
+#ifdef LISTED
+uniform uint moving_count;  // of the list: the others rest and are held where they are
+#endif
+
 void main() {
   ITEM_OR_RETURN(i)
   vec3 u = displacement[i].xyz;
   float inv_mass = FETCH(rest_position, i).w;
+#ifdef LISTED
+  if (gl_GlobalInvocationID.x >= moving_count) inv_mass = 0.0;
+#endif
   vec3 drift = inv_mass > 0.0 ? SUBSTEP * FETCH(velocity, i).xyz : vec3(0.0);
   vec3 fall = inv_mass > 0.0 ? SUBSTEP * SUBSTEP * GRAVITY : vec3(0.0);
   previous_displacement[i] = vec4(u, inv_mass);

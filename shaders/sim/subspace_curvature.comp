@@ -16,9 +16,10 @@ OUTPUT(vec4, CurvaturePartials, curvature_partials)  // x z_f H z_f, y z_f H z_c
 uniform uint tet_count;
 
 void main() {
-  ITEM_OR_RETURN(i)
+  LANE_OR_RETURN(i)
   vec4 sum = vec4(0.0);
-  for (uint t = i; t < tet_count; t += invocations) {
+  for (uint k = i; k < tet_count; k += invocations) {
+    uint t = LISTED_ITEM(k);
     Tet tet = load_tet(t);
     mat3 h = displacement_gradient(tet, FETCH(displacement, tet.v.x).xyz, FETCH(displacement, tet.v.y).xyz,
                                    FETCH(displacement, tet.v.z).xyz, FETCH(displacement, tet.v.w).xyz);

@@ -19,9 +19,10 @@ OUTPUT(vec4, DotPartials, dot_partials)
 uniform uint vertex_count, partials;
 
 void main() {
-  ITEM_OR_RETURN(i)
+  LANE_OR_RETURN(i)
   vec4 slopes = vec4(0.0), masses = vec4(0.0), secants = vec4(0.0);
-  for (uint v = i; v < vertex_count; v += invocations) {
+  for (uint k = i; k < vertex_count; k += invocations) {
+    uint v = LISTED_ITEM(k);
     vec4 g = FETCH(gradient, v);
     vec3 zf = FETCH(fine_direction, v).xyz, zc = vec3(0.0), p = FETCH(last_step, v).xyz;
     vec3 y = g.xyz - FETCH(previous_gradient, v).xyz;

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "render/gl/compute_pass.h"
+#include "sim/gpu/active_set.h"
 #include "sim/gpu/features.h"
 #include "sim/gpu/grab_springs.h"
+#include "sim/gpu/reduction.h"
 #include "sim/gpu/sim_buffers.h"
 
 namespace fascia {
@@ -22,6 +24,15 @@ struct Recording {
   const Features& features;
   const gl::Buffer& previous_strain;  // made only with damping
   const GrabSprings& grab;
+  const ActiveSet* active = nullptr;  // what the passes go through; null: everything
+
+  /// A pass of an invocation per vertex or tet.
+  gl::ComputePass over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
+  gl::ComputePass over_tets(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
+  /// A sum over them; the kernel's loop ends at the constant vertex_count or tet_count.
+  gl::ComputePass sum_over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, const Reduction& sum,
+                                    gl::ComputePass::Constants constants = {}) const;
+  gl::ComputePass sum_over_tets(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, const Reduction& sum) const;
 };
 
 class StepGradient;
@@ -48,6 +59,8 @@ class StepMethod {
   /// One iteration, the grab's springs included. The first one of a substep finds no history.
   virtual Passes iteration(const Recording& recording, bool first) const = 0;
   virtual Passes end(const Recording&) const { return {}; }  // after the last iteration of a substep, unless a stop rule ended them
+  /// Before the first step of some that go through a part of the tets only.
+  virtual void begin_partial() {}
   /// Materials, masses, gravity or h have other values; buffers and passes stay.
   virtual void values_changed(const Model&, const SolverSettings&) {}
   /// Uploads what was computed beside the frame, if it is ready, or, with `wait`, when it is.

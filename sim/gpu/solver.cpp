@@ -1,6 +1,7 @@
 #include "sim/gpu/solver.h"
 
 #include <chrono>
+#include <set>
 #include <tuple>
 
 #include "sim/gpu/exact_xpbd.h"
@@ -11,7 +12,7 @@
 
 namespace fascia {
 gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin,
-                           bool gravity_at_start) {
+                           bool gravity_at_start, const ActiveSet* active) {
   gl::ComputePass::Bindings bindings{{"step", &buffers.step},
                                      {"rest_position", &buffers.rest_position},
                                      {"velocity", &buffers.velocity},
@@ -19,9 +20,17 @@ gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers
                                      {"previous_displacement", &buffers.previous_displacement},
                                      {"predicted", &buffers.predicted}};
   if (copy_begin) bindings.emplace_back("copy_begin", copy_begin);
-  return {programs.compute("sim/predict.comp", {{"MASS_SPLITTING", copy_begin ? "1" : "0"},
-                                                {"START_WITHOUT_GRAVITY", gravity_at_start ? "0" : "1"}}),
-          std::move(bindings), buffers.vertex_count};
+  gl::Defines defines{{"MASS_SPLITTING", copy_begin ? "1" : "0"}, {"START_WITHOUT_GRAVITY", gravity_at_start ? "0" : "1"}};
+  if (active) {
+    defines.emplace_back("LISTED", "1");
+    bindings.emplace_back("item_list", &active->vertices);
+  }
+  gl::ComputePass pass(programs.compute("sim/predict.comp", defines), std::move(bindings), buffers.vertex_count);
+  if (active) {
+    pass.follow("invocations", active->vertex_count);
+    pass.follow("moving_count", active->moving_count);
+  }
+  return pass;
 }
 
 GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
@@ -47,6 +56,7 @@ void GpuSolver::make_method() {
   const bool order_goes = sweep && settings_.method != Method::gauss_seidel;
   auto* two_level = dynamic_cast<TwoLevelMethod*>(method_.get());
   const bool levels_stay = two_level && settings_.method == Method::two_level;
+  regions_.reset();
   if (!colors_stay && !levels_stay) method_.reset();  // before the next one is made: both may not fit
   if (order_goes) {
     buffers_.set_tet_order(model_, solved_tets(model_));
@@ -104,52 +114,60 @@ void GpuSolver::record() {
   if (!features_.damping) previous_strain_ = {};
   if (features_.damping && !previous_strain_)
     previous_strain_ = gl::Buffer("previous_strain", 2 * sizeof(shared::vec4) * buffers_.tet_count);
-  begin_.clear();
-  begin_.push_back(prediction(programs_, buffers_, method_->copy_begin(), !method_->starts_without_gravity()));
-  if (!motions_.empty()) begin_.push_back(motions_.pass(programs_, buffers_));
-  if (features_.damping)
-    begin_.emplace_back(programs_.compute("sim/previous_strain.comp"),
-                        gl::ComputePass::Bindings{{"tet_vertices", &buffers_.tet_vertices},
-                                                  {"tet_shape", &buffers_.tet_shape},
-                                                  {"previous_displacement", &buffers_.previous_displacement},
-                                                  {"previous_strain", &previous_strain_}},
-                        buffers_.tet_count);
-  append(begin_, method_->begin(recording()));
-  before_first_ = before_ = {};
+  const bool may_rest = settings_.method == Method::two_level && settings_.acceleration != Acceleration::anderson && !stop_ &&
+                        settings_.rest_speed > 0 && !buffers_.displacement_low && buffers_.tet_count >= Regions::kLeastTets &&
+                        !always_whole_;
+  if (!may_rest) regions_.reset();
+  if (may_rest && !regions_) regions_.emplace(programs_, buffers_);
   before_every_ = 1;
-  if (const StepGradient* gradient = method_->gradient()) before_first_ = before_ = gradient->passes(recording());
-  refresh_ = method_->refresh(recording());
+  whole_ = record_step(nullptr);
+  partial_ = regions_ ? record_step(&regions_->active()) : StepPasses();
+  diagnostics_.record(programs_, buffers_, features_, previous_strain_, grab_);
+  surface_.record(programs_, buffers_, features_, color_);
+}
+
+GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
+  const Recording r{programs_, buffers_, features_, previous_strain_, grab_, active};
+  StepPasses passes;
+  passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), !method_->starts_without_gravity(), active));
+  if (!motions_.empty()) passes.begin.push_back(motions_.pass(programs_, buffers_));
+  if (features_.damping)
+    passes.begin.push_back(r.over_tets("sim/previous_strain.comp", {},
+                                       {{"tet_vertices", &buffers_.tet_vertices},
+                                        {"tet_shape", &buffers_.tet_shape},
+                                        {"previous_displacement", &buffers_.previous_displacement},
+                                        {"previous_strain", &previous_strain_}}));
+  append(passes.begin, method_->begin(r));
+  if (const StepGradient* gradient = method_->gradient()) passes.before_first = passes.before = gradient->passes(r);
+  passes.refresh = method_->refresh(r);
   if (multiplier_weight_) {
     gl::ComputePass::Bindings bindings{{"step", &buffers_.step},
                                        {"tet_vertices", &buffers_.tet_vertices},
                                        {"tet_shape", &buffers_.tet_shape},
                                        {"multiplier_weight", &multiplier_weight_}};
-    begin_.emplace_back(
-        programs_.compute("sim/multiplier_weight.comp", defines_of(features_)),
-        with_material(std::move(bindings), features_, buffers_), buffers_.tet_count);
+    passes.begin.push_back(r.over_tets("sim/multiplier_weight.comp", defines_of(features_),
+                                       with_material(std::move(bindings), features_, buffers_)));
   }
-  if (anderson_) append(begin_, anderson_->begin(programs_));
-  first_iteration_ = iteration(true);
-  iteration_ = iteration(false);
-  end_ = method_->end(recording());
+  if (anderson_) append(passes.begin, anderson_->begin(programs_));
+  passes.first_iteration = iteration(r, true);
+  passes.iteration = iteration(r, false);
+  passes.end = method_->end(r);
   if (stop_) {
-    stop_->record(recording(), before_first_, before_, {&refresh_, &first_iteration_, &iteration_, &end_});
+    stop_->record(r, passes.before_first, passes.before, {&passes.refresh, &passes.first_iteration, &passes.iteration, &passes.end});
     before_every_ = stop_->interval();
   }
-  end_.emplace_back(programs_.compute("sim/velocity.comp"),
-                    gl::ComputePass::Bindings{{"step", &buffers_.step},
-                                              {"displacement", &buffers_.displacement},
-                                              {"previous_displacement", &buffers_.previous_displacement},
-                                              {"predicted", &buffers_.predicted},
-                                              {"velocity", &buffers_.velocity},
-                                              {"astray", &buffers_.astray}},
-                    buffers_.vertex_count);
-  diagnostics_.record(programs_, buffers_, features_, previous_strain_, grab_);
-  surface_.record(programs_, buffers_, features_, color_);
+  passes.end.push_back(r.over_vertices("sim/velocity.comp", {},
+                                       {{"step", &buffers_.step},
+                                        {"displacement", &buffers_.displacement},
+                                        {"previous_displacement", &buffers_.previous_displacement},
+                                        {"predicted", &buffers_.predicted},
+                                        {"velocity", &buffers_.velocity},
+                                        {"astray", &buffers_.astray}}));
+  return passes;
 }
 
-Passes GpuSolver::iteration(bool first) {
-  Passes passes = method_->iteration(recording(), first);
+Passes GpuSolver::iteration(const Recording& r, bool first) {
+  Passes passes = method_->iteration(r, first);
   // Chebyshev acceleration goes with methods whose iterations start at the prediction.
   if (chebyshev_) append(passes, chebyshev_->passes(programs_, buffers_.step, buffers_.predicted, buffers_.displacement, first));
   if (anderson_) append(passes, anderson_->passes(programs_, first));
@@ -183,21 +201,35 @@ void GpuSolver::begin_substep() {
   time_ += settings_.substep();
   ++substeps_;
   motions_.upload(model_, time_);
-  run(begin_);
+  run(passes_->begin);
 }
 
 void GpuSolver::iterate(int iteration) {
-  if (iteration % before_every_ == 0) run(iteration == 0 ? before_first_ : before_);
-  if (iteration % StepMethod::kRefresh == 0) run(refresh_);
-  run(iteration == 0 ? first_iteration_ : iteration_);
+  if (iteration % before_every_ == 0) run(iteration == 0 ? passes_->before_first : passes_->before);
+  if (iteration % StepMethod::kRefresh == 0) run(passes_->refresh);
+  run(iteration == 0 ? passes_->first_iteration : passes_->iteration);
+}
+
+// Everything, or what moves beside regions at rest.
+void GpuSolver::choose_passes() {
+  const bool after_whole = passes_ == &whole_;
+  passes_ = &whole_;
+  if (regions_) {
+    if (time_ < model_.end_of_motions()) regions_->restart();
+    if (regions_->begin_step(settings_, springs_)) passes_ = &partial_;
+  }
+  if (passes_ == &partial_ && after_whole) method_->begin_partial();
+  tets_stepped_ += passes_ == &partial_ ? regions_->active().tet_count : buffers_.tet_count;
 }
 
 void GpuSolver::step() {
+  choose_passes();
   for (int s = 0; s < settings_.substeps; ++s) {
     begin_substep();
     for (int i = 0; i < settings_.iterations; ++i) iterate(i);
-    run(end_);
+    run(passes_->end);
   }
+  if (regions_) regions_->end_step();
   has_step_ = true;
   ++steps_solved_;
 }
@@ -213,6 +245,8 @@ std::vector<Diagnostics> GpuSolver::traced_substep() {
     request_diagnostics();
     trace.push_back(*take_diagnostics(true));
   };
+  passes_ = &whole_;
+  if (regions_) regions_->restart();
   begin_substep();
   if (!grab_.empty()) grab_.forget();
   diagnose();
@@ -220,7 +254,7 @@ std::vector<Diagnostics> GpuSolver::traced_substep() {
     iterate(i);
     diagnose();
   }
-  run(end_);
+  run(passes_->end);
   return trace;
 }
 
@@ -229,19 +263,34 @@ void GpuSolver::reset() { upload(reference::initial_state(model_)); }
 void GpuSolver::upload(const reference::State& state) {
   buffers_.upload_state(model_, state);
   time_ = state.time;
-  has_step_ = false;
+  state_changed();
   guard_.keep(buffers_, time_);
 }
 
 void GpuSolver::restore_sound(bool at_rest) {
   time_ = guard_.restore(buffers_);
   if (at_rest) buffers_.velocity.upload(0, buffers_.velocity.bytes(), std::vector<shared::vec4>(buffers_.vertex_count).data());
+  state_changed();
+}
+
+void GpuSolver::state_changed() {
   has_step_ = false;
+  if (regions_) regions_->restart();
+}
+
+void GpuSolver::request_check() {
+  guard_.request(buffers_, time_);
+  if (regions_) regions_->restart();  // so that steps from this state on are repeated to the bit
+}
+
+void GpuSolver::solve_everything() {
+  always_whole_ = true;
+  record();
 }
 
 void GpuSolver::set_settings(const SolverSettings& settings) {
   require_carried(settings.method, model_.materials, "solver.method");
-  const auto needs = [](const SolverSettings& s) { return std::tuple(s.method, s.acceleration, s.colors, s.window, s.tolerance > 0); };
+  const auto needs = [](const SolverSettings& s) { return std::tuple(s.method, s.acceleration, s.colors, s.window, s.tolerance > 0, s.rest_speed > 0); };
   const bool same_passes = needs(settings) == needs(settings_);
   SolverSettings before = settings_;
   before.iterations = settings.iterations;
@@ -266,6 +315,7 @@ void GpuSolver::set_settings(const SolverSettings& settings) {
 
 void GpuSolver::settings_changed() {
   has_step_ = false;
+  if (regions_) regions_->restart();
   buffers_.upload_step(model_, settings_);
   method_->values_changed(model_, settings_);
   if (chebyshev_) chebyshev_->forget_spectral_radius();
@@ -284,7 +334,9 @@ void GpuSolver::materials_changed() {
 void GpuSolver::set_grab(const std::vector<GrabSpring>& springs) {
   springs_ = springs;
   has_step_ = false;
-  if (grab_.set(springs)) record();
+  if (!grab_.set(springs)) return;
+  record();
+  if (regions_) regions_->restart();
 }
 
 void GpuSolver::set_color(ColorBy color) {
@@ -302,6 +354,7 @@ void GpuSolver::follow(const GpuSolver& leader) {
   buffers_.displacement.copy(leader.buffers_.displacement, buffers_.vertex_count * sizeof(shared::vec4));
   buffers_.velocity.copy(leader.buffers_.velocity, buffers_.velocity.bytes());
   time_ = leader.time_;
+  state_changed();
 }
 
 void GpuSolver::request_diagnostics() { diagnostics_.request(grab_, settings_.substep(), stop_ ? &stop_->state() : nullptr); }
@@ -322,21 +375,28 @@ double GpuSolver::mean_iterations() const {
   return static_cast<double>(stop_->state().read<std::uint32_t>().back()) / static_cast<double>(substeps_);
 }
 
+double GpuSolver::share_solved() const {
+  const double all = static_cast<double>(steps_solved_) * buffers_.tet_count;
+  return all > 0 ? static_cast<double>(tets_stepped_) / all : 1;
+}
+
 double GpuSolver::bytes_per_iteration() const {
   const auto bytes_of = [](const Passes& passes) {
     double bytes = 0;
-    for (const gl::ComputePass& pass : passes) bytes += static_cast<double>(pass.bytes());
+    std::set<const gl::Program*> counted;  // the colors of a sweep share what they go through
+    for (const gl::ComputePass& pass : passes)
+      if (counted.insert(&pass.program()).second) bytes += static_cast<double>(pass.bytes());
     return bytes;
   };
-  return bytes_of(iteration_) + bytes_of(before_) / before_every_ + bytes_of(refresh_) / StepMethod::kRefresh;
+  return bytes_of(whole_.iteration) + bytes_of(whole_.before) / before_every_ + bytes_of(whole_.refresh) / StepMethod::kRefresh;
 }
 
 std::uint64_t GpuSolver::dispatches_per_step() const {
   const std::uint64_t refreshes = (settings_.iterations + StepMethod::kRefresh - 1) / StepMethod::kRefresh;
   const std::uint64_t others = (settings_.iterations - 1) / before_every_;  // runs of before_ after the first
-  const std::uint64_t iterations = before_first_.size() + others * before_.size() + first_iteration_.size() +
-                                   (settings_.iterations - 1) * iteration_.size() + refreshes * refresh_.size();
-  return settings_.substeps * (begin_.size() + iterations + end_.size());
+  const std::uint64_t iterations = whole_.before_first.size() + others * whole_.before.size() + whole_.first_iteration.size() +
+                                   (settings_.iterations - 1) * whole_.iteration.size() + refreshes * whole_.refresh.size();
+  return settings_.substeps * (whole_.begin.size() + iterations + whole_.end.size());
 }
 
 }  // namespace fascia

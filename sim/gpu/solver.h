@@ -12,6 +12,7 @@
 #include "sim/gpu/diagnostics.h"
 #include "sim/gpu/gauss_seidel.h"
 #include "sim/gpu/motion_targets.h"
+#include "sim/gpu/regions.h"
 #include "sim/gpu/state_guard.h"
 #include "sim/gpu/step_snapshot.h"
 #include "sim/gpu/stop_rule.h"
@@ -20,9 +21,10 @@
 namespace fascia {
 
 /// The first pass of every substep (shaders/sim/predict.comp). `copy_begin`: uint [vertex_count + 1], copies before each vertex, of
-/// methods that split a vertex's mass between copies; null for those that do not. `gravity_at_start`: the iterations start at u~.
+/// methods that split a vertex's mass between copies; null for those that do not. `gravity_at_start`: the iterations start at u~. `active`:
+/// for those vertices only; null: for all.
 gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin,
-                           bool gravity_at_start = true);
+                           bool gravity_at_start = true, const ActiveSet* active = nullptr);
 
 class GpuSolver {
  public:
@@ -63,7 +65,7 @@ class GpuSolver {
   std::optional<Diagnostics> take_diagnostics(bool wait) { return diagnostics_.take(wait); }
 
   /// Asks whether the state of now is sound, and takes the answer when it is there. Sound states are kept to go back to.
-  void request_check() { guard_.request(buffers_, time_); }
+  void request_check();
   std::optional<StateGuard::Verdict> take_check(bool wait) { return guard_.take(wait); }
   /// A step in which nothing moves: the state, which has just been found sound, stays as it is.
   void rest();
@@ -75,6 +77,11 @@ class GpuSolver {
   const std::vector<GrabSpring>& springs() const { return springs_; }
   /// Steps that were solved, not rested: tells whether a state is another one.
   long steps_solved() const { return steps_solved_; }
+  /// Of the tets, on average over the steps that were solved: less than 1 where regions rested (regions.h).
+  double share_solved() const;
+  /// Whether the last step solved all tets.
+  bool last_was_whole() const { return passes_ == &whole_; }
+  void solve_everything();  // from now on, in every step
 
   reference::State download() const { return buffers_.download_state(time_); }
   reference::State download_sound() const { return guard_.download(); }  // the state of restore_sound()
@@ -92,7 +99,7 @@ class GpuSolver {
   const Chebyshev* chebyshev() const { return chebyshev_ ? &*chebyshev_ : nullptr; }
 
   std::uint64_t dispatches_per_step() const;
-  /// Estimated: every buffer that a pass uses, once; what belongs to each iteration, the refreshes shared out.
+  /// Estimated: every buffer that a kernel uses, once; what belongs to each iteration, the refreshes shared out.
   double bytes_per_iteration() const;
   const SimBuffers& buffers() const { return buffers_; }
 
@@ -103,8 +110,13 @@ class GpuSolver {
   void begin_substep();
   void iterate(int iteration);
   void settings_changed();
-  Recording recording() { return {programs_, buffers_, features_, previous_strain_, grab_}; }
-  Passes iteration(bool first);
+  struct StepPasses {
+    Passes begin, before_first, before, refresh, first_iteration, iteration, end;  // of one substep
+  };
+  StepPasses record_step(const ActiveSet* active);
+  Passes iteration(const Recording& recording, bool first);
+  void choose_passes();
+  void state_changed();
 
   gl::ProgramCache& programs_;
   const Model& model_;
@@ -124,11 +136,15 @@ class GpuSolver {
   DiagnosticsReader diagnostics_;
   StateGuard guard_;
   SurfacePositions surface_;
-  Passes begin_, before_first_, before_, refresh_, first_iteration_, iteration_, end_;  // of one substep
-  int before_every_ = 1;  // iterations from one run of before_ to the next
+  std::optional<Regions> regions_;  // where some may rest while others move
+  StepPasses whole_, partial_;      // for all tets; for those of a step in which regions rest
+  const StepPasses* passes_ = &whole_;
+  bool always_whole_ = false;
+  int before_every_ = 1;  // iterations from one run of `before` to the next
   std::map<std::string, KernelTime>* times_ = nullptr;  // of a timed step
   double time_ = 0;
   long steps_solved_ = 0;
+  std::uint64_t tets_stepped_ = 0;
   std::uint64_t substeps_ = 0;  // since stop_ was made
   bool has_step_ = false;
   unsigned materials_version_ = 0;  // changes of materials and gravity so far

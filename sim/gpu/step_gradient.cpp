@@ -24,8 +24,8 @@ Passes StepGradient::passes(const Recording& r) const {
                                    {"gradient", &gradient_}};
   const gl::Defines vertex_defines = r.grab.with_springs({}, vertex);
   Passes passes;
-  passes.emplace_back(r.programs.compute("sim/elastic_force.comp", tet_defines), std::move(tet), r.buffers.tet_count);
-  passes.emplace_back(r.programs.compute("sim/gradient.comp", vertex_defines), std::move(vertex), r.buffers.vertex_count);
+  passes.push_back(r.over_tets("sim/elastic_force.comp", tet_defines, std::move(tet)));
+  passes.push_back(r.over_vertices("sim/gradient.comp", vertex_defines, std::move(vertex)));
   return passes;
 }
 

@@ -37,23 +37,21 @@ void TwoLevelMethod::set_acceleration(const gl::ProgramCache& programs, const Si
 // The start that inertia proposes may be far up the energy's walls: it is a step from u_n, to be kept only if it lowers the objective.
 Passes TwoLevelMethod::begin(const Recording& r) const {
   Passes passes;
-  passes.emplace_back(r.programs.compute("sim/guess_begin.comp"),
-                      gl::ComputePass::Bindings{{"previous_displacement", &r.buffers.previous_displacement},
-                                                {"predicted", &r.buffers.predicted},
-                                                {"last_step", &last_step_},
-                                                {"displacement", &r.buffers.displacement}},
-                      r.buffers.vertex_count);
+  passes.push_back(r.over_vertices("sim/guess_begin.comp", {},
+                                   {{"previous_displacement", &r.buffers.previous_displacement},
+                                    {"predicted", &r.buffers.predicted},
+                                    {"last_step", &last_step_},
+                                    {"displacement", &r.buffers.displacement}}));
   append(passes, gradient_.passes(r));
   passes.push_back(objective_sum(r));
   passes.emplace_back(r.programs.compute("sim/guess_objective.comp"),
                       gl::ComputePass::Bindings{{"dot_partials", &dot_partials_}, {"subspace_state", &state_}}, 1,
                       gl::ComputePass::Constants{{"partials", vertices_.partials}});
-  passes.emplace_back(r.programs.compute("sim/guess_take.comp"),
-                      gl::ComputePass::Bindings{{"gradient", &gradient_.gradient()},
-                                                {"last_step", &last_step_},
-                                                {"previous_gradient", &previous_gradient_},
-                                                {"displacement", &r.buffers.displacement}},
-                      r.buffers.vertex_count);
+  passes.push_back(r.over_vertices("sim/guess_take.comp", {},
+                                   {{"gradient", &gradient_.gradient()},
+                                    {"last_step", &last_step_},
+                                    {"previous_gradient", &previous_gradient_},
+                                    {"displacement", &r.buffers.displacement}}));
   return passes;
 }
 
@@ -69,7 +67,7 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
   const gl::Defines defines = r.grab.with_springs(defines_of(r.features), bindings);
   Passes passes;
-  passes.emplace_back(r.programs.compute("sim/block_inverse.comp", defines), std::move(bindings), r.buffers.vertex_count);
+  passes.push_back(r.over_vertices("sim/block_inverse.comp", defines, std::move(bindings)));
   return passes;
 }
 
@@ -89,10 +87,9 @@ Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
     correct.emplace_back("displacement", &r.buffers.displacement);
     correct.emplace_back("iterate", &anderson_->iterate(0));
   }
-  passes.emplace_back(r.programs.compute("sim/two_level_correct.comp", {{"COARSE", coarse_.empty() ? "0" : "1"},
-                                                                        {"SPLIT", splits_ ? "1" : "0"},
-                                                                        {"SWEEP", anderson_ ? "1" : "0"}}),
-                      std::move(correct), r.buffers.vertex_count);
+  passes.push_back(r.over_vertices(
+      "sim/two_level_correct.comp",
+      {{"COARSE", coarse_.empty() ? "0" : "1"}, {"SPLIT", splits_ ? "1" : "0"}, {"SWEEP", anderson_ ? "1" : "0"}}, std::move(correct)));
   if (anderson_) {
     append(passes, anderson_->passes(r.programs, first));
     passes.emplace_back(
@@ -111,19 +108,13 @@ Passes TwoLevelMethod::end(const Recording& r) const {
 }
 
 gl::ComputePass TwoLevelMethod::objective_sum(const Recording& r) const {
-  return {r.programs.compute("sim/objective_sum.comp"),
-          {{"gradient", &gradient_.gradient()}, {"dot_partials", &dot_partials_}},
-          vertices_.lanes,
-          {{"vertex_count", r.buffers.vertex_count}}};
+  return r.sum_over_vertices("sim/objective_sum.comp", {}, {{"gradient", &gradient_.gradient()}, {"dot_partials", &dot_partials_}},
+                             vertices_);
 }
 
 Passes TwoLevelMethod::subspace_step(const Recording& r, bool last) const {
   gl::Defines defines{{"FINAL", last ? "1" : "0"}, {"SPLIT", splits_ ? "1" : "0"}};
   Passes passes;
-  const auto add = [&](const char* kernel, const gl::Defines& with, gl::ComputePass::Bindings bindings, std::uint32_t invocations,
-                       gl::ComputePass::Constants constants = {}) {
-    passes.emplace_back(r.programs.compute(kernel, with), std::move(bindings), invocations, std::move(constants));
-  };
   const auto with_coarse = [&](gl::ComputePass::Bindings bindings) {
     if (splits_) bindings.emplace_back("coarse_direction", &coarse_direction_);
     return bindings;
@@ -139,8 +130,8 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool last) const {
                                                   {"previous_gradient", &previous_gradient_},
                                                   {"dot_partials", &dot_partials_}});
     const gl::Defines dot_defines = r.grab.with_springs({{"SPLIT", splits_ ? "1" : "0"}}, dots);
-    add("sim/subspace_dots.comp", dot_defines, std::move(dots), vertices_.lanes,
-        {{"vertex_count", r.buffers.vertex_count}, {"partials", vertices_.partials}});
+    passes.push_back(
+        r.sum_over_vertices("sim/subspace_dots.comp", dot_defines, std::move(dots), vertices_, {{"partials", vertices_.partials}}));
     gl::ComputePass::Bindings curvature = with_coarse({{"step", &r.buffers.step},
                                                        {"tet_vertices", &r.buffers.tet_vertices},
                                                        {"tet_shape", &r.buffers.tet_shape},
@@ -150,7 +141,7 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool last) const {
     curvature = with_damping(with_material(std::move(curvature), r.features, r.buffers), r.features, r.previous_strain);
     gl::Defines curvature_defines = defines_of(r.features);
     curvature_defines.emplace_back("SPLIT", splits_ ? "1" : "0");
-    add("sim/subspace_curvature.comp", curvature_defines, std::move(curvature), tets_.lanes, {{"tet_count", r.buffers.tet_count}});
+    passes.push_back(r.sum_over_tets("sim/subspace_curvature.comp", curvature_defines, std::move(curvature), tets_));
   }
   gl::ComputePass::Bindings solve{{"dot_partials", &dot_partials_}, {"subspace_state", &state_}};
   gl::ComputePass::Constants constants{{"partials", vertices_.partials}};
@@ -158,8 +149,9 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool last) const {
     solve.emplace_back("curvature_partials", &curvature_partials_);
     constants.emplace_back("curvature_count", tets_.partials);
   }
-  add("sim/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}, {"REMEMBERS", remembers_ ? "1" : "0"}}, std::move(solve),
-      Reduction::kGroup, std::move(constants));
+  passes.emplace_back(
+      r.programs.compute("sim/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}, {"REMEMBERS", remembers_ ? "1" : "0"}}),
+      std::move(solve), Reduction::kGroup, std::move(constants));
   gl::ComputePass::Bindings update{
       {"subspace_state", &state_}, {"last_step", &last_step_}, {"displacement", &r.buffers.displacement}};
   if (!last) {
@@ -170,7 +162,7 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool last) const {
   }
   defines.emplace_back("COMPENSATED", r.buffers.displacement_low ? "1" : "0");
   if (r.buffers.displacement_low) update.emplace_back("displacement_low", &r.buffers.displacement_low);
-  add("sim/subspace_update.comp", defines, std::move(update), r.buffers.vertex_count);
+  passes.push_back(r.over_vertices("sim/subspace_update.comp", defines, std::move(update)));
   return passes;
 }
 

@@ -28,6 +28,7 @@ class TwoLevelMethod : public StepMethod {
   Passes end(const Recording& recording) const override;
   void values_changed(const Model& model, const SolverSettings& settings) override { coarse_.values_changed(model, settings); }
   void update(bool wait) override { coarse_.update(wait); }
+  void begin_partial() override { gradient_.clear(); }  // the coarse level gathers the resting vertices' too
 
  private:
   gl::ComputePass objective_sum(const Recording& recording) const;
