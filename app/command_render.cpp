@@ -37,8 +37,8 @@ int command_render(const RenderOptions& options) {
   if (!options.color.empty()) sets.push_back("display.color=" + options.color);
   if (options.wireframe) sets.push_back("display.wireframe=true");
   Opened opened = open_input(options, sets);
-  Graphics graphics = open_graphics(options, false, options.width, options.height, opened.scene.solver.method);
-  Session session(graphics, std::move(opened.scene), options.reference);
+  Graphics graphics = open_graphics(options, false, options.width, options.height, workload_of(opened.scene, opened.model));
+  Session session(graphics, std::move(opened.scene), std::move(opened.model), options.reference);
   Simulation& simulation = session.simulation;
   if (opened.replay) simulation.play(std::move(*opened.replay));
   if (session.display().color == ColorBy::error) simulation.gpu()->solve_everything();

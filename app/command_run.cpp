@@ -39,8 +39,8 @@ int command_run(const RunOptions& options) {
     throw Error("--every", options.export_path.empty() ? "exports nothing" : "has no steps to export with --static",
                 options.export_path.empty() ? "expected --export FILE beside it" : "leave out one of them");
   Graphics graphics;
-  if (!options.reference) graphics = open_graphics(options, false, 16, 16, opened.scene.solver.method);
-  Simulation simulation(std::move(opened.scene), graphics.programs.get(), options.reference);
+  if (!options.reference) graphics = open_graphics(options, false, 16, 16, workload_of(opened.scene, opened.model, false));
+  Simulation simulation(std::move(opened.scene), std::move(opened.model), graphics.programs.get(), options.reference);
   if (opened.replay) simulation.play(std::move(*opened.replay));
   if (options.error) simulation.gpu()->solve_everything();
   announce(options, graphics, simulation.model.notes);

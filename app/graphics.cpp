@@ -1,5 +1,6 @@
 #include "app/graphics.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <thread>
@@ -10,11 +11,27 @@
 namespace fascia {
 namespace {
 
-// llvmpipe: Jacobi's few large dispatches and the rasteriser both gain from every core. Colors are many small dispatches, each of
-// which costs 14 to 42 us with worker threads and 0.3 us without.
-void choose_software_threads(Method method) {
-  const unsigned cores = std::max(1u, std::min(16u, std::thread::hardware_concurrency()));
-  setenv("LP_NUM_THREADS", std::to_string(method == Method::gauss_seidel ? 0 : cores).c_str(), 0);
+// About how many dispatches an iteration of a method has.
+std::size_t dispatches_of(Method method) {
+  switch (method) {
+    case Method::jacobi:
+    case Method::mass_splitting: return 3;
+    case Method::gauss_seidel: return 32;
+    case Method::exact_xpbd: return 6;
+    case Method::vertex_descent: return 10;
+    case Method::two_level: return 13;
+  }
+  return 1;
+}
+
+// llvmpipe wakes and awaits its worker threads in every dispatch, which costs as much as they save on some thousands of tets. The
+// rasteriser gains from every core, more than a sweep of other methods than Gauss-Seidel's loses.
+void choose_software_threads(const Workload& workload) {
+  constexpr std::size_t kTetsPerDispatch = 5000;
+  const unsigned cores = std::clamp(std::thread::hardware_concurrency(), 1u, 16u);
+  const bool pays = workload.tets >= kTetsPerDispatch * dispatches_of(workload.method) ||
+                    (workload.drawn && workload.method != Method::gauss_seidel);
+  setenv("LP_NUM_THREADS", std::to_string(pays ? cores : 0).c_str(), 0);
 }
 
 // Storage blocks on GPUs; texel fetches on llvmpipe, whose storage reads cost 8 to 12 times as much.
@@ -26,10 +43,12 @@ gl::LoadPath choose_loads(const std::string& name) {
 
 }  // namespace
 
-Graphics open_graphics(const CommonOptions& options, bool for_view, int width, int height, Method method) {
+Workload workload_of(const Scene& scene, const Model& model, bool drawn) { return {scene.solver.method, model.tets.size(), drawn}; }
+
+Graphics open_graphics(const CommonOptions& options, bool for_view, int width, int height, const Workload& workload) {
   Graphics graphics;
   graphics.data_dir = find_data_dir(options.data_dir);
-  choose_software_threads(method);
+  choose_software_threads(workload);
   ContextRequest request;
   request.name = options.context;
   request.for_view = for_view;

@@ -8,9 +8,18 @@
 #include "app/options.h"
 #include "render/context.h"
 #include "render/gl/program.h"
-#include "sim/settings.h"
+#include "sim/model.h"
+#include "sim/scene.h"
 
 namespace fascia {
+
+/// What a software renderer will mostly do.
+struct Workload {
+  Method method = Method::jacobi;
+  std::size_t tets = 0;
+  bool drawn = true;
+};
+Workload workload_of(const Scene& scene, const Model& model, bool drawn = true);
 
 struct Graphics {
   std::filesystem::path data_dir;
@@ -18,10 +27,9 @@ struct Graphics {
   std::unique_ptr<gl::ProgramCache> programs;
 };
 
-/// Makes the context that the options ask for. On software renderers the number of rasteriser threads is chosen first, for the
-/// method that will run (LP_NUM_THREADS, if the user did not set it); it cannot be changed later.
-Graphics open_graphics(const CommonOptions& options, bool for_view, int width = 16, int height = 16,
-                       Method method = Method::jacobi);
+/// Makes the context that the options ask for. On software renderers the number of worker threads is chosen first (LP_NUM_THREADS, if the
+/// user did not set it); it cannot be changed later.
+Graphics open_graphics(const CommonOptions& options, bool for_view, int width = 16, int height = 16, const Workload& workload = {});
 
 /// "llvmpipe (LLVM 15.0.6, 256 bits) through osmesa, kernels read by texel"
 std::string describe(const Graphics& graphics);

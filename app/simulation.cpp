@@ -23,7 +23,10 @@ Opened open_replay(const std::filesystem::path& path, const std::vector<std::str
 }  // namespace
 
 Simulation::Simulation(Scene opened, gl::ProgramCache* programs, bool use_reference)
-    : scene(std::move(opened)), model(build_model(scene)), programs_(programs) {
+    : Simulation(opened, build_model(opened), programs, use_reference) {}
+
+Simulation::Simulation(Scene opened, Model built, gl::ProgramCache* programs, bool use_reference)
+    : scene(std::move(opened)), model(std::move(built)), programs_(programs) {
   if (programs) gpu_ = std::make_unique<GpuSolver>(*programs, model, scene.solver, embedded_points(scene));
   if (use_reference) {
     renew_reference();

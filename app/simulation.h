@@ -14,7 +14,8 @@ namespace fascia {
 
 class Simulation {
  public:
-  /// `programs` null: no GPU at all, which only the reference solver can do without. Throws Error.
+  /// `built`: build_model(scene). `programs` null: no GPU at all, which only the reference solver can do without. Throws Error.
+  Simulation(Scene scene, Model built, gl::ProgramCache* programs, bool use_reference);
   Simulation(Scene scene, gl::ProgramCache* programs, bool use_reference);
   /// Starts where the replay does and repeats its inputs as the steps go on. Throws Error if they do not fit the scene.
   void play(Replay replay);
@@ -101,6 +102,7 @@ std::string describe(const reference::NewtonReport& report, bool newton);
 struct Opened {
   Scene scene;
   std::optional<Replay> replay;
+  Model model = build_model(scene);
 };
 Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets = {});  // a replay by its ending .fascia
 Opened open_input(const CommonOptions& options, const std::vector<std::string>& sets);

@@ -31,7 +31,7 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
       input_(graphics.context->window()),
       overlay_(graphics),
       dialogs_(graphics.data_dir),
-      session_(std::make_unique<Session>(graphics, std::move(opened.scene), options.reference)),
+      session_(std::make_unique<Session>(graphics, std::move(opened.scene), std::move(opened.model), options.reference)),
       samples_(options.samples > 0 ? options.samples : gl::device().software ? 1 : 4) {
   if (opened.replay) session_->simulation.play(std::move(*opened.replay));
   if (options.static_equilibrium) {

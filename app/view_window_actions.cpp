@@ -88,7 +88,7 @@ void ViewWindow::carry_out(const Requests& requests) {
 void ViewWindow::open(const fs::path& path) {
   // The new session is made while the old one still stands: if it cannot be made, nothing has happened.
   Opened input = open_file(path);
-  auto opened = std::make_unique<Session>(graphics_, std::move(input.scene), options_.reference);
+  auto opened = std::make_unique<Session>(graphics_, std::move(input.scene), std::move(input.model), options_.reference);
   if (input.replay) opened->simulation.play(std::move(*input.replay));
   mouse_.cancel(*session_);
   state_.convergence.forget();

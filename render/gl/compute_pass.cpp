@@ -171,9 +171,14 @@ void ComputePass::resolve() const {
   generation_ = program_->generation();
 }
 
-void ComputePass::set_indirect(const Buffer& arguments, std::uint32_t index) {
+void ComputePass::set_indirect(const Buffer& arguments, std::uint32_t first) {
   arguments_ = &arguments;
-  argument_ = index;
+  first_argument_ = first;
+}
+
+void ComputePass::copy_first(const Buffer& from, Buffer& to) {
+  copied_ = &from;
+  copy_ = &to;
 }
 
 void ComputePass::follow(const std::string& constant, const std::uint32_t& value) {
@@ -192,6 +197,7 @@ void ComputePass::run() const {
   std::uint32_t groups = groups_;
   for (const auto& [name, value] : followed_)
     if (name == "invocations") groups = (*value + group_size_ - 1) / group_size_;
+  if (copy_) copy_->copy(*copied_, copied_->bytes());
   if (groups == 0) return;
   program_->use();
   for (const Slot& slot : slots_) {
@@ -206,7 +212,7 @@ void ComputePass::run() const {
   for (const auto& [location, value] : followed_uniforms_) Uniform1ui(location, *value);
   if (arguments_) {
     BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments_->id());
-    DispatchComputeIndirect(static_cast<GLintptr>(3 * sizeof(std::uint32_t) * argument_));
+    DispatchComputeIndirect(static_cast<GLintptr>(sizeof(std::uint32_t) * first_argument_));
   } else {
     DispatchCompute(groups, 1, 1);
   }

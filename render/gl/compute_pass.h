@@ -29,8 +29,11 @@ class ComputePass {
   std::uint32_t groups() const { return groups_; }
   /// Of the buffers that the kernel uses, each once: about what a run moves that reads or writes all of them.
   std::size_t bytes() const;
-  /// From now on the number of groups is what `arguments` (uint [3 * n]) holds at place 3 * `index` when the pass runs.
-  void set_indirect(const Buffer& arguments, std::uint32_t index);
+  /// From now on the numbers of groups are the three that `arguments` (uint) holds from place `first` on when the pass runs.
+  void set_indirect(const Buffer& arguments, std::uint32_t first);
+  bool indirect() const { return arguments_ != nullptr; }
+  /// Before each run the bytes of `from` are copied to the start of `to`.
+  void copy_first(const Buffer& from, Buffer& to);
   /// From now on a constant, "invocations" included, is what `value` holds when the pass runs.
   void follow(const std::string& constant, const std::uint32_t& value);
 
@@ -47,7 +50,9 @@ class ComputePass {
   Constants constants_;
   std::uint32_t invocations_ = 0;
   const Buffer* arguments_ = nullptr;  // of an indirect dispatch
-  std::uint32_t argument_ = 0;
+  std::uint32_t first_argument_ = 0;
+  const Buffer* copied_ = nullptr;  // before the dispatch, to copy_
+  Buffer* copy_ = nullptr;
   std::vector<std::pair<std::string, const std::uint32_t*>> followed_;
   mutable std::uint32_t groups_ = 0, group_size_ = 1;
   mutable std::vector<std::pair<GLint, std::uint32_t>> uniforms_;  // location, value

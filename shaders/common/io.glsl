@@ -28,6 +28,14 @@
 #define OUTPUT(type, Block, name) layout(std430) writeonly buffer Block { type name[]; };
 #define INOUT(type, Block, name) layout(std430) buffer Block { type name[]; };
 
+// A vec4 whose w nobody reads, or which is 0 already. Software renderers take as long as there are floats to store, GPUs rather write
+// whole vectors.
+#if READ_TEXELS
+#define STORE3(element, value) element.xyz = value;
+#else
+#define STORE3(element, value) element = vec4(value, 0.0);
+#endif
+
 #ifndef GROUP_SIZE
 #define GROUP_SIZE 64
 #endif
@@ -39,6 +47,24 @@ INPUT_UINT(ItemList, item_list)  // [number of items]
 #else
 #define LISTED_ITEM(k) (k)
 #endif
+// Branches skip nothing where invocations run in lockstep, so what few items need is deferred: with DEFERS a kernel puts such an item on
+// a list and returns, and the same kernel with DEFERRED, dispatched by the list's count, goes through it.
+#ifdef DEFERS
+OUTPUT(uint, DeferredItems, deferred_items)   // [number of items]
+INOUT(uint, DeferredCounts, deferred_counts)  // [4] work groups for them, 1, 1, items
+void defer(uint i) {
+  uint k = atomicAdd(deferred_counts[3], 1u);
+  deferred_items[k] = i;
+  atomicMax(deferred_counts[0], k / uint(GROUP_SIZE) + 1u);
+}
+#endif
+#ifdef DEFERRED
+INPUT_UINT(DeferredItem, deferred_item)
+INPUT_UINT(DeferredCount, deferred_count)
+#define ITEM_OR_RETURN(i) \
+  if (gl_GlobalInvocationID.x >= FETCH1(deferred_count, 3)) return; uint i = FETCH1(deferred_item, gl_GlobalInvocationID.x);
+#else
 #define ITEM_OR_RETURN(i) if (gl_GlobalInvocationID.x >= invocations) return; uint i = LISTED_ITEM(gl_GlobalInvocationID.x);
+#endif
 // For sums: every invocation goes through every invocations-th item, LISTED_ITEM(k).
 #define LANE_OR_RETURN(i) uint i = gl_GlobalInvocationID.x; if (i >= invocations) return;

@@ -1,26 +1,12 @@
 // Singular values of a 3x3 matrix with proper rotations: F = U diag(s) V^T, det U = det V = 1, |s| descending, so that the last one
 // carries the sign of det F (Irving, Teran, Fedkiw 2004). By one-sided Jacobi rotations (Hestenes 1958): the columns of F V become
-// orthogonal, small values keep their relative accuracy, and equal or zero ones need no special case.
+// orthogonal, small values keep their relative accuracy, and equal or zero ones need no special case. One rotation in a loop, where
+// the columns take turns: where no invocation of a group that runs in lockstep wants the result, the group pays for one of the 15.
 struct Svd {
   mat3 u, v;
   vec3 s;
 };
 
-// One rotation: makes columns p and q of b orthogonal.
-#define ORTHOGONALIZE(p, q)                                                   \
-  {                                                                           \
-    float pp = dot(b[p], b[p]), qq = dot(b[q], b[q]), pq = dot(b[p], b[q]);   \
-    if (abs(pq) > 1e-8 * sqrt(pp) * sqrt(qq)) {                               \
-      float zeta = 0.5 * (qq - pp) / pq;                                      \
-      float t = (zeta >= 0.0 ? 1.0 : -1.0) / (abs(zeta) + sqrt(1.0 + zeta * zeta)); \
-      float c = inversesqrt(1.0 + t * t), s = c * t;                          \
-      vec3 bp = b[p], vp = v[p];                                              \
-      b[p] = c * bp - s * b[q];                                               \
-      b[q] = s * bp + c * b[q];                                               \
-      v[p] = c * vp - s * v[q];                                               \
-      v[q] = s * vp + c * v[q];                                               \
-    }                                                                         \
-  }
 // The longer column first; the sign keeps the rotation proper.
 #define SORT(p, q)                                \
   if (dot(b[p], b[p]) < dot(b[q], b[q])) {        \
@@ -37,14 +23,19 @@ vec3 perpendicular(vec3 a) {
   return normalize(cross(a, least));
 }
 
-Svd signed_svd(mat3 f) {
+Svd signed_svd(mat3 f, bool wanted) {
   vec3 largest = max(abs(f[0]), max(abs(f[1]), abs(f[2])));
   float size = max(largest.x, max(largest.y, largest.z));
   mat3 b = size > 0.0 ? f * (1.0 / size) : mat3(0.0), v = mat3(1.0);
-  for (int sweep = 0; sweep < 5; ++sweep) {
-    ORTHOGONALIZE(0, 1)
-    ORTHOGONALIZE(0, 2)
-    ORTHOGONALIZE(1, 2)
+  for (int left = wanted ? 15 : 0; left > 0; --left) {  // five for every pair
+    float pp = dot(b[0], b[0]), qq = dot(b[1], b[1]), pq = dot(b[0], b[1]);
+    float zeta = 0.5 * (qq - pp) / pq;
+    float t = (zeta >= 0.0 ? 1.0 : -1.0) / (abs(zeta) + sqrt(1.0 + zeta * zeta));
+    float c = inversesqrt(1.0 + t * t), s = c * t;
+    if (!(abs(pq) > 1e-8 * sqrt(pp) * sqrt(qq))) c = 1.0, s = 0.0;
+    vec3 b1 = s * b[0] + c * b[1], v1 = s * v[0] + c * v[1];
+    b = mat3(b1, b[2], c * b[0] - s * b[1]);
+    v = mat3(v1, v[2], c * v[0] - s * v[1]);
   }
   SORT(0, 1)
   SORT(0, 2)

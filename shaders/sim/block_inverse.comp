@@ -16,6 +16,6 @@ void main() {
   // Scaled to a unit trace: the determinant of a small mesh's block would leave the range of floats.
   float scale = 1.0 / (a.d.x + a.d.y + a.d.z);
   Sym3 inverse = inverse_of(Sym3(scale * a.d, scale * a.s));
-  block_inverse[2u * i] = vec4(scale * inverse.d, 0.0);
-  block_inverse[2u * i + 1u] = vec4(scale * inverse.s, 0.0);
+  STORE3(block_inverse[2u * i], scale * inverse.d)
+  STORE3(block_inverse[2u * i + 1u], scale * inverse.s)
 }

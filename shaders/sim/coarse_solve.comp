@@ -18,5 +18,5 @@ void main() {
   }
   vec4 q = FETCH(coarse_rotation, j);
   vec3 cross_x = cross(q.xyz, x);
-  coarse_correction[j] = vec4(x + 2.0 * (q.w * cross_x + cross(q.xyz, cross_x)), 0.0);
+  STORE3(coarse_correction[j], x + 2.0 * (q.w * cross_x + cross(q.xyz, cross_x)))
 }

@@ -1,6 +1,6 @@
 // Elastic (and viscous) force of every tet on its corners, and its energy: the terms of tets in the objective of an implicit Euler
 // step, 1/2 (u - u~)^T M (u - u~) + h^2 sum V [Psi(eps) + damping/h Psi(eps - eps_n)].
-// Reads displacement; writes the slots that gradient gathers: xyz h^2 V P b_a [kg m], w a quarter of the energy [kg m^2].
+// Reads displacement; writes the slots that gradient gathers: xyz h^2 V P b_a [kg m], w of the first corner's the energy [kg m^2].
 #include "common/io.glsl"
 #include "common/step.glsl"
 #include "common/tet.glsl"
@@ -22,12 +22,13 @@ void main() {
   h += displacement_gradient(tet, FETCH(displacement_low, tet.v.x).xyz, FETCH(displacement_low, tet.v.y).xyz,
                              FETCH(displacement_low, tet.v.z).xyz, FETCH(displacement_low, tet.v.w).xyz);
 #endif
+  DEFER_GUARDED(t, h)
   Elastic response = response_of(t, h, material_of(t));
-  float scale = SUBSTEP * SUBSTEP * tet.volume, energy = 0.25 * scale * response.energy;
+  float scale = SUBSTEP * SUBSTEP * tet.volume;
   vec3 f1 = scale * (response.p * tet.b1), f2 = scale * (response.p * tet.b2), f3 = scale * (response.p * tet.b3);
   uvec4 slot = FETCH(tet_slots, t);
-  correction[slot.x] = vec4(-(f1 + f2 + f3), energy);
-  correction[slot.y] = vec4(f1, energy);
-  correction[slot.z] = vec4(f2, energy);
-  correction[slot.w] = vec4(f3, energy);
+  correction[slot.x] = vec4(-(f1 + f2 + f3), scale * response.energy);
+  STORE3(correction[slot.y], f1)
+  STORE3(correction[slot.z], f2)
+  STORE3(correction[slot.w], f3)
 }

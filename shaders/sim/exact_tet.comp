@@ -14,6 +14,7 @@ void main() {
   Tet tet = load_tet(t);
   mat3 h = displacement_gradient(tet, FETCH(displacement, tet.v.x).xyz, FETCH(displacement, tet.v.y).xyz,
                                  FETCH(displacement, tet.v.z).xyz, FETCH(displacement, tet.v.w).xyz);
+  DEFER_GUARDED(t, h)
   mat3 f = deformation_of(h, material_of(t)).f;
   Sym3 lambda = with_halved_shears(FETCH(multiplier, 2u * t).xyz, FETCH(multiplier, 2u * t + 1u).xyz);
   float tension = 2.0 * sqrt(contract(lambda, lambda));

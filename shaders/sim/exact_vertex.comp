@@ -24,6 +24,6 @@ void main() {
   float raised = m + sum.w + k;
   float inverse = predicted_i.w > 0.0 ? 1.0 / raised : 0.0;
   displacement[i].w = float(end - begin) * inverse;
-  primal_step[i] = vec4(inverse * (m * (u - predicted_i.xyz) - sum.xyz + k * (u - spring.xyz)), 0.0);
+  STORE3(primal_step[i], inverse * (m * (u - predicted_i.xyz) - sum.xyz + k * (u - spring.xyz)))
   raised_mass[i] = raised;
 }

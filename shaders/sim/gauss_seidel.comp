@@ -20,8 +20,8 @@ void main() {
   vec3 lambda_d = FETCH(lambda, 2u * t).xyz, lambda_s = FETCH(lambda, 2u * t + 1u).xyz;
 #endif
   BlockStep s = solve_block(t, tet, u0, u1, u2, u3, lambda_d, lambda_s, Sym3(vec3(0.0), vec3(0.0)));
-  multiplier[2u * t] = vec4(lambda_d + s.change_d, 0.0);
-  multiplier[2u * t + 1u] = vec4(lambda_s + s.change_s, 0.0);
+  STORE3(multiplier[2u * t], lambda_d + s.change_d)
+  STORE3(multiplier[2u * t + 1u], lambda_s + s.change_s)
   // Held vertices may be shared within a color: they do not move, so they are not written.
   if (u0.w > 0.0) displacement[tet.v.x].xyz = u0.xyz + s.dx0;
   if (u1.w > 0.0) displacement[tet.v.y].xyz = u1.xyz + s.dx1;

@@ -23,18 +23,20 @@ void main() {
 #endif
   vec4 u0 = FETCH(displacement, tet.v.x), u1 = FETCH(displacement, tet.v.y), u2 = FETCH(displacement, tet.v.z),
        u3 = FETCH(displacement, tet.v.w);
+  mat3 h = displacement_gradient(tet, u0.xyz, u1.xyz, u2.xyz, u3.xyz);
+  DEFER_GUARDED(t, h)
   Sym3 foreseen = Sym3(vec3(0.0), vec3(0.0));
 #if EXACT
-  mat3 f = deformation_of(displacement_gradient(tet, u0.xyz, u1.xyz, u2.xyz, u3.xyz), material_of(t)).f;
+  mat3 f = deformation_of(h, material_of(t)).f;
   foreseen = strain_change(f, displacement_gradient(tet, FETCH(primal_step, tet.v.x).xyz, FETCH(primal_step, tet.v.y).xyz,
                                                     FETCH(primal_step, tet.v.z).xyz, FETCH(primal_step, tet.v.w).xyz));
 #endif
   BlockStep s = solve_block(t, tet, u0, u1, u2, u3, lambda_d, lambda_s, foreseen);
-  multiplier[2u * t] = vec4(lambda_d + s.change_d, 0.0);
-  multiplier[2u * t + 1u] = vec4(lambda_s + s.change_s, 0.0);
+  STORE3(multiplier[2u * t], lambda_d + s.change_d)
+  STORE3(multiplier[2u * t + 1u], lambda_s + s.change_s)
   uvec4 slot = FETCH(tet_slots, t);
-  correction[slot.x] = vec4(s.dx0, 0.0);
-  correction[slot.y] = vec4(s.dx1, 0.0);
-  correction[slot.z] = vec4(s.dx2, 0.0);
-  correction[slot.w] = vec4(s.dx3, 0.0);
+  STORE3(correction[slot.x], s.dx0)
+  STORE3(correction[slot.y], s.dx1)
+  STORE3(correction[slot.z], s.dx2)
+  STORE3(correction[slot.w], s.dx3)
 }

@@ -15,6 +15,6 @@ void main() {
                                  FETCH(displacement, tet.v.z).xyz, FETCH(displacement, tet.v.w).xyz);
   Sym3 s = tangent_of(t, h, material_of(t)).s;
   float scale = -SUBSTEP * SUBSTEP * tet.volume;
-  multiplier[2u * t] = vec4(scale * s.d, 0.0);
-  multiplier[2u * t + 1u] = vec4(2.0 * scale * s.s, 0.0);
+  STORE3(multiplier[2u * t], scale * s.d)
+  STORE3(multiplier[2u * t + 1u], 2.0 * scale * s.s)
 }

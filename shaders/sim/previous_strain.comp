@@ -12,6 +12,6 @@ void main() {
   Sym3 e = green_strain(displacement_gradient(
       tet, FETCH(previous_displacement, tet.v.x).xyz, FETCH(previous_displacement, tet.v.y).xyz,
       FETCH(previous_displacement, tet.v.z).xyz, FETCH(previous_displacement, tet.v.w).xyz));
-  previous_strain[2u * t] = vec4(e.d, 0.0);
-  previous_strain[2u * t + 1u] = vec4(e.s, 0.0);
+  STORE3(previous_strain[2u * t], e.d)
+  STORE3(previous_strain[2u * t + 1u], e.s)
 }

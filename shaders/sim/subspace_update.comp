@@ -30,7 +30,7 @@ void main() {
   step += FETCH1(subspace_state, SUBSPACE_STEP + 1u) * zc;
   last += FETCH1(subspace_state, SUBSPACE_LAST_STEP + 1u) * zc;
 #endif
-  last_step[i] = vec4(last, 0.0);
+  STORE3(last_step[i], last)
   if (FETCH1(subspace_state, SUBSPACE_ACCEPTED) > 0.5) previous_gradient[i] = FETCH(gradient, i);
 #endif
 #if COMPENSATED

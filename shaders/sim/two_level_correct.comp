@@ -35,12 +35,12 @@ void main() {
 #if SWEEP
   vec3 u = FETCH(displacement, i).xyz;
   iterate[i] = vec4(u, 0.0);
-  fine_direction[i] = vec4(u - RELAXATION * (fine + coarse), 0.0);
-  coarse_direction[i] = vec4(fine + coarse, 0.0);
+  STORE3(fine_direction[i], u - RELAXATION * (fine + coarse))
+  STORE3(coarse_direction[i], fine + coarse)
 #elif SPLIT
-  fine_direction[i] = vec4(fine, 0.0);
-  coarse_direction[i] = vec4(coarse, 0.0);
+  STORE3(fine_direction[i], fine)
+  STORE3(coarse_direction[i], coarse)
 #else
-  fine_direction[i] = vec4(fine + coarse, 0.0);
+  STORE3(fine_direction[i], fine + coarse)
 #endif
 }

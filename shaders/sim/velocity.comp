@@ -13,6 +13,6 @@ void main() {
   ITEM_OR_RETURN(i)
   vec3 u = FETCH(displacement, i).xyz;
   vec4 predicted_i = FETCH(predicted, i);
-  velocity[i] = vec4((u - FETCH(previous_displacement, i).xyz) / SUBSTEP, 0.0);
+  STORE3(velocity[i], (u - FETCH(previous_displacement, i).xyz) / SUBSTEP)
   if (predicted_i.w > 0.0 && !(distance(u, predicted_i.xyz) < FARTHEST)) atomicMin(astray[0], i);
 }

@@ -48,9 +48,8 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
   std::vector<vec4> entries;
   for (std::size_t k = 0; k < gather.vertex.size(); ++k) entries.push_back(to_vec4(gather.gradient[k], gather.weight[k]));
   const std::uint32_t n = space_.node_count;
-  // Enough invocations to fill the machine: about 2,000 on software renderers, 16,000 on GPUs.
-  const std::uint32_t wanted = programs.load_path() == gl::LoadPath::storage ? 16384 : 2048;
-  lanes_ = std::clamp<std::uint32_t>(wanted / n, 1, 64);
+  // GPUs want some 16,000 invocations. On software renderers every partial sum costs as much as some entries: as many as run in lockstep.
+  lanes_ = programs.load_path() == gl::LoadPath::storage ? std::clamp<std::uint32_t>(16384 / n, 1, 64) : 8;
   row_quads_ = (3 * n + 3) / 4;
   gather_begin_ = gl::Buffer("gather_begin", gather.begin);
   gather_vertex_ = gl::Buffer("gather_vertex", gather.vertex);

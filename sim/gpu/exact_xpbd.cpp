@@ -21,7 +21,6 @@ Passes ExactXpbdMethod::begin(const Recording& r) const {
 }
 
 Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
-  Passes passes;
   gl::ComputePass::Bindings force{{"step", &r.buffers.step},
                                   {"tet_vertices", &r.buffers.tet_vertices},
                                   {"tet_shape", &r.buffers.tet_shape},
@@ -29,8 +28,8 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
                                   {"displacement", &r.buffers.displacement},
                                   {"multiplier", &multiplier_},
                                   {"correction", &r.buffers.correction}};
-  passes.emplace_back(r.programs.compute("sim/exact_tet.comp", defines_of(r.features)),
-                      with_material(std::move(force), r.features, r.buffers), r.buffers.tet_count);
+  force = with_material(std::move(force), r.features, r.buffers);
+  Passes passes = r.over_tets_deferring("sim/exact_tet.comp", defines_of(r.features), force);
   gl::ComputePass::Bindings vertex{{"step", &r.buffers.step},
                                    {"predicted", &r.buffers.predicted},
                                    {"mass", &r.buffers.mass},
@@ -55,7 +54,7 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
                                 {"multiplier", &multiplier_},
                                 {"correction", &r.buffers.correction}};
   tet = with_damping(with_material(std::move(tet), r.features, r.buffers), r.features, r.previous_strain);
-  passes.emplace_back(r.programs.compute("sim/jacobi_tet.comp", defines), std::move(tet), r.buffers.tet_count);
+  append(passes, r.over_tets_deferring("sim/jacobi_tet.comp", defines, tet));
   passes.emplace_back(r.programs.compute("sim/jacobi_vertex.comp", {{"EXACT", "1"}}),
                       gl::ComputePass::Bindings{{"slot_begin", &r.buffers.slot_begin},
                                                 {"correction", &r.buffers.correction},

@@ -19,8 +19,7 @@ Passes JacobiMethod::iteration(const Recording& r, bool first) const {
                                 {"multiplier", &multiplier_},
                                 {"correction", &r.buffers.correction}};
   tet = with_damping(with_material(std::move(tet), r.features, r.buffers), r.features, r.previous_strain);
-  Passes passes;
-  passes.emplace_back(r.programs.compute("sim/jacobi_tet.comp", defines), std::move(tet), r.buffers.tet_count);
+  Passes passes = r.over_tets_deferring("sim/jacobi_tet.comp", defines, tet);
   passes.emplace_back(r.programs.compute("sim/jacobi_vertex.comp", {{"EXACT", "0"}}),
                       gl::ComputePass::Bindings{{"slot_begin", &r.buffers.slot_begin},
                                                 {"correction", &r.buffers.correction},

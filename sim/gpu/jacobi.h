@@ -11,6 +11,7 @@ class JacobiMethod : public StepMethod {
   /// `split_masses`: every tet sees its share of a vertex's mass (method "mass_splitting").
   JacobiMethod(const SimBuffers& buffers, bool split_masses);
   const gl::Buffer* copy_begin() const override { return copy_begin_; }
+  bool defers() const override { return true; }
   Passes iteration(const Recording& recording, bool first) const override;
 
  private:

@@ -24,6 +24,27 @@ gl::ComputePass Recording::over_tets(const char* kernel, gl::Defines defines, gl
   return pass;
 }
 
+Passes Recording::over_tets_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings) const {
+  if (!deferred) return {over_tets(kernel, defines, bindings)};
+  Passes passes;
+  gl::Defines first_defines = defines;
+  first_defines.emplace_back("DEFERS", "1");
+  gl::ComputePass::Bindings first_bindings = bindings;
+  first_bindings.insert(first_bindings.end(), {{"deferred_items", &deferred->tets}, {"deferred_counts", &deferred->count}});
+  passes.push_back(over_tets(kernel, std::move(first_defines), std::move(first_bindings)));
+  passes.back().copy_first(deferred->none, deferred->count);
+  passes.push_back(over_deferred(kernel, defines, bindings));
+  return passes;
+}
+
+gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
+  defines.emplace_back("DEFERRED", "1");
+  bindings.insert(bindings.end(), {{"deferred_item", &deferred->tets}, {"deferred_count", &deferred->count}});
+  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.tet_count);
+  pass.set_indirect(deferred->count, 0);
+  return pass;
+}
+
 gl::ComputePass Recording::sum_over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings,
                                              const Reduction& sum, gl::ComputePass::Constants constants) const {
   if (active) list(defines, bindings, active->vertices);

@@ -6,6 +6,7 @@
 
 #include "render/gl/compute_pass.h"
 #include "sim/gpu/active_set.h"
+#include "sim/gpu/deferred_tets.h"
 #include "sim/gpu/features.h"
 #include "sim/gpu/grab_springs.h"
 #include "sim/gpu/reduction.h"
@@ -24,11 +25,16 @@ struct Recording {
   const Features& features;
   const gl::Buffer& previous_strain;  // made only with damping
   const GrabSprings& grab;
-  const ActiveSet* active = nullptr;  // what the passes go through; null: everything
+  DeferredTets* deferred = nullptr;  // null: no material defers tets
+  const ActiveSet* active = nullptr;       // what the passes go through; null: everything
 
   /// A pass of an invocation per vertex or tet.
   gl::ComputePass over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
   gl::ComputePass over_tets(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
+  /// The same and, with materials that have them, one over the tets that it deferred.
+  Passes over_tets_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings) const;
+  /// For the tets that were deferred last.
+  gl::ComputePass over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
   /// A sum over them; the kernel's loop ends at the constant vertex_count or tet_count.
   gl::ComputePass sum_over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, const Reduction& sum,
                                     gl::ComputePass::Constants constants = {}) const;
@@ -55,10 +61,14 @@ class StepMethod {
   virtual Passes begin(const Recording&) const { return {}; }  // once a substep, after the prediction
   /// Before the first and every kRefresh-th iteration: what changes slowly enough to serve for some of them.
   virtual Passes refresh(const Recording&) const { return {}; }
-  static constexpr int kRefresh = 8;
+  static constexpr int kRefresh = 10;
   /// One iteration, the grab's springs included. The first one of a substep finds no history.
   virtual Passes iteration(const Recording& recording, bool first) const = 0;
   virtual Passes end(const Recording&) const { return {}; }  // after the last iteration of a substep, unless a stop rule ended them
+  /// Whether its passes put tets off (deferred_tets.h).
+  virtual bool defers() const { return false; }
+  /// Before passes are recorded, with what they will be recorded from.
+  virtual void prepare(const Recording&) {}
   /// Before the first step of some that go through a part of the tets only.
   virtual void begin_partial() {}
   /// Materials, masses, gravity or h have other values; buffers and passes stay.

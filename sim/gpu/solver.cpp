@@ -119,6 +119,11 @@ void GpuSolver::record() {
                         !always_whole_;
   if (!may_rest) regions_.reset();
   if (may_rest && !regions_) regions_.emplace(programs_, buffers_);
+  const bool may_defer = features_.signed_st_venant_kirchhoff && method_->defers();
+  if (!may_defer) deferred_.reset();
+  if (may_defer && !deferred_) deferred_.emplace(buffers_.tet_count);
+  method_->prepare(recording(nullptr));
+  buffers_.correction.clear();  // of which kernels may leave the w as it is
   before_every_ = 1;
   whole_ = record_step(nullptr);
   partial_ = regions_ ? record_step(&regions_->active()) : StepPasses();
@@ -126,8 +131,12 @@ void GpuSolver::record() {
   surface_.record(programs_, buffers_, features_, color_);
 }
 
+Recording GpuSolver::recording(const ActiveSet* active) {
+  return {programs_, buffers_, features_, previous_strain_, grab_, deferred_ ? &*deferred_ : nullptr, active};
+}
+
 GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
-  const Recording r{programs_, buffers_, features_, previous_strain_, grab_, active};
+  const Recording r = recording(active);
   StepPasses passes;
   passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), !method_->starts_without_gravity(), active));
   if (!motions_.empty()) passes.begin.push_back(motions_.pass(programs_, buffers_));

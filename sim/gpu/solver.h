@@ -113,6 +113,7 @@ class GpuSolver {
   struct StepPasses {
     Passes begin, before_first, before, refresh, first_iteration, iteration, end;  // of one substep
   };
+  Recording recording(const ActiveSet* active);
   StepPasses record_step(const ActiveSet* active);
   Passes iteration(const Recording& recording, bool first);
   void choose_passes();
@@ -136,6 +137,7 @@ class GpuSolver {
   DiagnosticsReader diagnostics_;
   StateGuard guard_;
   SurfacePositions surface_;
+  std::optional<DeferredTets> deferred_;  // with materials that have such
   std::optional<Regions> regions_;  // where some may rest while others move
   StepPasses whole_, partial_;      // for all tets; for those of a step in which regions rest
   const StepPasses* passes_ = &whole_;

@@ -24,7 +24,7 @@ Passes StepGradient::passes(const Recording& r) const {
                                    {"gradient", &gradient_}};
   const gl::Defines vertex_defines = r.grab.with_springs({}, vertex);
   Passes passes;
-  passes.push_back(r.over_tets("sim/elastic_force.comp", tet_defines, std::move(tet)));
+  append(passes, r.over_tets_deferring("sim/elastic_force.comp", tet_defines, tet));
   passes.push_back(r.over_vertices("sim/gradient.comp", vertex_defines, std::move(vertex)));
   return passes;
 }

@@ -8,7 +8,7 @@ namespace fascia {
 class StepGradient {
  public:
   explicit StepGradient(std::uint32_t vertex_count);
-  /// Two passes: forces of the tets into the slots, and their sums.
+  /// Forces of the tets into the slots, and their sums.
   Passes passes(const Recording& recording) const;
   void clear() { gradient_.clear(); }
   const gl::Buffer& gradient() const { return gradient_; }  // vec4 [vertex_count] xyz g [kg m], w objective [kg m^2]

@@ -36,7 +36,7 @@ Passes StopRule::check(const Recording& r, bool first, std::uint32_t pass_count)
 }
 
 void StopRule::record(const Recording& r, Passes& before_first, Passes& before, std::initializer_list<Passes*> governed) {
-  std::size_t count = before.size() + (own_ ? 4 : 2);
+  std::size_t count = before.size() + (own_ ? own_->passes(r).size() : 0) + 2;
   for (const Passes* list : governed) count += list->size();
   full_groups_ = gl::Buffer("full_groups", count * sizeof(std::uint32_t));
   arguments_ = gl::Buffer("dispatch_arguments", std::vector<std::uint32_t>(3 * count, 1));
@@ -45,7 +45,8 @@ void StopRule::record(const Recording& r, Passes& before_first, Passes& before, 
   std::vector<std::uint32_t> groups;
   const auto govern = [&](Passes& list) {
     for (gl::ComputePass& pass : list) {
-      pass.set_indirect(arguments_, static_cast<std::uint32_t>(groups.size()));
+      if (pass.indirect()) continue;  // has nothing to do where those before it do nothing
+      pass.set_indirect(arguments_, static_cast<std::uint32_t>(3 * groups.size()));
       groups.push_back(pass.groups());
     }
   };

@@ -34,6 +34,13 @@ void TwoLevelMethod::set_acceleration(const gl::ProgramCache& programs, const Si
     anderson_.emplace(programs, std::vector<AndersonPart>{{&fine_direction_, buffers.vertex_count, &buffers.mass}}, settings.window);
 }
 
+void TwoLevelMethod::prepare(const Recording& r) {
+  if (!r.deferred) guarded_curvature_ = {};
+  if (!r.deferred || guarded_curvature_) return;
+  guarded_curvature_ = gl::Buffer("guarded_curvature", sizeof(shared::vec4) * r.buffers.tet_count);
+  guarded_curvature_.clear();
+}
+
 // The start that inertia proposes may be far up the energy's walls: it is a step from u_n, to be kept only if it lowers the objective.
 Passes TwoLevelMethod::begin(const Recording& r) const {
   Passes passes;
@@ -65,7 +72,8 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
                                      {"vertex_tets", &vertex_tets_},
                                      {"block_inverse", &block_inverse_}};
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
-  const gl::Defines defines = r.grab.with_springs(defines_of(r.features), bindings);
+  gl::Defines defines = r.grab.with_springs(defines_of(r.features), bindings);
+  if (r.deferred) defines.emplace_back("GUARDED_ELSEWHERE", "1");
   Passes passes;
   passes.push_back(r.over_vertices("sim/block_inverse.comp", defines, std::move(bindings)));
   return passes;
@@ -136,12 +144,21 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool last) const {
                                                        {"tet_vertices", &r.buffers.tet_vertices},
                                                        {"tet_shape", &r.buffers.tet_shape},
                                                        {"displacement", &r.buffers.displacement},
-                                                       {"fine_direction", &fine_direction_},
-                                                       {"curvature_partials", &curvature_partials_}});
+                                                       {"fine_direction", &fine_direction_}});
     curvature = with_damping(with_material(std::move(curvature), r.features, r.buffers), r.features, r.previous_strain);
     gl::Defines curvature_defines = defines_of(r.features);
     curvature_defines.emplace_back("SPLIT", splits_ ? "1" : "0");
-    passes.push_back(r.sum_over_tets("sim/subspace_curvature.comp", curvature_defines, std::move(curvature), tets_));
+    gl::ComputePass::Bindings sums = curvature;
+    gl::Defines sum_defines = curvature_defines;
+    sums.emplace_back("curvature_partials", &curvature_partials_);
+    if (r.deferred) {
+      curvature.emplace_back("guarded_curvature", &guarded_curvature_);
+      passes.push_back(r.over_deferred("sim/subspace_curvature.comp", curvature_defines, std::move(curvature)));
+      sums.emplace_back("guarded_terms", &guarded_curvature_);
+      sum_defines.emplace_back("GUARDED_ELSEWHERE", "1");
+    }
+    passes.push_back(r.sum_over_tets("sim/subspace_curvature.comp", sum_defines, std::move(sums), tets_));
+    if (r.deferred) passes.push_back(r.over_deferred("sim/guarded_curvature_clear.comp", {}, {{"guarded_curvature", &guarded_curvature_}}));
   }
   gl::ComputePass::Bindings solve{{"dot_partials", &dot_partials_}, {"subspace_state", &state_}};
   gl::ComputePass::Constants constants{{"partials", vertices_.partials}};

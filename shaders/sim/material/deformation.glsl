@@ -14,6 +14,8 @@ struct Deformation {
 #if SIGNED_ST_VENANT_KIRCHHOFF
 #include "common/svd.glsl"
 #define LEAST_STRETCH 0.6
+// The tets that need it are few and the decomposition is dear. DEFERS: those are put on a list, and what is left are upright ones.
+// DEFERRED: the kernel goes through that list. GUARDED_ELSEWHERE: the kernel does something else about them.
 
 // Whether all singular values are above LEAST_STRETCH and none is negative: Sylvester's criterion for F^T F = I + 2 e.
 bool upright(mat3 h, Sym3 e) {
@@ -23,8 +25,8 @@ bool upright(mat3 h, Sym3 e) {
          det_f_minus_one(h) > -1.0;
 }
 
-Deformation guarded(mat3 f) {
-  Svd svd = signed_svd(f);
+Deformation guarded(mat3 f, bool wanted) {
+  Svd svd = signed_svd(f, wanted);
   vec3 slope = max(svd.s, LEAST_STRETCH);
   vec3 e = 0.5 * (slope * slope - 1.0) + LEAST_STRETCH * min(svd.s - LEAST_STRETCH, 0.0);
   vec3 r0 = vec3(svd.v[0].x, svd.v[1].x, svd.v[2].x), r1 = vec3(svd.v[0].y, svd.v[1].y, svd.v[2].y),
@@ -33,12 +35,25 @@ Deformation guarded(mat3 f) {
                      Sym3(vec3(dot(r0 * e, r0), dot(r1 * e, r1), dot(r2 * e, r2)),
                           vec3(dot(r1 * e, r2), dot(r0 * e, r2), dot(r0 * e, r1))));
 }
+
+bool needs_guard(mat3 h, vec4 material) { return IS_SIGNED_ST_VENANT_KIRCHHOFF(material) && !upright(h, green_strain(h)); }
+#endif
+
+#ifdef DEFERS
+#define DEFER_GUARDED(t, h) if (needs_guard(h, material_of(t))) { defer(t); return; }
+#else
+#define DEFER_GUARDED(t, h)
 #endif
 
 Deformation deformation_of(mat3 h, vec4 material) {
+#ifdef DEFERRED
+  return guarded(mat3(1.0) + h, true);
+#else
   Deformation plain = Deformation(mat3(1.0) + h, green_strain(h));
-#if SIGNED_ST_VENANT_KIRCHHOFF
-  if (IS_SIGNED_ST_VENANT_KIRCHHOFF(material) && !upright(h, plain.e)) return guarded(plain.f);
+#if SIGNED_ST_VENANT_KIRCHHOFF && !defined DEFERS && !defined GUARDED_ELSEWHERE
+  bool needed = needs_guard(h, material);
+  if (needed) return guarded(plain.f, needed);
 #endif
   return plain;
+#endif
 }

@@ -30,7 +30,7 @@ OUTPUT(vec4, Factors, factors)
 
 void main() {
   ITEM_OR_RETURN(i)
-  Svd svd = signed_svd(mat3(FETCH(matrix, 3u * i).xyz, FETCH(matrix, 3u * i + 1u).xyz, FETCH(matrix, 3u * i + 2u).xyz));
+  Svd svd = signed_svd(mat3(FETCH(matrix, 3u * i).xyz, FETCH(matrix, 3u * i + 1u).xyz, FETCH(matrix, 3u * i + 2u).xyz), true);
   for (int k = 0; k < 3; ++k) {
     factors[6u * i + uint(k)] = vec4(svd.u[k], svd.s[k]);
     factors[6u * i + 3u + uint(k)] = vec4(svd.v[k], 0.0);
