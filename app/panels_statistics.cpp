@@ -1,7 +1,9 @@
 // Numbers about the state and about the clock, each with what it means.
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <vector>
 
 #include "app/panels.h"
 #include "app/ui_style.h"
@@ -51,9 +53,21 @@ void statistics_panel(Session& session, const Statistics& statistics) {
   }
   ui::fact("Motion", session.simulation.asleep() ? "at rest, asleep" : "awake",
            "A body at rest costs nothing until something changes (rest speed)");
-  if (const GpuSolver* gpu = session.simulation.gpu())
+  if (const GpuSolver* gpu = session.simulation.gpu()) {
+    const std::size_t present = session.simulation.model.tets.size();
+    ui::fact("Tets solved", printed("%.0f %%", 100 * gpu->share_solved() * gpu->buffers().tet_count / static_cast<double>(present)),
+             "Of all tets, on average over the steps: those that are fixed and parts at rest are left out");
     ui::fact("Dispatches", std::to_string(gpu->dispatches_per_step()) + " per step", "Compute dispatches of one time step that is solved");
-  ui::fact("GPU memory", bytes_text(static_cast<double>(gl::allocated_bytes())), "All buffers and pictures of the program");
+    ui::fact("Kernels", std::to_string(session.simulation.programs()->size()), "Compiled so far, each for what the scene uses");
+    ui::fact("Moved", bytes_text(gpu->bytes_per_iteration()) + " per iteration", "Estimated: every buffer that a kernel uses, once");
+  }
+  std::string buffers = "All buffers and pictures of the program. The largest buffers:";
+  std::vector<std::pair<std::size_t, std::string>> sizes;
+  for (const auto& [name, bytes] : gl::bytes_by_buffer()) sizes.emplace_back(bytes, name);
+  std::sort(sizes.rbegin(), sizes.rend());
+  for (std::size_t i = 0; i < std::min<std::size_t>(8, sizes.size()); ++i)
+    buffers += "\n" + sizes[i].second + ": " + bytes_text(static_cast<double>(sizes[i].first));
+  ui::fact("GPU memory", bytes_text(static_cast<double>(gl::allocated_bytes())), buffers);
   ImGui::PushStyleColor(ImGuiCol_Text, ui::kDim);
   ImGui::TextWrapped("%s", session.renderer_description().c_str());
   ImGui::PopStyleColor();

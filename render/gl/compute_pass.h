@@ -31,7 +31,7 @@ class ComputePass {
   std::size_t bytes() const;
   /// From now on the numbers of groups are the three that `arguments` (uint) holds from place `first` on when the pass runs.
   void set_indirect(const Buffer& arguments, std::uint32_t first);
-  bool indirect() const { return arguments_ != nullptr; }
+  const Buffer* arguments() const { return arguments_; }  // of set_indirect; null without
   /// Before each run the bytes of `from` are copied to the start of `to`.
   void copy_first(const Buffer& from, Buffer& to);
   /// From now on a constant, "invocations" included, is what `value` holds when the pass runs.

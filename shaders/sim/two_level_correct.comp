@@ -7,7 +7,8 @@ INPUT_VEC4(Gradient, gradient)           // [vertex_count] g [kg m]
 INPUT_VEC4(Predicted, predicted)         // [vertex_count] w inverse mass, 0 where held
 INPUT_VEC4(BlockInverse, block_inverse)  // [2 * vertex_count]
 #if COARSE
-INPUT_UINT(CoarseRows, coarse_rows)              // [vertex_count + 1] where each row begins, then node and weight (float bits) in turn
+INPUT_UINT(CoarseRowBegin, coarse_row_begin)     // [vertex_count + 1]
+INPUT_UVEC4(CoarseRows, coarse_rows)             // two entries each: node and weight (float bits) in turn
 INPUT_VEC4(CoarseCorrection, coarse_correction)  // [node_count] [m]
 #endif
 OUTPUT(vec4, FineDirection, fine_direction)  // [vertex_count] z_f [m]; without SPLIT the sum of both, with SWEEP the swept u
@@ -27,9 +28,12 @@ void main() {
   if (FETCH(predicted, i).w > 0.0) {
     fine = times(Sym3(FETCH(block_inverse, 2u * i).xyz, FETCH(block_inverse, 2u * i + 1u).xyz), FETCH(gradient, i).xyz);
 #if COARSE
-    uint end = FETCH1(coarse_rows, i + 1u);
-    for (uint k = FETCH1(coarse_rows, i); k < end; k += 2u)
-      coarse += uintBitsToFloat(FETCH1(coarse_rows, k + 1u)) * FETCH(coarse_correction, FETCH1(coarse_rows, k)).xyz;
+    uint end = FETCH1(coarse_row_begin, i + 1u);
+    for (uint k = FETCH1(coarse_row_begin, i); k < end; ++k) {
+      uvec4 entries = FETCH(coarse_rows, k);
+      coarse += uintBitsToFloat(entries.y) * FETCH(coarse_correction, entries.x).xyz;
+      coarse += uintBitsToFloat(entries.w) * FETCH(coarse_correction, entries.z).xyz;
+    }
 #endif
   }
 #if SWEEP

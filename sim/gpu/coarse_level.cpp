@@ -15,14 +15,19 @@ vec4 to_vec4(const Eigen::Vector3d& v, double w) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), static_cast<float>(w)};
 }
 
-std::vector<std::uint32_t> pack_rows(const CoarseSpace& space) {
-  const auto vertex_count = static_cast<std::uint32_t>(space.begin.size() - 1);
-  std::vector<std::uint32_t> rows;
-  rows.reserve(vertex_count + 1 + 2 * space.node.size());
-  for (const std::uint32_t begin : space.begin) rows.push_back(vertex_count + 1 + 2 * begin);
-  for (std::size_t k = 0; k < space.node.size(); ++k) {
-    rows.push_back(space.node[k]);
-    rows.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(space.weight[k])));
+struct PackedRows {
+  std::vector<std::uint32_t> begin{0};  // [vertex_count + 1]
+  std::vector<Tet> pairs;               // two entries each: node and weight (float bits) in turn; a last one alone is padded with zeros
+};
+
+PackedRows pack_rows(const CoarseSpace& space) {
+  PackedRows rows;
+  const auto weight = [&](std::uint32_t k) { return std::bit_cast<std::uint32_t>(static_cast<float>(space.weight[k])); };
+  for (std::size_t v = 0; v + 1 < space.begin.size(); ++v) {
+    const std::uint32_t end = space.begin[v + 1];
+    for (std::uint32_t k = space.begin[v]; k < end; k += 2)
+      rows.pairs.push_back({space.node[k], weight(k), k + 1 < end ? space.node[k + 1] : 0, k + 1 < end ? weight(k + 1) : 0});
+    rows.begin.push_back(static_cast<std::uint32_t>(rows.pairs.size()));
   }
   return rows;
 }
@@ -54,7 +59,9 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
   gather_begin_ = gl::Buffer("gather_begin", gather.begin);
   gather_vertex_ = gl::Buffer("gather_vertex", gather.vertex);
   gather_entry_ = gl::Buffer("gather_entry", entries);
-  rows_ = gl::Buffer("coarse_rows", pack_rows(space_));
+  const PackedRows rows = pack_rows(space_);
+  row_begin_ = gl::Buffer("coarse_row_begin", rows.begin);
+  rows_ = gl::Buffer("coarse_rows", rows.pairs);
   partials_ = gl::Buffer("coarse_partials", 3 * sizeof(vec4) * n * lanes_);
   rotation_ = gl::Buffer("coarse_rotation", sizeof(vec4) * n);
   gradient_ = gl::Buffer("coarse_gradient", sizeof(vec4) * row_quads_);

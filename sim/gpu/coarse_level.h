@@ -17,7 +17,9 @@ class CoarseLevel {
 
   /// Three passes from `gradient` (vec4 [vertex_count]) to correction().
   Passes passes(const Recording& recording, const gl::Buffer& gradient) const;
-  const gl::Buffer& rows() const { return rows_; }              // uint: P in rows of vertices (two_level_correct.comp)
+  // P in rows of vertices (two_level_correct.comp): uint [vertex_count + 1], uvec4
+  const gl::Buffer& row_begin() const { return row_begin_; }
+  const gl::Buffer& rows() const { return rows_; }
   const gl::Buffer& correction() const { return correction_; }  // vec4 [node_count] [m]
 
   /// Starts to compute the inverse if materials or h are other ones; one that waits for older values is let go.
@@ -37,7 +39,7 @@ class CoarseLevel {
   CoarseSpace space_;
   std::uint32_t lanes_ = 1;      // invocations that share a node in the restriction
   std::uint32_t row_quads_ = 0;  // vec4 per row of the inverse
-  gl::Buffer gather_begin_, gather_vertex_, gather_entry_, rows_;
+  gl::Buffer gather_begin_, gather_vertex_, gather_entry_, row_begin_, rows_;
   gl::Buffer partials_, rotation_, gradient_, inverse_rows_, correction_;
   std::vector<Material> materials_;  // that the newest inverse is for, ready or not
   double h_ = 0;                     // [s]

@@ -390,11 +390,11 @@ double GpuSolver::share_solved() const {
 }
 
 double GpuSolver::bytes_per_iteration() const {
-  const auto bytes_of = [](const Passes& passes) {
+  const auto bytes_of = [&](const Passes& passes) {
     double bytes = 0;
     std::set<const gl::Program*> counted;  // the colors of a sweep share what they go through
     for (const gl::ComputePass& pass : passes)
-      if (counted.insert(&pass.program()).second) bytes += static_cast<double>(pass.bytes());
+      if (!(deferred_ && pass.arguments() == &deferred_->count) && counted.insert(&pass.program()).second) bytes += static_cast<double>(pass.bytes());
     return bytes;
   };
   return bytes_of(whole_.iteration) + bytes_of(whole_.before) / before_every_ + bytes_of(whole_.refresh) / StepMethod::kRefresh;

@@ -99,7 +99,7 @@ class GpuSolver {
   const Chebyshev* chebyshev() const { return chebyshev_ ? &*chebyshev_ : nullptr; }
 
   std::uint64_t dispatches_per_step() const;
-  /// Estimated: every buffer that a kernel uses, once; what belongs to each iteration, the refreshes shared out.
+  /// Estimated: every buffer that a kernel uses, once; what belongs to each iteration, the refreshes shared out, deferred tets left out.
   double bytes_per_iteration() const;
   const SimBuffers& buffers() const { return buffers_; }
 

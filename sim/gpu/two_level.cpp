@@ -87,6 +87,7 @@ Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
                                     {"block_inverse", &block_inverse_},
                                     {"fine_direction", &fine_direction_}};
   if (!coarse_.empty()) {
+    correct.emplace_back("coarse_row_begin", &coarse_.row_begin());
     correct.emplace_back("coarse_rows", &coarse_.rows());
     correct.emplace_back("coarse_correction", &coarse_.correction());
   }
