@@ -16,8 +16,8 @@ double round_up(double value) {
 
 }  // namespace
 
-Session::Session(Graphics& graphics, Scene scene, Model built, bool use_reference)
-    : simulation(std::move(scene), std::move(built), graphics.programs.get(), use_reference),
+Session::Session(Graphics& graphics, Scene scene, Model built, bool use_reference, const Progress& progress)
+    : simulation(std::move(scene), std::move(built), graphics.programs.get(), use_reference, progress),
       surface_(drawn_surface(simulation.scene, simulation.model)),
       renderer_(*graphics.programs, surface_.triangles, static_cast<std::uint32_t>(surface_.rest_positions.size()),
                 simulation.model.fixed, surface_.rest_positions),

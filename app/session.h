@@ -17,7 +17,7 @@ namespace fascia {
 class Session {
  public:
   /// Throws Error; a window then keeps the session it has.
-  Session(Graphics& graphics, Scene scene, Model built, bool use_reference);  // build_model(scene)
+  Session(Graphics& graphics, Scene scene, Model built, bool use_reference, const Progress& progress = {});  // build_model(scene)
   Session(Graphics& graphics, const Scene& scene, bool use_reference) : Session(graphics, scene, build_model(scene), use_reference) {}
 
   Simulation simulation;

@@ -25,9 +25,9 @@ Opened open_replay(const std::filesystem::path& path, const std::vector<std::str
 Simulation::Simulation(Scene opened, gl::ProgramCache* programs, bool use_reference)
     : Simulation(opened, build_model(opened), programs, use_reference) {}
 
-Simulation::Simulation(Scene opened, Model built, gl::ProgramCache* programs, bool use_reference)
+Simulation::Simulation(Scene opened, Model built, gl::ProgramCache* programs, bool use_reference, const Progress& progress)
     : scene(std::move(opened)), model(std::move(built)), programs_(programs) {
-  if (programs) gpu_ = std::make_unique<GpuSolver>(*programs, model, scene.solver, embedded_points(scene));
+  if (programs) gpu_ = std::make_unique<GpuSolver>(*programs, model, scene.solver, embedded_points(scene), progress);
   if (use_reference) {
     renew_reference();
     reference_state_ = reference::initial_state(model);

@@ -15,7 +15,7 @@ namespace fascia {
 class Simulation {
  public:
   /// `built`: build_model(scene). `programs` null: no GPU at all, which only the reference solver can do without. Throws Error.
-  Simulation(Scene scene, Model built, gl::ProgramCache* programs, bool use_reference);
+  Simulation(Scene scene, Model built, gl::ProgramCache* programs, bool use_reference, const Progress& progress = {});
   Simulation(Scene scene, gl::ProgramCache* programs, bool use_reference);
   /// Starts where the replay does and repeats its inputs as the steps go on. Throws Error if they do not fit the scene.
   void play(Replay replay);

@@ -31,9 +31,8 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
       input_(graphics.context->window()),
       overlay_(graphics),
       dialogs_(graphics.data_dir),
-      session_(std::make_unique<Session>(graphics, std::move(opened.scene), std::move(opened.model), options.reference)),
       samples_(options.samples > 0 ? options.samples : gl::device().software ? 1 : 4) {
-  if (opened.replay) session_->simulation.play(std::move(*opened.replay));
+  session_ = make_session(opened);
   if (options.static_equilibrium) {
     const reference::NewtonReport report = session_->simulation.solve_static();
     if (!options.quiet || !report.converged) std::cerr << "fascia: " << describe(report, options.reference) << '\n';

@@ -60,6 +60,7 @@ class ViewWindow {
 
   void carry_out(const Requests& requests);
   void open(const std::filesystem::path& path);
+  std::unique_ptr<Session> make_session(Opened& opened);  // with a bar while it takes long
   void save(const std::filesystem::path& path);
   void set_title();
   void reset();

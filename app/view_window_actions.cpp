@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "app/opening_screen.h"
 #include "app/scene_edits.h"
 #include "app/view_window.h"
 #include "sim/file.h"
@@ -88,8 +89,7 @@ void ViewWindow::carry_out(const Requests& requests) {
 void ViewWindow::open(const fs::path& path) {
   // The new session is made while the old one still stands: if it cannot be made, nothing has happened.
   Opened input = open_file(path);
-  auto opened = std::make_unique<Session>(graphics_, std::move(input.scene), std::move(input.model), options_.reference);
-  if (input.replay) opened->simulation.play(std::move(*input.replay));
+  std::unique_ptr<Session> opened = make_session(input);
   mouse_.cancel(*session_);
   state_.convergence.forget();
   session_ = std::move(opened);
@@ -103,6 +103,14 @@ void ViewWindow::open(const fs::path& path) {
   message_.reset();
   diagnose_ = true;
   set_title();
+}
+
+std::unique_ptr<Session> ViewWindow::make_session(Opened& opened) {
+  OpeningScreen screen(graphics_, overlay_, opened.scene.file.filename().string());
+  const Progress progress = [&](double share, const char* what) { screen.show(share, what); };
+  auto session = std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model), options_.reference, progress);
+  if (opened.replay) session->simulation.play(std::move(*opened.replay));
+  return session;
 }
 
 void ViewWindow::set_title() {

@@ -34,7 +34,7 @@ gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers
 }
 
 GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
-                     const std::vector<Eigen::Vector3d>& surface_points)
+                     const std::vector<Eigen::Vector3d>& surface_points, const Progress& progress)
     : programs_(programs),
       model_(model),
       settings_(settings),
@@ -46,7 +46,9 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       surface_(buffers_, surface_points, embed(surface_points, model.rest_positions, model.tets)) {
   require_carried(settings_.method, model_.materials, "solver.method");
   buffers_.upload_step(model_, settings_);
+  report(progress, 0.4, "Preparing the solver");
   make_method();
+  report(progress, 0.9, "Compiling kernels");
   record();
 }
 

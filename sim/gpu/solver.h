@@ -17,6 +17,7 @@
 #include "sim/gpu/step_snapshot.h"
 #include "sim/gpu/stop_rule.h"
 #include "sim/gpu/surface_positions.h"
+#include "sim/progress.h"
 
 namespace fascia {
 
@@ -31,7 +32,7 @@ class GpuSolver {
   /// `model` must outlive the solver. Its materials and gravity may be changed; tell the solver with materials_changed().
   /// `surface_points` are extra vertices to draw, embedded in the tets (scene key "surface"); none by default.
   GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
-            const std::vector<Eigen::Vector3d>& surface_points = {});
+            const std::vector<Eigen::Vector3d>& surface_points = {}, const Progress& progress = {});
 
   /// One frame step of settings.time_step: substeps, each of predict, iterations, velocity.
   void step();

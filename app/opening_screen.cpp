@@ -1,0 +1,51 @@
+#include "app/opening_screen.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/ui_style.h"
+#include "render/framebuffer.h"
+#include "render/gl/loader.h"
+
+namespace fascia {
+namespace {
+
+constexpr double kPatience = 0.2;  // [s]: shorter waits show nothing
+
+}  // namespace
+
+OpeningScreen::OpeningScreen(Graphics& graphics, Overlay& overlay, std::string name)
+    : graphics_(graphics), overlay_(overlay), name_(std::move(name)) {}
+
+void OpeningScreen::show(double share, const char* what) {
+  if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() < kPatience) return;
+  GLFWwindow* window = graphics_.context->window();
+  glfwPollEvents();  // or the desktop takes the program for dead
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window, &width, &height);
+  if (width < 1 || height < 1) return;
+  Framebuffer framebuffer(width, height, 1);
+  framebuffer.bind();
+  gl::ClearColor(0.09f, 0.10f, 0.12f, 1);
+  gl::Clear(GL_COLOR_BUFFER_BIT);
+  framebuffer.resolve();
+  overlay_.begin(width, height);
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  // A height of its own: what ImGui has to measure first it does not show in the first frame.
+  ImGui::SetNextWindowSize({std::min(ui::px(420), 0.8f * size.x), ui::px(92)});
+  ImGui::Begin("opening", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::Text("Opening %s", name_.c_str());
+  ImGui::ProgressBar(static_cast<float>(share), {-1, 0});
+  ImGui::TextColored(ui::kDim, "%s", what);
+  ImGui::End();
+  overlay_.end();
+  overlay_.draw(framebuffer);
+  framebuffer.present(width, height);
+  glfwSwapBuffers(window);
+}
+
+}  // namespace fascia
