@@ -132,11 +132,13 @@ void ViewWindow::frame(double elapsed) {
     return;
   }
   Requests requests;
+  const ColorBy colored_by = session_->display().color;
   overlay_.begin(framebuffer_->width(), framebuffer_->height());
   attempt([&] { handle_input(requests); });
   attempt([&] { build_panels(requests); });
   overlay_.end();
   attempt([&] { carry_out(requests); });
+  diagnose_ |= session_->display().color != colored_by;  // for the range of the heat map, also where nothing moves
   if (!attempt([&] { simulate(elapsed, requests); })) state_.paused = true;
   if (!attempt([&] { draw(); })) state_.paused = true;
   overlay_.draw(*framebuffer_);
@@ -154,7 +156,14 @@ bool ViewWindow::update_framebuffer() {
   if (framebuffer_ && framebuffer_->width() == width && framebuffer_->height() == height) return true;
   if (video_.running() && !video_.fits(width, height)) attempt([&] { toggle_video(); });
   framebuffer_.reset();  // before the new one: two large ones may not fit
-  framebuffer_ = std::make_unique<Framebuffer>(width, height, samples_);
+  try {
+    framebuffer_ = std::make_unique<Framebuffer>(width, height, samples_);
+  } catch (const Error&) {
+    if (samples_ <= 1) throw;
+    framebuffer_ = std::make_unique<Framebuffer>(width, height, 1);
+    say("No memory for " + std::to_string(samples_) + " samples per pixel: drawn with one", true);
+    samples_ = 1;
+  }
   return true;
 }
 
