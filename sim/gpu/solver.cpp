@@ -128,7 +128,7 @@ void GpuSolver::record() {
   buffers_.correction.clear();  // of which kernels may leave the w as it is
   before_every_ = 1;
   whole_ = record_step(nullptr);
-  partial_ = regions_ ? record_step(&regions_->active()) : StepPasses();
+  partial_ = {};
   diagnostics_.record(programs_, buffers_, features_, previous_strain_, grab_);
   surface_.record(programs_, buffers_, features_, color_);
 }
@@ -229,6 +229,7 @@ void GpuSolver::choose_passes() {
     if (time_ < model_.end_of_motions()) regions_->restart();
     if (regions_->begin_step(settings_, springs_)) passes_ = &partial_;
   }
+  if (passes_ == &partial_ && partial_.begin.empty()) partial_ = record_step(&regions_->active());
   if (passes_ == &partial_ && after_whole) method_->begin_partial();
   tets_stepped_ += passes_ == &partial_ ? regions_->active().tet_count : buffers_.tet_count;
 }

@@ -140,7 +140,7 @@ class GpuSolver {
   SurfacePositions surface_;
   std::optional<DeferredTets> deferred_;  // with materials that have such
   std::optional<Regions> regions_;  // where some may rest while others move
-  StepPasses whole_, partial_;      // for all tets; for those of a step in which regions rest
+  StepPasses whole_, partial_;      // for all tets; for those of a step in which regions rest, recorded when there first is one
   const StepPasses* passes_ = &whole_;
   bool always_whole_ = false;
   int before_every_ = 1;  // iterations from one run of `before` to the next

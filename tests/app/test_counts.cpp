@@ -1,0 +1,52 @@
+// What the shipped scenes cost, counted: a scene pays for what it uses and for nothing else, and a change that makes one dearer shows here.
+#include <catch2/catch.hpp>
+
+#include "app/graphics.h"
+#include "app/simulation.h"
+#include "render/gl/buffer.h"
+#include "render/gl/compute_pass.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+struct Counts {
+  std::string scene;
+  std::uint32_t tets_solved;
+  std::uint64_t dispatches_per_step;
+  std::size_t kernels, gpu_bytes;
+};
+
+}  // namespace
+
+TEST_CASE("counts of the shipped scenes", "[counts]") {
+  const Counts expected = GENERATE(values<Counts>({{"beam", 4896, 147, 27, 1'780'916},
+                                                   {"cube", 500, 147, 26, 242'692},
+                                                   {"inclusion", 5585, 147, 27, 2'287'996},
+                                                   {"ligament", 7006, 146, 26, 2'470'248},
+                                                   {"liver", 9389, 147, 27, 3'560'032}}));
+  CAPTURE(expected.scene);
+  CommonOptions options;
+  options.context = "osmesa";
+  Graphics graphics = open_graphics(options, false);
+  Simulation simulation(open_scene(source_dir() / "assets/scenes" / (expected.scene + ".json")), graphics.programs.get(), false);
+  const std::uint64_t before = gl::dispatch_count();
+  simulation.gpu()->step();
+  CHECK(simulation.gpu()->buffers().tet_count == expected.tets_solved);
+  CHECK(simulation.gpu()->dispatches_per_step() == expected.dispatches_per_step);
+  // Beside the step's own: the regions' speeds, where there are regions.
+  const std::uint64_t measured = simulation.gpu()->buffers().tet_count >= Regions::kLeastTets ? 1 : 0;
+  CHECK(gl::dispatch_count() - before == expected.dispatches_per_step + measured);
+  CHECK(simulation.programs()->size() == expected.kernels);
+  CHECK(gl::allocated_bytes() == expected.gpu_bytes);
+  const auto& buffers = gl::bytes_by_buffer();
+  const bool several_materials = simulation.model.materials.size() > 1;
+  const bool damped = std::any_of(simulation.model.materials.begin(), simulation.model.materials.end(),
+                                  [](const Material& m) { return m.damping > 0; });
+  CHECK(buffers.contains("tet_material") == several_materials);
+  CHECK(buffers.contains("previous_strain") == damped);
+  CHECK_FALSE(buffers.contains("displacement_low"));
+  CHECK_FALSE(buffers.contains("multiplier"));
+}
