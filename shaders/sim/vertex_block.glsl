@@ -7,19 +7,6 @@
 INPUT_UINT(SlotBegin, slot_begin)    // [vertex_count + 1]
 INPUT_UINT(VertexTets, vertex_tets)  // [4 * tet_count] 4 * tet + corner, sorted by vertex
 
-#if SIGNED_ST_VENANT_KIRCHHOFF && defined GUARDED_ELSEWHERE
-// About what guarding a tet adds to its corner_block, without the singular values: as if every stretch were made larger by the least one,
-// and with it the image of b, whose direction the cofactors keep while a stretch goes to zero.
-Sym3 guard_estimate(Tangent tangent, mat3 h, vec4 material, vec3 b) {
-  mat3 f = tangent.f;
-  vec3 image = mat3(cross(f[1], f[2]), cross(f[2], f[0]), cross(f[0], f[1])) * b;
-  float squared = dot(image, image), mu = lame_mu(material), size = LEAST_STRETCH * LEAST_STRETCH * dot(b, b) * tangent.stiff;
-  vec3 n = squared > 0.0 ? image * inversesqrt(squared) : vec3(0.0);
-  float outer = size * (lame_lambda(material) + mu);
-  return Sym3(outer * n * n + size * mu, outer * n.yxx * n.zzy);
-}
-#endif
-
 struct VertexBlock {
   Sym3 hessian;   // [kg]
   vec3 gradient;  // of the tets alone [kg m]
@@ -34,14 +21,7 @@ VertexBlock add_tets(uint v) {
     mat3 h = displacement_gradient(tet, AT_VERTEX(tet.v.x), AT_VERTEX(tet.v.y), AT_VERTEX(tet.v.z), AT_VERTEX(tet.v.w));
     vec3 b = corner == 0u ? -(tet.b1 + tet.b2 + tet.b3) : corner == 1u ? tet.b1 : corner == 2u ? tet.b2 : tet.b3;
     vec4 material = material_of(t);
-    Tangent tangent = tangent_of(t, h, material);
-    Sym3 hessian = corner_block(tangent, h, material, b);
-#if SIGNED_ST_VENANT_KIRCHHOFF && defined GUARDED_ELSEWHERE
-    if (needs_guard(h, material)) {
-      Sym3 more = guard_estimate(tangent, h, material, b);
-      hessian = Sym3(hessian.d + more.d, hessian.s + more.s);
-    }
-#endif
+    Sym3 hessian = corner_block(tangent_of(t, h, material), h, material, b);
     float scale = SUBSTEP * SUBSTEP * tet.volume;
     block.hessian.d += scale * hessian.d;
     block.hessian.s += scale * hessian.s;

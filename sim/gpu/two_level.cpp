@@ -72,8 +72,7 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
                                      {"vertex_tets", &vertex_tets_},
                                      {"block_inverse", &block_inverse_}};
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
-  gl::Defines defines = r.grab.with_springs(defines_of(r.features), bindings);
-  if (r.deferred) defines.emplace_back("GUARDED_ELSEWHERE", "1");
+  const gl::Defines defines = r.grab.with_springs(defines_of(r.features), bindings);
   Passes passes;
   passes.push_back(r.over_vertices("sim/block_inverse.comp", defines, std::move(bindings)));
   return passes;
