@@ -87,7 +87,7 @@ TEST_CASE("a tolerance out of reach changes nothing", "[gpu]") {
   CHECK(relative_rms(bound.download().displacement, free.download().displacement) == 0);
 }
 
-TEST_CASE("methods without a gradient of their own are checked every tenth iteration", "[gpu]") {
+TEST_CASE("methods without a gradient of their own are checked every eighth iteration", "[gpu]") {
   Gpu gpu;
   const Method method = GENERATE(Method::mass_splitting, Method::gauss_seidel, Method::exact_xpbd, Method::vertex_descent);
   Model model = bar();
