@@ -31,6 +31,8 @@ vec3 terms_of(uint t, out bool guard) {
   vec4 material = material_of(t);
 #ifdef GUARDED_ELSEWHERE
   guard = needs_guard(h, material);
+#else
+  guard = false;
 #endif
   Tangent tangent = tangent_of(t, h, material);
   mat3 df = displacement_gradient(tet, FETCH(fine_direction, tet.v.x).xyz, FETCH(fine_direction, tet.v.y).xyz,
