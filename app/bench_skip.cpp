@@ -1,8 +1,9 @@
+#include "app/bench_skip.h"
+
 #include <functional>
 
 #include "app/bench_beam.h"
 #include "app/bench_box.h"
-#include "app/bench_speed.h"
 #include "app/bench_timing.h"
 
 namespace fascia {
@@ -30,8 +31,8 @@ struct Subject {
 struct Feature {
   std::string name;
   Pair pair;
-  std::function<void(Subject&)> on;
-  std::function<void(Subject&)> off;  // none: a scene has it from the start or never
+  std::function<void(Subject&)> on, off;
+  Model (*built_in)(Model) = nullptr;  // instead of them: what a scene has from the start or never
   MaterialModel law = MaterialModel::signed_st_venant_kirchhoff;  // without it
 };
 
@@ -95,7 +96,7 @@ std::vector<Feature> features() {
     list.push_back({"grab", pair, [](Subject& s) { s.solver->set_grab(hand(s.model)); }, [](Subject& s) { s.solver->set_grab({}); }});
     list.push_back({"tolerance", pair, tolerate(1e-9), tolerate(0)});
     list.push_back({"stress colors", pair, color(ColorBy::von_mises), color(ColorBy::none)});
-    list.push_back({"signed stretches", pair, obey(MaterialModel::signed_st_venant_kirchhoff), obey(MaterialModel::st_venant_kirchhoff),
+    list.push_back({"signed stretches", pair, obey(MaterialModel::signed_st_venant_kirchhoff), obey(MaterialModel::st_venant_kirchhoff), nullptr,
                     MaterialModel::st_venant_kirchhoff});
   }
   list.push_back({"double displacements", two_level, [](Subject& s) { s.solver->set_compensated(true); },
@@ -103,8 +104,8 @@ std::vector<Feature> features() {
   list.push_back({"chebyshev", jacobi, accelerate(Acceleration::chebyshev), accelerate(Acceleration::none)});
   list.push_back({"anderson_positions", jacobi, accelerate(Acceleration::anderson_positions), accelerate(Acceleration::none)});
   list.push_back({"phantoms", sweep, limit(8), limit(0)});
-  list.push_back({"second material", two_level, {}, {}});
-  list.push_back({"prescribed motion", two_level, {}, {}});
+  list.push_back({"second material", two_level, {}, {}, with_second_material});
+  list.push_back({"prescribed motion", two_level, {}, {}, with_motion});
   return list;
 }
 
@@ -141,10 +142,8 @@ std::vector<std::string> bench_skip(Bench& bench) {
       });
     }
     states.push_back("on");
-    const bool built_in = !feature.on;
-    subjects.push_back(std::make_unique<Subject>(
-        bench, !built_in ? model : feature.name == "prescribed motion" ? with_motion(model) : with_second_material(model), settings));
-    if (!built_in) subjects.back()->change(feature.on);
+    subjects.push_back(std::make_unique<Subject>(bench, feature.built_in ? feature.built_in(model) : model, settings));
+    if (feature.on) subjects.back()->change(feature.on);
 
     std::vector<std::vector<double>> times(subjects.size());
     std::vector<std::uint64_t> dispatches(subjects.size());

@@ -1,11 +1,5 @@
 #include "app/bench_speed.h"
 
-#include <unistd.h>
-
-#include <chrono>
-#include <cmath>
-#include <fstream>
-
 #include "app/bench_beam.h"
 #include "app/bench_box.h"
 #include "app/bench_timing.h"
@@ -114,10 +108,11 @@ void measure_opening(Bench& bench, const Eigen::Vector3i& cells, Table& table) {
     scene = open_scene(mesh);
     model = build_model(*scene);
   });
-  model.reset();
+  std::error_code ignored;
+  std::filesystem::remove(mesh, ignored);
   const std::size_t bytes_before = gl::allocated_bytes();
   std::unique_ptr<Session> session;
-  const double session_ms = milliseconds_of([&] { session = std::make_unique<Session>(bench.graphics, *scene, false); });
+  const double session_ms = milliseconds_of([&] { session = std::make_unique<Session>(bench.graphics, std::move(*scene), std::move(*model), false); });
   Framebuffer framebuffer(bench.options.width, bench.options.height, gl::device().software ? 1 : 4);
   const double first_ms = milliseconds_of([&] {
     session->simulation.step();
@@ -133,15 +128,13 @@ void measure_opening(Bench& bench, const Eigen::Vector3i& cells, Table& table) {
   table.rows.push_back({opened.tets.size(), opened.rest_positions.size(), file_bytes, read_ms, session_ms, first_ms,
                         spread_of(step_ms).median, spread_of(draw_ms).median, gl::allocated_bytes() - bytes_before,
                         resident_bytes()});
-  std::error_code ignored;
-  std::filesystem::remove(mesh, ignored);
 }
 
 }  // namespace
 
 std::vector<SpeedRow> bench_speed(Bench& bench) {
   Table speed = speed_table(), meshes, kernels;
-  meshes.notes = {"a mesh file opened as the window opens it, with the default material and solver; read_ms: file to model; open_ms: file to a "
+  meshes.notes = {"a mesh file opened as the window opens it, with the default material and solver; read_ms: file to model; open_ms: model to a "
                   "scene that can step and be drawn",
                   "first_ms: the first step and picture; step_ms, draw_ms: medians of those after it, " +
                       std::to_string(bench.options.width) + "x" + std::to_string(bench.options.height) + " pixels"};

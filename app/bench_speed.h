@@ -1,7 +1,9 @@
 // fascia bench speed: what steps cost, for every pair of method and acceleration and meshes from 500 to a million tets; what it takes to
 // open such a mesh and to draw it; and where the time of a step goes.
 #pragma once
-#include <optional>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include "app/bench.h"
 #include "app/speed_table.h"
@@ -13,9 +15,5 @@ std::vector<SpeedRow> bench_speed(Bench& bench);
 
 /// compared.csv, `now` over what the file holds. Returns the lines that name what became slower beyond the noise.
 std::vector<std::string> compare_with(Bench& bench, const std::filesystem::path& against, const std::vector<SpeedRow>& now);
-
-/// fascia bench skip: the cost of every feature that a scene may do without, when it was never there, when it has been switched off, and
-/// on. Writes skip.csv. Returns the lines that name what costs something although it is off. Throws Error or Interrupted.
-std::vector<std::string> bench_skip(Bench& bench);
 
 }  // namespace fascia

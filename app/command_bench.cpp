@@ -8,6 +8,7 @@
 
 #include "app/bench.h"
 #include "app/bench_accuracy.h"
+#include "app/bench_skip.h"
 #include "app/bench_speed.h"
 #include "app/commands.h"
 #include "app/gnuplot.h"

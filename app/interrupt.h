@@ -3,8 +3,8 @@
 
 namespace fascia {
 
-/// SIGINT and SIGTERM set a flag; the second one ends the program at once. SIGPIPE and SIGXFSZ are ignored: a dead child process or a file that may not grow is an error
-/// with a message, not an end without one.
+/// SIGINT and SIGTERM set a flag; the second one ends the program at once. SIGPIPE and SIGXFSZ are ignored: a dead child process or a
+/// file that may not grow is an error with a message, not an end without one.
 void catch_interrupts();
 bool interrupted();
 

@@ -35,7 +35,8 @@ class TrueError {
   /// Once a frame, after its steps: copies the last substep if a measurement is due, with `continuously` whenever none is under way and
   /// the last result is of an older substep. True when there is a new result.
   bool update(Simulation& simulation, bool continuously);
-  /// The error of the last substep, waited for; zero before the first step. For a solver that always solves everything. Throws Error for more than kMostTets.
+  /// The error of the last substep, waited for; zero before the first step. For a solver that always solves everything. Throws
+  /// Error for more than kMostTets.
   const StepError& measure(Simulation& simulation);
   void forget();  // the state has jumped: what is under way is of no interest
 

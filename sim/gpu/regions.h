@@ -1,6 +1,5 @@
 // Regions of the tissue that are at rest are left out of most steps. Two of eight steps solve everything; what rests in both of them and
-// has no moving region beside it goes on resting in the six that follow: its speed was below solver.rest_speed, and so was the change of
-// its speed over a step. A resting region is held where it is, so that a step is what it would be if that region were fixed; what it
+// has no moving region beside it goes on resting in the six that follow: its speed was below solver.rest_speed after both. A resting region is held where it is, so that a step is what it would be if that region were fixed; what it
 // would have done in the meantime it does in the next whole step. Nothing is remembered from one round to the next, so that steps from
 // any state repeat to the bit.
 #pragma once

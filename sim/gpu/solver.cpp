@@ -11,27 +11,6 @@
 #include "sim/locality.h"
 
 namespace fascia {
-gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin,
-                           bool gravity_at_start, const ActiveSet* active) {
-  gl::ComputePass::Bindings bindings{{"step", &buffers.step},
-                                     {"rest_position", &buffers.rest_position},
-                                     {"velocity", &buffers.velocity},
-                                     {"displacement", &buffers.displacement},
-                                     {"previous_displacement", &buffers.previous_displacement},
-                                     {"predicted", &buffers.predicted}};
-  if (copy_begin) bindings.emplace_back("copy_begin", copy_begin);
-  gl::Defines defines{{"MASS_SPLITTING", copy_begin ? "1" : "0"}, {"START_WITHOUT_GRAVITY", gravity_at_start ? "0" : "1"}};
-  if (active) {
-    defines.emplace_back("LISTED", "1");
-    bindings.emplace_back("item_list", &active->vertices);
-  }
-  gl::ComputePass pass(programs.compute("sim/predict.comp", defines), std::move(bindings), buffers.vertex_count);
-  if (active) {
-    pass.follow("invocations", active->vertex_count);
-    pass.follow("moving_count", active->moving_count);
-  }
-  return pass;
-}
 
 GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
                      const std::vector<Eigen::Vector3d>& surface_points, const Progress& progress)

@@ -12,6 +12,7 @@
 #include "sim/gpu/diagnostics.h"
 #include "sim/gpu/gauss_seidel.h"
 #include "sim/gpu/motion_targets.h"
+#include "sim/gpu/prediction.h"
 #include "sim/gpu/regions.h"
 #include "sim/gpu/state_guard.h"
 #include "sim/gpu/step_snapshot.h"
@@ -20,12 +21,6 @@
 #include "sim/progress.h"
 
 namespace fascia {
-
-/// The first pass of every substep (shaders/sim/predict.comp). `copy_begin`: uint [vertex_count + 1], copies before each vertex, of
-/// methods that split a vertex's mass between copies; null for those that do not. `gravity_at_start`: the iterations start at u~. `active`:
-/// for those vertices only; null: for all.
-gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin,
-                           bool gravity_at_start = true, const ActiveSet* active = nullptr);
 
 class GpuSolver {
  public:

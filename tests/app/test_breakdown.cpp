@@ -10,6 +10,7 @@
 #include "sim/error.h"
 #include "sim/mesh_generate.h"
 #include "sim/mesh_io.h"
+#include "tests/app/headless.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -19,13 +20,6 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr std::uint32_t kLost = 17;  // of the box's vertices, a free one
-
-CommonOptions headless() {
-  CommonOptions options;
-  options.context = "osmesa";
-  options.quiet = true;
-  return options;
-}
 
 // A clamped box of 48 tets in a folder of its own, and a replay whose start has one vertex so far away that its forces overflow.
 struct Box {

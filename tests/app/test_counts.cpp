@@ -5,6 +5,7 @@
 #include "app/simulation.h"
 #include "render/gl/buffer.h"
 #include "render/gl/compute_pass.h"
+#include "tests/app/headless.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -28,9 +29,7 @@ TEST_CASE("counts of the shipped scenes", "[counts]") {
                                                    {"ligament", 7006, 147, 26, 2'470'248},
                                                    {"liver", 9389, 148, 27, 3'560'032}}));
   CAPTURE(expected.scene);
-  CommonOptions options;
-  options.context = "osmesa";
-  Graphics graphics = open_graphics(options, false);
+  Graphics graphics = open_graphics(headless(), false);
   Simulation simulation(open_scene(source_dir() / "assets/scenes" / (expected.scene + ".json")), graphics.programs.get(), false);
   const std::uint64_t before = gl::dispatch_count();
   simulation.gpu()->step();

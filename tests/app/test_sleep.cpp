@@ -5,6 +5,8 @@
 #include "app/simulation.h"
 #include "sim/mesh_generate.h"
 #include "sim/mesh_io.h"
+#include "tests/app/headless.h"
+#include "tests/support/models.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -12,13 +14,6 @@ using namespace fascia::test;
 using Eigen::Vector3d;
 
 namespace {
-
-CommonOptions headless() {
-  CommonOptions options;
-  options.context = "osmesa";
-  options.quiet = true;
-  return options;
-}
 
 // A soft box, held at one side, that sags under its weight.
 struct Box {
@@ -44,12 +39,6 @@ constexpr long kMost = 3000;  // steps: 50 s
 void step_until_asleep(Simulation& simulation) {
   for (long i = 0; i < kMost && !simulation.asleep(); ++i) simulation.step();
   REQUIRE(simulation.asleep());
-}
-
-double farthest(const reference::State& a, const reference::State& b) {
-  double distance = 0;
-  for (std::size_t v = 0; v < a.displacement.size(); ++v) distance = std::max(distance, (a.displacement[v] - b.displacement[v]).norm());
-  return distance;
 }
 
 }  // namespace

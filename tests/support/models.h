@@ -1,5 +1,6 @@
 // Models made in code, for tests of solvers.
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <random>
 
@@ -54,6 +55,13 @@ inline double relative_rms(const std::vector<Eigen::Vector3d>& a, const std::vec
     size += b[i].squaredNorm();
   }
   return std::sqrt(error / size);
+}
+
+/// The largest distance of a vertex between two states [m].
+inline double farthest(const reference::State& a, const reference::State& b) {
+  double distance = 0;
+  for (std::size_t v = 0; v < a.displacement.size(); ++v) distance = std::max(distance, (a.displacement[v] - b.displacement[v]).norm());
+  return distance;
 }
 
 }  // namespace fascia::test

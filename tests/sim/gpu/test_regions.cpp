@@ -41,12 +41,6 @@ std::uint32_t vertex_at(const Model& model, const Vector3d& place) {
   return nearest;
 }
 
-double farthest(const reference::State& a, const reference::State& b) {
-  double distance = 0;
-  for (std::size_t v = 0; v < a.displacement.size(); ++v) distance = std::max(distance, (a.displacement[v] - b.displacement[v]).norm());
-  return distance;
-}
-
 }  // namespace
 
 TEST_CASE("a poke into a resting sheet moves it as whole steps do", "[gpu]") {
