@@ -1,0 +1,36 @@
+// The command line: one function per command, each in command_line_<name>.cpp, which adds its options and says what to run. An option
+// is added in its command's file and nowhere else: help, man page and completion are made from these tables.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "app/options.h"
+
+namespace fascia {
+
+/// What the parsed command line asks for.
+struct Invocation {
+  std::string command_line;  // as typed, for provenance
+  std::function<int()> run;  // returns the exit code
+};
+
+/// The program with all its commands; parsing it fills `invocation`, which must outlive it.
+std::unique_ptr<CLI::App> make_command_line(Invocation& invocation);
+
+void add_view(CLI::App& program, Invocation& invocation);  // as command, and as what runs without one
+void add_render(CLI::App& program, Invocation& invocation);
+void add_run(CLI::App& program, Invocation& invocation);
+void add_bench(CLI::App& program, Invocation& invocation);
+void add_stress(CLI::App& program, Invocation& invocation);
+void add_soak(CLI::App& program, Invocation& invocation);
+void add_info(CLI::App& program, Invocation& invocation);
+void add_convert(CLI::App& program, Invocation& invocation);
+
+// Options that several commands have.
+void add_size(CLI::App& command, int& width, int& height);
+void add_graphics(CLI::App& command, CommonOptions& options);
+void add_common(CLI::App& command, CommonOptions& options);  // add_graphics() and what opens and steps a scene
+
+}  // namespace fascia

@@ -1,0 +1,15 @@
+// The options of fascia convert.
+#include "app/command_line.h"
+#include "app/commands.h"
+
+namespace fascia {
+
+void add_convert(CLI::App& program, Invocation& invocation) {
+  const auto options = std::make_shared<ConvertOptions>();
+  CLI::App& command = *program.add_subcommand("convert", "between mesh formats, by the ending of OUT");
+  command.add_option("in", options->in, "mesh to read")->required();
+  command.add_option("out", options->out, "mesh to write: .msh .vtk .vtu .node .mesh")->required();
+  command.callback([&invocation, options] { invocation.run = [options] { return command_convert(*options); }; });
+}
+
+}  // namespace fascia

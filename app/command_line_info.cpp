@@ -1,0 +1,15 @@
+// The options of fascia info.
+#include "app/command_line.h"
+#include "app/commands.h"
+
+namespace fascia {
+
+void add_info(CLI::App& program, Invocation& invocation) {
+  const auto options = std::make_shared<InfoOptions>();
+  CLI::App& command = *program.add_subcommand("info", "mesh doctor: sizes, materials, defects");
+  command.add_option("scene", options->input, "scene (.json) or tetrahedral mesh")->required();
+  command.add_option("--set", options->sets, "override a scene value")->type_name("KEY=VALUE")->allow_extra_args(false);
+  command.callback([&invocation, options] { invocation.run = [options] { return command_info(*options); }; });
+}
+
+}  // namespace fascia

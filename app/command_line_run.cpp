@@ -1,0 +1,21 @@
+// The options of fascia run.
+#include "app/command_line.h"
+#include "app/commands.h"
+
+namespace fascia {
+
+void add_run(CLI::App& program, Invocation& invocation) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App& command = *program.add_subcommand("run", "simulate and draw nothing");
+  add_common(command, *options);
+  command.add_option("--export", options->export_path, "the state after the last step: .vtu, .csv, .msh or .obj")->type_name("FILE");
+  command.add_option("--every", options->every, "export every K-th step as numbered files")->type_name("K")->check(CLI::PositiveNumber);
+  command.add_option("--stats", options->stats, "numbers about the run")->type_name("FILE.json");
+  command.add_flag("--error", options->error, "compare the last step with the exact one, by the reference solver");
+  command.callback([&invocation, options] {
+    options->command_line = invocation.command_line;
+    invocation.run = [options] { return command_run(*options); };
+  });
+}
+
+}  // namespace fascia
