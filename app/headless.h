@@ -1,0 +1,40 @@
+// A scene that is stepped and drawn without a window: what render and check share, so that both make the same picture.
+#pragma once
+#include <functional>
+
+#include "app/options.h"
+#include "app/overlay.h"
+#include "app/provenance.h"
+#include "app/session.h"
+
+namespace fascia {
+
+class Headless {
+ public:
+  /// Opens what the options name, and says so unless they are quiet. Throws Error. The options must outlive it.
+  explicit Headless(const RenderOptions& options);
+
+  /// Makes the steps that the options ask for, or finds the static equilibrium; ends early when interrupted. `after_step` runs at the
+  /// start, too. Throws Error when a vertex is lost.
+  void run(const std::function<void()>& after_step = {});
+
+  /// The scene as it is now, with panels and color bar where they are wanted.
+  Framebuffer& draw();
+
+  Session& session() { return session_; }
+  long step() const { return step_; }
+  long steps() const { return steps_; }  // that run() makes
+  Provenance provenance() const;         // of this moment
+
+ private:
+  Headless(const RenderOptions& options, Opened opened);
+
+  const RenderOptions& options_;
+  Graphics graphics_;
+  Session session_;
+  Framebuffer framebuffer_;
+  Overlay overlay_;
+  long step_ = 0, steps_ = 0;
+};
+
+}  // namespace fascia
