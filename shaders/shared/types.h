@@ -19,11 +19,11 @@ struct StepValues {
 // Partial sums of one invocation of the diagnostic kernels; the CPU adds them up in double precision.
 struct TetPartial {
   vec4 range;   // x smallest J, y largest J, z largest |strain| (Frobenius), w largest von Mises stress [Pa]
-  vec4 sums;    // x elastic energy [J], y inverted tets, z non-finite tets, w volume * |strain|^2 [m^3]
+  vec4 sums;    // x elastic energy [J], y inverted tets, z growth of the volume [m^3], w volume * |strain|^2 [m^3]
 };
 struct VertexPartial {
   vec4 momentum;   // xyz [kg m/s], w kinetic energy [J]
-  vec4 angular;    // xyz about the origin [kg m^2/s], w non-finite vertices
+  vec4 angular;    // xyz about the origin [kg m^2/s], w potential energy of gravity, 0 at rest positions [J]
   vec4 reaction;   // xyz force of the supports on the body [N], w largest speed squared [m^2/s^2]
   vec4 residual;   // of free vertices, M over the mean mass: x |g|^2, y |M (u - u~)|^2, z |h^2 f|^2 + |h^2 M gravity|^2 [m^2], w |M v|^2
 };

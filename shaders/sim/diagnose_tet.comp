@@ -1,4 +1,4 @@
-// Elastic (and viscous) force, energy, J, strain and stress of every tet after a step. Each invocation walks through every
+// Elastic (and viscous) force, energy, J, volume, strain and stress of every tet after a step. Each invocation walks through every
 // invocations-th tet and keeps its own sums: deterministic on every device.
 // Writes h^2 times the force on each corner into the slots for diagnose_vertex, and one TetPartial per invocation.
 #include "common/io.glsl"
@@ -31,13 +31,12 @@ void main() {
     correction[slot.z] = vec4(f2, 0.0);
     correction[slot.w] = vec4(f3, 0.0);
 
-    float j = 1.0 + det_f_minus_one(h);
-    float energy = tet.volume * elastic.energy;
-    bool finite = !(isnan(j) || isinf(j) || isnan(energy) || isinf(energy));
+    float growth = det_f_minus_one(h), j = 1.0 + growth;
     float strain = strain_norm(green_strain(h));
     partial.range = vec4(min(partial.range.x, j), max(partial.range.y, j), max(partial.range.z, strain),
                          max(partial.range.w, von_mises_stress(mat3(1.0) + h, j, elastic.p)));
-    partial.sums += vec4(energy, j <= 0.0 ? 1.0 : 0.0, finite ? 0.0 : 1.0, tet.volume * strain * strain);
+    partial.sums += tet.volume * vec4(elastic.energy, 0.0, growth, strain * strain);
+    partial.sums.y += j <= 0.0 ? 1.0 : 0.0;
   }
   tet_partials[i] = partial;
 }

@@ -1,4 +1,4 @@
-// Momentum, energy, support reaction and the residual g = M (u - u~) - h^2 f of the implicit step, after diagnose_tet.
+// Momentum, energies, support reaction and the residual g = M (u - u~) - h^2 f of the implicit step, after diagnose_tet.
 // Each invocation walks through every invocations-th vertex and keeps its own sums. Forces of the residual are in units of the mean
 // mass, so that the squares of small bodies stay in the range of float32.
 #include "common/io.glsl"
@@ -25,9 +25,8 @@ void main() {
     float m = FETCH1(mass, v);
     vec3 u = FETCH(displacement, v).xyz, velocity_v = FETCH(velocity, v).xyz;
     vec3 p = m * velocity_v;
-    bool finite = !any(isnan(u)) && !any(isinf(u));
     partial.momentum += vec4(p, 0.5 * dot(p, velocity_v));
-    partial.angular += vec4(cross(rest.xyz + u, p), finite ? 0.0 : 1.0);
+    partial.angular += vec4(cross(rest.xyz + u, p), -m * dot(GRAVITY, u));
     partial.reaction.w = max(partial.reaction.w, dot(velocity_v, velocity_v));
     bool rests = rest.w > 0.0 && FETCH(predicted, v).w == 0.0;  // held for this step
     if (rests) continue;

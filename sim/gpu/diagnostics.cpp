@@ -16,6 +16,7 @@ DiagnosticsReader::DiagnosticsReader(const SimBuffers& buffers)
       vertex_partial_count_(partial_count(buffers.vertex_count)),
       volume_(buffers.volume),
       mean_mass_(buffers.mean_mass),
+      displacement_(buffers.displacement),
       tet_partials_("tet_partials", tet_partial_count_ * sizeof(shared::TetPartial)),
       vertex_partials_("vertex_partials", vertex_partial_count_ * sizeof(shared::VertexPartial)) {}
 
@@ -47,28 +48,34 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
                        vertex_partial_count_, gl::ComputePass::Constants{{"vertex_count", buffers.vertex_count}});
 }
 
-void DiagnosticsReader::request(const GrabSprings& grab, double substep, const gl::Buffer* stop_state) {
+void DiagnosticsReader::request(const GrabSprings& grab, double substep, double time, const gl::Buffer* stop_state) {
   for (const gl::ComputePass& pass : passes_) pass.run();
 
   newest_ ^= 1u;
   Pending& p = pending_[newest_];
   const std::size_t grab_bytes = grab.count() * sizeof(shared::vec4);
-  const std::size_t bytes = tet_partials_.bytes() + vertex_partials_.bytes() + grab_bytes + (stop_state ? stop_state->bytes() : 0);
+  const std::size_t probe_bytes = probe_ ? sizeof(shared::vec4) : 0;
+  const std::size_t bytes =
+      tet_partials_.bytes() + vertex_partials_.bytes() + grab_bytes + probe_bytes + (stop_state ? stop_state->bytes() : 0);
   if (p.staging.bytes() != bytes) p.staging = gl::Buffer("diagnostics_staging", bytes);
   gl::BindBuffer(GL_COPY_WRITE_BUFFER, p.staging.id());
   std::size_t offset = 0;
-  const auto copy = [&](const gl::Buffer& from) {
+  const auto copy_part = [&](const gl::Buffer& from, std::size_t begin, std::size_t size) {
     gl::BindBuffer(GL_COPY_READ_BUFFER, from.id());
-    gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, static_cast<GLintptr>(offset),
-                          static_cast<GLsizeiptr>(from.bytes()));
-    offset += from.bytes();
+    gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(begin), static_cast<GLintptr>(offset),
+                          static_cast<GLsizeiptr>(size));
+    offset += size;
   };
+  const auto copy = [&](const gl::Buffer& from) { copy_part(from, 0, from.bytes()); };
   copy(tet_partials_);
   copy(vertex_partials_);
   if (grab_bytes) copy(grab.multiplier());
+  if (probe_) copy_part(displacement_, *probe_ * probe_bytes, probe_bytes);
   if (stop_state) copy(*stop_state);
   p.grabbed = grab.count();
+  p.has_probe = probe_.has_value();
   p.substep = substep;
+  p.time = time;
   p.mean_mass = mean_mass_;
   p.counts_iterations = stop_state != nullptr;
   p.fence.set();
@@ -93,13 +100,21 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
   pending.staging.download(tet_partials_.bytes(), vertex_partials_.bytes(), vertices.data());
   const std::size_t grab_begin = tet_partials_.bytes() + vertex_partials_.bytes(), grab_bytes = grabbed.size() * sizeof(shared::vec4);
   if (!grabbed.empty()) pending.staging.download(grab_begin, grab_bytes, grabbed.data());
+  std::size_t next = grab_begin + grab_bytes;
   Diagnostics d;
+  d.time = pending.time;
+  if (pending.has_probe) {
+    shared::vec4 u{};
+    pending.staging.download(next, sizeof u, &u);
+    d.probe = Eigen::Vector3d(u.x, u.y, u.z);
+    next += sizeof u;
+  }
   if (pending.counts_iterations) {
     std::uint32_t iterations = 0;
-    pending.staging.download(grab_begin + grab_bytes, sizeof iterations, &iterations);
+    pending.staging.download(next, sizeof iterations, &iterations);
     d.iterations = static_cast<int>(iterations);
   }
-  double inverted = 0, broken = 0, residual = 0, inertia = 0, load = 0, motion = 0, grab = 0, speed2 = 0, strain2 = 0;
+  double inverted = 0, growth = 0, residual = 0, inertia = 0, load = 0, motion = 0, grab = 0, speed2 = 0, strain2 = 0;
   d.min_det_f = 3.4e38;
   d.max_det_f = -3.4e38;
   for (const shared::TetPartial& t : tets) {
@@ -109,14 +124,14 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
     d.max_von_mises = std::max<double>(d.max_von_mises, t.range.w);
     d.elastic += t.sums.x;
     inverted += t.sums.y;
-    broken += t.sums.z;
+    growth += t.sums.z;
     strain2 += t.sums.w;
   }
   for (const shared::VertexPartial& v : vertices) {
     d.momentum += Eigen::Vector3d(v.momentum.x, v.momentum.y, v.momentum.z);
     d.kinetic += v.momentum.w;
     d.angular_momentum += Eigen::Vector3d(v.angular.x, v.angular.y, v.angular.z);
-    broken += v.angular.w;
+    d.gravitational += v.angular.w;
     d.reaction += Eigen::Vector3d(v.reaction.x, v.reaction.y, v.reaction.z);
     speed2 = std::max<double>(speed2, v.reaction.w);
     residual += v.residual.x;
@@ -136,7 +151,9 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
   d.rms_strain = std::sqrt(strain2 / volume_);
   d.inverted = static_cast<int>(inverted);
   d.max_speed = std::sqrt(speed2);
-  d.finite = broken == 0;
+  d.volume_ratio = 1 + growth / volume_;
+  // What is not finite in one tet or at one vertex is not finite in the sums either.
+  d.finite = std::isfinite(d.elastic) && std::isfinite(growth) && std::isfinite(d.gravitational) && d.angular_momentum.allFinite();
   return d;
 }
 

@@ -1,4 +1,5 @@
-// Numbers about the state, computed on the GPU and read without waiting: residual, energies, momentum, J, strain, stress, grab force.
+// Numbers about the state, computed on the GPU and read without waiting: residual, energies, momentum, J,
+// volume, strain, stress, grab force, the way of one vertex.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -17,7 +18,9 @@ struct Diagnostics {
   /// |g| / (|M (u - u~)| + |h^2 f| + |h^2 loads|) with g = M (u - u~) - h^2 f over free vertices: 0 is solved, 1 is
   /// nothing solved. Zero when all forces are below the rounding of the motion itself.
   double residual = 0;
-  double kinetic = 0, elastic = 0;                                  // [J]
+  double time = 0;                                                  // simulated, of the state that was measured [s]
+  double kinetic = 0, elastic = 0, gravitational = 0;               // [J]; gravitational: 0 at the rest positions
+  double volume_ratio = 1;                                          // of all tets together, over their volume at rest
   Eigen::Vector3d momentum{0, 0, 0}, angular_momentum{0, 0, 0};     // [kg m/s], [kg m^2/s]
   Eigen::Vector3d reaction{0, 0, 0};                                // of the supports on the body [N]
   Eigen::Vector3d grab_force{0, 0, 0};                              // of the grab on the body [N]
@@ -25,6 +28,7 @@ struct Diagnostics {
   double rms_strain = 0;  // root of the mean of |strain|^2 (Frobenius) over the volume
   int inverted = 0;
   std::optional<int> iterations;  // of the last substep, where solver.tolerance ends them
+  std::optional<Eigen::Vector3d> probe;  // displacement of the vertex of set_probe [m]
   bool finite = true;
 };
 
@@ -33,8 +37,11 @@ class DiagnosticsReader {
   explicit DiagnosticsReader(const SimBuffers& buffers);
   void record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
               const gl::Buffer& previous_strain, const GrabSprings& grab);
-  /// Dispatches the sums over the current state and queues their copy. `substep` h [s]. `stop_state`: of a StopRule, or null.
-  void request(const GrabSprings& grab, double substep, const gl::Buffer* stop_state);
+  /// A vertex whose displacement is read beside the sums; none: nothing more is read.
+  void set_probe(std::optional<std::uint32_t> vertex) { probe_ = vertex; }
+  /// Dispatches the sums over the current state, of `time` [s], and queues their copy. `substep` h [s]. `stop_state`: of a StopRule,
+  /// or null.
+  void request(const GrabSprings& grab, double substep, double time, const gl::Buffer* stop_state);
   bool pending() const { return pending_[0].fence.is_set() || pending_[1].fence.is_set(); }  // a request was not taken yet
   /// The newest finished request, if there is one that was not taken yet. With `wait`, the last request.
   std::optional<Diagnostics> take(bool wait);
@@ -44,14 +51,16 @@ class DiagnosticsReader {
     gl::Buffer staging;
     gl::Fence fence;
     std::uint32_t grabbed = 0;
-    double substep = 0, mean_mass = 0;
-    bool counts_iterations = false;
+    double substep = 0, time = 0, mean_mass = 0;
+    bool counts_iterations = false, has_probe = false;
   };
   Diagnostics sum_up(const Pending& pending) const;
 
   std::uint32_t tet_partial_count_, vertex_partial_count_;
   double volume_;  // of all tets [m^3]
   const double& mean_mass_;  // [kg] follows the materials
+  const gl::Buffer& displacement_;
+  std::optional<std::uint32_t> probe_;
   gl::Buffer tet_partials_, vertex_partials_;
   std::vector<gl::ComputePass> passes_;
   std::array<Pending, 2> pending_;

@@ -348,7 +348,7 @@ void GpuSolver::follow(const GpuSolver& leader) {
   state_changed();
 }
 
-void GpuSolver::request_diagnostics() { diagnostics_.request(grab_, settings_.substep(), stop_ ? &stop_->state() : nullptr); }
+void GpuSolver::request_diagnostics() { diagnostics_.request(grab_, settings_.substep(), time_, stop_ ? &stop_->state() : nullptr); }
 
 void GpuSolver::set_compensated(bool compensated) {
   const reference::State state = download();

@@ -57,6 +57,7 @@ class GpuSolver {
   std::vector<Diagnostics> traced_substep();
 
   void request_diagnostics();
+  void set_probe(std::optional<std::uint32_t> vertex) { diagnostics_.set_probe(vertex); }  // Diagnostics::probe; below vertex_count
   bool diagnosing() const { return diagnostics_.pending(); }  // a request was not taken yet
   std::optional<Diagnostics> take_diagnostics(bool wait) { return diagnostics_.take(wait); }
 

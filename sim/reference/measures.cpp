@@ -27,13 +27,14 @@ State initial_state(const Model& model) {
 
 Measures measure(const Model& model, const State& state) {
   Measures result;
-  double strain2 = 0, volume = 0;
+  double strain2 = 0, volume = 0, growth = 0;
   const std::vector<double> mass = lumped_masses(model);
   const std::vector<char> held = model.held();
   for (std::size_t v = 0; v < mass.size(); ++v) {
     const Vector3d position = model.rest_positions[v] + state.displacement[v];
     const Vector3d momentum = mass[v] * state.velocity[v];
     result.kinetic += 0.5 * momentum.dot(state.velocity[v]);
+    result.gravitational -= mass[v] * model.gravity.dot(state.displacement[v]);
     result.momentum += momentum;
     result.angular_momentum += position.cross(momentum);
     if (held[v]) result.fixed_reaction -= mass[v] * model.gravity;
@@ -51,9 +52,13 @@ Measures measure(const Model& model, const State& state) {
     const double det_f = deformation_gradient(rest, u).determinant();
     result.min_det_f = t == 0 ? det_f : std::min(result.min_det_f, det_f);
     result.max_det_f = t == 0 ? det_f : std::max(result.max_det_f, det_f);
+    growth += rest.volume * (det_f - 1);
     result.inverted += det_f <= 0;
   }
-  if (volume > 0) result.rms_strain = std::sqrt(strain2 / volume);
+  if (volume > 0) {
+    result.rms_strain = std::sqrt(strain2 / volume);
+    result.volume_ratio = 1 + growth / volume;
+  }
   return result;
 }
 

@@ -28,6 +28,8 @@ State initial_state(const Model& model);
 /// Conserved quantities and quality of a state; the same names as in stats.json.
 struct Measures {
   double kinetic = 0, elastic = 0;            // [J]
+  double gravitational = 0;                   // [J], 0 at the rest positions
+  double volume_ratio = 1;                    // of all tets together, over their volume at rest
   Eigen::Vector3d momentum{0, 0, 0};          // [kg m/s]
   Eigen::Vector3d angular_momentum{0, 0, 0};  // [kg m^2/s] about the origin
   /// Force of the supports on the body [N]: sum over held vertices, fixed or prescribed, of the elastic

@@ -129,6 +129,7 @@ TEST_CASE("diagnostics equal the reference measures", "[gpu]") {
   GpuSolver solver(gpu.programs, model, {});
   const reference::State state = random_state(model, 0.004, 4);
   solver.upload(state);
+  solver.set_probe(17);
   solver.request_diagnostics();
   const auto got = solver.take_diagnostics(true);
   REQUIRE(got);
@@ -139,6 +140,15 @@ TEST_CASE("diagnostics equal the reference measures", "[gpu]") {
   };
   CHECK(got->kinetic == Approx(expected.kinetic).epsilon(2e-6));
   CHECK(got->elastic == Approx(expected.elastic).epsilon(5e-6));
+  // A sum of both signs: the rounding is that of its largest terms.
+  double weights = 0;
+  const std::vector<double> mass = lumped_masses(model);
+  for (std::size_t v = 0; v < mass.size(); ++v) weights += std::abs(mass[v] * model.gravity.dot(state.displacement[v]));
+  CHECK(got->gravitational == Approx(expected.gravitational).margin(5e-7 * weights));
+  CHECK(std::abs(got->volume_ratio - expected.volume_ratio) < 5e-6);
+  REQUIRE(got->probe);
+  CHECK((*got->probe - state.displacement[17]).norm() <= 6e-8 * state.displacement[17].norm());
+  CHECK(got->time == state.time);
   close(got->momentum, expected.momentum);
   close(got->angular_momentum, expected.angular_momentum);
   close(got->reaction, expected.fixed_reaction);
@@ -147,6 +157,14 @@ TEST_CASE("diagnostics equal the reference measures", "[gpu]") {
   CHECK(got->rms_strain == Approx(expected.rms_strain).epsilon(2e-6));
   CHECK(got->inverted == expected.inverted);
   CHECK(got->finite);
+  reference::State lost = state;
+  lost.displacement[17].y() = std::numeric_limits<double>::quiet_NaN();
+  solver.upload(lost);
+  solver.set_probe(std::nullopt);
+  solver.request_diagnostics();
+  const auto broken = solver.take_diagnostics(true);
+  CHECK_FALSE(broken->finite);
+  CHECK_FALSE(broken->probe);
 
   const StateFields fields = reference::export_fields(model, state);
   double strain = 0, stress = 0;
