@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/graphics.h"
 #include "app/interrupt.h"
+#include "app/sample.h"
 #include "app/simulation.h"
 #include "app/stats.h"
 #include "app/true_error.h"
@@ -29,6 +30,34 @@ void require_finite(const reference::State& state, const Scene& scene) {
                   "expected finite positions: more substeps, softer material or a smaller load may help");
 }
 
+// What --history asks for: kept while the steps go on, written at the end, also at a bad one.
+class HistoryFile {
+ public:
+  HistoryFile(const RunOptions& options, const std::string& renderer, Simulation& simulation)
+      : options_(options), renderer_(renderer), simulation_(simulation), probe_(options.probe ? *options.probe : tip_vertex(simulation.model)) {
+    const std::size_t vertices = simulation.model.rest_positions.size();
+    if (probe_ >= vertices)
+      throw Error("--probe " + std::to_string(probe_), "is no vertex of this scene", "expected an index below " + std::to_string(vertices));
+  }
+  void add(double step_ms = Sample::kUnknown) {
+    if (simulation_.steps_made() % options_.history_every != 0) return;
+    samples_.push_back(sample_now(simulation_, probe_));
+    samples_.back().step_ms = step_ms;
+  }
+  void write() const {
+    write_samples(options_.history, samples_,
+                  provenance_of(simulation_.scene, simulation_.model, renderer_, options_.command_line, simulation_.steps_made(), simulation_.time()),
+                  probe_);
+  }
+
+ private:
+  const RunOptions& options_;
+  const std::string& renderer_;
+  Simulation& simulation_;
+  std::uint32_t probe_;
+  std::vector<Sample> samples_;
+};
+
 }  // namespace
 
 int command_run(const RunOptions& options) {
@@ -38,6 +67,8 @@ int command_run(const RunOptions& options) {
   if (options.every > 0 && (options.export_path.empty() || options.static_equilibrium))
     throw Error("--every", options.export_path.empty() ? "exports nothing" : "has no steps to export with --static",
                 options.export_path.empty() ? "expected --export FILE beside it" : "leave out one of them");
+  if (!options.history.empty() && options.static_equilibrium)
+    throw Error("--history", "has no steps to follow with --static", "leave out one of them");
   Graphics graphics;
   if (!options.reference) graphics = open_graphics(options, false, 16, 16, workload_of(opened.scene, opened.model, false));
   Simulation simulation(std::move(opened.scene), std::move(opened.model), graphics.programs.get(), options.reference);
@@ -55,6 +86,9 @@ int command_run(const RunOptions& options) {
     series->write(state.time, simulation.model.file_mesh, reference::export_fields(simulation.model, state));
   };
 
+  std::optional<HistoryFile> history;
+  if (!options.history.empty()) history.emplace(options, stats.renderer, simulation);
+
   const Clock::time_point start = Clock::now();
   if (options.static_equilibrium) {
     const reference::NewtonReport report = simulation.solve_static();
@@ -67,18 +101,24 @@ int command_run(const RunOptions& options) {
   } else {
     const long steps = steps_to_run(options, simulation);
     if (series) export_frame();
+    if (history) history->add();
     for (long i = 0; i < steps && !interrupted(); ++i) {
       const Clock::time_point step_start = Clock::now();
       simulation.step();
       if (!options.reference) gl::Finish();
-      if (simulation.astray()) require_sound(simulation);
+      if (simulation.astray()) {
+        if (history) history->write();
+        require_sound(simulation);
+      }
       stats.solve_ms.push_back(milliseconds_since(step_start));
       ++stats.steps;
+      if (history) history->add(stats.solve_ms.back());
       if (series && stats.steps % options.every == 0) export_frame();
       stats.step_ms.push_back(milliseconds_since(step_start));
     }
   }
   stats.wall_s = milliseconds_since(start) / 1000;
+  if (history) history->write();
   if (!options.static_equilibrium) require_sound(simulation);
 
   const reference::State last = simulation.state();

@@ -1,5 +1,6 @@
 // What the command line says, one struct per command.
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ struct RenderOptions : CommonOptions {
 struct RunOptions : CommonOptions {
   std::string export_path;  // .vtu, .csv, .msh, .obj
   long every = 0;           // 0: the end only
+  std::string history;      // a CSV row every history_every-th step
+  long history_every = 1;
+  std::optional<std::uint32_t> probe;  // vertex whose displacement the history has; none: the one farthest from the supports
   std::string stats;        // stats.json
   bool error = false;       // of the last step, against the exact one
 };

@@ -58,6 +58,8 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
                   {"J", {measures.min_det_f, measures.max_det_f}},
                   {"kinetic_J", measures.kinetic},
                   {"elastic_J", measures.elastic},
+                  {"gravitational_J", measures.gravitational},
+                  {"volume_ratio", measures.volume_ratio},
                   {"momentum", to_json(measures.momentum)},
                   {"angular_momentum", to_json(measures.angular_momentum)},
                   {"reaction_N", {{"fixed", to_json(measures.fixed_reaction)}}},
