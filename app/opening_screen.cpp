@@ -36,16 +36,21 @@ void OpeningScreen::show(double share, const char* what) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   // A height of its own: what ImGui has to measure first it does not show in the first frame.
-  ImGui::SetNextWindowSize({std::min(ui::px(420), 0.8f * size.x), ui::px(92)});
-  ImGui::Begin("opening", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::SetNextWindowSize({std::min(ui::px(420), 0.8f * size.x), ui::px(126)});
+  ImGui::Begin("opening", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
   ImGui::Text("Opening %s", name_.c_str());
   ImGui::ProgressBar(static_cast<float>(share), {-1, 0});
   ImGui::TextColored(ui::kDim, "%s", what);
+  ImGui::Button("Cancel", {-1, 0});
+  // Frames are rare here: the press counts, not the release.
+  const bool cancelled = (ImGui::IsItemHovered() && ImGui::IsMouseClicked(0)) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) ||
+                         glfwWindowShouldClose(window);
   ImGui::End();
   overlay_.end();
   overlay_.draw(framebuffer);
   framebuffer.present(width, height);
   glfwSwapBuffers(window);
+  if (cancelled) throw Cancelled();
 }
 
 }  // namespace fascia

@@ -1,4 +1,4 @@
-// What a window shows while a large scene is opened: its name and a bar.
+// What a window shows while a large scene is opened: its name, a bar, and a way out.
 #pragma once
 #include <chrono>
 #include <string>
@@ -7,10 +7,14 @@
 
 namespace fascia {
 
+/// Nobody waits any more: what was being made is given up, and whoever asked for it goes on as before.
+struct Cancelled {};
+
 class OpeningScreen {
  public:
   OpeningScreen(Graphics& graphics, Overlay& overlay, std::string name);
-  /// A frame with the bar at `share`, if opening has taken long enough for anybody to wonder.
+  /// A frame with the bar at `share`, if opening has taken long enough for anybody to wonder. Throws Cancelled when Escape or Cancel was
+  /// pressed, or the window closed.
   void show(double share, const char* what);
 
  private:

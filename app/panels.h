@@ -3,6 +3,7 @@
 #pragma once
 #include <string>
 
+#include "app/hints.h"
 #include "app/session.h"
 #include "app/view_state.h"
 
@@ -17,13 +18,19 @@ void solver_panel(Session& session);
 void convergence_panel(const Simulation& simulation, Convergence& convergence);
 void display_panel(Session& session);
 void grab_panel(GrabSettings& settings);
+void draw_plots(const Simulation& simulation, ViewState& state, Requests& requests);  // a window of its own, movable
+bool shows_convergence(const Plots& plots);
+/// A dot on the vertex that is plotted; `at` is where it is [m].
+void draw_probe(const Camera& camera, const Eigen::Vector3d& at, double scene_radius);
 void statistics_panel(Session& session, const Statistics& statistics);
 
 /// Keys and mouse, one line each, over the picture; closes by its button or F1.
 void draw_help(ViewState& state);
 
 /// Lines over the picture: what the mouse does (bottom), that time runs slow or stands (top), the grab's force (at the mouse).
-void draw_hint();
+void draw_hints(const Hints& hints);
+/// Offers to go on with what a window left that ended badly; `scene`: its name.
+void draw_left_behind(const std::string& scene, Requests& requests);
 void draw_notice(const ViewState& state);
 void draw_force(const Grab& grab);
 /// A red dot: in front of everything and not part of pictures.

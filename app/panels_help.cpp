@@ -1,9 +1,11 @@
 // Lines over the picture: help, hint, notices, messages.
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "app/panels.h"
 #include "app/ui_style.h"
@@ -13,26 +15,38 @@
 namespace fascia {
 namespace {
 
-constexpr const char* kKeys[][2] = {{"Left drag on tissue", "grab it"},
-                                    {"Left drag elsewhere", "orbit"},
-                                    {"Shift + left drag", "always grab, the nearest tissue"},
-                                    {"Right or middle drag", "pan"},
-                                    {"Wheel", "zoom"},
-                                    {"F", "frame the scene"},
-                                    {"Space", "pause, go on"},
-                                    {".", "one step"},
-                                    {"R", "reset"},
-                                    {"W", "wireframe"},
-                                    {"H", "hide the panels"},
-                                    {"P", "screenshot (PNG)"},
-                                    {"V", "start and stop a video"},
-                                    {"Ctrl+O", "open a scene or mesh, or drop it on the window"},
-                                    {"Ctrl+S", "save the scene"},
-                                    {"F5", "reload the shaders"},
-                                    {"Click on a value", "type another, such as 12.5 kPa"},
-                                    {"Ctrl+Tab, arrows, Enter", "the panels by keyboard; Esc leaves them"},
-                                    {"Ctrl+Q", "quit"},
-                                    {"F1", "this list"}};
+struct Key {
+  const char *key, *does;
+};
+struct Theme {
+  const char* name;
+  std::vector<Key> keys;
+};
+
+// Columns of the list, each a few themes one under the other.
+const std::vector<std::vector<Theme>>& help_columns() {
+  static const std::vector<std::vector<Theme>> columns = {
+      {{"Mouse",
+        {{"Left drag on tissue", "grab it"},
+         {"Left drag elsewhere", "orbit"},
+         {"Shift + left drag", "always grab, the nearest tissue"},
+         {"Right or middle drag", "pan"},
+         {"Wheel", "zoom"}}},
+       {"Time", {{"Space", "pause, go on"}, {".", "one step"}, {"R", "reset"}}},
+       {"Values",
+        {{"Click on a value", "type another, such as 12.5 kPa"}, {"Ctrl+Tab, arrows, Enter", "the panels by keyboard; Esc leaves them"}}}},
+      {{"View", {{"F", "frame the scene"}, {"W", "wireframe"}, {"H", "hide the panels"}, {"F3", "plots over time"}}},
+       {"Files",
+        {{"Ctrl+O", "open; or drop a file on the window"},
+         {"Ctrl+Shift+O", "opened before"},
+         {"F2", "examples"},
+         {"Ctrl+S", "save the scene"},
+         {"Ctrl+E", "export the state: .vtu .csv .msh .obj"},
+         {"P", "screenshot (PNG)"},
+         {"V", "start and stop a video"}}},
+       {"Program", {{"F1", "this list"}, {"F5", "reload the shaders"}, {"Ctrl+Q", "quit"}}}}};
+  return columns;
+}
 
 constexpr ImGuiWindowFlags kPlain = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
@@ -53,23 +67,61 @@ float pill(const std::string& text, float x, float y, const ImVec4& color) {
 void draw_help(ViewState& state) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({(size.x + panel_width()) / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowBgAlpha(0.98f);  // it may lie over plots
   if (ImGui::Begin("Keys and mouse", &state.show_help, (kPlain & ~ImGuiWindowFlags_NoTitleBar) | ImGuiWindowFlags_NoCollapse)) {
-    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
-      for (const auto& [key, action] : kKeys) {
-        ImGui::TableNextColumn();
-        ImGui::TextColored(ui::kAccent, "%s  ", key);
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(action);
+    const auto& columns = help_columns();
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      if (c > 0) ImGui::SameLine(0, ui::px(28));
+      ImGui::BeginGroup();
+      for (const Theme& theme : columns[c]) {
+        ImGui::PushFont(ui::bold_font());
+        ImGui::TextUnformatted(theme.name);
+        ImGui::PopFont();
+        if (ImGui::BeginTable(theme.name, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX)) {
+          for (const Key& key : theme.keys) {
+            ImGui::TableNextColumn();
+            ImGui::TextColored(ui::kAccent, "%s  ", key.key);
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(key.does);
+          }
+          ImGui::EndTable();
+        }
+        ImGui::Spacing();
       }
-      ImGui::EndTable();
+      ImGui::EndGroup();
     }
   }
   ImGui::End();
 }
 
-void draw_hint() {
+void draw_hints(const Hints& hints) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  pill("Drag the tissue. F1: keys and mouse", (size.x + panel_width()) / 2, size.y - ui::px(40), ui::kDim);
+  const float left = panel_width() + ui::px(20), middle = 0.5f * (size.x + left), line = ui::px(36);
+  float below = size.y - ui::px(40);
+  if (hints.wanted("help")) {
+    pill("F1: all keys, F2: examples", middle, below, ui::kDim);
+    below -= line;
+  }
+  if (hints.wanted("grab")) pill("Drag the tissue to pull at it", middle, below - line, ui::kText);
+  if (hints.wanted("orbit")) pill("Drag beside it to turn the view, wheel: zoom", middle, below, ui::kText);
+  const char* tune = "Move a slider: the tissue changes at once";
+  if (hints.wanted("tune")) pill(tune, left + 0.5f * ImGui::CalcTextSize(tune).x + ui::px(10), 0.36f * size.y, ui::kText);
+}
+
+void draw_left_behind(const std::string& scene, Requests& requests) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({(size.x + panel_width()) / 2, ui::px(50)}, ImGuiCond_Always, {0.5f, 0});
+  if (ImGui::Begin("left behind", nullptr, kPlain)) {
+    // Over plots, but not over dialogs.
+    if (!ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+    ImGui::AlignTextToFramePadding();
+    ImGui::Text("A window ended before it was closed, with %s.", scene.c_str());
+    ImGui::SameLine();
+    requests.resume_left_behind |= ImGui::Button("Continue there");
+    ImGui::SameLine();
+    requests.forget_left_behind |= ImGui::Button("Forget it");
+  }
+  ImGui::End();
 }
 
 void draw_notice(const ViewState& state) {

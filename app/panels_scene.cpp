@@ -46,16 +46,21 @@ void scene_panel(const Session& session, ViewState& state, Requests& requests) {
   ui::tooltip(scene.file.string());
 
   ButtonRow files(3);
-  requests.open_dialog |= files.add("Open...", "A scene or a tetrahedral mesh (Ctrl+O, or drop a file on the window)");
+  requests.open_dialog |= files.add("Open...", "A scene, a mesh or a replay (Ctrl+O, or drop a file on the window)");
   requests.save_dialog |= files.add("Save...", "This scene with the values of the sliders, as JSON (Ctrl+S)");
   if (files.add("Help", "Keys and mouse (F1)", state.show_help)) state.show_help = !state.show_help;
+  ButtonRow more(3);
+  requests.recent |= more.add("Recent", "What was opened before (Ctrl+Shift+O)");
+  requests.gallery |= more.add("Examples", "The shipped scenes (F2)");
+  requests.export_dialog |= more.add("Export...", "The state of now: .vtu, .csv, .msh or .obj (Ctrl+E)");
   ButtonRow clock(3);
   if (clock.add(state.paused ? "Play" : "Pause", "Space", state.paused)) state.paused = !state.paused;
   requests.step |= clock.add("Step", "One time step (.)");
   requests.reset |= clock.add("Reset", "Back to the start of the scene (R)");
-  ButtonRow pictures(2);
+  ButtonRow pictures(3);
   requests.screenshot |= pictures.add("Screenshot", "A PNG in the current folder (P); hide the panels with H to leave them out");
-  requests.video |= pictures.add(state.recording ? "Stop video" : "Record video", "An MP4 in the current folder (V)", state.recording);
+  requests.video |= pictures.add(state.recording ? "Stop video" : "Video", "An MP4 in the current folder (V)", state.recording);
+  if (pictures.add("Plots", "Curves over time (F3)", state.plots.shown)) state.plots.shown = !state.plots.shown;
 
   const Model& model = simulation.model;
   const Statistics& clock_now = state.statistics;

@@ -45,10 +45,11 @@ void statistics_panel(Session& session, const Statistics& statistics) {
              "Of the last step, per substep, and what ended them if not the number asked for");
     ui::fact("Residual", printed("%.2g", d->residual), "How far the last step is from solved: 0 is solved, 1 is not begun");
     ui::fact("J", printed("%.3f to %.3f", d->min_det_f, d->max_det_f), "Smallest and largest volume of a tet over its volume at rest");
+    ui::fact("Volume", printed("%.2f %%", 100 * d->volume_ratio), "Of all tissue, over its volume at rest");
     ui::fact("Inverted tets", std::to_string(d->inverted), "Tets turned inside out: J below 0");
     ui::fact("Largest strain", printed("%.3g", d->max_strain), "Frobenius norm of the Green strain");
     ui::fact("Largest stress", engineering(d->max_von_mises, "Pa"), "Von Mises");
-    ui::fact("Energy", engineering(d->elastic, "J") + ", " + engineering(d->kinetic, "J"), "Elastic, kinetic");
+    ui::fact("Energy", engineering(d->elastic, "J") + ", " + engineering(d->kinetic, "J"), "Elastic, kinetic; F3 draws them over time");
     ui::fact("Reaction", engineering(length(d->reaction), "N"), "Of the supports on the body");
   }
   ui::fact("Motion", session.simulation.asleep() ? "at rest, asleep" : "awake",

@@ -201,6 +201,17 @@ void Simulation::reset() {
   begin_anew();
 }
 
+void Simulation::go_on_from(const reference::State& state) {
+  if (state.displacement.size() != model.rest_positions.size())
+    throw Error(scene.file.string(), "start has " + std::to_string(state.displacement.size()) + " vertices",
+                "expected the mesh's " + std::to_string(model.rest_positions.size()));
+  equilibrium_.reset();
+  if (reference_) reference_state_ = state;
+  if (gpu_) gpu_->upload(state);
+  astray_.reset();
+  begin_anew();
+}
+
 double Simulation::time() const { return reference_ ? reference_state_.time : gpu_->time(); }
 
 reference::NewtonReport Simulation::solve_static() {

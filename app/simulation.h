@@ -25,6 +25,8 @@ class Simulation {
 
   void step();
   void reset();
+  /// Goes on from a state of the same mesh. Throws Error if it is of another one.
+  void go_on_from(const reference::State& state);
   double time() const;
   /// Static equilibrium, by the reference solver to 1e-10 or by the GPU to 1e-5, or to solver.tolerance if that is given. Throws Error
   /// when the reference solver does not reach it; the GPU's report tells how far float32 went.

@@ -8,6 +8,7 @@
 
 #include "app/convergence.h"
 #include "app/grab.h"
+#include "app/plots.h"
 #include "sim/gpu/diagnostics.h"
 
 namespace fascia {
@@ -50,6 +51,7 @@ struct ViewState {
   bool paused = false, show_panels = true, show_help = false, recording = false;
   bool show_convergence = false;  // measured only while it is shown
   Convergence convergence;
+  Plots plots;
   GrabSettings grab;
   SceneFacts facts;
   Statistics statistics;
@@ -58,8 +60,9 @@ struct ViewState {
 /// Asked during a frame, carried out between frames.
 struct Requests {
   bool open_dialog = false, save_dialog = false, reset = false, step = false, frame_view = false, screenshot = false, video = false,
-       reload_shaders = false, close = false;
-  std::optional<std::filesystem::path> open, save;
+       reload_shaders = false, close = false, plot_table = false, plot_picture = false, recent = false, export_dialog = false,
+       gallery = false, resume_left_behind = false, forget_left_behind = false;
+  std::optional<std::filesystem::path> open, save, export_state, resume;  // resume: what a session left (autosave.h)
 };
 
 }  // namespace fascia

@@ -12,6 +12,8 @@
 #include "app/color_bar.h"
 #include "app/interrupt.h"
 #include "app/panels.h"
+#include "app/paths.h"
+#include "app/user_files.h"
 #include "sim/error.h"
 
 namespace fascia {
@@ -20,7 +22,6 @@ namespace {
 constexpr double kLongestWait = 1;      // [s] to look after signals and the device, which do not wake a window
 constexpr double kUnsettledWait = 1.0 / 30;  // [s] between frames while something is under way that no event will tell of
 constexpr int kFramesToSettle = 3;      // after an event: panels find their size and what they show over some frames
-constexpr auto kRemember = std::chrono::seconds(10);  // from one remembered state to the next
 constexpr double kShortestFrame = 0.004;  // [s] where the display does not set the pace
 
 }  // namespace
@@ -30,9 +31,20 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
       options_(options),
       input_(graphics.context->window()),
       overlay_(graphics),
-      dialogs_(graphics.data_dir),
+      user_(config_folder()),
+      autosave_(options.steps || options.time ? std::filesystem::path() : state_folder()),  // a scripted window leaves nothing
+      dialogs_(graphics.data_dir, user_),
+      gallery_(graphics.data_dir),
+      hints_(user_),
       samples_(options.samples > 0 ? options.samples : gl::device().software ? 1 : 4) {
-  session_ = make_session(opened);
+  try {
+    OpeningScreen screen(graphics_, overlay_, opened.scene.file.filename().string());
+    session_ = make_session(opened, screen, 0);
+  } catch (const Cancelled&) {
+    say(opened.scene.file.filename().string() + " was not opened");
+    opened = open_file(default_scene(graphics.data_dir));
+    session_ = std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model), options_.reference);
+  }
   if (options.static_equilibrium) {
     const reference::NewtonReport report = session_->simulation.solve_static();
     if (!options.quiet || !report.converged) std::cerr << "fascia: " << describe(report, options.reference) << '\n';
@@ -42,6 +54,10 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
   state_.facts = SceneFacts(session_->simulation.model);
   state_.statistics.measured = true;
   dialogs_.opened(session_->simulation.scene.file);
+  if (!user_.complaint().empty()) say(user_.complaint() + ". Went on without it", true);
+  left_behind_ = autosave_.left_behind();
+  dialogs_.set_last_session(autosave_.last());
+  if (!user_.now().welcomed && options.input.empty() && options.replay.empty() && steps_left_ < 0) gallery_.ask();
   set_title();
   glfwSwapInterval(1);
 }
@@ -54,6 +70,7 @@ void ViewWindow::run() {
     wait_for_events();
     require_device();
     if (frames_to_settle_ == 0 && idle_time() > 0) {
+      attempt([&] { remember(); });
       last = Clock::now();
       pacing_.restart();
       continue;
@@ -73,6 +90,10 @@ void ViewWindow::run() {
   }
   stats_.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   if (video_.running()) video_.finish();
+  attempt([&] {
+    remember();
+    autosave_.finish();
+  });
   stats_.renderer = session_->renderer_description();
   stats_.solve_ms = stats_.step_ms;
   count_work(stats_, session_->simulation);
@@ -176,11 +197,20 @@ void ViewWindow::build_panels(Requests& requests) {
   draw_notice(state_);
   if (state_.show_panels) {
     draw_panels(*session_, state_, requests);
-    draw_hint();
+    draw_hints(hints_);
+  }
+  if (state_.plots.shown) {
+    draw_plots(session_->simulation, state_, requests);
+    const auto& d = s.diagnostics;
+    if (d && d->probe)
+      draw_probe(session_->camera, session_->simulation.model.rest_positions[*state_.plots.probe] + *d->probe, session_->look.radius);
   }
   if (mouse_.grab().holding()) draw_force(mouse_.grab());
   if (state_.show_help) draw_help(state_);
   dialogs_.draw(requests);
+  if (gallery_.draw(requests)) user_.change([](UserSettings& settings) { settings.welcomed = true; });
+  if (left_behind_) draw_left_behind(Autosave::name_in(*left_behind_), requests);
+  follow_hints();
   const bool news = message_ && !message_->is_error;
   // A screenshot shows the scene, not the news of the screenshot before it.
   if (message_ && !(news && requests.screenshot) && (draw_message(message_->text, message_->is_error) || Clock::now() > message_->until)) message_.reset();
@@ -189,7 +219,7 @@ void ViewWindow::build_panels(Requests& requests) {
 
 void ViewWindow::make_step() {
   mouse_.pull(*session_);
-  if (state_.show_panels && state_.show_convergence) state_.convergence.measure(session_->simulation, *graphics_.programs);
+  if ((state_.show_panels && state_.show_convergence) || shows_convergence(state_.plots)) state_.convergence.measure(session_->simulation, *graphics_.programs);
   session_->simulation.step();
   simulated_ += session_->simulation.scene.solver.time_step;
   ++state_.statistics.steps;
@@ -252,6 +282,9 @@ void ViewWindow::go_back() {
 
 void ViewWindow::read_diagnostics() {
   GpuSolver& solver = *session_->simulation.gpu();
+  Plots& plots = state_.plots;
+  if (plots.shown && !plots.probe) plots.probe = tip_vertex(session_->simulation.model);
+  solver.set_probe(plots.shown ? plots.probe : std::nullopt);
   if (diagnose_) solver.request_diagnostics();
   diagnose_ = false;
   const std::optional<Diagnostics> d = solver.take_diagnostics(false);
@@ -259,15 +292,25 @@ void ViewWindow::read_diagnostics() {
   mouse_.grab().observe(d->grab_force);
   session_->follow_range(*d);
   stats_.residual = d->residual;
+  follow(*d);
   state_.statistics.diagnostics = d;
 }
 
 void ViewWindow::remember() {
+  if (remembered_ && !autosave_.due()) return;
   Simulation& simulation = session_->simulation;
-  const Clock::time_point now = Clock::now();
-  if (remembered_ && now - remembered_at_ < kRemember) return;
-  remembered_ = Replay{scene_now(), simulation.uses_reference() ? simulation.state() : simulation.last_sound(), {}, 0};
-  remembered_at_ = now;
+  Scene scene = scene_now();
+  std::string text = scene_to_json(scene, {});
+  const long step = simulation.uses_reference() ? simulation.steps_made() : simulation.gpu()->steps_solved();
+  const bool same = remembered_ && step == remembered_step_ && text == remembered_scene_;
+  autosave_.wait_a_while();
+  if (same) return;
+  const std::string name = scene.file.stem().string();
+  remembered_ = std::make_shared<const Replay>(
+      Replay{std::move(scene), simulation.uses_reference() ? simulation.state() : simulation.last_sound(), {}, 0});
+  remembered_scene_ = std::move(text);
+  remembered_step_ = step;
+  autosave_.keep(remembered_, name);
 }
 
 void ViewWindow::draw() {

@@ -4,12 +4,18 @@
 #pragma once
 #include <chrono>
 #include <memory>
+#include <future>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "app/autosave.h"
 #include "app/capture.h"
 #include "app/file_dialogs.h"
+#include "app/gallery.h"
+#include "app/hints.h"
 #include "app/mouse_tool.h"
+#include "app/opening_screen.h"
 #include "app/options.h"
 #include "app/overlay.h"
 #include "app/pacing.h"
@@ -52,15 +58,23 @@ class ViewWindow {
   void simulate(double elapsed, const Requests& requests);
   void make_step();
   void read_diagnostics();
+  void follow(const Diagnostics& diagnostics);  // into the plots
+  bool choose_probe(const Eigen::Vector2d& at);  // false: nothing was to be chosen
+  void write_plots(const Requests& requests);
   void go_back();  // the state came apart
-  void remember();              // now and then, for a device that is lost
+  void remember();              // now and then, for a device that is lost and for a window that ends badly
   Scene scene_now() const;      // with the materials and the camera of now
   void draw();
   void capture(const Requests& requests);
 
   void carry_out(const Requests& requests);
   void open(const std::filesystem::path& path);
-  std::unique_ptr<Session> make_session(Opened& opened);  // with a bar while it takes long
+  void resume(const std::filesystem::path& path);
+  Opened read(const std::filesystem::path& path, OpeningScreen& screen);
+  std::unique_ptr<Session> make_session(Opened& opened, OpeningScreen& screen, double share_done);  // with a bar while it takes long
+  void take_over(std::unique_ptr<Session> opened);
+  void export_state(const std::filesystem::path& path);
+  void follow_hints();
   void save(const std::filesystem::path& path);
   void set_title();
   void reset();
@@ -77,7 +91,12 @@ class ViewWindow {
   const ViewOptions& options_;
   WindowInput input_;
   Overlay overlay_;
+  UserStore user_;
+  Autosave autosave_;
   FileDialogs dialogs_;
+  Gallery gallery_;
+  Hints hints_;
+  std::vector<Material> tuned_from_;  // materials of the last frame, while the hint about them is shown
   std::unique_ptr<Session> session_;
   std::unique_ptr<Framebuffer> framebuffer_;
   MouseTool mouse_;
@@ -94,8 +113,11 @@ class ViewWindow {
   long came_apart_at_ = 0;    // steps made when it last did
   bool diagnose_ = true;      // the state has changed since the last diagnostics
   int frames_to_settle_ = 3;  // to draw although nothing moves
-  std::optional<Replay> remembered_;  // the scene as it was a few seconds ago, in case that the device is lost
-  Clock::time_point remembered_at_;
+  std::shared_ptr<const Replay> remembered_;  // the scene as it was a few seconds ago, in case that the device is lost
+  std::string remembered_scene_;              // of it, as a file would say it
+  long remembered_step_ = 0;                  // steps solved then
+  std::optional<std::filesystem::path> left_behind_;  // by a window that ended badly; until the user has said what to do with it
+  std::vector<std::future<Opened>> given_up_;         // readings that nobody waits for
 };
 
 }  // namespace fascia

@@ -9,9 +9,15 @@
 #include "app/scene_edits.h"
 #include "app/view_window.h"
 #include "sim/file.h"
+#include "sim/state_export.h"
 
 namespace fascia {
 namespace fs = std::filesystem;
+namespace {
+
+constexpr double kReadShare = 0.4;  // of opening a large scene that goes by before the GPU is needed
+
+}  // namespace
 
 void ViewWindow::handle_input(Requests& requests) {
   using Kind = InputEvent::Kind;
@@ -25,6 +31,7 @@ void ViewWindow::handle_input(Requests& requests) {
   for (const InputEvent& event : input_.take()) {
     switch (event.kind) {
       case Kind::press:
+        if (!io.WantCaptureMouse && event.code == GLFW_MOUSE_BUTTON_LEFT && choose_probe(event.at)) break;
         if (!io.WantCaptureMouse && event.code <= GLFW_MOUSE_BUTTON_MIDDLE)
           mouse_.press(button_of(event.code), event.mods & GLFW_MOD_SHIFT, event.at, picture, *session_, state_.grab);
         break;
@@ -49,7 +56,8 @@ void ViewWindow::press_key(int key, int mods, Requests& requests) {
   if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;  // a dialog
   if (mods & GLFW_MOD_CONTROL) {
     switch (key) {
-      case GLFW_KEY_O: requests.open_dialog = true; break;
+      case GLFW_KEY_O: (mods & GLFW_MOD_SHIFT ? requests.recent : requests.open_dialog) = true; break;
+      case GLFW_KEY_E: requests.export_dialog = true; break;
       case GLFW_KEY_S: requests.save_dialog = true; break;
       case GLFW_KEY_Q: requests.close = true; break;
     }
@@ -70,15 +78,30 @@ void ViewWindow::press_key(int key, int mods, Requests& requests) {
     case GLFW_KEY_P: requests.screenshot = true; break;
     case GLFW_KEY_V: requests.video = true; break;
     case GLFW_KEY_F1: state_.show_help = !state_.show_help; break;
+    case GLFW_KEY_F2: requests.gallery = true; break;
+    case GLFW_KEY_F3:
+      state_.plots.shown = !state_.plots.shown;
+      diagnose_ = true;  // for the point
+      break;
     case GLFW_KEY_F5: requests.reload_shaders = true; break;
   }
 }
 
 void ViewWindow::carry_out(const Requests& requests) {
-  if (requests.open_dialog) dialogs_.ask_open();
+  if (requests.open_dialog) dialogs_.ask_open(session_->simulation.scene.file);
+  if (requests.recent) dialogs_.ask_recent();
+  if (requests.export_dialog) dialogs_.ask_export(session_->simulation.scene.file);
+  if (requests.gallery) gallery_.ask();
+  if (requests.resume) resume(*requests.resume);
+  if (requests.resume_left_behind && left_behind_) resume(fs::path(*left_behind_));
+  if (requests.forget_left_behind && left_behind_) {
+    fs::remove(*left_behind_);
+    left_behind_.reset();
+  }
   if (requests.save_dialog) dialogs_.ask_save(session_->simulation.scene.file);
   if (requests.open) open(*requests.open);
   if (requests.save) save(*requests.save);
+  if (requests.export_state) export_state(*requests.export_state);
   if (requests.reset) reset();
   if (requests.step) state_.paused = true;
   if (requests.frame_view) session_->frame();
@@ -88,14 +111,65 @@ void ViewWindow::carry_out(const Requests& requests) {
 
 void ViewWindow::open(const fs::path& path) {
   // The new session is made while the old one still stands: if it cannot be made, nothing has happened.
-  Opened input = open_file(path);
-  std::unique_ptr<Session> opened = make_session(input);
+  try {
+    OpeningScreen screen(graphics_, overlay_, path.filename().string());
+    Opened input = read(path, screen);
+    take_over(make_session(input, screen, kReadShare));
+  } catch (const Cancelled&) {
+    say(path.filename().string() + " was not opened");
+    return;
+  }
+  dialogs_.opened(path);
+}
+
+void ViewWindow::resume(const fs::path& path) {
+  OpeningScreen screen(graphics_, overlay_, Autosave::name_in(path));
+  Opened input = read(path, screen);
+  const reference::State state = input.replay && input.replay->start ? *input.replay->start : reference::initial_state(input.model);
+  input.replay.reset();
+  input.scene.file = fs::current_path() / (Autosave::name_in(path) + ".json");  // what saving suggests
+  std::unique_ptr<Session> opened = make_session(input, screen, kReadShare);
+  opened->simulation.go_on_from(state);
+  take_over(std::move(opened));
+  remember();
+  if (left_behind_ == path) {
+    left_behind_.reset();
+    fs::remove(path);
+  }
+}
+
+// On another thread, so that the window answers and somebody may think better of it.
+Opened ViewWindow::read(const fs::path& path, OpeningScreen& screen) {
+  constexpr auto kFrame = std::chrono::milliseconds(30);
+  std::erase_if(given_up_, [](const std::future<Opened>& f) { return f.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
+  std::future<Opened> reading = std::async(std::launch::async, [path] { return open_file(path); });
+  const Clock::time_point start = Clock::now();
+  while (reading.wait_for(kFrame) != std::future_status::ready) {
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    try {
+      screen.show(kReadShare * (1 - std::exp(-0.3 * seconds)), "Reading; Escape goes back");  // how long it takes nobody knows
+    } catch (const Cancelled&) {
+      given_up_.push_back(std::move(reading));
+      throw;
+    }
+  }
+  return reading.get();
+}
+
+std::unique_ptr<Session> ViewWindow::make_session(Opened& opened, OpeningScreen& screen, double share_done) {
+  const Progress progress = [&](double share, const char* what) { screen.show(share_done + (1 - share_done) * share, what); };
+  auto session = std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model), options_.reference, progress);
+  if (opened.replay) session->simulation.play(std::move(*opened.replay));
+  return session;
+}
+
+void ViewWindow::take_over(std::unique_ptr<Session> opened) {
   mouse_.cancel(*session_);
   state_.convergence.forget();
+  state_.plots.forget();
   session_ = std::move(opened);
   remembered_.reset();
   came_apart_ = 0;
-  dialogs_.opened(path);
   state_.facts = SceneFacts(session_->simulation.model);
   state_.statistics = {};
   state_.statistics.measured = true;
@@ -103,14 +177,6 @@ void ViewWindow::open(const fs::path& path) {
   message_.reset();
   diagnose_ = true;
   set_title();
-}
-
-std::unique_ptr<Session> ViewWindow::make_session(Opened& opened) {
-  OpeningScreen screen(graphics_, overlay_, opened.scene.file.filename().string());
-  const Progress progress = [&](double share, const char* what) { screen.show(share, what); };
-  auto session = std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model), options_.reference, progress);
-  if (opened.replay) session->simulation.play(std::move(*opened.replay));
-  return session;
 }
 
 void ViewWindow::set_title() {
@@ -131,6 +197,22 @@ void ViewWindow::save(const fs::path& path) {
   write_file(path, scene_to_json(scene_now(), path.parent_path()));
   dialogs_.opened(path);
   say("Saved " + path.string());
+}
+
+void ViewWindow::export_state(const fs::path& path) {
+  const Simulation& simulation = session_->simulation;
+  write_state(path, simulation.model.file_mesh, reference::export_fields(simulation.model, simulation.state()));
+  say("Exported " + path.string());
+}
+
+// What somebody has done needs no hint any more.
+void ViewWindow::follow_hints() {
+  const std::vector<Material>& materials = session_->simulation.model.materials;
+  if (mouse_.grab().holding()) hints_.done("grab");
+  if (mouse_.dragging() && !mouse_.grab().holding()) hints_.done("orbit");
+  if (state_.show_help) hints_.done("help");
+  if (hints_.wanted("tune") && ImGui::IsAnyItemActive() && tuned_from_.size() == materials.size() && tuned_from_ != materials) hints_.done("tune");
+  if (hints_.wanted("tune")) tuned_from_ = materials;
 }
 
 void ViewWindow::reset() {
@@ -173,6 +255,7 @@ void ViewWindow::toggle_video() {
 void ViewWindow::capture(const Requests& requests) {
   if (video_.running()) video_.write(*framebuffer_, simulated_);
   if (requests.video) toggle_video();
+  write_plots(requests);
   if (requests.screenshot) {
     const fs::path path = dated_name(".png");
     write_png(path, framebuffer_->read(), provenance());

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -16,6 +17,8 @@
 #include <sstream>
 #include <stdexcept>
 #include <thread>
+
+#include "app/user_settings.h"
 
 namespace fascia::test {
 namespace fs = std::filesystem;
@@ -80,6 +83,15 @@ VirtualDisplay::VirtualDisplay(int width, int height) {
   if (number.empty()) throw std::runtime_error("Xvfb did not start; is it installed?");
   setenv("DISPLAY", (":" + number).c_str(), 1);
   unsetenv("WAYLAND_DISPLAY");
+  for (const char* kind : {"config", "state", "cache"}) {
+    std::string variable = std::string("XDG_") + kind + "_HOME";
+    for (char& c : variable) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    setenv(variable.c_str(), (home_ / kind).c_str(), 1);
+  }
+  UserSettings settings_of_an_old_hand;
+  settings_of_an_old_hand.welcomed = true;
+  settings_of_an_old_hand.hints_done = {"grab", "orbit", "tune", "help"};
+  write_user_settings(settings(), settings_of_an_old_hand);
   // Named is not yet answering, on a busy machine.
   if (!eventually([] { return run_command({"xdotool", "getdisplaygeometry"}).exit_code == 0; }))
     throw std::runtime_error("Xvfb does not answer");
@@ -89,6 +101,7 @@ VirtualDisplay::~VirtualDisplay() {
   kill(server_, SIGTERM);
   waitpid(server_, nullptr, 0);
   unsetenv("DISPLAY");
+  for (const char* variable : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"}) unsetenv(variable);
 }
 
 FasciaWindow::FasciaWindow(std::vector<std::string> arguments, fs::path folder)
@@ -124,6 +137,11 @@ bool FasciaWindow::running() {
   child_ = -1;
   exit_code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return false;
+}
+
+void FasciaWindow::kill_at_once() {
+  kill(child_, SIGKILL);
+  eventually([&] { return !running(); });
 }
 
 double FasciaWindow::processor_seconds() const {

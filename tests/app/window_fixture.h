@@ -13,16 +13,20 @@
 
 namespace fascia::test {
 
-/// Xvfb on a display number of its own; DISPLAY points to it as long as it lives.
+/// Xvfb on a display number of its own; DISPLAY points to it as long as it lives, and so does a home of its own for what windows remember
+/// of their user: one who knows the program and needs no hints.
 class VirtualDisplay {
  public:
   VirtualDisplay(int width, int height);
   ~VirtualDisplay();
   VirtualDisplay(const VirtualDisplay&) = delete;
   VirtualDisplay& operator=(const VirtualDisplay&) = delete;
+  std::filesystem::path settings() const { return home_ / "config/fascia/settings.json"; }
+  std::filesystem::path state() const { return home_ / "state/fascia"; }
 
  private:
   pid_t server_ = -1;
+  TemporaryFolder home_;
 };
 
 struct Screenshot {
@@ -48,6 +52,7 @@ class FasciaWindow {
   void release();
   Screenshot screenshot();            // through P
   bool running();
+  void kill_at_once();                // as the system does: no chance to clean up
   double processor_seconds() const;   // that the program has used so far
   /// Exit code; the program must end by itself.
   int wait();

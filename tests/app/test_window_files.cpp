@@ -1,0 +1,151 @@
+// Files and plots in the real window: examples, a state that outlives a kill, an opening that is given up, plots as files.
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/user_settings.h"
+#include "sim/file.h"
+#include "sim/mesh_generate.h"
+#include "sim/mesh_io.h"
+#include "tests/app/window_fixture.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+constexpr int kWidth = 1000, kHeight = 700;
+
+struct Desk {
+  TemporaryFolder folder;
+  VirtualDisplay display{kWidth, kHeight};
+  std::string scene(const std::string& title, double young_modulus) const {
+    const nlohmann::json scene{
+        {"fascia_scene", 1},
+        {"title", title},
+        {"bodies", {{{"mesh", (source_dir() / "assets/meshes/cube.msh").string()}, {"materials", {{"default", {{"young_modulus", young_modulus}}}}}, {"fixed", {{{"group", "clamp"}}}}}}}};
+    write_file(folder / (title + ".json"), scene.dump());
+    return (folder / (title + ".json")).string();
+  }
+  std::vector<std::filesystem::path> with_ending(const std::string& ending, const std::filesystem::path& where) const {
+    std::vector<std::filesystem::path> found;
+    std::error_code ec;
+    for (std::filesystem::directory_iterator it(where, ec), end; !ec && it != end; it.increment(ec))
+      if (it->path().extension() == ending) found.push_back(it->path());
+    return found;
+  }
+};
+
+std::vector<std::string> with_size(std::vector<std::string> arguments) {
+  arguments.insert(arguments.end(), {"--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)});
+  return arguments;
+}
+
+long step_of(const Screenshot& shot) {
+  long step = -1;
+  std::sscanf(shot.moment.c_str(), "step %ld", &step);
+  return step;
+}
+
+}  // namespace
+
+TEST_CASE("what a killed window had is offered by the next one, and taken up with its values") {
+  const Desk desk;
+  const std::string scene = desk.scene("killed", 2e5);
+  {
+    FasciaWindow window(with_size({scene, "--set", "materials.default.young_modulus=3e4"}), desk.folder.path());
+    CHECK(window.screenshot().young_modulus == 3e4);
+    CHECK(eventually([&] { return !desk.with_ending(".fascia", desk.display.state()).empty(); }));
+    window.kill_at_once();
+  }
+  const std::string other = desk.scene("other", 1e6);
+  FasciaWindow window(with_size({other}), desk.folder.path());
+  CHECK(window.screenshot().title == "other");
+  // The offer stands at the top, in the middle of what the panels leave; its button is right of the middle.
+  CHECK(eventually([&] {
+    for (int x = kWidth / 2 + 100; x < kWidth - 60; x += 30) {
+      window.move(x, 72);
+      window.press();
+      window.pause();
+      window.release();
+      if (window.screenshot().title == "killed") return true;
+    }
+    return false;
+  }));
+  CHECK(window.screenshot().young_modulus == 3e4);
+  window.key("ctrl+q");
+  CHECK(window.wait() == 0);
+  const auto left = desk.with_ending(".fascia", desk.display.state());
+  REQUIRE(left.size() == 1);
+  CHECK_THAT(left[0].filename().string(), Catch::Contains(".last.fascia"));
+  const UserSettings settings = read_user_settings(desk.display.settings());
+  REQUIRE(settings.recent.size() == 2);
+  CHECK(settings.recent[0] == other);
+  CHECK(settings.recent[1] == scene);
+}
+
+TEST_CASE("an example opens with one click, and the gallery was offered to somebody new") {
+  const Desk desk;
+  write_user_settings(desk.display.settings(), {});
+  FasciaWindow window(with_size({}), desk.folder.path());
+  // The second of three in the first row: the beam.
+  CHECK(eventually([&] {
+    window.key("F2");  // it is open already at first
+    window.pause();
+    window.move(kWidth / 2, 220);
+    window.press();
+    window.pause();
+    window.release();
+    window.pause();
+    window.key("Escape");
+    return window.screenshot().title.find("antilever") != std::string::npos || window.screenshot().title.find("eam") != std::string::npos;
+  }));
+  CHECK(read_user_settings(desk.display.settings()).welcomed);
+  window.key("ctrl+q");
+  CHECK(window.wait() == 0);
+}
+
+TEST_CASE("opening a large mesh is given up with Escape, and the open scene goes on") {
+  const Desk desk;
+  const std::string scene = desk.scene("small", 2e5);
+  write_mesh(desk.folder / "large.msh", make_box(40, 40, 40, {1, 1, 1}));
+  FasciaWindow window(with_size({scene}), desk.folder.path());
+  const long before = step_of(window.screenshot());
+  window.key("ctrl+o");
+  for (int i = 0; i < 3; ++i) window.pause();
+  window.type("large.msh");
+  window.key("Return");
+  for (int i = 0; i < 4; ++i) {
+    window.pause();
+    window.key("Escape");
+  }
+  const Screenshot after = window.screenshot();
+  CHECK(after.title == "small");
+  CHECK(step_of(after) >= before);
+  window.key("ctrl+q");
+  CHECK(window.wait() == 0);
+}
+
+TEST_CASE("plots are written as a table of what was shown") {
+  const Desk desk;
+  const std::string scene = desk.scene("plotted", 5e3);
+  FasciaWindow window(with_size({scene}), desk.folder.path());
+  window.screenshot();
+  window.key("F3");
+  window.pause();
+  const auto tables = [&] { return desk.with_ending(".csv", desk.folder.path()); };
+  // The buttons are below the title of the panel at the right: Hold, Clear, Point, CSV, PNG.
+  CHECK(eventually([&] {
+    window.move(kWidth - 10 - 430 + 306, 56);
+    window.press();
+    window.pause();
+    window.release();
+    window.pause();
+    return !tables().empty();
+  }));
+  window.key("ctrl+q");
+  CHECK(window.wait() == 0);
+  const std::string table = read_file(tables().front());
+  CHECK_THAT(table, Catch::Contains("# Title: plotted") && Catch::Contains("\nstep,time_s,kinetic_J,elastic_J,gravitational_J,total_J,"));
+  CHECK(std::count(table.begin(), table.end(), '\n') > 9);  // seven notes of what made it, the vertex, the names, and rows
+}
