@@ -94,7 +94,7 @@ void bench_stiff_beam(Bench& bench) {
   PictureGrid grid;
   grid.title = "Stiff beam (E = 1 GPa, " + std::to_string(exact.model.tets.size()) + " tets) after " + std::to_string(steps) +
                " steps of 1/60 s, " + std::to_string(settings.iterations) + " iterations a step";
-  grid.scale_label = candidates.back().session->heat_label();
+  grid.scale_label = label_of(candidates.back().session->display().color);
   grid.range = *exact.scene.display.range;
   grid.columns = 4;
   const reference::State exact_state = exact.state();

@@ -1,11 +1,15 @@
-// The scale of the heat map: colors with the smallest, the middle and the largest value.
+// What the colors mean: the scale of the heat map with its quantity, unit and round ticks, or the names of the regions.
 #pragma once
-#include <Eigen/Core>
-#include <string>
+#include "app/session.h"
 
 namespace fascia {
 
-/// At the right edge of the picture, in ImGui's background layer. `label` as "von Mises stress [Pa]".
-void draw_color_bar(const std::string& label, const Eigen::Vector2f& range);
+inline bool has_legend(const Session& session) { return session.look.heat_map || session.look.regions; }
+
+/// At the right edge of the picture, in ImGui's background layer: on a panel over the gradient, straight on backgrounds of one color.
+void draw_legend(const Session& session);
+
+/// Round numbers inside the closed range, the same step apart, three to six of them (none for a range without width).
+std::vector<double> ticks_of(double low, double high);
 
 }  // namespace fascia

@@ -13,7 +13,7 @@ void add_render(CLI::App& program, Invocation& invocation) {
   command.add_option("--video", options->video, "every frame, through ffmpeg")->type_name("FILE.mp4");
   command.add_option("--fps", options->fps, "frames per second of the video")->check(CLI::Range(1.0, 1000.0))->capture_default_str();
   command.add_option("--samples", options->samples, "samples per pixel")->check(CLI::Range(1, 16))->capture_default_str();
-  command.add_option("--color", options->color, "heat map: none, strain, von_mises or error (scene key display.color)");
+  command.add_option("--color", options->color, "what colors the tissue, as the scene key display.color: none, region, strain, von_mises, displacement, ...");
   command.add_flag("--wireframe", options->wireframe, "draw the surface's edges");
   command.add_flag("--ui", options->panels, "draw the window's panels too");
   command.callback([&invocation, options] {

@@ -16,6 +16,8 @@ int command_render(const RenderOptions& options) {
   if (options.static_equilibrium && !options.video.empty())
     throw Error("--static", "has no motion to put into " + options.video, "leave out --video");
   Headless headless(options);
+  if (!options.video.empty() && headless.session().display().background == Background::transparent)
+    throw Error("--video", "has no transparency", "expected another display.background");
   std::optional<Recorder> recorder;
   std::vector<std::uint8_t> pixels(std::size_t{4} * options.width * options.height);
   long frame = 0;

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "app/breakdown.h"
+#include "app/color_bar.h"
 #include "app/interrupt.h"
 
 namespace fascia {
@@ -53,10 +54,10 @@ Framebuffer& Headless::draw() {
   GpuSolver& solver = *session_.simulation.gpu();
   solver.request_diagnostics();
   const std::optional<Diagnostics> diagnostics = solver.take_diagnostics(true);
-  if (diagnostics) session_.follow_range(*diagnostics);
   if (session_.display().color == ColorBy::error) session_.measure_error();
+  session_.settle_range();
   session_.draw(framebuffer_);
-  if (options_.panels || session_.look.heat_map) overlay_.draw_headless(session_, framebuffer_, options_.panels, diagnostics);
+  if (options_.panels || has_legend(session_)) overlay_.draw_headless(session_, framebuffer_, options_.panels, diagnostics);
   return framebuffer_;
 }
 

@@ -39,7 +39,7 @@ Frame fit(const std::vector<Curve>& curves, ImVec2 low, ImVec2 high) {
 }
 
 void draw_axes(ImDrawList& draw, const Frame& frame) {
-  const ImU32 grid = ImGui::GetColorU32(ImVec4(1, 1, 1, 0.10f)), text = ImGui::GetColorU32(kDim);
+  const ImU32 grid = ImGui::GetColorU32(ImGuiCol_HeaderHovered), text = ImGui::GetColorU32(kDim);
   const int every = (frame.top - frame.bottom + 4) / 5;
   for (int decade = frame.bottom; decade <= frame.top; decade += every) {
     const float y = frame.y(std::pow(10.0f, static_cast<float>(decade)));

@@ -1,5 +1,6 @@
 #include "app/mouse_tool.h"
 
+#include <cmath>
 #include <numbers>
 
 #include "app/pick.h"
@@ -17,7 +18,36 @@ std::vector<Eigen::Vector3d> deformed_positions(Session& session) {
   return positions;
 }
 
+// Where the line from `center` along the unit vector `normal` comes closest to what is seen at a place of the picture [m].
+double along(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, const Ray& ray) {
+  const Eigen::Vector3d to_eye = ray.origin - center;
+  const double cosine = ray.direction.dot(normal);
+  return (to_eye.dot(normal) - to_eye.dot(ray.direction) * cosine) / (1 - cosine * cosine);
+}
+
+void drag_section(const Eigen::Vector2d& from, const Eigen::Vector2d& to, MouseTool::Picture picture, Session& session) {
+  DisplaySettings display = session.display();
+  if (!display.section) return;
+  const Eigen::Vector3d normal = display.section->normal.normalized(), center = session.look.center;
+  const Camera& camera = session.camera;
+  constexpr double kHeadOn = 0.97;  // cosine beyond which the normal has no direction in the picture to speak of: up is along it then
+  if (std::abs(camera.forward().dot(normal)) > kHeadOn) {
+    display.section->offset += (from.y() - to.y()) * camera.pixel_size(center, picture.height);
+  } else {
+    const auto place = [&](const Eigen::Vector2d& at) { return along(center, normal, camera.ray(at.x(), at.y(), picture.width, picture.height)); };
+    display.section->offset += place(to) - place(from);
+  }
+  session.set_display(display);
+}
+
 }  // namespace
+
+void MouseTool::press_section(Button button, const Eigen::Vector2d& at) {
+  if (dragging()) return;
+  button_ = button;
+  last_ = at;
+  tool_ = Tool::section;
+}
 
 void MouseTool::press(Button button, bool always_grab, const Eigen::Vector2d& at, Picture picture, Session& session,
                       const GrabSettings& settings) {
@@ -38,7 +68,7 @@ void MouseTool::press(Button button, bool always_grab, const Eigen::Vector2d& at
 }
 
 void MouseTool::move(const Eigen::Vector2d& at, Picture picture, Session& session) {
-  const Eigen::Vector2d change = (at - last_) / picture.height;
+  const Eigen::Vector2d from = last_, change = (at - from) / picture.height;
   last_ = at;
   switch (tool_) {
     case Tool::none: break;
@@ -46,6 +76,7 @@ void MouseTool::move(const Eigen::Vector2d& at, Picture picture, Session& sessio
       grab_.point_at(session.camera.ray(at.x(), at.y(), picture.width, picture.height), session.camera.forward());
       break;
     case Tool::orbit: session.camera.orbit(std::numbers::pi * change.x(), std::numbers::pi * change.y()); break;
+    case Tool::section: drag_section(from, at, picture, session); break;
     case Tool::pan: session.camera.pan(change.x(), change.y()); break;
   }
 }

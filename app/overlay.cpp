@@ -90,7 +90,7 @@ void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool pan
     ImGui::NewFrame();
     Requests nobody_asks;
     if (panels) draw_panels(session, state, nobody_asks);
-    if (session.look.heat_map) draw_color_bar(session.heat_label(), session.look.range);
+    draw_legend(session);
     ImGui::Render();
   }
   draw(framebuffer);

@@ -30,6 +30,7 @@ const std::vector<std::vector<Theme>>& help_columns() {
         {{"Left drag on tissue", "grab it"},
          {"Left drag elsewhere", "orbit"},
          {"Shift + left drag", "always grab, the nearest tissue"},
+         {"Ctrl + left drag", "move the section plane, if any"},
          {"Right or middle drag", "pan"},
          {"Wheel", "zoom"}}},
        {"Time", {{"Space", "pause, go on"}, {".", "one step"}, {"R", "reset"}}},

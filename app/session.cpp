@@ -1,27 +1,15 @@
 #include "app/session.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "app/shown_look.h"
 
 namespace fascia {
-namespace {
-
-// The next 1, 2 or 5 times a power of ten.
-double round_up(double value) {
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : {1.0, 2.0, 5.0})
-    if (value <= step * decade) return step * decade;
-  return 10 * decade;
-}
-
-}  // namespace
 
 Session::Session(Graphics& graphics, Scene scene, Model built, bool use_reference, const Progress& progress)
     : simulation(std::move(scene), std::move(built), graphics.programs.get(), use_reference, progress),
-      surface_(drawn_surface(simulation.scene, simulation.model)),
-      renderer_(*graphics.programs, surface_.triangles, static_cast<std::uint32_t>(surface_.rest_positions.size()),
-                simulation.model.fixed, surface_.rest_positions),
       description_(describe(graphics)) {
+  make_renderer(false);
   const Model& model = simulation.model;
   box_min_.setConstant(1e300);
   box_max_.setConstant(-1e300);
@@ -44,20 +32,34 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
   set_display(simulation.scene.display);
 }
 
+void Session::make_renderer(bool cut_open) {
+  Scene drawn = simulation.scene;
+  if (cut_open)
+    for (Body& body : drawn.bodies) body.surface.clear();
+  surface_ = drawn_surface(drawn, simulation.model);
+  regions_.reset();
+  renderer_.reset();
+  renderer_.emplace(*simulation.programs(), surface_.triangles, static_cast<std::uint32_t>(surface_.rest_positions.size()),
+                    simulation.model.fixed, surface_.rest_positions);
+  cut_open_ = cut_open;
+}
+
 void Session::frame() { camera.frame(box_min_, box_max_); }
 
 void Session::set_display(const DisplaySettings& display) {
   simulation.scene.display = display;
   simulation.gpu()->set_color(display.color);
-  look.wireframe = display.wireframe;
-  look.heat_map = display.color != ColorBy::none;
-  if (display.range) look.range = display.range->cast<float>();
+  show(display, look);
+  // A section goes through tets: a finer surface embedded in them would not end where the cut does.
+  const auto has_surface = [](const Body& body) { return !body.surface.empty(); };
+  const std::vector<Body>& bodies = simulation.scene.bodies;
+  const bool cut_open = display.section && std::any_of(bodies.begin(), bodies.end(), has_surface);
+  if (cut_open != cut_open_) make_renderer(cut_open);
+  const bool by_region = display.color == ColorBy::region;
+  if ((by_region || display.section || display.tets) && !regions_) regions_ = drawn_regions(simulation.scene, simulation.model, surface_);
+  if (by_region != renderer_->has_regions()) renderer_->set_regions(by_region ? regions_->of_triangle : std::vector<std::uint32_t>());
+  if (display.section || display.tets) renderer_->set_tets({simulation.model.tets, regions_->of_tet});
   if (display.color == ColorBy::error && true_error.result()) show_error();
-}
-
-void Session::follow_range(const Diagnostics& d) {
-  if (display().color == ColorBy::strain) follow_largest(d.max_strain);
-  if (display().color == ColorBy::von_mises) follow_largest(d.max_von_mises);
 }
 
 void Session::follow_error() {
@@ -70,34 +72,25 @@ void Session::measure_error() {
   show_error();
 }
 
-void Session::show_error() {
-  simulation.gpu()->set_vertex_errors(true_error.result()->distance);
-  follow_largest(true_error.result()->largest);
-}
+void Session::show_error() { simulation.gpu()->set_vertex_errors(true_error.result()->distance); }
 
-void Session::follow_largest(double largest) {
-  if (display().range || !look.heat_map) return;
-  if (!(largest > 0) || !std::isfinite(largest)) return;
-  // Grows at once, shrinks only when most of the range is unused: a bar that flickers cannot be read.
-  if (largest > look.range.y() || largest < 0.2 * look.range.y())
-    look.range = {0, static_cast<float>(round_up(largest))};
-}
-
-std::string Session::heat_label() const {
-  switch (display().color) {
-    case ColorBy::strain: return "Green strain, Frobenius norm [-]";
-    case ColorBy::von_mises: return "von Mises stress [Pa]";
-    case ColorBy::error: return "distance to the exact step [m]";
-    case ColorBy::none: break;
-  }
-  return "";
+void Session::settle_range() {
+  GpuSolver& solver = *simulation.gpu();
+  if (!solver.shown_range() || display().range) return;
+  solver.publish();
+  solver.shown_range()->request();
+  if (const auto shown = solver.shown_range()->take(true)) follow_range(*shown, display().color, look.range);
 }
 
 void Session::draw(Framebuffer& framebuffer, const std::optional<GrabMark>& grab) {
   GpuSolver& solver = *simulation.gpu();
   solver.publish();
+  if (ShownRange* range = solver.shown_range(); range && !display().range) {
+    if (const auto shown = range->take(false)) follow_range(*shown, display().color, look.range);
+    if (!range->pending()) range->request();
+  }
   framebuffer.bind();
-  renderer_.draw(SurfaceView{&solver.positions()}, camera, look, grab, framebuffer);
+  renderer_->draw(SurfaceView{&solver.positions()}, camera, look, grab, framebuffer);
   framebuffer.resolve();
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/drawn_regions.h"
 #include "app/drawn_surface.h"
 #include "app/graphics.h"
 #include "app/simulation.h"
@@ -31,25 +32,28 @@ class Session {
 
   /// Publishes positions and draws the scene into the framebuffer (resolved afterwards, panels may follow).
   void draw(Framebuffer& framebuffer, const std::optional<GrabMark>& grab = std::nullopt);
-  void set_grabbed(const std::vector<std::uint32_t>& vertices) { renderer_.set_grabbed(vertices); }
+  void set_grabbed(const std::vector<std::uint32_t>& vertices) { renderer_->set_grabbed(vertices); }
 
-  /// Range of the heat map without a fixed one: from 0 to a round number above the largest value seen.
-  void follow_range(const Diagnostics& diagnostics);
+  /// The heat map's range, where it is not fixed, follows what is drawn a frame late; this takes it from the state of now, for a
+  /// single picture.
+  void settle_range();
   /// Once a frame, after its steps: the comparison with the exact step, where it is wanted, and its heat map.
   void follow_error();
   void measure_error();  // now, for a single picture
-  std::string heat_label() const;  // "von Mises stress [Pa]"; empty without a heat map
+  const DrawnRegions* regions() const { return display().color == ColorBy::region ? &*regions_ : nullptr; }  // null where they are not shown
 
   const DrawnSurface& surface() const { return surface_; }
   const std::string& renderer_description() const { return description_; }
   void frame();  // camera on the whole body, from the front
 
  private:
-  void follow_largest(double largest);
   void show_error();
+  void make_renderer(bool cut_open);
 
   DrawnSurface surface_;
-  SceneRenderer renderer_;
+  std::optional<DrawnRegions> regions_;  // once something has shown them
+  bool cut_open_ = false;  // surface_ is the tets' own boundary, also of bodies with a finer surface
+  std::optional<SceneRenderer> renderer_;
   Eigen::Vector3d box_min_, box_max_;  // of the bodies at rest [m]
   std::string description_;
 };

@@ -41,15 +41,78 @@ void load_fonts(float scale) {
   if (!heading_font) heading_font = io.Fonts->Fonts[0];
 }
 
+struct Palette {
+  ImVec4 accent, text, dim, warning, danger, panel;
+  ImVec4 frame, frame_hovered, frame_active, title, tab;
+  float shade;  // 1: marks on panels are white, 0: black; how strongly is the same
+};
+const Palette kDark{{0.91f, 0.47f, 0.38f, 1}, {0.91f, 0.92f, 0.93f, 1}, {0.62f, 0.65f, 0.69f, 1}, {0.97f, 0.76f, 0.36f, 1},
+                        {0.95f, 0.30f, 0.26f, 1}, {0.085f, 0.095f, 0.11f, 0.93f}, {0.17f, 0.185f, 0.21f, 1}, {0.22f, 0.24f, 0.27f, 1},
+                        {0.26f, 0.28f, 0.32f, 1}, {0.12f, 0.13f, 0.15f, 1}, {0.42f, 0.25f, 0.22f, 1}, 1};
+const Palette kLight{{0.78f, 0.29f, 0.20f, 1}, {0.10f, 0.11f, 0.13f, 1}, {0.38f, 0.41f, 0.45f, 1}, {0.62f, 0.40f, 0.02f, 1},
+                         {0.75f, 0.10f, 0.08f, 1}, {0.965f, 0.97f, 0.975f, 0.95f}, {0.885f, 0.895f, 0.91f, 1}, {0.84f, 0.855f, 0.875f, 1},
+                         {0.79f, 0.81f, 0.84f, 1}, {0.91f, 0.92f, 0.93f, 1}, {0.96f, 0.79f, 0.74f, 1}, 0};
+
+Theme chosen = Theme::dark;
+Palette now = kDark;
+
 ImVec4 with_alpha(ImVec4 color, float alpha) { return {color.x, color.y, color.z, alpha}; }
+
+ImVec4 mark(float strength) { return {now.shade, now.shade, now.shade, strength}; }
+
+void set_colors(ImGuiStyle& style) {
+  ImVec4* colors = style.Colors;
+  if (chosen == Theme::dark)
+    ImGui::StyleColorsDark(&style);
+  else
+    ImGui::StyleColorsLight(&style);
+  colors[ImGuiCol_Text] = kText;
+  colors[ImGuiCol_TextDisabled] = kDim;
+  colors[ImGuiCol_WindowBg] = kPanel;
+  colors[ImGuiCol_PopupBg] = with_alpha(kPanel, 0.98f);
+  colors[ImGuiCol_Border] = mark(0.10f);
+  colors[ImGuiCol_FrameBg] = now.frame;
+  colors[ImGuiCol_FrameBgHovered] = now.frame_hovered;
+  colors[ImGuiCol_FrameBgActive] = now.frame_active;
+  colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TitleBgActive] = colors[ImGuiCol_TitleBgCollapsed] = now.title;
+  colors[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};
+  colors[ImGuiCol_ScrollbarGrab] = mark(0.14f);
+  colors[ImGuiCol_ScrollbarGrabHovered] = mark(0.22f);
+  colors[ImGuiCol_ScrollbarGrabActive] = mark(0.30f);
+  colors[ImGuiCol_CheckMark] = kAccent;
+  colors[ImGuiCol_SliderGrab] = with_alpha(kAccent, 0.85f);
+  colors[ImGuiCol_SliderGrabActive] = kAccent;
+  colors[ImGuiCol_Button] = now.frame;
+  colors[ImGuiCol_ButtonHovered] = now.frame_hovered;
+  colors[ImGuiCol_ButtonActive] = now.frame_active;
+  colors[ImGuiCol_Header] = mark(0.06f);
+  colors[ImGuiCol_HeaderHovered] = mark(0.10f);
+  colors[ImGuiCol_HeaderActive] = mark(0.14f);
+  colors[ImGuiCol_Separator] = mark(0.08f);
+  colors[ImGuiCol_Tab] = colors[ImGuiCol_TabUnfocused] = now.frame;
+  colors[ImGuiCol_TabHovered] = now.frame_active;
+  colors[ImGuiCol_TabActive] = colors[ImGuiCol_TabUnfocusedActive] = now.tab;
+  colors[ImGuiCol_PlotLines] = kAccent;
+  colors[ImGuiCol_PlotHistogram] = kAccent;
+  colors[ImGuiCol_TextSelectedBg] = with_alpha(kAccent, 0.35f);
+  colors[ImGuiCol_NavHighlight] = kAccent;
+  colors[ImGuiCol_ModalWindowDimBg] = {0, 0, 0, 0.45f};
+}
 
 }  // namespace
 
-const ImVec4 kAccent{0.91f, 0.47f, 0.38f, 1}, kText{0.91f, 0.92f, 0.93f, 1}, kDim{0.62f, 0.65f, 0.69f, 1},
-    kWarning{0.97f, 0.76f, 0.36f, 1}, kDanger{0.95f, 0.30f, 0.26f, 1}, kPanel{0.085f, 0.095f, 0.11f, 0.93f};
+const ImVec4 &kAccent = now.accent, &kText = now.text, &kDim = now.dim, &kWarning = now.warning, &kDanger = now.danger, &kPanel = now.panel;
 
 float px(float points) { return points * style_scale; }
 ImFont* bold_font() { return heading_font; }
+
+Theme theme() { return chosen; }
+
+void set_theme(Theme wanted) {
+  chosen = wanted;
+  now = wanted == Theme::dark ? kDark : kLight;
+  set_colors(ImGui::GetStyle());
+}
 
 void apply_style(float scale) {
   style_scale = scale;
@@ -68,40 +131,7 @@ void apply_style(float scale) {
   style.PopupBorderSize = 1;
   style.WindowTitleAlign = {0.5f, 0.5f};
 
-  const ImVec4 frame{0.17f, 0.185f, 0.21f, 1}, frame_hovered{0.22f, 0.24f, 0.27f, 1}, frame_active{0.26f, 0.28f, 0.32f, 1};
-  ImVec4* colors = style.Colors;
-  ImGui::StyleColorsDark(&style);
-  colors[ImGuiCol_Text] = kText;
-  colors[ImGuiCol_TextDisabled] = kDim;
-  colors[ImGuiCol_WindowBg] = kPanel;
-  colors[ImGuiCol_PopupBg] = with_alpha(kPanel, 0.98f);
-  colors[ImGuiCol_Border] = {1, 1, 1, 0.10f};
-  colors[ImGuiCol_FrameBg] = frame;
-  colors[ImGuiCol_FrameBgHovered] = frame_hovered;
-  colors[ImGuiCol_FrameBgActive] = frame_active;
-  colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TitleBgActive] = colors[ImGuiCol_TitleBgCollapsed] = {0.12f, 0.13f, 0.15f, 1};
-  colors[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};
-  colors[ImGuiCol_ScrollbarGrab] = {1, 1, 1, 0.14f};
-  colors[ImGuiCol_ScrollbarGrabHovered] = {1, 1, 1, 0.22f};
-  colors[ImGuiCol_ScrollbarGrabActive] = {1, 1, 1, 0.30f};
-  colors[ImGuiCol_CheckMark] = kAccent;
-  colors[ImGuiCol_SliderGrab] = with_alpha(kAccent, 0.85f);
-  colors[ImGuiCol_SliderGrabActive] = kAccent;
-  colors[ImGuiCol_Button] = frame;
-  colors[ImGuiCol_ButtonHovered] = frame_hovered;
-  colors[ImGuiCol_ButtonActive] = frame_active;
-  colors[ImGuiCol_Header] = {1, 1, 1, 0.06f};
-  colors[ImGuiCol_HeaderHovered] = {1, 1, 1, 0.10f};
-  colors[ImGuiCol_HeaderActive] = {1, 1, 1, 0.14f};
-  colors[ImGuiCol_Separator] = {1, 1, 1, 0.08f};
-  colors[ImGuiCol_Tab] = colors[ImGuiCol_TabUnfocused] = frame;
-  colors[ImGuiCol_TabHovered] = frame_active;
-  colors[ImGuiCol_TabActive] = colors[ImGuiCol_TabUnfocusedActive] = {0.42f, 0.25f, 0.22f, 1};
-  colors[ImGuiCol_PlotLines] = kAccent;
-  colors[ImGuiCol_PlotHistogram] = kAccent;
-  colors[ImGuiCol_TextSelectedBg] = with_alpha(kAccent, 0.35f);
-  colors[ImGuiCol_NavHighlight] = kAccent;
-  colors[ImGuiCol_ModalWindowDimBg] = {0, 0, 0, 0.45f};
+  set_colors(style);
   style.ScaleAllSizes(scale);
   style.PopupBorderSize = 1;
   ImGui::GetStyle() = style;

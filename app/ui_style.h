@@ -1,4 +1,4 @@
-// How the panels look: colors, spacing and font, for one scale.
+// How the panels look: colors of a theme, spacing and font, for one scale.
 #pragma once
 
 struct ImFont;
@@ -13,6 +13,12 @@ void apply_style(float scale);
 float px(float points);
 ImFont* bold_font();
 
-extern const ImVec4 kAccent, kText, kDim, kWarning, kDanger, kPanel;
+/// Of the panels, for dark and for bright rooms. Takes effect at once.
+enum class Theme { dark, light };
+void set_theme(Theme wanted);
+Theme theme();
+
+/// Of the theme that is set.
+extern const ImVec4 &kAccent, &kText, &kDim, &kWarning, &kDanger, &kPanel;
 
 }  // namespace fascia::ui

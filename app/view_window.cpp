@@ -153,13 +153,11 @@ void ViewWindow::frame(double elapsed) {
     return;
   }
   Requests requests;
-  const ColorBy colored_by = session_->display().color;
   overlay_.begin(framebuffer_->width(), framebuffer_->height());
   attempt([&] { handle_input(requests); });
   attempt([&] { build_panels(requests); });
   overlay_.end();
   attempt([&] { carry_out(requests); });
-  diagnose_ |= session_->display().color != colored_by;  // for the range of the heat map, also where nothing moves
   if (!attempt([&] { simulate(elapsed, requests); })) state_.paused = true;
   if (!attempt([&] { draw(); })) state_.paused = true;
   overlay_.draw(*framebuffer_);
@@ -193,7 +191,7 @@ void ViewWindow::build_panels(Requests& requests) {
   s.speed = pacing_.speed();
   s.keeps_pace = pacing_.keeps_pace();
   state_.recording = video_.running();
-  if (session_->look.heat_map) draw_color_bar(session_->heat_label(), session_->look.range);
+  draw_legend(*session_);
   draw_notice(state_);
   if (state_.show_panels) {
     draw_panels(*session_, state_, requests);
@@ -290,7 +288,6 @@ void ViewWindow::read_diagnostics() {
   const std::optional<Diagnostics> d = solver.take_diagnostics(false);
   if (!d) return;
   mouse_.grab().observe(d->grab_force);
-  session_->follow_range(*d);
   stats_.residual = d->residual;
   follow(*d);
   state_.statistics.diagnostics = d;

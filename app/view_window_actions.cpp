@@ -31,8 +31,11 @@ void ViewWindow::handle_input(Requests& requests) {
   for (const InputEvent& event : input_.take()) {
     switch (event.kind) {
       case Kind::press:
-        if (!io.WantCaptureMouse && event.code == GLFW_MOUSE_BUTTON_LEFT && choose_probe(event.at)) break;
-        if (!io.WantCaptureMouse && event.code <= GLFW_MOUSE_BUTTON_MIDDLE)
+        if (io.WantCaptureMouse || event.code > GLFW_MOUSE_BUTTON_MIDDLE) break;
+        if (event.code == GLFW_MOUSE_BUTTON_LEFT && choose_probe(event.at)) break;
+        if (event.code == GLFW_MOUSE_BUTTON_LEFT && event.mods & GLFW_MOD_CONTROL && session_->display().section)
+          mouse_.press_section(button_of(event.code), event.at);
+        else
           mouse_.press(button_of(event.code), event.mods & GLFW_MOD_SHIFT, event.at, picture, *session_, state_.grab);
         break;
       case Kind::release: mouse_.release(button_of(event.code), *session_); break;

@@ -91,6 +91,11 @@ Image Framebuffer::read() const {
   Image image{width_, height_, {}};
   image.rgba.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   read_into(image.rgba.data());
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    const int alpha = image.rgba[i + 3];
+    if (alpha == 0 || alpha == 255) continue;
+    for (std::size_t c = i; c < i + 3; ++c) image.rgba[c] = static_cast<std::uint8_t>(std::min(255, (255 * image.rgba[c] + alpha / 2) / alpha));
+  }
   return image;
 }
 

@@ -21,8 +21,8 @@ class Framebuffer {
   GLuint draw_id() const { return draw_; }  // the framebuffer that bind() binds
   void resolve() const;  // multisample to single; afterwards bind_resolved() draws over it (panels)
   void bind_resolved() const;
-  Image read() const;                        // resolved picture
-  void read_into(std::uint8_t* rgba) const;  // [4 * width * height], top row first, no allocation
+  Image read() const;                        // resolved picture, its alpha straight as files want it
+  void read_into(std::uint8_t* rgba) const;  // [4 * width * height], top row first, no allocation; premultiplied
   void present(int window_width, int window_height) const;  // blit to the window's framebuffer
 
  private:

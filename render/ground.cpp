@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "render/camera.h"
+#include "render/look_defines.h"
 
 namespace fascia {
 
@@ -14,10 +15,7 @@ GridScale grid_scale(double scene_radius) {
   return {decade, 5};
 }
 
-Ground::Ground(gl::ProgramCache& programs)
-    : middle_(programs.draw("draw/ground.vert", "draw/ground.frag", {{"SHADOW", "1"}})),
-      around_(programs.draw("draw/ground.vert", "draw/ground.frag", {{"SHADOW", "0"}})),
-      background_(programs.draw("draw/fullscreen.vert", "draw/background.frag")) {}
+Ground::Ground(gl::ProgramCache& programs) : programs_(programs) {}
 
 void Ground::lay(const Look& look, FrameUniforms& frame) {
   const Eigen::Matrix3d standing = standing_axes(look.up);
@@ -26,20 +24,27 @@ void Ground::lay(const Look& look, FrameUniforms& frame) {
   frame.grid_z << standing.col(2).cast<float>(), 1 / float(scale.strong);
 }
 
-void Ground::draw(bool shadow) const {
+void Ground::draw(const Look& look) const {
   constexpr GLint kAround = 48,
                   kMiddle = 6;  // vertices of the cells around the shadow map's, and of that one
+  const auto program = [&](bool shadow) -> const gl::Program& {
+    gl::Defines defines = backdrop_defines(look);
+    defines.emplace_back("SHADOW", flag(shadow));
+    return programs_.draw("draw/ground.vert", "draw/ground.frag", defines);
+  };
   no_vertices_.bind();
-  around_.use();
-  gl::DrawArrays(GL_TRIANGLES, 0, shadow ? kAround : kAround + kMiddle);
-  if (!shadow) return;
-  middle_.use();
+  if (look.backdrop != Backdrop::transparent) {
+    program(false).use();
+    gl::DrawArrays(GL_TRIANGLES, 0, look.shadow ? kAround : kAround + kMiddle);
+  }
+  if (!look.shadow) return;
+  program(true).use();
   gl::DrawArrays(GL_TRIANGLES, kAround, kMiddle);
 }
 
-void Ground::draw_background() const {
+void Ground::draw_background(const Look& look) const {
   no_vertices_.bind();
-  background_.use();
+  programs_.draw("draw/fullscreen.vert", "draw/background.frag", backdrop_defines(look)).use();
   gl::DrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -17,12 +17,12 @@ class Ground {
  public:
   explicit Ground(gl::ProgramCache& programs);
   static void lay(const Look& look, FrameUniforms& frame);
-  /// With `shadow`, the map of light on the ground is bound to texture unit 0.
-  void draw(bool shadow) const;
-  void draw_background() const;  // where nothing was drawn
+  /// With shadows, the map of light on the ground is bound to texture unit 0.
+  void draw(const Look& look) const;
+  void draw_background(const Look& look) const;  // where nothing was drawn
 
  private:
-  const gl::Program &middle_, &around_, &background_;
+  gl::ProgramCache& programs_;
   VertexArray no_vertices_;
 };
 

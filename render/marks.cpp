@@ -1,9 +1,11 @@
 #include "render/marks.h"
 
+#include "render/look_defines.h"
+
 namespace fascia {
 
 Marks::Marks(gl::ProgramCache& programs, std::span<const std::uint32_t> fixed)
-    : dots_program_(programs.draw("draw/dots.vert", "draw/dots.frag")),
+    : programs_(programs),
       arrow_program_(programs.draw("draw/arrow.vert", "draw/arrow.frag")) {
   fixed_.set("fixed dots", fixed);
 }
@@ -23,27 +25,28 @@ void Marks::Dots::set(const char* label, std::span<const std::uint32_t> list) {
   }
 }
 
-void Marks::draw_dots(const Dots& dots, const Style& style) const {
+void Marks::draw_dots(const gl::Program& program, const Dots& dots, const Style& style) const {
   if (dots.count == 0) return;
-  dots_program_.set("radius", style.radius);
-  dots_program_.set("fill", style.fill.x(), style.fill.y(), style.fill.z(), style.fill.w());
-  dots_program_.set("border", style.border.x(), style.border.y(), style.border.z(), style.border.w());
+  program.set("radius", style.radius);
+  program.set("fill", style.fill.x(), style.fill.y(), style.fill.z(), style.fill.w());
+  program.set("border", style.border.x(), style.border.y(), style.border.z(), style.border.w());
   dots.vertex_array.bind();
   gl::DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, dots.count);
 }
 
-void Marks::draw(const gl::Buffer& positions, const std::optional<GrabMark>& grab) const {
+void Marks::draw(const Look& look, const gl::Buffer& positions, const std::optional<GrabMark>& grab) const {
   if (fixed_.count == 0 && grabbed_.count == 0 && !grab) return;
   static const Style kFixed{3.0f, {0.15f, 0.19f, 0.27f, 1}, {0.95f, 0.96f, 0.98f, 1}};
   static const Style kGrabbed{4.0f, {1.00f, 0.80f, 0.20f, 1}, {1, 1, 1, 1}};
   gl::Enable(GL_BLEND);
   gl::BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl::DepthMask(GL_FALSE);
-  dots_program_.use();
+  const gl::Program& dots = programs_.draw("draw/dots.vert", "draw/dots.frag", {{"SECTION", flag(look.section.has_value())}});
+  dots.use();
   gl::ActiveTexture(GL_TEXTURE0);
   gl::BindTexture(GL_TEXTURE_BUFFER, positions.texel_view(GL_RGBA32F));
-  draw_dots(fixed_, kFixed);
-  draw_dots(grabbed_, kGrabbed);
+  draw_dots(dots, fixed_, kFixed);
+  draw_dots(dots, grabbed_, kGrabbed);
   if (grab) {
     gl::Disable(GL_DEPTH_TEST);
     arrow_program_.use();

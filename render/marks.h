@@ -14,7 +14,7 @@ class Marks {
  public:
   Marks(gl::ProgramCache& programs, std::span<const std::uint32_t> fixed);
   void set_grabbed(std::span<const std::uint32_t> vertices);
-  void draw(const gl::Buffer& positions, const std::optional<GrabMark>& grab) const;
+  void draw(const Look& look, const gl::Buffer& positions, const std::optional<GrabMark>& grab) const;
 
  private:
   struct Dots {
@@ -27,9 +27,10 @@ class Marks {
     float radius;  // [points]
     Eigen::Vector4f fill, border;
   };
-  void draw_dots(const Dots& dots, const Style& style) const;
+  void draw_dots(const gl::Program& program, const Dots& dots, const Style& style) const;
 
-  const gl::Program &dots_program_, &arrow_program_;
+  gl::ProgramCache& programs_;
+  const gl::Program& arrow_program_;
   Dots fixed_, grabbed_;
   VertexArray no_vertices_;
 };

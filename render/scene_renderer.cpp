@@ -3,11 +3,13 @@
 #include <cassert>
 #include <cmath>
 
+#include "render/ambient_occlusion.h"
 #include "render/frame_uniforms.h"
 #include "render/ground.h"
 #include "render/marks.h"
 #include "render/shadow_map.h"
 #include "render/surface_renderer.h"
+#include "render/tet_renderer.h"
 
 namespace fascia {
 namespace {
@@ -27,8 +29,22 @@ FrameUniforms frame_uniforms(const Camera& camera, const Look& look, int width, 
   const double per_pixel = camera.pixel_size(camera.eye + camera.forward(), height);
   frame.picture << float(width), float(height), float(height) / 720, float(per_pixel);
   for (int c = 0; c < 3; ++c) frame.base_color[c] = linear(look.color[c]);
-  const float span = look.range.y() - look.range.x();
-  frame.heat_range << look.range.x(), span != 0 ? 1 / span : 0, 0, 0;
+  const Eigen::Vector2f ends = map_range(look);
+  const float span = ends.y() - ends.x(), scale = span != 0 ? 1 / span : 0;
+  const float first = (look.range.x() - ends.x()) * scale, last = look.neutral ? (look.range.y() - ends.x()) * scale : 1;
+  frame.heat_range << ends.x(), scale, first, last;
+  for (int k = 0; k < 7; ++k) {
+    const auto& c = look.color_map->coefficients[static_cast<std::size_t>(k)];
+    frame.color_map[k] << c[0], c[1], c[2], 0;
+  }
+  for (int n = 0; n < kRegionColors; ++n) {
+    const Eigen::Vector3f color = region_color(static_cast<unsigned>(n));
+    frame.region_color[n] << linear(color.x()), linear(color.y()), linear(color.z()), 0;
+  }
+  if (look.section) frame.section << look.section->normal, look.section->offset;
+  if (look.tets) frame.spread.head<2>() << look.tets->shrink, look.tets->spread;
+  const double center_depth = (look.center - camera.eye).dot(camera.forward());
+  frame.spread.tail<2>() << look.depth_cue, static_cast<float>(center_depth - look.radius);
   ShadowMap::aim(look, frame);
   Ground::lay(look, frame);
   return frame;
@@ -37,17 +53,28 @@ FrameUniforms frame_uniforms(const Camera& camera, const Look& look, int width, 
 }  // namespace
 
 struct SceneRenderer::Impl {
-  Impl(gl::ProgramCache& programs, std::span<const std::array<std::uint32_t, 3>> triangles,
+  Impl(gl::ProgramCache& program_cache, std::span<const std::array<std::uint32_t, 3>> triangles,
        std::uint32_t vertices, std::span<const std::uint32_t> marked,
        std::span<const Eigen::Vector3d> rest_positions)
-      : vertex_count(vertices),
+      : programs(program_cache), vertex_count(vertices),
         surface(programs, make_surface_corners(triangles, vertices, rest_positions)),
         shadow(programs),
         ground(programs),
         marks(programs, marked),
         frame("frame uniforms", sizeof(FrameUniforms)) {}
 
+  // Of the size of the target, or null where the look has none.
+  const AmbientOcclusion* ambient_occlusion(const Look& look, const Framebuffer& target) {
+    if (look.ambient_occlusion <= 0 || (occlusion && !occlusion->fits(target))) occlusion.reset();
+    if (look.ambient_occlusion > 0 && !occlusion) occlusion.emplace(programs, target.width(), target.height());
+    return occlusion ? &*occlusion : nullptr;
+  }
+
+  gl::ProgramCache& programs;
   std::uint32_t vertex_count;
+  TetView tet_view;
+  std::optional<TetRenderer> tets;            // while a look asks for them
+  std::optional<AmbientOcclusion> occlusion;  // the same
   SurfaceRenderer surface;
   ShadowMap shadow;
   Ground ground;
@@ -67,36 +94,72 @@ void SceneRenderer::set_grabbed(std::span<const std::uint32_t> vertices) {
   impl_->marks.set_grabbed(vertices);
 }
 
-void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const Look& look,
+void SceneRenderer::set_tets(const TetView& view) { impl_->tet_view = view; }
+void SceneRenderer::set_regions(std::span<const std::uint32_t> triangle_region) { impl_->surface.set_regions(triangle_region); }
+bool SceneRenderer::has_regions() const { return impl_->surface.has_regions(); }
+
+void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const Look& asked,
                          const std::optional<GrabMark>& grab, const Framebuffer& target) {
   Impl& parts = *impl_;
   assert(surface.positions->bytes() >= 16 * std::size_t(parts.vertex_count));
+  const gl::Buffer& positions = *surface.positions;
+  Look look = asked;
+  look.regions &= parts.surface.has_regions();
+  const bool has_tets = !parts.tet_view.tets.empty();
+  if (!has_tets) {
+    look.section.reset();
+    look.tets.reset();
+  }
+  const bool needs_tets = look.section || look.tets;
+  if (!needs_tets) parts.tets.reset();
+  if (needs_tets && !parts.tets) parts.tets.emplace(parts.programs, parts.tet_view);
+
   const FrameUniforms frame = frame_uniforms(camera, look, target.width(), target.height());
   parts.frame.upload(0, sizeof(frame), &frame);
-  parts.surface.update(*surface.positions);
+  if (!look.tets) parts.surface.update(positions);
   gl::BindBufferBase(GL_UNIFORM_BUFFER, 0, parts.frame.id());
 
   gl::Disable(GL_BLEND);
   gl::Disable(GL_CULL_FACE);
   gl::Disable(GL_SCISSOR_TEST);
   gl::DepthFunc(GL_LEQUAL);
+  const bool cut_surface = look.section && !look.tets;
+  if (cut_surface) gl::Enable(GL_CLIP_DISTANCE0);
   const bool above_ground = camera.eye.dot(look.up.normalized()) > look.ground_height;
   const bool ground = look.ground && above_ground;
-  if (look.shadow) parts.shadow.draw([&] { parts.surface.draw_depth(); }, ground);
+  // The cut itself is left out of the shadow map: light that enters through it still ends at the surface behind.
+  const auto draw_depth = [&] {
+    if (look.tets)
+      parts.tets->draw_depth(look, positions);
+    else
+      parts.surface.draw_depth(look);
+  };
+  if (look.shadow) parts.shadow.draw(draw_depth, ground);
 
   target.bind();
   gl::Enable(GL_DEPTH_TEST);
   gl::DepthMask(GL_TRUE);
-  gl::Clear(GL_DEPTH_BUFFER_BIT);
+  const bool transparent = look.backdrop == Backdrop::transparent;
+  if (transparent) gl::ClearColor(0, 0, 0, 0);
+  gl::Clear(transparent ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_DEPTH_BUFFER_BIT);
   // From front to back, so that every pixel is lit once: software renderers live by their fill rate.
   if (look.shadow) parts.shadow.bind_depth(0);
-  parts.surface.draw(look);
+  if (look.tets)
+    parts.tets->draw_tets(look, positions);
+  else
+    parts.surface.draw(look);
+  if (cut_surface) {
+    gl::Disable(GL_CLIP_DISTANCE0);
+    parts.tets->draw_cap(look, positions);
+  }
   if (ground) {
     if (look.shadow) parts.shadow.bind_ground_light(0);
-    parts.ground.draw(look.shadow);
+    parts.ground.draw(look);
   }
-  parts.ground.draw_background();
-  parts.marks.draw(*surface.positions, grab);
+  const AmbientOcclusion* occlusion = parts.ambient_occlusion(look, target);
+  if (occlusion) occlusion->darken(camera, look, target);
+  if (!transparent) parts.ground.draw_background(look);
+  if (!look.tets) parts.marks.draw(look, positions, grab);  // vertices are not where separate tets are drawn
 }
 
 }  // namespace fascia

@@ -12,6 +12,7 @@
 #include "render/gl/buffer.h"
 #include "render/gl/program.h"
 #include "render/look.h"
+#include "render/tet_renderer.h"
 
 namespace fascia {
 
@@ -34,7 +35,14 @@ class SceneRenderer {
   /// Vertices of the grabbed patch, drawn as brighter dots; empty lets go.
   void set_grabbed(std::span<const std::uint32_t> vertices);
 
-  /// Over the whole of `target`, which need not be cleared and is left bound, depth test on and blending off.
+  /// What looks with a section plane or separate tets draw; the spans must outlive the renderer. Uploaded while a look needs it.
+  void set_tets(const TetView& view);
+  /// The region of every triangle, for looks that color by it; empty frees it, and colors are the tissue's.
+  void set_regions(std::span<const std::uint32_t> triangle_region);
+  bool has_regions() const;
+
+  /// Over the whole of `target`, which need not be cleared and is left bound, depth test on and blending off. On a
+  /// transparent backdrop colors are premultiplied by alpha.
   void draw(const SurfaceView& surface, const Camera& camera, const Look& look,
             const std::optional<GrabMark>& grab, const Framebuffer& target);
 

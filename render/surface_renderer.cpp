@@ -1,13 +1,12 @@
 #include "render/surface_renderer.h"
 
-#include "render/shadow_map.h"
+#include "render/look_defines.h"
 
 namespace fascia {
 
 SurfaceRenderer::SurfaceRenderer(gl::ProgramCache& programs, const SurfaceCorners& corners)
     : programs_(programs),
       normals_(programs.compute("draw/normals.comp")),
-      depth_(programs.draw("draw/depth.vert", "draw/depth.frag")),
       corner_vertex_("surface corner_vertex", corners.vertex),
       fan_begin_("surface fan_begin", corners.fan_begin),
       fan_("surface fan", corners.fan),
@@ -36,24 +35,22 @@ void SurfaceRenderer::update(const gl::Buffer& positions) {
   pass_->run();
 }
 
-void SurfaceRenderer::draw_depth() const {
-  depth_.use();
+void SurfaceRenderer::set_regions(std::span<const std::uint32_t> regions) {
+  regions_ = regions.empty() ? gl::Buffer() : gl::Buffer("surface regions", regions.size_bytes(), regions.data());
+}
+
+void SurfaceRenderer::draw_depth(const Look& look) const {
+  programs_.draw("draw/surface.vert", "draw/depth.frag", depth_defines(look)).use();
   vertices_.bind();
   gl::DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }
 
-const gl::Program& SurfaceRenderer::program(const Look& look) const {
-  const auto flag = [](bool on) { return std::string(on ? "1" : "0"); };
-  return programs_.draw("draw/surface.vert", "draw/surface.frag",
-                        {{"HEAT_MAP", flag(look.heat_map)},
-                         {"SHADOW", flag(look.shadow)},
-                         {"WIREFRAME", flag(look.wireframe)},
-                         {"SHADOW_TAPS", "5"},
-                         {"SHADOW_SIZE", std::to_string(ShadowMap::kSize) + ".0"}});
-}
-
 void SurfaceRenderer::draw(const Look& look) const {
-  program(look).use();
+  programs_.draw("draw/surface.vert", "draw/surface.frag", tissue_defines(look, false, 1)).use();
+  if (look.regions) {
+    gl::ActiveTexture(GL_TEXTURE4);
+    gl::BindTexture(GL_TEXTURE_BUFFER, regions_.texel_view(GL_R32UI));
+  }
   if (!look.wireframe) {
     vertices_.bind();
     gl::DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);

@@ -15,17 +15,19 @@ class SurfaceRenderer {
   SurfaceRenderer(gl::ProgramCache& programs, const SurfaceCorners& corners);
   /// Positions and normals of this frame. `positions` is vec4 [vertex_count].
   void update(const gl::Buffer& positions);
-  void draw_depth() const;
+  /// Of every triangle, for looks that show them; empty frees them.
+  void set_regions(std::span<const std::uint32_t> regions);
+  bool has_regions() const { return static_cast<bool>(regions_); }
+  void draw_depth(const Look& look) const;
   /// The shadow map, if any, is bound to texture unit 0.
   void draw(const Look& look) const;
   const gl::Buffer& corner_positions() const { return position_; }
   const gl::Buffer& corner_normals() const { return normal_; }
 
  private:
-  const gl::Program& program(const Look& look) const;
   gl::ProgramCache& programs_;
-  const gl::Program &normals_, &depth_;
-  gl::Buffer corner_vertex_, fan_begin_, fan_, indices_, position_, normal_;
+  const gl::Program& normals_;
+  gl::Buffer corner_vertex_, fan_begin_, fan_, indices_, position_, normal_, regions_;
   std::uint32_t corner_count_;
   GLsizei index_count_;
   VertexArray vertices_, no_vertices_;

@@ -17,4 +17,7 @@ render beam_wireframe beam.json --steps 30 --wireframe
 render ligament_stress ligament.json --steps 30 --color von_mises
 render inclusion_strain inclusion.json --steps 30 --color strain
 render cube_panels cube.json --steps 30 --ui
+render liver_section liver.json --steps 30 --color largest_stress --set display.section.normal=[0,0,1] --set display.background=white
+render inclusion_tets inclusion.json --steps 30 --color region --set display.tets.shrink=0.8 --set display.section.normal=[0,0,1] \
+  --set display.background=transparent
 render cube_rest cube.json --steps 0 --samples 1

@@ -66,23 +66,4 @@ Eigen::Affine3d placement(const Transform& transform) {
          Eigen::Scaling(transform.scale);
 }
 
-const char* name_of(ColorBy color) {
-  switch (color) {
-    case ColorBy::none:
-      return "none";
-    case ColorBy::strain:
-      return "strain";
-    case ColorBy::von_mises:
-      return "von_mises";
-    case ColorBy::error:
-      return "error";
-  }
-  return "";
-}
-
-const std::vector<ColorBy>& all_colors() {
-  static const std::vector<ColorBy> colors = {ColorBy::none, ColorBy::strain, ColorBy::von_mises, ColorBy::error};
-  return colors;
-}
-
 }  // namespace fascia

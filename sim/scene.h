@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/display.h"
 #include "sim/material.h"
 #include "sim/settings.h"
 
@@ -92,15 +93,6 @@ struct CameraSettings {
   bool operator==(const CameraSettings&) const = default;
 };
 
-enum class ColorBy { none, strain, von_mises, error };  // error: distance to the exact step
-
-struct DisplaySettings {
-  ColorBy color = ColorBy::none;         // heat map on the surface
-  std::optional<Eigen::Vector2d> range;  // of the colour map in its unit; absent: automatic
-  bool wireframe = false;
-  bool operator==(const DisplaySettings&) const = default;
-};
-
 struct Scene {
   std::filesystem::path file;  // of the scene, or of the mesh opened alone
   std::string title;
@@ -125,8 +117,5 @@ Scene read_scene_content(const std::filesystem::path& path, std::string_view con
 
 /// The scene as JSON text that open_scene reads back to the same scene, with mesh paths relative to `folder`.
 std::string scene_to_json(const Scene& scene, const std::filesystem::path& folder);
-
-const char* name_of(ColorBy color);
-const std::vector<ColorBy>& all_colors();
 
 }  // namespace fascia

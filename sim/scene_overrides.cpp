@@ -27,6 +27,8 @@ const json& template_document() {
   static const json document = [] {
     Scene scene;
     scene.camera.emplace();
+    scene.display.section.emplace();
+    scene.display.tets.emplace();
     Body& body = scene.bodies.emplace_back();
     body.fixed.emplace_back(LowestSelection{0.02});
     body.prescribed.emplace_back().select = LowestSelection{0.02};

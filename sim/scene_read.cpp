@@ -30,33 +30,6 @@ CameraSettings read_camera(const Node& node) {
   return camera;
 }
 
-DisplaySettings read_display(const Node& node) {
-  DisplaySettings display;
-  node.expect_object({"color", "range", "wireframe"});
-  if (const auto color = node.find("color")) {
-    std::vector<std::string> names;
-    for (const ColorBy by : all_colors()) names.push_back(name_of(by));
-    const std::string name = color->text("one of " + join(names));
-    bool known = false;
-    for (const ColorBy by : all_colors()) {
-      if (name != name_of(by)) continue;
-      display.color = by;
-      known = true;
-    }
-    if (!known) color->fail("is " + excerpt(name) + perhaps(name, names), "one of " + join(names));
-  }
-  if (const auto range = node.find("range")) {
-    const std::string expected = "a list of 2 numbers, the lower one first";
-    const std::vector<Node> ends = range->elements(expected);
-    if (ends.size() != 2) range->refuse(expected);
-    constexpr double kLargest = 1e30;
-    display.range = {ends[0].number(-kLargest, kLargest, ""), ends[1].number(-kLargest, kLargest, "")};
-    if (!((*display.range)[0] < (*display.range)[1])) range->refuse(expected);
-  }
-  if (const auto wireframe = node.find("wireframe")) display.wireframe = wireframe->boolean();
-  return display;
-}
-
 }  // namespace
 
 SolverSettings read_solver(const Node& node) {

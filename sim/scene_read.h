@@ -12,5 +12,6 @@ Scene read_scene(const Node& root);
 SolverSettings read_solver(const Node& node);
 Body read_body(const Node& node);
 Material read_material(const Node& node);
+DisplaySettings read_display(const Node& node);
 
 }  // namespace fascia

@@ -47,6 +47,22 @@ json material(const M& material) {
   return object;
 }
 
+json display(const DisplaySettings& display) {
+  json object = {{"color", name_of(display.color)}};
+  if (const auto& range = display.range) object["range"] = json::array({number((*range)[0]), number((*range)[1])});
+  object["color_map"] = name_of(display.color_map);
+  object["wireframe"] = display.wireframe;
+  if (const auto& section = display.section)
+    object["section"] = {{"normal", vector(section->normal)}, {"offset", number(section->offset)}};
+  if (const auto& tets = display.tets) object["tets"] = {{"shrink", number(tets->shrink)}, {"spread", number(tets->spread)}};
+  object["shadow"] = display.shadow;
+  object["ground"] = display.ground;
+  object["ambient_occlusion"] = number(display.ambient_occlusion);
+  object["depth_cue"] = number(display.depth_cue);
+  object["background"] = name_of(display.background);
+  return object;
+}
+
 class SceneWriter {
  public:
   SceneWriter(const Scene& scene, const fs::path& folder) : scene_(scene), folder_(folder) {
@@ -66,12 +82,7 @@ class SceneWriter {
                           {"up", vector(camera->up)},
                           {"fov_deg", number(camera->fov_deg)}};
     }
-    json& display = object["display"];
-    display["color"] = name_of(scene_.display.color);
-    if (const auto& range = scene_.display.range) {
-      display["range"] = json::array({number((*range)[0]), number((*range)[1])});
-    }
-    display["wireframe"] = scene_.display.wireframe;
+    object["display"] = display(scene_.display);
     object["duration"] = number(scene_.duration);
     return object;
   }

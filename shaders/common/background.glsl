@@ -1,10 +1,17 @@
-// The picture's backdrop, sRGB, from the height in the picture (0 bottom, 1 top). The ground fades into it.
+// The picture's backdrop, sRGB, from the height in the picture (0 bottom, 1 top). The ground fades into it. What fades into a
+// transparent one becomes white.
 vec3 background(float height) {
+#if BACKDROP_WHITE || BACKDROP_TRANSPARENT
+  return vec3(1.0);
+#elif BACKDROP_BLACK
+  return vec3(0.0);
+#else
   const vec3 low = vec3(0.70, 0.725, 0.755), middle = vec3(0.86, 0.875, 0.89),
              high = vec3(0.60, 0.655, 0.715);
   float t = height - 0.58;
   vec3 toward = t < 0.0 ? (low - middle) * 2.97 : (high - middle) * 5.67;
   return middle + toward * (t * t);
+#endif
 }
 
 // Noise of one 8-bit step that breaks the bands a slow gradient would show; fixed in the picture. Steps of the plastic

@@ -1,6 +1,12 @@
-// The backdrop where nothing was drawn.
+// The backdrop where nothing was drawn; one of a single color stays that color.
 #include "common/background.glsl"
 in vec2 place;
 layout(location = 0) out vec4 color;
 
-void main() { color = vec4(background(place.y) + dither(gl_FragCoord.xy), 1.0); }
+void main() {
+#if BACKDROP_WHITE || BACKDROP_BLACK
+  color = vec4(background(place.y), 1.0);
+#else
+  color = vec4(background(place.y) + dither(gl_FragCoord.xy), 1.0);
+#endif
+}

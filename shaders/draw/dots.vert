@@ -9,6 +9,12 @@ flat out float radius_in_pixels;
 
 void main() {
   vec3 p = texelFetch(positions, int(vertex)).xyz;
+#if SECTION
+  if (dot(frame.section.xyz, p) > frame.section.w) {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    return;
+  }
+#endif
   float depth = to_clip(p).w;
   float pixel = frame.picture.w * depth;  // [m]
   radius_in_pixels = min(radius * frame.picture.z, 0.03 * frame.center.w / pixel);

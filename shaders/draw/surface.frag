@@ -1,7 +1,11 @@
-// Lights the surface: key light with a soft shadow, sky and ground light, a gentle highlight and rim.
+// Lights the surface: key light with a soft shadow, sky and ground light, a gentle highlight and rim. A CAP, the cut of a section plane,
+// is no surface of the tissue: it shows its color as it is, wherever the light stands.
 #include "common/frame.glsl"
 #include "common/color.glsl"
 #include "common/heat.glsl"
+#if DEPTH_CUE
+#include "common/background.glsl"
+#endif
 in vec3 to_eye;
 in vec3 surface_normal;
 #if HEAT_MAP
@@ -12,7 +16,10 @@ in vec3 shadow_position;
 layout(binding = 0) uniform sampler2DShadow shadow_map;
 #endif
 #if WIREFRAME
-in vec2 barycentric;
+in vec3 barycentric;
+#endif
+#if REGIONS
+layout(binding = 4) uniform usamplerBuffer region;  // per item of TRIANGLES triangles
 #endif
 layout(location = 0) out vec4 color;
 
@@ -34,9 +41,8 @@ float key_visibility() {
 #if WIREFRAME
 // Share of the pixel covered by an edge of the triangle; fades where triangles are only a few pixels high.
 float edge_coverage() {
-  vec3 b = vec3(barycentric, 1.0 - barycentric.x - barycentric.y);
-  vec3 per_pixel = sqrt(dFdx(b) * dFdx(b) + dFdy(b) * dFdy(b));
-  vec3 distance = b / per_pixel;
+  vec3 per_pixel = sqrt(dFdx(barycentric) * dFdx(barycentric) + dFdy(barycentric) * dFdy(barycentric));
+  vec3 distance = barycentric / per_pixel;
   float nearest = min(distance.x, min(distance.y, distance.z));
   float height = 1.0 / max(per_pixel.x, max(per_pixel.y, per_pixel.z));
   float half_width = 0.55 * frame.picture.z;
@@ -44,7 +50,24 @@ float edge_coverage() {
 }
 #endif
 
-void main() {
+vec3 base_color() {
+#if REGIONS
+  return frame.region_color[texelFetch(region, gl_PrimitiveID / TRIANGLES).x & 7u].rgb;
+#elif CAP
+  return mix(frame.base_color.rgb, vec3(1.0, 0.72, 0.62), 0.35);  // flesh is paler than its skin
+#else
+  return gl_FrontFacing ? frame.base_color.rgb : frame.base_color.brg * 0.6;
+#endif
+}
+
+vec3 shaded() {
+#if CAP
+#if HEAT_MAP
+  return heat_color(heat);
+#else
+  return linear_to_srgb(0.92 * base_color());
+#endif
+#else
   vec3 n = normalize(gl_FrontFacing ? surface_normal : -surface_normal);
   vec3 l = frame.light.xyz;
   float n_l = dot(n, l), n_up = dot(n, frame.up.xyz), n_v = max(dot(n, to_eye), 0.0);
@@ -53,9 +76,8 @@ void main() {
 #if HEAT_MAP
   // The color carries a number: light only darkens it, and full light shows the color bar's own color.
   float shade = min(0.30 + 0.22 * sky + 0.62 * key, 1.0);
-  vec3 result = heat_color(heat) * linear_to_srgb(vec3(shade)).x;
+  return heat_color(heat) * linear_to_srgb(vec3(shade)).x;
 #else
-  vec3 base = gl_FrontFacing ? frame.base_color.rgb : frame.base_color.brg * 0.6;
   vec3 ambient = mix(vec3(0.27, 0.24, 0.23), vec3(0.38, 0.43, 0.50), sky);
   vec3 light = vec3(0.88, 0.84, 0.79) * key + ambient;
   float n_h = max(dot(n, normalize(l + to_eye)), 0.0);
@@ -66,10 +88,19 @@ void main() {
   gloss *= gloss;
   float rim = (1.0 - n_v) * (1.0 - n_v);
   rim *= rim * (0.25 + 0.75 * sky);
-  vec3 result = display(base * light + vec3(0.16) * gloss * key + vec3(0.15, 0.17, 0.20) * rim);
+  return display(base_color() * light + vec3(0.16) * gloss * key + vec3(0.15, 0.17, 0.20) * rim);
 #endif
+#endif
+}
+
+void main() {
+  vec3 result = shaded();
 #if WIREFRAME
   result = mix(result, result * 0.25, 0.8 * edge_coverage());
+#endif
+#if DEPTH_CUE
+  float way = (1.0 / gl_FragCoord.w - frame.spread.w) / (2.0 * frame.center.w);
+  result = mix(result, background(gl_FragCoord.y / frame.picture.y), frame.spread.z * clamp(way, 0.0, 1.0));
 #endif
   color = vec4(result, 1.0);
 }

@@ -8,12 +8,15 @@ INPUT_UINT(SlotBegin, slot_begin)   // [vertex_count + 1]
 INPUT_VEC4(Correction, correction)  // [4 * tet_count] from heat_tet
 #elif HEAT_BY_VERTEX
 INPUT_FLOAT(VertexScalar, vertex_scalar)  // [vertex_count]
+#elif HEAT_VELOCITY
+INPUT_VEC4(Velocity, velocity)  // [vertex_count] v [m/s]
 #endif
 OUTPUT(vec4, Position, position)  // [vertex_count]
 
 void main() {
   ITEM_OR_RETURN(i)
-  float scalar = 0.0;
+  vec3 u = FETCH(displacement, i).xyz;
+  float scalar = HEAT_AT_REST;
 #if HEAT_BY_TET
   vec2 sum = vec2(0.0);
   uint end = FETCH1(slot_begin, i + 1u);
@@ -21,6 +24,10 @@ void main() {
   if (sum.y > 0.0) scalar = sum.x / sum.y;
 #elif HEAT_BY_VERTEX
   scalar = FETCH1(vertex_scalar, i);
+#elif HEAT_VELOCITY
+  scalar = length(FETCH(velocity, i).xyz);
+#elif HEAT_DISPLACEMENT
+  scalar = length(u);
 #endif
-  position[i] = vec4(FETCH(rest_position, i).xyz + FETCH(displacement, i).xyz, scalar);
+  position[i] = vec4(FETCH(rest_position, i).xyz + u, scalar);
 }

@@ -50,6 +50,7 @@ class GpuSolver {
 
   /// Brings positions() up to date with the state.
   void publish() const { surface_.run(); }
+  ShownRange* shown_range() { return surface_.range(); }  // of the heat map; null without one
   const gl::Buffer& positions() const { return surface_.positions(); }  // vec4 [vertex_count + points]
 
   /// One substep that diagnoses the state after every iteration, and before the first: [iterations + 1]. For plots of convergence:

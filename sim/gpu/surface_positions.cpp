@@ -25,20 +25,26 @@ SurfacePositions::SurfacePositions(const SimBuffers& buffers, const std::vector<
 void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
                               ColorBy color) {
   passes_.clear();
+  const auto flag = [](bool on) { return on ? "1" : "0"; };
   gl::ComputePass::Bindings publish{{"rest_position", &buffers.rest_position},
                                     {"displacement", &buffers.displacement},
                                     {"position", &positions_}};
-  const bool by_tet = color == ColorBy::strain || color == ColorBy::von_mises, by_vertex = color == ColorBy::error;
-  const bool heat = by_tet || by_vertex;
+  const bool heat = is_heat_map(color), by_vertex = color == ColorBy::error;
+  const bool by_tet = heat && !by_vertex && color != ColorBy::displacement && color != ColorBy::velocity;
   if (by_vertex) {
     if (!vertex_errors_) vertex_errors_ = gl::Buffer("vertex_errors", sizeof(float) * vertex_count_);
     publish.emplace_back("vertex_scalar", &vertex_errors_);
   }
+  if (color == ColorBy::velocity) publish.emplace_back("velocity", &buffers.velocity);
   if (by_tet) {
     Features elastic = features;
     elastic.damping = false;
     gl::Defines defines = defines_of(elastic);
-    defines.emplace_back("HEAT_STRAIN", color == ColorBy::strain ? "1" : "0");
+    defines.emplace_back("HEAT_STRAIN", flag(color == ColorBy::strain));
+    defines.emplace_back("HEAT_VOLUME_RATIO", flag(color == ColorBy::volume_ratio));
+    defines.emplace_back("HEAT_VON_MISES", flag(color == ColorBy::von_mises));
+    defines.emplace_back("HEAT_LARGEST_STRESS", flag(color == ColorBy::largest_stress));
+    defines.emplace_back("HEAT_SMALLEST_STRESS", flag(color == ColorBy::smallest_stress));
     gl::ComputePass::Bindings tet{{"step", &buffers.step},
                                   {"tet_vertices", &buffers.tet_vertices},
                                   {"tet_shape", &buffers.tet_shape},
@@ -50,9 +56,15 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
     publish.emplace_back("slot_begin", &buffers.slot_begin);
     publish.emplace_back("correction", &buffers.correction);
   }
-  passes_.emplace_back(programs.compute("sim/publish.comp", {{"HEAT_BY_TET", by_tet ? "1" : "0"}, {"HEAT_BY_VERTEX", by_vertex ? "1" : "0"}}),
+  passes_.emplace_back(programs.compute("sim/publish.comp", {{"HEAT_BY_TET", flag(by_tet)},
+                                                             {"HEAT_BY_VERTEX", flag(by_vertex)},
+                                                             {"HEAT_VELOCITY", flag(color == ColorBy::velocity)},
+                                                             {"HEAT_DISPLACEMENT", flag(color == ColorBy::displacement)},
+                                                             {"HEAT_AT_REST", color == ColorBy::volume_ratio ? "1.0" : "0.0"}}),
                        std::move(publish),
                        buffers.vertex_count);
+  if (!heat) range_.reset();
+  if (heat && !range_) range_.emplace(programs, positions_, vertex_count_);
   if (embedded_count_ == 0) return;
   passes_.emplace_back(programs.compute("sim/embed.comp", {{"HEAT", heat ? "1" : "0"}}),
                        gl::ComputePass::Bindings{{"embed_position", &embed_position_},

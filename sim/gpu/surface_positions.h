@@ -6,6 +6,7 @@
 #include "render/gl/compute_pass.h"
 #include "sim/embedding.h"
 #include "sim/gpu/features.h"
+#include "sim/gpu/shown_range.h"
 
 namespace fascia {
 
@@ -18,12 +19,14 @@ class SurfacePositions {
   void record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features, ColorBy color);
   void run() const;
   void set_vertex_errors(const std::vector<float>& errors);  // [vertex_count], shown with ColorBy::error
+  ShownRange* range() { return range_ ? &*range_ : nullptr; }  // of the scalars; null without a heat map
   const gl::Buffer& positions() const { return positions_; }  // vec4 [vertex_count + embedded]
 
  private:
   std::uint32_t vertex_count_, embedded_count_;
   gl::Buffer positions_, embed_position_, embed_vertices_, embed_weights_;
   gl::Buffer vertex_errors_;  // float [vertex_count]; made when first needed
+  std::optional<ShownRange> range_;  // with a heat map
   std::vector<gl::ComputePass> passes_;
 };
 

@@ -29,6 +29,11 @@ const std::vector<Golden>& goldens() {
       {"ligament_stress", "ligament.json", {"--steps", "30", "--color", "von_mises"}},
       {"inclusion_strain", "inclusion.json", {"--steps", "30", "--color", "strain"}},
       {"cube_panels", "cube.json", {"--steps", "30", "--ui"}, 0.002},  // one wrong word in a panel is 0.003
+      {"liver_section", "liver.json",
+       {"--steps", "30", "--color", "largest_stress", "--set", "display.section.normal=[0,0,1]", "--set", "display.background=white"}},
+      {"inclusion_tets", "inclusion.json",
+       {"--steps", "30", "--color", "region", "--set", "display.tets.shrink=0.8", "--set", "display.section.normal=[0,0,1]", "--set",
+        "display.background=transparent"}},
       {"cube_rest", "cube.json", {"--steps", "0", "--samples", "1"}},
   };
   return list;

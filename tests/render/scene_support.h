@@ -91,6 +91,8 @@ struct Scene {
   Camera camera;
   Look look;
   std::vector<std::uint32_t> marked, grabbed;
+  std::vector<std::array<std::uint32_t, 4>> tets;  // of the shape's vertices
+  std::vector<std::uint32_t> tet_region, triangle_region;
   std::optional<GrabMark> grab;
   bool creases = true;
   int width = 320, height = 240, samples = 1;
@@ -110,6 +112,8 @@ struct Scene {
         programs, shape.triangles, static_cast<std::uint32_t>(shape.positions.size()), marked,
         creases ? std::span<const Eigen::Vector3d>(shape.positions) : std::span<const Eigen::Vector3d>());
     renderer.set_grabbed(grabbed);
+    renderer.set_tets({tets, tet_region});
+    renderer.set_regions(triangle_region);
     const gl::Buffer positions = shape.upload();
     const Framebuffer target(width, height, samples);
     renderer.draw({&positions}, camera, look, grab, target);

@@ -39,25 +39,38 @@ Vector3d oklab(const Eigen::Vector3f& srgb) {
 
 }  // namespace
 
-TEST_CASE("heat_color: inside the display's colors, always lighter, in even steps to the eye") {
+TEST_CASE("color maps: inside the display's colors, in even steps to the eye") {
+  // The fits leave steps that differ by up to a fifth, a rainbow's by a factor of five and more. The diverging map, which has two hues to
+  // go through and turns round in its middle, has them within a factor of 2.2, but for that middle.
+  const auto [name, map, diverging] = GENERATE(table<std::string, const ColorMapCurve*, bool>({{"dusk", &color_maps::dusk, false},
+                                                                                                {"ember", &color_maps::ember, false},
+                                                                                                {"polar", &color_maps::polar, true},
+                                                                                                {"grey", &color_maps::grey, false}}));
   const int count = 100;
-  double least = 1, most = 0;
+  double least = 1e9, most = 0;
   for (int i = 0; i < count; ++i) {
-    const Eigen::Vector3f a = heat_color(float(i) / count), b = heat_color(float(i + 1) / count);
-    CAPTURE(i, a.transpose());
+    const float t = float(i) / count, next = float(i + 1) / count;
+    const Eigen::Vector3f a = (*map)(t), b = (*map)(next);
+    CAPTURE(name, i, a.transpose());
     REQUIRE(a.minCoeff() >= 0);
     REQUIRE(a.maxCoeff() <= 1);
     const Vector3d step = count * (oklab(b) - oklab(a));
-    CHECK(step.x() > 0.35);  // lightness, 0.63 from end to end
+    if (diverging) {
+      CHECK(std::abs(oklab(a).x() - oklab((*map)(1 - t)).x()) < 0.003);
+      if (std::abs(i + 0.5 - count / 2) > 3) CHECK((i < count / 2 ? 1 : -1) * step.x() > 0);
+      if (std::abs(i - count / 2) < 10) continue;
+    } else {
+      CHECK(step.x() > 0.35);
+    }
     least = std::min(least, step.norm());
     most = std::max(most, step.norm());
   }
-  CAPTURE(least, most);
-  // The fit of the polynomial leaves steps between 0.66 and 0.81; a rainbow's differ by a factor of five and
-  // more.
-  CHECK(most < 1.25 * least);
-  CHECK(heat_color(-1) == heat_color(0));
-  CHECK(heat_color(2) == heat_color(1));
+  CAPTURE(name, least, most);
+  CHECK(most < (diverging ? 2.2 : 1.25) * least);
+  CHECK((*map)(-1) == (*map)(0));
+  CHECK((*map)(2) == (*map)(1));
+  const Vector3d middle = oklab((*map)(0.5f));
+  if (diverging) CHECK((middle.tail<2>().norm() < 0.03 && middle.x() > 0.9));
 }
 
 TEST_CASE("render: a fully lit surface shows the color bar's colors") {
@@ -75,6 +88,24 @@ TEST_CASE("render: a fully lit surface shows the color bar's colors") {
       CHECK((color - expected.cast<double>()).cwiseAbs().maxCoeff() <= 1.0 / 255);
     }
   }
+}
+
+TEST_CASE("render: a diverging map has its middle at the neutral value, whatever the range") {
+  const auto context = test::each_context();
+  Scene scene = plate_toward_light();
+  scene.look.range = {-2, 6};
+  scene.look.neutral = 0;
+  scene.look.color_map = &color_maps::polar;
+  const auto shown = [&](float scalar) {
+    scene.shape.scalars.assign(4, scalar);
+    return color_at(scene.draw(), scene.width / 2.0, scene.height / 2.0);
+  };
+  for (const float scalar : {-2.0f, -1.0f, 0.0f, 3.0f, 6.0f}) {
+    const Vector3d color = shown(scalar), expected = color_maps::polar(0.5f + scalar / 12).cast<double>();
+    CAPTURE(scalar, color.transpose() * 255, expected.transpose() * 255);
+    CHECK((color - expected).cwiseAbs().maxCoeff() <= 1.0 / 255);
+  }
+  CHECK(shown(-5) == shown(-2));  // beyond the range's end, which the color bar shows
 }
 
 TEST_CASE("render: the heat map is linear between vertices, in perspective too") {

@@ -1,4 +1,6 @@
 // Scenes that open: defaults, every key, both kinds of file, round trip.
+#include <set>
+
 #include "tests/sim/scene_test.h"
 
 using namespace fascia;
@@ -25,7 +27,9 @@ const char* const kFullScene = R"({
   "solver": {"method": "jacobi", "acceleration": "none", "iterations": 10, "tolerance": 1e-6,
              "time_step": 0.016666666666666666, "substeps": 3},
   "camera": {"eye": [0, 0.3, 1], "target": [0, 0.1, 0], "up": [0, 0, 1], "fov_deg": 35},
-  "display": {"color": "von_mises", "range": [0, 2.5e4], "wireframe": true},
+  "display": {"color": "von_mises", "range": [0, 2.5e4], "color_map": "ember", "wireframe": true,
+              "section": {"normal": [0, 1, 1], "offset": -0.02}, "tets": {"shrink": 0.5, "spread": 0.25},
+              "shadow": false, "ground": false, "ambient_occlusion": 0.75, "depth_cue": 0.5, "background": "transparent"},
   "duration": 2.5
 })";
 
@@ -68,7 +72,9 @@ TEST_CASE("every key of a scene arrives") {
   CHECK(scene.solver.substeps == 3);
   REQUIRE(scene.camera);
   CHECK(*scene.camera == CameraSettings{{0, 0.3, 1}, {0, 0.1, 0}, {0, 0, 1}, 35});
-  CHECK(scene.display == DisplaySettings{ColorBy::von_mises, Eigen::Vector2d(0, 2.5e4), true});
+  CHECK(scene.display == DisplaySettings{ColorBy::von_mises, Eigen::Vector2d(0, 2.5e4), ColorMap::ember, true,
+                                         SectionPlane{{0, 1, 1}, -0.02}, SeparateTets{0.5, 0.25}, false, false, 0.75, 0.5,
+                                         Background::transparent});
   REQUIRE(scene.bodies.size() == 2);
 
   const Body& body = scene.bodies[0];
@@ -230,7 +236,16 @@ TEST_CASE("a written scene is readable: lists of numbers on one line, no needles
     "window": 5,
     "rest_speed": 1e-05
   },
-  "display": {"color": "none", "wireframe": false},
+  "display": {
+    "color": "none",
+    "color_map": "automatic",
+    "wireframe": false,
+    "shadow": true,
+    "ground": true,
+    "ambient_occlusion": 0,
+    "depth_cue": 0,
+    "background": "gradient"
+  },
   "duration": 2
 }
 )");
@@ -244,8 +259,25 @@ TEST_CASE("texts that are no UTF-8 are written with replacements instead of fail
   CHECK(text.find("\"\xef\xbf\xbd\": {\"density\": 900}") != std::string::npos);
 }
 
-TEST_CASE("names of colors") {
-  std::vector<std::string> names;
-  for (const ColorBy color : all_colors()) names.push_back(name_of(color));
-  CHECK(names == std::vector<std::string>{"none", "strain", "von_mises", "error"});
+TEST_CASE("names of what pictures show are found again, and every one is another") {
+  const auto check = [](const char* key, const auto& choices, auto member) {
+    std::set<std::string> names;
+    for (const auto choice : choices) {
+      CAPTURE(key, name_of(choice));
+      CHECK(names.insert(name_of(choice)).second);
+      const Scene scene = SceneFile(scene_text()).open({std::string("display.") + key + "=" + name_of(choice)});
+      CHECK(scene.display.*member == choice);
+    }
+  };
+  check("color", all_colors(), &DisplaySettings::color);
+  check("color_map", all_color_maps(), &DisplaySettings::color_map);
+  check("background", all_backgrounds(), &DisplaySettings::background);
+}
+
+TEST_CASE("one value of a section or of separate tets turns them on") {
+  const SceneFile file(scene_text());
+  CHECK(file.open({"display.section.offset=0.02"}).display.section == SectionPlane{{1, 0, 0}, 0.02});
+  CHECK(file.open({"display.section.normal=[0,0,-2]"}).display.section == SectionPlane{{0, 0, -2}, 0});
+  CHECK(file.open({"display.tets.spread=0.5"}).display.tets == SeparateTets{0.85, 0.5});
+  CHECK(!file.open().display.section);
 }

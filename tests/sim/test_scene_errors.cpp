@@ -101,7 +101,7 @@ TEST_CASE("an unknown key is named with the nearest known one, at every level") 
         "s.json: camera.fov: unknown key \"fov\"; expected one of eye, target, up, fov_deg");
   CHECK(top_error(R"("display": {"colour": "none"})") ==
         "s.json: display.colour: unknown key \"colour\", perhaps \"color\"; expected one of color, range, "
-        "wireframe");
+        "color_map, wireframe, section, tets, shadow, ground, ambient_occlusion, depth_cue, background");
   CHECK(body_error(R"("fixd": [])") ==
         "s.json: bodies[0].fixd: unknown key \"fixd\", perhaps \"fixed\"; expected one of name, mesh, "
         "transform, "
@@ -176,10 +176,22 @@ TEST_CASE("a wrong type says what is there and what was expected") {
   CHECK(top_error(R"("display": {"wireframe": 1})") ==
         "s.json: display.wireframe: is 1; expected true or false");
   CHECK(top_error(R"("display": {"color": "red"})") ==
-        "s.json: display.color: is \"red\"; expected one of none, strain, von_mises, error");
+        "s.json: display.color: is \"red\"; expected one of none, region, strain, von_mises, displacement, velocity, "
+        "volume_ratio, largest_stress, smallest_stress, error");
   CHECK(
       top_error(R"("display": {"color": "mises"})") ==
-      "s.json: display.color: is \"mises\", perhaps \"von_mises\"; expected one of none, strain, von_mises, error");
+      "s.json: display.color: is \"mises\", perhaps \"von_mises\"; expected one of none, region, strain, von_mises, displacement, "
+      "velocity, volume_ratio, largest_stress, smallest_stress, error");
+  CHECK(top_error(R"("display": {"color_map": "rainbow"})") ==
+        "s.json: display.color_map: is \"rainbow\"; expected one of automatic, dusk, ember, polar, grey");
+  CHECK(top_error(R"("display": {"background": "whit"})") ==
+        "s.json: display.background: is \"whit\", perhaps \"white\"; expected one of gradient, white, black, transparent");
+  CHECK(top_error(R"("display": {"section": {"normal": [0, 0, 0]}})") ==
+        "s.json: display.section: normal has no length; expected a vector across the plane");
+  CHECK(top_error(R"("display": {"section": true})") ==
+        "s.json: display.section: is true; expected an object with normal, offset");
+  CHECK(top_error(R"("display": {"tets": {"gap": 1}})") ==
+        "s.json: display.tets.gap: unknown key \"gap\"; expected one of shrink, spread");
   CHECK(top_error(R"("display": {"range": [0]})") ==
         "s.json: display.range: is [0]; expected a list of 2 numbers, the lower one first");
   CHECK(top_error(R"("display": {"range": [1, 1]})") ==
@@ -312,6 +324,11 @@ std::vector<RangedKey> ranged_keys() {
       {"camera.fov_deg", "1 to 170 degrees", 1, 170,
        top("\"camera\": {\"eye\": [0, 0, 1], \"fov_deg\": ", "}")},
       {"display.range[0]", "-1e+30 to 1e+30", -1e30, 0, top("\"display\": {\"range\": [", ", 1]}")},
+      {"display.section.offset", "-1e+09 to 1e+09 m", -1e9, 1e9, top("\"display\": {\"section\": {\"offset\": ", "}}")},
+      {"display.tets.shrink", "0.01 to 1", 0.01, 1, top("\"display\": {\"tets\": {\"shrink\": ", "}}")},
+      {"display.tets.spread", "0 to 10", 0, 10, top("\"display\": {\"tets\": {\"spread\": ", "}}")},
+      {"display.ambient_occlusion", "0 to 1", 0, 1, top("\"display\": {\"ambient_occlusion\": ", "}")},
+      {"display.depth_cue", "0 to 1", 0, 1, top("\"display\": {\"depth_cue\": ", "}")},
       {"bodies[0].transform.scale", "1e-09 to 1e+09", 1e-9, 1e9, body("\"transform\": {\"scale\": ", "}")},
       {"bodies[0].transform.rotate_deg[2]", "-36000 to 36000 degrees", -36000, 36000,
        body("\"transform\": {\"rotate_deg\": [0, 0, ", "]}")},

@@ -1,9 +1,11 @@
 // Every kernel that all methods share, alone, against the same pass in double precision on random states.
 // Tolerances: one or a few float32 operations per output, 6e-8 each; sums of n terms grow it by at most n.
+#include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
 
 #include "sim/locality.h"
 #include "sim/gpu/solver.h"
+#include "sim/reference/elasticity.h"
 #include "tests/sim/gpu/double_xpbd.h"
 #include "tests/sim/gpu/gpu_fixture.h"
 #include "tests/support/models.h"
@@ -207,35 +209,91 @@ TEST_CASE("the residual is zero for the exact implicit Euler step and one for th
 }
 
 TEST_CASE("published positions and heat map scalars", "[gpu]") {
-  const auto color = GENERATE(ColorBy::none, ColorBy::strain, ColorBy::von_mises);
+  const auto color = GENERATE(ColorBy::none, ColorBy::region, ColorBy::strain, ColorBy::von_mises, ColorBy::displacement, ColorBy::velocity,
+                              ColorBy::volume_ratio, ColorBy::largest_stress, ColorBy::smallest_stress);
+  const auto law = GENERATE(MaterialModel::st_venant_kirchhoff, MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean);
   Gpu gpu;
-  const Model model = block();
+  Model model = block();
+  model.materials[0].model = law;
   GpuSolver solver(gpu.programs, model, {});
   const reference::State state = random_state(model, 0.002, 5);
   solver.upload(state);
   solver.set_color(color);
   solver.publish();
   const std::vector<vec4> got = solver.positions().read<vec4>();
-  const StateFields fields = reference::export_fields(model, state);
-  std::vector<double> weight(got.size(), 0), scalar(got.size(), 0);
-  for (std::size_t t = 0; t < model.tets.size(); ++t) {
-    const Tet& tet = model.tets[t];
+  // Of each tet, in double precision.
+  const auto value_of = [&](const Tet& tet) {
     const auto& x = model.rest_positions;
-    const double volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6;
-    const auto& e = fields.green_strain[t];
-    const double value = color == ColorBy::strain ? std::sqrt(e.head<3>().squaredNorm() + 2 * e.tail<3>().squaredNorm())
-                                                  : fields.von_mises[t];
+    const auto& u = state.displacement;
+    const reference::RestTet rest({x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]});
+    const reference::Corners corners{u[tet[0]], u[tet[1]], u[tet[2]], u[tet[3]]};
+    const Eigen::Matrix3d f = reference::deformation_gradient(rest, corners);
+    if (color == ColorBy::strain) return reference::green_strain_matrix(rest, corners).norm();
+    if (color == ColorBy::von_mises) return reference::von_mises(f, model.materials[0]);
+    if (color == ColorBy::volume_ratio) return f.determinant();
+    const Eigen::Matrix3d cauchy = reference::first_piola_stress(f, model.materials[0]) * f.transpose() / std::abs(f.determinant());
+    const Vector3d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(0.5 * (cauchy + cauchy.transpose())).eigenvalues();
+    return color == ColorBy::largest_stress ? principal[2] : principal[0];
+  };
+  std::vector<double> weight(got.size(), 0), scalar(got.size(), 0);
+  double size = 0;  // of the values, for those that nearly cancel
+  for (const Tet& tet : model.tets) {
+    const auto& x = model.rest_positions;
+    const double volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6, value = value_of(tet);
+    size = std::max(size, std::abs(value));
     for (const auto v : tet) {
       weight[v] += volume;
       scalar[v] += volume * value;
     }
   }
+  Eigen::Vector2d range(1e300, -1e300);
   for (std::size_t i = 0; i < got.size(); ++i) {
     const Vector3d expected = model.rest_positions[i] + state.displacement[i];
-    CAPTURE(i, got[i].x, got[i].y, got[i].z, got[i].w, expected.transpose());
+    CAPTURE(color, law, i, got[i].x, got[i].y, got[i].z, got[i].w, expected.transpose());
     CHECK((Vector3d(got[i].x, got[i].y, got[i].z) - expected).norm() < 2e-8);
-    CHECK(got[i].w == Approx(color == ColorBy::none ? 0 : scalar[i] / weight[i]).epsilon(1e-5));
+    double shown = scalar[i] / weight[i];
+    if (!is_heat_map(color)) shown = 0;
+    if (color == ColorBy::displacement) shown = state.displacement[i].norm();
+    if (color == ColorBy::velocity) shown = state.velocity[i].norm();
+    // Stresses cancel in F S F^T and are divided by J, which is small in some tets here.
+    const double margin = color == ColorBy::largest_stress || color == ColorBy::smallest_stress ? 1e-5 * size : 0;
+    CHECK(got[i].w == Approx(shown).epsilon(1e-5).margin(margin));
+    range = {std::min<double>(range.x(), got[i].w), std::max<double>(range.y(), got[i].w)};
   }
+  CHECK((solver.shown_range() != nullptr) == is_heat_map(color));
+  if (!solver.shown_range()) return;
+  solver.shown_range()->request();
+  const auto found = solver.shown_range()->take(true);
+  REQUIRE(found);
+  CHECK(*found == range);
+  CHECK(!solver.shown_range()->take(true));
+}
+
+TEST_CASE("principal stresses keep their digits where two are equal", "[gpu]") {
+  // One tet stretched along an axis that is none of the coordinates': uniaxial strain, two equal smaller stresses.
+  Gpu gpu;
+  TetMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.tets = {{0, 1, 2, 3}};
+  mesh.regions = {0};
+  const Model model = make_model(mesh, soft, [](const Vector3d&) { return false; });
+  GpuSolver solver(gpu.programs, model, {});
+  const Vector3d axis = Vector3d(1, 2, -0.5).normalized();
+  const double stretch = 0.25, strain = stretch + 0.5 * stretch * stretch, ratio = 1 + stretch;
+  reference::State state = reference::initial_state(model);
+  for (std::size_t i = 0; i < 4; ++i) state.displacement[i] = stretch * axis * axis.dot(mesh.positions[i]);
+  solver.upload(state);
+  const double lambda = soft.young_modulus * soft.poisson_ratio / ((1 + soft.poisson_ratio) * (1 - 2 * soft.poisson_ratio));
+  const double mu = soft.young_modulus / (2 * (1 + soft.poisson_ratio));
+  const double along = (lambda + 2 * mu) * strain * ratio, across = lambda * strain / ratio;
+  const auto shown = [&](ColorBy color) {
+    solver.set_color(color);
+    solver.publish();
+    return static_cast<double>(solver.positions().read<vec4>()[0].w);
+  };
+  CHECK(shown(ColorBy::largest_stress) == Approx(along).epsilon(2e-6));
+  CHECK(shown(ColorBy::smallest_stress) == Approx(across).epsilon(2e-6));
+  CHECK(shown(ColorBy::volume_ratio) == Approx(ratio).epsilon(1e-6));
 }
 
 TEST_CASE("a grab spring alone obeys implicit Euler", "[gpu]") {

@@ -1,0 +1,35 @@
+// Tets drawn from the solver's own positions, without a buffer of triangles: the cut of a section plane, and every tet on its own.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "render/gl/program.h"
+#include "render/look.h"
+#include "render/vertex_array.h"
+
+namespace fascia {
+
+/// Vertices of each tet, and which region it belongs to.
+struct TetView {
+  std::span<const std::array<std::uint32_t, 4>> tets;
+  std::span<const std::uint32_t> region;  // [tets]
+};
+
+class TetRenderer {
+ public:
+  TetRenderer(gl::ProgramCache& programs, const TetView& view);
+  void draw_cap(const Look& look, const gl::Buffer& positions) const;
+  /// The shadow map, if any, is bound to texture unit 0.
+  void draw_tets(const Look& look, const gl::Buffer& positions) const;
+  void draw_depth(const Look& look, const gl::Buffer& positions) const;  // of separate tets
+
+ private:
+  void draw(const gl::Program& program, const gl::Buffer& positions, GLsizei vertices) const;
+  gl::ProgramCache& programs_;
+  gl::Buffer tets_, region_;
+  GLsizei tet_count_;
+  VertexArray no_vertices_;
+};
+
+}  // namespace fascia
