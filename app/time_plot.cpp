@@ -53,7 +53,7 @@ void fit(Area& area, const TimeChart& chart, std::span<const Sample> samples) {
 }
 
 void draw_axes(ImDrawList& draw, const Area& area, const char* unit, bool times) {
-  const ImU32 grid = ImGui::GetColorU32(ImVec4(1, 1, 1, 0.10f)), text = ImGui::GetColorU32(kDim);
+  const ImU32 grid = ImGui::GetColorU32(ImGuiCol_HeaderHovered), text = ImGui::GetColorU32(kDim);
   const float line = ImGui::GetFontSize();
   const int most = std::max(2, static_cast<int>((area.high.y - area.low.y) / (1.6f * line)));
   const Ticks values = area.logarithmic ? decade_ticks(area.bottom, area.top, most) : linear_ticks(area.bottom, area.top, most);
