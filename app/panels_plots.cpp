@@ -77,7 +77,7 @@ void buttons(Plots& plots, Requests& requests) {
   ui::tooltip("The time that is shown, all quantities, with their units and what made them, in the current folder");
   ImGui::SameLine();
   requests.plot_picture |= ui::button("PNG", width);
-  ui::tooltip("This panel as a picture, in the current folder");
+  if (!requests.plot_picture) ui::tooltip("This panel as a picture, in the current folder");  // which the picture would show
 }
 
 }  // namespace
