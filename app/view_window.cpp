@@ -31,8 +31,8 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
       options_(options),
       input_(graphics.context->window()),
       overlay_(graphics),
-      user_(config_folder()),
-      autosave_(options.steps || options.time ? std::filesystem::path() : state_folder()),  // a scripted window leaves nothing
+      user_(options.steps || options.time ? std::filesystem::path() : config_folder()),  // a scripted window leaves nothing
+      autosave_(options.steps || options.time ? std::filesystem::path() : state_folder()),
       dialogs_(graphics.data_dir, user_),
       gallery_(graphics.data_dir),
       hints_(user_),
@@ -57,7 +57,7 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
   if (!user_.complaint().empty()) say(user_.complaint() + ". Went on without it", true);
   left_behind_ = autosave_.left_behind();
   dialogs_.set_last_session(autosave_.last());
-  if (!user_.now().welcomed && options.input.empty() && options.replay.empty() && steps_left_ < 0) gallery_.ask();
+  if (!user_.now().welcomed && !config_folder().empty() && options.input.empty() && options.replay.empty() && steps_left_ < 0) gallery_.ask();
   set_title();
   glfwSwapInterval(1);
 }
@@ -195,7 +195,7 @@ void ViewWindow::build_panels(Requests& requests) {
   draw_notice(state_);
   if (state_.show_panels) {
     draw_panels(*session_, state_, requests);
-    draw_hints(hints_);
+    if (steps_left_ < 0) draw_hints(hints_);
   }
   if (state_.plots.shown) {
     draw_plots(session_->simulation, state_, requests);
