@@ -78,7 +78,7 @@ void Overlay::draw(const Framebuffer& framebuffer) { draw_lists(framebuffer, fal
 void Overlay::draw_foreground(const Framebuffer& framebuffer) { draw_lists(framebuffer, true); }
 
 void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool panels, const std::optional<Diagnostics>& diagnostics) {
-  set_scale(std::clamp(static_cast<float>(framebuffer.height()) / 720, 0.5f, 4.0f));
+  set_scale(std::clamp(static_cast<float>(framebuffer.height()) / 720, 0.5f, 12.0f));
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(framebuffer.width()), static_cast<float>(framebuffer.height())};
   io.DeltaTime = 1.0f / 60;
