@@ -86,8 +86,8 @@ bool section_rows(const Session& session, DisplaySettings& display) {
   constexpr const char* kAxes[] = {"x", "y", "z", "-x", "-y", "-z"};
   for (int i = 0; i < 6; ++i) {
     const Eigen::Vector3d axis = (i < 3 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(i % 3);
-    if (i > 0) ImGui::SameLine(0, ui::px(3));
-    if (ui::button(kAxes[i], ui::px(27), section.normal.normalized().isApprox(axis))) {
+    if (i > 0) ImGui::SameLine(0, ui::px(2));
+    if (ui::button(kAxes[i], ui::px(25), section.normal.normalized().isApprox(axis))) {
       section = {axis, axis.dot(session.look.center)};
       changed = true;
     }
