@@ -153,9 +153,12 @@ void plot(const char* id, const History& history, float height) {
 }
 
 bool button(const char* text, float width, bool lit) {
-  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.55f, 0.27f, 0.22f, 1));
+  if (lit) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.55f, 0.27f, 0.22f, 1));
+    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.91f, 0.92f, 0.93f, 1));  // in light themes, too
+  }
   const bool pressed = ImGui::Button(text, {width, 0});
-  if (lit) ImGui::PopStyleColor();
+  if (lit) ImGui::PopStyleColor(2);
   return pressed;
 }
 
