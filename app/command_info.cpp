@@ -9,6 +9,7 @@
 #include "sim/locality.h"
 #include "sim/mesh_doctor.h"
 #include "sim/model.h"
+#include "sim/tissues.h"
 
 namespace fascia {
 
@@ -38,6 +39,10 @@ void print_colorings(const Model& model, int asked) {
 }  // namespace
 
 int command_info(const InfoOptions& options) {
+  if (options.tissues) {
+    print_tissues(std::cout);
+    return exit_done;
+  }
   const Scene scene = open_scene(options.input, options.sets);
   for (const Body& body : scene.bodies) {
     const std::filesystem::path path = scene.resolve(body.mesh);

@@ -7,9 +7,13 @@ namespace fascia {
 void add_info(CLI::App& program, Invocation& invocation) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App& command = *program.add_subcommand("info", "mesh doctor: sizes, materials, defects");
-  command.add_option("scene", options->input, "scene (.json) or tetrahedral mesh")->required();
+  CLI::Option* scene = command.add_option("scene", options->input, "scene (.json) or tetrahedral mesh");
+  command.add_flag("--tissues", options->tissues, "list the tissue presets with their sources, instead")->excludes(scene);
   command.add_option("--set", options->sets, "override a scene value")->type_name("KEY=VALUE")->allow_extra_args(false);
-  command.callback([&invocation, options] { invocation.run = [options] { return command_info(*options); }; });
+  command.callback([&invocation, options] {
+    if (options->input.empty() && !options->tissues) throw CLI::RequiredError("scene, or --tissues,");
+    invocation.run = [options] { return command_info(*options); };
+  });
 }
 
 }  // namespace fascia

@@ -58,6 +58,7 @@ struct BenchOptions : CommonOptions {
 
 struct InfoOptions {
   std::string input;
+  bool tissues = false;  // the table of presets instead of a mesh
   std::vector<std::string> sets;
 };
 

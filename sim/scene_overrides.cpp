@@ -106,6 +106,20 @@ void apply(json& document, const std::string& key, const std::vector<std::string
   origin.overrides.push_back({key, path, touched});
 }
 
+/// A preset from the command line replaces the numbers that the file gives the material; those from the command line stay.
+void clear_preset_values(json& document, const std::vector<std::string>& segments, const DocumentOrigin& origin) {
+  if (segments.size() < 4 || segments.back() != "preset" || segments[segments.size() - 3] != "materials") return;
+  json* material = &document;
+  for (std::size_t s = 0; s + 1 < segments.size(); ++s) material = &(material->is_array() ? (*material)[*index_of(segments[s])] : (*material)[segments[s]]);
+  const std::string& path = origin.overrides.back().path;
+  const std::string parent = path.substr(0, path.rfind('.'));
+  for (const char* key : {"young_modulus", "poisson_ratio", "density"}) {
+    const bool asked = std::any_of(origin.overrides.begin(), origin.overrides.end(),
+                                   [&](const DocumentOrigin::Override& o) { return o.path == path_of_key(parent, key); });
+    if (!asked) material->erase(key);
+  }
+}
+
 json value_of(const std::string& text) {
   try {
     return parse_json(text, "");
@@ -130,6 +144,7 @@ void apply_overrides(json& document, const std::vector<std::string>& overrides, 
                   "expected a key of a scene");
     }
     apply(document, key, segments, value_of(text.substr(equals + 1)), origin);
+    clear_preset_values(document, segments, origin);
   }
 }
 

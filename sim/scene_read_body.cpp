@@ -4,6 +4,7 @@
 #include "sim/scene_json.h"
 #include "sim/scene_read.h"
 #include "sim/suggest.h"
+#include "sim/tissues.h"
 
 namespace fascia {
 namespace {
@@ -24,12 +25,28 @@ MaterialModel read_model(const Node& node) {
   return *model;
 }
 
-/// Into a Material or a MaterialOverride: the given keys replace what `material` holds.
+const Tissue& read_preset(const Node& node) {
+  std::string listed;
+  for (const std::string& name : tissue_names()) listed += (listed.empty() ? "" : ", ") + name;
+  const std::string expected = "a tissue that fascia info --tissues lists: " + listed;
+  const std::string name = node.text(expected);
+  const Tissue* tissue = find_tissue(name);
+  if (!tissue) node.fail("is " + excerpt(name) + perhaps(name, tissue_names()), expected);
+  return *tissue;
+}
+
+/// Into a Material or a MaterialOverride: the given keys replace what `material` holds, and a preset's values what is not given.
 template <class M>
 void read_material(const Node& node, M& material) {
-  std::vector<std::string> known = {"model"};
+  std::vector<std::string> known = {"model", "preset"};
   visit_material(material, [&](auto&, const char* name, auto&&...) { known.push_back(name); });
   node.expect_object(known);
+  if (const auto preset = node.find("preset")) {
+    const Tissue& tissue = read_preset(*preset);
+    material.young_modulus = tissue.young_modulus;
+    material.poisson_ratio = tissue.poisson_ratio;
+    material.density = tissue.density;
+  }
   visit_material(material,
                  [&](auto& field, const char* name, const char* unit, double min, double max, auto&&...) {
                    if (const auto value = node.find(name)) field = value->number(min, max, unit);

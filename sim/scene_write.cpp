@@ -12,7 +12,8 @@ using json = nlohmann::ordered_json;
 
 /// Whole numbers without ".0".
 json number(double value) {
-  if (std::abs(value) < 1e9 && value == std::floor(value)) return static_cast<std::int64_t>(value);
+  const bool is_whole = std::abs(value) < 1e9 && value == std::floor(value) && !(value == 0 && std::signbit(value));
+  if (is_whole) return static_cast<std::int64_t>(value);
   return value;
 }
 
