@@ -46,11 +46,12 @@ class Repetition {
       if (std::holds_alternative<SolverSettings>(input.change))
         solver_->set_settings(tuning_.solver);
       else if (std::holds_alternative<GrabInput>(input.change))
-        solver_->set_grab(tuning_.springs);
+        pull();
       else
         solver_->materials_changed();
       solver_->finish_background();
     }
+    pull();
     solver_->step();
     ++steps_;
   }
@@ -61,6 +62,11 @@ class Repetition {
   const GpuSolver& solver() const { return *solver_; }
 
  private:
+  void pull() {
+    const GrabInput springs = with_hands(tuning_.springs, model_.hands, solver_->time() + tuning_.solver.time_step);
+    if (springs != solver_->springs()) solver_->set_grab(springs);
+  }
+
   const Replay& replay_;
   Model model_;
   Tuning tuning_;

@@ -36,6 +36,9 @@ void add_common(CLI::App& command, CommonOptions& options) {
   command.add_option("--set", options.sets, "override a scene value, e.g. solver.iterations=40")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  command.add_option("--grab", options.grabs, "one more hand, as in the scene's grabs: \"at=0.1,0.05,0;translate=0,0.1,0;start=0.2;duration=0.5;release=1.5;radius=0.02\"")
+      ->type_name("KEY=VALUE;...")
+      ->allow_extra_args(false);
   command.add_option("--replay", options.replay, "recorded inputs, with the scene they were made on")->type_name("FILE");
   auto* steps = command.add_option("--steps", options.steps, "steps to simulate")->check(CLI::NonNegativeNumber);
   command.add_option("--time", options.time, "seconds to simulate; default: the scene's duration")

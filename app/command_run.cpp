@@ -125,7 +125,12 @@ int command_run(const RunOptions& options) {
   if (GpuSolver* gpu = simulation.gpu()) {
     gpu->request_diagnostics();
     const auto diagnostics = gpu->take_diagnostics(true);
-    if (diagnostics && !options.static_equilibrium) stats.residual = diagnostics->residual;
+    if (diagnostics && !options.static_equilibrium) {
+      stats.residual = diagnostics->residual;
+      double mass = 0;
+      for (const double m : lumped_masses(simulation.model)) mass += m;
+      stats.imbalance = diagnostics->imbalance(mass * simulation.model.gravity);
+    }
     count_work(stats, simulation);
   } else if (!options.static_equilibrium) {
     stats.residual = simulation.newton_report().relative_residual;

@@ -8,84 +8,77 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kReach = 0.5;   // lead of the springs over the tissue, in scene radii
-constexpr double kSpeed = 10;    // of the springs' targets, in scene radii per second
-constexpr double kStride = 0.1;  // of the targets in one step, in scene radii, however long the step
-
-const BodyPart& body_of(const Model& model, std::uint32_t vertex) {
-  for (const BodyPart& body : model.bodies)
-    if (vertex < body.vertex_begin + body.vertex_count) return body;
-  return model.bodies.back();
-}
-
-// Mean Young's modulus of the tets around every vertex of a body; 0 where there are none.
-std::vector<double> local_stiffness(const Model& model, const BodyPart& body) {
-  std::vector<double> sum(body.vertex_count, 0.0), count(body.vertex_count, 0.0);
-  for (std::uint32_t t = body.tet_begin; t < body.tet_begin + body.tet_count; ++t)
-    for (const std::uint32_t v : model.tets[t]) {
-      sum[v - body.vertex_begin] += model.materials[model.tet_material[t]].young_modulus;
-      count[v - body.vertex_begin] += 1;
-    }
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = count[i] > 0 ? sum[i] / count[i] : 0;
-  return sum;
-}
+constexpr double kReach = 0.5;       // lead of the springs over the tissue, in scene radii
+constexpr double kStride = 0.1;      // of the targets in one step, in scene radii, however long the step
+constexpr double kFirstPush = 0.5;   // depth at once, in patch radii
 
 Vector3d shortened(const Vector3d& v, double length) {
   const double norm = v.norm();
   return norm > length ? Vector3d(v * (length / norm)) : v;
 }
 
+// The hit point by the vertices that carry it: corners of a boundary triangle, or of the tet below an embedded one.
+EmbeddedPoint place_of(const Model& model, const DrawnSurface& surface, std::span<const Vector3d> positions, const Hit& hit) {
+  const Triangle& t = surface.triangles[hit.triangle];
+  const Vector3d &a = positions[t[0]], ab = positions[t[1]] - a, ac = positions[t[2]] - a, normal = ab.cross(ac), at = hit.point - a;
+  const double area2 = normal.squaredNorm();
+  const double v = area2 > 0 ? at.cross(ac).dot(normal) / area2 : 0, w = area2 > 0 ? ab.cross(at).dot(normal) / area2 : 0, u = 1 - v - w;
+  if (t[0] < model.rest_positions.size()) return {{t[0], t[1], t[2], t[0]}, {u, v, w, 0}};
+  const auto& rest = surface.rest_positions;
+  return tet_at(model, u * rest[t[0]] + v * rest[t[1]] + w * rest[t[2]]);
+}
+
 }  // namespace
 
-bool Grab::take(const Model& model, std::span<const Vector3d> positions, const Triangle& triangle, const Hit& hit,
+bool Grab::take(const Model& model, const DrawnSurface& surface, std::span<const Vector3d> positions, const Hit& hit,
                 double scene_radius, const GrabSettings& settings) {
   release();
-  const auto mesh_vertices = static_cast<std::uint32_t>(model.rest_positions.size());
-  const auto distance2 = [&](std::uint32_t v) { return (positions[v] - hit.point).squaredNorm(); };
-  // A triangle of an embedded surface has no mesh vertices: the nearest one then tells which body was hit.
-  std::uint32_t seed = triangle[0];
-  if (seed >= mesh_vertices) {
-    seed = 0;
-    for (std::uint32_t v = 1; v < mesh_vertices; ++v)
-      if (distance2(v) < distance2(seed)) seed = v;
-  }
-  const BodyPart& body = body_of(model, seed);
-  const std::vector<char> held = model.held();
-  const std::vector<double> modulus = local_stiffness(model, body);
-  const double radius = settings.radius * scene_radius;
-
-  double weights = 0;
-  for (std::uint32_t v = body.vertex_begin; v < body.vertex_begin + body.vertex_count; ++v) {
-    if (held[v] || modulus[v - body.vertex_begin] == 0) continue;
-    // Firm in the middle, fading to the rim; corners of the triangle that was hit are always part of it.
-    const double inside = 1 - distance2(v) / (radius * radius);
-    const bool corner = v == seed || std::count(triangle.begin(), triangle.end(), v) > 0;
-    const double weight = std::max(inside > 0 ? inside * inside : 0, corner ? 0.1 : 0);
-    if (weight == 0) continue;
-    weights += weight;
-    patch_.push_back({v, positions[v] - model.rest_positions[v],
-                      weight * settings.grip * modulus[v - body.vertex_begin] * radius});
-  }
+  scene_radius_ = scene_radius;
+  place_ = place_of(model, surface, positions, hit);
+  taken_.assign(positions.begin(), positions.begin() + static_cast<std::ptrdiff_t>(model.rest_positions.size()));
+  start_ = plane_ = pointer_ = hit.point;
+  grip(model, settings);
   if (patch_.empty()) return false;
-  stiffness_ = 0;
-  for (Grip& grip : patch_) stiffness_ += grip.stiffness /= weights;
-  reach_ = kReach * scene_radius;
-  start_ = pointer_ = hit.point;
+  if (!settings.push) return true;
+  const Triangle& t = surface.triangles[hit.triangle];
+  const Vector3d normal = (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]);
+  push_ = normal.norm() > 0;
+  if (push_) inward_ = -normal.normalized();
+  go_deeper(kFirstPush * radius_, inward_);
   return true;
+}
+
+void Grab::grip(const Model& model, const GrabSettings& settings) {
+  radius_ = settings.radius * scene_radius_;
+  patch_.clear();
+  const std::vector<PatchVertex> patch = grab_patch(model, taken_, start_, radius_, place_);
+  stiffness_ = patch_stiffness(patch, radius_, settings.grip);
+  for (const PatchVertex& p : patch) patch_.push_back({p.vertex, taken_[p.vertex] - model.rest_positions[p.vertex], p.share * stiffness_});
+}
+
+void Grab::set_size(const Model& model, const GrabSettings& settings) {
+  const Vector3d lead = force_ / stiffness_;
+  grip(model, settings);
+  force_ = lead * stiffness_;  // until the next one is observed: the patch is where it was
 }
 
 void Grab::point_at(const Ray& ray, const Vector3d& forward) {
   const double slope = ray.direction.dot(forward);
-  if (slope > 1e-6) pointer_ = ray.origin + ray.direction * ((start_ - ray.origin).dot(forward) / slope);
+  if (slope > 1e-6) pointer_ = ray.origin + ray.direction * ((plane_ - ray.origin).dot(forward) / slope);
 }
 
-std::vector<GrabSpring> Grab::springs(double time_step) {
-  const double radius = reach_ / kReach;
-  const Vector3d where = anchor(), wanted = where + shortened(pointer_ - where, reach_);
-  offset_ += shortened(wanted - target(), std::min(kSpeed * time_step, kStride) * radius);
+void Grab::go_deeper(double depth, const Vector3d& forward) {
+  const Vector3d way = depth * (push_ ? inward_ : forward);
+  plane_ += way;
+  pointer_ += way;
+}
+
+std::vector<GrabSpring> Grab::springs(double time_step, std::uint32_t hand) {
+  const Vector3d where = anchor(), wanted = where + shortened(pointer_ - where, kReach * scene_radius_);
+  offset_ += shortened(wanted - target(), std::min(kHandSpeed * time_step, kStride) * scene_radius_);
   std::vector<GrabSpring> springs;
   springs.reserve(patch_.size());
-  for (const Grip& grip : patch_) springs.push_back({grip.vertex, grip.displacement + offset_, grip.stiffness});
+  for (const Grip& grip : patch_) springs.push_back({grip.vertex, grip.displacement + offset_, grip.stiffness, hand});
   return springs;
 }
 

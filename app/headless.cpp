@@ -56,8 +56,10 @@ Framebuffer& Headless::draw() {
   const std::optional<Diagnostics> diagnostics = solver.take_diagnostics(true);
   if (session_.display().color == ColorBy::error) session_.measure_error();
   session_.settle_range();
-  session_.draw(framebuffer_);
-  if (options_.panels || has_legend(session_)) overlay_.draw_headless(session_, framebuffer_, options_.panels, diagnostics);
+  const std::vector<HandMark> hands = hand_marks(session_.simulation, diagnostics ? diagnostics->hand_forces : std::vector<HandForce>(), nullptr);
+  session_.draw(framebuffer_, arrows(hands));
+  if (options_.panels || has_legend(session_) || !hands.empty())
+    overlay_.draw_headless(session_, framebuffer_, options_.panels, diagnostics, hands);
   return framebuffer_;
 }
 

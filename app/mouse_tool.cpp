@@ -1,20 +1,28 @@
 #include "app/mouse_tool.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "app/hand_marks.h"
 #include "app/pick.h"
 #include "shaders/shared/types.h"
 
 namespace fascia {
 namespace {
 
+constexpr double kDepthPerNotch = 0.04;  // of the wheel, in scene radii
+constexpr double kPushPerNotch = 0.2;    // in patch radii
+constexpr double kSmallest = 0.001, kLargest = 1;  // radius of a patch, in scene radii
+
 // One readback, at the moment of the press only.
 std::vector<Eigen::Vector3d> deformed_positions(Session& session) {
   GpuSolver& solver = *session.simulation.gpu();
   solver.publish();
+  const std::vector<shared::vec4> read = solver.positions().read<shared::vec4>();
   std::vector<Eigen::Vector3d> positions;
-  for (const shared::vec4& p : solver.positions().read<shared::vec4>()) positions.emplace_back(p.x, p.y, p.z);
+  positions.reserve(read.size());
+  for (const shared::vec4& p : read) positions.emplace_back(p.x, p.y, p.z);
   return positions;
 }
 
@@ -49,22 +57,43 @@ void MouseTool::press_section(Button button, const Eigen::Vector2d& at) {
   tool_ = Tool::section;
 }
 
-void MouseTool::press(Button button, bool always_grab, const Eigen::Vector2d& at, Picture picture, Session& session,
+std::optional<std::size_t> MouseTool::mark_at(const Eigen::Vector2d& at, Picture picture, const Session& session) const {
+  const double reach = kMarkRadius * picture.height / 720.0;
+  for (std::size_t i = hands_.all().size(); i-- > 0;) {
+    if (hands_.follows(i)) continue;
+    const auto pixel = pixel_of(session, hands_.all()[i].grab.pointer(), picture.width, picture.height);
+    if (pixel && (*pixel - at).norm() <= reach) return i;
+  }
+  return std::nullopt;
+}
+
+void MouseTool::press(Button button, Keys keys, const Eigen::Vector2d& at, Picture picture, Session& session,
                       const GrabSettings& settings) {
   if (dragging()) return;  // the first button decides
   button_ = button;
   last_ = at;
+  if (const auto mark = mark_at(at, picture, session); mark && button != Button::middle) {
+    if (button == Button::left) {
+      hands_.take_up(*mark);
+      tool_ = Tool::grab;
+    } else {
+      hands_.let_go(*mark);
+      springs_changed(session);
+    }
+    return;
+  }
   tool_ = button == Button::left ? Tool::orbit : Tool::pan;
   if (button != Button::left || session.simulation.uses_reference()) return;
 
   const Ray ray = session.camera.ray(at.x(), at.y(), picture.width, picture.height);
   const std::vector<Eigen::Vector3d> positions = deformed_positions(session);
   const std::vector<Triangle>& triangles = session.surface().triangles;
-  const auto hit = always_grab ? pick_nearest(ray, triangles, positions) : pick(ray, triangles, positions);
-  if (!hit || !grab_.take(session.simulation.model, positions, triangles[hit->triangle], *hit, session.look.radius, settings)) return;
+  const auto hit = keys.shift ? pick_nearest(ray, triangles, positions) : pick(ray, triangles, positions);
+  GrabSettings how = settings;
+  how.push = settings.push != keys.alt;
+  if (!hit || !hands_.take(session.simulation.model, session.surface(), positions, *hit, session.look.radius, how)) return;
   tool_ = Tool::grab;
-  session.set_grabbed(grab_.vertices());
-  if (always_grab) move(at, picture, session);  // the mouse may be beside the tissue
+  if (keys.shift) move(at, picture, session);  // the mouse may be beside the tissue
 }
 
 void MouseTool::move(const Eigen::Vector2d& at, Picture picture, Session& session) {
@@ -73,7 +102,8 @@ void MouseTool::move(const Eigen::Vector2d& at, Picture picture, Session& sessio
   switch (tool_) {
     case Tool::none: break;
     case Tool::grab:
-      grab_.point_at(session.camera.ray(at.x(), at.y(), picture.width, picture.height), session.camera.forward());
+      if (Grab* grab = hands_.following())
+        grab->point_at(session.camera.ray(at.x(), at.y(), picture.width, picture.height), session.camera.forward());
       break;
     case Tool::orbit: session.camera.orbit(std::numbers::pi * change.x(), std::numbers::pi * change.y()); break;
     case Tool::section: drag_section(from, at, picture, session); break;
@@ -81,20 +111,70 @@ void MouseTool::move(const Eigen::Vector2d& at, Picture picture, Session& sessio
   }
 }
 
-void MouseTool::release(Button button, Session& session) {
-  if (button == button_) cancel(session);
+void MouseTool::release(Button button, Keys keys, Session& session, const GrabSettings& settings) {
+  if (button != button_) return;
+  const bool grabbing = tool_ == Tool::grab;
+  tool_ = Tool::none;
+  if (!grabbing || !hands_.following()) return;
+  if (keys.control || settings.stay) {
+    hands_.stay();
+  } else {
+    hands_.let_go_following();
+    springs_changed(session);
+  }
+}
+
+bool MouseTool::scroll(double notches, Keys keys, Session& session, GrabSettings& settings) {
+  if (keys.control) {
+    resize(std::pow(1.1, notches), session, settings);
+    return true;
+  }
+  Grab* grab = hands_.following();
+  if (!grab || tool_ != Tool::grab) return false;
+  grab->go_deeper(notches * (grab->pushes() ? kPushPerNotch * grab->patch_radius() : kDepthPerNotch * session.look.radius),
+                  session.camera.forward());
+  return true;
+}
+
+void MouseTool::resize(double factor, Session& session, GrabSettings& settings) {
+  settings.radius = std::clamp(settings.radius * factor, kSmallest, kLargest);
+  if (Grab* grab = hands_.following()) grab->set_size(session.simulation.model, settings);
+}
+
+void MouseTool::stay() {
+  if (tool_ != Tool::grab) return;
+  hands_.stay();
+  tool_ = Tool::none;
+}
+
+void MouseTool::let_go(const Eigen::Vector2d& at, Picture picture, Session& session) {
+  if (hands_.empty()) return;
+  std::size_t index = mark_at(at, picture, session).value_or(hands_.all().size() - 1);
+  if (hands_.follows(index)) tool_ = Tool::none;
+  hands_.let_go(index);
+  springs_changed(session);
+}
+
+void MouseTool::let_go_staying(Session& session) {
+  for (std::size_t i = hands_.all().size(); i-- > 0;)
+    if (!hands_.follows(i)) hands_.let_go(i);
+  springs_changed(session);
 }
 
 void MouseTool::cancel(Session& session) {
   tool_ = Tool::none;
-  if (!grab_.holding()) return;
-  grab_.release();
-  session.set_grabbed({});
+  if (hands_.empty()) return;
+  hands_.let_go_all();
   session.simulation.set_grab({});
 }
 
+// Also when no step follows: what was let go of pulls no more.
+void MouseTool::springs_changed(Session& session) {
+  session.simulation.set_grab(hands_.springs(0));
+}
+
 void MouseTool::pull(Session& session) {
-  if (grab_.holding()) session.simulation.set_grab(grab_.springs(session.simulation.scene.solver.time_step));
+  if (!hands_.empty()) session.simulation.set_grab(hands_.springs(session.simulation.scene.solver.time_step));
 }
 
 }  // namespace fascia

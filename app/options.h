@@ -10,6 +10,7 @@ namespace fascia {
 struct CommonOptions {
   std::string input;                 // scene or mesh; empty: the default scene
   std::vector<std::string> sets;     // --set KEY=VALUE
+  std::vector<std::string> grabs;    // --grab TEXT (sim/grab_text.h)
   std::string replay;                // recorded inputs, with their scene
   std::string context = "auto";      // auto, window, egl, osmesa
   std::string loads = "auto";        // how kernels read: auto, ssbo, texel

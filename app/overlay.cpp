@@ -77,7 +77,8 @@ void Overlay::draw_lists(const Framebuffer& framebuffer, bool foreground) {
 void Overlay::draw(const Framebuffer& framebuffer) { draw_lists(framebuffer, false); }
 void Overlay::draw_foreground(const Framebuffer& framebuffer) { draw_lists(framebuffer, true); }
 
-void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool panels, const std::optional<Diagnostics>& diagnostics) {
+void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool panels, const std::optional<Diagnostics>& diagnostics,
+                            const std::vector<HandMark>& hands) {
   set_scale(std::clamp(static_cast<float>(framebuffer.height()) / 720, 0.5f, 12.0f));
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(framebuffer.width()), static_cast<float>(framebuffer.height())};
@@ -89,6 +90,7 @@ void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool pan
   for (int pass = 0; pass < 2; ++pass) {
     ImGui::NewFrame();
     Requests nobody_asks;
+    draw_hand_marks(session, hands);
     if (panels) draw_panels(session, state, nobody_asks);
     draw_legend(session);
     ImGui::Render();

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/graphics.h"
+#include "app/hand_marks.h"
 #include "app/session.h"
 #include "render/imgui_renderer.h"
 
@@ -17,8 +18,9 @@ class Overlay {
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
 
-  /// One frame of panels (if wanted) and color bar over the resolved framebuffer, without a window.
-  void draw_headless(Session& session, Framebuffer& framebuffer, bool panels, const std::optional<Diagnostics>& diagnostics);
+  /// One frame of panels (if wanted), color bar and forces of hands over the resolved framebuffer, without a window.
+  void draw_headless(Session& session, Framebuffer& framebuffer, bool panels, const std::optional<Diagnostics>& diagnostics,
+                     const std::vector<HandMark>& hands);
 
   /// A window's frame: begin, then any ImGui calls, then end; then draw over the resolved framebuffer, first what belongs to the
   /// picture, then what does not (ImGui's foreground layer).

@@ -22,8 +22,8 @@ void draw_panels(Session& session, ViewState& state, Requests& requests) {
   state.show_convergence = ui::section("Convergence", false);
   if (state.show_convergence) convergence_panel(session.simulation, state.convergence);
   if (ui::section("Display")) display_panel(session);
-  if (ui::section("Statistics")) statistics_panel(session, state.statistics);
-  if (ui::section("Grab", false)) grab_panel(state.grab);
+  if (ui::section("Statistics")) statistics_panel(session, state);
+  if (ui::section("Grab", false)) grab_panel(session, state, requests);
   ImGui::End();
 }
 

@@ -17,22 +17,25 @@ void material_panel(Simulation& simulation, const SceneFacts& facts);
 void solver_panel(Session& session);
 void convergence_panel(const Simulation& simulation, Convergence& convergence);
 void display_panel(Session& session);
-void grab_panel(GrabSettings& settings);
+void grab_panel(const Session& session, ViewState& state, Requests& requests);
 void draw_plots(const Simulation& simulation, ViewState& state, Requests& requests);  // a window of its own, movable
 bool shows_convergence(const Plots& plots);
 /// A dot on the vertex that is plotted; `at` is where it is [m].
 void draw_probe(const Camera& camera, const Eigen::Vector3d& at, double scene_radius);
-void statistics_panel(Session& session, const Statistics& statistics);
+/// Supports, weight, hands and inertia, and a badge that tells whether they balance.
+void balance_rows(const Simulation& simulation, const SceneFacts& facts, const Diagnostics& diagnostics);
+void statistics_panel(Session& session, const ViewState& state);
 
 /// Keys and mouse, one line each, over the picture; closes by its button or F1.
 void draw_help(ViewState& state);
 
-/// Lines over the picture: what the mouse does (bottom), that time runs slow or stands (top), the grab's force (at the mouse).
+/// Lines over the picture: what the mouse does (bottom), that time runs slow or stands (top).
 void draw_hints(const Hints& hints);
 /// Offers to go on with what a window left that ended badly; `scene`: its name.
 void draw_left_behind(const std::string& scene, Requests& requests);
 void draw_notice(const ViewState& state);
-void draw_force(const Grab& grab);
+/// Text on a dark pill behind the panels, centered on x.
+void draw_pill(const std::string& text, float x, float y);
 /// A red dot: in front of everything and not part of pictures.
 void draw_recording_dot(double seconds);
 

@@ -10,7 +10,6 @@
 #include "app/panels.h"
 #include "app/ui_style.h"
 #include "app/ui_widgets.h"
-#include "app/units.h"
 
 namespace fascia {
 namespace {
@@ -30,9 +29,16 @@ const std::vector<std::vector<Theme>>& help_columns() {
         {{"Left drag on tissue", "grab it"},
          {"Left drag elsewhere", "orbit"},
          {"Shift + left drag", "always grab, the nearest tissue"},
+         {"Alt + left drag", "push the tissue in; X: push without Alt"},
          {"Ctrl + left drag", "move the section plane, if any"},
          {"Right or middle drag", "pan"},
          {"Wheel", "zoom"}}},
+       {"Hands",
+        {{"[ ], Ctrl + wheel", "size of the patch"},
+         {"Wheel while dragging", "away and closer; pushing: deeper"},
+         {"T, or Ctrl on release", "the hand stays there"},
+         {"Left, right on its mark", "take it up again, let it go"},
+         {"Delete, Esc", "let go of one that stays, of all"}}},
        {"Time", {{"Space", "pause, go on"}, {".", "one step"}, {"R", "reset"}}},
        {"Values",
         {{"Click on a value", "type another, such as 12.5 kPa"}, {"Ctrl+Tab, arrows, Enter", "the panels by keyboard; Esc leaves them"}}}},
@@ -137,10 +143,7 @@ void draw_notice(const ViewState& state) {
   }
 }
 
-void draw_force(const Grab& grab) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  pill(engineering(grab.force().norm(), "N"), mouse.x + ui::px(44), mouse.y - ui::px(34), ui::kText);
-}
+void draw_pill(const std::string& text, float x, float y) { pill(text, x, y, ui::kText); }
 
 void draw_recording_dot(double seconds) {
   ImDrawList& list = *ImGui::GetForegroundDrawList();

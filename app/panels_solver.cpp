@@ -126,14 +126,4 @@ void solver_panel(Session& session) {
   error_row(session);
 }
 
-void grab_panel(GrabSettings& settings) {
-  double percent = 100 * settings.radius;
-  if (ui::number({"Radius", "%", 1, 40, 0.1, 100, true, false,
-                  "Size of the patch that the mouse holds, in percent of the scene's radius"}, percent))
-    settings.radius = percent / 100;
-  ui::number({"Grip", "", 0.3, 30, 1e-3, 1e3, true, false,
-              "Stiffness of the mouse's springs relative to the tissue's: higher follows more closely and pulls harder"},
-             settings.grip);
-}
-
 }  // namespace fascia

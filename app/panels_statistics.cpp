@@ -34,10 +34,10 @@ void clock_rows(const Statistics& s) {
 
 }  // namespace
 
-void statistics_panel(Session& session, const Statistics& statistics) {
+void statistics_panel(Session& session, const ViewState& state) {
+  const Statistics& statistics = state.statistics;
   clock_rows(statistics);
   if (const auto& d = statistics.diagnostics) {
-    const auto length = [](const Eigen::Vector3d& v) { return v.norm(); };
     const SolverSettings& asked = session.simulation.scene.solver;
     const int granted = session.simulation.iterations_granted(), run = d->iterations.value_or(granted);
     const char* limit = run < granted ? " (tolerance)" : run < asked.iterations ? " (frame budget)" : "";
@@ -50,7 +50,7 @@ void statistics_panel(Session& session, const Statistics& statistics) {
     ui::fact("Largest strain", printed("%.3g", d->max_strain), "Frobenius norm of the Green strain");
     ui::fact("Largest stress", engineering(d->max_von_mises, "Pa"), "Von Mises");
     ui::fact("Energy", engineering(d->elastic, "J") + ", " + engineering(d->kinetic, "J"), "Elastic, kinetic; F3 draws them over time");
-    ui::fact("Reaction", engineering(length(d->reaction), "N"), "Of the supports on the body");
+    balance_rows(session.simulation, state.facts, *d);
   }
   ui::fact("Motion", session.simulation.asleep() ? "at rest, asleep" : "awake",
            "A body at rest costs nothing until something changes (rest speed)");

@@ -42,6 +42,7 @@ void Session::make_renderer(bool cut_open) {
   renderer_.emplace(*simulation.programs(), surface_.triangles, static_cast<std::uint32_t>(surface_.rest_positions.size()),
                     simulation.model.fixed, surface_.rest_positions);
   cut_open_ = cut_open;
+  grabbed_.clear();  // of which the new renderer shows none
 }
 
 void Session::frame() { camera.frame(box_min_, box_max_); }
@@ -82,15 +83,24 @@ void Session::settle_range() {
   if (const auto shown = solver.shown_range()->take(true)) follow_range(*shown, display().color, look.range);
 }
 
-void Session::draw(Framebuffer& framebuffer, const std::optional<GrabMark>& grab) {
+void Session::show_grabbed() {
+  std::vector<std::uint32_t> grabbed;
+  for (const GrabSpring& spring : simulation.springs()) grabbed.push_back(spring.vertex);
+  if (grabbed == grabbed_) return;
+  renderer_->set_grabbed(grabbed);
+  grabbed_ = std::move(grabbed);
+}
+
+void Session::draw(Framebuffer& framebuffer, std::span<const GrabMark> hands) {
   GpuSolver& solver = *simulation.gpu();
   solver.publish();
+  show_grabbed();
   if (ShownRange* range = solver.shown_range(); range && !display().range) {
     if (const auto shown = range->take(false)) follow_range(*shown, display().color, look.range);
     if (!range->pending()) range->request();
   }
   framebuffer.bind();
-  renderer_->draw(SurfaceView{&solver.positions()}, camera, look, grab, framebuffer);
+  renderer_->draw(SurfaceView{&solver.positions()}, camera, look, hands, framebuffer);
   framebuffer.resolve();
 }
 

@@ -1,6 +1,7 @@
 // Where simulation and drawing meet: the one place that hands the solver's buffers to the renderer.
 #pragma once
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,7 @@ class Session {
   void set_display(const DisplaySettings& display);
 
   /// Publishes positions and draws the scene into the framebuffer (resolved afterwards, panels may follow).
-  void draw(Framebuffer& framebuffer, const std::optional<GrabMark>& grab = std::nullopt);
-  void set_grabbed(const std::vector<std::uint32_t>& vertices) { renderer_->set_grabbed(vertices); }
+  void draw(Framebuffer& framebuffer, std::span<const GrabMark> hands = {});
 
   /// The heat map's range, where it is not fixed, follows what is drawn a frame late; this takes it from the state of now, for a
   /// single picture.
@@ -49,11 +49,13 @@ class Session {
  private:
   void show_error();
   void make_renderer(bool cut_open);
+  void show_grabbed();
 
   DrawnSurface surface_;
   std::optional<DrawnRegions> regions_;  // once something has shown them
   bool cut_open_ = false;  // surface_ is the tets' own boundary, also of bodies with a finer surface
   std::optional<SceneRenderer> renderer_;
+  std::vector<std::uint32_t> grabbed_;  // vertices that the renderer shows as held
   Eigen::Vector3d box_min_, box_max_;  // of the bodies at rest [m]
   std::string description_;
 };

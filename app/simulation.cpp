@@ -76,6 +76,7 @@ void Simulation::repeat_inputs() {
 void Simulation::step() {
   equilibrium_.reset();
   repeat_inputs();
+  pull(with_hands(other_springs_, model.hands, time() + scene.solver.time_step));
   ++steps_;
   if (!reference_) {
     if (asleep_) {
@@ -129,7 +130,7 @@ void Simulation::stir() {
 
 void Simulation::renew_reference() {
   reference_ = std::make_unique<reference::NewtonSolver>(model, scene.solver);
-  if (gpu_) reference_->set_springs(gpu_->springs());
+  reference_->set_springs(springs_);
 }
 
 std::optional<std::uint32_t> Simulation::check_now() {
@@ -151,7 +152,7 @@ void Simulation::back_to_sound() {
 }
 
 Tuning Simulation::tuning() const {
-  Tuning now{scene.solver, model.materials, model.gravity, gpu_ ? gpu_->springs() : GrabInput{}};
+  Tuning now{scene.solver, model.materials, model.gravity, other_springs_};
   now.solver.frame_budget = 0;  // how many iterations fit depends on the moment; those that did are inputs
   return now;
 }
@@ -195,6 +196,7 @@ void Simulation::reset() {
   const reference::State start = replay_ && replay_->start ? *replay_->start : reference::initial_state(model);
   if (reference_) reference_state_ = start;
   if (gpu_) gpu_->upload(start);
+  pull(with_hands(other_springs_, model.hands, time() + scene.solver.time_step));
   next_input_ = 0;
   replay_begin_ = steps_;
   astray_.reset();
@@ -215,6 +217,7 @@ void Simulation::go_on_from(const reference::State& state) {
 double Simulation::time() const { return reference_ ? reference_state_.time : gpu_->time(); }
 
 reference::NewtonReport Simulation::solve_static() {
+  pull(with_hands_at_last(other_springs_, model.hands));
   if (!reference_) {
     equilibrium_.emplace();
     return march_to_equilibrium(*gpu_, model, scene.solver.tolerance > 0 ? scene.solver.tolerance : 1e-5, *equilibrium_);
@@ -259,11 +262,20 @@ void Simulation::set_gravity(const Eigen::Vector3d& gravity) {
 }
 
 void Simulation::set_grab(const std::vector<GrabSpring>& springs) {
-  if (gpu_ && springs == gpu_->springs()) return;  // a hand that holds still wakes nobody
+  if (springs == other_springs_) return;  // a hand that holds still wakes nobody
   stir();
   log_.add({steps_, springs});
-  if (gpu_) gpu_->set_grab(springs);
-  if (reference_) reference_->set_springs(springs);
+  other_springs_ = springs;
+  pull(with_hands(springs, model.hands, time() + scene.solver.time_step));
+}
+
+// Hands of the scene are no inputs: a replay has them with its scene.
+void Simulation::pull(std::vector<GrabSpring> springs) {
+  if (springs == springs_) return;
+  stir();
+  springs_ = std::move(springs);
+  if (gpu_) gpu_->set_grab(springs_);
+  if (reference_) reference_->set_springs(springs_);
 }
 
 reference::State Simulation::state() const {
@@ -287,10 +299,12 @@ Opened open_file(const std::filesystem::path& path, const std::vector<std::strin
 }
 
 Opened open_input(const CommonOptions& options, const std::vector<std::string>& sets) {
+  std::vector<std::string> overrides = sets;
+  for (const std::string& grab : options.grabs) overrides.push_back("--grab " + grab);
   if (options.replay.empty())
-    return open_file(options.input.empty() ? default_scene(find_data_dir(options.data_dir)) : std::filesystem::path(options.input), sets);
+    return open_file(options.input.empty() ? default_scene(find_data_dir(options.data_dir)) : std::filesystem::path(options.input), overrides);
   if (!options.input.empty()) throw Error("--replay", "has a scene of its own", "leave out " + options.input);
-  return open_replay(options.replay, sets);
+  return open_replay(options.replay, overrides);
 }
 
 long steps_to_run(const CommonOptions& options, const Simulation& simulation) {

@@ -35,7 +35,12 @@ class Simulation {
   void set_settings(const SolverSettings& settings);
   void set_material(std::size_t index, const Material& material);  // of model.materials
   void set_gravity(const Eigen::Vector3d& gravity);
-  void set_grab(const std::vector<GrabSpring>& springs);  // of the GPU; empty: let go
+  /// What hands beside those of the scene pull with from now on: the mouse's, or a replay's; empty: let go.
+  void set_grab(const std::vector<GrabSpring>& springs);
+  /// All springs that pull now, those of the scene's hands behind the others.
+  const std::vector<GrabSpring>& springs() const { return springs_; }
+  /// Whether hands of the scene will still take hold, move or let go.
+  bool awaits_hands() const { return time() < model.end_of_hands(); }
 
   /// A vertex that is no longer finite or has run away, as far as is known: the GPU is asked every few steps, and nothing waits.
   std::optional<std::uint32_t> astray() const { return astray_; }
@@ -70,6 +75,7 @@ class Simulation {
   void look();
   void follow_check(bool wait);
   void stir();
+  void pull(std::vector<GrabSpring> springs);
   void renew_reference();
   Tuning tuning() const;
   static constexpr int kCheckInterval = 8;  // steps
@@ -92,6 +98,7 @@ class Simulation {
   std::optional<std::uint32_t> astray_;
   long checked_step_ = 0;  // the state that was last asked about came before this step
   RestWatch rest_;
+  std::vector<GrabSpring> other_springs_, springs_;  // without and with those of the scene's hands
   bool quiet_ = false, asleep_ = false;
   long stirred_step_ = 0;  // the last change came before this step
   long steps_asleep_ = 0;

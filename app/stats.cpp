@@ -15,6 +15,18 @@ Json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 Json to_json(const Percentiles& p) { return {{"median", p.median}, {"p95", p.p95}, {"max", p.max}}; }
 
+// Of the hands that pull at the end: a scene's by their place in its "grabs", those of the mouse or a replay by when they took hold.
+Json grab_forces(const Simulation& simulation, const reference::State& last) {
+  Eigen::Vector3d total(0, 0, 0);
+  Json hands = Json::array();
+  for (const HandForce& f : forces_of_hands(simulation.springs(), last.displacement)) {
+    total += f.force;
+    const bool scripted = f.hand >= kFirstScriptedHand;
+    hands.push_back({{scripted ? "grabs" : "hand", scripted ? f.hand - kFirstScriptedHand : f.hand}, {"force", to_json(f.force)}});
+  }
+  return {{"total", to_json(total)}, {"hands", hands}};
+}
+
 }  // namespace
 
 Percentiles percentiles(std::vector<double> values) {
@@ -63,6 +75,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
                   {"momentum", to_json(measures.momentum)},
                   {"angular_momentum", to_json(measures.angular_momentum)},
                   {"reaction_N", {{"fixed", to_json(measures.fixed_reaction)}}},
+                  {"grab_N", grab_forces(simulation, last)},
                   {"dispatches_per_step", stats.dispatches_per_step},
                   {"kernels", stats.kernels},
                   {"gpu_bytes", stats.gpu_bytes},
@@ -72,6 +85,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
     json["share_solved"] = gpu->share_solved();
     json["bytes_per_iteration"] = gpu->bytes_per_iteration();
   }
+  if (stats.imbalance) json["imbalance"] = *stats.imbalance;
   if (stats.error) json["error"] = *stats.error;
   write_file(path, json.dump(2) + "\n");
 }

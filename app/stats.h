@@ -17,6 +17,7 @@ struct RunStats {
   double wall_s = 0;
   std::vector<double> step_ms, solve_ms;   // [steps]; solve: without exports and other work between steps
   double residual = 0;                     // of the last step, relative
+  std::optional<double> imbalance;         // of the forces in the last step of the GPU (Diagnostics::imbalance)
   std::optional<double> error;             // of the last step, as in StepError; where it was asked for
   std::uint64_t dispatches_per_step = 0;   // of a step that is solved
   std::size_t kernels = 0;                 // variants compiled

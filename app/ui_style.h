@@ -19,6 +19,6 @@ void set_theme(Theme wanted);
 Theme theme();
 
 /// Of the theme that is set.
-extern const ImVec4 &kAccent, &kText, &kDim, &kWarning, &kDanger, &kPanel;
+extern const ImVec4 &kAccent, &kText, &kDim, &kGood, &kWarning, &kDanger, &kPanel;
 
 }  // namespace fascia::ui

@@ -53,6 +53,7 @@ struct ViewState {
   Convergence convergence;
   Plots plots;
   GrabSettings grab;
+  std::size_t hands = 0;  // of the user, on the tissue
   SceneFacts facts;
   Statistics statistics;
 };
@@ -61,7 +62,7 @@ struct ViewState {
 struct Requests {
   bool open_dialog = false, save_dialog = false, reset = false, step = false, frame_view = false, screenshot = false, video = false,
        reload_shaders = false, close = false, plot_table = false, plot_picture = false, recent = false, export_dialog = false,
-       gallery = false, resume_left_behind = false, forget_left_behind = false;
+       gallery = false, resume_left_behind = false, forget_left_behind = false, let_go = false;
   std::optional<std::filesystem::path> open, save, export_state, resume;  // resume: what a session left (autosave.h)
 };
 

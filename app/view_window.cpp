@@ -99,7 +99,10 @@ void ViewWindow::run() {
   count_work(stats_, session_->simulation);
 }
 
-bool ViewWindow::still() const { return state_.paused || (session_->simulation.asleep() && steps_left_ < 0); }
+bool ViewWindow::still() const {
+  const Simulation& simulation = session_->simulation;
+  return state_.paused || (simulation.asleep() && steps_left_ < 0 && !simulation.awaits_hands());
+}
 
 void ViewWindow::require_device() const {
   try {
@@ -191,6 +194,7 @@ void ViewWindow::build_panels(Requests& requests) {
   s.speed = pacing_.speed();
   s.keeps_pace = pacing_.keeps_pace();
   state_.recording = video_.running();
+  state_.hands = mouse_.hands().all().size();
   draw_legend(*session_);
   draw_notice(state_);
   if (state_.show_panels) {
@@ -203,7 +207,8 @@ void ViewWindow::build_panels(Requests& requests) {
     if (d && d->probe)
       draw_probe(session_->camera, session_->simulation.model.rest_positions[*state_.plots.probe] + *d->probe, session_->look.radius);
   }
-  if (mouse_.grab().holding()) draw_force(mouse_.grab());
+  draw_hand_marks(*session_, marks());
+  draw_ring();
   if (state_.show_help) draw_help(state_);
   dialogs_.draw(requests);
   if (gallery_.draw(requests)) user_.change([](UserSettings& settings) { settings.welcomed = true; });
@@ -287,7 +292,7 @@ void ViewWindow::read_diagnostics() {
   diagnose_ = false;
   const std::optional<Diagnostics> d = solver.take_diagnostics(false);
   if (!d) return;
-  mouse_.grab().observe(d->grab_force);
+  mouse_.hands().observe(d->hand_forces);
   stats_.residual = d->residual;
   follow(*d);
   state_.statistics.diagnostics = d;
@@ -310,12 +315,25 @@ void ViewWindow::remember() {
   autosave_.keep(remembered_, name);
 }
 
+std::vector<HandMark> ViewWindow::marks() {
+  const auto& d = state_.statistics.diagnostics;
+  return hand_marks(session_->simulation, d ? d->hand_forces : std::vector<HandForce>(), &mouse_.hands());
+}
+
+// How much a hand holds, or would hold where the mouse is.
+void ViewWindow::draw_ring() {
+  if (const Grab* grab = mouse_.hands().following())
+    draw_patch_ring(*session_, grab->anchor(), session_->camera.forward(), grab->patch_radius());
+  else if (const auto& spot = hover_.spot(); spot && !mouse_.dragging() && !ImGui::GetIO().WantCaptureMouse)
+    draw_patch_ring(*session_, spot->point, spot->normal, state_.grab.radius * session_->look.radius);
+}
+
 void ViewWindow::draw() {
   render_timer_.begin();
-  std::optional<GrabMark> mark;
-  if (mouse_.grab().holding()) mark = mouse_.grab().mark();
-  session_->draw(*framebuffer_, mark);
+  session_->draw(*framebuffer_, arrows(marks()));
   render_timer_.end();
+  const bool aims = !mouse_.dragging() && !ImGui::GetIO().WantCaptureMouse;
+  hover_.look(*framebuffer_, *session_, aims ? std::optional(pointer_) : std::nullopt);
   if (const double ms = render_timer_.milliseconds(); ms > 0) state_.statistics.render.add(ms);
 }
 

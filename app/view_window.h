@@ -14,6 +14,7 @@
 #include "app/file_dialogs.h"
 #include "app/gallery.h"
 #include "app/hints.h"
+#include "app/hover.h"
 #include "app/mouse_tool.h"
 #include "app/opening_screen.h"
 #include "app/options.h"
@@ -64,6 +65,8 @@ class ViewWindow {
   void go_back();  // the state came apart
   void remember();              // now and then, for a device that is lost and for a window that ends badly
   Scene scene_now() const;      // with the materials and the camera of now
+  std::vector<HandMark> marks();
+  void draw_ring();
   void draw();
   void capture(const Requests& requests);
 
@@ -100,6 +103,8 @@ class ViewWindow {
   std::unique_ptr<Session> session_;
   std::unique_ptr<Framebuffer> framebuffer_;
   MouseTool mouse_;
+  Hover hover_;
+  Eigen::Vector2d pointer_{-1, -1};  // the mouse, in pixels of the picture
   Pacing pacing_;
   VideoCapture video_;
   ViewState state_;

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kReadShare = 0.4;  // of opening a large scene that goes by before the GPU is needed
+constexpr double kResize = 1.1;     // of a hand's patch, per press of a key
 
 }  // namespace
 
@@ -28,7 +29,11 @@ void ViewWindow::handle_input(Requests& requests) {
            : code == GLFW_MOUSE_BUTTON_RIGHT ? MouseTool::Button::right
                                              : MouseTool::Button::middle;
   };
+  const auto keys_of = [](int mods) {
+    return MouseTool::Keys{(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_ALT) != 0};
+  };
   for (const InputEvent& event : input_.take()) {
+    pointer_ = event.at;
     switch (event.kind) {
       case Kind::press:
         if (io.WantCaptureMouse || event.code > GLFW_MOUSE_BUTTON_MIDDLE) break;
@@ -36,16 +41,18 @@ void ViewWindow::handle_input(Requests& requests) {
         if (event.code == GLFW_MOUSE_BUTTON_LEFT && event.mods & GLFW_MOD_CONTROL && session_->display().section)
           mouse_.press_section(button_of(event.code), event.at);
         else
-          mouse_.press(button_of(event.code), event.mods & GLFW_MOD_SHIFT, event.at, picture, *session_, state_.grab);
+          mouse_.press(button_of(event.code), keys_of(event.mods), event.at, picture, *session_, state_.grab);
         break;
-      case Kind::release: mouse_.release(button_of(event.code), *session_); break;
+      case Kind::release: mouse_.release(button_of(event.code), keys_of(event.mods), *session_, state_.grab); break;
       case Kind::move: mouse_.move(event.at, picture, *session_); break;
       case Kind::scroll:
-        if (!io.WantCaptureMouse) session_->camera.zoom(std::pow(0.9, event.scroll));
+        if (!io.WantCaptureMouse && !mouse_.scroll(event.scroll, keys_of(event.mods), *session_, state_.grab))
+          session_->camera.zoom(std::pow(0.9, event.scroll));
         break;
       case Kind::key:
         // With a visible cursor in the panels, keys belong to them; text always does.
-        if (!io.WantTextInput && !(io.NavVisible && (event.code == GLFW_KEY_SPACE || event.code == GLFW_KEY_ENTER)))
+        if (!io.WantTextInput &&
+            !(io.NavVisible && (event.code == GLFW_KEY_SPACE || event.code == GLFW_KEY_ENTER || event.code == GLFW_KEY_ESCAPE)))
           press_key(event.code, event.mods, requests);
         break;
       case Kind::drop:
@@ -80,6 +87,12 @@ void ViewWindow::press_key(int key, int mods, Requests& requests) {
     case GLFW_KEY_H: state_.show_panels = !state_.show_panels; break;
     case GLFW_KEY_P: requests.screenshot = true; break;
     case GLFW_KEY_V: requests.video = true; break;
+    case GLFW_KEY_T: mouse_.stay(); break;
+    case GLFW_KEY_X: state_.grab.push = !state_.grab.push; break;
+    case GLFW_KEY_LEFT_BRACKET: mouse_.resize(1 / kResize, *session_, state_.grab); break;
+    case GLFW_KEY_RIGHT_BRACKET: mouse_.resize(kResize, *session_, state_.grab); break;
+    case GLFW_KEY_DELETE: mouse_.let_go(pointer_, {framebuffer_->width(), framebuffer_->height()}, *session_); break;
+    case GLFW_KEY_ESCAPE: mouse_.let_go_staying(*session_); break;
     case GLFW_KEY_F1: state_.show_help = !state_.show_help; break;
     case GLFW_KEY_F2: requests.gallery = true; break;
     case GLFW_KEY_F3:
@@ -108,6 +121,7 @@ void ViewWindow::carry_out(const Requests& requests) {
   if (requests.reset) reset();
   if (requests.step) state_.paused = true;
   if (requests.frame_view) session_->frame();
+  if (requests.let_go) mouse_.let_go_staying(*session_);
   if (requests.reload_shaders) reload_shaders();
   if (requests.close) glfwSetWindowShouldClose(graphics_.context->window(), GLFW_TRUE);
 }
@@ -211,8 +225,8 @@ void ViewWindow::export_state(const fs::path& path) {
 // What somebody has done needs no hint any more.
 void ViewWindow::follow_hints() {
   const std::vector<Material>& materials = session_->simulation.model.materials;
-  if (mouse_.grab().holding()) hints_.done("grab");
-  if (mouse_.dragging() && !mouse_.grab().holding()) hints_.done("orbit");
+  if (mouse_.hands().following()) hints_.done("grab");
+  if (mouse_.orbiting()) hints_.done("orbit");
   if (state_.show_help) hints_.done("help");
   if (hints_.wanted("tune") && ImGui::IsAnyItemActive() && tuned_from_.size() == materials.size() && tuned_from_ != materials) hints_.done("tune");
   if (hints_.wanted("tune")) tuned_from_ = materials;

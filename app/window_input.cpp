@@ -53,6 +53,8 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
     ImGui_ImplGlfw_ScrollCallback(w, x, y);
     InputEvent event{Kind::scroll};
     event.scroll = y;
+    for (const int key : {GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL})
+      if (glfwGetKey(w, key) == GLFW_PRESS) event.mods |= GLFW_MOD_CONTROL;
     of(w).add(std::move(event));
   });
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {

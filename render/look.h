@@ -47,7 +47,7 @@ inline Eigen::Vector2f map_range(const Look& look) {
   return {*look.neutral - reach, *look.neutral + reach};
 }
 
-/// A stretched spring from the grabbed patch to the mouse.
+/// The stretched springs of a hand, from the grabbed patch to where they pull it.
 struct GrabMark {
   Eigen::Vector3f from, to;
 };

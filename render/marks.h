@@ -1,7 +1,6 @@
-// What is drawn over the surface: dots on fixed and grabbed vertices, and the grab spring.
+// What is drawn over the surface: dots on fixed and grabbed vertices, and an arrow for every hand.
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <span>
 
 #include "render/gl/program.h"
@@ -14,7 +13,7 @@ class Marks {
  public:
   Marks(gl::ProgramCache& programs, std::span<const std::uint32_t> fixed);
   void set_grabbed(std::span<const std::uint32_t> vertices);
-  void draw(const Look& look, const gl::Buffer& positions, const std::optional<GrabMark>& grab) const;
+  void draw(const Look& look, const gl::Buffer& positions, std::span<const GrabMark> hands) const;
 
  private:
   struct Dots {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 
 #include "render/camera.h"
@@ -44,7 +43,7 @@ class SceneRenderer {
   /// Over the whole of `target`, which need not be cleared and is left bound, depth test on and blending off. On a
   /// transparent backdrop colors are premultiplied by alpha.
   void draw(const SurfaceView& surface, const Camera& camera, const Look& look,
-            const std::optional<GrabMark>& grab, const Framebuffer& target);
+            std::span<const GrabMark> hands, const Framebuffer& target);
 
  private:
   struct Impl;

@@ -176,6 +176,7 @@ Model build_model(const Scene& scene) {
   model.gravity = scene.gravity;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(load(scene, b), model);
   model.rest_positions = model.file_mesh.positions;
+  for (std::size_t g = 0; g < scene.grabs.size(); ++g) model.hands.push_back(resolve_hand(scene, g, model));
   return model;
 }
 
@@ -191,6 +192,12 @@ std::vector<char> Model::held() const {
 double Model::end_of_motions() const {
   double end = 0;
   for (const Motion& motion : motions) end = std::max(end, motion.start + motion.duration);
+  return end;
+}
+
+double Model::end_of_hands() const {
+  double end = 0;
+  for (const ScriptedHand& hand : hands) end = std::max(end, hand.end());
   return end;
 }
 

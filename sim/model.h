@@ -9,6 +9,7 @@
 
 #include "sim/material.h"
 #include "sim/scene.h"
+#include "sim/scripted_hand.h"
 #include "sim/tet_mesh.h"
 
 namespace fascia {
@@ -40,6 +41,7 @@ struct Model {
   std::vector<std::string> material_names;      // "beam: default", "liver: tumour"
   std::vector<std::uint32_t> fixed;             // ascending, unique; prescribed vertices not included
   std::vector<Motion> motions;
+  std::vector<ScriptedHand> hands;
   std::vector<Eigen::Vector3d> initial_velocity;  // [vertex_count] v [m/s]; zero where fixed or prescribed
   Eigen::Vector3d gravity{0, -9.81, 0};           // [m/s^2]
   std::vector<BodyPart> bodies;
@@ -50,10 +52,11 @@ struct Model {
 
   std::vector<char> held() const;  // [vertex_count] 1 where fixed or prescribed
   double end_of_motions() const;   // [s] when the last prescribed vertex has arrived; 0 without any
+  double end_of_hands() const;     // [s] when the last scripted hand has arrived or let go; 0 without any
 };
 
 /// Reads the meshes and CSV files of the scene. Throws Error for anything unreadable, a selection of nothing,
-/// a material key that names no region, prescribed targets that miss vertices.
+/// a material key that names no region, prescribed targets that miss vertices, a hand that has nothing to hold.
 Model build_model(const Scene& scene);
 
 /// Lumped masses [vertex_count] [kg]: a quarter of density * volume of each tet per vertex. Zero for

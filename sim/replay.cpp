@@ -29,19 +29,23 @@ std::vector<Vector3d> read_vectors(const Node& node) {
 
 Json document_of(const GrabInput& springs) {
   Json list = Json::array();
-  for (const GrabSpring& s : springs) list.push_back({s.vertex, s.target.x(), s.target.y(), s.target.z(), s.stiffness});
+  for (const GrabSpring& s : springs) {
+    list.push_back({s.vertex, s.target.x(), s.target.y(), s.target.z(), s.stiffness});
+    if (s.hand != 0) list.back().push_back(s.hand);
+  }
   return list;
 }
 
 GrabInput read_springs(const Node& node) {
-  const std::string expected = "a spring [vertex, x, y, z, stiffness]: the displacement it pulls to [m], N/m";
+  const std::string expected = "a spring [vertex, x, y, z, stiffness, hand]: the displacement it pulls to [m], N/m, a number if it is not 0";
   GrabInput springs;
   for (const Node& spring : node.elements("a list of springs")) {
     const std::vector<Node> values = spring.elements(expected);
-    if (values.size() != 5) spring.refuse(expected);
+    if (values.size() != 5 && values.size() != 6) spring.refuse(expected);
     const auto coordinate = [&](std::size_t k) { return values[k].number(-kAnything, kAnything, "m"); };
     springs.push_back({static_cast<std::uint32_t>(values[0].integer(0, kMostVertices)), {coordinate(1), coordinate(2), coordinate(3)},
-                       values[4].number(0, kAnything, "N/m")});
+                       values[4].number(0, kAnything, "N/m"),
+                       values.size() == 6 ? static_cast<std::uint32_t>(values[5].integer(0, kFirstScriptedHand - 1)) : 0});
   }
   return springs;
 }

@@ -15,6 +15,8 @@
 
 #include "sim/display.h"
 #include "sim/material.h"
+#include "sim/scene_grab.h"
+#include "sim/scene_selection.h"
 #include "sim/settings.h"
 
 namespace fascia {
@@ -28,31 +30,6 @@ struct Transform {  // applied scale, then rotation, then translation
 
 /// From the mesh file's coordinates to the scene's.
 Eigen::Affine3d placement(const Transform& transform);
-
-struct BoxSelection {
-  Eigen::Vector3d min, max;  // closed, on rest positions before the transform
-  bool operator==(const BoxSelection&) const = default;
-};
-struct SphereSelection {
-  Eigen::Vector3d center;
-  double radius;
-  bool operator==(const SphereSelection&) const = default;
-};
-struct VertexSelection {
-  std::vector<std::uint32_t> vertices;
-  bool operator==(const VertexSelection&) const = default;
-};
-struct GroupSelection {
-  std::string group;
-  bool operator==(const GroupSelection&) const = default;
-};
-/// "lowest": the vertices within `share` of the height from the bottom along y; how a mesh alone is held.
-struct LowestSelection {
-  double share;
-  bool operator==(const LowestSelection&) const = default;
-};
-using Selection =
-    std::variant<BoxSelection, SphereSelection, VertexSelection, GroupSelection, LowestSelection>;
 
 struct PrescribedMotion {           // path from rest to target over [start, start + duration], then held
   std::optional<Selection> select;  // with translate/rotate/scale
@@ -98,6 +75,7 @@ struct Scene {
   std::string title;
   Eigen::Vector3d gravity{0, -9.81, 0};
   std::vector<Body> bodies;
+  std::vector<ScriptedGrab> grabs;
   SolverSettings solver;
   std::optional<CameraSettings> camera;  // absent: framed on the bodies
   DisplaySettings display;
@@ -108,7 +86,7 @@ struct Scene {
 };
 
 /// Opens a scene (JSON) or a mesh alone (default material, lowest 2 percent fixed). `overrides` are --set
-/// texts "KEY=VALUE"; a KEY that starts with a key of bodies (materials., fixed., transform., ...) means body
+/// texts "KEY=VALUE", or "--grab TEXT" (sim/grab_text.h); a KEY that starts with a key of bodies (materials., fixed., transform., ...) means body
 /// 0. An override's error names "--set KEY".
 Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 /// As open_scene of a scene file with this content.

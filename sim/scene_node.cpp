@@ -18,10 +18,12 @@ bool is_within(const std::string& path, const std::string& ancestor) {
 
 }  // namespace
 
+std::string option_of(const std::string& key) { return key.starts_with("--") ? key : "--set " + on_one_line(key); }
+
 std::string DocumentOrigin::where(const std::string& path) const {
   for (auto it = overrides.rbegin(); it != overrides.rend(); ++it) {
     if (!is_within(path, it->touched)) continue;
-    return "--set " + on_one_line(it->key) + (path == it->path ? "" : ": " + path);
+    return option_of(it->key) + (path == it->path ? "" : ": " + path);
   }
   return path.empty() ? file : file + ": " + path;
 }

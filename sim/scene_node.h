@@ -23,6 +23,9 @@ struct DocumentOrigin {
   std::string where(const std::string& path) const;  // "scene.json: gravity", "--set gravity"
 };
 
+/// What the user typed for such a key: "--set gravity", "--grab".
+std::string option_of(const std::string& key);
+
 class Node {
  public:
   Node(const nlohmann::json& value, std::string path, const DocumentOrigin& origin)

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "sim/error.h"
+#include "sim/grab_text.h"
 #include "sim/scene.h"
 #include "sim/scene_json.h"
 
@@ -33,6 +34,7 @@ const json& template_document() {
     body.fixed.emplace_back(LowestSelection{0.02});
     body.prescribed.emplace_back().select = LowestSelection{0.02};
     body.surface = "surface.obj";
+    scene.grabs.emplace_back().radius = 0.01;
     return parse_json(scene_to_json(scene, ""), "template");
   }();
   return document;
@@ -71,7 +73,7 @@ json container_for(const json* pattern, const std::string& next) {
 
 void apply(json& document, const std::string& key, const std::vector<std::string>& segments, json value,
            DocumentOrigin& origin) {
-  const std::string where = "--set " + on_one_line(key);
+  const std::string where = option_of(key);
   json* node = &document;
   const json* pattern = &template_document();
   std::string path, touched;
@@ -120,6 +122,12 @@ void clear_preset_values(json& document, const std::vector<std::string>& segment
   }
 }
 
+/// "--grab TEXT": one more hand behind those of the scene.
+void append_grab(json& document, std::string_view text, DocumentOrigin& origin) {
+  const std::size_t count = document.is_object() && document.contains("grabs") ? document["grabs"].size() : 0;
+  apply(document, "--grab", {"grabs", std::to_string(count)}, grab_document(text), origin);
+}
+
 json value_of(const std::string& text) {
   try {
     return parse_json(text, "");
@@ -131,7 +139,12 @@ json value_of(const std::string& text) {
 }  // namespace
 
 void apply_overrides(json& document, const std::vector<std::string>& overrides, DocumentOrigin& origin) {
+  constexpr std::string_view kGrab = "--grab ";
   for (const std::string& text : overrides) {
+    if (text.starts_with(kGrab)) {
+      append_grab(document, std::string_view(text).substr(kGrab.size()), origin);
+      continue;
+    }
     const std::size_t equals = std::min(text.find('='), text.size());
     const std::string key = text.substr(0, equals);
     const std::vector<std::string> segments = segments_of(key);

@@ -71,7 +71,7 @@ SolverSettings read_solver(const Node& node) {
 
 Scene read_scene(const Node& root) {
   root.expect_object(
-      {"fascia_scene", "title", "gravity", "bodies", "solver", "camera", "display", "duration"});
+      {"fascia_scene", "title", "gravity", "bodies", "grabs", "solver", "camera", "display", "duration"});
   root.at("fascia_scene", "1, the version of the format").number(1, 1, "");
   Scene scene;
   if (const auto title = root.find("title")) scene.title = title->text("a text");
@@ -81,6 +81,8 @@ Scene read_scene(const Node& root) {
   for (const Node& body : bodies.elements("a list of at least one body"))
     scene.bodies.push_back(read_body(body));
   if (scene.bodies.empty()) bodies.refuse("a list of at least one body");
+  if (const auto grabs = root.find("grabs"))
+    for (const Node& grab : grabs->elements("a list of hands")) scene.grabs.push_back(read_grab(grab));
   const auto solver = root.find("solver");
   if (solver) {
     scene.solver = read_solver(*solver);

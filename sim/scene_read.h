@@ -11,6 +11,8 @@ namespace fascia {
 Scene read_scene(const Node& root);
 SolverSettings read_solver(const Node& node);
 Body read_body(const Node& node);
+ScriptedGrab read_grab(const Node& node);
+Selection read_selection(const Node& node);
 Material read_material(const Node& node);
 DisplaySettings read_display(const Node& node);
 

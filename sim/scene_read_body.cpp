@@ -96,26 +96,6 @@ Selection read_vertices(const Node& node) {
   return selection;
 }
 
-Selection read_selection(const Node& node) {
-  const std::vector<std::string> kinds = {"box", "sphere", "vertices", "group", "lowest"};
-  node.expect_object(kinds);
-  std::optional<Node> found;
-  std::string kind;
-  for (const std::string& candidate : kinds) {
-    const auto value = node.find(candidate);
-    if (!value) continue;
-    if (found) node.fail("has " + kind + " and " + candidate, "one of " + join(kinds));
-    found = value;
-    kind = candidate;
-  }
-  if (!found) node.fail("selects nothing", "one of " + join(kinds));
-  if (kind == "box") return read_box(*found);
-  if (kind == "sphere") return read_sphere(*found);
-  if (kind == "vertices") return read_vertices(*found);
-  if (kind == "group") return GroupSelection{found->text("the name of a group of the mesh")};
-  return LowestSelection{found->number(0, 1, "of the height")};
-}
-
 PrescribedMotion read_motion(const Node& node) {
   node.expect_object({"select", "translate", "rotate_deg", "scale", "targets", "start", "duration"});
   PrescribedMotion motion;
@@ -164,6 +144,26 @@ Transform read_transform(const Node& node) {
 }
 
 }  // namespace
+
+Selection read_selection(const Node& node) {
+  const std::vector<std::string> kinds = {"box", "sphere", "vertices", "group", "lowest"};
+  node.expect_object(kinds);
+  std::optional<Node> found;
+  std::string kind;
+  for (const std::string& candidate : kinds) {
+    const auto value = node.find(candidate);
+    if (!value) continue;
+    if (found) node.fail("has " + kind + " and " + candidate, "one of " + join(kinds));
+    found = value;
+    kind = candidate;
+  }
+  if (!found) node.fail("selects nothing", "one of " + join(kinds));
+  if (kind == "box") return read_box(*found);
+  if (kind == "sphere") return read_sphere(*found);
+  if (kind == "vertices") return read_vertices(*found);
+  if (kind == "group") return GroupSelection{found->text("the name of a group of the mesh")};
+  return LowestSelection{found->number(0, 1, "of the height")};
+}
 
 Material read_material(const Node& node) {
   Material material;

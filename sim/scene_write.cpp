@@ -76,6 +76,7 @@ class SceneWriter {
   json write() const {
     json object = {{"fascia_scene", 1}, {"title", scene_.title}, {"gravity", vector(scene_.gravity)}};
     for (const Body& b : scene_.bodies) object["bodies"].push_back(body(b));
+    for (const ScriptedGrab& g : scene_.grabs) object["grabs"].push_back(grab(g));
     object["solver"] = solver_document(scene_.solver);
     if (const auto& camera = scene_.camera) {
       object["camera"] = {{"eye", vector(camera->eye)},
@@ -123,6 +124,31 @@ class SceneWriter {
     }
     object["start"] = number(motion.start);
     object["duration"] = number(motion.duration);
+    return object;
+  }
+
+  static json grab(const ScriptedGrab& grab) {
+    json object = json::object();
+    if (const auto* at = std::get_if<Eigen::Vector3d>(&grab.where))
+      object["at"] = vector(*at);
+    else
+      object["select"] = selection(std::get<Selection>(grab.where));
+    if (!grab.body.empty()) object["body"] = grab.body;
+    if (grab.radius) object["radius"] = number(*grab.radius);
+    if (grab.stiffness) object["stiffness"] = number(*grab.stiffness);
+    object["start"] = number(grab.start);
+    if (!grab.path.empty()) {
+      for (const auto& [time, d] : grab.path)
+        object["path"].push_back(json::array({number(time), number(d.x()), number(d.y()), number(d.z())}));
+    } else {
+      if (grab.push)
+        object["push"] = number(*grab.push);
+      else
+        object["translate"] = vector(grab.translate);
+      object["duration"] = number(grab.duration);
+    }
+    if (grab.release) object["release"] = number(*grab.release);
+    object["smooth"] = grab.smooth;
     return object;
   }
 

@@ -26,6 +26,7 @@ struct VertexPartial {
   vec4 angular;    // xyz about the origin [kg m^2/s], w potential energy of gravity, 0 at rest positions [J]
   vec4 reaction;   // xyz force of the supports on the body [N], w largest speed squared [m^2/s^2]
   vec4 residual;   // of free vertices, M over the mean mass: x |g|^2, y |M (u - u~)|^2, z |h^2 f|^2 + |h^2 M gravity|^2 [m^2], w |M v|^2
+  vec4 inertia;    // xyz mass times acceleration of free vertices [N], w of what forces its terms are differences [N]
 };
 
 #ifdef __cplusplus

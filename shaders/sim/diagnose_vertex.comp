@@ -16,7 +16,7 @@ uniform uint vertex_count;
 
 void main() {
   ITEM_OR_RETURN(i)
-  VertexPartial partial = VertexPartial(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+  VertexPartial partial = VertexPartial(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
   for (uint v = i; v < vertex_count; v += invocations) {
     vec3 impulse = vec3(0.0);
     uint end = FETCH1(slot_begin, v + 1u);
@@ -37,6 +37,8 @@ void main() {
       vec3 weight = SUBSTEP * SUBSTEP * unit * m * GRAVITY;
       partial.residual +=
           vec4(dot(g, g), dot(inertia, inertia), dot(elastic, elastic) + dot(weight, weight), dot(momentum, momentum));
+      partial.inertia += vec4(m / (SUBSTEP * SUBSTEP) * (u - FETCH(predicted, v).xyz) + m * GRAVITY,
+                              (m / SUBSTEP * length(u) + length(p)) / SUBSTEP);
     } else {
       partial.reaction.xyz -= impulse / (SUBSTEP * SUBSTEP) + m * GRAVITY;
     }

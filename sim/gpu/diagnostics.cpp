@@ -11,6 +11,11 @@ std::uint32_t partial_count(std::uint32_t items) { return std::clamp<std::uint32
 
 }  // namespace
 
+double Diagnostics::imbalance(const Eigen::Vector3d& weight) const {
+  const double scale = std::max({reaction.norm(), grab_force.norm(), weight.norm(), inertia.norm()});
+  return scale > force_rounding ? (reaction + grab_force + weight - inertia).norm() / scale : 0;
+}
+
 DiagnosticsReader::DiagnosticsReader(const SimBuffers& buffers)
     : tet_partial_count_(partial_count(buffers.tet_count)),
       vertex_partial_count_(partial_count(buffers.vertex_count)),
@@ -72,7 +77,7 @@ void DiagnosticsReader::request(const GrabSprings& grab, double substep, double 
   if (grab_bytes) copy(grab.multiplier());
   if (probe_) copy_part(displacement_, *probe_ * probe_bytes, probe_bytes);
   if (stop_state) copy(*stop_state);
-  p.grabbed = grab.count();
+  p.hands = grab.hands();
   p.has_probe = probe_.has_value();
   p.substep = substep;
   p.time = time;
@@ -95,7 +100,7 @@ std::optional<Diagnostics> DiagnosticsReader::take(bool wait) {
 Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
   std::vector<shared::TetPartial> tets(tet_partial_count_);
   std::vector<shared::VertexPartial> vertices(vertex_partial_count_);
-  std::vector<shared::vec4> grabbed(pending.grabbed);
+  std::vector<shared::vec4> grabbed(pending.hands.joined.size());
   pending.staging.download(0, tet_partials_.bytes(), tets.data());
   pending.staging.download(tet_partials_.bytes(), vertex_partials_.bytes(), vertices.data());
   const std::size_t grab_begin = tet_partials_.bytes() + vertex_partials_.bytes(), grab_bytes = grabbed.size() * sizeof(shared::vec4);
@@ -138,13 +143,17 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
     inertia += v.residual.y;
     load += v.residual.z;
     motion += v.residual.w;
+    d.inertia += Eigen::Vector3d(v.inertia.x, v.inertia.y, v.inertia.z);
+    d.force_rounding += 1e-6 * v.inertia.w;  // ten float32 roundings
   }
+  std::vector<Eigen::Vector3d> spring_forces;
   for (const shared::vec4& g : grabbed) {
     const Eigen::Vector3d impulse(g.x, g.y, g.z);
-    d.grab_force += impulse;
+    spring_forces.push_back(impulse / (pending.substep * pending.substep));
+    d.grab_force += spring_forces.back();
     grab += (impulse / pending.mean_mass).squaredNorm();
   }
-  d.grab_force /= pending.substep * pending.substep;
+  d.hand_forces = forces_of_hands(pending.hands.springs, pending.hands.joined, pending.hands.place, spring_forces);
   const double scale = std::sqrt(inertia) + std::sqrt(load) + std::sqrt(grab);
   const double rounding = 1e-6 * pending.substep * std::sqrt(motion);  // ten float32 roundings of M (u - u_n)
   d.residual = scale > rounding ? std::sqrt(residual) / scale : 0;

@@ -23,7 +23,13 @@ struct Diagnostics {
   double volume_ratio = 1;                                          // of all tets together, over their volume at rest
   Eigen::Vector3d momentum{0, 0, 0}, angular_momentum{0, 0, 0};     // [kg m/s], [kg m^2/s]
   Eigen::Vector3d reaction{0, 0, 0};                                // of the supports on the body [N]
-  Eigen::Vector3d grab_force{0, 0, 0};                              // of the grab on the body [N]
+  Eigen::Vector3d grab_force{0, 0, 0};                              // of all hands on the body [N]
+  std::vector<HandForce> hand_forces;                               // of each of them
+  Eigen::Vector3d inertia{0, 0, 0};                                 // mass times acceleration, of free vertices [N]
+  /// reaction + grab_force + `weight` - inertia over the largest of them [-]: nothing where the last step is solved, since the
+  /// forces inside a body cancel. The weight is that of the whole scene [N]. 0 where there are no forces beyond rounding.
+  double imbalance(const Eigen::Vector3d& weight) const;
+  double force_rounding = 0;  // [N] of the inertia in float32, at most
   double min_det_f = 1, max_det_f = 1, max_strain = 0, max_von_mises = 0, max_speed = 0;  // [-], [-], [-], [Pa], [m/s]
   double rms_strain = 0;  // root of the mean of |strain|^2 (Frobenius) over the volume
   int inverted = 0;
@@ -50,7 +56,7 @@ class DiagnosticsReader {
   struct Pending {
     gl::Buffer staging;
     gl::Fence fence;
-    std::uint32_t grabbed = 0;
+    GrabSprings::Hands hands;
     double substep = 0, time = 0, mean_mass = 0;
     bool counts_iterations = false, has_probe = false;
   };

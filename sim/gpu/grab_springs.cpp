@@ -5,9 +5,11 @@ namespace fascia {
 using shared::vec4;
 
 bool GrabSprings::set(const std::vector<GrabSpring>& springs) {
+  hands_.springs = springs;
+  hands_.joined = joined(springs, hands_.place);
   std::vector<std::uint32_t> vertices;
   std::vector<vec4> targets;
-  for (const GrabSpring& s : springs) {
+  for (const GrabSpring& s : hands_.joined) {
     vertices.push_back(s.vertex);
     targets.push_back({static_cast<float>(s.target.x()), static_cast<float>(s.target.y()),
                        static_cast<float>(s.target.z()), static_cast<float>(s.stiffness)});

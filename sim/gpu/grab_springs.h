@@ -1,4 +1,5 @@
-// Springs that pull a patch of vertices to targets: the mouse's grip on the tissue. Buffers exist only while something is held.
+// Springs that pull patches of vertices to targets: the hands' grip on the tissue. Kernels see one spring per vertex, the sum of all
+// hands there, so that nothing collides. Buffers exist only while something is held.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -11,7 +12,8 @@ namespace fascia {
 
 class GrabSprings {
  public:
-  /// Replaces all springs. Returns true when their number or vertices changed, so that passes must be recorded again.
+  /// Replaces all springs, of which several may be at one vertex. Returns true when the vertices changed, so that passes must be
+  /// recorded again.
   bool set(const std::vector<GrabSpring>& springs);
   /// Whether the method takes the springs at the vertices (feature_grab.glsl) or as constraints of their own (grab.comp), and whether
   /// any kernel wants them at the vertices.
@@ -29,9 +31,15 @@ class GrabSprings {
   void forget();  // the multipliers of the last substep, which the first iteration of the next one would do
   const gl::Buffer& multiplier() const { return multiplier_; }  // vec4 [count] h^2 times the force on the tissue [kg m]
   std::uint32_t count() const { return static_cast<std::uint32_t>(vertices_.size()); }
+  struct Hands {  // whose the springs are
+    std::vector<GrabSpring> springs, joined;  // as given; as kernels see them, [count]
+    std::vector<std::uint32_t> place;  // [springs.size()] in joined
+  };
+  const Hands& hands() const { return hands_; }
 
  private:
   void spread();
+  Hands hands_;
   std::vector<std::uint32_t> vertices_;
   std::vector<shared::vec4> springs_;  // target displacement [m] and stiffness [N/m]
   bool at_vertices_ = false, spread_ = false;

@@ -15,8 +15,8 @@ constexpr int kMostSteps = 400;
 constexpr double kFirstStep = 1.0 / 30;  // [s]
 constexpr double kLongestStep = 300;     // [s] inertia is nothing for whatever fits on a table
 
-/// So many that no prescribed vertex moves by more than a third of a tet's width at once.
-int increments(const Model& model, double volume) {
+/// So many that no prescribed vertex and no spring moves by more than a third of a tet's width at once.
+int increments(const Model& model, const std::vector<GrabSpring>& springs, double volume) {
   double farthest = 0;
   for (const Motion& motion : model.motions)
     for (std::size_t k = 0; k < motion.vertices.size(); ++k) {
@@ -30,6 +30,7 @@ int increments(const Model& model, double volume) {
       }
       farthest = std::max(farthest, path);
     }
+  for (const GrabSpring& spring : springs) farthest = std::max(farthest, spring.target.norm());
   const double width = std::cbrt(6 * volume / static_cast<double>(model.tets.size()));
   return std::clamp(static_cast<int>(std::ceil(3 * farthest / width)), 1, 300);
 }
@@ -60,17 +61,23 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
     report.iterations += kIterations;
   };
 
+  const std::vector<GrabSpring> springs = solver.springs();
   const double begin = state.time, end = std::max(begin, model.end_of_motions());
-  if (end > begin) {
-    const int count = increments(model, solver.buffers().volume);
-    for (int k = 1; k <= count; ++k) step_to(begin + (end - begin) * k / count);
+  if (end > begin || !springs.empty()) {
+    const int count = increments(model, springs, solver.buffers().volume);
+    for (int k = 1; k <= count; ++k) {
+      std::vector<GrabSpring> part = springs;
+      for (GrabSpring& spring : part) spring.target *= static_cast<double>(k) / count;
+      solver.set_grab(part);
+      step_to(begin + (end - begin) * k / count);
+    }
   }
   reference::State best = state;
-  report.relative_residual = reference::static_residual(model, state);
+  report.relative_residual = reference::static_residual(model, state, springs);
   double last = report.relative_residual;
   for (int steps = 0, idle = 0; steps < kMostSteps && idle < kPatience && report.relative_residual > tolerance; ++steps) {
     step_to(end);
-    const double residual = reference::static_residual(model, state);
+    const double residual = reference::static_residual(model, state, springs);
     ++idle;
     if (residual < report.relative_residual) {
       if (residual < 0.9 * report.relative_residual) idle = 0;

@@ -35,6 +35,15 @@ VectorXd per_component(const std::vector<double>& per_vertex) {
   return all;
 }
 
+// Two parabolas are one.
+void add(const GrabSpring& spring, Potential& potential) {
+  const Eigen::Index i = 3 * static_cast<Eigen::Index>(spring.vertex);
+  const double inertia = potential.inertia[i], sum = inertia + spring.stiffness;
+  if (sum == 0) return;
+  potential.target.segment<3>(i) = (inertia * potential.target.segment<3>(i) + spring.stiffness * spring.target) / sum;
+  potential.inertia.segment<3>(i).setConstant(sum);
+}
+
 }  // namespace
 
 struct NewtonSolver::Impl {
@@ -108,13 +117,7 @@ NewtonReport NewtonSolver::Impl::substep(State& state) {
   potential.target = old + h * velocity + h * h * gravity;
   potential.start = old;
   potential.force = VectorXd::Zero(old.size());
-  for (const GrabSpring& spring : springs) {  // two parabolas are one
-    const Eigen::Index i = 3 * static_cast<Eigen::Index>(spring.vertex);
-    const double inertia = potential.inertia[i], sum = inertia + spring.stiffness;
-    potential.target.segment<3>(i) =
-        (inertia * potential.target.segment<3>(i) + spring.stiffness * spring.target) / sum;
-    potential.inertia.segment<3>(i).setConstant(sum);
-  }
+  for (const GrabSpring& spring : springs) add(spring, potential);
   if (system.viscous()) potential.viscous = {system.strains(old), h};
 
   // Coasting is the better start, but not if it turns tets inside out.
@@ -143,7 +146,14 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance) {
   system.evaluate(u, {}, internal);
   const VectorXd missing = weight - internal, start = u, zero = VectorXd::Zero(u.size());
   const auto potential = [&](double s) {
-    return Potential{{}, zero, start, start, weight - (1 - s) * missing};
+    Potential result{{}, zero, start, start, weight - (1 - s) * missing};
+    for (const GrabSpring& spring : springs) {  // their way, too, is gone step by step
+      const Vector3d from = start.segment<3>(3 * static_cast<Eigen::Index>(spring.vertex));
+      GrabSpring now = spring;
+      now.target = from + s * (spring.target - from);
+      add(now, result);
+    }
+    return result;
   };
   const NewtonReport report = follow(path, potential, true, tolerance > 0 ? tolerance : static_tolerance, u);
   state.displacement = vectors_of(u);

@@ -3,7 +3,7 @@
 //
 //   step:   minimise 1/2 (u - u~)^T M (u - u~) + h^2 sum_e V_e Psi_e
 //           with u~ = u_n + h v_n + h^2 g and v = (u - u_n) / h
-//   static: minimise sum_e V_e Psi_e - f_ext.u
+//   static: minimise sum_e V_e Psi_e - f_ext.u, and half the stiffness of every spring times its squared length
 //           with loads and prescribed motions applied in increments where one is too many for Newton's method
 #pragma once
 #include <Eigen/Core>
@@ -60,7 +60,7 @@ class NewtonSolver {
   /// One frame step: settings.substeps implicit Euler steps, each to a relative residual of 1e-12 or as far
   /// as double goes.
   NewtonReport step(State& state);
-  /// Springs that pull in the steps to come; none at first.
+  /// Springs that pull from now on, several at a vertex if need be; none at first.
   void set_springs(const std::vector<GrabSpring>& springs);
   /// Static equilibrium from `state` (its velocity is set to zero, its time to the end of all motions).
   /// `tolerance` 0 means 1e-10. Throws Error if gravity pulls at a part of the mesh that nothing holds.

@@ -6,18 +6,20 @@
 
 namespace fascia::reference {
 
-double static_residual(const Model& model, const State& state) {
+double static_residual(const Model& model, const State& state, const std::vector<GrabSpring>& springs) {
   const ElasticSystem system(model);
   const auto size = static_cast<Eigen::Index>(3 * state.displacement.size());
-  Eigen::VectorXd u(size), weight(size), gradient;
+  Eigen::VectorXd u(size), load(size), gradient;
   const std::vector<double> masses = lumped_masses(model);
   for (std::size_t v = 0; v < masses.size(); ++v) {
     u.segment<3>(static_cast<Eigen::Index>(3 * v)) = state.displacement[v];
-    weight.segment<3>(static_cast<Eigen::Index>(3 * v)) = masses[v] * model.gravity;
+    load.segment<3>(static_cast<Eigen::Index>(3 * v)) = masses[v] * model.gravity;
   }
+  for (const GrabSpring& spring : springs)
+    load.segment<3>(static_cast<Eigen::Index>(3 * spring.vertex)) += spring.stiffness * (spring.target - state.displacement[spring.vertex]);
   system.evaluate(u, {}, gradient);
-  const double scale = std::max(weight.norm(), gradient.norm());
-  return scale > 0 ? system.free_part(gradient - weight).norm() / scale : 0;
+  const double scale = std::max(load.norm(), gradient.norm());
+  return scale > 0 ? system.free_part(gradient - load).norm() / scale : 0;
 }
 
 }  // namespace fascia::reference

@@ -22,16 +22,16 @@ Model cantilever(const Material& material) {
 }
 
 struct Cantilever {
-  explicit Cantilever(const Material& material) : model(cantilever(material)), surface(boundary_triangles(model.tets)) {}
+  explicit Cantilever(const Material& material) : model(cantilever(material)), surface{boundary_triangles(model.tets), model.rest_positions} {}
   Model model;
-  std::vector<Triangle> surface;
+  DrawnSurface surface;
 
   // From straight above, in the direction in which the pointer plane is horizontal.
   bool take(Grab& grab, const Vector3d& above, const GrabSettings& settings = {}) const {
     const Ray ray{above, -Vector3d::UnitY()};
-    const auto hit = pick(ray, surface, model.rest_positions);
+    const auto hit = pick(ray, surface.triangles, model.rest_positions);
     REQUIRE(hit);
-    return grab.take(model, model.rest_positions, surface[hit->triangle], *hit, kRadius, settings);
+    return grab.take(model, surface, model.rest_positions, *hit, kRadius, settings);
   }
 };
 
@@ -71,9 +71,9 @@ TEST_CASE("a patch is what is free and near the hit point, firm in the middle") 
   REQUIRE(scene.take(grab, {0.02, 1, 0.05}, {0.3, 4}));
   for (const std::uint32_t v : grab.vertices()) CHECK(model.rest_positions[v].x() > 0);
   const Ray along{{-1, 0.05, 0.049}, Vector3d::UnitX()};
-  const auto clamp = pick(along, scene.surface, model.rest_positions);
+  const auto clamp = pick(along, scene.surface.triangles, model.rest_positions);
   REQUIRE(clamp);
-  CHECK_FALSE(grab.take(model, model.rest_positions, scene.surface[clamp->triangle], *clamp, kRadius, {0.05, 4}));
+  CHECK_FALSE(grab.take(model, scene.surface, model.rest_positions, *clamp, kRadius, {0.05, 4}));
   CHECK_FALSE(grab.holding());
 }
 
@@ -93,13 +93,13 @@ TEST_CASE("a hand holds one body and the material that is there") {
   }
   model.materials.push_back({1e7, 0.3, 1000, 0});
   model.bodies.push_back({"second", vertices, vertices, tets, tets, 1, 1});
-  const std::vector<Triangle> surface = boundary_triangles(model.tets);
+  const DrawnSurface surface{boundary_triangles(model.tets), model.rest_positions};
   for (const bool second : {false, true}) {
     CAPTURE(second);
-    const auto hit = pick({{second ? 0.31 : 0.29, 1, 0.05}, -Vector3d::UnitY()}, surface, model.rest_positions);
+    const auto hit = pick({{second ? 0.31 : 0.29, 1, 0.05}, -Vector3d::UnitY()}, surface.triangles, model.rest_positions);
     REQUIRE(hit);
     Grab grab;
-    REQUIRE(grab.take(model, model.rest_positions, surface[hit->triangle], *hit, kRadius, {0.3, 4}));
+    REQUIRE(grab.take(model, surface, model.rest_positions, *hit, kRadius, {0.3, 4}));
     for (const std::uint32_t v : grab.vertices()) CHECK((v >= vertices) == second);
     CHECK(grab.stiffness() == Approx(4 * (second ? 1e7 : 1e4) * 0.3 * kRadius));
   }

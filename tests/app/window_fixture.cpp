@@ -170,6 +170,9 @@ void FasciaWindow::key(const std::string& name) { xdotool({"key", name}); }
 void FasciaWindow::type(const std::string& text) { xdotool({"type", "--delay", "30", text}); }
 void FasciaWindow::pause() { std::this_thread::sleep_for(std::chrono::milliseconds(700)); }
 void FasciaWindow::press() { xdotool({"mousedown", "1"}); }
+void FasciaWindow::key_down(const std::string& name) { xdotool({"keydown", name}); }
+void FasciaWindow::key_up(const std::string& name) { xdotool({"keyup", name}); }
+void FasciaWindow::click(int button) { xdotool({"click", std::to_string(button)}); }
 void FasciaWindow::release() { xdotool({"mouseup", "1"}); }
 
 void FasciaWindow::move(int x, int y) {

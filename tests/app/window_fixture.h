@@ -50,6 +50,9 @@ class FasciaWindow {
   void move(int x, int y);            // in small steps from where the mouse is
   void press();                       // left button
   void release();
+  void key_down(const std::string& name);
+  void key_up(const std::string& name);
+  void click(int button);             // 3 right, 4 and 5 the wheel up and down
   Screenshot screenshot();            // through P
   bool running();
   void kill_at_once();                // as the system does: no chance to clean up

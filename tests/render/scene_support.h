@@ -116,7 +116,7 @@ struct Scene {
     renderer.set_regions(triangle_region);
     const gl::Buffer positions = shape.upload();
     const Framebuffer target(width, height, samples);
-    renderer.draw({&positions}, camera, look, grab, target);
+    renderer.draw({&positions}, camera, look, {grab ? &*grab : nullptr, grab ? std::size_t{1} : 0}, target);
     target.resolve();
     const Image image = target.read();
     CHECK(gl::GetError() == GL_NO_ERROR);

@@ -37,7 +37,7 @@ TEST_CASE("a replay that is written reads back the same, to the last digit") {
   material.young_modulus = 2.5e7;
   material.damping = 0.1;
   material.model = MaterialModel::stable_neo_hookean;
-  replay.inputs = {{0, GrabInput{{3, {0.1, 0.2, -0.3}, 1234.5}, {4, {1, 1, 1}, 2}}},
+  replay.inputs = {{0, GrabInput{{3, {0.1, 0.2, -0.3}, 1234.5}, {4, {1, 1, 1}, 2}, {4, {1, 1, 2}, 3, 7}}},
                    {5, settings},
                    {5, MaterialInput{1, material}},
                    {6, GravityInput{{0, 9.81, 0}}},
@@ -76,7 +76,7 @@ TEST_CASE("what is no replay is refused in one line") {
   CHECK(input_error(R"({"step": 2, "gravity": [0, 0, 0]}, {"step": 1, "gravity": [0, 0, 0]})") ==
         "r.fascia: inputs[1].step: is 1; expected a whole number, 2 to 1e+09");
   CHECK(input_error(R"({"step": 0, "grab": [[1, 2, 3]]})") ==
-        "r.fascia: inputs[0].grab[0]: is [1,2,3]; expected a spring [vertex, x, y, z, stiffness]: the displacement it pulls to [m], N/m");
+        "r.fascia: inputs[0].grab[0]: is [1,2,3]; expected a spring [vertex, x, y, z, stiffness, hand]: the displacement it pulls to [m], N/m, a number if it is not 0");
   CHECK(input_error(R"({"step": 0, "material": {"index": 0, "values": {"young_modulus": -1}}})") ==
         "r.fascia: inputs[0].material.values.young_modulus: is -1; expected 0.001 to 1e+14 Pa");
 }

@@ -1,0 +1,32 @@
+// Where the hands are and how hard they pull, drawn over the tissue: those of the user, of the scene and of a replay alike.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "app/hands.h"
+#include "app/session.h"
+
+namespace fascia {
+
+inline constexpr double kMarkRadius = 11;  // of the handle of a hand [1/720 of the picture's height]
+
+struct HandMark {
+  GrabMark arrow;               // from the tissue to where it is pulled: along the force, as long as the springs are
+  Eigen::Vector3d force;        // [N]
+  bool stays = false;           // a hand of the user that does not follow the mouse: can be taken up by its handle
+};
+
+/// `forces` as last observed; `hands` of the user, null where there is none.
+std::vector<HandMark> hand_marks(const Simulation& simulation, const std::vector<HandForce>& forces, const Hands* hands);
+std::vector<GrabMark> arrows(const std::vector<HandMark>& marks);
+
+/// Pixel of a place in a picture of the session; nothing behind the eye.
+std::optional<Eigen::Vector2d> pixel_of(const Session& session, const Eigen::Vector3d& place, int width, int height);
+
+/// Handles and forces in newtons, between ImGui::NewFrame and ImGui::Render.
+void draw_hand_marks(const Session& session, const std::vector<HandMark>& marks);
+
+/// A circle of the patch's radius [m] on the tissue at this place, square to `normal`.
+void draw_patch_ring(const Session& session, const Eigen::Vector3d& place, const Eigen::Vector3d& normal, double radius);
+
+}  // namespace fascia
