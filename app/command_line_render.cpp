@@ -1,8 +1,43 @@
 // The options of fascia render.
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/tolerance.h"
+#include "sim/error.h"
 
 namespace fascia {
+namespace {
+
+CLI::Option* add_tolerance(CLI::App& command, const std::string& name, double& field, const std::string& fallback, const std::string& help) {
+  return command
+      .add_option_function<std::string>(
+          name,
+          [&field, name](const std::string& text) {
+            try {
+              field = parse_tolerance(text, name);
+            } catch (const Error& error) {
+              throw CLI::ValidationError(error.what());
+            }
+          },
+          help)
+      ->type_name("SHARE")
+      ->default_str(fallback);
+}
+
+void add_comparison(CLI::App& command, RenderOptions& options) {
+  CLI::Option* picture = command.add_option("--compare", options.compare, "a golden picture to compare with; exit code 1 where it differs")
+                             ->type_name("GOLDEN.png");
+  CLI::Option* state = command.add_option("--state", options.state, "golden positions to compare those reached with, as run --export writes them")
+                           ->type_name("GOLDEN.csv");
+  add_tolerance(command, "--max-mean", options.limits.mean, "0.5/255", "mean difference of color channels that --compare allows")->needs(picture);
+  add_tolerance(command, "--max-share", options.limits.share, "0.002", "share of pixels that may be off by more than 8/255")->needs(picture);
+  add_tolerance(command, "--state-tolerance", options.limits.state, "1e-4",
+                "how far a vertex may be from its golden, in sizes of the scene (diagonal of its box at rest)")
+      ->needs(state);
+  command.add_option("--diff", options.difference, "golden, new picture and difference side by side")->type_name("FILE.png")->needs(picture);
+  command.add_flag("--update", options.update, "write the goldens anew and say what changed");
+}
+
+}  // namespace
 
 void add_render(CLI::App& program, Invocation& invocation) {
   const auto options = std::make_shared<RenderOptions>();
@@ -16,6 +51,7 @@ void add_render(CLI::App& program, Invocation& invocation) {
   command.add_option("--color", options->color, "what colors the tissue, as the scene key display.color: none, region, strain, von_mises, displacement, ...");
   command.add_flag("--wireframe", options->wireframe, "draw the surface's edges");
   command.add_flag("--ui", options->panels, "draw the window's panels too");
+  add_comparison(command, *options);
   command.callback([&invocation, options] {
     options->command_line = invocation.command_line;
     invocation.run = [options] { return command_render(*options); };

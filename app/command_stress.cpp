@@ -1,12 +1,11 @@
 // fascia stress: the torture table as CSV and Markdown, and for every failure a replay and a picture.
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <iostream>
 #include <map>
 
 #include "app/bench.h"
 #include "app/commands.h"
+#include "app/name_pattern.h"
 #include "app/stress.h"
 #include "sim/error.h"
 #include "sim/file.h"
@@ -25,11 +24,6 @@ struct Row {
 };
 
 std::string full_name(const StressCase& made, const Pair& pair) { return made.group + "/" + made.name + "/" + name_of(pair); }
-
-// A part of the name is enough; * and ? stand for what they stand for in file names.
-bool wanted(const std::string& name, const std::string& pattern) {
-  return pattern.empty() || fnmatch(("*" + pattern + "*").c_str(), name.c_str(), 0) == 0;
-}
 
 std::string file_name(std::string name) {
   for (char& c : name)
@@ -122,7 +116,7 @@ int command_stress(const BenchOptions& options, const std::string& only, Materia
       if (!carries(pair.method, model)) continue;
       for (StressCase& made : stress_cases(pair, model, bench.folder, options.quick)) {
         const std::string name = full_name(made, pair);
-        if (!wanted(name, only)) continue;
+        if (!matches(name, only)) continue;
         bench.stop_if_interrupted();
         Row& row = rows.emplace_back(Row{pair, std::move(made), {}, {}});
         {

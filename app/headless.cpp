@@ -69,4 +69,11 @@ Provenance Headless::provenance() const {
                        simulation.time());
 }
 
+Outcome Headless::outcome() {
+  const Simulation& simulation = session_.simulation;
+  Image picture = draw().read();
+  return {std::move(picture), provenance(), simulation.model.file_mesh,
+          reference::export_fields(simulation.model, simulation.state()), simulation.gpu()->buffers().size};
+}
+
 }  // namespace fascia

@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 
+#include "app/golden.h"
 #include "app/options.h"
 #include "app/overlay.h"
 #include "app/provenance.h"
@@ -25,6 +26,7 @@ class Headless {
   long step() const { return step_; }
   long steps() const { return steps_; }  // that run() makes
   Provenance provenance() const;         // of this moment
+  Outcome outcome();                     // the same, drawn, with the state that it shows
 
  private:
   Headless(const RenderOptions& options, Opened opened);

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/golden_files.h"
+
 namespace fascia {
 
 struct CommonOptions {
@@ -32,6 +34,12 @@ struct RenderOptions : CommonOptions {
   bool panels = false;        // --ui
   std::string color;          // overrides display.color
   bool wireframe = false;
+  std::string compare;        // golden PNG
+  std::string state;          // golden CSV
+  GoldenLimits limits;
+  std::string difference;     // --diff, PNG
+  bool update = false;        // the goldens, instead of comparing
+  GoldenFiles goldens() const { return {compare, state}; }
 };
 
 struct RunOptions : CommonOptions {

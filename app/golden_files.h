@@ -1,0 +1,19 @@
+// Where goldens lie, and how far from them a picture or a state may be.
+#pragma once
+#include <filesystem>
+
+namespace fascia {
+
+struct GoldenFiles {
+  std::filesystem::path picture, state;  // empty: not compared
+};
+
+/// The defaults are measured: docs/regression.md.
+struct GoldenLimits {
+  double mean = 0.5 / 255;  // of absolute channel differences, 0 to 1
+  double share = 0.002;     // of pixels with a channel off by more than kPixelBound
+  double state = 1e-4;      // largest distance of a vertex from its golden, in sizes of the scene (diagonal of its box at rest)
+};
+inline constexpr double kPixelBound = 8.0 / 255;
+
+}  // namespace fascia
