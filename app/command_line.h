@@ -21,16 +21,30 @@ std::unique_ptr<CLI::App> make_command_line(Invocation& invocation);
 
 void add_view(CLI::App& program, Invocation& invocation);  // as command, and as what runs without one
 void add_render(CLI::App& program, Invocation& invocation);
+void add_check(CLI::App& program, Invocation& invocation);
 void add_run(CLI::App& program, Invocation& invocation);
 void add_bench(CLI::App& program, Invocation& invocation);
 void add_stress(CLI::App& program, Invocation& invocation);
 void add_soak(CLI::App& program, Invocation& invocation);
 void add_info(CLI::App& program, Invocation& invocation);
 void add_convert(CLI::App& program, Invocation& invocation);
+void add_completion(CLI::App& program, Invocation& invocation);
+void add_man(CLI::App& program, Invocation& invocation);
 
 // Options that several commands have.
 void add_size(CLI::App& command, int& width, int& height);
 void add_graphics(CLI::App& command, CommonOptions& options);
 void add_common(CLI::App& command, CommonOptions& options);  // add_graphics() and what opens and steps a scene
+
+
+/// One of `choices`, which the help shows as a|b|c. `name` begins with "--", or is a positional's.
+CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& field, const std::vector<std::string>& choices,
+                        const std::string& help);
+
+/// Ends the command's help: command lines that do something useful, and exit codes where 1 means more than that the work failed.
+void add_examples(CLI::App& command, const std::vector<std::string>& lines, const std::string& failed = "the work failed");
+
+/// What a wrong command line is answered with: the error and, where a word is nearly one that is known, that word.
+std::string usage_message(const CLI::App& program, const CLI::ParseError& error);
 
 }  // namespace fascia

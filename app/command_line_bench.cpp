@@ -12,6 +12,7 @@ void add_figures(CLI::App& bench, Invocation& invocation) {
   command.add_flag("--quick", options->quick, "small meshes, few iterations: the same files in less time, the numbers worth little");
   add_size(command, options->width, options->height);
   add_graphics(command, *options);
+  add_examples(command, {"fascia bench figures --quick --out figures"});
   command.callback([&invocation, options] { invocation.run = [options] { return command_bench_figures(*options); }; });
 }
 
@@ -27,6 +28,7 @@ void add_accuracy(CLI::App& bench, Invocation& invocation) {
   command.add_flag("--quick", options->quick, "three small cases, for a first look");
   command.add_flag("--fresh", options->fresh, "measure again what the folder holds");
   add_graphics(command, *options);
+  add_examples(command, {"fascia bench accuracy --quick --out accuracy"});
   command.callback([&invocation, options] { invocation.run = [options] { return command_bench_accuracy(*options, options->fresh); }; });
 }
 
@@ -44,6 +46,7 @@ void add_speed(CLI::App& bench, Invocation& invocation) {
       ->type_name("FILE.csv");
   add_size(command, options->width, options->height);
   add_graphics(command, *options);
+  add_examples(command, {"fascia bench speed --out speed --against old/speed.csv"}, "something became slower");
   command.callback([&invocation, options] { invocation.run = [options] { return command_bench_speed(*options, options->against); }; });
 }
 
@@ -53,6 +56,7 @@ void add_skip(CLI::App& bench, Invocation& invocation) {
   command.add_option("--out", options->out, "folder for the table, made if missing")->type_name("DIR")->required();
   command.add_flag("--quick", options->quick, "a small mesh, few repetitions");
   add_graphics(command, *options);
+  add_examples(command, {"fascia bench skip --out skip"}, "a feature that is off costs something");
   command.callback([&invocation, options] { invocation.run = [options] { return command_bench_skip(*options); }; });
 }
 

@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/tolerance.h"
 #include "sim/error.h"
+#include "sim/scene.h"
 
 namespace fascia {
 namespace {
@@ -29,8 +30,8 @@ void add_comparison(CLI::App& command, RenderOptions& options) {
   CLI::Option* state = command.add_option("--state", options.state, "golden positions to compare those reached with, as run --export writes them")
                            ->type_name("GOLDEN.csv");
   add_tolerance(command, "--max-mean", options.limits.mean, "0.5/255", "mean difference of color channels that --compare allows")->needs(picture);
-  add_tolerance(command, "--max-share", options.limits.share, "0.002", "share of pixels that may be off by more than 8/255")->needs(picture);
-  add_tolerance(command, "--state-tolerance", options.limits.state, "1e-4",
+  add_tolerance(command, "--max-share", options.limits.share, "0.001", "share of pixels that may be off by more than 8/255")->needs(picture);
+  add_tolerance(command, "--state-tolerance", options.limits.state, "1e-5",
                 "how far a vertex may be from its golden, in sizes of the scene (diagonal of its box at rest)")
       ->needs(state);
   command.add_option("--diff", options.difference, "golden, new picture and difference side by side")->type_name("FILE.png")->needs(picture);
@@ -48,10 +49,16 @@ void add_render(CLI::App& program, Invocation& invocation) {
   command.add_option("--video", options->video, "every frame, through ffmpeg")->type_name("FILE.mp4");
   command.add_option("--fps", options->fps, "frames per second of the video")->check(CLI::Range(1.0, 1000.0))->capture_default_str();
   command.add_option("--samples", options->samples, "samples per pixel")->check(CLI::Range(1, 16))->capture_default_str();
-  command.add_option("--color", options->color, "what colors the tissue, as the scene key display.color: none, region, strain, von_mises, displacement, ...");
+  std::string colors;
+  for (const ColorBy color : all_colors()) colors += (colors.empty() ? "" : "|") + std::string(name_of(color));
+  command.add_option("--color", options->color, "what colors the tissue (scene key display.color)")->type_name(colors);
   command.add_flag("--wireframe", options->wireframe, "draw the surface's edges");
   command.add_flag("--ui", options->panels, "draw the window's panels too");
   add_comparison(command, *options);
+  add_examples(command, {"fascia render liver.json --out shot.png --steps 60 --color von_mises",
+                         "fascia render liver.json --video liver.mp4 --time 4 --size 1920x1080",
+                         "fascia render liver.json --steps 30 --compare golden.png --state golden.csv --diff diff.png"},
+               "the work failed, or a golden differs");
   command.callback([&invocation, options] {
     options->command_line = invocation.command_line;
     invocation.run = [options] { return command_render(*options); };

@@ -21,6 +21,9 @@ void add_run(CLI::App& program, Invocation& invocation) {
       ->needs(history);
   command.add_option("--stats", options->stats, "numbers about the run")->type_name("FILE.json");
   command.add_flag("--error", options->error, "compare the last step with the exact one, by the reference solver");
+  add_examples(command, {"fascia run beam.json --export out.vtu --every 10",
+                         "fascia run liver.json --static --set materials.default.young_modulus=8000 --export hanging.csv",
+                         "fascia run beam.json --time 1 --stats stats.json --quiet"});
   command.callback([&invocation, options] {
     options->command_line = invocation.command_line;
     invocation.run = [options] { return command_run(*options); };

@@ -5,6 +5,19 @@
 
 namespace fascia {
 
+CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& field, const std::vector<std::string>& choices,
+                        const std::string& help) {
+  std::string names;
+  for (const std::string& choice : choices) names += (names.empty() ? "" : "|") + choice;
+  return command.add_option(name, field, help)->check(CLI::IsMember(choices).description(""))->type_name(names);
+}
+
+void add_examples(CLI::App& command, const std::vector<std::string>& lines, const std::string& failed) {
+  std::string text = lines.size() == 1 ? "Example:\n" : "Examples:\n";
+  for (const std::string& line : lines) text += "  " + line + "\n";
+  command.footer(text + "Exit codes: 0 done, 1 " + failed + ", 2 wrong usage, 130 interrupted");
+}
+
 void add_size(CLI::App& command, int& width, int& height) {
   command
       .add_option_function<std::string>(
@@ -21,25 +34,23 @@ void add_size(CLI::App& command, int& width, int& height) {
 }
 
 void add_graphics(CLI::App& command, CommonOptions& options) {
-  command.add_option("--context", options.context, "where OpenGL comes from")
-      ->check(CLI::IsMember({"auto", "window", "egl", "osmesa"}))
-      ->capture_default_str();
-  command.add_option("--loads", options.loads, "how kernels read buffers; auto: texel on software renderers, ssbo on GPUs")
-      ->check(CLI::IsMember({"auto", "ssbo", "texel"}))
+  add_choice(command, "--context", options.context, {"auto", "window", "egl", "osmesa"}, "where OpenGL comes from")->capture_default_str();
+  add_choice(command, "--loads", options.loads, {"auto", "ssbo", "texel"},
+             "how kernels read buffers; auto: texel on software renderers, ssbo on GPUs")
       ->capture_default_str();
   command.add_option("--data-dir", options.data_dir, "folder that holds shaders/ and assets/")->type_name("DIR");
   command.add_flag("--quiet", options.quiet, "say nothing but errors");
 }
 
 void add_common(CLI::App& command, CommonOptions& options) {
-  command.add_option("scene", options.input, "scene (.json) or tetrahedral mesh; default: the shipped liver");
+  command.add_option("scene", options.input, "scene (.json) or tetrahedral mesh; default: the shipped liver")->type_name("FILE");
   command.add_option("--set", options.sets, "override a scene value, e.g. solver.iterations=40")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command.add_option("--grab", options.grabs, "one more hand, as in the scene's grabs: \"at=0.1,0.05,0;translate=0,0.1,0;start=0.2;duration=0.5;release=1.5;radius=0.02\"")
       ->type_name("KEY=VALUE;...")
       ->allow_extra_args(false);
-  command.add_option("--replay", options.replay, "recorded inputs, with the scene they were made on")->type_name("FILE");
+  command.add_option("--replay", options.replay, "recorded inputs, with the scene they were made on")->type_name("FILE.fascia");
   auto* steps = command.add_option("--steps", options.steps, "steps to simulate")->check(CLI::NonNegativeNumber);
   command.add_option("--time", options.time, "seconds to simulate; default: the scene's duration")
       ->type_name("SECONDS")

@@ -20,9 +20,12 @@ void add_stress(CLI::App& program, Invocation& invocation) {
   command.add_flag("--quick", options->quick, "small meshes");
   command.add_option("--only", options->only, "cases whose group/case/method + acceleration has such a part; * and ? as in file names")
       ->type_name("PATTERN");
-  command.add_option("--model", options->model, "material model of all bodies")->check(CLI::IsMember(models))->capture_default_str();
+  add_choice(command, "--model", options->model, models, "material model of all bodies")->capture_default_str();
   add_size(command, options->width, options->height);
   add_graphics(command, *options);
+  add_examples(command, {"fascia stress --quick --out stress",
+                         "fascia stress --only 'starts/*two_level' --out stress"},
+               "a case fails");
   command.callback([&invocation, options] {
     invocation.run = [options] { return command_stress(*options, options->only, *find_material_model(options->model)); };
   });

@@ -5,10 +5,14 @@
 
 namespace fascia {
 
+struct CheckOptions;
+
 inline constexpr int exit_done = 0, exit_failed = 1, exit_usage = 2, exit_interrupted = 130;
 
 int command_view(const ViewOptions& options);
 int command_render(const RenderOptions& options);
+/// Stdout gets a table.
+int command_check(const CheckOptions& options);
 int command_run(const RunOptions& options);
 int command_bench_figures(const BenchOptions& options);
 /// `fresh`: measures again what the folder holds.

@@ -1,6 +1,7 @@
 #include "app/golden.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "app/difference_picture.h"
@@ -46,8 +47,7 @@ Deviation deviation(const Outcome& outcome, const std::vector<Eigen::Vector3d>& 
   Deviation result;
   for (std::size_t v = 0; v < golden.size(); ++v) {
     const double distance = (outcome.mesh.positions[v] + outcome.fields.displacement[v] - golden[v]).norm();
-    if (distance <= result.largest) continue;  // so that a distance that is no number is the largest
-    result = {distance, v};
+    if (result.largest < distance || std::isnan(distance)) result = {distance, v};  // once no number, always none
   }
   return result;
 }

@@ -18,7 +18,9 @@ int run(int argc, char** argv) {
   try {
     program->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return program->exit(error) == 0 ? exit_done : exit_usage;
+    if (error.get_exit_code() == 0) return program->exit(error);  // help and version
+    std::cerr << usage_message(*program, error) << '\n';
+    return exit_usage;
   }
   catch_interrupts();
   return invocation.run();

@@ -1,0 +1,35 @@
+// The command line as a tree of plain texts: what the man page and the completion of shells are written from.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace fascia {
+
+struct OptionEntry {
+  enum class Takes { nothing, anything, choice, file, folder, scene_value };
+  std::string name;                  // "--set"; of a positional "scene"
+  std::string value;                 // "KEY=VALUE"; empty: it is a flag
+  std::string help, fallback;        // fallback: the default, where it is worth a word
+  Takes takes = Takes::anything;
+  std::vector<std::string> choices;  // of Takes::choice
+  std::string ending;                // of Takes::file: ".png"; empty: any
+  bool required = false, many = false;
+};
+
+struct CommandEntry {
+  std::vector<std::string> path;  // {"bench", "speed"}; empty: the program
+  std::string help, examples;
+  std::vector<OptionEntry> options, positionals;
+  std::vector<CommandEntry> commands;  // without hidden ones
+};
+
+CommandEntry describe(const CLI::App& program);
+
+/// The command and all below it, parents first.
+std::vector<const CommandEntry*> all_commands(const CommandEntry& command);
+
+/// "INT" of "INT:INT in [1 - 16]": what an option takes, without how it is checked.
+std::string value_name(const CLI::Option& option);
+
+}  // namespace fascia
