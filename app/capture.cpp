@@ -20,43 +20,55 @@ fs::path dated_name(const std::string& ending) {
   return path;
 }
 
-void VideoCapture::start(const Framebuffer& framebuffer, const Provenance& provenance) {
-  path_ = dated_name(".mp4");
-  width_ = framebuffer.width();
-  height_ = framebuffer.height();
+void VideoCapture::start(const VideoSettings& settings, const Framebuffer& window, const Provenance& provenance) {
+  // Encoders want even sizes; a window has any size.
+  width_ = (settings.width > 0 ? settings.width : window.width()) & ~1;
+  height_ = (settings.height > 0 ? settings.height : window.height()) & ~1;
+  fs::path path = dated_name(settings.kind == VideoKind::mp4 ? ".mp4" : settings.kind == VideoKind::webm ? ".webm" : "");
+  const fs::path target = settings.kind == VideoKind::pictures ? path / "%05d.png" : path;
+  queue_ = std::make_unique<FrameQueue>(open_frames(target, {width_, height_, settings.fps, true}, provenance));
+  path_ = std::move(path);
+  settings_ = settings;
   owed_ = 1;
-  // H.264 wants even sizes; a window has any size.
-  recorder_ = std::make_unique<Recorder>(path_, width_ & ~1, height_ & ~1, kFps, provenance);
+  frames_ = dropped_ = 0;
 }
 
 fs::path VideoCapture::finish() {
-  const std::unique_ptr<Recorder> recorder = std::move(recorder_);
-  recorder->finish();
+  const std::unique_ptr<FrameQueue> queue = std::move(queue_);
+  own_.reset();
+  queue->finish();
   return path_;
 }
 
-double VideoCapture::seconds() const { return recorder_ ? static_cast<double>(recorder_->frames()) / kFps : 0; }
-
-int VideoCapture::steps_per_frame(double time_step) {
-  return std::max(1, static_cast<int>(std::lround(1 / (kFps * time_step))));
+bool VideoCapture::advance(double simulated) {
+  owed_ += simulated * settings_.fps;
+  return owed_ >= 0.5;
 }
 
-void VideoCapture::write(const Framebuffer& framebuffer, double simulated) {
-  owed_ += simulated * kFps;
-  if (owed_ < 0.5) return;
-  const std::size_t row = 4 * static_cast<std::size_t>(width_), even_row = 4 * static_cast<std::size_t>(width_ & ~1);
-  const auto even_height = static_cast<std::size_t>(height_ & ~1);
-  pixels_.resize(row * static_cast<std::size_t>(height_));
-  framebuffer.read_into(pixels_.data());
-  even_.resize(even_row * even_height);
-  for (std::size_t y = 0; y < even_height; ++y)
-    std::copy_n(pixels_.begin() + static_cast<std::ptrdiff_t>(y * row), even_row, even_.begin() + static_cast<std::ptrdiff_t>(y * even_row));
+Framebuffer& VideoCapture::canvas(Framebuffer& window, bool shows_panels) {
+  const bool same_size = (window.width() & ~1) == width_ && (window.height() & ~1) == height_;
+  if (same_size && (settings_.panels || !shows_panels)) return window;
+  if (!own_) own_ = std::make_unique<Framebuffer>(width_, height_, window.samples());
+  return *own_;
+}
+
+void VideoCapture::write(const Framebuffer& canvas) {
+  const std::size_t row = 4 * static_cast<std::size_t>(canvas.width()), even_row = 4 * static_cast<std::size_t>(width_);
+  pixels_.resize(row * static_cast<std::size_t>(canvas.height()));
+  canvas.read_into(pixels_.data());
+  std::vector<std::uint8_t> frame(even_row * static_cast<std::size_t>(height_));
+  for (std::size_t y = 0; y < static_cast<std::size_t>(height_); ++y)
+    std::copy_n(pixels_.begin() + static_cast<std::ptrdiff_t>(y * row), even_row, frame.begin() + static_cast<std::ptrdiff_t>(y * even_row));
+  const int count = static_cast<int>(std::floor(owed_ + 0.5));
+  owed_ -= count;
   try {
-    for (; owed_ >= 0.5; owed_ -= 1) recorder_->write(even_);
+    dropped_ += queue_->add(std::move(frame), count);
   } catch (...) {
-    recorder_.reset();
+    queue_.reset();
+    own_.reset();
     throw;
   }
+  frames_ += count;
 }
 
 }  // namespace fascia

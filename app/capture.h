@@ -1,11 +1,12 @@
-// Pictures and videos out of the window, as it shows them, with what made them as metadata.
+// Pictures and videos out of the window, with what made them as metadata.
 #pragma once
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "app/recorder.h"
+#include "app/frame_queue.h"
+#include "app/video_settings.h"
 #include "render/framebuffer.h"
 
 namespace fascia {
@@ -13,28 +14,32 @@ namespace fascia {
 /// fascia-20250131-235959.png in the current folder; numbered if there is one of the same second.
 std::filesystem::path dated_name(const std::string& ending);
 
+/// A video at the speed of life: simulated time is its time, so that it stands still where the simulation does.
 class VideoCapture {
  public:
-  static constexpr double kFps = 60;
-
-  /// Throws Error, as all below do when ffmpeg fails; the video is gone then.
-  void start(const Framebuffer& framebuffer, const Provenance& provenance);
+  /// `window`: what it shows now. Throws Error, as all below do when ffmpeg or the disk fails; the video is gone then.
+  void start(const VideoSettings& settings, const Framebuffer& window, const Provenance& provenance);
   std::filesystem::path finish();
-  bool running() const { return recorder_ != nullptr; }
-  double seconds() const;  // of video so far
+  bool running() const { return queue_ != nullptr; }
+  double seconds() const { return static_cast<double>(frames_) / settings_.fps; }  // of video so far
+  long dropped() const { return dropped_; }  // frames for which the one before is shown, for there was no other
+  const VideoSettings& settings() const { return settings_; }
 
-  /// Most steps before the next picture, so that no frame of the video is left out.
-  static int steps_per_frame(double time_step);
-  /// After `simulated` more seconds [s]: writes the frames that are due, so that the video runs at the speed of life.
-  void write(const Framebuffer& framebuffer, double simulated);
-  bool fits(int width, int height) const { return width == width_ && height == height_; }
+  /// After `simulated` more seconds [s]: whether a frame is due.
+  bool advance(double simulated);
+  /// What to draw a due frame on: the window's picture where that is what is wanted, else one of its own.
+  Framebuffer& canvas(Framebuffer& window, bool shows_panels);
+  void write(const Framebuffer& canvas);
 
  private:
-  std::unique_ptr<Recorder> recorder_;
+  VideoSettings settings_;
+  std::unique_ptr<FrameQueue> queue_;
+  std::unique_ptr<Framebuffer> own_;
   std::filesystem::path path_;
   int width_ = 0, height_ = 0;
   double owed_ = 0;  // frames
-  std::vector<std::uint8_t> pixels_, even_;
+  long frames_ = 0, dropped_ = 0;
+  std::vector<std::uint8_t> pixels_;
 };
 
 }  // namespace fascia

@@ -5,7 +5,9 @@
 #include <numeric>
 
 #include "app/commands.h"
+#include "app/file_provenance.h"
 #include "sim/coloring.h"
+#include "sim/file.h"
 #include "sim/locality.h"
 #include "sim/mesh_doctor.h"
 #include "sim/model.h"
@@ -42,6 +44,12 @@ int command_info(const InfoOptions& options) {
   if (options.tissues) {
     print_tissues(std::cout);
     return exit_done;
+  }
+  if (const auto provenance = provenance_of_file(options.input)) {
+    std::cout << options.input << '\n';
+    for (const auto& [keyword, text] : *provenance) std::cout << "  " << std::left << std::setw(12) << keyword << ' ' << text << (text.ends_with('\n') ? "" : "\n");
+    const std::string ending = lower_ending(options.input);
+    if (ending != ".vtu" && ending != ".msh") return exit_done;  // those are meshes, too
   }
   const Scene scene = open_scene(options.input, options.sets);
   for (const Body& body : scene.bodies) {

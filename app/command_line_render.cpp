@@ -46,9 +46,19 @@ void add_render(CLI::App& program, Invocation& invocation) {
   add_common(command, *options);
   add_size(command, options->width, options->height);
   command.add_option("--out", options->out, "the picture after the last step")->type_name("FILE.png");
-  command.add_option("--video", options->video, "every frame, through ffmpeg")->type_name("FILE.mp4");
+  command.add_option("--video", options->video, "every frame: .mp4, .webm, or pictures by a pattern such as frames/%05d.png")->type_name("FILE");
   command.add_option("--fps", options->fps, "frames per second of the video")->check(CLI::Range(1.0, 1000.0))->capture_default_str();
-  command.add_option("--samples", options->samples, "samples per pixel")->check(CLI::Range(1, 16))->capture_default_str();
+  command.add_option("--slow", options->slow, "times slower than life: between steps the tissue moves on a smooth path through them")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->capture_default_str();
+  command.add_option("--samples", options->samples, "samples per pixel; more than the renderer has are averaged from several pictures")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command
+      .add_option("--camera", options->camera,
+                  "follow (a replay's), scene, a scene or replay file that has one, or EYE,TARGET as six numbers")
+      ->capture_default_str();
+  command.add_flag("--hash", options->hash, "print fingerprints of the last state and of all frames of the video");
   std::string colors;
   for (const ColorBy color : all_colors()) colors += (colors.empty() ? "" : "|") + std::string(name_of(color));
   command.add_option("--color", options->color, "what colors the tissue (scene key display.color)")->type_name(colors);

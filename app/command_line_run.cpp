@@ -21,6 +21,7 @@ void add_run(CLI::App& program, Invocation& invocation) {
       ->needs(history);
   command.add_option("--stats", options->stats, "numbers about the run")->type_name("FILE.json");
   command.add_flag("--error", options->error, "compare the last step with the exact one, by the reference solver");
+  command.add_flag("--hash", options->hash, "print a fingerprint of the last state");
   add_examples(command, {"fascia run beam.json --export out.vtu --every 10",
                          "fascia run liver.json --static --set materials.default.young_modulus=8000 --export hanging.csv",
                          "fascia run beam.json --time 1 --stats stats.json --quiet"});

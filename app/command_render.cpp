@@ -1,11 +1,11 @@
 // fascia render: the same scene, headless: a PNG at the end, a video on the way.
-#include <cmath>
 #include <iostream>
 
+#include "app/breakdown.h"
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/interrupt.h"
-#include "app/recorder.h"
+#include "app/video_render.h"
 #include "sim/error.h"
 
 namespace fascia {
@@ -31,30 +31,26 @@ int judge(const RenderOptions& options, const Outcome& outcome) {
 int command_render(const RenderOptions& options) {
   const bool compares = !options.compare.empty() || !options.state.empty();
   if (options.update && !compares) throw Error("--update", "has no golden to write", "expected --compare GOLDEN.png, --state GOLDEN.csv or both");
-  if (options.out.empty() && options.video.empty() && !compares)
+  if (options.out.empty() && options.video.empty() && !options.hash && !compares)
     throw Error("fascia render", "no output named", "expected --out FILE.png, --video FILE.mp4, --compare GOLDEN.png or several of them");
   if (options.static_equilibrium && !options.video.empty())
     throw Error("--static", "has no motion to put into " + options.video, "leave out --video");
   Headless headless(options);
   if (!options.video.empty() && headless.session().display().background == Background::transparent)
     throw Error("--video", "has no transparency", "expected another display.background");
-  std::optional<Recorder> recorder;
-  std::vector<std::uint8_t> pixels(std::size_t{4} * options.width * options.height);
-  long frame = 0;
-  if (!options.video.empty()) recorder.emplace(options.video, options.width, options.height, options.fps, headless.provenance());
-  const double time_step = headless.session().simulation.scene.solver.time_step;
-  // Frame k shows the step nearest to k / fps, so that a video runs at the speed of life whatever the time step.
+  std::optional<VideoRender> video;
+  if (!options.video.empty()) video.emplace(options, headless);
   headless.run([&] {
-    while (recorder && std::lround(frame / options.fps / time_step) <= headless.step() &&
-           (headless.step() < headless.steps() || frame < std::lround(headless.steps() * time_step * options.fps))) {
-      headless.draw().read_into(pixels.data());
-      recorder->write(pixels);
-      ++frame;
-    }
+    if (video) video->after_step();
   });
-  if (recorder) {
-    recorder->finish();
-    if (!options.quiet) std::cerr << "fascia: " << options.video << ", " << recorder->frames() << " frames\n";
+  if (!options.static_equilibrium) require_sound(headless.session().simulation);
+  if (video) {
+    video->finish();
+    if (!options.quiet) std::cerr << "fascia: " << options.video << ", " << video->frames() << " frames\n";
+  }
+  if (options.hash) {
+    std::cout << "state " << hash_text(state_hash(headless.session().simulation.state())) << '\n';
+    if (video) std::cout << "frames " << hash_text(video->hash()) << ' ' << video->frames() << '\n';
   }
   if (interrupted() || (options.out.empty() && !compares)) return interrupted() ? exit_interrupted : exit_done;
   const Outcome outcome = headless.outcome();

@@ -79,7 +79,10 @@ int command_run(const RunOptions& options) {
   RunStats stats;
   stats.renderer = options.reference ? "reference solver, double precision" : describe(graphics);
   std::optional<StateSeries> series;
-  if (options.every > 0 && !options.export_path.empty()) series.emplace(options.export_path);
+  const auto made_by = [&] {
+    return provenance_of(simulation.scene, simulation.model, stats.renderer, options.command_line, stats.steps, simulation.time());
+  };
+  if (options.every > 0 && !options.export_path.empty()) series.emplace(options.export_path, made_by());
   const auto export_frame = [&] {
     const reference::State state = simulation.state();
     require_finite(state, simulation.scene);
@@ -143,10 +146,15 @@ int command_run(const RunOptions& options) {
       std::cerr << "fascia: error of the last step " << 100 * error.relative << " %, largest " << error.largest << " m"
                 << (error.converged ? "" : " (the reference solver did not converge)") << '\n';
   }
+  stats.provenance = made_by();
   if (!options.stats.empty()) write_stats(options.stats, stats, simulation, last);
   require_finite(last, simulation.scene);
+  const std::uint64_t hash = state_hash(last);
+  if (options.hash) std::cout << "state " << hash_text(hash) << '\n';
+  if (const auto& replay = simulation.replay(); replay && replay->hash && replay->steps == stats.steps && !options.quiet)
+    std::cerr << "fascia: " << (hash == *replay->hash ? "to the bit what was recorded\n" : "not to the bit what was recorded: another device, program or mesh\n");
   if (!series && !options.export_path.empty())
-    write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last));
+    write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last), stats.provenance);
   if (!options.quiet)
     std::cerr << "fascia: " << stats.steps << " steps, " << last.time << " s simulated in " << stats.wall_s << " s, median "
               << percentiles(stats.solve_ms).median << " ms a step\n";

@@ -23,7 +23,7 @@ int command_view(const ViewOptions& options) {
   const Simulation& simulation = window.simulation();
   const reference::State last = simulation.state();
   if (!options.export_path.empty())
-    write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last));
+    write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last), window.stats().provenance);
   if (!options.stats.empty()) write_stats(options.stats, window.stats(), simulation, last);
   return interrupted() ? exit_interrupted : exit_done;
 }

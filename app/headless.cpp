@@ -1,5 +1,6 @@
 #include "app/headless.h"
 
+#include <algorithm>
 #include <iostream>
 
 #include "app/breakdown.h"
@@ -24,9 +25,14 @@ Headless::Headless(const RenderOptions& options, Opened opened)
     : options_(options),
       graphics_(open_graphics(options, false, options.width, options.height, workload_of(opened.scene, opened.model))),
       session_(graphics_, std::move(opened.scene), std::move(opened.model), options.reference),
-      framebuffer_(options.width, options.height, options.samples),
+      picture_(options.width, options.height, options.samples),
+      camera_(options.camera, session_.simulation.scene, opened.replay ? &*opened.replay : nullptr),
       overlay_(graphics_) {
   Simulation& simulation = session_.simulation;
+  // What is chosen here for the display holds for all of a replay.
+  const auto names_display = [](const std::string& set) { return set.starts_with("display."); };
+  const bool chosen = !options.color.empty() || options.wireframe || std::any_of(options.sets.begin(), options.sets.end(), names_display);
+  if (opened.replay && !chosen) view_ = ReplayView(*opened.replay);
   if (opened.replay) simulation.play(std::move(*opened.replay));
   if (session_.display().color == ColorBy::error) simulation.gpu()->solve_everything();
   if (!options.static_equilibrium) steps_ = steps_to_run(options, simulation);
@@ -49,18 +55,32 @@ void Headless::run(const std::function<void()>& after_step) {
   }
 }
 
+void Headless::look(double step) {
+  if (const auto display = view_.display(step); display && display != seen_) {
+    seen_ = display;
+    session_.set_display(*display);
+  }
+  if (const auto camera = camera_.at(step)) session_.look_from(*camera);
+}
+
 Framebuffer& Headless::draw() {
   require_sound(session_.simulation);
+  return draw(static_cast<double>(step_), nullptr);
+}
+
+Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
+  look(step);
   GpuSolver& solver = *session_.simulation.gpu();
   solver.request_diagnostics();
   const std::optional<Diagnostics> diagnostics = solver.take_diagnostics(true);
   if (session_.display().color == ColorBy::error) session_.measure_error();
   session_.settle_range();
   const std::vector<HandMark> hands = hand_marks(session_.simulation, diagnostics ? diagnostics->hand_forces : std::vector<HandForce>(), nullptr);
-  session_.draw(framebuffer_, arrows(hands));
+  Framebuffer& framebuffer =
+      picture_.draw(session_.camera, [&](Framebuffer& target) { session_.draw(target, arrows(hands), positions); });
   if (options_.panels || has_legend(session_) || !hands.empty())
-    overlay_.draw_headless(session_, framebuffer_, options_.panels, diagnostics, hands);
-  return framebuffer_;
+    overlay_.draw_headless(session_, framebuffer, options_.panels, diagnostics, hands);
+  return framebuffer;
 }
 
 Provenance Headless::provenance() const {

@@ -6,7 +6,9 @@
 #include "app/options.h"
 #include "app/overlay.h"
 #include "app/provenance.h"
+#include "app/render_camera.h"
 #include "app/session.h"
+#include "render/supersampler.h"
 
 namespace fascia {
 
@@ -19,8 +21,11 @@ class Headless {
   /// start, too. Throws Error when a vertex is lost.
   void run(const std::function<void()>& after_step = {});
 
-  /// The scene as it is now, with panels and color bar where they are wanted.
+  /// The scene as it is now, with panels and color bar where they are wanted. Throws Error when a vertex is lost.
   Framebuffer& draw();
+  /// The same at another moment, seen as it was then, after `step` steps, with these positions (null: those of now). A replay goes on to
+  /// the same bits afterwards.
+  Framebuffer& draw(double step, const gl::Buffer* positions);
 
   Session& session() { return session_; }
   long step() const { return step_; }
@@ -30,11 +35,15 @@ class Headless {
 
  private:
   Headless(const RenderOptions& options, Opened opened);
+  void look(double step);
 
   const RenderOptions& options_;
   Graphics graphics_;
   Session session_;
-  Framebuffer framebuffer_;
+  Supersampler picture_;
+  RenderCamera camera_;
+  ReplayView view_;
+  std::optional<DisplaySettings> seen_;  // of the replay's
   Overlay overlay_;
   long step_ = 0, steps_ = 0;
 };

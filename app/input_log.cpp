@@ -4,16 +4,21 @@
 
 namespace fascia {
 
-void Tuning::apply(const Input& input) {
-  struct Visitor {
-    Tuning& tuning;
-    void operator()(const SolverSettings& settings) { tuning.solver = settings; }
-    void operator()(const MaterialInput& input) { tuning.materials[input.index] = input.material; }
-    void operator()(const GravityInput& input) { tuning.gravity = input.gravity; }
-    void operator()(const GrabInput& springs) { tuning.springs = springs; }
-  };
-  std::visit(Visitor{*this}, input.change);
-}
+namespace {
+
+struct Applying {
+  Tuning& tuning;
+  void operator()(const SolverSettings& settings) { tuning.solver = settings; }
+  void operator()(const MaterialInput& input) { tuning.materials[input.index] = input.material; }
+  void operator()(const GravityInput& input) { tuning.gravity = input.gravity; }
+  void operator()(const GrabInput& springs) { tuning.springs = springs; }
+  template <class Other>
+  void operator()(const Other&) {}  // leaves no value behind
+};
+
+}  // namespace
+
+void Tuning::apply(const Input& input) { std::visit(Applying{*this}, input.change); }
 
 void InputLog::restart(long step, Tuning tuning) {
   begin_ = step;

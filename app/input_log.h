@@ -13,14 +13,15 @@ struct Tuning {
   Eigen::Vector3d gravity{0, 0, 0};
   GrabInput springs;
 
-  void apply(const Input& input);
+  void apply(const Input& input);  // of those that InputLog has
 };
 
 class InputLog {
  public:
   /// Begins anew: before step `step`, with these values.
   void restart(long step, Tuning tuning);
-  void add(Input input);  // in the order of the steps
+  /// In the order of the steps. Springs as a GrabInput, granted iterations as SolverSettings.
+  void add(Input input);
   /// What happened before `step` needs no repetition.
   void forget_before(long step);
 

@@ -27,10 +27,13 @@ struct CommonOptions {
 
 struct RenderOptions : CommonOptions {
   std::string out;            // PNG
-  std::string video;          // MP4 or whatever ffmpeg knows by its ending
+  std::string video;          // MP4 or whatever ffmpeg knows by its ending, or a pattern of pictures, frames/%05d.png
   int width = 1280, height = 720;
   int samples = 4;
   double fps = 60;
+  double slow = 1;            // times slower than life
+  std::string camera = "follow";  // follow a replay's, scene, a file that has one, or eye and target as six numbers
+  bool hash = false;          // of the last state and of all frames
   bool panels = false;        // --ui
   std::string color;          // overrides display.color
   bool wireframe = false;
@@ -50,6 +53,7 @@ struct RunOptions : CommonOptions {
   std::optional<std::uint32_t> probe;  // vertex whose displacement the history has; none: the one farthest from the supports
   std::string stats;        // stats.json
   bool error = false;       // of the last step, against the exact one
+  bool hash = false;        // of the last state
 };
 
 struct ViewOptions : CommonOptions {

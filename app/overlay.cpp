@@ -77,6 +77,19 @@ void Overlay::draw_lists(const Framebuffer& framebuffer, bool foreground) {
 void Overlay::draw(const Framebuffer& framebuffer) { draw_lists(framebuffer, false); }
 void Overlay::draw_foreground(const Framebuffer& framebuffer) { draw_lists(framebuffer, true); }
 
+void Overlay::draw_onto(const Framebuffer& framebuffer, bool panels) {
+  ImDrawData data = *ImGui::GetDrawData();
+  if (data.CmdListsCount > 0 && data.CmdLists[data.CmdListsCount - 1] == ImGui::GetForegroundDrawList()) --data.CmdListsCount;
+  const bool has_background = data.CmdListsCount > 0 && data.CmdLists[0] == ImGui::GetBackgroundDrawList();
+  if (!panels) data.CmdListsCount = has_background ? 1 : 0;
+  const float width = static_cast<float>(framebuffer.width()), height = static_cast<float>(framebuffer.height());
+  const float scale = std::min(width / data.DisplaySize.x, height / data.DisplaySize.y);
+  data.FramebufferScale = {scale, scale};
+  data.DisplaySize = {width / scale, height / scale};
+  framebuffer.bind_resolved();
+  renderer_->draw(data);
+}
+
 void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool panels, const std::optional<Diagnostics>& diagnostics,
                             const std::vector<HandMark>& hands) {
   set_scale(std::clamp(static_cast<float>(framebuffer.height()) / 720, 0.5f, 12.0f));

@@ -28,6 +28,8 @@ class Overlay {
   void end();
   void draw(const Framebuffer& framebuffer);
   void draw_foreground(const Framebuffer& framebuffer);
+  /// The same frame over a picture of another size, as large as fits; without `panels` only what lies behind them (the color bar).
+  void draw_onto(const Framebuffer& framebuffer, bool panels);
 
  private:
   void set_scale(float scale);

@@ -24,6 +24,8 @@ void draw_panels(Session& session, ViewState& state, Requests& requests) {
   if (ui::section("Display")) display_panel(session);
   if (ui::section("Statistics")) statistics_panel(session, state);
   if (ui::section("Grab", false)) grab_panel(session, state, requests);
+  if (ui::button("Recording...", ImGui::GetContentRegionAvail().x, state.show_recording)) state.show_recording = !state.show_recording;
+  ui::tooltip("What videos are to be (Shift+V), and a replay of this session");
   ImGui::End();
 }
 

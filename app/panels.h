@@ -37,7 +37,11 @@ void draw_notice(const ViewState& state);
 /// Text on a dark pill behind the panels, centered on x.
 void draw_pill(const std::string& text, float x, float y);
 /// A red dot: in front of everything and not part of pictures.
-void draw_recording_dot(double seconds);
+void draw_recording_dot(double seconds, long dropped);
+
+/// While a replay plays, over the picture; and the small window that says what videos are to be.
+void draw_replay_badge(const Simulation& simulation, ViewState& state, Requests& requests);
+void draw_recording_settings(ViewState& state, Requests& requests);
 
 /// A message at the top; true when it was closed.
 bool draw_message(const std::string& text, bool is_error);

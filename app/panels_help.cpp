@@ -50,7 +50,8 @@ const std::vector<std::vector<Theme>>& help_columns() {
          {"Ctrl+S", "save the scene"},
          {"Ctrl+E", "export the state: .vtu .csv .msh .obj"},
          {"P", "screenshot (PNG)"},
-         {"V", "start and stop a video"}}},
+         {"V, Shift+V", "start and stop a video; choose what it is to be"},
+         {"Ctrl+R", "save a replay of this session"}}},
        {"Program", {{"F1", "this list"}, {"F5", "reload the shaders"}, {"Ctrl+Q", "quit"}}}}};
   return columns;
 }
@@ -145,10 +146,11 @@ void draw_notice(const ViewState& state) {
 
 void draw_pill(const std::string& text, float x, float y) { pill(text, x, y, ui::kText); }
 
-void draw_recording_dot(double seconds) {
+void draw_recording_dot(double seconds, long dropped) {
   ImDrawList& list = *ImGui::GetForegroundDrawList();
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f s", seconds);
+  char text[64];
+  const int length = std::snprintf(text, sizeof text, "%.1f s", seconds);
+  if (dropped > 0) std::snprintf(text + length, sizeof text - static_cast<std::size_t>(length), ", dropped frames: %ld", dropped);
   const ImVec2 at{ImGui::GetIO().DisplaySize.x - ui::px(24), ui::px(26)};
   list.AddCircleFilled(at, ui::px(8), ImGui::GetColorU32(ui::kDanger));
   const float width = ImGui::CalcTextSize(text).x;

@@ -59,7 +59,7 @@ void scene_panel(const Session& session, ViewState& state, Requests& requests) {
   requests.reset |= clock.add("Reset", "Back to the start of the scene (R)");
   ButtonRow pictures(3);
   requests.screenshot |= pictures.add("Screenshot", "A PNG in the current folder (P); hide the panels with H to leave them out");
-  requests.video |= pictures.add(state.recording ? "Stop video" : "Video", "An MP4 in the current folder (V)", state.recording);
+  requests.video |= pictures.add(state.recording ? "Stop video" : "Video", "A video in the current folder (V; Shift+V chooses what it is to be)", state.recording);
   if (pictures.add("Plots", "Curves over time (F3)", state.plots.shown)) state.plots.shown = !state.plots.shown;
 
   const Model& model = simulation.model;

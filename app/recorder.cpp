@@ -32,10 +32,20 @@ std::string last_line(const fs::path& log) {
   return text.empty() ? "no message" : text;
 }
 
+// Of the encoder, by the container.
+std::vector<std::string> encoder(const std::string& ending, bool live) {
+  if (ending == ".mp4" || ending == ".mkv" || ending == ".mov")
+    return {"-c:v", "libx264", "-preset", live ? "ultrafast" : "veryfast", "-crf", "18", "-movflags", "+faststart+use_metadata_tags"};
+  if (ending == ".webm")
+    return {"-c:v", "libvpx-vp9", "-crf", "28", "-b:v", "0", "-row-mt", "1", "-deadline", live ? "realtime" : "good", "-cpu-used", live ? "8" : "4"};
+  return {};
+}
+
 }  // namespace
 
-Recorder::Recorder(fs::path path, int width, int height, double fps, const Provenance& provenance)
-    : path_(std::move(path)), temporary_(temporary_name(path_)), frame_bytes_(std::size_t{4} * width * height) {
+Recorder::Recorder(fs::path path, const FrameFormat& format, const Provenance& provenance)
+    : path_(std::move(path)), temporary_(temporary_name(path_)), frame_bytes_(std::size_t{4} * format.width * format.height) {
+  const int width = format.width, height = format.height;
   log_ = temporary_;
   log_ += ".log";
   const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
@@ -46,12 +56,9 @@ Recorder::Recorder(fs::path path, int width, int height, double fps, const Prove
                 "expected an even width and height");
 
   std::vector<std::string> arguments{"ffmpeg", "-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgba",
-                                     "-s", std::to_string(width) + "x" + std::to_string(height), "-r", std::to_string(fps),
+                                     "-s", std::to_string(width) + "x" + std::to_string(height), "-r", std::to_string(format.fps),
                                      "-i", "-", "-an", "-pix_fmt", "yuv420p"};
-  if (path_.extension() == ".mp4" || path_.extension() == ".mkv" || path_.extension() == ".mov") {
-    for (const char* a : {"-c:v", "libx264", "-preset", "veryfast", "-crf", "18", "-movflags", "+faststart+use_metadata_tags"})
-      arguments.emplace_back(a);
-  }
+  for (std::string& argument : encoder(lower_ending(path_), format.live)) arguments.push_back(std::move(argument));
   for (const auto& [key, text] : provenance) {
     arguments.emplace_back("-metadata");
     arguments.push_back((key == "Title" ? "title" : key) + "=" + text);

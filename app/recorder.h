@@ -2,27 +2,24 @@
 #pragma once
 #include <sys/types.h>
 
-#include <cstdint>
-#include <filesystem>
-#include <vector>
-
-#include "app/provenance.h"
+#include "app/frame_sink.h"
 
 namespace fascia {
 
-class Recorder {
+class Recorder : public FrameSink {
  public:
-  /// `path` ending decides the container (.mp4: H.264). Width and height must be even. Throws Error when ffmpeg is not installed.
-  Recorder(std::filesystem::path path, int width, int height, double fps, const Provenance& provenance);
-  ~Recorder();  // without finish(): the unfinished file is removed
+  /// `path` ending decides the container (.mp4: H.264, .webm: VP9). Width and height must be even. Throws Error when ffmpeg is not
+  /// installed.
+  Recorder(std::filesystem::path path, const FrameFormat& format, const Provenance& provenance);
+  ~Recorder() override;
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// One frame, [4 * width * height] RGBA, top row first. Throws Error when ffmpeg died, with what it said last.
-  void write(const std::vector<std::uint8_t>& rgba);
+  /// Throws Error when ffmpeg died, with what it said last.
+  void write(const std::vector<std::uint8_t>& rgba) override;
   /// Closes the video and puts it under its name. Throws Error when ffmpeg failed.
-  void finish();
-  long frames() const { return frames_; }
+  void finish() override;
+  long frames() const override { return frames_; }
 
  private:
   [[noreturn]] void fail(const std::string& what);

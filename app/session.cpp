@@ -21,14 +21,10 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
   look.center = 0.5 * (box_min_ + box_max_);
   look.radius = 0.5 * (box_max_ - box_min_).norm();
   look.ground_height = box_min_.y() - 0.4 * look.radius;
-  if (const auto& view = simulation.scene.camera) {
-    camera.eye = view->eye;
-    camera.target = view->target;
-    camera.up = view->up;
-    camera.fov_deg = view->fov_deg;
-  } else {
+  if (simulation.scene.camera)
+    look_from(*simulation.scene.camera);
+  else
     frame();
-  }
   set_display(simulation.scene.display);
 }
 
@@ -46,6 +42,13 @@ void Session::make_renderer(bool cut_open) {
 }
 
 void Session::frame() { camera.frame(box_min_, box_max_); }
+
+void Session::look_from(const CameraSettings& view) {
+  camera.eye = view.eye;
+  camera.target = view.target;
+  camera.up = view.up;
+  camera.fov_deg = view.fov_deg;
+}
 
 void Session::set_display(const DisplaySettings& display) {
   simulation.scene.display = display;
@@ -91,7 +94,7 @@ void Session::show_grabbed() {
   grabbed_ = std::move(grabbed);
 }
 
-void Session::draw(Framebuffer& framebuffer, std::span<const GrabMark> hands) {
+void Session::draw(Framebuffer& framebuffer, std::span<const GrabMark> hands, const gl::Buffer* positions) {
   GpuSolver& solver = *simulation.gpu();
   solver.publish();
   show_grabbed();
@@ -100,7 +103,7 @@ void Session::draw(Framebuffer& framebuffer, std::span<const GrabMark> hands) {
     if (!range->pending()) range->request();
   }
   framebuffer.bind();
-  renderer_->draw(SurfaceView{&solver.positions()}, camera, look, hands, framebuffer);
+  renderer_->draw(SurfaceView{positions ? positions : &solver.positions()}, camera, look, hands, framebuffer);
   framebuffer.resolve();
 }
 

@@ -31,8 +31,9 @@ class Session {
   const DisplaySettings& display() const { return simulation.scene.display; }
   void set_display(const DisplaySettings& display);
 
-  /// Publishes positions and draws the scene into the framebuffer (resolved afterwards, panels may follow).
-  void draw(Framebuffer& framebuffer, std::span<const GrabMark> hands = {});
+  /// Publishes positions and draws the scene into the framebuffer (resolved afterwards, panels may follow). Other `positions` than those
+  /// of now: vec4, as GpuSolver::positions.
+  void draw(Framebuffer& framebuffer, std::span<const GrabMark> hands = {}, const gl::Buffer* positions = nullptr);
 
   /// The heat map's range, where it is not fixed, follows what is drawn a frame late; this takes it from the state of now, for a
   /// single picture.
@@ -45,6 +46,7 @@ class Session {
   const DrawnSurface& surface() const { return surface_; }
   const std::string& renderer_description() const { return description_; }
   void frame();  // camera on the whole body, from the front
+  void look_from(const CameraSettings& view);
 
  private:
   void show_error();

@@ -17,7 +17,13 @@ namespace {
 Opened open_replay(const std::filesystem::path& path, const std::vector<std::string>& sets) {
   Replay replay = read_replay(path, sets);
   Scene scene = replay.scene;
-  return {std::move(scene), std::move(replay)};
+  Opened opened{std::move(scene), std::move(replay)};
+  const Replay& read = *opened.replay;
+  if (!read.note.empty()) opened.model.notes.push_back(read.note);
+  const auto mesh = std::find_if(read.made_by.begin(), read.made_by.end(), [](const auto& entry) { return entry.first == "Mesh hash"; });
+  if (mesh != read.made_by.end() && mesh->second != hash_text(mesh_hash(opened.model.file_mesh)))
+    opened.model.notes.push_back(path.string() + ": recorded with another mesh than its file holds now");
+  return opened;
 }
 
 }  // namespace
@@ -35,47 +41,10 @@ Simulation::Simulation(Scene opened, Model built, gl::ProgramCache* programs, bo
   begin_anew();
 }
 
-void Simulation::play(Replay replay) {
-  const auto fail = [&](const std::string& what, const std::string& expected) {
-    throw Error(replay.scene.file.string(), what, expected);
-  };
-  const std::size_t vertices = model.rest_positions.size();
-  if (replay.start && replay.start->displacement.size() != vertices)
-    fail("start has " + std::to_string(replay.start->displacement.size()) + " vertices", "expected the mesh's " + std::to_string(vertices));
-  for (const Input& input : replay.inputs) {
-    const auto* material = std::get_if<MaterialInput>(&input.change);
-    if (material && material->index >= model.materials.size())
-      fail("an input changes material " + std::to_string(material->index),
-           "expected an index below " + std::to_string(model.materials.size()));
-    if (const auto* springs = std::get_if<GrabInput>(&input.change))
-      for (const GrabSpring& spring : *springs)
-        if (spring.vertex >= vertices)
-          fail("an input grabs vertex " + std::to_string(spring.vertex), "expected an index below " + std::to_string(vertices));
-  }
-  replay_ = std::move(replay);
-  replay_tuning_ = {scene.solver, model.materials, model.gravity, {}};
-  reset();
-}
-
-void Simulation::repeat_inputs() {
-  if (!replay_) return;
-  for (; next_input_ < replay_->inputs.size() && replay_->inputs[next_input_].step <= steps_ - replay_begin_; ++next_input_) {
-    struct Visitor {
-      Simulation& simulation;
-      void operator()(const SolverSettings& settings) { simulation.set_settings(settings); }
-      void operator()(const MaterialInput& input) { simulation.set_material(input.index, input.material); }
-      void operator()(const GravityInput& input) { simulation.set_gravity(input.gravity); }
-      void operator()(const GrabInput& springs) { simulation.set_grab(springs); }
-    };
-    std::visit(Visitor{*this}, replay_->inputs[next_input_].change);
-    // What is computed beside the frame would be ready at another step each time.
-    if (gpu_) gpu_->finish_background();
-  }
-}
-
 void Simulation::step() {
   equilibrium_.reset();
   repeat_inputs();
+  const bool replaying_timed = replaying() && replay_->timed;  // has the iterations that fitted then
   pull(with_hands(other_springs_, model.hands, time() + scene.solver.time_step));
   ++steps_;
   if (!reference_) {
@@ -84,10 +53,11 @@ void Simulation::step() {
       ++steps_asleep_;
       return;
     }
-    if (scene.solver.frame_budget > 0)
+    if (scene.solver.frame_budget > 0 && !replaying_timed)
       step_within_budget();
     else
       gpu_->step();
+    tell_of_background(steps_ - 1);
     follow_check(false);
     if (!astray_ && steps_ - checked_step_ >= kCheckInterval) look();
     return;
@@ -149,6 +119,7 @@ void Simulation::back_to_sound() {
   sound_state_ = gpu_->download();
   gpu_->restore_sound(true);
   astray_.reset();
+  tell(SoundInput{});
 }
 
 Tuning Simulation::tuning() const {
@@ -164,43 +135,32 @@ void Simulation::begin_anew() {
 }
 
 void Simulation::step_within_budget() {
-  SolverSettings fitting = scene.solver;
-  if (ms_per_iteration_ > 0) {
-    const double fit = fitting.frame_budget / (ms_per_iteration_ * fitting.substeps);
-    fitting.iterations = static_cast<int>(std::clamp<double>(std::floor(fit), 1, fitting.iterations));
-  }
-  if (fitting.iterations != gpu_->settings().iterations) {
-    gpu_->set_settings(fitting);
-    fitting.frame_budget = 0;
-    log_.add({steps_ - 1, fitting});
+  const SolverSettings& wanted = scene.solver;
+  int iterations = wanted.iterations;
+  if (ms_per_iteration_ > 0)
+    iterations = static_cast<int>(std::clamp<double>(std::floor(wanted.frame_budget / (ms_per_iteration_ * wanted.substeps)), 1, iterations));
+  if (iterations != gpu_->settings().iterations) {
+    --steps_;  // before this step
+    grant(iterations);
+    ++steps_;
   }
   gl::Finish();  // what was queued before is not the step's
   const auto start = std::chrono::steady_clock::now();
   gpu_->step();
   gl::Finish();
   const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  const double per_iteration = ms / (std::max(gpu_->last_iterations(), 1) * fitting.substeps);
+  const double per_iteration = ms / (std::max(gpu_->last_iterations(), 1) * wanted.substeps);
   constexpr double kNews = 0.2;  // share of a new measurement: a hiccup must not halve the accuracy of many steps
   ms_per_iteration_ = ms_per_iteration_ > 0 ? (1 - kNews) * ms_per_iteration_ + kNews * per_iteration : per_iteration;
 }
 
-void Simulation::reset() {
-  equilibrium_.reset();
-  if (replay_) {
-    set_settings(replay_tuning_.solver);
-    for (std::size_t i = 0; i < model.materials.size(); ++i) set_material(i, replay_tuning_.materials[i]);
-    set_gravity(replay_tuning_.gravity);
-    set_grab({});
-    if (gpu_) gpu_->finish_background();
-  }
-  const reference::State start = replay_ && replay_->start ? *replay_->start : reference::initial_state(model);
-  if (reference_) reference_state_ = start;
-  if (gpu_) gpu_->upload(start);
-  pull(with_hands(other_springs_, model.hands, time() + scene.solver.time_step));
-  next_input_ = 0;
-  replay_begin_ = steps_;
-  astray_.reset();
-  begin_anew();
+void Simulation::grant(int iterations) {
+  SolverSettings fitting = scene.solver;
+  fitting.iterations = iterations;
+  if (gpu_) gpu_->set_settings(fitting);
+  fitting.frame_budget = 0;
+  log_.add({steps_, fitting});
+  tell(GrantInput{iterations});
 }
 
 void Simulation::go_on_from(const reference::State& state) {
@@ -241,6 +201,7 @@ void Simulation::set_settings(const SolverSettings& settings) {
   logged.frame_budget = 0;
   stir();
   log_.add({steps_, logged});
+  tell(settings);
   if (reference_) renew_reference();
 }
 
@@ -249,6 +210,7 @@ void Simulation::set_material(std::size_t index, const Material& material) {
   stir();
   log_.add({steps_, MaterialInput{index, material}});
   model.materials[index] = material;
+  tell(MaterialInput{index, material});
   if (gpu_) gpu_->materials_changed();
   if (reference_) renew_reference();
 }
@@ -256,15 +218,26 @@ void Simulation::set_material(std::size_t index, const Material& material) {
 void Simulation::set_gravity(const Eigen::Vector3d& gravity) {
   stir();
   log_.add({steps_, GravityInput{gravity}});
+  tell(GravityInput{gravity});
   scene.gravity = model.gravity = gravity;
   if (gpu_) gpu_->materials_changed();
   if (reference_) renew_reference();
 }
 
-void Simulation::set_grab(const std::vector<GrabSpring>& springs) {
+void Simulation::set_grab(std::vector<GrabSpring> springs) {
+  const std::optional<GrabMove> move = held_.follow(springs);
   if (springs == other_springs_) return;  // a hand that holds still wakes nobody
+  if (!move) held_.restart(springs);
+  if (move)
+    apply_grab(springs, *move);
+  else
+    apply_grab(springs, springs);
+}
+
+void Simulation::apply_grab(const std::vector<GrabSpring>& springs, Change change) {
   stir();
   log_.add({steps_, springs});
+  tell(std::move(change));
   other_springs_ = springs;
   pull(with_hands(springs, model.hands, time() + scene.solver.time_step));
 }

@@ -1,5 +1,6 @@
 // An open scene being simulated, by the GPU solver or by the double-precision reference. Draws nothing.
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,15 @@ class Simulation {
   Simulation(Scene scene, gl::ProgramCache* programs, bool use_reference);
   /// Starts where the replay does and repeats its inputs as the steps go on. Throws Error if they do not fit the scene.
   void play(Replay replay);
+  /// From now on the hand and the sliders are the user's again. The state stays, and so do the values; reset() goes where it started.
+  void end_replay();
+  /// Between its first and its last step.
+  bool replaying() const { return replay_ && steps_ - replay_begin_ < replay_->steps; }
+  long replayed_steps() const { return steps_ - replay_begin_; }
+  const std::optional<reference::State>& start() const { return start_; }  // where reset() goes; none: at rest
+  /// Hears of all that a replay of this simulation needs, in the order in which it acts, by steps_made(). None: nobody listens.
+  using Listener = std::function<void(const Input&)>;
+  void set_listener(Listener listener) { listener_ = std::move(listener); }
 
   Scene scene;  // as opened; materials and solver settings follow the changes made here
   Model model;
@@ -36,14 +46,15 @@ class Simulation {
   void set_material(std::size_t index, const Material& material);  // of model.materials
   void set_gravity(const Eigen::Vector3d& gravity);
   /// What hands beside those of the scene pull with from now on: the mouse's, or a replay's; empty: let go.
-  void set_grab(const std::vector<GrabSpring>& springs);
+  void set_grab(std::vector<GrabSpring> springs);
   /// All springs that pull now, those of the scene's hands behind the others.
   const std::vector<GrabSpring>& springs() const { return springs_; }
   /// Whether hands of the scene will still take hold, move or let go.
   bool awaits_hands() const { return time() < model.end_of_hands(); }
 
   /// A vertex that is no longer finite or has run away, as far as is known: the GPU is asked every few steps, and nothing waits.
-  std::optional<std::uint32_t> astray() const { return astray_; }
+  /// Not while a replay knows that it will be led back.
+  std::optional<std::uint32_t> astray() const { return astray_ && led_back_later() ? std::nullopt : astray_; }
   std::optional<std::uint32_t> check_now();  // as astray(), of the state of now: waits for the GPU
   /// The last sound state, at rest; settings, materials and grab stay as they are. Not recorded before begin_anew().
   void back_to_sound();
@@ -72,6 +83,15 @@ class Simulation {
  private:
   void step_within_budget();
   void repeat_inputs();
+  void repeat(const Change& change);
+  void require_fit(const Replay& replay) const;
+  bool led_back_later() const;
+  void tell(Change change) const { tell(steps_, std::move(change)); }
+  void tell(long step, Change change) const;
+  void tell_of_background(long step);
+  void apply_grab(const std::vector<GrabSpring>& springs, Change change);
+  void grant(int iterations);
+  void go_back_to(bool rest);
   void look();
   void follow_check(bool wait);
   void stir();
@@ -93,6 +113,9 @@ class Simulation {
   std::size_t next_input_ = 0;  // of the replay
   long replay_begin_ = 0;       // steps made before it
   Tuning replay_tuning_;        // before its first input
+  std::optional<reference::State> start_;  // where reset() goes; none: at rest
+  GrabTrack held_;
+  Listener listener_;
   InputLog log_;
   reference::State sound_state_;
   std::optional<std::uint32_t> astray_;

@@ -7,12 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "app/provenance.h"
 #include "app/simulation.h"
 
 namespace fascia {
 
 struct RunStats {
   std::string renderer;  // or "reference solver, double precision"
+  Provenance provenance;
   long steps = 0;
   double wall_s = 0;
   std::vector<double> step_ms, solve_ms;   // [steps]; solve: without exports and other work between steps

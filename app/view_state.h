@@ -9,6 +9,7 @@
 #include "app/convergence.h"
 #include "app/grab.h"
 #include "app/plots.h"
+#include "app/video_settings.h"
 #include "sim/gpu/diagnostics.h"
 
 namespace fascia {
@@ -56,14 +57,19 @@ struct ViewState {
   std::size_t hands = 0;  // of the user, on the tissue
   SceneFacts facts;
   Statistics statistics;
+  bool show_recording = false;
+  VideoSettings video;
+  double replay_speed = 1;    // of a replay that plays, over real time
+  bool replay_camera = true;  // look where its user looked
 };
 
 /// Asked during a frame, carried out between frames.
 struct Requests {
   bool open_dialog = false, save_dialog = false, reset = false, step = false, frame_view = false, screenshot = false, video = false,
        reload_shaders = false, close = false, plot_table = false, plot_picture = false, recent = false, export_dialog = false,
-       gallery = false, resume_left_behind = false, forget_left_behind = false, let_go = false;
-  std::optional<std::filesystem::path> open, save, export_state, resume;  // resume: what a session left (autosave.h)
+       gallery = false, resume_left_behind = false, forget_left_behind = false, let_go = false,
+       save_replay_dialog = false, end_replay = false;
+  std::optional<std::filesystem::path> open, save, export_state, save_replay, resume;  // resume: what a session left (autosave.h)
 };
 
 }  // namespace fascia

@@ -59,6 +59,8 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
   dialogs_.set_last_session(autosave_.last());
   if (!user_.now().welcomed && !config_folder().empty() && options.input.empty() && options.replay.empty() && steps_left_ < 0) gallery_.ask();
   set_title();
+  begin_replay();
+  attempt([&] { begin_recording(); });
   glfwSwapInterval(1);
 }
 
@@ -71,6 +73,7 @@ void ViewWindow::run() {
     require_device();
     if (frames_to_settle_ == 0 && idle_time() > 0) {
       attempt([&] { remember(); });
+      attempt([&] { follow_recording(); });
       last = Clock::now();
       pacing_.restart();
       continue;
@@ -94,7 +97,9 @@ void ViewWindow::run() {
     remember();
     autosave_.finish();
   });
+  attempt([&] { end_recording(); });
   stats_.renderer = session_->renderer_description();
+  stats_.provenance = provenance();
   stats_.solve_ms = stats_.step_ms;
   count_work(stats_, session_->simulation);
 }
@@ -157,14 +162,18 @@ void ViewWindow::frame(double elapsed) {
   }
   Requests requests;
   overlay_.begin(framebuffer_->width(), framebuffer_->height());
+  const Camera view = session_->camera;
   attempt([&] { handle_input(requests); });
+  if (view.eye != session_->camera.eye || view.target != session_->camera.target) state_.replay_camera = false;
   attempt([&] { build_panels(requests); });
   overlay_.end();
   attempt([&] { carry_out(requests); });
   if (!attempt([&] { simulate(elapsed, requests); })) state_.paused = true;
+  attempt([&] { follow_replay(); });
   if (!attempt([&] { draw(); })) state_.paused = true;
   overlay_.draw(*framebuffer_);
   attempt([&] { capture(requests); });
+  attempt([&] { follow_recording(); });
   overlay_.draw_foreground(*framebuffer_);
   framebuffer_->present(framebuffer_->width(), framebuffer_->height());
   glfwSwapBuffers(graphics_.context->window());
@@ -176,7 +185,6 @@ bool ViewWindow::update_framebuffer() {
   glfwGetFramebufferSize(window, &width, &height);
   if (width < 1 || height < 1 || glfwGetWindowAttrib(window, GLFW_ICONIFIED)) return false;
   if (framebuffer_ && framebuffer_->width() == width && framebuffer_->height() == height) return true;
-  if (video_.running() && !video_.fits(width, height)) attempt([&] { toggle_video(); });
   framebuffer_.reset();  // before the new one: two large ones may not fit
   try {
     framebuffer_ = std::make_unique<Framebuffer>(width, height, samples_);
@@ -196,10 +204,11 @@ void ViewWindow::build_panels(Requests& requests) {
   state_.recording = video_.running();
   state_.hands = mouse_.hands().all().size();
   draw_legend(*session_);
-  draw_notice(state_);
+  const bool shown_alone = video_.running() && !video_.settings().panels;  // the scene, in a video
+  if (!shown_alone) draw_notice(state_);
   if (state_.show_panels) {
     draw_panels(*session_, state_, requests);
-    if (steps_left_ < 0) draw_hints(hints_);
+    if (steps_left_ < 0 && !shown_alone) draw_hints(hints_);
   }
   if (state_.plots.shown) {
     draw_plots(session_->simulation, state_, requests);
@@ -209,6 +218,9 @@ void ViewWindow::build_panels(Requests& requests) {
   }
   draw_hand_marks(*session_, marks());
   draw_ring();
+  if (session_->simulation.replaying()) draw_replay_badge(session_->simulation, state_, requests);
+  if (state_.show_recording) draw_recording_settings(state_, requests);
+  replay_dialog_.draw(requests);
   if (state_.show_help) draw_help(state_);
   dialogs_.draw(requests);
   if (gallery_.draw(requests)) user_.change([](UserSettings& settings) { settings.welcomed = true; });
@@ -217,7 +229,7 @@ void ViewWindow::build_panels(Requests& requests) {
   const bool news = message_ && !message_->is_error;
   // A screenshot shows the scene, not the news of the screenshot before it.
   if (message_ && !(news && requests.screenshot) && (draw_message(message_->text, message_->is_error) || Clock::now() > message_->until)) message_.reset();
-  if (video_.running()) draw_recording_dot(video_.seconds());
+  if (video_.running()) draw_recording_dot(video_.seconds(), video_.dropped());
 }
 
 void ViewWindow::make_step() {
@@ -236,8 +248,9 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
   const double time_step = session_->simulation.scene.solver.time_step;
   int steps = 0;
   if (!state_.paused) {
-    steps = pacing_.advance(elapsed, time_step, s.step_ms / 1000);
-    if (video_.running()) steps = std::min(steps, VideoCapture::steps_per_frame(time_step));
+    const bool replaying = session_->simulation.replaying();
+    steps = pacing_.advance(elapsed * (replaying ? state_.replay_speed : 1), time_step, s.step_ms / 1000);
+    if (replaying) steps = static_cast<int>(std::min<long>(steps, session_->simulation.replay()->steps - session_->simulation.replayed_steps()));
   } else {
     pacing_.restart();
     steps = requests.step ? 1 : 0;

@@ -20,6 +20,9 @@
 #include "app/options.h"
 #include "app/overlay.h"
 #include "app/pacing.h"
+#include "app/replay_dialog.h"
+#include "app/replay_view.h"
+#include "app/session_recording.h"
 #include "app/stats.h"
 #include "app/view_state.h"
 #include "app/window_input.h"
@@ -81,7 +84,15 @@ class ViewWindow {
   void save(const std::filesystem::path& path);
   void set_title();
   void reset();
+  void begin_recording();   // of the session that was opened
+  void follow_recording();  // once a frame
+  void end_recording();
+  void save_replay(const std::filesystem::path& path);
+  void begin_replay();
+  void follow_replay();  // its camera and display; its end
+  void end_replay(const std::string& news);
   void toggle_video();
+  void record_frame();
   void reload_shaders();
   Provenance provenance() const;
 
@@ -107,6 +118,10 @@ class ViewWindow {
   Eigen::Vector2d pointer_{-1, -1};  // the mouse, in pixels of the picture
   Pacing pacing_;
   VideoCapture video_;
+  std::unique_ptr<SessionRecording> recording_;  // none: there is no place for it
+  ReplayDialog replay_dialog_;
+  ReplayView replay_view_;
+  std::optional<DisplaySettings> replayed_display_;
   ViewState state_;
   RunStats stats_;
   std::optional<Message> message_;

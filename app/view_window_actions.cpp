@@ -42,6 +42,7 @@ void ViewWindow::handle_input(Requests& requests) {
           mouse_.press_section(button_of(event.code), event.at);
         else
           mouse_.press(button_of(event.code), keys_of(event.mods), event.at, picture, *session_, state_.grab);
+        if (!mouse_.hands().all().empty() && session_->simulation.replaying()) end_replay("You took over from the replay");
         break;
       case Kind::release: mouse_.release(button_of(event.code), keys_of(event.mods), *session_, state_.grab); break;
       case Kind::move: mouse_.move(event.at, picture, *session_); break;
@@ -69,6 +70,7 @@ void ViewWindow::press_key(int key, int mods, Requests& requests) {
       case GLFW_KEY_O: (mods & GLFW_MOD_SHIFT ? requests.recent : requests.open_dialog) = true; break;
       case GLFW_KEY_E: requests.export_dialog = true; break;
       case GLFW_KEY_S: requests.save_dialog = true; break;
+      case GLFW_KEY_R: requests.save_replay_dialog = true; break;
       case GLFW_KEY_Q: requests.close = true; break;
     }
     return;
@@ -86,7 +88,12 @@ void ViewWindow::press_key(int key, int mods, Requests& requests) {
     }
     case GLFW_KEY_H: state_.show_panels = !state_.show_panels; break;
     case GLFW_KEY_P: requests.screenshot = true; break;
-    case GLFW_KEY_V: requests.video = true; break;
+    case GLFW_KEY_V:
+      if (mods & GLFW_MOD_SHIFT)
+        state_.show_recording = !state_.show_recording;
+      else
+        requests.video = true;
+      break;
     case GLFW_KEY_T: mouse_.stay(); break;
     case GLFW_KEY_X: state_.grab.push = !state_.grab.push; break;
     case GLFW_KEY_LEFT_BRACKET: mouse_.resize(1 / kResize, *session_, state_.grab); break;
@@ -118,9 +125,15 @@ void ViewWindow::carry_out(const Requests& requests) {
   if (requests.open) open(*requests.open);
   if (requests.save) save(*requests.save);
   if (requests.export_state) export_state(*requests.export_state);
+  if (requests.save_replay_dialog) replay_dialog_.ask();
+  if (requests.save_replay) save_replay(*requests.save_replay);
+  if (requests.end_replay) end_replay("You took over from the replay");
   if (requests.reset) reset();
   if (requests.step) state_.paused = true;
-  if (requests.frame_view) session_->frame();
+  if (requests.frame_view) {
+    session_->frame();
+    state_.replay_camera = false;
+  }
   if (requests.let_go) mouse_.let_go_staying(*session_);
   if (requests.reload_shaders) reload_shaders();
   if (requests.close) glfwSetWindowShouldClose(graphics_.context->window(), GLFW_TRUE);
@@ -182,6 +195,7 @@ std::unique_ptr<Session> ViewWindow::make_session(Opened& opened, OpeningScreen&
 
 void ViewWindow::take_over(std::unique_ptr<Session> opened) {
   mouse_.cancel(*session_);
+  end_recording();
   state_.convergence.forget();
   state_.plots.forget();
   session_ = std::move(opened);
@@ -194,6 +208,8 @@ void ViewWindow::take_over(std::unique_ptr<Session> opened) {
   message_.reset();
   diagnose_ = true;
   set_title();
+  begin_replay();
+  begin_recording();
 }
 
 void ViewWindow::set_title() {
@@ -255,29 +271,6 @@ Provenance ViewWindow::provenance() const {
   follow_materials(scene, session_->simulation.model);
   return provenance_of(scene, session_->simulation.model, session_->renderer_description(), options_.command_line,
                        state_.statistics.steps, session_->simulation.time());
-}
-
-void ViewWindow::toggle_video() {
-  if (video_.running()) {
-    const double seconds = video_.seconds();
-    const fs::path path = video_.finish();
-    char text[32];
-    std::snprintf(text, sizeof text, ", %.1f s", seconds);
-    say(path.string() + text);
-  } else {
-    video_.start(*framebuffer_, provenance());
-  }
-}
-
-void ViewWindow::capture(const Requests& requests) {
-  if (video_.running()) video_.write(*framebuffer_, simulated_);
-  if (requests.video) toggle_video();
-  write_plots(requests);
-  if (requests.screenshot) {
-    const fs::path path = dated_name(".png");
-    write_png(path, framebuffer_->read(), provenance());
-    say(path.string());
-  }
 }
 
 }  // namespace fascia

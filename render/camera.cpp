@@ -130,6 +130,7 @@ Eigen::Matrix4f Camera::projection(double aspect, double scene_radius) const {
   result(2, 2) = -(far + near) / (far - near);
   result(2, 3) = -2 * far * near / (far - near);
   result(3, 2) = -1;
+  result.block<2, 1>(0, 2) = -jitter;
   return result.cast<float>();
 }
 

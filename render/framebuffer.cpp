@@ -107,6 +107,13 @@ void Framebuffer::read_into(std::uint8_t* rgba) const {
     std::swap_ranges(rgba + top * row, rgba + (top + 1) * row, rgba + bottom * row);
 }
 
+void Framebuffer::replace(const std::uint8_t* rgba) {
+  const auto row = 4 * static_cast<std::size_t>(width_);
+  gl::BindTexture(GL_TEXTURE_2D, resolved_color_.id());
+  for (int y = 0; y < height_; ++y)
+    gl::TexSubImage2D(GL_TEXTURE_2D, 0, 0, height_ - 1 - y, width_, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba + static_cast<std::size_t>(y) * row);
+}
+
 void Framebuffer::present(int window_width, int window_height) const {
   const bool same = window_width == width_ && window_height == height_;
   gl::BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);

@@ -23,6 +23,7 @@ class Framebuffer {
   void bind_resolved() const;
   Image read() const;                        // resolved picture, its alpha straight as files want it
   void read_into(std::uint8_t* rgba) const;  // [4 * width * height], top row first, no allocation; premultiplied
+  void replace(const std::uint8_t* rgba);    // the resolved picture, by one as read_into gives it
   void present(int window_width, int window_height) const;  // blit to the window's framebuffer
 
  private:

@@ -1,5 +1,12 @@
 #include "sim/replay.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstdio>
+
+#include "sim/byte_hash.h"
 #include "sim/file.h"
 #include "sim/scene_json.h"
 #include "sim/scene_overrides.h"
@@ -9,31 +16,15 @@
 namespace fascia {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Eigen::Vector3d;
 
 constexpr double kAnything = 1e30;
 constexpr int kMostSteps = 1'000'000'000, kMostVertices = kMostSteps;
 
-Json list_of(const std::vector<Vector3d>& vectors) {
-  Json list = Json::array();
-  for (const Vector3d& v : vectors) list.push_back(vector_document(v));
-  return list;
-}
-
 std::vector<Vector3d> read_vectors(const Node& node) {
   std::vector<Vector3d> vectors;
   for (const Node& v : node.elements("a list of vectors, one per vertex")) vectors.push_back(v.vector(-kAnything, kAnything, ""));
   return vectors;
-}
-
-Json document_of(const GrabInput& springs) {
-  Json list = Json::array();
-  for (const GrabSpring& s : springs) {
-    list.push_back({s.vertex, s.target.x(), s.target.y(), s.target.z(), s.stiffness});
-    if (s.hand != 0) list.back().push_back(s.hand);
-  }
-  return list;
 }
 
 GrabInput read_springs(const Node& node) {
@@ -50,39 +41,160 @@ GrabInput read_springs(const Node& node) {
   return springs;
 }
 
-Json document_of(const Input& input) {
-  Json object{{"step", input.step}};
-  struct Writer {
-    Json& object;
-    void operator()(const SolverSettings& settings) { object["solver"] = solver_document(settings); }
-    void operator()(const MaterialInput& m) {
-      object["material"] = {{"index", m.index}, {"values", material_document(m.material)}};
-    }
-    void operator()(const GravityInput& g) { object["gravity"] = vector_document(g.gravity); }
-    void operator()(const GrabInput& springs) { object["grab"] = document_of(springs); }
+GrabMove read_move(const Node& node) {
+  const std::string expected = "a part [count, x, y, z]: of the springs, and how far they were led [m]";
+  GrabMove move;
+  for (const Node& part : node.elements("a list of parts")) {
+    const std::vector<Node> values = part.elements(expected);
+    if (values.size() != 4) part.refuse(expected);
+    const auto coordinate = [&](std::size_t k) { return values[k].number(-kAnything, kAnything, "m"); };
+    move.parts.push_back({static_cast<std::size_t>(values[0].integer(1, kMostVertices)), {coordinate(1), coordinate(2), coordinate(3)}});
+  }
+  return move;
+}
+
+MaterialInput read_material_input(const Node& node) {
+  node.expect_object({"index", "values"});
+  return {static_cast<std::size_t>(node.at("index", "that of a material").integer(0, kMostVertices)),
+          read_material(node.at("values", "a material"))};
+}
+
+ResetInput read_reset(const Node& node) {
+  const std::string to = node.text("rest or start");
+  if (to != "rest" && to != "start") node.refuse("rest or start");
+  return {to == "rest"};
+}
+
+SoundInput read_sound(const Node& node) {
+  if (!node.boolean()) node.refuse("true");
+  return {};
+}
+
+struct ChangeKey {
+  const char* key;
+  Change (*read)(const Node&);
+};
+const std::vector<ChangeKey>& change_keys() {
+  static const std::vector<ChangeKey> keys{
+      {"solver", [](const Node& n) -> Change { return read_solver(n); }},
+      {"material", [](const Node& n) -> Change { return read_material_input(n); }},
+      {"gravity", [](const Node& n) -> Change { return GravityInput{n.vector(-kAnything, kAnything, "m/s^2")}; }},
+      {"grab", [](const Node& n) -> Change { return read_springs(n); }},
+      {"move", [](const Node& n) -> Change { return read_move(n); }},
+      {"iterations", [](const Node& n) -> Change { return GrantInput{n.integer(1, 10000)}; }},
+      {"background", [](const Node& n) -> Change { return BackgroundInput{n.integer(1, kMostSteps)}; }},
+      {"reset", [](const Node& n) -> Change { return read_reset(n); }},
+      {"sound", [](const Node& n) -> Change { return read_sound(n); }},
+      {"camera", [](const Node& n) -> Change { return read_camera(n); }},
+      {"display", [](const Node& n) -> Change { return read_display(n); }},
   };
-  std::visit(Writer{object}, input.change);
-  return object;
+  return keys;
 }
 
 Input read_input(const Node& node, long earliest) {
-  const std::string expected = "\"step\" and one of solver, material, gravity, grab";
-  node.expect_object({"step", "solver", "material", "gravity", "grab"});
-  Input input{node.at("step", expected).integer(static_cast<int>(earliest), kMostSteps), {}};
-  if (const auto solver = node.find("solver")) {
-    input.change = read_solver(*solver);
-  } else if (const auto material = node.find("material")) {
-    material->expect_object({"index", "values"});
-    input.change = MaterialInput{static_cast<std::size_t>(material->at("index", "that of a material").integer(0, kMostVertices)),
-                                 read_material(material->at("values", "a material"))};
-  } else if (const auto gravity = node.find("gravity")) {
-    input.change = GravityInput{gravity->vector(-kAnything, kAnything, "m/s^2")};
-  } else if (const auto grab = node.find("grab")) {
-    input.change = read_springs(*grab);
-  } else {
-    node.refuse(expected);
+  std::string expected = "\"step\" and one of ";
+  std::vector<std::string> known{"step"};
+  for (const ChangeKey& change : change_keys()) {
+    expected += (known.size() > 1 ? ", " : "") + std::string(change.key);
+    known.emplace_back(change.key);
   }
-  return input;
+  node.expect_object(known);
+  Input input{node.at("step", expected).integer(static_cast<int>(earliest), kMostSteps), {}};
+  for (const ChangeKey& change : change_keys())
+    if (const auto value = node.find(change.key)) {
+      input.change = change.read(*value);
+      return input;
+    }
+  node.refuse(expected);
+}
+
+reference::State read_start(const Node& start) {
+  start.expect_object({"time", "displacement", "velocity"});
+  reference::State state;
+  state.time = start.at("time", "seconds").number(0, kAnything, "s");
+  state.displacement = read_vectors(start.at("displacement", "a vector per vertex [m]"));
+  state.velocity = read_vectors(start.at("velocity", "a vector per vertex [m/s]"));
+  if (state.displacement.size() != state.velocity.size())
+    start.fail(std::to_string(state.displacement.size()) + " displacements, " + std::to_string(state.velocity.size()) + " velocities",
+               "one of each per vertex");
+  return state;
+}
+
+// What both forms have: scene and start.
+Replay read_beginning(nlohmann::json& document, const Node& root, const std::vector<std::string>& overrides, DocumentOrigin& origin) {
+  root.at("scene", "the scene that was open");
+  apply_overrides(document["scene"], overrides, origin);
+  Replay replay;
+  // Overrides name their keys from the scene on, as on the command line, and so do errors in the scene.
+  replay.scene = read_scene(Node(document["scene"], "", origin));
+  if (const auto start = root.find("start")) replay.start = read_start(*start);
+  return replay;
+}
+
+long next_step(const Replay& replay) { return replay.inputs.empty() ? 0 : replay.inputs.back().step; }
+
+Replay read_object(nlohmann::json document, const std::string& file, const std::vector<std::string>& overrides) {
+  DocumentOrigin origin{file, {}};
+  const Node root(document, "", origin);
+  root.expect_object({"fascia_replay", "scene", "steps", "start", "inputs"});
+  root.at("fascia_replay", "1 or 2, the version of the format").number(1, 1, "");
+  Replay replay = read_beginning(document, root, overrides, origin);
+  replay.steps = root.at("steps", "how many steps to make").integer(0, kMostSteps);
+  if (const auto inputs = root.find("inputs"))
+    for (const Node& input : inputs->elements("a list of inputs, in the order of their steps"))
+      replay.inputs.push_back(read_input(input, next_step(replay)));
+  return replay;
+}
+
+Replay read_header(nlohmann::json document, const std::string& file, const std::vector<std::string>& overrides) {
+  DocumentOrigin origin{file, {}};
+  const Node root(document, "", origin);
+  root.expect_object({"fascia_replay", "made_by", "scene", "start", "timed"});
+  Replay replay = read_beginning(document, root, overrides, origin);
+  if (const auto timed = root.find("timed")) replay.timed = timed->boolean();
+  if (const auto made_by = root.find("made_by"))
+    for (const auto& [keyword, text] : made_by->members("what made it")) replay.made_by.emplace_back(keyword, text.text("a text"));
+  return replay;
+}
+
+void read_line(const Node& line, Replay& replay) {
+  const auto steps = line.find("steps");
+  if (!steps) {
+    replay.inputs.push_back(read_input(line, next_step(replay)));
+    if (replay.inputs.back().step > replay.steps) replay.hash.reset();
+    replay.steps = std::max(replay.steps, replay.inputs.back().step);
+    return;
+  }
+  line.expect_object({"steps", "hash"});
+  replay.steps = steps->integer(static_cast<int>(replay.steps), kMostSteps);
+  replay.hash.reset();
+  const auto hash = line.find("hash");
+  if (!hash) return;
+  const std::string expected = "16 hexadecimal digits", text = hash->text(expected);
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  if (text.size() != 16 || error != std::errc{} || end != text.data() + text.size()) hash->refuse(expected);
+  replay.hash = value;
+}
+
+Replay read_lines(nlohmann::json header, const std::string& file, std::string_view lines, const std::vector<std::string>& overrides) {
+  Replay replay = read_header(std::move(header), file, overrides);
+  for (long number = 2; !lines.empty(); ++number) {
+    const std::size_t end = std::min(lines.find('\n'), lines.size());
+    const std::string_view text = lines.substr(0, end);
+    const bool ended = end < lines.size();
+    lines.remove_prefix(std::min(end + 1, lines.size()));
+    if (text.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+    const std::string where = file + ":" + std::to_string(number);
+    if (!ended && !nlohmann::json::accept(text)) {
+      replay.note = where + ": the last line was not written to its end, and is left out";
+      break;
+    }
+    const nlohmann::json document = parse_json(text, where);
+    const DocumentOrigin origin{where, {}};
+    read_line(Node(document, "", origin), replay);
+  }
+  return replay;
 }
 
 }  // namespace
@@ -92,48 +204,34 @@ Replay read_replay(const std::filesystem::path& path, const std::vector<std::str
 }
 
 Replay read_replay_content(const std::filesystem::path& path, std::string_view content, const std::vector<std::string>& overrides) {
-  DocumentOrigin origin{path.string(), {}};
-  nlohmann::json document = parse_json(content, path.string());
-  const Node root(document, "", origin);
-  root.expect_object({"fascia_replay", "scene", "steps", "start", "inputs"});
-  root.at("fascia_replay", "1, the version of the format").number(1, 1, "");
-  root.at("scene", "the scene that was open");
-  apply_overrides(document["scene"], overrides, origin);
-  Replay replay;
-  // Overrides name their keys from the scene on, as on the command line, and so do errors in the scene.
-  replay.scene = read_scene(Node(document["scene"], "", origin));
+  const std::size_t first_end = std::min(content.find('\n'), content.size());
+  const std::string_view first = content.substr(0, first_end);
+  const bool whole = nlohmann::json::accept(first);
+  nlohmann::json document = parse_json(whole ? first : content, path.string());
+  const bool in_lines = whole && document.is_object() && document.contains("fascia_replay") && document["fascia_replay"] == 2;
+  if (whole && !in_lines) document = parse_json(content, path.string());  // nothing may follow
+  Replay replay = in_lines ? read_lines(std::move(document), path.string(), content.substr(std::min(first_end + 1, content.size())), overrides)
+                           : read_object(std::move(document), path.string(), overrides);
   replay.scene.file = path;
-  replay.steps = root.at("steps", "how many steps to make").integer(0, kMostSteps);
-  if (const auto start = root.find("start")) {
-    start->expect_object({"time", "displacement", "velocity"});
-    reference::State state;
-    state.time = start->at("time", "seconds").number(0, kAnything, "s");
-    state.displacement = read_vectors(start->at("displacement", "a vector per vertex [m]"));
-    state.velocity = read_vectors(start->at("velocity", "a vector per vertex [m/s]"));
-    if (state.displacement.size() != state.velocity.size())
-      start->fail(std::to_string(state.displacement.size()) + " displacements, " + std::to_string(state.velocity.size()) + " velocities",
-                  "one of each per vertex");
-    replay.start = std::move(state);
-  }
-  if (const auto inputs = root.find("inputs"))
-    for (const Node& input : inputs->elements("a list of inputs, in the order of their steps"))
-      replay.inputs.push_back(read_input(input, replay.inputs.empty() ? 0 : replay.inputs.back().step));
   return replay;
 }
 
-void write_replay(const std::filesystem::path& path, const Replay& replay) {
-  write_file(path, replay_to_json(replay, path.parent_path()));
+std::uint64_t state_hash(const reference::State& state) {
+  ByteHash hash;
+  const auto add = [&](double value) {
+    hash.add(std::bit_cast<std::array<std::uint8_t, sizeof value>>(value + 0.0));  // one zero, whatever its sign
+  };
+  for (const std::vector<Vector3d>* vectors : {&state.displacement, &state.velocity})
+    for (const Vector3d& v : *vectors)
+      for (const double coordinate : v) add(coordinate);
+  add(state.time);
+  return hash.value();
 }
 
-std::string replay_to_json(const Replay& replay, const std::filesystem::path& folder) {
-  Json document{{"fascia_replay", 1}, {"scene", scene_document(replay.scene, folder)}, {"steps", replay.steps}};
-  if (replay.start)
-    document["start"] = {{"time", replay.start->time},
-                         {"displacement", list_of(replay.start->displacement)},
-                         {"velocity", list_of(replay.start->velocity)}};
-  document["inputs"] = Json::array();
-  for (const Input& input : replay.inputs) document["inputs"].push_back(document_of(input));
-  return text_of(document);
+std::string hash_text(std::uint64_t hash) {
+  char text[24];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
 }
 
 }  // namespace fascia

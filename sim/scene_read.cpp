@@ -13,6 +13,8 @@ constexpr double kLargestAcceleration = 1e6;  // [m/s^2]
 constexpr double kFarthest = 1e9;             // [m]
 constexpr double kLongest = 1e9;              // [s]
 
+}  // namespace
+
 CameraSettings read_camera(const Node& node) {
   CameraSettings camera;
   node.expect_object({"eye", "target", "up", "fov_deg"});
@@ -29,8 +31,6 @@ CameraSettings read_camera(const Node& node) {
   }
   return camera;
 }
-
-}  // namespace
 
 SolverSettings read_solver(const Node& node) {
   SolverSettings solver;

@@ -14,6 +14,7 @@ Body read_body(const Node& node);
 ScriptedGrab read_grab(const Node& node);
 Selection read_selection(const Node& node);
 Material read_material(const Node& node);
+CameraSettings read_camera(const Node& node);
 DisplaySettings read_display(const Node& node);
 
 }  // namespace fascia

@@ -78,13 +78,8 @@ class SceneWriter {
     for (const Body& b : scene_.bodies) object["bodies"].push_back(body(b));
     for (const ScriptedGrab& g : scene_.grabs) object["grabs"].push_back(grab(g));
     object["solver"] = solver_document(scene_.solver);
-    if (const auto& camera = scene_.camera) {
-      object["camera"] = {{"eye", vector(camera->eye)},
-                          {"target", vector(camera->target)},
-                          {"up", vector(camera->up)},
-                          {"fov_deg", number(camera->fov_deg)}};
-    }
-    object["display"] = display(scene_.display);
+    if (scene_.camera) object["camera"] = camera_document(*scene_.camera);
+    object["display"] = display_document(scene_.display);
     object["duration"] = number(scene_.duration);
     return object;
   }
@@ -203,6 +198,12 @@ json solver_document(const SolverSettings& settings) {
 }
 
 json material_document(const Material& values) { return material(values); }
+
+json camera_document(const CameraSettings& camera) {
+  return {{"eye", vector(camera.eye)}, {"target", vector(camera.target)}, {"up", vector(camera.up)}, {"fov_deg", number(camera.fov_deg)}};
+}
+
+json display_document(const DisplaySettings& settings) { return display(settings); }
 
 json vector_document(const Eigen::Vector3d& v) { return vector(v); }
 

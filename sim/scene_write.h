@@ -10,6 +10,8 @@ namespace fascia {
 nlohmann::ordered_json scene_document(const Scene& scene, const std::filesystem::path& folder);
 nlohmann::ordered_json solver_document(const SolverSettings& settings);
 nlohmann::ordered_json material_document(const Material& material);
+nlohmann::ordered_json camera_document(const CameraSettings& camera);
+nlohmann::ordered_json display_document(const DisplaySettings& display);
 nlohmann::ordered_json vector_document(const Eigen::Vector3d& v);
 
 /// What fits stands on one line, and so does a list without objects, however long. Ends with a line break.

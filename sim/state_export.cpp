@@ -87,7 +87,7 @@ std::string msh(const fs::path& path, const TetMesh& rest, const StateFields& fi
 
 }  // namespace
 
-void write_state(const fs::path& path, const TetMesh& rest, const StateFields& fields) {
+void write_state(const fs::path& path, const TetMesh& rest, const StateFields& fields, const Provenance& provenance) {
   [[maybe_unused]] const auto fits = [](const auto& values, std::size_t count) {
     return values.empty() || values.size() == count;
   };
@@ -96,13 +96,14 @@ void write_state(const fs::path& path, const TetMesh& rest, const StateFields& f
          fits(fields.det_f, rest.tets.size()));
   const std::string ending = lower_ending(path);
   if (ending == ".vtu") {
-    write_file(path, vtu(rest, fields));
+    write_file(path, with_provenance(vtu(rest, fields), ending, provenance));
   } else if (ending == ".csv") {
     write_file(path, csv(rest, fields));
+    if (!provenance.empty()) write_file(provenance_beside(path), "{\"provenance\":" + provenance_json(provenance) + "}\n");
   } else if (ending == ".msh") {
-    write_file(path, msh(path, rest, fields));
+    write_file(path, with_provenance(msh(path, rest, fields), ending, provenance));
   } else if (ending == ".obj") {
-    write_file(path, obj(rest, fields));
+    write_file(path, with_provenance(obj(rest, fields), ending, provenance));
   } else {
     throw Error(path.string(), "cannot be written: its ending names no export format",
                 "expected .vtu, .csv, .msh or .obj");
@@ -113,7 +114,11 @@ void StateSeries::write(double time_s, const TetMesh& rest, const StateFields& f
   char number[16];
   std::snprintf(number, sizeof number, "_%06zu", written_.size());
   const fs::path frame = path_.parent_path() / (path_.stem().string() + number + path_.extension().string());
-  write_state(frame, rest, fields);
+  // A series of .csv files has it once, beside the name that was asked for.
+  const bool csv_series = lower_ending(path_) == ".csv";
+  write_state(frame, rest, fields, csv_series ? Provenance{} : provenance_);
+  if (csv_series && written_.empty() && !provenance_.empty())
+    write_file(provenance_beside(path_), "{\"provenance\":" + provenance_json(provenance_) + "}\n");
   written_.emplace_back(time_s, frame.filename().string());
   if (lower_ending(path_) != ".vtu") return;
 

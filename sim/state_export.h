@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/provenance.h"
 #include "sim/tet_mesh.h"
 
 namespace fascia {
@@ -20,19 +21,21 @@ struct StateFields {
 };
 
 /// Format by ending. .csv is `index,x,y,z` of deformed positions with shortest round-trip digits; .obj is the
-/// surface. .msh is Gmsh 2.2 ASCII with deformed positions. Temporary name and rename; throws Error.
-void write_state(const std::filesystem::path& path, const TetMesh& rest, const StateFields& fields);
+/// surface. .msh is Gmsh 2.2 ASCII with deformed positions. Temporary name and rename; throws Error. What made it goes with it
+/// (sim/provenance.h).
+void write_state(const std::filesystem::path& path, const TetMesh& rest, const StateFields& fields, const Provenance& provenance = {});
 
 /// Numbered files and one .pvd that lists them with their times, rewritten after every frame so that an
 /// interrupted run leaves a readable series. For endings other than .vtu only the numbered files are written.
 class StateSeries {
  public:
-  explicit StateSeries(std::filesystem::path path)
-      : path_(std::move(path)) {}  // "out.vtu" -> out_000000.vtu, out.pvd
+  explicit StateSeries(std::filesystem::path path, Provenance provenance = {})
+      : path_(std::move(path)), provenance_(std::move(provenance)) {}  // "out.vtu" -> out_000000.vtu, out.pvd
   void write(double time_s, const TetMesh& rest, const StateFields& fields);
 
  private:
   std::filesystem::path path_;
+  Provenance provenance_;
   std::vector<std::pair<double, std::string>> written_;
 };
 

@@ -122,14 +122,24 @@ void CoarseLevel::values_changed(const Model& model, const SolverSettings& setti
     start(std::move(job));
 }
 
-void CoarseLevel::update(bool wait) {
-  while (inverse_.valid()) {
-    if (!wait && inverse_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    upload(inverse_.get());
-    if (!next_) return;
-    start(std::move(*next_));
-    next_.reset();
+void CoarseLevel::take_next() {
+  upload(inverse_.get());
+  if (!next_) return;
+  start(std::move(*next_));
+  next_.reset();
+}
+
+int CoarseLevel::update(bool wait) {
+  int taken = 0;
+  for (; inverse_.valid(); ++taken) {
+    if (!wait && inverse_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) break;
+    take_next();
   }
+  return taken;
+}
+
+void CoarseLevel::take(int count) {
+  for (; count > 0 && inverse_.valid(); --count) take_next();
 }
 
 }  // namespace fascia

@@ -24,8 +24,10 @@ class CoarseLevel {
 
   /// Starts to compute the inverse if materials or h are other ones; one that waits for older values is let go.
   void values_changed(const Model& model, const SolverSettings& settings);
-  /// Uploads an inverse that is ready; with `wait`, waits until the newest is.
-  void update(bool wait);
+  /// Uploads an inverse that is ready; with `wait`, waits until the newest is. Returns how many.
+  int update(bool wait);
+  /// Waits for so many inverses, or as many as are asked for, and uploads them.
+  void take(int count);
 
  private:
   struct Job {  // a copy of what the thread needs: the model may change meanwhile
@@ -34,6 +36,7 @@ class CoarseLevel {
   };
   static Eigen::MatrixXf compute(const CoarseSpace& space, const Job& job);
   void start(Job job);
+  void take_next();
   void upload(const Eigen::MatrixXf& inverse);
 
   CoarseSpace space_;

@@ -73,8 +73,10 @@ class StepMethod {
   virtual void begin_partial() {}
   /// Materials, masses, gravity or h have other values; buffers and passes stay.
   virtual void values_changed(const Model&, const SolverSettings&) {}
-  /// Uploads what was computed beside the frame, if it is ready, or, with `wait`, when it is.
-  virtual void update(bool wait) { static_cast<void>(wait); }
+  /// Uploads what was computed beside the frame, if it is ready, or, with `wait`, all of it when it is. Returns how many results.
+  virtual int update(bool wait) { return static_cast<void>(wait), 0; }
+  /// Waits for so many results, if as many are computed, and uploads them.
+  virtual void take(int results) { static_cast<void>(results); }
 };
 
 }  // namespace fascia

@@ -186,8 +186,11 @@ std::map<std::string, GpuSolver::KernelTime> GpuSolver::timed_step() {
   return times;
 }
 
+void GpuSolver::look_beside() {
+  if (!background_held_) background_taken_ += method_->update(false);
+}
+
 void GpuSolver::begin_substep() {
-  method_->update(false);
   time_ += settings_.substep();
   ++substeps_;
   motions_.upload(model_, time_);
@@ -214,6 +217,7 @@ void GpuSolver::choose_passes() {
 }
 
 void GpuSolver::step() {
+  look_beside();
   choose_passes();
   for (int s = 0; s < settings_.substeps; ++s) {
     begin_substep();
@@ -238,6 +242,7 @@ std::vector<Diagnostics> GpuSolver::traced_substep() {
   };
   passes_ = &whole_;
   if (regions_) regions_->restart();
+  look_beside();
   begin_substep();
   if (!grab_.empty()) grab_.forget();
   diagnose();

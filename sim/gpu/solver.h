@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/gpu/anderson.h"
@@ -92,7 +93,12 @@ class GpuSolver {
   /// State, materials, gravity and grab of another solver of the same model; the state without a way through the CPU.
   void follow(const GpuSolver& leader);
   /// Waits for what is computed beside the frame (the coarse level's inverse after a change of materials or h) and takes it.
-  void finish_background() { method_->update(true); }
+  void finish_background() { background_taken_ += method_->update(true); }
+  /// It is taken at the first step that finds it ready, which depends on the moment. Held back, it waits for take_background().
+  void hold_background(bool held) { background_held_ = held; }
+  void take_background(int results) { method_->take(results); }
+  /// Results that were taken without being told, since the last call.
+  int background_taken() { return std::exchange(background_taken_, 0); }
   const GaussSeidelMethod* gauss_seidel() const { return dynamic_cast<const GaussSeidelMethod*>(method_.get()); }
   const Chebyshev* chebyshev() const { return chebyshev_ ? &*chebyshev_ : nullptr; }
 
@@ -105,6 +111,7 @@ class GpuSolver {
   void make_method();  // what the pair needs, and nothing else
   void record();
   void run(const Passes& passes);
+  void look_beside();
   void begin_substep();
   void iterate(int iteration);
   void settings_changed();
@@ -142,6 +149,8 @@ class GpuSolver {
   bool always_whole_ = false;
   int before_every_ = 1;  // iterations from one run of `before` to the next
   std::map<std::string, KernelTime>* times_ = nullptr;  // of a timed step
+  bool background_held_ = false;
+  int background_taken_ = 0;
   double time_ = 0;
   long steps_solved_ = 0;
   std::uint64_t tets_stepped_ = 0;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/graphics.h"
+#include "app/user_files.h"
 #include "app/view_window.h"
 #include "sim/file.h"
 #include "sim/replay.h"
@@ -321,4 +322,77 @@ TEST_CASE("a window whose device is reset ends and leaves the scene as it was") 
   CHECK(build_model(kept[0].scene).materials == build_model(scene).materials);
   CHECK(kept[0].scene.camera.has_value());  // of now: the file has none
   CHECK(kept[0].start.has_value());
+}
+
+TEST_CASE("a session in the window is replayed to the bit, also one that was killed", "[window][session]") {
+  const Desk desk;
+  const std::string scene = desk.scene("cube.json", cube_scene("Test cube", 2e4));
+  const std::filesystem::path sessions = state_folder() / "sessions";  // the display's own
+  const auto only_session = [&] {
+    std::filesystem::path found;
+    for (const auto& entry : std::filesystem::directory_iterator(sessions)) found = entry.path();
+    return found;
+  };
+  const auto inputs = [&] { return read_replay(only_session()).inputs; };
+  {
+    FasciaWindow window(with_size({scene, "--export", "lived.csv"}), desk.folder.path());
+    const Screenshot start = window.screenshot();
+    const Place slider = first_slider(start.image);
+    REQUIRE(slider.y > 0);
+    window.move(kPanels + (kWidth - kPanels) / 2, kHeight / 2);
+    window.press();
+    window.move(kPanels + (kWidth - kPanels) / 2 + 120, kHeight / 2 - 60);
+    window.release();
+    window.move(slider.x, slider.y);
+    window.press();
+    window.move(slider.x + 40, slider.y);
+    window.release();
+    window.key("w");
+    window.move(kWidth - 80, kHeight - 120);  // beside the cube: the view turns
+    window.press();
+    window.move(kWidth - 160, kHeight - 150);
+    window.release();
+    window.key("r");
+    window.pause();
+    window.pause();
+    window.key("ctrl+q");
+    CHECK(window.wait() == 0);
+    CAPTURE(window.said());
+  }
+  const std::vector<Input> all = inputs();
+  const auto has = [&](auto kind) {
+    return std::any_of(all.begin(), all.end(), [&](const Input& input) { return std::holds_alternative<decltype(kind)>(input.change); });
+  };
+  CHECK(has(GrabInput{}));
+  CHECK(has(GrabMove{}));
+  CHECK(has(MaterialInput{}));
+  CHECK(has(CameraSettings{}));
+  CHECK(has(DisplaySettings{}));
+  CHECK(has(ResetInput{}));
+  const CommandResult again = run_fascia({"run", "--replay", only_session().string(), "--export", "again.csv"}, desk.folder.path());
+  CAPTURE(again.err);
+  CHECK(again.exit_code == 0);
+  CHECK(again.err.find("fascia: to the bit what was recorded") != std::string::npos);
+  CHECK((read_file(desk.folder / "again.csv") == read_file(desk.folder / "lived.csv")));
+
+  // The next one is killed in the middle of a drag.
+  std::filesystem::remove_all(sessions);
+  {
+    FasciaWindow window(with_size({scene}), desk.folder.path());
+    window.screenshot();
+    window.move(kPanels + (kWidth - kPanels) / 2, kHeight / 2);
+    window.press();
+    window.move(kPanels + (kWidth - kPanels) / 2 + 120, kHeight / 2 - 60);
+    CHECK(eventually([&] {
+      const std::vector<Input> written = inputs();
+      return std::any_of(written.begin(), written.end(), [](const Input& input) { return std::holds_alternative<GrabMove>(input.change); });
+    }));
+    window.kill();
+  }
+  const Replay torn = read_replay(only_session());
+  CHECK(torn.steps > 0);
+  CHECK_FALSE(torn.hash);
+  const CommandResult repeated = run_fascia({"run", "--replay", only_session().string()}, desk.folder.path());
+  CAPTURE(repeated.err);
+  CHECK(repeated.exit_code == 0);
 }

@@ -121,11 +121,11 @@ FasciaWindow::FasciaWindow(std::vector<std::string> arguments, fs::path folder)
 
 FasciaWindow::~FasciaWindow() {
   if (!running()) return;
-  kill(child_, SIGTERM);
+  ::kill(child_, SIGTERM);
   const auto end = Clock::now() + std::chrono::seconds(20);
   while (running() && Clock::now() < end) std::this_thread::sleep_for(kPoll);
   if (running()) {
-    kill(child_, SIGKILL);
+    ::kill(child_, SIGKILL);
     waitpid(child_, nullptr, 0);
   }
 }
@@ -154,6 +154,12 @@ double FasciaWindow::processor_seconds() const {
   double user = 0, system = 0;
   fields >> user >> system;
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+void FasciaWindow::kill() {
+  ::kill(child_, SIGKILL);
+  waitpid(child_, nullptr, 0);
+  child_ = -1;
 }
 
 int FasciaWindow::wait() {

@@ -1,0 +1,97 @@
+#include "app/file_provenance.h"
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "render/image.h"
+#include "sim/file.h"
+#include "sim/replay.h"
+
+namespace fascia {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// In quotes for the shell.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+// Containers keep keywords in capitals or small letters, and spaces or not, as they like; ours begin with a capital.
+std::string keyword_of(std::string text) {
+  for (char& c : text) c = c == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+Provenance of_video(const fs::path& path) {
+  read_file(path);  // for its errors
+  const std::string command = "ffprobe -v error -show_entries format_tags -of json " + quoted(fs::absolute(path).string()) + " 2>/dev/null";
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string text;
+  char block[4096];
+  for (std::size_t n; pipe && (n = std::fread(block, 1, sizeof block, pipe.get())) > 0;) text.append(block, n);
+  const Json document = Json::parse(text, nullptr, false);
+  Provenance provenance;
+  bool ours = false;
+  if (!document.is_object() || !document.contains("format") || !document["format"].contains("tags")) return {};
+  for (const auto& [keyword, value] : document["format"]["tags"].items()) {
+    if (!value.is_string()) continue;
+    const std::string name = keyword_of(keyword), said = value.get<std::string>();
+    ours |= name == "Software" && said.starts_with("fascia");
+    if (name != "Major brand" && name != "Minor version" && name != "Compatible brands" && name != "Encoder") provenance.emplace_back(name, said);
+  }
+  return ours ? provenance : Provenance{};
+}
+
+Provenance of_json(const std::string& text) {
+  const Json document = Json::parse(text, nullptr, false);
+  Provenance provenance;
+  if (!document.is_object() || !document.contains("provenance") || !document["provenance"].is_object()) return {};
+  for (const auto& [keyword, value] : document["provenance"].items())
+    if (value.is_string()) provenance.emplace_back(keyword, value.get<std::string>());
+  return provenance;
+}
+
+Provenance of_replay(const fs::path& path) {
+  const Replay replay = read_replay(path);
+  Provenance provenance = replay.made_by;
+  provenance.emplace_back("Title", replay.scene.title);
+  char text[160];
+  std::snprintf(text, sizeof text, "%ld steps, %.9g s, %zu inputs", replay.steps, static_cast<double>(replay.steps) * replay.scene.solver.time_step,
+                replay.inputs.size());
+  provenance.emplace_back("Replay", text);
+  if (replay.hash) provenance.emplace_back("State", hash_text(*replay.hash));
+  if (!replay.note.empty()) provenance.emplace_back("Note", replay.note);
+  return provenance;
+}
+
+}  // namespace
+
+std::optional<Provenance> provenance_of_file(const fs::path& path) {
+  const std::string ending = lower_ending(path);
+  Provenance provenance;
+  if (ending == ".fascia") {
+    provenance = of_replay(path);
+  } else if (ending == ".png") {
+    provenance = read_png_metadata(path);
+  } else if (ending == ".mp4" || ending == ".webm" || ending == ".mkv" || ending == ".mov") {
+    provenance = of_video(path);
+  } else if (ending == ".json") {
+    provenance = of_json(read_file(path));
+  } else if (ending == ".csv") {
+    std::error_code ec;
+    read_file(path);
+    if (fs::exists(provenance_beside(path), ec)) provenance = of_json(read_file(provenance_beside(path)));
+  } else if (ending == ".vtu" || ending == ".msh" || ending == ".obj") {
+    provenance = find_provenance(read_file(path));
+  }
+  if (provenance.empty()) return std::nullopt;
+  return provenance;
+}
+
+}  // namespace fascia

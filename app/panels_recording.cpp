@@ -1,0 +1,71 @@
+// What videos of the window are to be, and the session as a file.
+#include <imgui.h>
+
+#include <array>
+#include <cstdio>
+
+#include "app/panels.h"
+#include "app/ui_style.h"
+#include "app/ui_widgets.h"
+
+namespace fascia {
+namespace {
+
+struct Size {
+  const char* label;
+  int width, height;
+};
+constexpr std::array<Size, 4> kSizes{{{"Window", 0, 0}, {"720p", 1280, 720}, {"1080p", 1920, 1080}, {"4K", 3840, 2160}}};
+constexpr std::array<std::pair<const char*, VideoKind>, 3> kKinds{
+    {{"MP4", VideoKind::mp4}, {"WebM", VideoKind::webm}, {"PNGs", VideoKind::pictures}}};
+constexpr std::array<double, 3> kRates{24, 30, 60};
+
+void label(const char* text) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextColored(ui::kDim, "%s", text);
+  ImGui::SameLine(ui::px(84));
+}
+
+}  // namespace
+
+void draw_recording_settings(ViewState& state, Requests& requests) {
+  ImGui::SetNextWindowPos({panel_width() + ui::px(24), ui::px(100)}, ImGuiCond_Appearing);
+  if (ImGui::Begin("Recording", &state.show_recording,
+                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize)) {
+    VideoSettings& video = state.video;
+    ImGui::BeginDisabled(state.recording);
+    label("File");
+    for (const auto& [name, kind] : kKinds) {
+      if (ui::button(name, ui::px(66), video.kind == kind)) video.kind = kind;
+      ImGui::SameLine();
+    }
+    ImGui::NewLine();
+    label("Size");
+    for (const Size& size : kSizes) {
+      if (ui::button(size.label, ui::px(66), video.width == size.width)) {
+        video.width = size.width;
+        video.height = size.height;
+      }
+      ImGui::SameLine();
+    }
+    ImGui::NewLine();
+    label("Frames/s");
+    for (const double rate : kRates) {
+      char text[8];
+      std::snprintf(text, sizeof text, "%.0f", rate);
+      if (ui::button(text, ui::px(66), video.fps == rate)) video.fps = rate;
+      ImGui::SameLine();
+    }
+    ImGui::NewLine();
+    label("Panels");
+    if (ui::button(video.panels ? "In the video" : "Left out", ui::px(140), video.panels)) video.panels = !video.panels;
+    ImGui::EndDisabled();
+    requests.video |= ui::button(state.recording ? "Stop video (V)" : "Record video (V)", ui::px(180), state.recording);
+    ImGui::Separator();
+    requests.save_replay_dialog |= ui::button("Save replay... (Ctrl+R)", ui::px(180), false);
+    ui::tooltip("All that was done to this scene since it was opened, as a small file that repeats it to the bit");
+  }
+  ImGui::End();
+}
+
+}  // namespace fascia

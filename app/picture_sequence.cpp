@@ -1,0 +1,39 @@
+#include "app/picture_sequence.h"
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+
+#include "render/image.h"
+#include "sim/error.h"
+
+namespace fascia {
+namespace fs = std::filesystem;
+
+PictureSequence::PictureSequence(fs::path pattern, const FrameFormat& format, Provenance provenance)
+    : folder_(pattern.parent_path()), format_(format), provenance_(std::move(provenance)) {
+  const std::string name = pattern.filename().string();
+  const auto refuse = [&] { throw Error(pattern.string(), "has no place for the number of a picture", "expected one as in frames/%05d.png"); };
+  const std::size_t percent = name.find('%'), end = name.find('d', percent);
+  if (percent == std::string::npos || end == std::string::npos || name.find('%', percent + 1) != std::string::npos) refuse();
+  const char* const first = name.data() + percent + 1;
+  const char* const last = name.data() + end;
+  if (first != last) {
+    const auto [stop, error] = std::from_chars(first, last, digits_);
+    if (error != std::errc{} || stop != last || digits_ > 12) refuse();
+  }
+  before_ = name.substr(0, percent);
+  after_ = name.substr(end + 1);
+  std::error_code ec;
+  if (!folder_.empty()) fs::create_directories(folder_, ec);
+  if (ec) throw Error(folder_.string(), "cannot be made: " + ec.message(), "expected a folder for pictures");
+}
+
+void PictureSequence::write(const std::vector<std::uint8_t>& rgba) {
+  std::string number = std::to_string(frames_);
+  number.insert(0, digits_ - std::min(digits_, number.size()), '0');
+  write_png(folder_ / (before_ + number + after_), Image{format_.width, format_.height, rgba}, provenance_);
+  ++frames_;
+}
+
+}  // namespace fascia

@@ -1,0 +1,28 @@
+// Pictures with more samples per pixel than the renderer has: drawn several times, each time shifted by a part of a pixel, and averaged.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "render/camera.h"
+#include "render/framebuffer.h"
+
+namespace fascia {
+
+class Supersampler {
+ public:
+  /// At least so many samples per pixel. Throws Error.
+  Supersampler(int width, int height, int samples);
+
+  /// `draw_scene` draws into the framebuffer and resolves it. The result is its resolved picture, for panels to be drawn over.
+  Framebuffer& draw(Camera& camera, const std::function<void(Framebuffer&)>& draw_scene);
+  Framebuffer& framebuffer() { return framebuffer_; }
+
+ private:
+  Framebuffer framebuffer_;
+  int pictures_;  // that are averaged
+  std::vector<std::uint8_t> pixels_;
+  std::vector<std::uint16_t> sums_;
+};
+
+}  // namespace fascia

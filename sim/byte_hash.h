@@ -1,0 +1,20 @@
+// A fingerprint of bytes (FNV-1a, 64 bits: Fowler, Noll, Vo), to tell whether two runs gave the same; no protection against forgery.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace fascia {
+
+class ByteHash {
+ public:
+  void add(std::span<const std::uint8_t> bytes) {
+    for (const std::uint8_t byte : bytes) value_ = (value_ ^ byte) * 0x100000001b3;
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
+}  // namespace fascia
