@@ -63,6 +63,9 @@ void add_render(CLI::App& program, Invocation& invocation) {
   for (const ColorBy color : all_colors()) colors += (colors.empty() ? "" : "|") + std::string(name_of(color));
   command.add_option("--color", options->color, "what colors the tissue (scene key display.color)")->type_name(colors);
   command.add_flag("--wireframe", options->wireframe, "draw the surface's edges");
+  command.add_option("--split", options->split, "two sides under the same input: as opened, and with these values, such as "
+                     "\"solver.method=jacobi;solver.acceleration=none\"")
+      ->type_name("KEY=VALUE;...");
   command.add_flag("--ui", options->panels, "draw the window's panels too");
   add_comparison(command, *options);
   add_examples(command, {"fascia render liver.json --out shot.png --steps 60 --color von_mises",

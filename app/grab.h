@@ -17,6 +17,7 @@ struct GrabSettings {
   double grip = kGrip;           // springs of the whole patch together over E * patch radius
   bool push = false;             // a press pushes into the surface instead of taking it along
   bool stay = false;             // hands stay where they are released
+  bool operator==(const GrabSettings&) const = default;
 };
 
 class Grab {

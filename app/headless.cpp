@@ -2,16 +2,22 @@
 
 #include <algorithm>
 #include <iostream>
+#include <sstream>
 
 #include "app/breakdown.h"
 #include "app/color_bar.h"
 #include "app/interrupt.h"
+#include "app/panels.h"
 
 namespace fascia {
 namespace {
 
-Opened open_with_display(const RenderOptions& options) {
+// `split` are more sets in one text, with semicolons between: for the second side.
+Opened open_with_display(const RenderOptions& options, const std::string& split = "") {
   std::vector<std::string> sets = options.sets;
+  std::istringstream parts(split);
+  for (std::string part; std::getline(parts, part, ';');)
+    if (!part.empty()) sets.push_back(part);
   if (!options.color.empty()) sets.push_back("display.color=" + options.color);
   if (options.wireframe) sets.push_back("display.wireframe=true");
   return open_input(options, sets);
@@ -35,6 +41,10 @@ Headless::Headless(const RenderOptions& options, Opened opened)
   if (opened.replay && !chosen) view_ = ReplayView(*opened.replay);
   if (opened.replay) simulation.play(std::move(*opened.replay));
   if (session_.display().color == ColorBy::error) simulation.gpu()->solve_everything();
+  if (!options.split.empty()) {
+    Opened other = open_with_display(options, options.split);
+    split_.emplace(graphics_, session_, std::move(other.scene), std::move(other.model));
+  }
   if (!options.static_equilibrium) steps_ = steps_to_run(options, simulation);
   announce(options, graphics_, simulation.model.notes);
 }
@@ -44,11 +54,15 @@ void Headless::run(const std::function<void()>& after_step) {
   if (options_.static_equilibrium) {
     const reference::NewtonReport report = simulation.solve_static();
     if (!options_.quiet || !report.converged) std::cerr << "fascia: " << describe(report, options_.reference) << '\n';
+    if (split_) split_->b().simulation.solve_static();
     return;
   }
   if (after_step) after_step();
   while (step_ < steps_ && !interrupted()) {
-    simulation.step();
+    if (split_)
+      split_->step(session_, session_);
+    else
+      simulation.step();
     ++step_;
     if (simulation.astray()) require_sound(simulation);
     if (after_step) after_step();
@@ -75,12 +89,27 @@ Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
   const std::optional<Diagnostics> diagnostics = solver.take_diagnostics(true);
   if (session_.display().color == ColorBy::error) session_.measure_error();
   session_.settle_range();
+  if (split_) {
+    draw_split(diagnostics);
+    return framebuffer_;
+  }
   const std::vector<HandMark> hands = hand_marks(session_.simulation, diagnostics ? diagnostics->hand_forces : std::vector<HandForce>(), nullptr);
   Framebuffer& framebuffer =
       picture_.draw(session_.camera, [&](Framebuffer& target) { session_.draw(target, arrows(hands), positions); });
   if (options_.panels || has_legend(session_) || !hands.empty())
     overlay_.draw_headless(session_, framebuffer, options_.panels, diagnostics, hands);
   return framebuffer;
+}
+
+void Headless::draw_split(const std::optional<Diagnostics>& diagnostics) {
+  overlay_.scale_to(framebuffer_.height());
+  const int left = options_.panels ? static_cast<int>(panel_space()) : 0;
+  split_->diagnose(true);
+  const std::vector<HandMark> hands = hand_marks(session_.simulation, diagnostics ? diagnostics->hand_forces : std::vector<HandForce>(), nullptr);
+  if (session_.display().color == ColorBy::error) split_->b().measure_error();
+  split_->draw(session_, framebuffer_, left, arrows(hands));
+  overlay_.draw_headless(session_, framebuffer_, options_.panels, diagnostics, {},
+                         [&] { split_->draw_labels(session_, diagnostics, left, false, false); });
 }
 
 Provenance Headless::provenance() const {

@@ -8,6 +8,7 @@
 #include "app/provenance.h"
 #include "app/render_camera.h"
 #include "app/session.h"
+#include "app/split_view.h"
 #include "render/supersampler.h"
 
 namespace fascia {
@@ -36,6 +37,7 @@ class Headless {
  private:
   Headless(const RenderOptions& options, Opened opened);
   void look(double step);
+  void draw_split(const std::optional<Diagnostics>& diagnostics);
 
   const RenderOptions& options_;
   Graphics graphics_;
@@ -45,6 +47,7 @@ class Headless {
   ReplayView view_;
   std::optional<DisplaySettings> seen_;  // of the replay's
   Overlay overlay_;
+  std::optional<SplitView> split_;  // with --split
   long step_ = 0, steps_ = 0;
 };
 

@@ -43,6 +43,7 @@ struct RenderOptions : CommonOptions {
   std::string difference;     // --diff, PNG
   bool update = false;        // the goldens, instead of comparing
   GoldenFiles goldens() const { return {compare, state}; }
+  std::string split;          // --set texts, with semicolons between, for a second side
 };
 
 struct RunOptions : CommonOptions {

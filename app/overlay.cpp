@@ -38,6 +38,8 @@ void Overlay::set_scale(float scale) {
   renderer_ = std::make_unique<ImguiRenderer>(*graphics_.programs);
 }
 
+void Overlay::scale_to(int height) { set_scale(std::clamp(static_cast<float>(height) / 720, 0.5f, 12.0f)); }
+
 void Overlay::begin(int width, int height) {
   GLFWwindow* window = graphics_.context->window();
   float scale = 1, scale_y = 1;
@@ -91,8 +93,8 @@ void Overlay::draw_onto(const Framebuffer& framebuffer, bool panels) {
 }
 
 void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool panels, const std::optional<Diagnostics>& diagnostics,
-                            const std::vector<HandMark>& hands) {
-  set_scale(std::clamp(static_cast<float>(framebuffer.height()) / 720, 0.5f, 12.0f));
+                            const std::vector<HandMark>& hands, const std::function<void()>& more) {
+  scale_to(framebuffer.height());
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(framebuffer.width()), static_cast<float>(framebuffer.height())};
   io.DeltaTime = 1.0f / 60;
@@ -106,6 +108,7 @@ void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool pan
     draw_hand_marks(session, hands);
     if (panels) draw_panels(session, state, nobody_asks);
     draw_legend(session);
+    if (more) more();
     ImGui::Render();
   }
   draw(framebuffer);

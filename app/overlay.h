@@ -1,6 +1,7 @@
 // What is drawn over the picture: the panels and the heat map's color bar. Owns the ImGui context; works in a window and headless.
 // Everything is laid out in pixels of the picture, so that a window, a screenshot and a headless rendering look alike.
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -19,8 +20,11 @@ class Overlay {
   Overlay& operator=(const Overlay&) = delete;
 
   /// One frame of panels (if wanted), color bar and forces of hands over the resolved framebuffer, without a window.
+  /// `more` is called with ImGui to draw what else belongs to the picture.
   void draw_headless(Session& session, Framebuffer& framebuffer, bool panels, const std::optional<Diagnostics>& diagnostics,
-                     const std::vector<HandMark>& hands);
+                     const std::vector<HandMark>& hands, const std::function<void()>& more = {});
+  /// So that lengths in pixels are right before the first picture of this height.
+  void scale_to(int height);
 
   /// A window's frame: begin, then any ImGui calls, then end; then draw over the resolved framebuffer, first what belongs to the
   /// picture, then what does not (ImGui's foreground layer).

@@ -8,6 +8,7 @@
 namespace fascia {
 
 float panel_width() { return ui::px(318); }
+float panel_space() { return panel_width() + 2 * ui::px(10); }
 
 void draw_panels(Session& session, ViewState& state, Requests& requests) {
   const float margin = ui::px(10);
@@ -17,13 +18,15 @@ void draw_panels(Session& session, ViewState& state, Requests& requests) {
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus);
   scene_panel(session, state, requests);
-  if (ui::section("Material")) material_panel(session.simulation, state.facts);
-  if (ui::section("Solver")) solver_panel(session);
+  if (state.comparing && ui::section("Compare")) compare_panel(state, requests);
+  if (ui::section("Material")) material_panel(session.simulation, state, requests);
+  if (ui::section("Solver")) solver_panel(session, state);
   state.show_convergence = ui::section("Convergence", false);
   if (state.show_convergence) convergence_panel(session.simulation, state.convergence);
   if (ui::section("Display")) display_panel(session);
   if (ui::section("Statistics")) statistics_panel(session, state);
   if (ui::section("Grab", false)) grab_panel(session, state, requests);
+  if (ui::section("History", false)) history_panel(state.history, requests);
   if (ui::button("Recording...", ImGui::GetContentRegionAvail().x, state.show_recording)) state.show_recording = !state.show_recording;
   ui::tooltip("What videos are to be (Shift+V), and a replay of this session");
   ImGui::End();

@@ -13,8 +13,10 @@ namespace fascia {
 void draw_panels(Session& session, ViewState& state, Requests& requests);
 
 void scene_panel(const Session& session, ViewState& state, Requests& requests);
-void material_panel(Simulation& simulation, const SceneFacts& facts);
-void solver_panel(Session& session);
+void material_panel(Simulation& simulation, ViewState& state, Requests& requests);
+void solver_panel(Session& session, ViewState& state);
+void compare_panel(const ViewState& state, Requests& requests);
+void history_panel(const DialHistory& history, Requests& requests);
 void convergence_panel(const Simulation& simulation, Convergence& convergence);
 void display_panel(Session& session);
 void grab_panel(const Session& session, ViewState& state, Requests& requests);
@@ -48,5 +50,7 @@ bool draw_message(const std::string& text, bool is_error);
 
 /// Width of the column at the left in pixels.
 float panel_width();
+/// What of the picture's width it covers, with its margins.
+float panel_space();
 
 }  // namespace fascia

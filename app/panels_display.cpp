@@ -52,7 +52,7 @@ const char* help_of(Background background) {
 bool range_rows(const Session& session, DisplaySettings& display) {
   bool changed = false, automatic = !display.range;
   ui::label("Range", "Automatic: to a round number above the largest value of the moment, from 0 or as far to the other side of a neutral value");
-  if (ImGui::Checkbox("automatic", &automatic)) {
+  if (ui::checkbox("automatic", automatic, "Follows the values; off: the range stays as it is and can be typed")) {
     display.range.reset();
     if (!automatic) display.range = session.look.range.cast<double>();
     changed = true;

@@ -41,13 +41,17 @@ const std::vector<std::vector<Theme>>& help_columns() {
          {"Delete, Esc", "let go of one that stays, of all"}}},
        {"Time", {{"Space", "pause, go on"}, {".", "one step"}, {"R", "reset"}}},
        {"Values",
-        {{"Click on a value", "type another, such as 12.5 kPa"}, {"Ctrl+Tab, arrows, Enter", "the panels by keyboard; Esc leaves them"}}}},
+        {{"Click on a value", "type another, such as 12.5 kPa"},
+         {"Ctrl+Z, Ctrl+Y", "take a change back, do it again"},
+         {"B", "compare two settings side by side"},
+         {"Ctrl+Tab, arrows, Enter", "the panels by keyboard; Esc leaves them"}}}},
       {{"View", {{"F", "frame the scene"}, {"W", "wireframe"}, {"H", "hide the panels"}, {"F3", "plots over time"}}},
        {"Files",
         {{"Ctrl+O", "open; or drop a file on the window"},
          {"Ctrl+Shift+O", "opened before"},
          {"F2", "examples"},
          {"Ctrl+S", "save the scene"},
+         {"Ctrl+Shift+C", "copy the command line of the scene as it is now"},
          {"Ctrl+E", "export the state: .vtu .csv .msh .obj"},
          {"P", "screenshot (PNG)"},
          {"V, Shift+V", "start and stop a video; choose what it is to be"},
@@ -59,16 +63,6 @@ const std::vector<std::vector<Theme>>& help_columns() {
 constexpr ImGuiWindowFlags kPlain = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                                     ImGuiWindowFlags_NoFocusOnAppearing;
-
-// Text on a dark pill in the background layer, centered on x; returns its height.
-float pill(const std::string& text, float x, float y, const ImVec4& color) {
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str()), pad{ui::px(10), ui::px(5)};
-  const ImVec2 low{std::floor(x - size.x / 2 - pad.x), std::floor(y)}, high{low.x + size.x + 2 * pad.x, low.y + size.y + 2 * pad.y};
-  list.AddRectFilled(low, high, ImGui::GetColorU32(ImVec4(ui::kPanel.x, ui::kPanel.y, ui::kPanel.z, 0.78f)), ui::px(7));
-  list.AddText({low.x + pad.x, low.y + pad.y}, ImGui::GetColorU32(color), text.c_str());
-  return high.y - low.y;
-}
 
 }  // namespace
 
@@ -107,13 +101,13 @@ void draw_hints(const Hints& hints) {
   const float left = panel_width() + ui::px(20), middle = 0.5f * (size.x + left), line = ui::px(36);
   float below = size.y - ui::px(40);
   if (hints.wanted("help")) {
-    pill("F1: all keys, F2: examples", middle, below, ui::kDim);
+    ui::pill("F1: all keys, F2: examples", middle, below, ui::kDim);
     below -= line;
   }
-  if (hints.wanted("grab")) pill("Drag the tissue to pull at it", middle, below - line, ui::kText);
-  if (hints.wanted("orbit")) pill("Drag beside it to turn the view, wheel: zoom", middle, below, ui::kText);
+  if (hints.wanted("grab")) ui::pill("Drag the tissue to pull at it", middle, below - line, ui::kText);
+  if (hints.wanted("orbit")) ui::pill("Drag beside it to turn the view, wheel: zoom", middle, below, ui::kText);
   const char* tune = "Move a slider: the tissue changes at once";
-  if (hints.wanted("tune")) pill(tune, left + 0.5f * ImGui::CalcTextSize(tune).x + ui::px(10), 0.36f * size.y, ui::kText);
+  if (hints.wanted("tune")) ui::pill(tune, left + 0.5f * ImGui::CalcTextSize(tune).x + ui::px(10), 0.36f * size.y, ui::kText);
 }
 
 void draw_left_behind(const std::string& scene, Requests& requests) {
@@ -137,14 +131,14 @@ void draw_notice(const ViewState& state) {
   const double speed = state.statistics.speed;
   char text[96];
   if (state.paused) {
-    pill("Paused. Space goes on", middle, top, ui::kText);
+    ui::pill("Paused. Space goes on", middle, top, ui::kText);
   } else if (!state.statistics.keeps_pace) {
     std::snprintf(text, sizeof text, "Slower than real time: %.0f %%", std::max(1.0, 100 * speed));
-    pill(text, middle, top, ui::kWarning);
+    ui::pill(text, middle, top, ui::kWarning);
   }
 }
 
-void draw_pill(const std::string& text, float x, float y) { pill(text, x, y, ui::kText); }
+void draw_pill(const std::string& text, float x, float y) { ui::pill(text, x, y, ui::kText); }
 
 void draw_recording_dot(double seconds, long dropped) {
   ImDrawList& list = *ImGui::GetForegroundDrawList();

@@ -83,16 +83,16 @@ void error_row(Session& session) {
     text = result->converged ? std::string(percent) + " (" + engineering(result->largest, "m") + ")" : "no exact step found";
   }
   ui::fact("True error", text, kHelp);
-  if (ui::button("Measure", 0.5f * ImGui::GetContentRegionAvail().x)) error.request();
-  ui::tooltip("Compares the next step with the exact one");
+  if (ui::button("Measure", "Compares the next step with the exact one, on another thread", 0.5f * ImGui::GetContentRegionAvail().x))
+    error.request();
   ImGui::SameLine();
-  ImGui::Checkbox("continuously", &session.follow_true_error);
-  ui::tooltip("One comparison after the other; the thread takes time from a solver that runs on the CPU");
+  ui::checkbox("continuously", session.follow_true_error,
+               "One comparison after the other; the thread takes time from a solver that runs on the CPU");
 }
 
 }  // namespace
 
-void solver_panel(Session& session) {
+void solver_panel(Session& session, ViewState& state) {
   Simulation& simulation = session.simulation;
   SolverSettings settings = simulation.scene.solver;
   bool changed = false;
@@ -112,7 +112,12 @@ void solver_panel(Session& session) {
       field.logarithmic = extra.logarithmic;
     }
     double number = value;
-    if (!ui::number(field, number)) return;
+    const bool turned = ui::number(field, number);
+    // Without a clock there is no telling whether a large residual is of the moment.
+    if (field.label == "Iterations" && state.statistics.measured && !simulation.asleep())
+      hint_row(state.hints, iterations_hint(simulation.scene.solver, state.statistics.diagnostics));
+    if (field.label == "Time step") hint_row(state.hints, time_step_hint(simulation.scene.solver));
+    if (!turned) return;
     value = static_cast<Value>(std::clamp(number, field.min, field.max));
     changed = true;
   });

@@ -20,13 +20,22 @@ void follow(MaterialOverride& values, const Material& now, const Material& fallb
 
 }  // namespace
 
-void follow_materials(Scene& scene, const Model& model, const std::vector<Material>& materials) {
+std::vector<MaterialEntries> material_entries(const Scene& scene, const Model& model, const std::vector<Material>& materials) {
+  std::vector<MaterialEntries> all;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    Body& body = scene.bodies[b];
     const std::size_t first = model.bodies[b].material_begin;
-    body.material = materials[first];
-    for (std::size_t m = 0; m < body.region_materials.size(); ++m)
-      follow(body.region_materials[m].second, materials[first + 1 + m], body.material);
+    MaterialEntries& entries = all.emplace_back(MaterialEntries{materials[first], scene.bodies[b].region_materials});
+    for (std::size_t m = 0; m < entries.region_materials.size(); ++m)
+      follow(entries.region_materials[m].second, materials[first + 1 + m], entries.material);
+  }
+  return all;
+}
+
+void follow_materials(Scene& scene, const Model& model, const std::vector<Material>& materials) {
+  const std::vector<MaterialEntries> all = material_entries(scene, model, materials);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    scene.bodies[b].material = all[b].material;
+    scene.bodies[b].region_materials = all[b].region_materials;
   }
 }
 

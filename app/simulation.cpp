@@ -4,12 +4,14 @@
 #include <chrono>
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 #include "app/drawn_surface.h"
 #include "app/paths.h"
 #include "sim/error.h"
 #include "sim/file.h"
 #include "sim/gpu/static_march.h"
+#include "sim/model_materials.h"
 
 namespace fascia {
 namespace {
@@ -213,6 +215,42 @@ void Simulation::set_material(std::size_t index, const Material& material) {
   tell(MaterialInput{index, material});
   if (gpu_) gpu_->materials_changed();
   if (reference_) renew_reference();
+}
+
+void Simulation::set_material_entries(const std::vector<MaterialEntries>& entries) {
+  Scene changed = scene;
+  for (std::size_t b = 0; b < entries.size(); ++b) {
+    changed.bodies[b].material = entries[b].material;
+    changed.bodies[b].region_materials = entries[b].region_materials;
+  }
+  Model other = model;
+  assign_materials(changed, other);
+  require_carried(scene.solver.method, other.materials, "materials");
+  const auto regions = [](const Model& m) { return std::tie(m.tet_material, m.material_names); };
+  if (regions(other) == regions(model)) {  // only values, or entries of nothing: every solver goes on
+    scene = std::move(changed);
+    for (std::size_t i = 0; i < other.materials.size(); ++i)
+      if (other.materials[i] != model.materials[i]) set_material(i, other.materials[i]);
+    return;
+  }
+  const reference::State now = state();
+  std::swap(model, other);  // where the solver that is made will look for it
+  try {
+    if (gpu_) {
+      auto renewed = std::make_unique<GpuSolver>(*programs_, model, gpu_->settings(), embedded_points(scene));
+      renewed->upload(now);
+      renewed->set_color(gpu_->color());
+      renewed->set_grab(gpu_->springs());
+      gpu_ = std::move(renewed);
+    }
+  } catch (...) {  // no room for it
+    std::swap(model, other);
+    throw;
+  }
+  scene = std::move(changed);
+  replay_.reset();
+  if (reference_) renew_reference();
+  begin_anew();
 }
 
 void Simulation::set_gravity(const Eigen::Vector3d& gravity) {

@@ -7,6 +7,7 @@
 
 #include "app/input_log.h"
 #include "app/options.h"
+#include "app/scene_edits.h"
 #include "sim/gpu/solver.h"
 #include "sim/reference/newton.h"
 #include "sim/scene.h"
@@ -44,9 +45,14 @@ class Simulation {
 
   void set_settings(const SolverSettings& settings);
   void set_material(std::size_t index, const Material& material);  // of model.materials
+  /// Other entries of "materials" for the scene's bodies [bodies]: regions get a material of their own, or the default again. Keeps the
+  /// state, ends a replay, and takes as long as opening does. Throws Error and changes nothing where an entry names no region.
+  void set_material_entries(const std::vector<MaterialEntries>& entries);
   void set_gravity(const Eigen::Vector3d& gravity);
   /// What hands beside those of the scene pull with from now on: the mouse's, or a replay's; empty: let go.
   void set_grab(std::vector<GrabSpring> springs);
+  void set_grab(const std::vector<GrabSpring>& springs);
+  const std::vector<GrabSpring>& asked_springs() const { return other_springs_; }  // the last set_grab()
   /// All springs that pull now, those of the scene's hands behind the others.
   const std::vector<GrabSpring>& springs() const { return springs_; }
   /// Whether hands of the scene will still take hold, move or let go.
@@ -67,6 +73,7 @@ class Simulation {
   bool asleep() const { return asleep_; }
   long steps_asleep() const { return steps_asleep_; }  // of those made
   const std::optional<Replay>& replay() const { return replay_; }
+  bool repeating() const { return replay_ && next_input_ < replay_->inputs.size(); }  // inputs of the replay are still to come
 
   /// Per substep, of all steps so far on average: fewer than asked for where solver.tolerance or solver.frame_budget bind.
   double mean_iterations() const;

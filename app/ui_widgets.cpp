@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/ui_audit.h"
 #include "app/ui_style.h"
 #include "app/units.h"
 
@@ -55,6 +56,12 @@ bool typed_number(const NumberField& field, double& value) {
   return changed;
 }
 
+std::set<std::string> without_help;
+
+void expect_help(const char* label, const std::string& help) {
+  if (help.empty()) without_help.insert(label);
+}
+
 bool wants_to_type() {
   return (ImGui::IsItemHovered() && (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl))) ||
          (ImGui::IsItemFocused() && ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressedMap(ImGuiKey_Enter));
@@ -92,6 +99,7 @@ void tooltip(const std::string& text) {
 }
 
 void fact(const char* name, const std::string& value, const std::string& help) {
+  expect_help(name, help);
   const std::string text = pretty(value);
   ImGui::BeginGroup();
   ImGui::PushStyleColor(ImGuiCol_Text, kDim);
@@ -110,6 +118,7 @@ void fact(const char* name, const std::string& value, const std::string& help) {
 }
 
 void label(const char* text, const std::string& help) {
+  expect_help(text, help);
   const float start = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text);
@@ -144,6 +153,14 @@ bool number(const NumberField& field, double& value) {
   return changed;
 }
 
+void pill(const std::string& text, float x, float y, const ImVec4& color, float widest) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest > 0 ? widest : -1), pad{px(10), px(5)};
+  const ImVec2 low{std::floor(x - size.x / 2 - pad.x), std::floor(y)}, high{low.x + size.x + 2 * pad.x, low.y + size.y + 2 * pad.y};
+  list.AddRectFilled(low, high, ImGui::GetColorU32(ImVec4(kPanel.x, kPanel.y, kPanel.z, 0.78f)), px(7));
+  list.AddText(nullptr, 0, {low.x + pad.x, low.y + pad.y}, ImGui::GetColorU32(color), text.c_str(), nullptr, widest > 0 ? widest : 0);
+}
+
 void plot(const char* id, const History& history, float height) {
   const auto value_at = [](void* data, int i) { return static_cast<const History*>(data)->at(i); };
   float largest = 1;
@@ -161,5 +178,39 @@ bool button(const char* text, float width, bool lit) {
   if (lit) ImGui::PopStyleColor(2);
   return pressed;
 }
+
+bool button(const char* text, const std::string& help, float width, bool lit) {
+  expect_help(text, help);
+  const bool pressed = button(text, width, lit);
+  tooltip(help);
+  return pressed;
+}
+
+bool small_button(const char* text, const std::string& help, float width) {
+  expect_help(text, help);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(4), 0});
+  const bool pressed = ImGui::Button(text, {width, ImGui::GetFontSize()});
+  ImGui::PopStyleVar();
+  tooltip(help);
+  return pressed;
+}
+
+ButtonRow::ButtonRow(int count)
+    : width_((ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) / static_cast<float>(count)) {}
+
+bool ButtonRow::add(const char* text, const std::string& help, bool lit) {
+  if (!first_) ImGui::SameLine();
+  first_ = false;
+  return button(text, help, width_, lit);
+}
+
+bool checkbox(const char* text, bool& value, const std::string& help) {
+  expect_help(text, help);
+  const bool changed = ImGui::Checkbox(text, &value);
+  tooltip(help);
+  return changed;
+}
+
+const std::set<std::string>& unexplained() { return without_help; }
 
 }  // namespace fascia::ui

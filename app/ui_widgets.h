@@ -39,9 +39,9 @@ bool choice(const char* name, const std::vector<Choice>& choices, Choice& chosen
   bool changed = false;
   label(name, help_of(chosen));
   ImGui::PushID(name);
-  if (ImGui::BeginCombo("##choice", label_of(chosen))) {
+  if (ImGui::BeginCombo("##choice", std::string(label_of(chosen)).c_str())) {
     for (const Choice one : choices) {
-      if (ImGui::Selectable(label_of(one), one == chosen) && one != chosen) {
+      if (ImGui::Selectable(std::string(label_of(one)).c_str(), one == chosen) && one != chosen) {
         chosen = one;
         changed = true;
       }
@@ -55,10 +55,31 @@ bool choice(const char* name, const std::vector<Choice>& choices, Choice& chosen
   return changed;
 }
 
+/// Text on a dark pill in the background layer, centered on x, wrapped where it is wider than `widest` (0: never).
+void pill(const std::string& text, float x, float y, const ImVec4& color, float widest = 0);
+
 /// A line of the last values, from 0 to a little above the largest, `height` points high.
 void plot(const char* id, const History& history, float height);
 
 /// A button that fills `width`; drawn in the accent color when `lit`.
 bool button(const char* text, float width, bool lit = false);
+bool button(const char* text, const std::string& help, float width, bool lit = false);
+
+/// In a line of text; as wide as its text for width 0.
+bool small_button(const char* text, const std::string& help, float width = 0);
+
+/// Buttons of equal width in one row.
+class ButtonRow {
+ public:
+  explicit ButtonRow(int count);
+  bool add(const char* text, const std::string& help, bool lit = false);
+
+ private:
+  float width_;
+  bool first_ = true;
+};
+
+/// True when it was changed.
+bool checkbox(const char* text, bool& value, const std::string& help);
 
 }  // namespace fascia::ui

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/model_materials.h"
 #include "sim/tet_mesh.h"
 
 namespace fascia {
@@ -20,12 +21,29 @@ double History::mean() const {
 }
 
 SceneFacts::SceneFacts(const Model& model) : material_volume(model.materials.size(), 0.0), material_names(model.material_names) {
-  for (std::size_t t = 0; t < model.tets.size(); ++t) {
-    const Tet& tet = model.tets[t];
-    const auto& x = model.rest_positions;
-    material_volume[model.tet_material[t]] += signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6;
+  unit = unit_hint(model);
+  const bool one_body = model.bodies.size() == 1;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyPart& part = model.bodies[b];
+    std::map<int, Region> found;
+    for (std::uint32_t t = part.tet_begin; t < part.tet_begin + part.tet_count; ++t) {
+      const Tet& tet = model.tets[t];
+      const auto& x = model.rest_positions;
+      const double tet_volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6;
+      material_volume[model.tet_material[t]] += tet_volume;
+      volume += tet_volume;
+      const int number = model.file_mesh.regions[model.tet_source[t]];
+      found.try_emplace(number, Region{b, number, "", "", 0, model.tet_material[t]}).first->second.volume += tet_volume;
+    }
+    for (auto& [number, region] : found) {
+      region.key = key_of_region(part.regions, number);
+      const auto named = part.regions.find(number);
+      const bool has_name = named != part.regions.end() && !named->second.empty();
+      region.label = (one_body ? "" : part.name + ": ") + (has_name ? named->second : "region " + std::to_string(number));
+      regions.push_back(std::move(region));
+    }
   }
-  if (model.bodies.size() > 1) return;
+  if (!one_body) return;
   for (std::string& name : material_names)
     if (const std::size_t colon = name.find(": "); colon != std::string::npos) name = name.substr(colon + 2);
 }

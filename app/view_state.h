@@ -6,9 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "app/advice.h"
 #include "app/convergence.h"
+#include "app/dial_history.h"
 #include "app/grab.h"
 #include "app/plots.h"
+#include "app/scene_edits.h"
 #include "app/video_settings.h"
 #include "sim/gpu/diagnostics.h"
 
@@ -44,9 +47,23 @@ struct SceneFacts {
   explicit SceneFacts(const Model& model);
   double mass(const Model& model) const;  // [kg], at the densities of now
 
+  struct Region {
+    std::size_t body;
+    int number;         // in the mesh
+    std::string key;    // in the scene's "materials"
+    std::string label;  // for people
+    double volume;      // [m^3]
+    std::uint32_t material;
+  };
+  std::vector<Region> regions;          // that have tets, body by body, ascending numbers
+  double volume = 0;                    // of all [m^3]
+  std::optional<UnitHint> unit;         // where the size is no tissue's
   std::vector<double> material_volume;  // [material_count] [m^3]
   std::vector<std::string> material_names;  // without the body's name where there is only one body
 };
+
+/// What is asked of a comparison of two settings side by side.
+enum class CompareAsk { nothing, open_or_close, edit_a, edit_b, copy_a, swap, keep_b };
 
 struct ViewState {
   bool paused = false, show_panels = true, show_help = false, recording = false;
@@ -56,6 +73,10 @@ struct ViewState {
   GrabSettings grab;
   std::size_t hands = 0;  // of the user, on the tissue
   SceneFacts facts;
+  std::size_t chosen_material = 0;  // whose sliders are shown
+  HintBoard hints;
+  DialHistory history;
+  bool comparing = false, editing_b = false;  // the panels show side B
   Statistics statistics;
   bool show_recording = false;
   VideoSettings video;
@@ -67,9 +88,13 @@ struct ViewState {
 struct Requests {
   bool open_dialog = false, save_dialog = false, reset = false, step = false, frame_view = false, screenshot = false, video = false,
        reload_shaders = false, close = false, plot_table = false, plot_picture = false, recent = false, export_dialog = false,
-       gallery = false, resume_left_behind = false, forget_left_behind = false, let_go = false,
+       gallery = false, copy_command = false, resume_left_behind = false, forget_left_behind = false, let_go = false,
        save_replay_dialog = false, end_replay = false;
   std::optional<std::filesystem::path> open, save, export_state, save_replay, resume;  // resume: what a session left (autosave.h)
+  CompareAsk compare = CompareAsk::nothing;
+  std::optional<std::size_t> history;                    // so many of its entries shall be in force
+  std::optional<std::vector<MaterialEntries>> materials;  // regions that get a material of their own, or lose it
+  std::optional<double> rescale;                         // of all bodies, by this factor: the file was in another unit
 };
 
 }  // namespace fascia

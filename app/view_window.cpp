@@ -51,16 +51,12 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
     state_.paused = true;
   }
   if (options.steps || options.time) steps_left_ = steps_to_run(options, session_->simulation);
-  state_.facts = SceneFacts(session_->simulation.model);
-  state_.statistics.measured = true;
+  session_began();
   dialogs_.opened(session_->simulation.scene.file);
   if (!user_.complaint().empty()) say(user_.complaint() + ". Went on without it", true);
   left_behind_ = autosave_.left_behind();
   dialogs_.set_last_session(autosave_.last());
   if (!user_.now().welcomed && !config_folder().empty() && options.input.empty() && options.replay.empty() && steps_left_ < 0) gallery_.ask();
-  set_title();
-  begin_replay();
-  attempt([&] { begin_recording(); });
   glfwSwapInterval(1);
 }
 
@@ -106,7 +102,8 @@ void ViewWindow::run() {
 
 bool ViewWindow::still() const {
   const Simulation& simulation = session_->simulation;
-  return state_.paused || (simulation.asleep() && steps_left_ < 0 && !simulation.awaits_hands());
+  const bool asleep = simulation.asleep() && (!split_ || split_->asleep());
+  return state_.paused || (asleep && steps_left_ < 0 && !simulation.awaits_hands());
 }
 
 void ViewWindow::require_device() const {
@@ -120,7 +117,7 @@ void ViewWindow::require_device() const {
 
 double ViewWindow::idle_time() const {
   if (glfwGetWindowAttrib(graphics_.context->window(), GLFW_ICONIFIED)) return kLongestWait;
-  const bool under_way = video_.running() || session_->true_error.busy() || session_->simulation.gpu()->diagnosing();
+  const bool under_way = video_.running() || session_->true_error.busy() || (split_ && split_->b().true_error.busy()) || session_->simulation.gpu()->diagnosing();
   if (!still() || under_way || ImGui::IsAnyItemActive()) return 0;
   if (!message_) return kLongestWait;
   return std::clamp(std::chrono::duration<double>(message_->until - Clock::now()).count(), 0.0, kLongestWait);
@@ -205,19 +202,22 @@ void ViewWindow::build_panels(Requests& requests) {
   state_.hands = mouse_.hands().all().size();
   draw_legend(*session_);
   const bool shown_alone = video_.running() && !video_.settings().panels;  // the scene, in a video
+  if (split_) split_->draw_labels(*session_, diagnostics_of_a_, panels_cover(), true, state_.editing_b);
   if (!shown_alone) draw_notice(state_);
   if (state_.show_panels) {
-    draw_panels(*session_, state_, requests);
+    draw_panels(tuned(), state_, requests);
     if (steps_left_ < 0 && !shown_alone) draw_hints(hints_);
   }
   if (state_.plots.shown) {
     draw_plots(session_->simulation, state_, requests);
     const auto& d = s.diagnostics;
-    if (d && d->probe)
+    if (d && d->probe && !split_)
       draw_probe(session_->camera, session_->simulation.model.rest_positions[*state_.plots.probe] + *d->probe, session_->look.radius);
   }
-  draw_hand_marks(*session_, marks());
-  draw_ring();
+  if (!split_) {  // whose pictures lie elsewhere
+    draw_hand_marks(*session_, marks());
+    draw_ring();
+  }
   if (session_->simulation.replaying()) draw_replay_badge(session_->simulation, state_, requests);
   if (state_.show_recording) draw_recording_settings(state_, requests);
   replay_dialog_.draw(requests);
@@ -230,17 +230,22 @@ void ViewWindow::build_panels(Requests& requests) {
   // A screenshot shows the scene, not the news of the screenshot before it.
   if (message_ && !(news && requests.screenshot) && (draw_message(message_->text, message_->is_error) || Clock::now() > message_->until)) message_.reset();
   if (video_.running()) draw_recording_dot(video_.seconds(), video_.dropped());
+  if (split_) split_->share(*session_);
+  follow_dials();
 }
 
 void ViewWindow::make_step() {
-  mouse_.pull(*session_);
-  if ((state_.show_panels && state_.show_convergence) || shows_convergence(state_.plots)) state_.convergence.measure(session_->simulation, *graphics_.programs);
-  session_->simulation.step();
+  mouse_.pull(held());
+  if ((state_.show_panels && state_.show_convergence) || shows_convergence(state_.plots)) state_.convergence.measure(tuned().simulation, *graphics_.programs);
+  if (split_)
+    split_->step(*session_, held());
+  else
+    session_->simulation.step();
   simulated_ += session_->simulation.scene.solver.time_step;
   ++state_.statistics.steps;
   ++stats_.steps;
   if (steps_left_ > 0) --steps_left_;
-  diagnose_ |= !session_->simulation.asleep();
+  diagnose_ |= !session_->simulation.asleep() || split_;
 }
 
 void ViewWindow::simulate(double elapsed, const Requests& requests) {
@@ -269,7 +274,13 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
   }
   if (session_->simulation.astray()) go_back();
   read_diagnostics();
+  const bool follow = tuned().follow_true_error;  // of both sides
+  session_->follow_true_error = follow;
   session_->follow_error();
+  if (split_) {
+    split_->b().follow_true_error = follow;
+    split_->b().follow_error();
+  }
 }
 
 // Once or twice the tissue starts again where all was well, at rest and let go. What then comes apart again would do so for ever.
@@ -279,12 +290,13 @@ void ViewWindow::go_back() {
   Simulation& simulation = session_->simulation;
   came_apart_ = simulation.steps_made() - came_apart_at_ > kForgiven ? 1 : came_apart_ + 1;
   came_apart_at_ = simulation.steps_made();
-  mouse_.cancel(*session_);
+  mouse_.cancel(held());
   session_->true_error.forget();
   diagnose_ = true;
   if (came_apart_ < kMostTimes) {
     simulation.back_to_sound();
     simulation.begin_anew();
+    if (split_) split_->restart_from(*session_);
     say("The tissue came apart: back to the last sound state, at rest");
     return;
   }
@@ -297,6 +309,11 @@ void ViewWindow::go_back() {
 }
 
 void ViewWindow::read_diagnostics() {
+  if (split_ && diagnose_) {
+    const std::optional<Diagnostics>& of_b = split_->diagnose(false);
+    if (of_b && hand_in_b_) mouse_.hands().observe(of_b->hand_forces);
+    if (of_b && state_.editing_b) state_.statistics.diagnostics = of_b;
+  }
   GpuSolver& solver = *session_->simulation.gpu();
   Plots& plots = state_.plots;
   if (plots.shown && !plots.probe) plots.probe = tip_vertex(session_->simulation.model);
@@ -305,10 +322,11 @@ void ViewWindow::read_diagnostics() {
   diagnose_ = false;
   const std::optional<Diagnostics> d = solver.take_diagnostics(false);
   if (!d) return;
-  mouse_.hands().observe(d->hand_forces);
+  diagnostics_of_a_ = d;
+  if (!hand_in_b_) mouse_.hands().observe(d->hand_forces);
   stats_.residual = d->residual;
   follow(*d);
-  state_.statistics.diagnostics = d;
+  if (!state_.editing_b) state_.statistics.diagnostics = d;
 }
 
 void ViewWindow::remember() {
@@ -343,10 +361,13 @@ void ViewWindow::draw_ring() {
 
 void ViewWindow::draw() {
   render_timer_.begin();
-  session_->draw(*framebuffer_, arrows(marks()));
+  if (split_)
+    split_->draw(*session_, *framebuffer_, panels_cover(), arrows(marks()));
+  else
+    session_->draw(*framebuffer_, arrows(marks()));
   render_timer_.end();
   const bool aims = !mouse_.dragging() && !ImGui::GetIO().WantCaptureMouse;
-  hover_.look(*framebuffer_, *session_, aims ? std::optional(pointer_) : std::nullopt);
+  if (!split_) hover_.look(*framebuffer_, *session_, aims ? std::optional(pointer_) : std::nullopt);
   if (const double ms = render_timer_.milliseconds(); ms > 0) state_.statistics.render.add(ms);
 }
 

@@ -23,6 +23,7 @@
 #include "app/replay_dialog.h"
 #include "app/replay_view.h"
 #include "app/session_recording.h"
+#include "app/split_view.h"
 #include "app/stats.h"
 #include "app/view_state.h"
 #include "app/window_input.h"
@@ -81,6 +82,7 @@ class ViewWindow {
   void take_over(std::unique_ptr<Session> opened);
   void export_state(const std::filesystem::path& path);
   void follow_hints();
+  void session_began();  // what the window knows of the one that is open
   void save(const std::filesystem::path& path);
   void set_title();
   void reset();
@@ -95,6 +97,24 @@ class ViewWindow {
   void record_frame();
   void reload_shaders();
   Provenance provenance() const;
+
+  // A comparison of two settings, while there is one.
+  Session& tuned() { return split_ && state_.editing_b ? split_->b() : *session_; }  // what the panels show
+  Session& held() { return split_ && hand_in_b_ ? split_->b() : *session_; }         // what the mouse acts on
+  int panels_cover() const;                                                          // of the picture's width [pixels]
+  void compare(CompareAsk ask);
+  void edit(bool b);
+  MouseTool::Picture to_side(Eigen::Vector2d& at, bool press);  // of the comparison: which one, and where in it
+  MouseTool::Picture picture_of_hand() const;                   // of the side that the mouse acts on
+  void after_mouse();                                           // both sides see the same
+
+  void follow_dials();  // into the history
+  void go_through_history(std::size_t entries);  // until so many are in force
+  void set_material_entries(const std::vector<MaterialEntries>& entries);
+  void materials_changed();  // their number
+  void rescale(double factor);
+  Scene scene_to_reproduce() const;
+  void copy_command();
 
   /// Runs `work`; an exception becomes a message.
   template <class Work>
@@ -113,6 +133,8 @@ class ViewWindow {
   std::vector<Material> tuned_from_;  // materials of the last frame, while the hint about them is shown
   std::unique_ptr<Session> session_;
   std::unique_ptr<Framebuffer> framebuffer_;
+  std::unique_ptr<SplitView> split_;
+  bool hand_in_b_ = false;
   MouseTool mouse_;
   Hover hover_;
   Eigen::Vector2d pointer_{-1, -1};  // the mouse, in pixels of the picture
@@ -131,8 +153,10 @@ class ViewWindow {
   double simulated_ = 0;      // in this frame [s]
   long came_apart_ = 0;       // times in a row
   long came_apart_at_ = 0;    // steps made when it last did
+  std::optional<Diagnostics> diagnostics_of_a_;  // the latest of session_
   bool diagnose_ = true;      // the state has changed since the last diagnostics
   int frames_to_settle_ = 3;  // to draw although nothing moves
+  std::optional<CameraSettings> opened_camera_;  // as the session began with
   std::shared_ptr<const Replay> remembered_;  // the scene as it was a few seconds ago, in case that the device is lost
   std::string remembered_scene_;              // of it, as a file would say it
   long remembered_step_ = 0;                  // steps solved then

@@ -18,12 +18,17 @@ namespace {
 constexpr double kReadShare = 0.4;  // of opening a large scene that goes by before the GPU is needed
 constexpr double kResize = 1.1;     // of a hand's patch, per press of a key
 
+// The key as its letter says: Z is elsewhere on other keyboards.
+int letter_of(int key) {
+  const char* name = glfwGetKeyName(key, 0);
+  return name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0 ? name[0] - 'a' + GLFW_KEY_A : key;
+}
+
 }  // namespace
 
 void ViewWindow::handle_input(Requests& requests) {
   using Kind = InputEvent::Kind;
   const ImGuiIO& io = ImGui::GetIO();
-  const MouseTool::Picture picture{framebuffer_->width(), framebuffer_->height()};
   const auto button_of = [](int code) {
     return code == GLFW_MOUSE_BUTTON_LEFT    ? MouseTool::Button::left
            : code == GLFW_MOUSE_BUTTON_RIGHT ? MouseTool::Button::right
@@ -32,22 +37,24 @@ void ViewWindow::handle_input(Requests& requests) {
   const auto keys_of = [](int mods) {
     return MouseTool::Keys{(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_ALT) != 0};
   };
-  for (const InputEvent& event : input_.take()) {
+  for (InputEvent event : input_.take()) {
+    const bool taken = event.kind == Kind::press && !io.WantCaptureMouse && !mouse_.dragging();
+    const MouseTool::Picture picture = to_side(event.at, taken);
     pointer_ = event.at;
     switch (event.kind) {
       case Kind::press:
         if (io.WantCaptureMouse || event.code > GLFW_MOUSE_BUTTON_MIDDLE) break;
-        if (event.code == GLFW_MOUSE_BUTTON_LEFT && choose_probe(event.at)) break;
+        if (event.code == GLFW_MOUSE_BUTTON_LEFT && !split_ && choose_probe(event.at)) break;
         if (event.code == GLFW_MOUSE_BUTTON_LEFT && event.mods & GLFW_MOD_CONTROL && session_->display().section)
           mouse_.press_section(button_of(event.code), event.at);
         else
-          mouse_.press(button_of(event.code), keys_of(event.mods), event.at, picture, *session_, state_.grab);
+          mouse_.press(button_of(event.code), keys_of(event.mods), event.at, picture, held(), state_.grab);
         if (!mouse_.hands().all().empty() && session_->simulation.replaying()) end_replay("You took over from the replay");
         break;
-      case Kind::release: mouse_.release(button_of(event.code), keys_of(event.mods), *session_, state_.grab); break;
-      case Kind::move: mouse_.move(event.at, picture, *session_); break;
+      case Kind::release: mouse_.release(button_of(event.code), keys_of(event.mods), held(), state_.grab); break;
+      case Kind::move: mouse_.move(event.at, picture, held()); break;
       case Kind::scroll:
-        if (!io.WantCaptureMouse && !mouse_.scroll(event.scroll, keys_of(event.mods), *session_, state_.grab))
+        if (!io.WantCaptureMouse && !mouse_.scroll(event.scroll, keys_of(event.mods), held(), state_.grab))
           session_->camera.zoom(std::pow(0.9, event.scroll));
         break;
       case Kind::key:
@@ -60,13 +67,23 @@ void ViewWindow::handle_input(Requests& requests) {
         if (!event.files.empty()) requests.open = event.files.front();
         break;
     }
+    if (split_) after_mouse();
   }
 }
 
 void ViewWindow::press_key(int key, int mods, Requests& requests) {
   if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;  // a dialog
   if (mods & GLFW_MOD_CONTROL) {
-    switch (key) {
+    const bool shift = mods & GLFW_MOD_SHIFT;
+    const DialHistory& history = state_.history;
+    switch (letter_of(key)) {
+      case GLFW_KEY_Z:
+        if (shift ? history.can_redo() : history.can_undo()) requests.history = history.done() + (shift ? 1 : -1);
+        break;
+      case GLFW_KEY_Y:
+        if (history.can_redo()) requests.history = history.done() + 1;
+        break;
+      case GLFW_KEY_C: requests.copy_command |= shift; break;
       case GLFW_KEY_O: (mods & GLFW_MOD_SHIFT ? requests.recent : requests.open_dialog) = true; break;
       case GLFW_KEY_E: requests.export_dialog = true; break;
       case GLFW_KEY_S: requests.save_dialog = true; break;
@@ -88,6 +105,7 @@ void ViewWindow::press_key(int key, int mods, Requests& requests) {
     }
     case GLFW_KEY_H: state_.show_panels = !state_.show_panels; break;
     case GLFW_KEY_P: requests.screenshot = true; break;
+    case GLFW_KEY_B: requests.compare = CompareAsk::open_or_close; break;
     case GLFW_KEY_V:
       if (mods & GLFW_MOD_SHIFT)
         state_.show_recording = !state_.show_recording;
@@ -96,10 +114,10 @@ void ViewWindow::press_key(int key, int mods, Requests& requests) {
       break;
     case GLFW_KEY_T: mouse_.stay(); break;
     case GLFW_KEY_X: state_.grab.push = !state_.grab.push; break;
-    case GLFW_KEY_LEFT_BRACKET: mouse_.resize(1 / kResize, *session_, state_.grab); break;
-    case GLFW_KEY_RIGHT_BRACKET: mouse_.resize(kResize, *session_, state_.grab); break;
-    case GLFW_KEY_DELETE: mouse_.let_go(pointer_, {framebuffer_->width(), framebuffer_->height()}, *session_); break;
-    case GLFW_KEY_ESCAPE: mouse_.let_go_staying(*session_); break;
+    case GLFW_KEY_LEFT_BRACKET: mouse_.resize(1 / kResize, held(), state_.grab); break;
+    case GLFW_KEY_RIGHT_BRACKET: mouse_.resize(kResize, held(), state_.grab); break;
+    case GLFW_KEY_DELETE: mouse_.let_go(pointer_, picture_of_hand(), held()); break;
+    case GLFW_KEY_ESCAPE: mouse_.let_go_staying(held()); break;
     case GLFW_KEY_F1: state_.show_help = !state_.show_help; break;
     case GLFW_KEY_F2: requests.gallery = true; break;
     case GLFW_KEY_F3:
@@ -128,13 +146,18 @@ void ViewWindow::carry_out(const Requests& requests) {
   if (requests.save_replay_dialog) replay_dialog_.ask();
   if (requests.save_replay) save_replay(*requests.save_replay);
   if (requests.end_replay) end_replay("You took over from the replay");
+  if (requests.compare != CompareAsk::nothing) compare(requests.compare);
+  if (requests.history) go_through_history(*requests.history);
+  if (requests.materials) set_material_entries(*requests.materials);
+  if (requests.rescale) rescale(*requests.rescale);
+  if (requests.copy_command) copy_command();
   if (requests.reset) reset();
   if (requests.step) state_.paused = true;
   if (requests.frame_view) {
     session_->frame();
     state_.replay_camera = false;
   }
-  if (requests.let_go) mouse_.let_go_staying(*session_);
+  if (requests.let_go) mouse_.let_go_staying(held());
   if (requests.reload_shaders) reload_shaders();
   if (requests.close) glfwSetWindowShouldClose(graphics_.context->window(), GLFW_TRUE);
 }
@@ -194,22 +217,30 @@ std::unique_ptr<Session> ViewWindow::make_session(Opened& opened, OpeningScreen&
 }
 
 void ViewWindow::take_over(std::unique_ptr<Session> opened) {
-  mouse_.cancel(*session_);
+  mouse_.cancel(held());
   end_recording();
+  split_.reset();
+  state_.comparing = state_.editing_b = hand_in_b_ = false;
   state_.convergence.forget();
   state_.plots.forget();
   session_ = std::move(opened);
+  session_began();
+  message_.reset();
+}
+
+void ViewWindow::session_began() {
   remembered_.reset();
   came_apart_ = 0;
   state_.facts = SceneFacts(session_->simulation.model);
   state_.statistics = {};
   state_.statistics.measured = true;
+  state_.history.restart(dials_of(*session_, state_.grab));
+  opened_camera_ = scene_now().camera;
   pacing_.restart();
-  message_.reset();
   diagnose_ = true;
   set_title();
   begin_replay();
-  begin_recording();
+  attempt([&] { begin_recording(); });
 }
 
 void ViewWindow::set_title() {
@@ -249,8 +280,9 @@ void ViewWindow::follow_hints() {
 }
 
 void ViewWindow::reset() {
-  mouse_.cancel(*session_);
+  mouse_.cancel(held());
   session_->simulation.reset();
+  if (split_) split_->reset();
   session_->true_error.forget();
   state_.statistics.steps = 0;
   pacing_.restart();

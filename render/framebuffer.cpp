@@ -114,6 +114,13 @@ void Framebuffer::replace(const std::uint8_t* rgba) {
     gl::TexSubImage2D(GL_TEXTURE_2D, 0, 0, height_ - 1 - y, width_, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba + static_cast<std::size_t>(y) * row);
 }
 
+void Framebuffer::copy_to(const Framebuffer& target, int x) const {
+  gl::BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
+  gl::BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.resolved_);
+  gl::Disable(GL_SCISSOR_TEST);  // which would cut the blit
+  gl::BlitFramebuffer(0, 0, width_, height_, x, 0, x + width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 void Framebuffer::present(int window_width, int window_height) const {
   const bool same = window_width == width_ && window_height == height_;
   gl::BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);

@@ -24,6 +24,7 @@ class Framebuffer {
   Image read() const;                        // resolved picture, its alpha straight as files want it
   void read_into(std::uint8_t* rgba) const;  // [4 * width * height], top row first, no allocation; premultiplied
   void replace(const std::uint8_t* rgba);    // the resolved picture, by one as read_into gives it
+  void copy_to(const Framebuffer& target, int x) const;  // the resolved picture, into that of a wider one of the same height
   void present(int window_width, int window_height) const;  // blit to the window's framebuffer
 
  private:

@@ -14,6 +14,9 @@ const std::vector<MaterialModel>& material_models();  // that exist
 const char* name_of(MaterialModel model);             // "st_venant_kirchhoff", as in scene files
 std::optional<MaterialModel> find_material_model(std::string_view name);
 
+/// Linear tets are visibly too stiff above it, on any affordable mesh.
+inline constexpr double kLockingPoissonRatio = 0.45;
+
 struct Material {
   double young_modulus = 1e5;  // E [Pa]
   double poisson_ratio = 0.3;  // nu [-], -0.9 to 0.499

@@ -57,6 +57,9 @@ MeshReport examine(const TetMesh& mesh, const MeshRepair& repaired);
 /// plausible.
 std::string guess_unit(double extent);
 
+/// The scale that makes a mesh of this largest extent [m] the size of tissue, if its file was in another unit; 1 for none that would.
+double scale_to_metres(double extent);
+
 /// The text of `fascia info` for one mesh; names at most kNamedTets of each kind.
 void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired,
                   const MeshReport& report);

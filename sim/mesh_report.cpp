@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <ostream>
+#include <span>
 #include <sstream>
 
 #include "sim/mesh_doctor.h"
@@ -122,35 +123,40 @@ void print_ignored(std::ostream& out, const MeshFile& file) {
   if (!list.empty()) line(out, "ignored") << list << "\n";
 }
 
+struct UnitGuess {
+  const char* question;
+  double scale;
+};
+constexpr UnitGuess kTooLarge[] = {{"made in millimetres?", 1e-3}, {"in centimetres?", 1e-2}, {"in micrometres?", 1e-6}};
+constexpr UnitGuess kTooSmall[] = {{"converted from millimetres twice?", 1e3}, {"converted from micrometres twice?", 1e6}};
+
+bool is_tissue(double extent) { return extent >= kSmallestTissue && extent <= kLargestTissue; }
+
+/// Those that would make it the size of tissue, the likeliest first.
+std::vector<UnitGuess> unit_guesses(double extent) {
+  std::vector<UnitGuess> guesses;
+  if (extent == 0 || is_tissue(extent)) return guesses;
+  const bool large = extent > kLargestTissue;
+  for (const UnitGuess& guess : large ? std::span<const UnitGuess>(kTooLarge) : std::span<const UnitGuess>(kTooSmall))
+    if (is_tissue(extent * guess.scale)) guesses.push_back(guess);
+  return guesses;
+}
+
 }  // namespace
 
 std::string guess_unit(double extent) {
-  if (extent == 0 || (extent >= kSmallestTissue && extent <= kLargestTissue)) return "";
-  struct Guess {
-    const char* question;
-    double scale;
-  };
-  constexpr Guess kTooLarge[] = {
-      {"made in millimetres?", 1e-3}, {"in centimetres?", 1e-2}, {"in micrometres?", 1e-6}};
-  constexpr Guess kTooSmall[] = {{"converted from millimetres twice?", 1e3},
-                                 {"converted from micrometres twice?", 1e6}};
+  if (extent == 0 || is_tissue(extent)) return "";
   std::string advice;
-  const auto consider = [&](const Guess& guess) {
-    const double scaled = extent * guess.scale;
-    if (scaled < kSmallestTissue || scaled > kLargestTissue) return;
+  for (const UnitGuess& guess : unit_guesses(extent))
     advice += std::string(advice.empty() ? "was the file " : "; or ") + guess.question +
-              " try --set bodies.0.transform.scale=" + number(guess.scale) + " (" + length(scaled) + " wide)";
-  };
-  const bool large = extent > kLargestTissue;
-  if (large) {
-    for (const Guess& guess : kTooLarge) consider(guess);
-  } else {
-    for (const Guess& guess : kTooSmall) consider(guess);
-  }
-  if (advice.empty()) {
-    advice = "for 10 cm, try --set bodies.0.transform.scale=" + number(0.1 / extent);
-  }
-  return length(extent) + " wide, too " + (large ? "large" : "small") + " for tissue: " + advice;
+              " try --set bodies.0.transform.scale=" + number(guess.scale) + " (" + length(extent * guess.scale) + " wide)";
+  if (advice.empty()) advice = "for 10 cm, try --set bodies.0.transform.scale=" + number(0.1 / extent);
+  return length(extent) + " wide, too " + (extent > kLargestTissue ? "large" : "small") + " for tissue: " + advice;
+}
+
+double scale_to_metres(double extent) {
+  const std::vector<UnitGuess> guesses = unit_guesses(extent);
+  return guesses.empty() ? 1 : guesses.front().scale;
 }
 
 void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired,

@@ -17,9 +17,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Linear tets are visibly too stiff above it, on any affordable mesh.
-constexpr double kLockingPoissonRatio = 0.45;
-
 /// One body on its way into the model.
 struct LoadedBody {
   const Scene& scene;
@@ -67,7 +64,8 @@ void add_notes(const LoadedBody& loaded, std::vector<std::string>& notes) {
 }
 
 void add_materials(const LoadedBody& loaded, Model& model, BodyPart& part) {
-  const BodyMaterials resolved = resolve_materials(loaded.body, loaded.file.mesh, loaded.where);
+  part.regions = regions_of(loaded.file.mesh);
+  const BodyMaterials resolved = resolve_materials(loaded.body, part.regions, loaded.where);
   part.material_begin = static_cast<std::uint32_t>(model.materials.size());
   part.material_count = static_cast<std::uint32_t>(resolved.materials.size());
   std::vector<char> in_use(resolved.materials.size(), 0);

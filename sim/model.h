@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct BodyPart {
   std::uint32_t vertex_begin = 0, vertex_count = 0;  // in rest_positions
   std::uint32_t tet_begin = 0, tet_count = 0;        // in Model::tets
   std::uint32_t material_begin = 0, material_count = 0;
+  std::map<int, std::string> regions;  // of its mesh: number, and name if it has one
 };
 
 struct Model {

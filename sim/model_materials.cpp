@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <optional>
-#include <set>
 
 #include "sim/error.h"
 #include "sim/suggest.h"
@@ -27,25 +26,22 @@ std::optional<int> number_of(const std::string& key) {
   return number;
 }
 
-/// The regions of the mesh that a key names: those of that name, else the one of that number.
-std::vector<int> regions_of(const std::string& key, const TetMesh& mesh, const std::set<int>& present) {
-  std::vector<int> regions;
-  for (const auto& [number, name] : mesh.region_names) {
-    if (name == key && present.count(number)) regions.push_back(number);
+/// The regions that a key names: those of that name, else the one of that number.
+std::vector<int> named(const std::string& key, const std::map<int, std::string>& regions) {
+  std::vector<int> found;
+  for (const auto& [number, name] : regions) {
+    if (!name.empty() && name == key) found.push_back(number);
   }
   const auto number = number_of(key);
-  if (regions.empty() && number && present.count(*number)) regions.push_back(*number);
-  return regions;
+  if (found.empty() && number && regions.count(*number)) found.push_back(*number);
+  return found;
 }
 
-[[noreturn]] void fail_unknown(const std::string& key, const TetMesh& mesh, const std::set<int>& present,
-                               const std::string& where) {
+[[noreturn]] void fail_unknown(const std::string& key, const std::map<int, std::string>& regions, const std::string& where) {
   std::vector<std::string> names, listed;
-  for (const int number : present) {
-    const auto name = mesh.region_names.find(number);
-    const bool is_named = name != mesh.region_names.end() && !name->second.empty();
-    if (is_named) names.push_back(name->second);
-    listed.push_back(std::to_string(number) + (is_named ? " (" + name->second + ")" : ""));
+  for (const auto& [number, name] : regions) {
+    if (!name.empty()) names.push_back(name);
+    listed.push_back(std::to_string(number) + (name.empty() ? "" : " (" + name + ")"));
   }
   throw Error(where, "the mesh has no region \"" + key + "\"" + perhaps(key, names),
               "expected default or one of its regions: " + join(listed));
@@ -53,15 +49,30 @@ std::vector<int> regions_of(const std::string& key, const TetMesh& mesh, const s
 
 }  // namespace
 
-BodyMaterials resolve_materials(const Body& body, const TetMesh& mesh, const std::string& where) {
-  const std::set<int> present(mesh.regions.begin(), mesh.regions.end());
+std::map<int, std::string> regions_of(const TetMesh& mesh) {
+  std::map<int, std::string> regions;
+  for (const int number : mesh.regions) regions.try_emplace(number);
+  for (auto& [number, name] : regions) {
+    const auto found = mesh.region_names.find(number);
+    if (found != mesh.region_names.end()) name = found->second;
+  }
+  return regions;
+}
+
+std::string key_of_region(const std::map<int, std::string>& regions, int number) {
+  const auto found = regions.find(number);
+  if (found == regions.end() || found->second.empty() || found->second == "default") return std::to_string(number);
+  return named(found->second, regions).size() == 1 ? found->second : std::to_string(number);
+}
+
+BodyMaterials resolve_materials(const Body& body, const std::map<int, std::string>& present, const std::string& where) {
   BodyMaterials result;
   result.materials.push_back(body.material);
   result.names.push_back(body.name + ": default");
   for (const auto& [key, values] : body.region_materials) {
     const std::string path = where + ".materials." + key;
-    const std::vector<int> regions = regions_of(key, mesh, present);
-    if (regions.empty()) fail_unknown(key, mesh, present, path);
+    const std::vector<int> regions = named(key, present);
+    if (regions.empty()) fail_unknown(key, present, path);
     const auto index = static_cast<std::uint32_t>(result.materials.size());
     for (const int region : regions) {
       const auto [earlier, is_new] = result.of_region.emplace(region, index);
@@ -75,6 +86,28 @@ BodyMaterials resolve_materials(const Body& body, const TetMesh& mesh, const std
     result.names.push_back(body.name + ": " + key);
   }
   return result;
+}
+
+void assign_materials(const Scene& scene, Model& model) {
+  std::vector<Material> materials;
+  std::vector<std::string> names;
+  std::vector<std::uint32_t> tet_material = model.tet_material;
+  std::vector<BodyPart> bodies = model.bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    BodyPart& part = bodies[b];
+    const BodyMaterials resolved =
+        resolve_materials(scene.bodies[b], part.regions, scene.file.string() + ": bodies[" + std::to_string(b) + "]");
+    part.material_begin = static_cast<std::uint32_t>(materials.size());
+    part.material_count = static_cast<std::uint32_t>(resolved.materials.size());
+    for (std::uint32_t t = part.tet_begin; t < part.tet_begin + part.tet_count; ++t)
+      tet_material[t] = part.material_begin + resolved.material_of(model.file_mesh.regions[model.tet_source[t]]);
+    materials.insert(materials.end(), resolved.materials.begin(), resolved.materials.end());
+    names.insert(names.end(), resolved.names.begin(), resolved.names.end());
+  }
+  model.materials = std::move(materials);
+  model.material_names = std::move(names);
+  model.tet_material = std::move(tet_material);
+  model.bodies = std::move(bodies);
 }
 
 }  // namespace fascia

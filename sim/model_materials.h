@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene.h"
-#include "sim/tet_mesh.h"
+#include "sim/model.h"
 
 namespace fascia {
 
@@ -21,7 +20,17 @@ struct BodyMaterials {
   }
 };
 
+/// The regions that a mesh's tets have: number, and name if the file has one.
+std::map<int, std::string> regions_of(const TetMesh& mesh);
+
 /// Throws Error for a key that is neither a name nor a number of a region, and for two keys of one region.
-BodyMaterials resolve_materials(const Body& body, const TetMesh& mesh, const std::string& where);
+BodyMaterials resolve_materials(const Body& body, const std::map<int, std::string>& regions, const std::string& where);
+
+/// Materials, names and which tet has which, anew from the scene's bodies, after entries of "materials" came or went: the model is as
+/// build_model(scene) makes it. Throws Error as resolve_materials does, and leaves the model as it was.
+void assign_materials(const Scene& scene, Model& model);
+
+/// The key that a scene's "materials" calls a region by: its name where that is its own and no other region's, else its number.
+std::string key_of_region(const std::map<int, std::string>& regions, int number);
 
 }  // namespace fascia

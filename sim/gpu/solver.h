@@ -46,6 +46,7 @@ class GpuSolver {
   void materials_changed();  // also gravity: acts on the next step; no state buffer is rebuilt
   void set_grab(const std::vector<GrabSpring>& springs);  // empty: let go
   void set_color(ColorBy color);
+  ColorBy color() const { return color_; }
   /// What the heat map of ColorBy::error shows: float [vertex_count] [m]. Zero at first.
   void set_vertex_errors(const std::vector<float>& errors) { surface_.set_vertex_errors(errors); }
 

@@ -92,7 +92,7 @@ TEST_CASE("a hand holds one body and the material that is there") {
     model.tet_material.push_back(1);
   }
   model.materials.push_back({1e7, 0.3, 1000, 0});
-  model.bodies.push_back({"second", vertices, vertices, tets, tets, 1, 1});
+  model.bodies.push_back({"second", vertices, vertices, tets, tets, 1, 1, {}});
   const DrawnSurface surface{boundary_triangles(model.tets), model.rest_positions};
   for (const bool second : {false, true}) {
     CAPTURE(second);

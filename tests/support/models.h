@@ -26,7 +26,7 @@ inline Model make_model(const TetMesh& mesh, const Material& material,
   for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) model.tet_source.push_back(t);
   const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
   const auto tets = static_cast<std::uint32_t>(mesh.tets.size());
-  model.bodies = {{"body", 0, vertices, 0, tets, 0, 1}};
+  model.bodies = {{"body", 0, vertices, 0, tets, 0, 1, {}}};
   return model;
 }
 

@@ -179,7 +179,7 @@ TEST_CASE("a part that nothing holds has no equilibrium under gravity", "[static
   Model model = box_model(2, 1, 1, {0.2, 0.1, 0.1}, soft(1e5));
   model.gravity = {0, -9.81, 0};
   model.bodies = {{"slab", 0, static_cast<std::uint32_t>(model.rest_positions.size()), 0,
-                   static_cast<std::uint32_t>(model.tets.size()), 0, 1}};
+                   static_cast<std::uint32_t>(model.tets.size()), 0, 1, {}}};
   State state = initial_state(model);
   CHECK_THROWS_WITH(settle(model, state), Catch::Contains("slab") && Catch::Contains("held nowhere"));
   model.gravity.setZero();

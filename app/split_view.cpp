@@ -1,0 +1,178 @@
+#include "app/split_view.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/panels.h"
+#include "app/ui_style.h"
+#include "app/ui_widgets.h"
+#include "app/units.h"
+#include "sim/error.h"
+#include "sim/tissues.h"
+
+namespace fascia {
+namespace {
+
+constexpr int kDivider = 2;  // [pixels]
+
+std::string material_text(const Material& m) {
+  if (const Tissue* tissue = tissue_of(m)) return tissue->label;
+  return "E " + engineering(m.young_modulus, "Pa") + ", nu " + engineering(m.poisson_ratio, "") +
+         (m.damping > 0 ? ", damping " + engineering(m.damping, "s") : "");
+}
+
+std::string result_text(const Session& session, const std::optional<Diagnostics>& diagnostics, double step_ms, bool measured) {
+  char text[64];
+  std::string result;
+  if (const auto& error = session.true_error.result(); error && error->converged) {
+    std::snprintf(text, sizeof text, "true error %.2g %%", 100 * error->relative);
+    result = text;
+  } else if (diagnostics) {
+    std::snprintf(text, sizeof text, "residual %.2g", diagnostics->residual);
+    result = text;
+  }
+  if (measured && step_ms > 0) {
+    std::snprintf(text, sizeof text, "%s%.1f ms a step", result.empty() ? "" : "  |  ", step_ms);
+    result += text;
+  }
+  if (diagnostics && !session.simulation.gpu()->springs().empty())
+    result += (result.empty() ? "" : "  |  ") + engineering(diagnostics->grab_force.norm(), "N");
+  return result;
+}
+
+}  // namespace
+
+std::string side_text(const Session& session, bool with_material) {
+  const SolverSettings& s = session.simulation.scene.solver;
+  std::string text = label_of(s.method);
+  if (s.acceleration != Acceleration::none) text += std::string(", ") + label_of(s.acceleration);
+  text += ", " + std::to_string(s.iterations) + (s.iterations == 1 ? " iteration" : " iterations");
+  if (s.substeps > 1) text += ", " + std::to_string(s.substeps) + " substeps";
+  if (with_material) text += "\n" + material_text(session.simulation.model.materials.front());
+  return text;
+}
+
+SplitView::SplitView(Graphics& graphics, const Session& a, Scene scene, Model model) : shared_(shared_of(a)) {
+  const auto fail = [&](const char* what, const char* expected) { throw Error(scene.file.string(), what, expected); };
+  if (a.simulation.uses_reference()) fail("the reference solver has no settings to compare", "leave out --reference");
+  if (model.rest_positions.size() != a.simulation.model.rest_positions.size() || model.tets.size() != a.simulation.model.tets.size())
+    fail("the second side has another mesh", "expected settings and materials of the same bodies");
+  b_ = std::make_unique<Session>(graphics, std::move(scene), std::move(model), false);
+  apply(shared_, *b_);
+  restart_from(a);
+}
+
+SplitView::Shared SplitView::shared_of(const Session& session) {
+  return {session.display(), session.simulation.scene.gravity, session.simulation.scene.solver.time_step};
+}
+
+void SplitView::apply(const Shared& shared, Session& session) {
+  const Shared now = shared_of(session);
+  if (now.display != shared.display) session.set_display(shared.display);
+  if (now.gravity != shared.gravity) session.simulation.set_gravity(shared.gravity);
+  if (now.time_step == shared.time_step) return;
+  SolverSettings settings = session.simulation.scene.solver;
+  settings.time_step = shared.time_step;
+  session.simulation.set_settings(settings);
+}
+
+void SplitView::share(Session& a) {
+  const Shared of_a = shared_of(a), of_b = shared_of(*b_);
+  if (of_a == shared_ && of_b == shared_) return;
+  shared_ = of_a == shared_ ? of_b : of_a;
+  apply(shared_, a);
+  apply(shared_, *b_);
+}
+
+void SplitView::restart_from(const Session& a) {
+  b_->simulation.go_on_from(a.simulation.state());
+  diagnostics_.reset();
+}
+
+void SplitView::reset() {
+  b_->simulation.reset();
+  b_->true_error.forget();
+}
+
+void SplitView::swap(std::unique_ptr<Session>& a) {
+  std::swap(a, b_);
+  std::swap(sides_[0].step_ms, sides_[1].step_ms);
+  diagnostics_.reset();
+}
+
+void SplitView::make_step(Session& session, Side& side) {
+  side.timer.begin();
+  session.simulation.step();
+  side.timer.end();
+  if (const double ms = side.timer.milliseconds(); ms > 0) side.step_ms = side.step_ms > 0 ? 0.9 * side.step_ms + 0.1 * ms : ms;
+}
+
+void SplitView::step(Session& a, Session& hand) {
+  Session& other = &hand == &a ? *b_ : a;
+  other.simulation.set_grab(hand.simulation.asked_springs());
+  make_step(a, sides_[0]);
+  make_step(*b_, sides_[1]);
+  if (!b_->simulation.astray()) return;
+  ++lost_;  // what B does may not stop A: it goes on from where all was well
+  b_->simulation.back_to_sound();
+  b_->simulation.begin_anew();
+}
+
+const std::optional<Diagnostics>& SplitView::diagnose(bool wait) {
+  GpuSolver& solver = *b_->simulation.gpu();
+  if (!solver.diagnosing()) solver.request_diagnostics();
+  if (auto taken = solver.take_diagnostics(wait)) diagnostics_ = std::move(taken);
+  return diagnostics_;
+}
+
+std::array<SplitView::Area, 2> SplitView::areas(int width, int left) {
+  const int each = std::max(1, (width - left - kDivider) / 2);
+  return {Area{left, each}, Area{left + each + kDivider, each}};
+}
+
+void SplitView::draw(Session& a, Framebuffer& framebuffer, int left, std::span<const GrabMark> hands) {
+  b_->camera = a.camera;
+  // One scale for both sides, the one of A: B's colors do not follow its own values.
+  std::optional<Eigen::Vector2d>& range = b_->simulation.scene.display.range;
+  const std::optional<Eigen::Vector2d> own = range;
+  if (a.look.heat_map) range = a.look.range.cast<double>();
+  framebuffer.bind_resolved();
+  gl::Disable(GL_SCISSOR_TEST);
+  gl::ClearColor(ui::kPanel.x, ui::kPanel.y, ui::kPanel.z, 1);
+  gl::Clear(GL_COLOR_BUFFER_BIT);
+  const std::array<Area, 2> places = areas(framebuffer.width(), left);
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::unique_ptr<Framebuffer>& picture = sides_[i].picture;
+    if (!picture || picture->width() != places[i].width || picture->height() != framebuffer.height()) {
+      picture.reset();
+      picture = std::make_unique<Framebuffer>(places[i].width, framebuffer.height(), framebuffer.samples());
+    }
+    if (i == 1) b_->look = a.look;  // after A has found its range
+    (i == 0 ? a : *b_).draw(*picture, hands);
+    picture->copy_to(framebuffer, places[i].x);
+  }
+  range = own;
+}
+
+void SplitView::draw_labels(const Session& a, const std::optional<Diagnostics>& diagnostics, int left, bool measured, bool editing_b) const {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const std::array<Area, 2> places = areas(static_cast<int>(size.x), left);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float line = static_cast<float>(places[1].x - kDivider);
+  list.AddRectFilled({line, 0}, {line + kDivider, size.y}, ImGui::GetColorU32(ui::kAccent));
+  const bool with_material = a.simulation.model.materials != b_->simulation.model.materials;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Session& session = i == 0 ? a : *b_;
+    const float middle = static_cast<float>(places[i].x) + 0.5f * static_cast<float>(places[i].width);
+    const float widest = static_cast<float>(places[i].width) - ui::px(40);
+    const bool edited = measured && (i == 1) == editing_b;  // without a clock there is nobody who edits
+    ui::pill((i == 0 ? "A   " : "B   ") + side_text(session, with_material), middle, ui::px(46), edited ? ui::kAccent : ui::kText, widest);
+    std::string result = result_text(session, i == 0 ? diagnostics : diagnostics_, sides_[i].step_ms, measured);
+    if (i == 1 && lost_ > 0) result += "  |  came apart " + std::to_string(lost_) + (lost_ == 1 ? " time" : " times");
+    if (!result.empty()) ui::pill(result, middle, size.y - ui::px(78), ui::kText, widest);
+  }
+}
+
+}  // namespace fascia

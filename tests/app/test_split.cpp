@@ -1,0 +1,133 @@
+// Two settings side by side: the same steps under the same hand, without a trace on the side that was there before.
+#include <catch2/catch.hpp>
+
+#include "app/graphics.h"
+#include "app/split_view.h"
+#include "sim/file.h"
+#include "tests/app/headless.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+Scene cube() { return open_scene(source_dir() / "assets/scenes/cube.json"); }
+
+double largest_difference(const reference::State& a, const reference::State& b) {
+  double largest = 0;
+  for (std::size_t v = 0; v < a.displacement.size(); ++v) largest = std::max(largest, (a.displacement[v] - b.displacement[v]).norm());
+  return largest;
+}
+
+/// Pulls a few free vertices up.
+std::vector<GrabSpring> pull(const Model& model) {
+  const std::vector<char> held = model.held();
+  std::vector<GrabSpring> springs;
+  for (std::uint32_t v = 0; v < held.size() && springs.size() < 4; ++v)
+    if (!held[v]) springs.push_back({v, Eigen::Vector3d(0, 0.02, 0), 50});
+  return springs;
+}
+
+}  // namespace
+
+TEST_CASE("two sides with the same settings stay the same to the bit, and as one alone", "[split]") {
+  Graphics graphics = open_graphics(headless(), false);
+  const Scene scene = cube();
+  Session alone(graphics, scene, false), a(graphics, scene, false);
+  for (int i = 0; i < 2; ++i) {
+    alone.simulation.step();
+    a.simulation.step();
+  }
+  SplitView split(graphics, a, scene, a.simulation.model);
+  CHECK(split.b().simulation.time() == a.simulation.time());
+  const std::vector<GrabSpring> springs = pull(a.simulation.model);
+  alone.simulation.set_grab(springs);
+  a.simulation.set_grab(springs);
+  for (int i = 0; i < 5; ++i) {
+    alone.simulation.step();
+    split.step(a, a);
+  }
+  CHECK(split.b().simulation.gpu()->springs() == springs);
+  CHECK(largest_difference(a.simulation.state(), split.b().simulation.state()) == 0);
+  CHECK(largest_difference(a.simulation.state(), alone.simulation.state()) == 0);
+
+  INFO("the hand may be at the other side");
+  split.b().simulation.set_grab({});
+  split.step(a, split.b());
+  CHECK(a.simulation.gpu()->springs().empty());
+}
+
+TEST_CASE("sides differ in what they are told to, and share display, gravity and time step", "[split]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Session a(graphics, cube(), false);
+  Scene other = cube();
+  other.solver.method = Method::jacobi;
+  other.solver.acceleration = Acceleration::none;
+  other.bodies[0].material.young_modulus *= 10;
+  other.solver.time_step = 0.5;
+  other.gravity = {1, 2, 3};
+  Model model = build_model(other);
+  SplitView split(graphics, a, other, model);
+  CHECK(split.b().simulation.scene.solver.method == Method::jacobi);
+  CHECK(split.b().simulation.scene.solver.time_step == a.simulation.scene.solver.time_step);
+  CHECK(split.b().simulation.scene.gravity == a.simulation.scene.gravity);
+  for (int i = 0; i < 3; ++i) split.step(a, a);
+  CHECK(largest_difference(a.simulation.state(), split.b().simulation.state()) > 1e-5);
+  CHECK(a.simulation.time() == Approx(split.b().simulation.time()));
+
+  split.b().simulation.set_gravity({0, 5, 0});
+  DisplaySettings display = split.b().display();
+  display.wireframe = !display.wireframe;
+  split.b().set_display(display);
+  split.share(a);
+  CHECK(a.simulation.scene.gravity == Eigen::Vector3d(0, 5, 0));
+  CHECK(a.display() == display);
+
+  const auto before_a = a.simulation.state();
+  auto session = std::make_unique<Session>(graphics, cube(), false);
+  session->simulation.go_on_from(before_a);
+  SplitView again(graphics, *session, other, model);
+  again.swap(session);
+  CHECK(session->simulation.scene.solver.method == Method::jacobi);
+  CHECK(again.b().simulation.scene.solver.method == cube().solver.method);
+}
+
+TEST_CASE("a side with another mesh is refused", "[split]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Session a(graphics, cube(), false);
+  const Scene beam = open_scene(source_dir() / "assets/scenes/beam.json");
+  CHECK_THROWS_WITH(SplitView(graphics, a, beam, build_model(beam)), Catch::Contains("another mesh"));
+}
+
+TEST_CASE("render --split draws both sides, each as it is drawn alone", "[split]") {
+  const TemporaryFolder folder;
+  const std::string scene = (source_dir() / "assets/scenes/cube.json").string();
+  const auto render = [&](const std::string& name, const std::string& size, std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"render", scene, "--steps", "10", "--size", size, "--samples", "1", "--context", "osmesa",
+                                          "--quiet", "--out", (folder / name).string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const CommandResult result = run_fascia(arguments);
+    CAPTURE(result.err);
+    REQUIRE(result.exit_code == 0);
+    return read_png(folder / name);
+  };
+  const std::string b = "solver.method=jacobi;solver.acceleration=none;materials.default.young_modulus=1e3";
+  // Two pixels of divider: the sides are as wide as the pictures alone. Labels lie at their upper and lower ends.
+  const Image both = render("both.png", "402x300", {"--split", b});
+  const Image left = render("a.png", "200x300", {});
+  const Image right = render("b.png", "200x300", {"--set", "solver.method=jacobi", "--set", "solver.acceleration=none", "--set",
+                                                  "materials.default.young_modulus=1e3"});
+  const auto middle = [](const Image& image, int x) {
+    Image part{200, 100, {}};
+    for (int y = 120; y < 220; ++y) {
+      const auto row = image.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * image.width + x);
+      part.rgba.insert(part.rgba.end(), row, row + 800);
+    }
+    return part;
+  };
+  CHECK(difference(middle(both, 0), middle(left, 0)).share == 0);
+  CHECK(difference(middle(both, 202), middle(right, 0)).share == 0);
+  CHECK(difference(middle(left, 0), middle(right, 0)).share > 0.01);
+  CHECK(run_fascia({"render", scene, "--split", "solver.methd=jacobi", "--out", (folder / "x.png").string()}).exit_code == 1);
+}
