@@ -2,12 +2,12 @@
 #include <iostream>
 
 #include "app/commands.h"
-#include "sim/mesh_io.h"
+#include "sim/surface_fill.h"
 
 namespace fascia {
 
 int command_convert(const ConvertOptions& options) {
-  const MeshFile file = read_mesh(options.in);
+  const MeshFile file = read_mesh_or_fill(options.in);
   write_mesh(options.out, file.mesh);
   std::cerr << "fascia: " << options.out << ": " << file.mesh.positions.size() << " vertices, " << file.mesh.tets.size()
             << " tets, from " << file.format << '\n';

@@ -1,20 +1,16 @@
-// What is drawn of a model: the boundary of its tets or, for bodies with a "surface" file, that surface embedded in them.
+// What is drawn of a model: the boundary of its tets or, for bodies with a surface of their own, that surface embedded in them.
 #pragma once
 #include <vector>
 
 #include "sim/model.h"
-#include "sim/scene.h"
 
 namespace fascia {
 
-/// Vertices of all embedded surfaces of the scene, placed; they follow the mesh vertices in GpuSolver::positions(). Reads
-/// the .obj files; throws Error.
-std::vector<Eigen::Vector3d> embedded_points(const Scene& scene);
-
 struct DrawnSurface {
   std::vector<Triangle> triangles;
-  std::vector<Eigen::Vector3d> rest_positions;  // mesh vertices, then embedded ones [m]
+  std::vector<Eigen::Vector3d> rest_positions;  // mesh vertices, then embedded ones, as in GpuSolver::positions() [m]
+  std::vector<std::uint32_t> colors;            // as SurfaceMesh::colors, of all triangles; empty if no surface has any
 };
-DrawnSurface drawn_surface(const Scene& scene, const Model& model);
+DrawnSurface drawn_surface(const Model& model);
 
 }  // namespace fascia

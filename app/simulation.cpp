@@ -6,7 +6,6 @@
 #include <sstream>
 #include <tuple>
 
-#include "app/drawn_surface.h"
 #include "app/paths.h"
 #include "sim/error.h"
 #include "sim/file.h"
@@ -35,7 +34,7 @@ Simulation::Simulation(Scene opened, gl::ProgramCache* programs, bool use_refere
 
 Simulation::Simulation(Scene opened, Model built, gl::ProgramCache* programs, bool use_reference, const Progress& progress)
     : scene(std::move(opened)), model(std::move(built)), programs_(programs) {
-  if (programs) gpu_ = std::make_unique<GpuSolver>(*programs, model, scene.solver, embedded_points(scene), progress);
+  if (programs) gpu_ = std::make_unique<GpuSolver>(*programs, model, scene.solver, model.embedded, progress);
   if (use_reference) {
     renew_reference();
     reference_state_ = reference::initial_state(model);

@@ -4,18 +4,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/surface.h"
+#include "sim/triangle_tree.h"
+
 namespace fascia {
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-std::array<double, 4> barycentric(const Vector3d& p, const Tet& tet, const std::vector<Vector3d>& x) {
-  Eigen::Matrix3d edges;
-  for (int k = 0; k < 3; ++k) edges.col(k) = x[tet[k + 1]] - x[tet[0]];
-  const Vector3d w = edges.inverse() * (p - x[tet[0]]);
-  return {1 - w.sum(), w.x(), w.y(), w.z()};
-}
+/// Weights of points in one tet.
+class Barycentric {
+ public:
+  Barycentric(const Tet& tet, const std::vector<Vector3d>& x) : origin_(x[tet[0]]) {
+    Eigen::Matrix3d edges;
+    for (int k = 0; k < 3; ++k) edges.col(k) = x[tet[k + 1]] - x[tet[0]];
+    inverse_ = edges.inverse();
+  }
+  Eigen::Vector4d of(const Vector3d& p) const {
+    const Vector3d w = inverse_ * (p - origin_);
+    return {1 - w.sum(), w.x(), w.y(), w.z()};
+  }
+
+ private:
+  Vector3d origin_;
+  Eigen::Matrix3d inverse_;
+};
 
 // Cells of about one tet each; every cell lists the tets whose bounding boxes touch it.
 class Grid {
@@ -58,7 +72,10 @@ class Grid {
           f(cells_[(static_cast<std::size_t>(i) * count_.y() + j) * count_.z() + k]);
   }
 
-  const Vector3i& count() const { return count_; }
+  const std::vector<std::uint32_t>& at(const Vector3d& p) const {
+    const Vector3i cell = cell_of(p);
+    return cells_[(static_cast<std::size_t>(cell.x()) * count_.y() + cell.y()) * count_.z() + cell.z()];
+  }
 
  private:
   Vector3d min_;
@@ -67,36 +84,42 @@ class Grid {
   std::vector<std::vector<std::uint32_t>> cells_;
 };
 
+std::array<double, 4> as_array(const Eigen::Vector4d& w) { return {w[0], w[1], w[2], w[3]}; }
+
 }  // namespace
 
-std::vector<EmbeddedPoint> embed(const std::vector<Vector3d>& points, const std::vector<Vector3d>& vertices,
-                                 const std::vector<Tet>& tets) {
+EmbeddedPoints embed(std::vector<Vector3d> points, const std::vector<Vector3d>& vertices, const std::vector<Tet>& tets) {
+  EmbeddedPoints result;
+  if (points.empty()) return result;
   Grid grid(vertices, tets);
-  std::vector<EmbeddedPoint> result;
-  result.reserve(points.size());
+  std::vector<Barycentric> frames;
+  frames.reserve(tets.size());
+  for (const Tet& tet : tets) frames.emplace_back(tet, vertices);
+  const TriangleTree boundary(vertices, boundary_triangles(tets));
+  const std::vector<std::uint32_t> behind = tets_at_boundary(tets);
+
+  result.ties.reserve(points.size());
   for (const Vector3d& p : points) {
-    const Vector3i home = grid.cell_of(p);
-    double best = -1e300;
-    EmbeddedPoint embedded{};
-    // Widen the search until some tet is seen, then once more: a tet of the next ring can still be nearer.
-    bool found = false;
-    for (int ring = 0; ring <= grid.count().maxCoeff(); ++ring) {
-      const bool last = found;
-      const Vector3i low = (home.array() - ring).max(0), high = (home.array() + ring).min(grid.count().array() - 1);
-      grid.for_cells(low, high, [&](const std::vector<std::uint32_t>& cell) {
-        for (const std::uint32_t t : cell) {
-          const std::array<double, 4> w = barycentric(p, tets[t], vertices);
-          const double smallest = *std::min_element(w.begin(), w.end());
-          found = true;
-          if (smallest <= best) continue;
-          best = smallest;
-          embedded = {tets[t], w};
-        }
-      });
-      if (last || best >= 0) break;
+    std::uint32_t home = 0;
+    double deepest = -1;
+    for (const std::uint32_t t : grid.at(p)) {
+      const double smallest = frames[t].of(p).minCoeff();
+      if (smallest <= deepest) continue;
+      deepest = smallest;
+      home = t;
     }
-    result.push_back(embedded);
+    Eigen::Vector4d weights = frames[home].of(p);
+    if (deepest < 0) {
+      const TriangleTree::Nearest nearest = boundary.nearest(p);
+      home = behind[nearest.triangle];
+      const Eigen::Vector4d foot = frames[home].of(nearest.point), reach = frames[home].of(p) - foot;
+      weights = foot + reach * std::min(1.0, kLargestReach / reach.cwiseAbs().maxCoeff());
+      ++result.outside;
+      result.farthest = std::max(result.farthest, nearest.distance);
+    }
+    result.ties.push_back({tets[home], as_array(weights)});
   }
+  result.points = std::move(points);
   return result;
 }
 

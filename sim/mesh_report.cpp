@@ -1,50 +1,17 @@
 // The doctor's findings in words: one labelled line per finding, numbers with their units, bad tets by their
 // index.
-#include <array>
-#include <cstdio>
 #include <ostream>
 #include <span>
 #include <sstream>
 
 #include "sim/mesh_doctor.h"
+#include "sim/report_text.h"
 
 namespace fascia {
 namespace {
 
 // From the smallest sample that is handled under a microscope to the largest whole body.
 constexpr double kSmallestTissue = 1e-3, kLargestTissue = 3;  // [m]
-
-std::string number(double value) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
-
-std::string plural(std::size_t count, const char* noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-/// A length in the unit people would use for it.
-std::string length(double meters) {
-  struct Unit {
-    double size;
-    const char* name;
-  };
-  constexpr Unit kUnits[] = {{1e3, "km"}, {1, "m"}, {1e-3, "mm"}, {1e-6, "um"}};
-  for (const Unit& unit : kUnits) {
-    if (meters >= unit.size) return number(meters / unit.size) + " " + unit.name;
-  }
-  return number(meters) + " m";
-}
-
-std::string point(const Eigen::Vector3d& p) {
-  return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
-}
-
-std::ostream& line(std::ostream& out, const std::string& label) {
-  constexpr std::size_t kWidth = 12;
-  return out << label << std::string(label.size() < kWidth ? kWidth - label.size() : 1, ' ');
-}
 
 /// "degenerate  3 tets left out: ...: 0, 7, 12"; nothing if the list is empty.
 void print_tets(std::ostream& out, const char* label, const std::vector<std::uint32_t>& tets,

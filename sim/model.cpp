@@ -11,11 +11,16 @@
 #include "sim/model_materials.h"
 #include "sim/model_motion.h"
 #include "sim/model_selection.h"
+#include "sim/report_text.h"
+#include "sim/surface_fill.h"
 
 namespace fascia {
 namespace {
 
 using Eigen::Vector3d;
+
+/// Edges of a tet that a surface may stand off before anybody is told: a filled surface always does a little, between its vertices.
+constexpr double kNotedDistance = 0.3;
 
 /// One body on its way into the model.
 struct LoadedBody {
@@ -23,15 +28,27 @@ struct LoadedBody {
   const Body& body;
   std::string where;  // "scene.json: bodies[0]"
   MeshFile file;
+  SurfaceMesh surface;  // drawn instead of the boundary, if it has triangles
   MeshRepair repaired;
   std::vector<char> used;  // [vertex_count] 1 where a usable tet has the vertex
 };
 
-LoadedBody load(const Scene& scene, std::size_t index) {
+LoadedBody load(const Scene& scene, std::size_t index, const Progress& progress) {
   const Body& body = scene.bodies[index];
   const std::filesystem::path path = scene.resolve(body.mesh);
   const std::string where = scene.file.string() + ": bodies[" + std::to_string(index) + "]";
-  LoadedBody loaded{scene, body, where, read_mesh(path), {}, {}};
+  LoadedBody loaded{scene, body, where, {}, {}, {}, {}};
+  if (is_surface_file(path)) {
+    FilledSurface filled = fill_surface(read_obj(path), path.string(), body.resolution, progress);
+    loaded.file = std::move(filled.file);
+    loaded.surface = std::move(filled.surface);
+  } else {
+    loaded.file = read_mesh(path);
+  }
+  if (!body.surface.empty()) {
+    loaded.surface = read_obj(scene.resolve(body.surface));
+    loaded.file.notes.insert(loaded.file.notes.end(), loaded.surface.notes.begin(), loaded.surface.notes.end());
+  }
   loaded.repaired = repair(loaded.file.mesh);
   if (loaded.repaired.tets.empty()) {
     throw Error(
@@ -153,7 +170,30 @@ void add_mesh(const LoadedBody& loaded, const BodyPart& part, Model& model) {
   for (const std::uint32_t source : loaded.repaired.source) model.tet_source.push_back(first_tet + source);
 }
 
-void add_body(const LoadedBody& loaded, Model& model) {
+/// Ties the body's surface to its tets, which are the last ones of the model.
+void add_surface(LoadedBody loaded, const BodyPart& part, Model& model) {
+  SurfaceMesh& surface = model.surfaces.emplace_back(std::move(loaded.surface));
+  if (surface.triangles.empty()) return;
+  const Eigen::Affine3d place = placement(loaded.body.transform);
+  for (Vector3d& p : surface.positions) p = place * p;
+  EmbeddedPoints own = embed(surface.positions, model.file_mesh.positions, {model.tets.begin() + part.tet_begin, model.tets.end()});
+  EmbeddedPoints& all = model.embedded;
+  all.points.insert(all.points.end(), own.points.begin(), own.points.end());
+  all.ties.insert(all.ties.end(), own.ties.begin(), own.ties.end());
+  all.outside += own.outside;
+  all.farthest = std::max(all.farthest, own.farthest);
+  double volume = 0;
+  for (auto tet = model.tets.begin() + part.tet_begin; tet != model.tets.end(); ++tet) {
+    const auto& x = model.file_mesh.positions;
+    volume += signed_volume6(x[(*tet)[0]], x[(*tet)[1]], x[(*tet)[2]], x[(*tet)[3]]) / 6;
+  }
+  const double size = std::cbrt(6 * std::sqrt(2.0) * volume / part.tet_count);  // edge of a regular tet
+  if (own.outside > 0 && own.farthest > kNotedDistance * size)
+    model.notes.push_back(part.name + ": " + std::to_string(own.outside) + " of " + std::to_string(own.points.size()) +
+                          " vertices of the surface outside of the tets, at most " + length(own.farthest) + " away: tied to the nearest tet");
+}
+
+void add_body(LoadedBody loaded, Model& model) {
   BodyPart part;
   part.name = loaded.body.name;
   part.vertex_begin = static_cast<std::uint32_t>(model.file_mesh.positions.size());
@@ -164,15 +204,16 @@ void add_body(const LoadedBody& loaded, Model& model) {
   add_materials(loaded, model, part);
   add_velocity(loaded, add_constraints(loaded, part.vertex_begin, model), model);
   add_mesh(loaded, part, model);
+  add_surface(std::move(loaded), part, model);
   model.bodies.push_back(std::move(part));
 }
 
 }  // namespace
 
-Model build_model(const Scene& scene) {
+Model build_model(const Scene& scene, const Progress& progress) {
   Model model;
   model.gravity = scene.gravity;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(load(scene, b), model);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(load(scene, b, progress), model);
   model.rest_positions = model.file_mesh.positions;
   for (std::size_t g = 0; g < scene.grabs.size(); ++g) model.hands.push_back(resolve_hand(scene, g, model));
   return model;

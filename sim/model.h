@@ -8,9 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "sim/embedding.h"
 #include "sim/material.h"
+#include "sim/progress.h"
 #include "sim/scene.h"
 #include "sim/scripted_hand.h"
+#include "sim/surface_mesh.h"
 #include "sim/tet_mesh.h"
 
 namespace fascia {
@@ -48,6 +51,9 @@ struct Model {
   Eigen::Vector3d gravity{0, -9.81, 0};           // [m/s^2]
   std::vector<BodyPart> bodies;
 
+  std::vector<SurfaceMesh> surfaces;  // [body] placed, drawn instead of the boundary of its tets; without triangles where that is drawn
+  EmbeddedPoints embedded;            // the vertices of all surfaces, one after the other, tied to the tets of their bodies
+
   TetMesh file_mesh;                      // every vertex and tet of the files (placed), for exports
   std::vector<std::uint32_t> tet_source;  // [tet_count] index of each tet in file_mesh.tets
   std::vector<std::string> notes;         // repairs and warnings for the user, one line each
@@ -57,9 +63,9 @@ struct Model {
   double end_of_hands() const;     // [s] when the last scripted hand has arrived or let go; 0 without any
 };
 
-/// Reads the meshes and CSV files of the scene. Throws Error for anything unreadable, a selection of nothing,
+/// Reads the meshes, surfaces and CSV files of the scene. Throws Error for anything unreadable, a selection of nothing,
 /// a material key that names no region, prescribed targets that miss vertices, a hand that has nothing to hold.
-Model build_model(const Scene& scene);
+Model build_model(const Scene& scene, const Progress& progress = {});
 
 /// Lumped masses [vertex_count] [kg]: a quarter of density * volume of each tet per vertex. Zero for
 /// unreferenced ones.

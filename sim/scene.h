@@ -52,7 +52,8 @@ struct MaterialOverride {
 
 struct Body {
   std::string name;
-  std::string mesh;  // as written; relative to the scene file
+  std::string mesh;  // as written; relative to the scene file; tets, or a closed surface (.obj) that is filled with tets
+  std::optional<int> resolution;  // of that filling: cells along the longest side; absent: some thousand tets
   Transform transform;
   Material material;                                                       // "default"
   std::vector<std::pair<std::string, MaterialOverride>> region_materials;  // region number or group name

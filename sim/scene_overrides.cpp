@@ -9,6 +9,7 @@
 #include "sim/grab_text.h"
 #include "sim/scene.h"
 #include "sim/scene_json.h"
+#include "sim/surface_fill.h"
 
 namespace fascia {
 namespace {
@@ -35,6 +36,7 @@ const json& template_document() {
     body.prescribed.emplace_back().select = LowestSelection{0.02};
     body.surface = "surface.obj";
     scene.grabs.emplace_back().radius = 0.01;
+    body.resolution = kFewestCells;
     return parse_json(scene_to_json(scene, ""), "template");
   }();
   return document;

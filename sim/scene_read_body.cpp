@@ -4,6 +4,7 @@
 #include "sim/scene_json.h"
 #include "sim/scene_read.h"
 #include "sim/suggest.h"
+#include "sim/surface_fill.h"
 #include "sim/tissues.h"
 
 namespace fascia {
@@ -173,12 +174,16 @@ Material read_material(const Node& node) {
 
 Body read_body(const Node& node) {
   node.expect_object(
-      {"name", "mesh", "transform", "materials", "fixed", "prescribed", "initial_velocity", "surface"});
+      {"name", "mesh", "resolution", "transform", "materials", "fixed", "prescribed", "initial_velocity", "surface"});
   Body body;
-  const std::string expected = "the path of a tet mesh";
+  const std::string expected = "the path of a tet mesh or of a closed surface (.obj)";
   const Node mesh = node.at("mesh", expected);
   body.mesh = mesh.text(expected);
   if (body.mesh.empty()) mesh.refuse(expected);
+  if (const auto resolution = node.find("resolution")) {
+    body.resolution = resolution->integer(kFewestCells, kMostCells);
+    if (!is_surface_file(body.mesh)) resolution->fail("is given for a mesh of tets, which it does not change", "it only beside a surface (.obj)");
+  }
   const auto name = node.find("name");
   body.name = name ? name->text("a text") : std::filesystem::path(body.mesh).stem().string();
   if (const auto transform = node.find("transform")) body.transform = read_transform(*transform);

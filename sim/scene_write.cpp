@@ -87,6 +87,7 @@ class SceneWriter {
  private:
   json body(const Body& body) const {
     json object = {{"name", body.name}, {"mesh", path(body.mesh)}};
+    if (body.resolution) object["resolution"] = *body.resolution;
     object["transform"] = {{"scale", number(body.transform.scale)},
                            {"rotate_deg", vector(body.transform.rotate_deg)},
                            {"translate", vector(body.transform.translate)}};

@@ -45,9 +45,8 @@ std::vector<Face> faces_by_lowest_vertex(const std::vector<Tet>& tets,
   return faces;
 }
 
-}  // namespace
-
-std::vector<Triangle> boundary_triangles(const std::vector<Tet>& tets) {
+/// [4 * tet_count] 1 for faces of exactly one tet.
+std::vector<char> faces_at_boundary(const std::vector<Tet>& tets) {
   std::vector<std::size_t> group_begin;
   std::vector<Face> faces = faces_by_lowest_vertex(tets, group_begin);
   std::vector<char> on_boundary(faces.size(), 0);
@@ -64,6 +63,13 @@ std::vector<Triangle> boundary_triangles(const std::vector<Tet>& tets) {
       face = other;
     }
   }
+  return on_boundary;
+}
+
+}  // namespace
+
+std::vector<Triangle> boundary_triangles(const std::vector<Tet>& tets) {
+  const std::vector<char> on_boundary = faces_at_boundary(tets);
   std::vector<Triangle> triangles;
   for (std::size_t id = 0; id < on_boundary.size(); ++id) {
     if (!on_boundary[id]) continue;
@@ -71,6 +77,14 @@ std::vector<Triangle> boundary_triangles(const std::vector<Tet>& tets) {
     triangles.push_back({tets[id / 4][corners[0]], tets[id / 4][corners[1]], tets[id / 4][corners[2]]});
   }
   return triangles;
+}
+
+std::vector<std::uint32_t> tets_at_boundary(const std::vector<Tet>& tets) {
+  const std::vector<char> on_boundary = faces_at_boundary(tets);
+  std::vector<std::uint32_t> result;
+  for (std::size_t id = 0; id < on_boundary.size(); ++id)
+    if (on_boundary[id]) result.push_back(static_cast<std::uint32_t>(id / 4));
+  return result;
 }
 
 }  // namespace fascia

@@ -13,7 +13,7 @@
 namespace fascia {
 
 GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
-                     const std::vector<Eigen::Vector3d>& surface_points, const Progress& progress)
+                     const EmbeddedPoints& drawn, const Progress& progress)
     : programs_(programs),
       model_(model),
       settings_(settings),
@@ -22,7 +22,7 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       motions_(model),
       diagnostics_(buffers_),
       guard_(programs, buffers_),
-      surface_(buffers_, surface_points, embed(surface_points, model.rest_positions, model.tets)) {
+      surface_(buffers_, drawn) {
   require_carried(settings_.method, model_.materials, "solver.method");
   buffers_.upload_step(model_, settings_);
   report(progress, 0.4, "Preparing the solver");

@@ -26,9 +26,9 @@ namespace fascia {
 class GpuSolver {
  public:
   /// `model` must outlive the solver. Its materials and gravity may be changed; tell the solver with materials_changed().
-  /// `surface_points` are extra vertices to draw, embedded in the tets (scene key "surface"); none by default.
-  GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
-            const std::vector<Eigen::Vector3d>& surface_points = {}, const Progress& progress = {});
+  /// `drawn` are extra vertices to draw, tied to the tets (Model::embedded); none by default.
+  GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings, const EmbeddedPoints& drawn = {},
+            const Progress& progress = {});
 
   /// One frame step of settings.time_step: substeps, each of predict, iterations, velocity.
   void step();

@@ -2,20 +2,20 @@
 
 namespace fascia {
 
-SurfacePositions::SurfacePositions(const SimBuffers& buffers, const std::vector<Eigen::Vector3d>& points,
-                                   const std::vector<EmbeddedPoint>& embedded)
+SurfacePositions::SurfacePositions(const SimBuffers& buffers, const EmbeddedPoints& embedded)
     : vertex_count_(buffers.vertex_count),
-      embedded_count_(static_cast<std::uint32_t>(embedded.size())),
-      positions_("positions", (vertex_count_ + embedded.size()) * sizeof(shared::vec4)) {
-  if (embedded.empty()) return;
+      embedded_count_(static_cast<std::uint32_t>(embedded.points.size())),
+      positions_("positions", (vertex_count_ + embedded.points.size()) * sizeof(shared::vec4)) {
+  if (embedded.points.empty()) return;
   std::vector<shared::vec4> rest, weights;
   std::vector<Tet> vertices;
   const auto to_float = [](double v) { return static_cast<float>(v); };
-  for (std::size_t i = 0; i < embedded.size(); ++i) {
-    rest.push_back({to_float(points[i].x()), to_float(points[i].y()), to_float(points[i].z()), 0});
-    const auto& w = embedded[i].weights;
+  for (std::size_t i = 0; i < embedded.points.size(); ++i) {
+    const Eigen::Vector3d& p = embedded.points[i];
+    rest.push_back({to_float(p.x()), to_float(p.y()), to_float(p.z()), 0});
+    const auto& w = embedded.ties[i].weights;
     weights.push_back({to_float(w[0]), to_float(w[1]), to_float(w[2]), to_float(w[3])});
-    vertices.push_back(embedded[i].vertices);
+    vertices.push_back(embedded.ties[i].vertices);
   }
   embed_position_ = gl::Buffer("embed_position", rest);
   embed_vertices_ = gl::Buffer("embed_vertices", vertices);

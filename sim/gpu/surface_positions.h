@@ -12,9 +12,7 @@ namespace fascia {
 
 class SurfacePositions {
  public:
-  /// `points` and `embedded` [n] belong together: rest positions of surface vertices and what they hang on; both may be empty.
-  SurfacePositions(const SimBuffers& buffers, const std::vector<Eigen::Vector3d>& points,
-                   const std::vector<EmbeddedPoint>& embedded);
+  SurfacePositions(const SimBuffers& buffers, const EmbeddedPoints& embedded);
   /// Passes for the heat map that is shown; none costs one pass.
   void record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features, ColorBy color);
   void run() const;

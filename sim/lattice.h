@@ -1,0 +1,28 @@
+// Tets that fill a closed surface: isosurface stuffing (Labelle, Shewchuk 2007) on a body-centered cubic lattice.
+//
+// Lattice points near the surface are moved onto it, tets that it still cuts are cut by a fixed table, so that every dihedral angle stays
+// between bounds that do not depend on the surface (kSmallestDihedral) and the boundary follows the surface, where a box of cubes would
+// be a staircase. Changed: where the surface is too thin for the lattice to see its inside, the tets that it passes through are
+// kept whole.
+#pragma once
+#include "sim/progress.h"
+#include "sim/tet_mesh.h"
+#include "sim/triangle_tree.h"
+
+namespace fascia {
+
+struct LatticeFill {
+  std::vector<Eigen::Vector3d> positions;  // [m]
+  std::vector<Tet> tets;                   // positive volume
+  double spacing = 0;                      // of the lattice [m]
+  std::size_t whole = 0;                   // tets kept because the surface is too thin there
+};
+
+/// Degrees; found by trying all cuts and shifts that can occur (test_mesh_lattice).
+inline constexpr double kSmallestDihedral = 8, kLargestDihedral = 166;
+
+/// `surface` is wound outward, `closed` if it has no open edge (then regions that it does not reach are asked for their inside only
+/// once); `cells` lie along the longest side of its box.
+LatticeFill fill_inside(const TriangleTree& surface, bool closed, int cells, const Progress& progress = {});
+
+}  // namespace fascia

@@ -1,0 +1,18 @@
+// Words and numbers of the reports about meshes and surfaces.
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+
+namespace fascia {
+
+std::string number(double value);  // 4 digits
+std::string plural(std::size_t count, const char* noun);
+/// A length in the unit people would use for it.
+std::string length(double meters);
+std::string point(const Eigen::Vector3d& p);  // "(1, 2, 3)"
+/// Begins a labelled line.
+std::ostream& line(std::ostream& out, const std::string& label);
+
+}  // namespace fascia

@@ -1,0 +1,290 @@
+#include "sim/surface_doctor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::uint32_t kNone = ~0u;
+constexpr std::size_t kSamples = 9;  // vertices of a shell that are asked whether they lie in another one
+
+double area_of(const Vector3d& a, const Vector3d& b, const Vector3d& c) { return (b - a).cross(c - a).norm() / 2; }
+
+/// For every vertex the first one at the same place.
+std::vector<std::uint32_t> weld(const std::vector<Vector3d>& positions, std::size_t& welded) {
+  std::vector<std::uint32_t> order(positions.size()), first(positions.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto key = [&](std::uint32_t v) { return std::array<double, 3>{positions[v].x(), positions[v].y(), positions[v].z()}; };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
+    first[order[i]] = same ? first[order[i - 1]] : order[i];
+    welded += same;
+  }
+  return first;
+}
+
+class Repairer {
+ public:
+  explicit Repairer(const SurfaceMesh& surface) : repaired_{surface.positions, {}, {}} {
+    report_.vertices = surface.positions.size();
+    report_.triangles = surface.triangles.size();
+    collect(surface);
+    connect();
+    orient();
+    find_holes();
+    place_shells();
+  }
+  SurfaceRepair take() { return std::move(repaired_); }
+
+ private:
+  /// Triangles of welded vertices, without those that have no area or are there already.
+  void collect(const SurfaceMesh& surface) {
+    const std::vector<std::uint32_t> first = weld(x_, report_.welded);
+    struct Entry {
+      Triangle ascending, triangle;
+      std::uint32_t index;
+    };
+    std::vector<Entry> entries;
+    entries.reserve(surface.triangles.size());
+    for (const auto& [a, b, c] : surface.triangles) {
+      const Triangle t{first[a], first[b], first[c]};
+      if (!(area_of(x_[t[0]], x_[t[1]], x_[t[2]]) > 0)) {
+        report_.degenerate.add(x_[t[0]]);
+        continue;
+      }
+      Triangle ascending = t;
+      std::sort(ascending.begin(), ascending.end());
+      entries.push_back({ascending, t, static_cast<std::uint32_t>(entries.size())});
+    }
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& a, const Entry& b) { return a.ascending != b.ascending ? a.ascending < b.ascending : a.index < b.index; });
+    std::vector<char> again(entries.size(), 0);
+    for (std::size_t i = 1; i < entries.size(); ++i) again[entries[i].index] = entries[i].ascending == entries[i - 1].ascending;
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.index < b.index; });
+    for (const Entry& entry : entries) {
+      if (again[entry.index]) {
+        report_.duplicates.add(x_[entry.triangle[0]]);
+        continue;
+      }
+      triangles_.push_back(entry.triangle);
+      for (const std::uint32_t v : entry.triangle) report_.box.extend(x_[v]);
+    }
+  }
+
+  /// Who is beyond each edge of each triangle, over edges of exactly two.
+  void connect() {
+    struct Edge {
+      std::uint32_t low, high, place;  // 3 * triangle + number of the edge, which leads from that corner to the next
+    };
+    std::vector<Edge> edges;
+    edges.reserve(3 * triangles_.size());
+    for (std::uint32_t place = 0; place < 3 * triangles_.size(); ++place) {
+      const auto [from, to] = ends(place);
+      edges.push_back({std::min(from, to), std::max(from, to), place});
+    }
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+      return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.place < b.place;
+    });
+    beyond_.assign(edges.size(), kNone);
+    for (std::size_t begin = 0, end; begin < edges.size(); begin = end) {
+      for (end = begin + 1; end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high;) ++end;
+      const Vector3d middle = (x_[edges[begin].low] + x_[edges[begin].high]) / 2;
+      if (end - begin == 1) {
+        report_.open_edges.add(middle);
+        open_.push_back({edges[begin].place / 3, edges[begin].low, edges[begin].high});
+      } else if (end - begin == 2) {
+        beyond_[edges[begin].place] = edges[begin + 1].place;
+        beyond_[edges[begin + 1].place] = edges[begin].place;
+      } else {
+        report_.crowded_edges.add(middle);
+      }
+    }
+  }
+
+  /// Numbers the shells and turns the triangles that disagree with most of their shell.
+  void orient() {
+    shell_.assign(triangles_.size(), kNone);
+    std::vector<char> turn(triangles_.size(), 0);
+    std::vector<std::uint32_t> queue;
+    for (std::uint32_t start = 0; start < triangles_.size(); ++start) {
+      if (shell_[start] != kNone) continue;
+      const auto number = static_cast<std::uint32_t>(report_.shells.size());
+      report_.shells.emplace_back();
+      queue.assign(1, start);
+      shell_[start] = number;
+      for (std::size_t i = 0; i < queue.size(); ++i) {
+        const std::uint32_t t = queue[i];
+        for (std::uint32_t place = 3 * t; place < 3 * t + 3; ++place) {
+          if (beyond_[place] == kNone) continue;
+          const std::uint32_t other = beyond_[place] / 3;
+          const bool opposed = ends(place)[0] == ends(beyond_[place])[0];  // both lead the same way along their edge
+          const char wanted = static_cast<char>(turn[t] ^ static_cast<char>(opposed));
+          if (shell_[other] == kNone) {
+            shell_[other] = number;
+            turn[other] = wanted;
+            queue.push_back(other);
+          } else if (turn[other] != wanted && t < other) {
+            report_.one_sided.add(x_[ends(place)[0]]);
+          }
+        }
+      }
+      const std::size_t turned = static_cast<std::size_t>(std::count_if(queue.begin(), queue.end(), [&](std::uint32_t t) { return turn[t] != 0; }));
+      const char less = 2 * turned <= queue.size();  // turned ones are the fewer
+      std::sort(queue.begin(), queue.end());
+      for (const std::uint32_t t : queue) {
+        if (turn[t] != less) continue;
+        report_.turned.add(x_[triangles_[t][0]]);
+        std::swap(triangles_[t][1], triangles_[t][2]);
+      }
+    }
+  }
+
+  /// Open edges that hang together are a hole; its area is that of the flat patch with the same area vector.
+  void find_holes() {
+    std::unordered_map<std::uint32_t, std::uint32_t> parent;
+    const auto root = [&](std::uint32_t v) {
+      while (parent.emplace(v, v).first->second != v) v = parent[v] = parent[parent[v]];
+      return v;
+    };
+    for (const OpenEdge& edge : open_) parent[root(edge.low)] = root(edge.high);
+    std::unordered_map<std::uint32_t, Vector3d> area;
+    const Vector3d origin = report_.box.isEmpty() ? Vector3d::Zero() : Vector3d(report_.box.center());
+    for (const OpenEdge& edge : open_) {
+      const auto [entry, is_new] = area.emplace(root(edge.low), Vector3d::Zero());
+      report_.holes += is_new;
+      const Triangle& t = triangles_[edge.triangle];
+      const bool ascends = t[(std::find(t.begin(), t.end(), edge.low) - t.begin() + 1) % 3] == edge.high;
+      const Vector3d swept = (x_[edge.low] - origin).cross(x_[edge.high] - origin) / 2;
+      entry->second += ascends ? swept : Vector3d(-swept);
+    }
+    std::vector<double> areas;
+    for (const auto& [vertex, vector] : area) areas.push_back(vector.norm());
+    std::sort(areas.begin(), areas.end());  // so that their sum does not depend on the table's order
+    report_.hole_area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  }
+
+  /// Volumes; a shell that is inside out is turned, unless it lies in another one, whose cavity it is.
+  void place_shells() {
+    std::vector<SurfaceShell>& shells = report_.shells;
+    const Vector3d origin = report_.box.isEmpty() ? Vector3d::Zero() : Vector3d(report_.box.center());
+    std::vector<std::vector<Triangle>> parts(shells.size());
+    std::vector<Eigen::AlignedBox3d> boxes(shells.size());
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      SurfaceShell& shell = shells[shell_[t]];
+      const auto& [a, b, c] = triangles_[t];
+      const Vector3d p = x_[a] - origin, q = x_[b] - origin, r = x_[c] - origin;
+      ++shell.triangles;
+      shell.area += area_of(p, q, r);
+      shell.volume += p.cross(q).dot(r) / 6;
+      parts[shell_[t]].push_back(triangles_[t]);
+      for (const std::uint32_t v : triangles_[t]) boxes[shell_[t]].extend(x_[v]);
+    }
+    std::vector<TriangleTree> trees;  // of shells that may hold others
+    std::vector<std::size_t> tree_of(shells.size(), shells.size());
+    const auto holds = [&](std::size_t outer, std::size_t inner) {
+      if (outer == inner || !boxes[outer].contains(boxes[inner])) return false;
+      if (tree_of[outer] == shells.size()) {
+        tree_of[outer] = trees.size();
+        trees.push_back(tree_of_part(parts[outer]));
+      }
+      for (std::size_t s = 0; s < kSamples; ++s) {
+        const Vector3d& p = x_[parts[inner][s * parts[inner].size() / kSamples][0]];
+        if (std::abs(trees[tree_of[outer]].winding(p)) < 0.5) return false;
+      }
+      return true;
+    };
+    std::vector<char> turn(shells.size(), 0);
+    for (std::size_t s = 0; s < shells.size(); ++s) {
+      std::size_t outermost = s;
+      for (std::size_t other = 0; other < shells.size(); ++other)
+        if (shells[other].area > shells[outermost].area && holds(other, s)) outermost = other;
+      turn[s] = shells[outermost].volume < 0;
+      shells[s].inverted = turn[s];
+      shells[s].cavity = outermost != s && (shells[s].volume < 0) != (shells[outermost].volume < 0);
+    }
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      if (turn[shell_[t]]) std::swap(triangles_[t][1], triangles_[t][2]);
+    for (SurfaceShell& shell : shells) {
+      if (shell.inverted) shell.volume = -shell.volume;
+      report_.area += shell.area;
+      report_.volume += shell.volume;
+    }
+    std::stable_sort(shells.begin(), shells.end(), [](const SurfaceShell& a, const SurfaceShell& b) { return a.area > b.area; });
+  }
+
+  TriangleTree tree_of_part(std::vector<Triangle> part) const {
+    std::unordered_map<std::uint32_t, std::uint32_t> number;
+    std::vector<Vector3d> positions;
+    for (Triangle& t : part) {
+      for (std::uint32_t& v : t) {
+        const auto [entry, is_new] = number.emplace(v, static_cast<std::uint32_t>(positions.size()));
+        if (is_new) positions.push_back(x_[v]);
+        v = entry->second;
+      }
+    }
+    return {std::move(positions), std::move(part)};
+  }
+
+  std::array<std::uint32_t, 2> ends(std::uint32_t place) const {
+    const Triangle& t = triangles_[place / 3];
+    return {t[place % 3], t[(place % 3 + 1) % 3]};
+  }
+
+  SurfaceRepair repaired_;
+  SurfaceReport& report_ = repaired_.report;
+  std::vector<Vector3d>& x_ = repaired_.positions;
+  std::vector<Triangle>& triangles_ = repaired_.triangles;
+  struct OpenEdge {
+    std::uint32_t triangle, low, high;
+  };
+  std::vector<std::uint32_t> beyond_;  // [3 * triangle_count] place of the other triangle at each edge
+  std::vector<std::uint32_t> shell_;   // [triangle_count]
+  std::vector<OpenEdge> open_;
+};
+
+bool cuts(const TriangleTree& tree, const Triangle& edge_of, const Triangle& other, Vector3d& where) {
+  const auto& x = tree.positions();
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d &a = x[edge_of[k]], &b = x[edge_of[(k + 1) % 3]], &p = x[other[0]], &q = x[other[1]], &r = x[other[2]];
+    const double va = signed_volume6(p, q, r, a), vb = signed_volume6(p, q, r, b);
+    if (!(va * vb < 0)) continue;
+    const double s0 = signed_volume6(a, b, p, q), s1 = signed_volume6(a, b, q, r), s2 = signed_volume6(a, b, r, p);
+    if (!((s0 > 0 && s1 > 0 && s2 > 0) || (s0 < 0 && s1 < 0 && s2 < 0))) continue;
+    where = a + (b - a) * (va / (va - vb));
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void SurfaceFinding::add(const Vector3d& where) {
+  if (count++ == 0) first = where;
+}
+
+SurfaceRepair repair(const SurfaceMesh& surface) { return Repairer(surface).take(); }
+
+SurfaceFinding self_intersections(const TriangleTree& tree) {
+  SurfaceFinding finding;
+  const std::vector<Triangle>& triangles = tree.triangles();
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    Eigen::AlignedBox3d box;
+    for (const std::uint32_t v : triangles[t]) box.extend(tree.positions()[v]);
+    tree.for_triangles_in(box, [&](std::size_t other) {
+      if (other <= t) return;
+      for (const std::uint32_t v : triangles[t])
+        if (std::find(triangles[other].begin(), triangles[other].end(), v) != triangles[other].end()) return;
+      Vector3d where;
+      if (cuts(tree, triangles[t], triangles[other], where) || cuts(tree, triangles[other], triangles[t], where)) finding.add(where);
+    });
+  }
+  return finding;
+}
+
+}  // namespace fascia
