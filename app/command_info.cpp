@@ -11,6 +11,7 @@
 #include "sim/locality.h"
 #include "sim/mesh_doctor.h"
 #include "sim/model.h"
+#include "sim/surface_fill.h"
 #include "sim/tissues.h"
 
 namespace fascia {
@@ -38,6 +39,16 @@ void print_colorings(const Model& model, int asked) {
     print_coloring("solver.colors " + std::to_string(asked), model, color_tets(model.tets, held, visit, static_cast<std::uint32_t>(asked)));
 }
 
+/// The tets of a surface, after the report about it. That comes first: a surface that cannot be filled is described, too.
+MeshFile filled_mesh(const std::filesystem::path& path, const Body& body) {
+  SurfaceMesh surface = read_obj(path);
+  print_report(std::cout, surface, repair(surface));
+  FilledSurface filled = fill_surface(std::move(surface), path.string(), body.resolution);
+  std::cout << "\nfilled with tets, resolution " << filled.resolution << '\n';
+  filled.file.notes.erase(filled.file.notes.begin(), filled.file.notes.begin() + filled.notes_of_surface);  // told already
+  return std::move(filled.file);
+}
+
 }  // namespace
 
 int command_info(const InfoOptions& options) {
@@ -54,9 +65,9 @@ int command_info(const InfoOptions& options) {
   const Scene scene = open_scene(options.input, options.sets);
   for (const Body& body : scene.bodies) {
     const std::filesystem::path path = scene.resolve(body.mesh);
-    const MeshFile file = read_mesh(path);
-    const MeshRepair repaired = repair(file.mesh);
     std::cout << path.string() << '\n';
+    const MeshFile file = is_surface_file(path) ? filled_mesh(path, body) : read_mesh(path);
+    const MeshRepair repaired = repair(file.mesh);
     print_report(std::cout, file, repaired, examine(file.mesh, repaired));
   }
   const Model model = build_model(scene);
@@ -73,6 +84,8 @@ int command_info(const InfoOptions& options) {
               << ", density " << m.density << " kg/m^3, damping " << m.damping << " s\n";
   }
   print_colorings(model, scene.solver.colors);
+  if (const EmbeddedPoints& drawn = model.embedded; !drawn.points.empty())
+    std::cout << "  surface      " << drawn.points.size() << " vertices, " << drawn.outside << " of them outside of the tets, at most " << drawn.farthest << " m\n";
   for (const std::string& note : model.notes) std::cout << "  note         " << note << '\n';
   return exit_done;
 }

@@ -41,7 +41,7 @@ void number_triangles(const Model& model, const DrawnSurface& surface, DrawnRegi
     points.push_back(surface.rest_positions[triangle[0]]);
   }
   if (!points.empty()) {
-    const std::vector<EmbeddedPoint> places = embed(points, model.rest_positions, model.tets);
+    const std::vector<EmbeddedPoint> places = embed(points, model.rest_positions, model.tets).ties;
     for (std::size_t k = 0; k < embedded.size(); ++k) holders[ascending(places[k].vertices)].push_back(embedded[k]);
   }
   regions.of_triangle.assign(surface.triangles.size(), 0);

@@ -6,13 +6,13 @@
 
 namespace fascia {
 
-DrawnSurface drawn_surface(const Model& model) {
+DrawnSurface drawn_surface(const Model& model, bool only_tets) {
   DrawnSurface drawn;
   drawn.rest_positions = model.rest_positions;
-  const bool colored = std::any_of(model.surfaces.begin(), model.surfaces.end(), [](const SurfaceMesh& s) { return !s.colors.empty(); });
+  const bool colored = !only_tets && std::any_of(model.surfaces.begin(), model.surfaces.end(), [](const SurfaceMesh& s) { return !s.colors.empty(); });
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const SurfaceMesh& surface = model.surfaces[b];
-    if (surface.triangles.empty()) {
+    if (only_tets || surface.triangles.empty()) {
       const auto first = model.tets.begin() + model.bodies[b].tet_begin;
       const std::vector<Triangle> boundary = boundary_triangles({first, first + model.bodies[b].tet_count});
       drawn.triangles.insert(drawn.triangles.end(), boundary.begin(), boundary.end());

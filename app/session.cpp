@@ -29,14 +29,11 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
 }
 
 void Session::make_renderer(bool cut_open) {
-  Scene drawn = simulation.scene;
-  if (cut_open)
-    for (Body& body : drawn.bodies) body.surface.clear();
-  surface_ = drawn_surface(drawn, simulation.model);
+  surface_ = drawn_surface(simulation.model, cut_open);
   regions_.reset();
   renderer_.reset();
   renderer_.emplace(*simulation.programs(), surface_.triangles, static_cast<std::uint32_t>(surface_.rest_positions.size()),
-                    simulation.model.fixed, surface_.rest_positions);
+                    simulation.model.fixed, surface_.rest_positions, surface_.colors);
   cut_open_ = cut_open;
   grabbed_.clear();  // of which the new renderer shows none
 }
@@ -55,9 +52,7 @@ void Session::set_display(const DisplaySettings& display) {
   simulation.gpu()->set_color(display.color);
   show(display, look);
   // A section goes through tets: a finer surface embedded in them would not end where the cut does.
-  const auto has_surface = [](const Body& body) { return !body.surface.empty(); };
-  const std::vector<Body>& bodies = simulation.scene.bodies;
-  const bool cut_open = display.section && std::any_of(bodies.begin(), bodies.end(), has_surface);
+  const bool cut_open = display.section && !simulation.model.embedded.points.empty();
   if (cut_open != cut_open_) make_renderer(cut_open);
   const bool by_region = display.color == ColorBy::region;
   if ((by_region || display.section || display.tets) && !regions_) regions_ = drawn_regions(simulation.scene, simulation.model, surface_);

@@ -1,6 +1,7 @@
 // What a picture of the scene shows and how, apart from the camera.
 #pragma once
 #include <Eigen/Core>
+#include <cmath>
 #include <optional>
 
 #include "render/color_map.h"
@@ -55,5 +56,7 @@ struct GrabMark {
 /// Color of the heat map's default curve at t in [0, 1], sRGB. The shader uses the same numbers, and a surface in full light shows
 /// them unchanged.
 inline Eigen::Vector3f heat_color(float t) { return color_maps::dusk(t); }
+
+inline float linear_of_srgb(float srgb) { return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f); }
 
 }  // namespace fascia

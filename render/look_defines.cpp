@@ -4,10 +4,11 @@
 
 namespace fascia {
 
-gl::Defines tissue_defines(const Look& look, bool cap, int triangles) {
+gl::Defines tissue_defines(const Look& look, bool cap, int triangles, bool colored) {
   gl::Defines defines = backdrop_defines(look);
   const gl::Defines own{{"DEPTH_ONLY", "0"},
                         {"CAP", flag(cap)},
+                        {"BASE_COLOR", flag(colored && !look.heat_map && !look.regions)},
                         {"HEAT_MAP", flag(look.heat_map)},
                         {"REGIONS", flag(look.regions)},
                         {"TRIANGLES", std::to_string(triangles)},
@@ -22,7 +23,7 @@ gl::Defines tissue_defines(const Look& look, bool cap, int triangles) {
 }
 
 gl::Defines depth_defines(const Look& look) {
-  return {{"DEPTH_ONLY", "1"}, {"HEAT_MAP", "0"}, {"SHADOW", "0"}, {"WIREFRAME", "0"}, {"SECTION", flag(look.section.has_value())}};
+  return {{"DEPTH_ONLY", "1"}, {"BASE_COLOR", "0"}, {"HEAT_MAP", "0"}, {"SHADOW", "0"}, {"WIREFRAME", "0"}, {"SECTION", flag(look.section.has_value())}};
 }
 
 }  // namespace fascia

@@ -13,8 +13,9 @@ inline gl::Defines backdrop_defines(const Look& look) {
           {"BACKDROP_TRANSPARENT", flag(look.backdrop == Backdrop::transparent)}};
 }
 
-/// Of surface.frag and what feeds it. `triangles` per item of the region buffer.
-gl::Defines tissue_defines(const Look& look, bool cap, int triangles);
+/// Of surface.frag and what feeds it. `triangles` per item of the region buffer. `colored`: corners have
+/// colors of their own, which show where the look colors by nothing else.
+gl::Defines tissue_defines(const Look& look, bool cap, int triangles, bool colored = false);
 /// The same for the depth map that the light sees.
 gl::Defines depth_defines(const Look& look);
 

@@ -1,7 +1,6 @@
 #include "render/scene_renderer.h"
 
 #include <cassert>
-#include <cmath>
 
 #include "render/ambient_occlusion.h"
 #include "render/frame_uniforms.h"
@@ -14,10 +13,6 @@
 namespace fascia {
 namespace {
 
-float linear(float srgb) {
-  return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
-}
-
 FrameUniforms frame_uniforms(const Camera& camera, const Look& look, int width, int height) {
   FrameUniforms frame{};
   const Eigen::Matrix4f view_projection =
@@ -28,7 +23,7 @@ FrameUniforms frame_uniforms(const Camera& camera, const Look& look, int width, 
   frame.center << look.center.cast<float>(), float(look.radius);
   const double per_pixel = camera.pixel_size(camera.eye + camera.forward(), height);
   frame.picture << float(width), float(height), float(height) / 720, float(per_pixel);
-  for (int c = 0; c < 3; ++c) frame.base_color[c] = linear(look.color[c]);
+  for (int c = 0; c < 3; ++c) frame.base_color[c] = linear_of_srgb(look.color[c]);
   const Eigen::Vector2f ends = map_range(look);
   const float span = ends.y() - ends.x(), scale = span != 0 ? 1 / span : 0;
   const float first = (look.range.x() - ends.x()) * scale, last = look.neutral ? (look.range.y() - ends.x()) * scale : 1;
@@ -39,7 +34,7 @@ FrameUniforms frame_uniforms(const Camera& camera, const Look& look, int width, 
   }
   for (int n = 0; n < kRegionColors; ++n) {
     const Eigen::Vector3f color = region_color(static_cast<unsigned>(n));
-    frame.region_color[n] << linear(color.x()), linear(color.y()), linear(color.z()), 0;
+    frame.region_color[n] << linear_of_srgb(color.x()), linear_of_srgb(color.y()), linear_of_srgb(color.z()), 0;
   }
   if (look.section) frame.section << look.section->normal, look.section->offset;
   if (look.tets) frame.spread.head<2>() << look.tets->shrink, look.tets->spread;
@@ -55,9 +50,9 @@ FrameUniforms frame_uniforms(const Camera& camera, const Look& look, int width, 
 struct SceneRenderer::Impl {
   Impl(gl::ProgramCache& program_cache, std::span<const std::array<std::uint32_t, 3>> triangles,
        std::uint32_t vertices, std::span<const std::uint32_t> marked,
-       std::span<const Eigen::Vector3d> rest_positions)
+       std::span<const Eigen::Vector3d> rest_positions, std::span<const std::uint32_t> colors)
       : programs(program_cache), vertex_count(vertices),
-        surface(programs, make_surface_corners(triangles, vertices, rest_positions)),
+        surface(programs, make_surface_corners(triangles, vertices, rest_positions, colors)),
         shadow(programs),
         ground(programs),
         marks(programs, marked),
@@ -85,8 +80,8 @@ struct SceneRenderer::Impl {
 SceneRenderer::SceneRenderer(gl::ProgramCache& programs,
                              std::span<const std::array<std::uint32_t, 3>> triangles,
                              std::uint32_t vertex_count, std::span<const std::uint32_t> marked,
-                             std::span<const Eigen::Vector3d> rest_positions)
-    : impl_(std::make_unique<Impl>(programs, triangles, vertex_count, marked, rest_positions)) {}
+                             std::span<const Eigen::Vector3d> rest_positions, std::span<const std::uint32_t> colors)
+    : impl_(std::make_unique<Impl>(programs, triangles, vertex_count, marked, rest_positions, colors)) {}
 
 SceneRenderer::~SceneRenderer() = default;
 

@@ -25,10 +25,11 @@ class SceneRenderer {
  public:
   /// `triangles` index the vertices of SurfaceView::positions. `marked` are vertices drawn as dots (fixed
   /// ones). With `rest_positions` [vertex_count], edges that are sharp at rest (a box's) stay sharp in the
-  /// shading; without, everything is shaded smooth.
+  /// shading; without, everything is shaded smooth. `colors` [3 * triangle_count] of the triangles' corners, sRGB 0xAABBGGRR, replace
+  /// Look::color where AA is ff; without, they cost nothing.
   SceneRenderer(gl::ProgramCache& programs, std::span<const std::array<std::uint32_t, 3>> triangles,
                 std::uint32_t vertex_count, std::span<const std::uint32_t> marked,
-                std::span<const Eigen::Vector3d> rest_positions = {});
+                std::span<const Eigen::Vector3d> rest_positions = {}, std::span<const std::uint32_t> colors = {});
   ~SceneRenderer();
 
   /// Vertices of the grabbed patch, drawn as brighter dots; empty lets go.

@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <numeric>
+#include <utility>
 
 #include "sim/error.h"
 
@@ -94,7 +96,8 @@ std::vector<std::uint32_t> first_of_fan(Triangles triangles, std::uint32_t verte
 
 SurfaceCorners make_surface_corners(std::span<const std::array<std::uint32_t, 3>> triangles,
                                     std::uint32_t vertex_count,
-                                    std::span<const Eigen::Vector3d> rest_positions) {
+                                    std::span<const Eigen::Vector3d> rest_positions,
+                                    std::span<const std::uint32_t> colors) {
   for (const auto& triangle : triangles)
     for (const std::uint32_t v : triangle)
       if (v >= vertex_count)
@@ -103,29 +106,41 @@ SurfaceCorners make_surface_corners(std::span<const std::array<std::uint32_t, 3>
   if (!rest_positions.empty() && rest_positions.size() != vertex_count)
     throw Error("surface", std::to_string(rest_positions.size()) + " rest positions",
                 "expected " + std::to_string(vertex_count));
+  assert(colors.empty() || colors.size() == 3 * triangles.size());
 
   const std::vector<std::uint32_t> first = first_of_fan(triangles, vertex_count, rest_positions);
   const auto places = static_cast<std::uint32_t>(first.size());
   SurfaceCorners result;
-  std::vector<std::uint32_t> corner(places, kNone);  // of a fan's first place
+  std::vector<std::uint32_t> newest(places, kNone);  // corner of the fan that starts at a place
+  std::vector<std::uint32_t> older, fan_of;          // [corner_count] of the same fan in another color; first place of the fan
   for (std::uint32_t place = 0; place < places; ++place) {
-    std::uint32_t& id = corner[first[place]];
+    std::uint32_t id = newest[first[place]];
+    while (id != kNone && !colors.empty() && result.colors[id] != colors[place]) id = older[id];
     if (id == kNone) {
       id = static_cast<std::uint32_t>(result.vertex.size());
+      older.push_back(std::exchange(newest[first[place]], id));
+      fan_of.push_back(first[place]);
       result.vertex.push_back(triangles[place / 3][place % 3]);
+      if (!colors.empty()) result.colors.push_back(colors[place]);
     }
     result.indices.push_back(id);
   }
-  result.fan_begin.assign(result.vertex.size() + 1, 0);
-  for (const std::uint32_t id : result.indices) ++result.fan_begin[id + 1];
-  std::partial_sum(result.fan_begin.begin(), result.fan_begin.end(), result.fan_begin.begin());
-  result.fan.resize(2 * static_cast<std::size_t>(places));
-  std::vector<std::uint32_t> next(result.fan_begin.begin(), result.fan_begin.end() - 1);
-  for (std::uint32_t place = 0; place < places; ++place) {
-    const std::size_t slot = next[result.indices[place]]++;
-    result.fan[2 * slot] = triangles[place / 3][(place % 3 + 1) % 3];
-    result.fan[2 * slot + 1] = triangles[place / 3][(place % 3 + 2) % 3];
+
+  std::vector<std::uint32_t> begin(std::size_t{places} + 1, 0);  // of the places of the fan that starts at a place
+  for (const std::uint32_t start : first) ++begin[start + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint32_t> around(places), next(begin.begin(), begin.end() - 1);
+  for (std::uint32_t place = 0; place < places; ++place) around[next[first[place]]++] = place;
+  result.fan.reserve(2 * static_cast<std::size_t>(places));
+  for (const std::uint32_t start : fan_of) {
+    result.fan_begin.push_back(static_cast<std::uint32_t>(result.fan.size() / 2));
+    for (std::uint32_t k = begin[start]; k < begin[start + 1]; ++k) {
+      const auto& triangle = triangles[around[k] / 3];
+      result.fan.push_back(triangle[(around[k] % 3 + 1) % 3]);
+      result.fan.push_back(triangle[(around[k] % 3 + 2) % 3]);
+    }
   }
+  result.fan_begin.push_back(static_cast<std::uint32_t>(result.fan.size() / 2));
   return result;
 }
 

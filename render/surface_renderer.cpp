@@ -3,6 +3,20 @@
 #include "render/look_defines.h"
 
 namespace fascia {
+namespace {
+
+std::vector<Eigen::Vector4f> linear_colors(const std::vector<std::uint32_t>& colors) {
+  std::vector<Eigen::Vector4f> linear;
+  linear.reserve(colors.size());
+  const auto share = [](std::uint32_t byte) { return static_cast<float>(byte & 255) / 255; };
+  for (const std::uint32_t c : colors) {
+    Eigen::Vector4f& out = linear.emplace_back(share(c), share(c >> 8), share(c >> 16), share(c >> 24));
+    for (int k = 0; k < 3; ++k) out[k] = linear_of_srgb(out[k]);
+  }
+  return linear;
+}
+
+}  // namespace
 
 SurfaceRenderer::SurfaceRenderer(gl::ProgramCache& programs, const SurfaceCorners& corners)
     : programs_(programs),
@@ -18,6 +32,9 @@ SurfaceRenderer::SurfaceRenderer(gl::ProgramCache& programs, const SurfaceCorner
   vertices_.set_vec4(0, position_);
   vertices_.set_vec4(1, normal_);
   vertices_.set_indices(indices_);
+  if (corners.colors.empty()) return;
+  color_ = gl::Buffer("surface corner_color", linear_colors(corners.colors));
+  vertices_.set_vec4(2, color_);
 }
 
 void SurfaceRenderer::update(const gl::Buffer& positions) {
@@ -46,7 +63,7 @@ void SurfaceRenderer::draw_depth(const Look& look) const {
 }
 
 void SurfaceRenderer::draw(const Look& look) const {
-  programs_.draw("draw/surface.vert", "draw/surface.frag", tissue_defines(look, false, 1)).use();
+  programs_.draw("draw/surface.vert", "draw/surface.frag", tissue_defines(look, false, 1, bool(color_))).use();
   if (look.regions) {
     gl::ActiveTexture(GL_TEXTURE4);
     gl::BindTexture(GL_TEXTURE_BUFFER, regions_.texel_view(GL_R32UI));
@@ -61,6 +78,10 @@ void SurfaceRenderer::draw(const Look& look) const {
   for (GLuint i = 0; i < 3; ++i) {
     gl::ActiveTexture(GL_TEXTURE1 + i);
     gl::BindTexture(GL_TEXTURE_BUFFER, views[i]);
+  }
+  if (color_) {
+    gl::ActiveTexture(GL_TEXTURE4);
+    gl::BindTexture(GL_TEXTURE_BUFFER, color_.texel_view(GL_RGBA32F));
   }
   no_vertices_.bind();
   gl::DrawArrays(GL_TRIANGLES, 0, index_count_);

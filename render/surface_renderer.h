@@ -28,6 +28,7 @@ class SurfaceRenderer {
   gl::ProgramCache& programs_;
   const gl::Program& normals_;
   gl::Buffer corner_vertex_, fan_begin_, fan_, indices_, position_, normal_, regions_;
+  gl::Buffer color_;  // vec4 [corner_count] linear, w 0: the look's color; empty without colors
   std::uint32_t corner_count_;
   GLsizei index_count_;
   VertexArray vertices_, no_vertices_;

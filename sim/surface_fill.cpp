@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "sim/error.h"
 #include "sim/report_text.h"
@@ -55,6 +56,7 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
   filled.file = as_mesh(std::move(fill));
   filled.file.notes = notes_of(found);
   filled.file.notes.insert(filled.file.notes.begin(), surface.notes.begin(), surface.notes.end());
+  filled.notes_of_surface = std::ssize(filled.file.notes);
   if (whole > 0) {
     double volume = 0;
     const auto& x = filled.file.mesh.positions;

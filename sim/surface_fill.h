@@ -14,7 +14,8 @@ inline constexpr int kFewestCells = 2, kMostCells = 256;  // of a resolution, al
 struct FilledSurface {
   SurfaceMesh surface;
   SurfaceRepair repaired;
-  MeshFile file;       // the tets; notes of the repair and of the filling
+  MeshFile file;       // the tets; notes of the surface, then of the filling
+  std::ptrdiff_t notes_of_surface = 0;
   int resolution = 0;  // cells along the longest side
 };
 

@@ -15,7 +15,7 @@ class TriangleTree {
 
   /// Generalized winding number of the point (Jacobson, Kavan, Sorkine-Hornung 2013): 1 inside of a closed surface wound outward, 0
   /// outside, and something between near holes. Far groups of triangles count as one dipole (Barill et al. 2018, first order); error
-  /// below 0.02.
+  /// below 0.05.
   double winding(const Eigen::Vector3d& point) const;
   bool is_inside(const Eigen::Vector3d& point) const { return winding(point) > 0.5; }
 

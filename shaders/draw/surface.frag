@@ -8,6 +8,9 @@
 #endif
 in vec3 to_eye;
 in vec3 surface_normal;
+#if BASE_COLOR
+in vec4 own_color;  // a 0: the look's
+#endif
 #if HEAT_MAP
 in float heat;
 #endif
@@ -56,7 +59,12 @@ vec3 base_color() {
 #elif CAP
   return mix(frame.base_color.rgb, vec3(1.0, 0.72, 0.62), 0.35);  // flesh is paler than its skin
 #else
-  return gl_FrontFacing ? frame.base_color.rgb : frame.base_color.brg * 0.6;
+#if BASE_COLOR
+  vec3 tissue = mix(frame.base_color.rgb, own_color.rgb, own_color.a);
+#else
+  vec3 tissue = frame.base_color.rgb;
+#endif
+  return gl_FrontFacing ? tissue : tissue.brg * 0.6;
 #endif
 }
 

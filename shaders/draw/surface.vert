@@ -5,25 +5,40 @@
 layout(binding = 1) uniform usamplerBuffer indices;
 layout(binding = 2) uniform samplerBuffer corner_position;
 layout(binding = 3) uniform samplerBuffer corner_normal;
+#if BASE_COLOR
+layout(binding = 4) uniform samplerBuffer corner_color;
+#endif
 #else
 layout(location = 0) in vec4 position;
 #if !DEPTH_ONLY
 layout(location = 1) in vec4 normal;
+#if BASE_COLOR
+layout(location = 2) in vec4 color;
+#endif
 #endif
 #endif
 #include "draw/tissue.glsl"
+#if BASE_COLOR
+out vec4 own_color;
+#endif
 
 void main() {
 #if WIREFRAME
   int corner = int(texelFetch(indices, gl_VertexID).x);
   vec4 position = texelFetch(corner_position, corner);
   vec4 normal = texelFetch(corner_normal, corner);
+#if BASE_COLOR
+  vec4 color = texelFetch(corner_color, corner);
+#endif
   barycentric = vec3(gl_VertexID % 3 == 0, gl_VertexID % 3 == 1, gl_VertexID % 3 == 2);
 #endif
 #if DEPTH_ONLY
   hand_on(position, vec3(0.0));
 #else
   hand_on(position, normal.xyz);
+#if BASE_COLOR
+  own_color = color;
+#endif
 #endif
 #if SECTION
   gl_ClipDistance[0] = frame.section.w - dot(frame.section.xyz, position.xyz);

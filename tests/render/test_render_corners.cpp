@@ -81,4 +81,23 @@ TEST_CASE("a triangle beyond the vertices is an Error") {
              Contains("surface: 2 rest positions; expected 3"));
 }
 
+TEST_CASE("where colors meet, a vertex has a corner for each, all with the normal of the whole fan") {
+  // Two triangles in one plane, in two colors.
+  const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}, {0, 2, 3}};
+  const std::vector<Eigen::Vector3d> rest = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const std::uint32_t red = 0xff0000ff, none = 0;
+  const SurfaceCorners corners = make_surface_corners(triangles, 4, rest, std::vector<std::uint32_t>{red, red, red, none, none, none});
+  REQUIRE(corners.vertex.size() == 6);
+  REQUIRE(corners.fan_begin.size() == 7);
+  for (std::uint32_t place = 0; place < 6; ++place) {
+    const std::uint32_t corner = corners.indices[place], vertex = triangles[place / 3][place % 3];
+    CHECK(corners.vertex[corner] == vertex);
+    CHECK(corners.colors[corner] == (place < 3 ? red : none));
+    const std::uint32_t shared = vertex == 0 || vertex == 2 ? 2 : 1;
+    CHECK(corners.fan_begin[corner + 1] - corners.fan_begin[corner] == shared);
+  }
+  CHECK(make_surface_corners(triangles, 4, rest, std::vector<std::uint32_t>(6, red)).vertex.size() == 4);
+  CHECK(make_surface_corners(triangles, 4, rest).colors.empty());
+}
+
 }  // namespace fascia
