@@ -31,7 +31,7 @@ std::vector<std::uint32_t> weld(const std::vector<Vector3d>& positions, std::siz
 
 class Repairer {
  public:
-  explicit Repairer(const SurfaceMesh& surface) : repaired_{surface.positions, {}, {}} {
+  explicit Repairer(const SurfaceMesh& surface) : repaired_{surface.positions, {}, {}, {}} {
     report_.vertices = surface.positions.size();
     report_.triangles = surface.triangles.size();
     collect(surface);
@@ -48,19 +48,22 @@ class Repairer {
     const std::vector<std::uint32_t> first = weld(x_, report_.welded);
     struct Entry {
       Triangle ascending, triangle;
-      std::uint32_t index;
+      std::uint32_t index, source;
     };
+    repaired_.turned.assign(surface.triangles.size(), 0);
+    std::uint32_t source = 0;
     std::vector<Entry> entries;
     entries.reserve(surface.triangles.size());
     for (const auto& [a, b, c] : surface.triangles) {
       const Triangle t{first[a], first[b], first[c]};
+      const std::uint32_t own = source++;
       if (!(area_of(x_[t[0]], x_[t[1]], x_[t[2]]) > 0)) {
         report_.degenerate.add(x_[t[0]]);
         continue;
       }
       Triangle ascending = t;
       std::sort(ascending.begin(), ascending.end());
-      entries.push_back({ascending, t, static_cast<std::uint32_t>(entries.size())});
+      entries.push_back({ascending, t, static_cast<std::uint32_t>(entries.size()), own});
     }
     std::sort(entries.begin(), entries.end(),
               [](const Entry& a, const Entry& b) { return a.ascending != b.ascending ? a.ascending < b.ascending : a.index < b.index; });
@@ -73,6 +76,7 @@ class Repairer {
         continue;
       }
       triangles_.push_back(entry.triangle);
+      source_.push_back(entry.source);
       for (const std::uint32_t v : entry.triangle) report_.box.extend(x_[v]);
     }
   }
@@ -140,7 +144,7 @@ class Repairer {
       for (const std::uint32_t t : queue) {
         if (turn[t] != less) continue;
         report_.turned.add(x_[triangles_[t][0]]);
-        std::swap(triangles_[t][1], triangles_[t][2]);
+        turn_over(t);
       }
     }
   }
@@ -209,13 +213,18 @@ class Repairer {
       shells[s].cavity = outermost != s && (shells[s].volume < 0) != (shells[outermost].volume < 0);
     }
     for (std::size_t t = 0; t < triangles_.size(); ++t)
-      if (turn[shell_[t]]) std::swap(triangles_[t][1], triangles_[t][2]);
+      if (turn[shell_[t]]) turn_over(t);
     for (SurfaceShell& shell : shells) {
       if (shell.inverted) shell.volume = -shell.volume;
       report_.area += shell.area;
       report_.volume += shell.volume;
     }
     std::stable_sort(shells.begin(), shells.end(), [](const SurfaceShell& a, const SurfaceShell& b) { return a.area > b.area; });
+  }
+
+  void turn_over(std::size_t t) {
+    std::swap(triangles_[t][1], triangles_[t][2]);
+    repaired_.turned[source_[t]] ^= 1;
   }
 
   TriangleTree tree_of_part(std::vector<Triangle> part) const {
@@ -245,6 +254,7 @@ class Repairer {
   };
   std::vector<std::uint32_t> beyond_;  // [3 * triangle_count] place of the other triangle at each edge
   std::vector<std::uint32_t> shell_;   // [triangle_count]
+  std::vector<std::uint32_t> source_;  // [triangle_count] number in the file
   std::vector<OpenEdge> open_;
 };
 

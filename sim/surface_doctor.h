@@ -45,6 +45,7 @@ struct SurfaceReport {
 struct SurfaceRepair {
   std::vector<Eigen::Vector3d> positions;  // of the file
   std::vector<Triangle> triangles;         // outward, cavities inward; vertices at one place are one
+  std::vector<char> turned;                // [triangle of the file] 1 where its winding was turned
   SurfaceReport report;
   bool closed() const { return report.open_edges.count == 0; }
 };

@@ -142,6 +142,7 @@ TEST_CASE("normals inward, triangles turned or doubled, vertices apart and holes
   const Filling inverted = fill(test::turned(ball), 12);
   CHECK(mesh_hash(inverted.filled.file.mesh) == mesh_hash(whole));
   CHECK(has_note(inverted.filled, "normals pointed inward"));
+  CHECK(inverted.filled.surface.triangles == ball.triangles);  // drawn the right way round
 
   SurfaceMesh mixed = ball;
   for (std::size_t t = 0; t < mixed.triangles.size(); t += 7) std::swap(mixed.triangles[t][0], mixed.triangles[t][1]);

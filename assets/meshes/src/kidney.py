@@ -39,7 +39,7 @@ def kidney(rings, around):
         swell = 1 + 0.02 * bumps((sx, sy, sz), 4.2) + 0.008 * bumps((sx, sy, sz), 11)
         p = (0.030 * sx * swell - 0.009 * (1 - sy * sy) - 0.016 * dent * sx * sx, 0.056 * sy * swell,
              0.023 * sz * swell * (1 - 0.12 * sy))
-        mottle = 0.5 + 0.5 * bumps((sx, sy, sz), 17)
+        mottle = 0.5 + 0.25 * bumps((sx, sy, sz), 9) + 0.25 * bumps((sy + sz, sz - sx, sx + sy), 21)
         color = mix((0.56, 0.20, 0.16), (0.70, 0.31, 0.23), mottle)
         color = mix(color, (0.88, 0.72, 0.45), min(1.0, 1.25 * max(0.0, dent * sx - 0.25)))  # fat of the hilum
         return p, color
@@ -87,7 +87,7 @@ def tube(points, radii, color, steps, around):
     first, last = add(centers[0], rings[0][2], -thick[0]), add(centers[-1], rings[-1][2], thick[-1])
     vertices = [(first, color)]
     for center, radius, along, u in rings:
-        v = cross(u, along)
+        v = cross(along, u)
         for j in range(around):
             a = 2 * math.pi * j / around
             p = add(add(center, u, radius * math.cos(a)), v, radius * math.sin(a))
