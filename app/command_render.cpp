@@ -35,6 +35,8 @@ int command_render(const RenderOptions& options) {
     throw Error("fascia render", "no output named", "expected --out FILE.png, --video FILE.mp4, --compare GOLDEN.png or several of them");
   if (options.static_equilibrium && !options.video.empty())
     throw Error("--static", "has no motion to put into " + options.video, "leave out --video");
+  if (!options.split.empty() && options.slow > 1)
+    throw Error("--slow", "draws moments between steps, which --split does not have", "leave out one of them");
   Headless headless(options);
   if (!options.video.empty() && headless.session().display().background == Background::transparent)
     throw Error("--video", "has no transparency", "expected another display.background");

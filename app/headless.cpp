@@ -89,10 +89,7 @@ Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
   const std::optional<Diagnostics> diagnostics = solver.take_diagnostics(true);
   if (session_.display().color == ColorBy::error) session_.measure_error();
   session_.settle_range();
-  if (split_) {
-    draw_split(diagnostics);
-    return framebuffer_;
-  }
+  if (split_) return draw_split(diagnostics);
   const std::vector<HandMark> hands = hand_marks(session_.simulation, diagnostics ? diagnostics->hand_forces : std::vector<HandForce>(), nullptr);
   Framebuffer& framebuffer =
       picture_.draw(session_.camera, [&](Framebuffer& target) { session_.draw(target, arrows(hands), positions); });
@@ -101,15 +98,17 @@ Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
   return framebuffer;
 }
 
-void Headless::draw_split(const std::optional<Diagnostics>& diagnostics) {
-  overlay_.scale_to(framebuffer_.height());
+Framebuffer& Headless::draw_split(const std::optional<Diagnostics>& diagnostics) {
+  overlay_.scale_to(picture_.framebuffer().height());
   const int left = options_.panels ? static_cast<int>(panel_space()) : 0;
   split_->diagnose(true);
   const std::vector<HandMark> hands = hand_marks(session_.simulation, diagnostics ? diagnostics->hand_forces : std::vector<HandForce>(), nullptr);
   if (session_.display().color == ColorBy::error) split_->b().measure_error();
-  split_->draw(session_, framebuffer_, left, arrows(hands));
-  overlay_.draw_headless(session_, framebuffer_, options_.panels, diagnostics, {},
+  Framebuffer& framebuffer =
+      picture_.draw(session_.camera, [&](Framebuffer& target) { split_->draw(session_, target, left, arrows(hands)); });
+  overlay_.draw_headless(session_, framebuffer, options_.panels, diagnostics, {},
                          [&] { split_->draw_labels(session_, diagnostics, left, false, false); });
+  return framebuffer;
 }
 
 Provenance Headless::provenance() const {

@@ -37,7 +37,7 @@ class Headless {
  private:
   Headless(const RenderOptions& options, Opened opened);
   void look(double step);
-  void draw_split(const std::optional<Diagnostics>& diagnostics);
+  Framebuffer& draw_split(const std::optional<Diagnostics>& diagnostics);
 
   const RenderOptions& options_;
   Graphics graphics_;

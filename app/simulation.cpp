@@ -236,7 +236,7 @@ void Simulation::set_material_entries(const std::vector<MaterialEntries>& entrie
   std::swap(model, other);  // where the solver that is made will look for it
   try {
     if (gpu_) {
-      auto renewed = std::make_unique<GpuSolver>(*programs_, model, gpu_->settings(), embedded_points(scene));
+      auto renewed = std::make_unique<GpuSolver>(*programs_, model, gpu_->settings(), model.embedded);
       renewed->upload(now);
       renewed->set_color(gpu_->color());
       renewed->set_grab(gpu_->springs());

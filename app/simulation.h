@@ -51,7 +51,6 @@ class Simulation {
   void set_gravity(const Eigen::Vector3d& gravity);
   /// What hands beside those of the scene pull with from now on: the mouse's, or a replay's; empty: let go.
   void set_grab(std::vector<GrabSpring> springs);
-  void set_grab(const std::vector<GrabSpring>& springs);
   const std::vector<GrabSpring>& asked_springs() const { return other_springs_; }  // the last set_grab()
   /// All springs that pull now, those of the scene's hands behind the others.
   const std::vector<GrabSpring>& springs() const { return springs_; }

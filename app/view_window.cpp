@@ -134,8 +134,7 @@ void ViewWindow::wait_for_events() {
   if (input_.take_stir()) frames_to_settle_ = kFramesToSettle;
 }
 
-template <class Work>
-bool ViewWindow::attempt(Work&& work) {
+bool ViewWindow::attempt(const std::function<void()>& work) {
   try {
     work();
     return true;

@@ -3,6 +3,7 @@
 // there are no frames: the window sleeps until something happens.
 #pragma once
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <future>
 #include <optional>
@@ -89,6 +90,7 @@ class ViewWindow {
   void begin_recording();   // of the session that was opened
   void follow_recording();  // once a frame
   void end_recording();
+  void leave_recorded_session();
   void save_replay(const std::filesystem::path& path);
   void begin_replay();
   void follow_replay();  // its camera and display; its end
@@ -117,8 +119,7 @@ class ViewWindow {
   void copy_command();
 
   /// Runs `work`; an exception becomes a message.
-  template <class Work>
-  bool attempt(Work&& work);
+  bool attempt(const std::function<void()>& work);
   void say(const std::string& text, bool is_error = false);
 
   Graphics& graphics_;
@@ -141,6 +142,7 @@ class ViewWindow {
   Pacing pacing_;
   VideoCapture video_;
   std::unique_ptr<SessionRecording> recording_;  // none: there is no place for it
+  long recorded_from_ = 0;                       // steps made before it
   ReplayDialog replay_dialog_;
   ReplayView replay_view_;
   std::optional<DisplaySettings> replayed_display_;

@@ -47,13 +47,17 @@ void ViewWindow::compare(CompareAsk ask) {
       break;
     }
     case CompareAsk::swap:
+      leave_recorded_session();
       split_->swap(session_);
+      attempt([&] { begin_recording(); });
       std::swap(state_.history, split_->history);
       break;
     case CompareAsk::keep_b:
       edit(false);
+      leave_recorded_session();
       split_->swap(session_);
       split_.reset();
+      attempt([&] { begin_recording(); });
       break;
   }
   state_.comparing = split_ != nullptr;

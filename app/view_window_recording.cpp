@@ -20,19 +20,21 @@ void ViewWindow::begin_recording() {
   if (options_.static_equilibrium) return;
   const fs::path path = session_file();
   if (path.empty()) return;
+  recorded_from_ = simulation.steps_made();
   Replay beginning{scene_now(), simulation.start(), {}, 0};
-  if (!beginning.start && simulation.time() > 0) beginning.start = simulation.state();  // that was gone on from
+  const bool gone_on_from = !beginning.start && simulation.time() > 0;
+  if (recorded_from_ > 0 || gone_on_from) beginning.start = simulation.state();
   for (auto& entry : provenance())
     if (entry.first != "Parameters" && entry.first != "Title" && entry.first != "Moment") beginning.made_by.push_back(std::move(entry));
   recording_ = std::make_unique<SessionRecording>(path, std::move(beginning));
   simulation.set_listener([this](const Input& input) {
-    if (recording_) recording_->add(input);
+    if (recording_) recording_->add({input.step - recorded_from_, input.change});
   });
 }
 
 void ViewWindow::follow_recording() {
   if (!recording_) return;
-  const long steps = session_->simulation.steps_made();
+  const long steps = session_->simulation.steps_made() - recorded_from_;
   recording_->look(steps, settings_of(session_->camera), session_->display());
   recording_->breathe(steps);
 }
@@ -40,7 +42,14 @@ void ViewWindow::follow_recording() {
 void ViewWindow::end_recording() {
   if (!recording_) return;
   follow_recording();
-  recording_->note_state(session_->simulation.steps_made(), state_hash(session_->simulation.state()));
+  recording_->note_state(session_->simulation.steps_made() - recorded_from_, state_hash(session_->simulation.state()));
+}
+
+// With nothing held, so that another recording may go on from here.
+void ViewWindow::leave_recorded_session() {
+  mouse_.cancel(held());
+  attempt([&] { end_recording(); });
+  session_->simulation.set_listener({});
 }
 
 void ViewWindow::save_replay(const fs::path& path) {

@@ -42,6 +42,10 @@ void ViewWindow::materials_changed() {
   state_.facts = SceneFacts(tuned().simulation.model);
   pacing_.restart();
   diagnose_ = true;
+  if (&tuned() != session_.get()) return;
+  // With other regions it is another scene, whose recording begins here.
+  leave_recorded_session();
+  attempt([&] { begin_recording(); });
 }
 
 void ViewWindow::rescale(double factor) {

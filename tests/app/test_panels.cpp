@@ -52,7 +52,7 @@ TEST_CASE("every widget of every panel has a text that explains it", "[panels]")
     state.history.follow(dials_of(session, state.grab));
     Requests requests;
     session.draw(framebuffer);
-    overlay.draw_headless(session, framebuffer, true, state.statistics.diagnostics, [&] { draw_everything(session, state, requests); });
+    overlay.draw_headless(session, framebuffer, true, state.statistics.diagnostics, {}, [&] { draw_everything(session, state, requests); });
   }
   CAPTURE(ui::unexplained());
   CHECK(ui::unexplained().empty());

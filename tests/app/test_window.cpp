@@ -387,7 +387,7 @@ TEST_CASE("a session in the window is replayed to the bit, also one that was kil
       const std::vector<Input> written = inputs();
       return std::any_of(written.begin(), written.end(), [](const Input& input) { return std::holds_alternative<GrabMove>(input.change); });
     }));
-    window.kill();
+    window.kill_at_once();
   }
   const Replay torn = read_replay(only_session());
   CHECK(torn.steps > 0);

@@ -84,6 +84,18 @@ TEST_CASE("what a killed window had is offered by the next one, and taken up wit
   CHECK(settings.recent[1] == scene);
 }
 
+TEST_CASE("two windows keep their states apart") {
+  const Desk desk;
+  FasciaWindow one(with_size({desk.scene("one", 2e5)}), desk.folder.path());
+  CHECK(eventually([&] { return desk.with_ending(".fascia", desk.display.state()).size() == 1; }));
+  std::filesystem::create_directory(desk.folder / "two");
+  FasciaWindow two(with_size({desk.scene("two", 2e5)}), desk.folder / "two");
+  CHECK(eventually([&] { return desk.with_ending(".fascia", desk.display.state()).size() == 2; }));
+  one.kill_at_once();
+  two.kill_at_once();
+  CHECK(desk.with_ending(".fascia", desk.display.state()).size() == 2);
+}
+
 TEST_CASE("an example opens with one click, and the gallery was offered to somebody new") {
   const Desk desk;
   write_user_settings(desk.display.settings(), {});
@@ -126,7 +138,7 @@ TEST_CASE("opening a large mesh is given up with Escape, and the open scene goes
   CHECK(window.wait() == 0);
 }
 
-TEST_CASE("plots are written as a table of what was shown") {
+TEST_CASE("plots are written as a table of what was shown, and the state is exported") {
   const Desk desk;
   const std::string scene = desk.scene("plotted", 5e3);
   FasciaWindow window(with_size({scene}), desk.folder.path());
@@ -143,6 +155,15 @@ TEST_CASE("plots are written as a table of what was shown") {
     window.pause();
     return !tables().empty();
   }));
+  CHECK(eventually([&] {
+    window.key("Escape");
+    window.key("ctrl+e");
+    window.pause();
+    window.key("Return");
+    window.pause();
+    return std::filesystem::exists(desk.folder / "plotted.vtu");
+  }));
+  CHECK(read_mesh(desk.folder / "plotted.vtu").mesh.tets.size() == 500);
   window.key("ctrl+q");
   CHECK(window.wait() == 0);
   const std::string table = read_file(tables().front());

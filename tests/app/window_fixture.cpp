@@ -140,7 +140,7 @@ bool FasciaWindow::running() {
 }
 
 void FasciaWindow::kill_at_once() {
-  kill(child_, SIGKILL);
+  ::kill(child_, SIGKILL);
   eventually([&] { return !running(); });
 }
 
@@ -154,12 +154,6 @@ double FasciaWindow::processor_seconds() const {
   double user = 0, system = 0;
   fields >> user >> system;
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
-}
-
-void FasciaWindow::kill() {
-  ::kill(child_, SIGKILL);
-  waitpid(child_, nullptr, 0);
-  child_ = -1;
 }
 
 int FasciaWindow::wait() {

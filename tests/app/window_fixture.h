@@ -57,7 +57,6 @@ class FasciaWindow {
   bool running();
   void kill_at_once();                // as the system does: no chance to clean up
   double processor_seconds() const;   // that the program has used so far
-  void kill();  // at once, as by the kernel
   /// Exit code; the program must end by itself.
   int wait();
   std::string said() const;           // stdout and stderr

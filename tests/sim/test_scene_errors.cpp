@@ -92,7 +92,7 @@ TEST_CASE("an unknown key is named with the nearest known one, at every level") 
   CHECK(top_error(R"("gravty": [0, 0, 0])") ==
         "s.json: gravty: unknown key \"gravty\", perhaps \"gravity\"; expected one of fascia_scene, title, "
         "gravity, "
-        "bodies, solver, camera, display, duration");
+        "bodies, grabs, solver, camera, display, duration");
   CHECK(top_error(R"("solver": {"iters": 3})") ==
         "s.json: solver.iters: unknown key \"iters\", perhaps \"iterations\"; expected one of method, "
         "acceleration, "
@@ -104,7 +104,7 @@ TEST_CASE("an unknown key is named with the nearest known one, at every level") 
         "color_map, wireframe, section, tets, shadow, ground, ambient_occlusion, depth_cue, background");
   CHECK(body_error(R"("fixd": [])") ==
         "s.json: bodies[0].fixd: unknown key \"fixd\", perhaps \"fixed\"; expected one of name, mesh, "
-        "transform, "
+        "resolution, transform, "
         "materials, fixed, prescribed, initial_velocity, surface");
   CHECK(body_error(R"("transform": {"rotate": [0, 0, 0]})") ==
         "s.json: bodies[0].transform.rotate: unknown key \"rotate\", perhaps \"rotate_deg\"; expected one of "
@@ -112,9 +112,9 @@ TEST_CASE("an unknown key is named with the nearest known one, at every level") 
         "rotate_deg, translate");
   CHECK(body_error(R"("materials": {"default": {"youngs_modulus": 1}})") ==
         "s.json: bodies[0].materials.default.youngs_modulus: unknown key \"youngs_modulus\", perhaps "
-        "\"young_modulus\"; expected one of model, young_modulus, poisson_ratio, density, damping");
+        "\"young_modulus\"; expected one of model, preset, young_modulus, poisson_ratio, density, damping");
   CHECK(body_error(R"("materials": {"7": {"E": 1}})") ==
-        "s.json: bodies[0].materials.7.E: unknown key \"E\"; expected one of model, young_modulus, "
+        "s.json: bodies[0].materials.7.E: unknown key \"E\"; expected one of model, preset, young_modulus, "
         "poisson_ratio, "
         "density, damping");
   CHECK(
@@ -143,9 +143,9 @@ TEST_CASE("a missing key is named") {
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": []})") ==
         "s.json: bodies: is []; expected a list of at least one body");
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": [{}]})") ==
-        "s.json: bodies[0].mesh: is missing; expected the path of a tet mesh");
+        "s.json: bodies[0].mesh: is missing; expected the path of a tet mesh or of a closed surface (.obj)");
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": [{"mesh": ""}]})") ==
-        "s.json: bodies[0].mesh: is \"\"; expected the path of a tet mesh");
+        "s.json: bodies[0].mesh: is \"\"; expected the path of a tet mesh or of a closed surface (.obj)");
   CHECK(top_error(R"("camera": {})") ==
         "s.json: camera.eye: is missing; expected a list of 3 numbers [m] (without a camera the view is "
         "framed on the "
@@ -199,7 +199,7 @@ TEST_CASE("a wrong type says what is there and what was expected") {
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": {}})") ==
         "s.json: bodies: is {}; expected a list of at least one body");
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": ["m.msh"]})") ==
-        "s.json: bodies[0]: is \"m.msh\"; expected an object with name, mesh, transform, materials, fixed, "
+        "s.json: bodies[0]: is \"m.msh\"; expected an object with name, mesh, resolution, transform, materials, fixed, "
         "prescribed, "
         "initial_velocity, surface");
   CHECK(body_error(R"("name": 1)") == "s.json: bodies[0].name: is 1; expected a text");

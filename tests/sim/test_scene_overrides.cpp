@@ -114,7 +114,7 @@ TEST_CASE("the mistake of an override names the override, that of the file the f
         "--set bodies.0.material.young_modulus: bodies[0].material: unknown key \"material\", perhaps "
         "\"materials\"; expected "
         "one of name, "
-        "mesh, transform, materials, fixed, prescribed, initial_velocity, surface");
+        "mesh, resolution, transform, materials, fixed, prescribed, initial_velocity, surface");
   CHECK(error_with({"solver.iterations=0"}) ==
         "--set solver.iterations: is 0; expected a whole number, 1 to 10000");
   CHECK(error_with({"solver={\"iterations\": 0}"}) ==
