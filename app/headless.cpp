@@ -1,12 +1,14 @@
 #include "app/headless.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <sstream>
 
 #include "app/breakdown.h"
 #include "app/color_bar.h"
 #include "app/interrupt.h"
+#include "app/moments.h"
 #include "app/panels.h"
 
 namespace fascia {
@@ -21,6 +23,10 @@ Opened open_with_display(const RenderOptions& options, const std::string& split 
   if (!options.color.empty()) sets.push_back("display.color=" + options.color);
   if (options.wireframe) sets.push_back("display.wireframe=true");
   return open_input(options, sets);
+}
+
+std::vector<HandMark> marks_of(const Simulation& simulation, const std::optional<Diagnostics>& diagnostics) {
+  return hand_marks(simulation, diagnostics ? diagnostics->hand_forces : std::vector<HandForce>(), nullptr);
 }
 
 }  // namespace
@@ -90,7 +96,12 @@ Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
   if (session_.display().color == ColorBy::error) session_.measure_error();
   session_.settle_range();
   if (split_) return draw_split(diagnostics);
-  const std::vector<HandMark> hands = hand_marks(session_.simulation, diagnostics ? diagnostics->hand_forces : std::vector<HandForce>(), nullptr);
+  std::vector<HandMark> hands = marks_of(session_.simulation, diagnostics);
+  if (positions && !remembered_hands_.empty()) {
+    constexpr double kRounding = 1e-6;  // a whole step may come as a little less
+    const auto ago = static_cast<std::size_t>(step_ - static_cast<long>(std::floor(step + kRounding)));
+    hands = remembered_hands_[remembered_hands_.size() - 1 - std::min(ago, remembered_hands_.size() - 1)];
+  }
   Framebuffer& framebuffer =
       picture_.draw(session_.camera, [&](Framebuffer& target) { session_.draw(target, arrows(hands), positions); });
   if (options_.panels || has_legend(session_) || !hands.empty())
@@ -98,11 +109,18 @@ Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
   return framebuffer;
 }
 
+void Headless::remember_hands() {
+  GpuSolver& solver = *session_.simulation.gpu();
+  solver.request_diagnostics();
+  remembered_hands_.push_back(marks_of(session_.simulation, solver.take_diagnostics(true)));
+  if (remembered_hands_.size() > Moments::kAhead + 2) remembered_hands_.pop_front();
+}
+
 Framebuffer& Headless::draw_split(const std::optional<Diagnostics>& diagnostics) {
   overlay_.scale_to(picture_.framebuffer().height());
   const int left = options_.panels ? static_cast<int>(panel_space()) : 0;
   split_->diagnose(true);
-  const std::vector<HandMark> hands = hand_marks(session_.simulation, diagnostics ? diagnostics->hand_forces : std::vector<HandForce>(), nullptr);
+  const std::vector<HandMark> hands = marks_of(session_.simulation, diagnostics);
   if (session_.display().color == ColorBy::error) split_->b().measure_error();
   Framebuffer& framebuffer =
       picture_.draw(session_.camera, [&](Framebuffer& target) { split_->draw(session_, target, left, arrows(hands)); });

@@ -1,8 +1,10 @@
 // A scene that is stepped and drawn without a window: what render and check share, so that both make the same picture.
 #pragma once
+#include <deque>
 #include <functional>
 
 #include "app/golden.h"
+#include "app/hand_marks.h"
 #include "app/options.h"
 #include "app/overlay.h"
 #include "app/provenance.h"
@@ -27,6 +29,8 @@ class Headless {
   /// The same at another moment, seen as it was then, after `step` steps, with these positions (null: those of now). A replay goes on to
   /// the same bits afterwards.
   Framebuffer& draw(double step, const gl::Buffer* positions);
+  /// Keeps where the hands are now, for pictures of this moment that are drawn later.
+  void remember_hands();
 
   Session& session() { return session_; }
   long step() const { return step_; }
@@ -46,6 +50,7 @@ class Headless {
   RenderCamera camera_;
   ReplayView view_;
   std::optional<DisplaySettings> seen_;  // of the replay's
+  std::deque<std::vector<HandMark>> remembered_hands_;  // after the last steps, that of now at the end
   Overlay overlay_;
   std::optional<SplitView> split_;  // with --split
   long step_ = 0, steps_ = 0;

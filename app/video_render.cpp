@@ -16,7 +16,10 @@ VideoRender::VideoRender(const RenderOptions& options, Headless& headless)
 
 void VideoRender::after_step() {
   const long step = headless_.step();
-  if (moments_) moments_->add(step, headless_.session().simulation);
+  if (moments_) {
+    moments_->add(step, headless_.session().simulation);
+    headless_.remember_hands();
+  }
   if (step == headless_.steps()) return;  // finish() knows how many are left
   write_until(static_cast<double>(step) + (moments_ ? -Moments::kAhead : 0.5), false);
 }

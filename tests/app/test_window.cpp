@@ -342,15 +342,19 @@ TEST_CASE("a session in the window is replayed to the bit, also one that was kil
     window.move(kPanels + (kWidth - kPanels) / 2, kHeight / 2);
     window.press();
     window.move(kPanels + (kWidth - kPanels) / 2 + 120, kHeight / 2 - 60);
+    window.screenshot();  // each of these drags lasts some frames, however slow the machine
     window.release();
     window.move(slider.x, slider.y);
     window.press();
+    window.screenshot();
     window.move(slider.x + 40, slider.y);
+    window.screenshot();
     window.release();
     window.key("w");
     window.move(kWidth - 80, kHeight - 120);  // beside the cube: the view turns
     window.press();
     window.move(kWidth - 160, kHeight - 150);
+    window.screenshot();
     window.release();
     window.key("r");
     window.pause();
