@@ -72,12 +72,13 @@ void Autosave::keep(std::shared_ptr<const Replay> replay, const std::string& nam
   std::string stem = name;
   std::replace(stem.begin(), stem.end(), '.', '_');
   const fs::path before = std::exchange(file_, folder_ / (stem + "." + process + "-" + start_of(process) + ".fascia"));
-  writing_ = std::async(std::launch::async, [replay = std::move(replay), file = file_, before] {
+  if (!before.empty() && before != file_) outdated_.push_back(before);  // of the scene that was open before
+  writing_ = std::async(std::launch::async, [replay = std::move(replay), file = file_, outdated = std::exchange(outdated_, {})] {
     const Clock::time_point start = Clock::now();
     fs::create_directories(file.parent_path());
     write_replay(file, *replay);
     std::error_code ec;
-    if (!before.empty() && before != file) fs::remove(before, ec);  // of the scene that was open before
+    for (const fs::path& old : outdated) fs::remove(old, ec);
     return std::chrono::duration<double>(Clock::now() - start);
   });
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/replay.h"
 
@@ -23,6 +24,8 @@ class Autosave {
   void wait_a_while();  // nothing is due for some seconds
   /// Begins to write, on another thread. `name`: of the scene. Throws what the last writing threw; then nothing more is written.
   void keep(std::shared_ptr<const Replay> replay, const std::string& name);
+  /// `file`, of another window, is removed once what is kept next is written.
+  void replace(std::filesystem::path file) { outdated_.push_back(std::move(file)); }
   /// The window ends well: its file becomes the last one.
   void finish();
 
@@ -35,6 +38,7 @@ class Autosave {
  private:
   using Clock = std::chrono::steady_clock;
   std::filesystem::path folder_, file_;
+  std::vector<std::filesystem::path> outdated_;  // once the next writing is done
   std::future<std::chrono::duration<double>> writing_;
   Clock::time_point next_ = Clock::now();
 };

@@ -98,13 +98,11 @@ std::string Breakdown::text(const Model& model) const {
   return out.str();
 }
 
-Breakdown find_breakdown(Simulation& simulation) {
+Breakdown find_breakdown(Simulation& simulation, std::uint32_t lost) {
   Breakdown breakdown;
-  const std::uint32_t first_lost = *simulation.astray();
   simulation.back_to_sound();
   breakdown.replay = replay_of(simulation, simulation.sound_state());
   gl::ProgramCache& programs = *simulation.programs();
-  std::uint32_t lost = first_lost;
   reference::State before = *breakdown.replay.start;
   breakdown.time = simulation.time();
   const auto repeat = [&](long steps) {
@@ -152,10 +150,13 @@ std::filesystem::path keep_replay(const Replay& replay) {
 
 void require_sound(Simulation& simulation) {
   gl::require_context();
-  if (!simulation.check_now()) return;
-  const Breakdown breakdown = find_breakdown(simulation);
+  const std::optional<std::uint32_t> lost = simulation.check_now();
+  if (!lost) return;
+  const bool cut = !simulation.astray();
+  const Breakdown breakdown = find_breakdown(simulation, *lost);
   throw Error(simulation.scene.file.string(), breakdown.text(simulation.model) + ", repeated by " + keep_replay(breakdown.replay).string(),
-              "expected finite positions: more iterations or substeps, softer material or a smaller load may help");
+              cut ? "expected more steps: the replay goes back to a sound state later"
+                  : "expected finite positions: more iterations or substeps, softer material or a smaller load may help");
 }
 
 }  // namespace fascia

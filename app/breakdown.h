@@ -18,8 +18,8 @@ struct Breakdown {
   std::string text(const Model& model) const;
 };
 
-/// Precondition: simulation.astray(). The simulation goes back to its last sound state, at rest.
-Breakdown find_breakdown(Simulation& simulation);
+/// `lost`: what check_now() or astray() found. The simulation goes back to its last sound state, at rest.
+Breakdown find_breakdown(Simulation& simulation, std::uint32_t lost);
 
 /// For commands without a window: nothing if the state is sound; else writes a replay into the working folder, or the folder for
 /// temporary files where that cannot be written, and throws an Error that says what came apart and names the replay. Throws

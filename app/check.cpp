@@ -6,6 +6,8 @@
 #include "app/child_process.h"
 #include "app/golden.h"
 #include "app/headless.h"
+#include "app/interrupt.h"
+#include "sim/error.h"
 
 namespace fascia {
 namespace {
@@ -23,12 +25,16 @@ void keep_failure(const CheckOptions& options, const CheckCase& check, const Out
   if (comparison.picture) write_png(left_behind(options, check, ".diff.png"), *comparison.picture, outcome.provenance);
 }
 
+// Also of folders whose names are no UTF-8.
+std::string text_of(const json& found) { return found.dump(-1, ' ', false, json::error_handler_t::replace); }
+
 // In the child. What it found, as a text.
 std::string judge(const CheckCase& check, const CheckOptions& options) {
   Headless headless(check.options);
   headless.run();
+  if (interrupted()) throw Error(check.name, "was interrupted", "expected time for all of its steps");  // and nothing of it is written
   const Outcome outcome = headless.outcome();
-  if (options.update) return json{{"lines", update_goldens(outcome, check.options.goldens())}}.dump();
+  if (options.update) return text_of(json{{"lines", update_goldens(outcome, check.options.goldens())}});
   const Comparison comparison = compare(outcome, check.options.goldens(), check.options.limits);
   json found{{"passed", comparison.passed()}, {"lines", json::array()}};
   for (const Finding& finding : comparison.findings)
@@ -38,7 +44,7 @@ std::string judge(const CheckCase& check, const CheckOptions& options) {
   if (comparison.share) found["share"] = *comparison.share;
   if (comparison.deviation) found["deviation"] = *comparison.deviation;
   if (!comparison.passed() && !options.out.empty()) keep_failure(options, check, outcome, comparison);
-  return found.dump(-1, ' ', false, json::error_handler_t::replace);
+  return text_of(found);
 }
 
 CheckResult result_of(const ChildReport& report, bool update) {

@@ -80,6 +80,7 @@ std::map<std::string, fs::path> files_of(const fs::path& folder) {
     const fs::path& file = entry->path();
     const std::string ending = lower_ending(file);
     if ((ending != ".json" && ending != ".fascia") || file.filename() == kSettingsName || file.filename().string()[0] == '.') continue;
+    if (lower_ending(file.stem()) == ".csv") continue;  // what made an exported state
     const auto [other, added] = files.emplace(file.stem().string(), file);
     if (!added) throw Error(file.string(), "has the same goldens as " + other->second.filename().string(), "expected another name");
   }

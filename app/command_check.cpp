@@ -95,9 +95,10 @@ int command_check(const CheckOptions& options) {
   std::vector<JunitCase> report;
   for (const CheckCase& check : cases) {
     const CheckResult result = run_check(check, options);
-    if (interrupted()) break;
+    if (interrupted() && result.verdict == Verdict::error) break;  // it did not come to its end
     print(check, result, name_width, options.quiet);
     report.push_back(junit_case(check, result));
+    if (interrupted()) break;
   }
   const auto bad = std::count_if(report.begin(), report.end(), [](const JunitCase& c) { return c.verdict != JunitCase::Verdict::passed; });
   if (!options.junit.empty())

@@ -15,7 +15,7 @@ void add_check(CLI::App& program, Invocation& invocation) {
   command.add_option("--only", options->only, "scenes whose name has such a part; * and ? as in file names")->type_name("PATTERN");
   command.add_option("--timeout", options->timeout, "after which a scene counts as failed")
       ->type_name("SECONDS")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1e-3, 1e7))
       ->capture_default_str();
   add_graphics(command, *options);
   add_examples(command, {"fascia check assets/check",

@@ -59,9 +59,9 @@ void add_render(CLI::App& program, Invocation& invocation) {
                   "follow (a replay's), scene, a scene or replay file that has one, or EYE,TARGET as six numbers")
       ->capture_default_str();
   command.add_flag("--hash", options->hash, "print fingerprints of the last state and of all frames of the video");
-  std::string colors;
-  for (const ColorBy color : all_colors()) colors += (colors.empty() ? "" : "|") + std::string(name_of(color));
-  command.add_option("--color", options->color, "what colors the tissue (scene key display.color)")->type_name(colors);
+  std::vector<std::string> colors;
+  for (const ColorBy color : all_colors()) colors.emplace_back(name_of(color));
+  add_choice(command, "--color", options->color, colors, "what colors the tissue (scene key display.color)");
   command.add_flag("--wireframe", options->wireframe, "draw the surface's edges");
   command.add_option("--split", options->split, "two sides under the same input: as opened, and with these values, such as "
                      "\"solver.method=jacobi;solver.acceleration=none\"")

@@ -1,10 +1,12 @@
 // fascia render: the same scene, headless: a PNG at the end, a video on the way.
+#include <filesystem>
 #include <iostream>
 
 #include "app/breakdown.h"
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/interrupt.h"
+#include "app/usage_error.h"
 #include "app/video_render.h"
 #include "sim/error.h"
 
@@ -18,6 +20,7 @@ int judge(const RenderOptions& options, const Outcome& outcome) {
       if (!options.quiet) std::cerr << "fascia: " << change << '\n';
     return exit_done;
   }
+  if (std::error_code ignored; !options.difference.empty()) std::filesystem::remove(options.difference, ignored);  // of an earlier run
   const Comparison comparison = compare(outcome, options.goldens(), options.limits);
   for (const Finding& finding : comparison.findings)
     if (!finding.passed || !options.quiet) std::cerr << "fascia: " << finding.text << '\n';
@@ -30,13 +33,11 @@ int judge(const RenderOptions& options, const Outcome& outcome) {
 
 int command_render(const RenderOptions& options) {
   const bool compares = !options.compare.empty() || !options.state.empty();
-  if (options.update && !compares) throw Error("--update", "has no golden to write", "expected --compare GOLDEN.png, --state GOLDEN.csv or both");
+  if (options.update && !compares) throw UsageError("--update", "has no golden to write", "expected --compare GOLDEN.png, --state GOLDEN.csv or both");
   if (options.out.empty() && options.video.empty() && !options.hash && !compares)
-    throw Error("fascia render", "no output named", "expected --out FILE.png, --video FILE.mp4, --compare GOLDEN.png or several of them");
+    throw UsageError("fascia render", "no output named", "expected --out FILE.png, --video FILE.mp4, --compare GOLDEN.png or several of them");
   if (options.static_equilibrium && !options.video.empty())
-    throw Error("--static", "has no motion to put into " + options.video, "leave out --video");
-  if (!options.split.empty() && options.slow > 1)
-    throw Error("--slow", "draws moments between steps, which --split does not have", "leave out one of them");
+    throw UsageError("--static", "has no motion to put into " + options.video, "leave out --video");
   Headless headless(options);
   if (!options.video.empty() && headless.session().display().background == Background::transparent)
     throw Error("--video", "has no transparency", "expected another display.background");

@@ -10,6 +10,7 @@
 #include "app/simulation.h"
 #include "app/stats.h"
 #include "app/true_error.h"
+#include "app/usage_error.h"
 #include "sim/error.h"
 #include "sim/state_export.h"
 
@@ -61,14 +62,14 @@ class HistoryFile {
 }  // namespace
 
 int command_run(const RunOptions& options) {
-  Opened opened = open_input(options, options.sets);
   if (options.error && (options.static_equilibrium || options.reference))
-    throw Error("--error", "compares steps of the GPU with the reference solver", "leave out --static and --reference");
+    throw UsageError("--error", "compares steps of the GPU with the reference solver", "leave out --static and --reference");
   if (options.every > 0 && (options.export_path.empty() || options.static_equilibrium))
-    throw Error("--every", options.export_path.empty() ? "exports nothing" : "has no steps to export with --static",
+    throw UsageError("--every", options.export_path.empty() ? "exports nothing" : "has no steps to export with --static",
                 options.export_path.empty() ? "expected --export FILE beside it" : "leave out one of them");
   if (!options.history.empty() && options.static_equilibrium)
-    throw Error("--history", "has no steps to follow with --static", "leave out one of them");
+    throw UsageError("--history", "has no steps to follow with --static", "leave out one of them");
+  Opened opened = open_input(options, options.sets);
   Graphics graphics;
   if (!options.reference) graphics = open_graphics(options, false, 16, 16, workload_of(opened.scene, opened.model, false));
   Simulation simulation(std::move(opened.scene), std::move(opened.model), graphics.programs.get(), options.reference);
@@ -82,11 +83,11 @@ int command_run(const RunOptions& options) {
   const auto made_by = [&] {
     return provenance_of(simulation.scene, simulation.model, stats.renderer, options.command_line, stats.steps, simulation.time());
   };
-  if (options.every > 0 && !options.export_path.empty()) series.emplace(options.export_path, made_by());
+  if (options.every > 0 && !options.export_path.empty()) series.emplace(options.export_path);
   const auto export_frame = [&] {
     const reference::State state = simulation.state();
     require_finite(state, simulation.scene);
-    series->write(state.time, simulation.model.file_mesh, reference::export_fields(simulation.model, state));
+    series->write(state.time, simulation.model.file_mesh, reference::export_fields(simulation.model, state), made_by());
   };
 
   std::optional<HistoryFile> history;
@@ -150,9 +151,13 @@ int command_run(const RunOptions& options) {
   if (!options.stats.empty()) write_stats(options.stats, stats, simulation, last);
   require_finite(last, simulation.scene);
   const std::uint64_t hash = state_hash(last);
+  const bool overridden = !options.sets.empty() || !options.grabs.empty() || options.reference;
   if (options.hash) std::cout << "state " << hash_text(hash) << '\n';
   if (const auto& replay = simulation.replay(); replay && replay->hash && replay->steps == stats.steps && !options.quiet)
-    std::cerr << "fascia: " << (hash == *replay->hash ? "to the bit what was recorded\n" : "not to the bit what was recorded: another device, program or mesh\n");
+    std::cerr << "fascia: "
+              << (hash == *replay->hash ? "to the bit what was recorded\n"
+                  : overridden          ? "another state than was recorded, with other values, hands or solver\n"
+                                        : "not to the bit what was recorded: another device, program or mesh\n");
   if (!series && !options.export_path.empty())
     write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last), stats.provenance);
   if (!options.quiet)

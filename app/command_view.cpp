@@ -3,8 +3,8 @@
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/usage_error.h"
 #include "app/view_window.h"
-#include "sim/error.h"
 #include "sim/reference/newton.h"
 #include "sim/state_export.h"
 
@@ -12,7 +12,7 @@ namespace fascia {
 
 int command_view(const ViewOptions& options) {
   if (options.context != "auto" && options.context != "window")
-    throw Error("--context " + options.context, "has no window", "expected window, or fascia render for a picture without one");
+    throw UsageError("--context " + options.context, "has no window", "expected window, or fascia render for a picture without one");
   Opened opened = open_input(options, options.sets);
   Graphics graphics = open_graphics(options, true, options.width, options.height, workload_of(opened.scene, opened.model));
   ViewWindow window(graphics, options, std::move(opened));
@@ -25,6 +25,7 @@ int command_view(const ViewOptions& options) {
   if (!options.export_path.empty())
     write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last), window.stats().provenance);
   if (!options.stats.empty()) write_stats(options.stats, window.stats(), simulation, last);
+  window.finish_video();
   return interrupted() ? exit_interrupted : exit_done;
 }
 

@@ -1,10 +1,15 @@
 #include "app/file_provenance.h"
 
+#include <sys/wait.h>
+
 #include <cstdio>
-#include <memory>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/replay_time.h"
+#include "app/reproduce.h"
 #include "render/image.h"
+#include "sim/error.h"
 #include "sim/file.h"
 #include "sim/replay.h"
 
@@ -14,13 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// In quotes for the shell.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
 // Containers keep keywords in capitals or small letters, and spaces or not, as they like; ours begin with a capital.
 std::string keyword_of(std::string text) {
   for (char& c : text) c = c == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -29,12 +27,15 @@ std::string keyword_of(std::string text) {
 }
 
 Provenance of_video(const fs::path& path) {
-  read_file(path);  // for its errors
-  const std::string command = "ffprobe -v error -show_entries format_tags -of json " + quoted(fs::absolute(path).string()) + " 2>/dev/null";
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  if (std::ifstream in(path); in.peek() == std::ifstream::traits_type::eof()) read_file(path);  // for its errors
+  const std::string command = "ffprobe -v error -show_entries format_tags -of json " + shell_quoted(fs::absolute(path).string()) + " 2>/dev/null";
+  FILE* const pipe = popen(command.c_str(), "r");
   std::string text;
   char block[4096];
-  for (std::size_t n; pipe && (n = std::fread(block, 1, sizeof block, pipe.get())) > 0;) text.append(block, n);
+  for (std::size_t n; pipe && (n = std::fread(block, 1, sizeof block, pipe)) > 0;) text.append(block, n);
+  constexpr int kNoSuchCommand = 127;
+  if (const int status = pipe ? pclose(pipe) : -1; status == -1 || (WIFEXITED(status) && WEXITSTATUS(status) == kNoSuchCommand))
+    throw Error(path.string(), "cannot be examined: ffprobe did not start", "expected ffmpeg to be installed");
   const Json document = Json::parse(text, nullptr, false);
   Provenance provenance;
   bool ours = false;
@@ -62,7 +63,7 @@ Provenance of_replay(const fs::path& path) {
   Provenance provenance = replay.made_by;
   provenance.emplace_back("Title", replay.scene.title);
   char text[160];
-  std::snprintf(text, sizeof text, "%ld steps, %.9g s, %zu inputs", replay.steps, static_cast<double>(replay.steps) * replay.scene.solver.time_step,
+  std::snprintf(text, sizeof text, "%ld steps, %.9g s, %zu inputs", replay.steps, ReplayTime(replay).seconds(replay.steps),
                 replay.inputs.size());
   provenance.emplace_back("Replay", text);
   if (replay.hash) provenance.emplace_back("State", hash_text(*replay.hash));

@@ -8,10 +8,10 @@
 namespace fascia {
 
 std::unique_ptr<FrameSink> open_frames(const std::filesystem::path& path, const FrameFormat& format, const Provenance& provenance) {
-  if (lower_ending(path) == ".png") return std::make_unique<PictureSequence>(path, format, provenance);
-  if (path.string().find('%') != std::string::npos)
+  if (lower_ending(path) == ".png") return std::make_unique<PictureSequence>(path, format, without_moment(provenance));
+  if (path.filename().string().find('%') != std::string::npos)
     throw Error(path.string(), "is a pattern of other files than pictures", "expected a number of pictures as in frames/%05d.png");
-  return std::make_unique<Recorder>(path, format, provenance);
+  return std::make_unique<Recorder>(path, format, without_moment(provenance));
 }
 
 }  // namespace fascia

@@ -16,7 +16,6 @@ class FrameSink {
   virtual void write(const std::vector<std::uint8_t>& rgba) = 0;
   /// Everything is in its place. Throws Error.
   virtual void finish() = 0;
-  virtual long frames() const = 0;  // written
 };
 
 struct FrameFormat {

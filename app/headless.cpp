@@ -39,6 +39,7 @@ Headless::Headless(const RenderOptions& options, Opened opened)
       session_(graphics_, std::move(opened.scene), std::move(opened.model), options.reference),
       picture_(options.width, options.height, options.samples),
       camera_(options.camera, session_.simulation.scene, opened.replay ? &*opened.replay : nullptr),
+      opened_(session_.display()),
       overlay_(graphics_) {
   Simulation& simulation = session_.simulation;
   // What is chosen here for the display holds for all of a replay.
@@ -50,6 +51,7 @@ Headless::Headless(const RenderOptions& options, Opened opened)
   if (!options.split.empty()) {
     Opened other = open_with_display(options, options.split);
     split_.emplace(graphics_, session_, std::move(other.scene), std::move(other.model));
+    if (session_.display().color == ColorBy::error) split_->b().simulation.gpu()->solve_everything();
   }
   if (!options.static_equilibrium) steps_ = steps_to_run(options, simulation);
   announce(options, graphics_, simulation.model.notes);
@@ -75,11 +77,13 @@ void Headless::run(const std::function<void()>& after_step) {
   }
 }
 
+void Headless::show_as_of(double step) {
+  const DisplaySettings display = view_.display(step).value_or(opened_);
+  if (display != session_.display()) session_.set_display(display);
+}
+
 void Headless::look(double step) {
-  if (const auto display = view_.display(step); display && display != seen_) {
-    seen_ = display;
-    session_.set_display(*display);
-  }
+  show_as_of(step);
   if (const auto camera = camera_.at(step)) session_.look_from(*camera);
 }
 
@@ -119,6 +123,7 @@ void Headless::remember_hands() {
 Framebuffer& Headless::draw_split(const std::optional<Diagnostics>& diagnostics) {
   overlay_.scale_to(picture_.framebuffer().height());
   const int left = options_.panels ? static_cast<int>(panel_space()) : 0;
+  split_->share(session_);
   split_->diagnose(true);
   const std::vector<HandMark> hands = marks_of(session_.simulation, diagnostics);
   if (session_.display().color == ColorBy::error) split_->b().measure_error();

@@ -26,9 +26,11 @@ class Headless {
 
   /// The scene as it is now, with panels and color bar where they are wanted. Throws Error when a vertex is lost.
   Framebuffer& draw();
-  /// The same at another moment, seen as it was then, after `step` steps, with these positions (null: those of now). A replay goes on to
-  /// the same bits afterwards.
+  /// The same after `step` steps, with these positions and colors (null: those of now), seen by the camera and with the hands of then;
+  /// panels, the range of colors and which vertices are held are of now. A replay goes on to the same bits afterwards.
   Framebuffer& draw(double step, const gl::Buffer* positions);
+  /// The display is that of a replay after `step` steps.
+  void show_as_of(double step);
   /// Keeps where the hands are now, for pictures of this moment that are drawn later.
   void remember_hands();
 
@@ -49,7 +51,7 @@ class Headless {
   Supersampler picture_;
   RenderCamera camera_;
   ReplayView view_;
-  std::optional<DisplaySettings> seen_;  // of the replay's
+  DisplaySettings opened_;  // until a replay has another one
   std::deque<std::vector<HandMark>> remembered_hands_;  // after the last steps, that of now at the end
   Overlay overlay_;
   std::optional<SplitView> split_;  // with --split

@@ -5,6 +5,8 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/reproduce.h"
+#include "app/usage_error.h"
 #include "sim/error.h"
 
 namespace {
@@ -13,7 +15,7 @@ using namespace fascia;
 
 int run(int argc, char** argv) {
   Invocation invocation{"fascia", {}};
-  for (int i = 1; i < argc; ++i) invocation.command_line += std::string(" ") + argv[i];
+  for (int i = 1; i < argc; ++i) invocation.command_line += " " + shell_quoted(argv[i]);
   const std::unique_ptr<CLI::App> program = make_command_line(invocation);
   try {
     program->parse(argc, argv);
@@ -23,7 +25,12 @@ int run(int argc, char** argv) {
     return exit_usage;
   }
   catch_interrupts();
-  return invocation.run();
+  try {
+    return invocation.run();
+  } catch (const UsageError& error) {
+    std::cerr << error.what() << '\n';
+    return exit_usage;
+  }
 }
 
 }  // namespace

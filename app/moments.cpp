@@ -15,7 +15,8 @@ constexpr std::size_t kKept = 6;  // steps: one before the interval, its two end
 Moments::Moments(const std::optional<Replay>& replay) {
   if (!replay) return;
   for (const Input& input : replay->inputs)
-    if (std::holds_alternative<ResetInput>(input.change) || std::holds_alternative<SoundInput>(input.change)) jumps_.insert(input.step);
+    if (std::holds_alternative<ResetInput>(input.change) || std::holds_alternative<SoundInput>(input.change))
+      jumps_.insert(input.step == replay->steps ? input.step - 1 : input.step);  // what ends a session acts after its last step
 }
 
 void Moments::add(long step, Simulation& simulation) {

@@ -18,7 +18,8 @@ class Moments {
   explicit Moments(const std::optional<Replay>& replay);  // whose resets are jumps
   /// The simulation's positions, after step `step`; each step once.
   void add(long step, Simulation& simulation);
-  /// Positions after `step` steps, whole or not: vec4, as GpuSolver::positions. Of the steps around it those must have been added.
+  /// Positions after `step` steps, whole or not: vec4, as GpuSolver::positions, with what colors them. Of the steps around it those
+  /// must have been added.
   const gl::Buffer& at(double step);
 
  private:

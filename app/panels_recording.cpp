@@ -63,7 +63,8 @@ void draw_recording_settings(ViewState& state, Requests& requests) {
     requests.video |= ui::button(state.recording ? "Stop video (V)" : "Record video (V)", ui::px(180), state.recording);
     ImGui::Separator();
     requests.save_replay_dialog |= ui::button("Save replay... (Ctrl+R)", ui::px(180), false);
-    ui::tooltip("All that was done to this scene since it was opened, as a small file that repeats it to the bit");
+    ui::tooltip("All that was done to this scene since it was opened, or since its regions or sides changed, as a small file that repeats it "
+                "to the bit");
   }
   ImGui::End();
 }

@@ -4,13 +4,14 @@
 #include <cstdio>
 
 #include "app/panels.h"
+#include "app/replay_time.h"
 #include "app/ui_style.h"
 #include "app/ui_widgets.h"
 
 namespace fascia {
 
 void draw_replay_badge(const Simulation& simulation, ViewState& state, Requests& requests) {
-  const double step = simulation.scene.solver.time_step;
+  const ReplayTime time(*simulation.replay());
   const long made = simulation.replayed_steps(), all = simulation.replay()->steps;
   const float left = state.show_panels ? panel_width() : 0;
   ImGui::SetNextWindowPos({(ImGui::GetIO().DisplaySize.x + left) / 2, ui::px(44)}, ImGuiCond_Always, {0.5f, 0});
@@ -21,7 +22,7 @@ void draw_replay_badge(const Simulation& simulation, ViewState& state, Requests&
     ImGui::TextColored(ui::kAccent, "Replay");
     ImGui::SameLine();
     char text[64];
-    std::snprintf(text, sizeof text, "%.1f of %.1f s", static_cast<double>(made) * step, static_cast<double>(all) * step);
+    std::snprintf(text, sizeof text, "%.1f of %.1f s", time.seconds(made), time.seconds(all));
     ImGui::ProgressBar(static_cast<float>(made) / static_cast<float>(all), {ui::px(150), 0}, text);
     ImGui::SameLine();
     if (ui::button(state.paused ? "Play" : "Pause", ui::px(58), state.paused)) state.paused = !state.paused;

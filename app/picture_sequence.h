@@ -12,7 +12,6 @@ class PictureSequence : public FrameSink {
   PictureSequence(std::filesystem::path pattern, const FrameFormat& format, Provenance provenance);
   void write(const std::vector<std::uint8_t>& rgba) override;
   void finish() override {}
-  long frames() const override { return frames_; }
 
  private:
   std::filesystem::path folder_;

@@ -32,6 +32,21 @@ std::string last_line(const fs::path& log) {
   return text.empty() ? "no message" : text;
 }
 
+// As ffmpeg reads it from a file: a scene can be longer than a command line.
+std::string metadata_text(const Provenance& provenance) {
+  const auto escaped = [](const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+      if (std::strchr("=;#\\\n", c)) result += '\\';
+      result += c;
+    }
+    return result;
+  };
+  std::string text = ";FFMETADATA1\n";
+  for (const auto& [key, value] : provenance) text += escaped(key == "Title" ? "title" : key) + "=" + escaped(value) + "\n";
+  return text;
+}
+
 // Of the encoder, by the container.
 std::vector<std::string> encoder(const std::string& ending, bool live) {
   if (ending == ".mp4" || ending == ".mkv" || ending == ".mov")
@@ -48,6 +63,8 @@ Recorder::Recorder(fs::path path, const FrameFormat& format, const Provenance& p
   const int width = format.width, height = format.height;
   log_ = temporary_;
   log_ += ".log";
+  metadata_ = temporary_;
+  metadata_ += ".txt";
   const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
   std::error_code ec;
   if (!fs::is_directory(folder, ec)) throw Error(path_.string(), "no such folder " + folder.string(), "expected an existing folder");
@@ -55,21 +72,19 @@ Recorder::Recorder(fs::path path, const FrameFormat& format, const Provenance& p
     throw Error(path_.string(), "a video of " + std::to_string(width) + "x" + std::to_string(height),
                 "expected an even width and height");
 
+  write_file(metadata_, metadata_text(provenance));
   std::vector<std::string> arguments{"ffmpeg", "-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgba",
                                      "-s", std::to_string(width) + "x" + std::to_string(height), "-r", std::to_string(format.fps),
-                                     "-i", "-", "-an", "-pix_fmt", "yuv420p"};
+                                     "-i", "-", "-f", "ffmetadata", "-i", "file:" + metadata_.string(), "-map", "0:v", "-map_metadata", "1",
+                                     "-pix_fmt", "yuv420p"};
   for (std::string& argument : encoder(lower_ending(path_), format.live)) arguments.push_back(std::move(argument));
-  for (const auto& [key, text] : provenance) {
-    arguments.emplace_back("-metadata");
-    arguments.push_back((key == "Title" ? "title" : key) + "=" + text);
-  }
-  arguments.push_back(temporary_.string());
+  arguments.push_back("file:" + temporary_.string());  // a name may look like an address
   std::vector<char*> argv;
   for (std::string& a : arguments) argv.push_back(a.data());
   argv.push_back(nullptr);
 
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) throw Error(path_.string(), std::string("no pipe to ffmpeg: ") + std::strerror(errno), "");
+  if (pipe2(ends, O_CLOEXEC) != 0) fail(std::string("no pipe to ffmpeg: ") + std::strerror(errno));
   fcntl(ends[1], F_SETPIPE_SZ, 1 << 20);  // a frame in a few writes instead of hundreds; only a wish
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -94,9 +109,12 @@ Recorder::Recorder(fs::path path, const FrameFormat& format, const Provenance& p
 Recorder::~Recorder() {
   if (pipe_ >= 0) close(pipe_);
   wait_for_child();
+  remove_files();
+}
+
+void Recorder::remove_files() {
   std::error_code ec;
-  fs::remove(temporary_, ec);
-  fs::remove(log_, ec);
+  for (const fs::path& file : {temporary_, log_, metadata_}) fs::remove(file, ec);
 }
 
 void Recorder::write(const std::vector<std::uint8_t>& rgba) {
@@ -132,9 +150,7 @@ void Recorder::fail(const std::string& what) {
   pipe_ = -1;
   wait_for_child();
   const std::string said = last_line(log_);
-  std::error_code ec;
-  fs::remove(temporary_, ec);
-  fs::remove(log_, ec);
+  remove_files();
   throw Error(path_.string(), what + " (" + said + ")", "expected a working ffmpeg and free disk space");
 }
 

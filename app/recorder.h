@@ -19,13 +19,13 @@ class Recorder : public FrameSink {
   void write(const std::vector<std::uint8_t>& rgba) override;
   /// Closes the video and puts it under its name. Throws Error when ffmpeg failed.
   void finish() override;
-  long frames() const override { return frames_; }
 
  private:
   [[noreturn]] void fail(const std::string& what);
   int wait_for_child();
+  void remove_files();  // that are not the video
 
-  std::filesystem::path path_, temporary_, log_;
+  std::filesystem::path path_, temporary_, log_, metadata_;
   std::size_t frame_bytes_;
   int pipe_ = -1;
   pid_t child_ = -1;

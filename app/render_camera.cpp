@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "sim/error.h"
+#include "app/usage_error.h"
 #include "sim/file.h"
 
 namespace fascia {
@@ -41,7 +41,7 @@ RenderCamera::RenderCamera(const std::string& choice, const Scene& scene, const 
     return;
   }
   if (lower_ending(choice) != ".json")
-    throw Error("--camera " + choice, "is no camera", "expected follow, scene, a scene or replay file, or EYE,TARGET as six numbers");
+    throw UsageError("--camera " + choice, "is no camera", "expected follow, scene, a scene or replay file, or EYE,TARGET as six numbers");
   still_ = open_scene(choice).camera;
   if (!still_) throw Error("--camera " + choice, "has no camera", "expected a scene with the key camera");
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/replay_time.h"
+
 namespace fascia {
 namespace {
 
@@ -30,12 +32,13 @@ T hermite(const T& a, const T& b, const T& slope_a, const T& slope_b, double t) 
 }  // namespace
 
 ReplayView::ReplayView(const Replay& replay) {
-  const double gap = kLongestMove / replay.scene.solver.time_step;
+  const ReplayTime time(replay);
   for (const Input& input : replay.inputs) {
     const auto step = static_cast<double>(input.step);
     if (const auto* display = std::get_if<DisplaySettings>(&input.change)) displays_.emplace_back(step, *display);
     const auto* camera = std::get_if<CameraSettings>(&input.change);
     if (!camera) continue;
+    const double gap = kLongestMove / time.time_step(input.step);
     if (!keys_.empty() && keys_.back().step == step) keys_.pop_back();
     // A camera that stood still begins to move one picture before it is seen elsewhere.
     if (!keys_.empty() && step - keys_.back().step > std::max(gap, 1.0)) keys_.push_back({step - std::max(gap / 4, 1.0), keys_.back().camera});

@@ -1,8 +1,11 @@
 #include "app/session_recording.h"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <vector>
@@ -28,6 +31,13 @@ std::vector<fs::path> sessions_in(const fs::path& folder) {
   return files;
 }
 
+// "20250131-235959-1234.fascia" and "...-1234-2.fascia" are of the process 1234.
+bool still_recorded(const fs::path& file) {
+  int process = 0;
+  if (std::sscanf(file.filename().c_str(), "%*d-%*d-%d", &process) != 1 || process <= 0 || process == getpid()) return false;
+  return kill(process, 0) == 0 || errno == EPERM;
+}
+
 }  // namespace
 
 fs::path session_file() {
@@ -37,7 +47,8 @@ fs::path session_file() {
   fs::create_directories(folder, ec);
   if (ec) throw Error(folder.string(), "cannot be made: " + ec.message(), "expected a folder for recorded sessions");
   std::vector<fs::path> files = sessions_in(folder);
-  for (std::size_t i = 0; i + kKept <= files.size(); ++i) fs::remove(files[i], ignored);
+  for (std::size_t i = 0; i + kKept <= files.size(); ++i)
+    if (!still_recorded(files[i])) fs::remove(files[i], ignored);
   const std::time_t now = std::time(nullptr);
   std::tm local{};
   localtime_r(&now, &local);
@@ -57,8 +68,16 @@ SessionRecording::SessionRecording(fs::path path, Replay beginning)
   if (!out_) throw Error(path_.string(), std::string("cannot be written: ") + std::strerror(errno), "expected a folder for recorded sessions");
 }
 
+SessionRecording::~SessionRecording() {
+  if (used_) return;
+  out_.close();
+  std::error_code ignored;
+  fs::remove(path_, ignored);
+}
+
 void SessionRecording::add(const Input& input) {
   if (failed_) return;
+  used_ |= !std::holds_alternative<BackgroundInput>(input.change) && !std::holds_alternative<GrantInput>(input.change);
   write_look();
   out_ << replay_line(input);
   news_ = true;
@@ -112,6 +131,9 @@ void SessionRecording::flush() {
 }
 
 void SessionRecording::save_as(const fs::path& path) {
+  if (failed_) throw Error(path_.string(), "the session is recorded in part only", "expected free disk space all the time");
+  std::error_code ec;
+  if (fs::equivalent(path, path_, ec)) throw Error(path.string(), "is where the session is being recorded", "expected another file");
   const std::string recorded = read_file(path_);
   write_file(path, replay_header(beginning_, path.parent_path()) + recorded.substr(std::min(recorded.find('\n') + 1, recorded.size())));
 }

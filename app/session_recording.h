@@ -11,16 +11,18 @@
 
 namespace fascia {
 
-/// A new file for a session, in the folder `sessions` of the user's state folder, where all but the last few are removed. Empty where
-/// there is no home. Throws Error when that folder cannot be made.
+/// A new file for a session, in the folder `sessions` of the user's state folder. Of those there all but the last few are removed, though
+/// none of another process that is still there. Empty where there is no home. Throws Error when that folder cannot be made.
 std::filesystem::path session_file();
 
 class SessionRecording {
  public:
   /// `beginning`: scene, start and made_by. Throws Error.
   SessionRecording(std::filesystem::path path, Replay beginning);
+  ~SessionRecording();  // removes a file in which nobody did anything
+  SessionRecording(const SessionRecording&) = delete;
+  SessionRecording& operator=(const SessionRecording&) = delete;
 
-  const std::filesystem::path& path() const { return path_; }
   void add(const Input& input);
   /// What the picture before step `steps` shows. Of several before one step the last counts.
   void look(long steps, const CameraSettings& camera, const DisplaySettings& display);
@@ -29,7 +31,7 @@ class SessionRecording {
   void breathe(long steps);
   /// The file ends here for now, with the hash of the state after so many steps. Throws Error, as breathe does.
   void note_state(long steps, std::uint64_t hash);
-  /// A copy, with the paths of its scene as seen from there. Throws Error.
+  /// A copy, with the paths of its scene as seen from there. Throws Error, also where the session is not recorded to its end.
   void save_as(const std::filesystem::path& path);
 
  private:
@@ -40,7 +42,7 @@ class SessionRecording {
   std::filesystem::path path_;
   Replay beginning_;
   std::ofstream out_;
-  bool failed_ = false;
+  bool failed_ = false, used_ = false;
   CameraSettings camera_;  // as written or waiting
   DisplaySettings display_;
   std::optional<long> looked_camera_, looked_display_;  // the steps before which they wait to be written

@@ -7,6 +7,8 @@
 #include <tuple>
 
 #include "app/paths.h"
+#include "app/replay_time.h"
+#include "app/usage_error.h"
 #include "sim/error.h"
 #include "sim/file.h"
 #include "sim/gpu/static_march.h"
@@ -45,6 +47,12 @@ Simulation::Simulation(Scene opened, Model built, gl::ProgramCache* programs, bo
 void Simulation::step() {
   equilibrium_.reset();
   repeat_inputs();
+  simulated_ += scene.solver.time_step;
+  make_step();
+  if (!replaying()) repeat_inputs();  // a session may end with a reset
+}
+
+void Simulation::make_step() {
   const bool replaying_timed = replaying() && replay_->timed;  // has the iterations that fitted then
   pull(with_hands(other_springs_, model.hands, time() + scene.solver.time_step));
   ++steps_;
@@ -173,6 +181,18 @@ void Simulation::go_on_from(const reference::State& state) {
   if (gpu_) gpu_->upload(state);
   astray_.reset();
   begin_anew();
+}
+
+reference::State Simulation::go_on_as_replay() {
+  const reference::State now = state();
+  set_settings(scene.solver);  // all iterations, whatever was granted last
+  if (gpu_) {
+    gpu_->materials_changed();
+    gpu_->finish_background();
+    gpu_->background_taken();
+  }
+  go_on_from(now);
+  return now;
 }
 
 double Simulation::time() const { return reference_ ? reference_state_.time : gpu_->time(); }
@@ -313,13 +333,14 @@ Opened open_input(const CommonOptions& options, const std::vector<std::string>& 
   for (const std::string& grab : options.grabs) overrides.push_back("--grab " + grab);
   if (options.replay.empty())
     return open_file(options.input.empty() ? default_scene(find_data_dir(options.data_dir)) : std::filesystem::path(options.input), overrides);
-  if (!options.input.empty()) throw Error("--replay", "has a scene of its own", "leave out " + options.input);
+  if (!options.input.empty()) throw UsageError("--replay", "has a scene of its own", "leave out " + options.input);
   return open_replay(options.replay, overrides);
 }
 
 long steps_to_run(const CommonOptions& options, const Simulation& simulation) {
   if (options.steps) return *options.steps;
   const double time_step = simulation.scene.solver.time_step;
+  if (options.time && simulation.replay()) return ReplayTime(*simulation.replay()).steps(*options.time);
   if (options.time) return std::lround(*options.time / time_step);
   return simulation.replay() ? simulation.replay()->steps : std::lround(simulation.scene.duration / time_step);
 }

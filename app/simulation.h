@@ -35,10 +35,16 @@ class Simulation {
   Model model;
 
   void step();
+  /// What a replay has before the next step; step() does it by itself.
+  void repeat_inputs();
   void reset();
   /// Goes on from a state of the same mesh. Throws Error if it is of another one.
   void go_on_from(const reference::State& state);
+  /// Goes on from the state of now to the bits of a replay that starts with it, and returns it: whatever solvers carry from step to step
+  /// begins anew. Precondition: nothing is held.
+  reference::State go_on_as_replay();
   double time() const;
+  double simulated() const { return simulated_; }  // in all steps made [s]: goes on where time() goes back
   /// Static equilibrium, by the reference solver to 1e-10 or by the GPU to 1e-5, or to solver.tolerance if that is given. Throws Error
   /// when the reference solver does not reach it; the GPU's report tells how far float32 went.
   reference::NewtonReport solve_static();
@@ -87,8 +93,8 @@ class Simulation {
   const reference::NewtonReport& newton_report() const { return newton_report_; }
 
  private:
+  void make_step();
   void step_within_budget();
-  void repeat_inputs();
   void repeat(const Change& change);
   void require_fit(const Replay& replay) const;
   bool led_back_later() const;
@@ -115,6 +121,7 @@ class Simulation {
   reference::NewtonReport newton_report_;
 
   long steps_ = 0;        // made
+  double simulated_ = 0;
   std::optional<Replay> replay_;
   std::size_t next_input_ = 0;  // of the replay
   long replay_begin_ = 0;       // steps made before it

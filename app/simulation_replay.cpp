@@ -44,7 +44,7 @@ void Simulation::end_replay() {
 }
 
 bool Simulation::led_back_later() const {
-  if (!replaying()) return false;
+  if (!replay_) return false;
   return std::any_of(replay_->inputs.begin() + static_cast<std::ptrdiff_t>(next_input_), replay_->inputs.end(), [](const Input& input) {
     return std::holds_alternative<SoundInput>(input.change) || std::holds_alternative<ResetInput>(input.change);
   });
@@ -115,6 +115,7 @@ void Simulation::reset() {
     replay_begin_ = steps_;
   }
   go_back_to(!start_);
+  if (!replaying()) repeat_inputs();  // of a replay without steps
 }
 
 void Simulation::go_back_to(bool rest) {

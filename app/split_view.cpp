@@ -91,8 +91,11 @@ void SplitView::restart_from(const Session& a) {
   diagnostics_.reset();
 }
 
-void SplitView::reset() {
-  b_->simulation.reset();
+void SplitView::reset(const Session& a) {
+  if (a.simulation.start())
+    restart_from(a);
+  else
+    b_->simulation.reset();
   b_->true_error.forget();
 }
 
@@ -109,11 +112,30 @@ void SplitView::make_step(Session& session, Side& side) {
   if (const double ms = side.timer.milliseconds(); ms > 0) side.step_ms = side.step_ms > 0 ? 0.9 * side.step_ms + 0.1 * ms : ms;
 }
 
+void SplitView::repeat_inputs(Session& a) {
+  if (!a.simulation.repeating()) return;
+  const std::vector<Material> before = a.simulation.model.materials;
+  const SolverSettings settings = a.simulation.scene.solver;
+  const double time = a.simulation.time();
+  a.simulation.repeat_inputs();
+  const std::vector<Material>& materials = a.simulation.model.materials;
+  Simulation& b = b_->simulation;
+  if (b.scene.solver == settings && a.simulation.scene.solver != settings) b.set_settings(a.simulation.scene.solver);
+  for (std::size_t i = 0; i < std::min(before.size(), b.model.materials.size()); ++i)
+    if (b.model.materials[i] == before[i] && materials[i] != before[i]) b.set_material(i, materials[i]);
+  share(a);
+  b.gpu()->finish_background();  // else when it is taken would depend on the moment
+  if (a.simulation.time() < time) restart_from(a);
+}
+
 void SplitView::step(Session& a, Session& hand) {
+  repeat_inputs(a);
   Session& other = &hand == &a ? *b_ : a;
   other.simulation.set_grab(hand.simulation.asked_springs());
+  const double time = a.simulation.time();
   make_step(a, sides_[0]);
   make_step(*b_, sides_[1]);
+  if (a.simulation.time() < time) restart_from(a);  // a replay that ends with a reset
   if (!b_->simulation.astray()) return;
   ++lost_;  // what B does may not stop A: it goes on from where all was well
   b_->simulation.back_to_sound();

@@ -23,15 +23,15 @@ class SplitView {
   const Session& b() const { return *b_; }
   DialHistory history;  // of the side that the panels do not show
 
-  /// One step of both, under the springs of `hand`, which is one of them.
+  /// One step of both, under the springs of `hand`, which is one of them. What a replay does to A happens to B, too: hands, gravity, time
+  /// step, resets; settings and materials where both have the same.
   void step(Session& a, Session& hand);
-  void reset();                       // B to its start
+  void reset(const Session& a);         // B to where A starts
   void restart_from(const Session& a);  // B into the state that A is in
   /// What both must have in common goes over from the side where it changed: display, gravity, time step.
   void share(Session& a);
   /// A becomes B and B becomes A.
   void swap(std::unique_ptr<Session>& a);
-  std::unique_ptr<Session> take_b() { return std::move(b_); }
   bool asleep() const { return b_->simulation.asleep(); }
 
   /// B's diagnostics of the latest state, where there are any; asked for every time. `wait`: of the state of now.
@@ -61,6 +61,7 @@ class SplitView {
   static Shared shared_of(const Session& session);
   static void apply(const Shared& shared, Session& session);
   static void make_step(Session& session, Side& side);
+  void repeat_inputs(Session& a);
 
   std::unique_ptr<Session> b_;
   std::array<Side, 2> sides_;

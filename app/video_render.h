@@ -14,8 +14,9 @@ namespace fascia {
 
 class VideoRender {
  public:
-  /// Frames go to `options.video`. A video that runs at the speed of life, or as much slower as is asked for, whatever the time step:
-  /// where there are more steps than frames, a frame shows the nearest step, else the tissue moves between steps (Moments). Throws Error.
+  /// Frames go to `options.video`. A video that runs at the speed of life, or as much slower as is asked for, whatever the time step, also
+  /// where a replay changes it: where there are more steps than frames, a frame shows the nearest step, else the tissue moves between
+  /// steps (Moments). Throws Error.
   VideoRender(const RenderOptions& options, Headless& headless);
 
   void after_step();  // writes the frames that can be drawn by now. Throws Error
@@ -24,11 +25,13 @@ class VideoRender {
   std::uint64_t hash() const { return hash_.value(); }  // of all frames
 
  private:
-  void write_until(double step, bool whole);
+  void write_frame();
+  double step_at(double frame) const;
 
   const RenderOptions& options_;
   Headless& headless_;
-  double steps_per_frame_;
+  double rate_;                      // frames per simulated second
+  std::vector<double> frame_of_step_;  // where the steps lie between the frames [steps made + 1]
   std::optional<Moments> moments_;
   std::unique_ptr<FrameSink> sink_;
   std::vector<std::uint8_t> pixels_;

@@ -88,7 +88,6 @@ void ViewWindow::run() {
     attempt([&] { remember(); });
   }
   stats_.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  if (video_.running()) video_.finish();
   attempt([&] {
     remember();
     autosave_.finish();
@@ -98,6 +97,10 @@ void ViewWindow::run() {
   stats_.provenance = provenance();
   stats_.solve_ms = stats_.step_ms;
   count_work(stats_, session_->simulation);
+}
+
+void ViewWindow::finish_video() {
+  if (video_.running()) video_.finish();
 }
 
 bool ViewWindow::still() const {
@@ -271,7 +274,7 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
       s.step_ms = s.step_ms > 0 ? 0.8 * s.step_ms + 0.2 * ms / steps : ms / steps;
     }
   }
-  if (session_->simulation.astray()) go_back();
+  if (const auto lost = session_->simulation.astray()) go_back(*lost);
   read_diagnostics();
   const bool follow = tuned().follow_true_error;  // of both sides
   session_->follow_true_error = follow;
@@ -283,7 +286,7 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
 }
 
 // Once or twice the tissue starts again where all was well, at rest and let go. What then comes apart again would do so for ever.
-void ViewWindow::go_back() {
+void ViewWindow::go_back(std::uint32_t lost) {
   constexpr long kForgiven = 600;  // steps
   constexpr long kMostTimes = 3;
   Simulation& simulation = session_->simulation;
@@ -301,7 +304,7 @@ void ViewWindow::go_back() {
   }
   state_.paused = true;
   came_apart_ = 0;
-  const Breakdown breakdown = find_breakdown(simulation);
+  const Breakdown breakdown = find_breakdown(simulation, lost);
   const std::string text = breakdown.text(simulation.model) + ". Paused at the last sound state; R goes back to the start. ";
   say(text + "More iterations or substeps, or softer tissue, may help", true);
   say(text + keep_replay(breakdown.replay).string() + " repeats it", true);

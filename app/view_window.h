@@ -40,6 +40,8 @@ class ViewWindow {
   /// Until the window is closed, the asked number of steps is done or the program is interrupted. Throws gl::ContextLost, which names
   /// the file that keeps the scene.
   void run();
+  /// The video that was being recorded when the window closed. Throws Error.
+  void finish_video();
 
   const Simulation& simulation() const { return session_->simulation; }
   const RunStats& stats() const { return stats_; }  // of all steps made
@@ -67,7 +69,7 @@ class ViewWindow {
   void follow(const Diagnostics& diagnostics);  // into the plots
   bool choose_probe(const Eigen::Vector2d& at);  // false: nothing was to be chosen
   void write_plots(const Requests& requests);
-  void go_back();  // the state came apart
+  void go_back(std::uint32_t lost);  // the state came apart
   void remember();              // now and then, for a device that is lost and for a window that ends badly
   Scene scene_now() const;      // with the materials and the camera of now
   std::vector<HandMark> marks();
@@ -91,6 +93,7 @@ class ViewWindow {
   void follow_recording();  // once a frame
   void end_recording();
   void leave_recorded_session();
+  void let_go();  // of all that hands hold, at both sides; a replay's hand holds on
   void save_replay(const std::filesystem::path& path);
   void begin_replay();
   void follow_replay();  // its camera and display; its end
@@ -143,6 +146,7 @@ class ViewWindow {
   VideoCapture video_;
   std::unique_ptr<SessionRecording> recording_;  // none: there is no place for it
   long recorded_from_ = 0;                       // steps made before it
+  bool begins_at_start_ = true;                  // where R goes, not in mid-session
   ReplayDialog replay_dialog_;
   ReplayView replay_view_;
   std::optional<DisplaySettings> replayed_display_;

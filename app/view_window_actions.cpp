@@ -9,6 +9,7 @@
 #include "app/scene_edits.h"
 #include "app/view_window.h"
 #include "sim/file.h"
+#include "sim/scene_write.h"
 #include "sim/state_export.h"
 
 namespace fascia {
@@ -180,15 +181,15 @@ void ViewWindow::resume(const fs::path& path) {
   Opened input = read(path, screen);
   const reference::State state = input.replay && input.replay->start ? *input.replay->start : reference::initial_state(input.model);
   input.replay.reset();
-  input.scene.file = fs::current_path() / (Autosave::name_in(path) + ".json");  // what saving suggests
+  move_scene(input.scene, fs::current_path() / (Autosave::name_in(path) + ".json"));  // what saving suggests
   std::unique_ptr<Session> opened = make_session(input, screen, kReadShare);
   opened->simulation.go_on_from(state);
   take_over(std::move(opened));
-  remember();
   if (left_behind_ == path) {
     left_behind_.reset();
-    fs::remove(path);
+    autosave_.replace(path);
   }
+  remember();
 }
 
 // On another thread, so that the window answers and somebody may think better of it.
@@ -217,8 +218,8 @@ std::unique_ptr<Session> ViewWindow::make_session(Opened& opened, OpeningScreen&
 }
 
 void ViewWindow::take_over(std::unique_ptr<Session> opened) {
-  mouse_.cancel(held());
-  end_recording();
+  let_go();
+  attempt([&] { end_recording(); });
   split_.reset();
   state_.comparing = state_.editing_b = hand_in_b_ = false;
   state_.convergence.forget();
@@ -265,7 +266,7 @@ void ViewWindow::save(const fs::path& path) {
 
 void ViewWindow::export_state(const fs::path& path) {
   const Simulation& simulation = session_->simulation;
-  write_state(path, simulation.model.file_mesh, reference::export_fields(simulation.model, simulation.state()));
+  write_state(path, simulation.model.file_mesh, reference::export_fields(simulation.model, simulation.state()), provenance());
   say("Exported " + path.string());
 }
 
@@ -280,9 +281,13 @@ void ViewWindow::follow_hints() {
 }
 
 void ViewWindow::reset() {
-  mouse_.cancel(held());
+  let_go();
+  // A recording that began in mid-session has its own start, and this one leads elsewhere.
+  const bool leaves_recording = !begins_at_start_ && session_->simulation.start();
+  if (leaves_recording) leave_recorded_session();
   session_->simulation.reset();
-  if (split_) split_->reset();
+  if (leaves_recording) attempt([&] { begin_recording(); });
+  if (split_) split_->reset(*session_);
   session_->true_error.forget();
   state_.statistics.steps = 0;
   pacing_.restart();

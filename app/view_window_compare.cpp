@@ -22,7 +22,7 @@ void ViewWindow::edit(bool b) {
 
 void ViewWindow::compare(CompareAsk ask) {
   if (ask != CompareAsk::open_or_close && !split_) return;
-  mouse_.cancel(held());
+  let_go();
   hand_in_b_ = false;
   switch (ask) {
     case CompareAsk::nothing: break;
@@ -65,6 +65,12 @@ void ViewWindow::compare(CompareAsk ask) {
   state_.convergence.forget();
   pacing_.restart();
   diagnose_ = true;
+}
+
+void ViewWindow::let_go() {
+  mouse_.cancel(held());
+  if (!session_->simulation.replay()) session_->simulation.set_grab({});
+  if (split_) split_->b().simulation.set_grab({});
 }
 
 MouseTool::Picture ViewWindow::picture_of_hand() const {

@@ -23,7 +23,8 @@ void ViewWindow::begin_recording() {
   recorded_from_ = simulation.steps_made();
   Replay beginning{scene_now(), simulation.start(), {}, 0};
   const bool gone_on_from = !beginning.start && simulation.time() > 0;
-  if (recorded_from_ > 0 || gone_on_from) beginning.start = simulation.state();
+  begins_at_start_ = recorded_from_ == 0 && !gone_on_from;
+  if (!begins_at_start_) beginning.start = simulation.go_on_as_replay();
   for (auto& entry : provenance())
     if (entry.first != "Parameters" && entry.first != "Title" && entry.first != "Moment") beginning.made_by.push_back(std::move(entry));
   recording_ = std::make_unique<SessionRecording>(path, std::move(beginning));
@@ -47,13 +48,16 @@ void ViewWindow::end_recording() {
 
 // With nothing held, so that another recording may go on from here.
 void ViewWindow::leave_recorded_session() {
-  mouse_.cancel(held());
+  let_go();
+  end_replay("You took over from the replay");
   attempt([&] { end_recording(); });
   session_->simulation.set_listener({});
 }
 
 void ViewWindow::save_replay(const fs::path& path) {
-  if (!recording_) throw Error(path.string(), "this session is not recorded", "expected a folder for the state of programs (XDG_STATE_HOME)");
+  if (!recording_)
+    throw Error(path.string(), "this session is not recorded",
+                "expected neither --steps, --time nor --static, and a folder for the state of programs (XDG_STATE_HOME)");
   end_recording();
   recording_->save_as(path);
   say("Saved " + path.string() + ". fascia render --replay makes a video of it");

@@ -18,6 +18,11 @@ std::size_t behind(const std::string& text, std::string_view line) {
 
 }  // namespace
 
+Provenance without_moment(Provenance provenance) {
+  std::erase_if(provenance, [](const auto& entry) { return entry.first == "Moment"; });
+  return provenance;
+}
+
 std::string provenance_json(const Provenance& provenance) {
   Json object = Json::object();
   for (const auto& [keyword, text] : provenance) object[keyword] = text;

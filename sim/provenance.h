@@ -11,6 +11,9 @@ namespace fascia {
 
 using Provenance = std::vector<std::pair<std::string, std::string>>;  // keyword, text
 
+/// Of a file that shows many moments.
+Provenance without_moment(Provenance provenance);
+
 /// {"Software":"fascia 0.1.0",...}, on one line and without "--", which XML comments must not have.
 std::string provenance_json(const Provenance& provenance);
 /// The text of an export whose ending is .vtu, .msh or .obj, with the line in it; of others as it is. None without provenance.

@@ -10,6 +10,14 @@ namespace {
 namespace fs = std::filesystem;
 using json = nlohmann::ordered_json;
 
+/// The same place as seen from `folder` (empty: the working folder); an absolute path stays.
+std::string path_from(const fs::path& folder, const Scene& scene, const std::string& relative) {
+  if (fs::path(relative).is_absolute()) return relative;
+  std::error_code ec;
+  const fs::path target = scene.resolve(relative), from_folder = fs::relative(target, folder.empty() ? "." : folder, ec);
+  return (from_folder.empty() ? fs::absolute(target, ec) : from_folder).string();
+}
+
 /// Whole numbers without ".0".
 json number(double value) {
   const bool is_whole = std::abs(value) < 1e9 && value == std::floor(value) && !(value == 0 && std::signbit(value));
@@ -149,11 +157,7 @@ class SceneWriter {
   }
 
   std::string path(const std::string& relative) const {
-    if (same_folder_ || fs::path(relative).is_absolute()) return relative;
-    std::error_code ec;
-    const fs::path target = scene_.resolve(relative);
-    const fs::path from_folder = fs::relative(target, folder_.empty() ? "." : folder_, ec);
-    return (from_folder.empty() ? fs::absolute(target, ec) : from_folder).string();
+    return same_folder_ ? relative : path_from(folder_, scene_, relative);
   }
 
   const Scene& scene_;
@@ -189,6 +193,19 @@ std::string text_of(const json& value, const std::string& indent, bool on_one_li
 }
 
 }  // namespace
+
+void move_scene(Scene& scene, const fs::path& file) {
+  const auto follow = [&](std::string& path) {
+    if (!path.empty()) path = path_from(file.parent_path(), scene, path);
+  };
+  for (Body& body : scene.bodies) {
+    follow(body.mesh);
+    follow(body.surface);
+    for (PrescribedMotion& motion : body.prescribed) follow(motion.targets);
+    if (auto* path = std::get_if<std::string>(&body.initial_velocity)) follow(*path);
+  }
+  scene.file = file;
+}
 
 json scene_document(const Scene& scene, const fs::path& folder) { return SceneWriter(scene, folder).write(); }
 

@@ -14,6 +14,9 @@ nlohmann::ordered_json camera_document(const CameraSettings& camera);
 nlohmann::ordered_json display_document(const DisplaySettings& display);
 nlohmann::ordered_json vector_document(const Eigen::Vector3d& v);
 
+/// The scene's file is `file` from now on, and its paths lead where they led.
+void move_scene(Scene& scene, const std::filesystem::path& file);
+
 /// What fits stands on one line, and so does a list without objects, however long. Ends with a line break.
 std::string text_of(const nlohmann::ordered_json& document);
 

@@ -110,15 +110,15 @@ void write_state(const fs::path& path, const TetMesh& rest, const StateFields& f
   }
 }
 
-void StateSeries::write(double time_s, const TetMesh& rest, const StateFields& fields) {
+void StateSeries::write(double time_s, const TetMesh& rest, const StateFields& fields, const Provenance& provenance) {
   char number[16];
   std::snprintf(number, sizeof number, "_%06zu", written_.size());
   const fs::path frame = path_.parent_path() / (path_.stem().string() + number + path_.extension().string());
-  // A series of .csv files has it once, beside the name that was asked for.
+  // A series of .csv files has it once, beside the name that was asked for, and of no moment.
   const bool csv_series = lower_ending(path_) == ".csv";
-  write_state(frame, rest, fields, csv_series ? Provenance{} : provenance_);
-  if (csv_series && written_.empty() && !provenance_.empty())
-    write_file(provenance_beside(path_), "{\"provenance\":" + provenance_json(provenance_) + "}\n");
+  write_state(frame, rest, fields, csv_series ? Provenance{} : provenance);
+  if (csv_series && written_.empty() && !provenance.empty())
+    write_file(provenance_beside(path_), "{\"provenance\":" + provenance_json(without_moment(provenance)) + "}\n");
   written_.emplace_back(time_s, frame.filename().string());
   if (lower_ending(path_) != ".vtu") return;
 

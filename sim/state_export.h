@@ -29,13 +29,11 @@ void write_state(const std::filesystem::path& path, const TetMesh& rest, const S
 /// interrupted run leaves a readable series. For endings other than .vtu only the numbered files are written.
 class StateSeries {
  public:
-  explicit StateSeries(std::filesystem::path path, Provenance provenance = {})
-      : path_(std::move(path)), provenance_(std::move(provenance)) {}  // "out.vtu" -> out_000000.vtu, out.pvd
-  void write(double time_s, const TetMesh& rest, const StateFields& fields);
+  explicit StateSeries(std::filesystem::path path) : path_(std::move(path)) {}  // "out.vtu" -> out_000000.vtu, out.pvd
+  void write(double time_s, const TetMesh& rest, const StateFields& fields, const Provenance& provenance = {});
 
  private:
   std::filesystem::path path_;
-  Provenance provenance_;
   std::vector<std::pair<double, std::string>> written_;
 };
 

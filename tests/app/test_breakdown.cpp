@@ -137,7 +137,7 @@ TEST_CASE("a lost state is led back to the last sound one, and its replay begins
   simulation.set_grab({{kLost, {1e25, 0, 0}, 1e20}});
   for (int i = 0; i < 40 && !simulation.astray(); ++i) simulation.step();
   REQUIRE(simulation.astray());
-  const Breakdown breakdown = find_breakdown(simulation);
+  const Breakdown breakdown = find_breakdown(simulation, *simulation.astray());
   INFO(breakdown.text(simulation.model));
   CHECK(breakdown.found);
   CHECK(breakdown.replay.steps >= 1);
@@ -152,6 +152,18 @@ TEST_CASE("a lost state is led back to the last sound one, and its replay begins
   simulation.set_grab({});
   for (int i = 0; i < 20; ++i) simulation.step();
   CHECK_FALSE(simulation.check_now());
+}
+
+TEST_CASE("a replay that is cut within a breakdown says so") {
+  const Box box;
+  Replay replay = box.broken();
+  replay.inputs.push_back({replay.steps - 1, SoundInput{}});  // by which it would be led back
+  write_replay(box.folder / "led_back.fascia", replay);
+  const CommandResult run =
+      run_fascia({"run", "--replay", "led_back.fascia", "--context", "osmesa", "--steps", std::to_string(replay.steps - 1)}, box.folder.path());
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 1);
+  CHECK_THAT(run.err, Catch::Contains("came apart at ") && Catch::Contains("the replay goes back to a sound state later"));
 }
 
 TEST_CASE("a replay that does not fit its mesh is refused") {

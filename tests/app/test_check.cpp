@@ -107,6 +107,39 @@ TEST_CASE("check: a scene that changed fails and leaves its picture and the diff
   CHECK(contains(read_file(out / "report.xml"), "llvmpipe"));
 }
 
+TEST_CASE("check --update that is interrupted leaves goldens alone", "[check]") {
+  const TemporaryFolder folder;
+  const auto settings = [&](const char* steps) {
+    write_file(folder / "check.json", R"({"fascia_check": 1, "scenes": {"cube": {"scene": ")" + shipped("cube.json") +
+                                          R"("}}, "defaults": {"size": [64, 48], "set": ["solver.rest_speed=0"], "steps": )" + steps + "}}");
+  };
+  settings("2");
+  REQUIRE(check(folder.path(), {"--update"}).exit_code == 0);
+  const std::string picture = read_file(folder / "cube.golden.png"), state = read_file(folder / "cube.golden.csv");
+  settings("1000000");  // hours
+  const CommandResult cut = run_command({"timeout", "--preserve-status", "-s", "INT", "4", FASCIA_BINARY, "check", folder.path().string(),
+                                         "--context", "osmesa", "--update"});
+  INFO(cut.out << cut.err);
+  CHECK(cut.exit_code == 130);
+  CHECK((read_file(folder / "cube.golden.png") == picture));
+  CHECK((read_file(folder / "cube.golden.csv") == state));
+}
+
+TEST_CASE("check: a golden may be made by run --export, with what made it beside it", "[check]") {
+  const TemporaryFolder folder;
+  fs::copy_file(source_dir() / "assets/meshes/cube.msh", folder / "cube.msh");
+  write_file(folder / "cube.json", R"({"fascia_scene": 1, "bodies": [{"mesh": "cube.msh", "fixed": [{"lowest": 0.02}]}]})");
+  write_file(folder / "check.json", R"({"fascia_check": 1, "defaults": {"size": [64, 48], "steps": 3, "picture": false}})");
+  REQUIRE(run_fascia({"run", (folder / "cube.json").string(), "--context", "osmesa", "--quiet", "--steps", "3", "--export",
+                      (folder / "cube.golden.csv").string()})
+              .exit_code == 0);
+  REQUIRE(fs::exists(folder / "cube.golden.csv.json"));
+  const CommandResult result = check(folder.path(), {});
+  INFO(result.out << result.err);
+  CHECK(result.exit_code == 0);
+  CHECK(contains(result.out, "1 scene, 0 failed"));
+}
+
 TEST_CASE("check.json is strict", "[check]") {
   expect_error(R"({"fascia_check": 1, "default": {}})", {"check.json", "unknown key \"default\"", "perhaps \"defaults\""});
   expect_error(R"({"fascia_check": 2})", {"fascia_check", "expected"});

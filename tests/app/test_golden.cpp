@@ -105,7 +105,11 @@ TEST_CASE("goldens that cannot be compared are one line each", "[golden]") {
   CHECK(contains(size.err, "carries no provenance"));
   CHECK(render({"--compare", png, "--max-mean", "half"}).exit_code == 2);
   CHECK(render({"--max-mean", "0.1", "--out", png}).exit_code == 2);
-  CHECK(render({"--update", "--out", png}).exit_code == 1);
+  CHECK(render({"--update", "--out", png}).exit_code == 2);
+  const std::string diff = folder / "diff.png";
+  write_file(diff, "of an earlier run");
+  CHECK(render({"--compare", png, "--diff", diff}).exit_code == 1);  // of another size
+  CHECK_FALSE(fs::exists(diff));
 }
 
 TEST_CASE("tolerances are numbers or quotients", "[golden]") {

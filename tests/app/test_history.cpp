@@ -139,7 +139,7 @@ TEST_CASE("history options that make no sense are refused in one line") {
   CHECK(far.exit_code == 1);
   CHECK_THAT(far.err, Catch::Contains("--probe 999999: is no vertex of this scene; expected an index below 177"));
   const CommandResult still = run_fascia({"run", scene, "--static", "--history", "h.csv"}, folder.path());
-  CHECK(still.exit_code == 1);
+  CHECK(still.exit_code == 2);
   CHECK_THAT(still.err, Catch::Contains("--history: has no steps to follow with --static"));
   CHECK(run_fascia({"run", scene, "--probe", "3"}, folder.path()).exit_code == 2);
   CHECK_FALSE(std::filesystem::exists(folder / "h.csv"));

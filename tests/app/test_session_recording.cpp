@@ -1,13 +1,17 @@
 // Sessions that are recorded while they go on, and what becomes of them.
-#include <catch2/catch.hpp>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <catch2/catch.hpp>
 #include <cmath>
+#include <csignal>
 #include <thread>
 
 #include "app/graphics.h"
 #include "app/replay_view.h"
 #include "app/session_recording.h"
 #include "app/simulation.h"
+#include "app/user_files.h"
 #include "sim/error.h"
 #include "sim/file.h"
 #include "sim/mesh_generate.h"
@@ -178,6 +182,122 @@ TEST_CASE("tissue that came apart and was led back is replayed", "[session]") {
     REQUIRE_FALSE(again.astray());  // for it will be led back
   }
   CHECK(hash_text(state_hash(again.state())) == hash_text(*replay.hash));
+}
+
+TEST_CASE("a session that ends with a reset or a return to the last sound state is replayed to its end", "[session]") {
+  const Bar bar(6, 2);
+  const std::filesystem::path path = bar.folder / "session.fascia";
+  Recorded live(bar, path);
+  live.simulation.set_grab(hand(live.simulation.model, {0, 0.1, 0}));
+  const bool torn = GENERATE(false, true);
+  live.steps(torn ? 21 : 7);
+  if (torn) {
+    auto pull = hand(live.simulation.model, {1e25, 0, 0});
+    for (GrabSpring& spring : pull) spring.stiffness = 1e20;
+    live.simulation.set_grab(pull);
+    for (int i = 0; i < 60 && !live.simulation.astray(); ++i) live.steps(1);
+    REQUIRE(live.simulation.astray());
+    live.simulation.set_grab({});
+    live.simulation.back_to_sound();
+    live.simulation.begin_anew();
+  } else {
+    live.simulation.set_grab({});
+    live.simulation.reset();
+  }
+  live.end();
+  const Replay replay = read_replay(path);
+  REQUIRE(replay.inputs.back().step == replay.steps);
+  Simulation again(replay.scene, live.graphics.programs.get(), false);
+  again.play(replay);
+  for (long i = 0; i < replay.steps; ++i) {
+    again.step();
+    REQUIRE_FALSE(again.astray());
+  }
+  CHECK_FALSE(again.check_now());
+  CHECK(hash_text(state_hash(again.state())) == hash_text(*replay.hash));
+}
+
+TEST_CASE("a recording that begins in mid-session is replayed to the bit", "[session]") {
+  const bool within_budget = GENERATE(false, true);
+  CAPTURE(within_budget);
+  Bar bar;  // with regions at rest, and looks at what moves every few steps
+  bar.scene.gravity = {0, 0, 0};
+  bar.scene.bodies[0].material.damping = 0.3;
+  if (within_budget) {
+    bar.scene.solver.frame_budget = 3;
+    bar.scene.solver.iterations = 30;
+  }
+  Recorded live(bar, bar.folder / "first.fascia");
+  live.simulation.set_grab(hand(live.simulation.model, {0, 0.02, 0}));
+  live.steps(13);  // between two looks
+  live.simulation.set_grab({});
+  Material soft = live.simulation.model.materials[0];
+  soft.young_modulus *= 0.5;
+  live.simulation.set_material(0, soft);  // the coarse level follows beside the steps
+  live.steps(8);
+  live.end();
+  const long before = live.simulation.steps_made();
+
+  live.simulation.set_listener({});
+  const std::filesystem::path path = bar.folder / "second.fascia";
+  Replay beginning{live.simulation.scene, std::nullopt, {}, 0};
+  beginning.scene.bodies[0].material = soft;
+  beginning.start = live.simulation.go_on_as_replay();
+  SessionRecording second(path, beginning);
+  live.simulation.set_listener([&](const Input& input) { second.add({input.step - before, input.change}); });
+  live.steps(40);
+  live.simulation.set_grab(hand(live.simulation.model, {0, 0.001, 0}));
+  live.steps(9);
+  live.simulation.set_grab({});
+  live.steps(30);
+  second.note_state(live.simulation.steps_made() - before, state_hash(live.simulation.state()));
+  const Replay replay = read_replay(path);
+  CHECK(replay.steps == 79);
+  CHECK(hash_text(replayed_hash(replay, live.graphics)) == hash_text(*replay.hash));
+}
+
+TEST_CASE("a session in which nobody did anything leaves no file, and one that is not whole is not saved as one", "[session]") {
+  const Bar bar(6, 2);
+  const std::filesystem::path path = bar.folder / "session.fascia";
+  {
+    Recorded idle(bar, path);
+    idle.steps(2);
+    idle.end();
+    CHECK(std::filesystem::exists(path));
+    CHECK_THROWS_WITH(idle.recording.save_as(path), Catch::Contains("is where the session is being recorded"));
+    CHECK(read_replay(path).steps == 2);
+  }
+  CHECK_FALSE(std::filesystem::exists(path));
+
+  SessionRecording torn(path, Replay{bar.scene, std::nullopt, {}, 0});
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size stands for a full disk
+  rlimit usual{};
+  getrlimit(RLIMIT_FSIZE, &usual);
+  const rlimit full{std::filesystem::file_size(path), usual.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &full);
+  torn.add({0, GravityInput{{0, 1, 0}}});
+  CHECK_THROWS_WITH(torn.note_state(3, 0), Catch::Contains("no longer recorded"));
+  setrlimit(RLIMIT_FSIZE, &usual);
+  CHECK_THROWS_WITH(torn.save_as(bar.folder / "copy.fascia"), Catch::Contains("recorded in part only"));
+  CHECK_FALSE(std::filesystem::exists(bar.folder / "copy.fascia"));
+}
+
+TEST_CASE("sessions that other windows are recording stay, however many there are", "[session]") {
+  const TemporaryFolder home;
+  setenv("XDG_STATE_HOME", home.path().c_str(), 1);
+  const std::filesystem::path sessions = session_file().parent_path();
+  const auto make = [&](const std::string& name) {
+    write_file(sessions / (name + ".fascia"), "");
+    return sessions / (name + ".fascia");
+  };
+  const std::filesystem::path live = make("20200101-000000-" + std::to_string(getppid()));
+  const std::filesystem::path own = make("20200101-000001-" + std::to_string(getpid()) + "-2"), dead = make("20200101-000002-999999999");
+  for (int i = 10; i < 20; ++i) make("20210101-0000" + std::to_string(i) + "-999999999");
+  session_file();
+  unsetenv("XDG_STATE_HOME");
+  CHECK(std::filesystem::exists(live));
+  CHECK_FALSE(std::filesystem::exists(own));
+  CHECK_FALSE(std::filesystem::exists(dead));
 }
 
 TEST_CASE("a replay that is taken over goes on, and its own recording has all of it", "[session]") {

@@ -93,6 +93,48 @@ TEST_CASE("sides differ in what they are told to, and share display, gravity and
   CHECK(again.b().simulation.scene.solver.method == cube().solver.method);
 }
 
+TEST_CASE("what a replay does to one side happens to the other, but for what differs", "[split]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Session a(graphics, cube(), false);
+  Replay replay{cube(), std::nullopt, {}, 16};
+  Material soft = a.simulation.model.materials[0], softer = soft;
+  soft.young_modulus /= 2;
+  softer.young_modulus /= 3;
+  SolverSettings slower = cube().solver;
+  slower.time_step *= 0.5;
+  replay.inputs = {{1, GrabInput(pull(a.simulation.model))}, {3, MaterialInput{0, soft}}, {4, GravityInput{{1, 2, 3}}}, {5, slower},
+                   {8, ResetInput{}}, {9, GrabInput{}}, {16, ResetInput{}}};
+  a.simulation.play(replay);
+  Scene other = cube();
+  const bool differs = GENERATE(false, true);
+  if (differs) other.solver.iterations = 3;
+  SplitView split(graphics, a, other, build_model(other));
+  for (int i = 0; i < 16; ++i) {
+    split.step(a, a);
+    CAPTURE(i);
+    const Simulation& b = split.b().simulation;
+    CHECK(b.time() == a.simulation.time());
+    CHECK(b.scene.gravity == a.simulation.scene.gravity);
+    CHECK(b.scene.solver.time_step == a.simulation.scene.solver.time_step);
+    CHECK(b.model.materials == a.simulation.model.materials);
+    if (differs) CHECK(b.scene.solver.iterations == 3);
+    if (!differs) CHECK(largest_difference(a.simulation.state(), b.state()) == 0);
+  }
+  CHECK(a.simulation.time() == 0);
+
+  INFO("reset() leads both to where A starts");
+  replay.start = a.simulation.state();
+  replay.start->displacement.back() += Eigen::Vector3d(0.01, 0, 0);
+  a.simulation.play(replay);
+  a.simulation.end_replay();
+  split.restart_from(a);
+  split.step(a, a);
+  a.simulation.reset();
+  split.reset(a);
+  CHECK(largest_difference(a.simulation.state(), split.b().simulation.state()) == 0);
+  CHECK(largest_difference(a.simulation.state(), reference::initial_state(a.simulation.model)) > 0.009);
+}
+
 TEST_CASE("a side with another mesh is refused", "[split]") {
   Graphics graphics = open_graphics(headless(), false);
   Session a(graphics, cube(), false);

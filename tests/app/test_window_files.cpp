@@ -7,6 +7,9 @@
 #include "sim/file.h"
 #include "sim/mesh_generate.h"
 #include "sim/mesh_io.h"
+#include "sim/provenance.h"
+#include "sim/replay.h"
+#include "sim/scene.h"
 #include "tests/app/window_fixture.h"
 
 using namespace fascia;
@@ -51,7 +54,15 @@ long step_of(const Screenshot& shot) {
 
 TEST_CASE("what a killed window had is offered by the next one, and taken up with its values") {
   const Desk desk;
-  const std::string scene = desk.scene("killed", 2e5);
+  // Its mesh lies beside it, and the next window starts elsewhere.
+  const std::filesystem::path models = desk.folder / "models";
+  std::filesystem::create_directory(models);
+  std::filesystem::copy_file(source_dir() / "assets/meshes/cube.msh", models / "cube.msh");
+  nlohmann::json document = nlohmann::json::parse(read_file(desk.scene("killed", 2e5)));
+  std::filesystem::remove(desk.folder / "killed.json");
+  document["bodies"][0]["mesh"] = "cube.msh";
+  const std::string scene = (models / "killed.json").string();
+  write_file(scene, document.dump());
   {
     FasciaWindow window(with_size({scene, "--set", "materials.default.young_modulus=3e4"}), desk.folder.path());
     CHECK(window.screenshot().young_modulus == 3e4);
@@ -73,15 +84,28 @@ TEST_CASE("what a killed window had is offered by the next one, and taken up wit
     return false;
   }));
   CHECK(window.screenshot().young_modulus == 3e4);
+  const std::filesystem::path saved = desk.folder / "killed.json";
+  CHECK(eventually([&] {
+    window.key("Escape");
+    window.key("ctrl+s");
+    window.pause();
+    window.key("Return");
+    window.pause();
+    return std::filesystem::exists(saved);
+  }));
+  const Scene again = open_scene(saved);
+  CHECK(again.bodies.at(0).material.young_modulus == 3e4);
+  CHECK(std::filesystem::equivalent(again.resolve(again.bodies.at(0).mesh), models / "cube.msh"));
   window.key("ctrl+q");
   CHECK(window.wait() == 0);
   const auto left = desk.with_ending(".fascia", desk.display.state());
   REQUIRE(left.size() == 1);
   CHECK_THAT(left[0].filename().string(), Catch::Contains(".last.fascia"));
   const UserSettings settings = read_user_settings(desk.display.settings());
-  REQUIRE(settings.recent.size() == 2);
-  CHECK(settings.recent[0] == other);
-  CHECK(settings.recent[1] == scene);
+  REQUIRE(settings.recent.size() == 3);
+  CHECK(settings.recent[0] == saved);
+  CHECK(settings.recent[1] == other);
+  CHECK(settings.recent[2] == scene);
 }
 
 TEST_CASE("two windows keep their states apart") {
@@ -138,6 +162,31 @@ TEST_CASE("opening a large mesh is given up with Escape, and the open scene goes
   CHECK(window.wait() == 0);
 }
 
+TEST_CASE("a video that fails when the window closes costs neither the export nor the recorded session") {
+  const Desk desk;
+  const std::string scene = desk.scene("filmed", 5e3);
+  std::filesystem::create_directory(desk.folder / "tools");
+  write_file(desk.folder / "tools/ffmpeg", "#!/bin/sh\ntouch started\ncat >/dev/null\necho 'No space left on device' >&2\nexit 1\n");
+  std::filesystem::permissions(desk.folder / "tools/ffmpeg", std::filesystem::perms::owner_all);
+  const std::string usual = getenv("PATH");
+  setenv("PATH", ((desk.folder / "tools").string() + ":" + usual).c_str(), 1);
+  FasciaWindow window(with_size({scene, "--export", "end.csv"}), desk.folder.path());
+  setenv("PATH", usual.c_str(), 1);
+  window.screenshot();
+  window.key("v");
+  CHECK(eventually([&] { return std::filesystem::exists(desk.folder / "started"); }));
+  window.key("r");  // something that was done
+  window.screenshot();
+  window.key("ctrl+q");
+  CHECK(window.wait() == 1);
+  CHECK_THAT(window.said(), Catch::Contains("No space left on device"));
+  CHECK(std::filesystem::exists(desk.folder / "end.csv"));
+  const auto sessions = desk.with_ending(".fascia", desk.display.state() / "sessions");
+  REQUIRE(sessions.size() == 1);
+  CHECK(read_replay(sessions[0]).hash);  // to its end
+  CHECK(desk.with_ending(".fascia", desk.display.state()).size() == 1);
+}
+
 TEST_CASE("plots are written as a table of what was shown, and the state is exported") {
   const Desk desk;
   const std::string scene = desk.scene("plotted", 5e3);
@@ -164,6 +213,7 @@ TEST_CASE("plots are written as a table of what was shown, and the state is expo
     return std::filesystem::exists(desk.folder / "plotted.vtu");
   }));
   CHECK(read_mesh(desk.folder / "plotted.vtu").mesh.tets.size() == 500);
+  CHECK_FALSE(find_provenance(read_file(desk.folder / "plotted.vtu")).empty());
   window.key("ctrl+q");
   CHECK(window.wait() == 0);
   const std::string table = read_file(tables().front());

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/file.h"
+#include "sim/replay.h"
 #include "tests/app/window_fixture.h"
 
 using namespace fascia;
@@ -72,4 +73,40 @@ TEST_CASE("two hands in the window: the first stays, the second goes away with t
   const double away = -hands[0].at("force")[2].get<double>();
   CHECK(away > 0);
   CHECK(away > std::abs(hands[0].at("force")[0].get<double>()));
+}
+
+TEST_CASE("a hand that stays at side B of a comparison is let go of at both sides when the comparison ends") {
+  const TemporaryFolder folder;
+  const VirtualDisplay display(kWidth, kHeight);
+  write_file(folder / "cube.json",
+             nlohmann::json{{"fascia_scene", 1},
+                            {"gravity", {0, 0, 0}},
+                            {"bodies", {{{"mesh", (source_dir() / "assets/meshes/cube.msh").string()}, {"fixed", {{{"lowest", 0.02}}}}}}},
+                            {"camera", {{"eye", {0, 0.05, 0.4}}, {"target", {0, 0.05, 0}}, {"fov_deg", 30}}}}
+                 .dump());
+  FasciaWindow window({(folder / "cube.json").string(), "--size", "1000x700"}, folder.path());
+  const auto grabs = [&] {  // of the session, so far
+    std::vector<Input> inputs;
+    for (const auto& entry : std::filesystem::directory_iterator(display.state() / "sessions")) inputs = read_replay(entry.path()).inputs;
+    std::erase_if(inputs, [](const Input& input) { return !std::holds_alternative<GrabInput>(input.change); });
+    return inputs;
+  };
+  window.screenshot();
+  window.key("b");
+  window.screenshot();
+  window.move(kPanels + 3 * (kWidth - kPanels) / 4, kHeight / 2 - 40);
+  CHECK(eventually([&] {
+    window.press();
+    window.move(kPanels + 3 * (kWidth - kPanels) / 4 - 20, kHeight / 2 - 80);
+    window.screenshot();
+    return !grabs().empty();
+  }));
+  window.key("t");
+  window.release();
+  window.screenshot();
+  REQUIRE_FALSE(std::get<GrabInput>(grabs().back().change).empty());
+  window.key("b");
+  CHECK(eventually([&] { return std::get<GrabInput>(grabs().back().change).empty(); }));
+  window.key("ctrl+q");
+  CHECK(window.wait() == 0);
 }
