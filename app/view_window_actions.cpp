@@ -286,7 +286,10 @@ void ViewWindow::reset() {
   const bool leaves_recording = !begins_at_start_ && session_->simulation.start();
   if (leaves_recording) leave_recorded_session();
   session_->simulation.reset();
-  if (leaves_recording) attempt([&] { begin_recording(); });
+  if (leaves_recording) {
+    attempt([&] { begin_recording(); });
+    begins_at_start_ = true;
+  }
   if (split_) split_->reset(*session_);
   session_->true_error.forget();
   state_.statistics.steps = 0;

@@ -1,8 +1,11 @@
 // Undo, redo and the comparison of two settings in the real window, by hands.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "sim/error.h"
 #include "sim/file.h"
+#include "sim/replay.h"
 #include "tests/app/window_fixture.h"
 
 using namespace fascia;
@@ -93,4 +96,55 @@ TEST_CASE("a drag of a slider is taken back and done again by keys, and two sett
   CHECK(eventually([&] { return !divided(window.screenshot().image); }));
   window.key("ctrl+q");
   CHECK(window.wait() == 0);
+}
+
+TEST_CASE("a session whose sides were swapped is replayed to the bit, also where R leads to the start of a replay") {
+  const TemporaryFolder folder;
+  const VirtualDisplay display(kWidth, kHeight);
+  write_file(folder / "cube.json", cube_scene());
+  Replay kept{open_scene(folder / "cube.json"), std::nullopt, {}, 0};
+  const Model model = build_model(kept.scene);
+  kept.start = reference::initial_state(model);
+  const std::vector<char> held = model.held();
+  for (std::size_t v = 0; v < held.size(); ++v)
+    if (!held[v]) kept.start->displacement[v] = {0.01, 0, 0};
+  write_replay(folder / "kept.fascia", kept);
+  FasciaWindow window({(folder / "kept.fascia").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)}, folder.path());
+  window.screenshot();
+  std::filesystem::path session;
+  const auto begins_at = [&] {  // the newest recording; no number while one takes the place of another
+    session.clear();
+    for (const auto& entry : std::filesystem::directory_iterator(display.state() / "sessions")) session = std::max(session, entry.path());
+    try {
+      const Replay replay = read_replay(session);
+      return replay.start ? replay.start->time : 0;
+    } catch (const Error&) {
+      return std::nan("");
+    }
+  };
+  window.key("b");
+  CHECK(eventually([&] { return divided(window.screenshot().image); }));
+  double began = begins_at();
+  CHECK(began == 0);
+  for (int swap = 0; swap < 2; ++swap) {
+    window.move(128, 328);
+    window.press();
+    window.pause();
+    window.release();
+    CHECK(eventually([&] { return begins_at() > began; }));
+    began = begins_at();
+    REQUIRE(began > 0);
+  }
+  window.key("r");
+  CHECK(eventually([&] { return begins_at() == 0; }));
+  window.screenshot();
+  window.key("r");
+  window.screenshot();
+  window.key("ctrl+q");
+  CHECK(window.wait() == 0);
+  begins_at();
+  REQUIRE_FALSE(read_replay(session).inputs.empty());
+  const CommandResult again = run_fascia({"run", "--replay", session.string()}, folder.path());
+  CAPTURE(again.err);
+  CHECK(again.err.find("fascia: to the bit what was recorded") != std::string::npos);
 }
