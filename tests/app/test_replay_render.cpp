@@ -174,7 +174,7 @@ TEST_CASE("more samples than the renderer has are averaged from shifted pictures
 
 TEST_CASE("what fascia wrote says what made it", "[session]") {
   const Pulled pulled;
-  pulled.run("render", {"--out", "shot.png", "--video", "film.mp4"});
+  pulled.run("render", {"--out", "shot.png", "--video", "film.mp4", "--set", "title=it's two words"});
   pulled.run("render", {"--video", "film.webm", "--fps", "30"});
   CHECK(frames_of(pulled.folder / "film.webm").starts_with("96,64,30/1,6"));
   pulled.run("run", {"--export", "state.csv", "--stats", "stats.json"});
@@ -191,6 +191,7 @@ TEST_CASE("what fascia wrote says what made it", "[session]") {
     CHECK(info.out.find("llvmpipe") != std::string::npos);
     CHECK(info.out.find("young_modulus") != std::string::npos);
   }
+  CHECK(run_fascia({"info", "shot.png"}, pulled.folder.path()).out.find(R"(--set 'title=it'\''s two words')") != std::string::npos);
   const CommandResult replay = run_fascia({"info", "pulled.fascia"}, pulled.folder.path());
   CHECK(replay.out.find("12 steps, 0.2 s") != std::string::npos);
   // Exports are meshes as before.

@@ -358,6 +358,13 @@ TEST_CASE("a copy of a session opens elsewhere", "[session]") {
   CHECK(std::filesystem::equivalent(copy.scene.resolve(copy.scene.bodies[0].mesh), bar.folder / "bar.msh"));
   CHECK(copy.steps == 4);
   CHECK_THROWS_AS(live.recording.save_as(elsewhere / "no" / "copy.fascia"), Error);
+
+  INFO("and is compared with what was recorded");
+  const std::vector<std::string> run{"run", "--replay", (elsewhere / "copy.fascia").string(), "--context", "osmesa"};
+  CHECK_THAT(run_fascia(run).err, Catch::Contains("fascia: to the bit what was recorded"));
+  std::vector<std::string> other = run;
+  other.insert(other.end(), {"--set", "gravity=[0,1,0]"});
+  CHECK_THAT(run_fascia(other).err, Catch::Contains("another state than was recorded, with other values"));
 }
 
 TEST_CASE("a recorded camera moves smoothly, passes what was recorded, and stands where it stood", "[session]") {
