@@ -91,11 +91,9 @@ void SplitView::restart_from(const Session& a) {
   diagnostics_.reset();
 }
 
-void SplitView::reset(const Session& a) {
-  if (a.simulation.start())
-    restart_from(a);
-  else
-    b_->simulation.reset();
+void SplitView::reset(Session& a) {
+  follow(a, [&] { a.simulation.reset(); });
+  restart_from(a);
   b_->true_error.forget();
 }
 
@@ -112,12 +110,11 @@ void SplitView::make_step(Session& session, Side& side) {
   if (const double ms = side.timer.milliseconds(); ms > 0) side.step_ms = side.step_ms > 0 ? 0.9 * side.step_ms + 0.1 * ms : ms;
 }
 
-void SplitView::repeat_inputs(Session& a) {
-  if (!a.simulation.repeating()) return;
+void SplitView::follow(Session& a, const std::function<void()>& change_a) {
   const std::vector<Material> before = a.simulation.model.materials;
   const SolverSettings settings = a.simulation.scene.solver;
   const double time = a.simulation.time();
-  a.simulation.repeat_inputs();
+  change_a();
   const std::vector<Material>& materials = a.simulation.model.materials;
   Simulation& b = b_->simulation;
   if (b.scene.solver == settings && a.simulation.scene.solver != settings) b.set_settings(a.simulation.scene.solver);
@@ -129,7 +126,7 @@ void SplitView::repeat_inputs(Session& a) {
 }
 
 void SplitView::step(Session& a, Session& hand) {
-  repeat_inputs(a);
+  if (a.simulation.repeating()) follow(a, [&] { a.simulation.repeat_inputs(); });
   Session& other = &hand == &a ? *b_ : a;
   other.simulation.set_grab(hand.simulation.asked_springs());
   const double time = a.simulation.time();

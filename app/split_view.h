@@ -2,6 +2,7 @@
 // same steps under the same hand and are drawn with the same camera. Exists only while two are compared.
 #pragma once
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -26,7 +27,7 @@ class SplitView {
   /// One step of both, under the springs of `hand`, which is one of them. What a replay does to A happens to B, too: hands, gravity, time
   /// step, resets; settings and materials where both have the same.
   void step(Session& a, Session& hand);
-  void reset(const Session& a);         // B to where A starts
+  void reset(Session& a);               // both to where A starts
   void restart_from(const Session& a);  // B into the state that A is in
   /// What both must have in common goes over from the side where it changed: display, gravity, time step.
   void share(Session& a);
@@ -61,7 +62,7 @@ class SplitView {
   static Shared shared_of(const Session& session);
   static void apply(const Shared& shared, Session& session);
   static void make_step(Session& session, Side& side);
-  void repeat_inputs(Session& a);
+  void follow(Session& a, const std::function<void()>& change_a);
 
   std::unique_ptr<Session> b_;
   std::array<Side, 2> sides_;

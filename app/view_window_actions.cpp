@@ -285,12 +285,14 @@ void ViewWindow::reset() {
   // A recording that began in mid-session has its own start, and this one leads elsewhere.
   const bool leaves_recording = !begins_at_start_ && session_->simulation.start();
   if (leaves_recording) leave_recorded_session();
-  session_->simulation.reset();
+  if (split_)
+    split_->reset(*session_);
+  else
+    session_->simulation.reset();
   if (leaves_recording) {
     attempt([&] { begin_recording(); });
     begins_at_start_ = true;
   }
-  if (split_) split_->reset(*session_);
   session_->true_error.forget();
   state_.statistics.steps = 0;
   pacing_.restart();

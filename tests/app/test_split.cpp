@@ -97,9 +97,8 @@ TEST_CASE("what a replay does to one side happens to the other, but for what dif
   Graphics graphics = open_graphics(headless(), false);
   Session a(graphics, cube(), false);
   Replay replay{cube(), std::nullopt, {}, 16};
-  Material soft = a.simulation.model.materials[0], softer = soft;
+  Material soft = a.simulation.model.materials[0];
   soft.young_modulus /= 2;
-  softer.young_modulus /= 3;
   SolverSettings slower = cube().solver;
   slower.time_step *= 0.5;
   replay.inputs = {{1, GrabInput(pull(a.simulation.model))}, {3, MaterialInput{0, soft}}, {4, GravityInput{{1, 2, 3}}}, {5, slower},
@@ -109,7 +108,8 @@ TEST_CASE("what a replay does to one side happens to the other, but for what dif
   const bool differs = GENERATE(false, true);
   if (differs) other.solver.iterations = 3;
   SplitView split(graphics, a, other, build_model(other));
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < 24; ++i) {
+    if (i == 16) split.reset(a);  // and again from the beginning
     split.step(a, a);
     CAPTURE(i);
     const Simulation& b = split.b().simulation;
@@ -120,7 +120,7 @@ TEST_CASE("what a replay does to one side happens to the other, but for what dif
     if (differs) CHECK(b.scene.solver.iterations == 3);
     if (!differs) CHECK(largest_difference(a.simulation.state(), b.state()) == 0);
   }
-  CHECK(a.simulation.time() == 0);
+  CHECK(a.simulation.model.materials[0] == soft);
 
   INFO("reset() leads both to where A starts");
   replay.start = a.simulation.state();
@@ -129,7 +129,6 @@ TEST_CASE("what a replay does to one side happens to the other, but for what dif
   a.simulation.end_replay();
   split.restart_from(a);
   split.step(a, a);
-  a.simulation.reset();
   split.reset(a);
   CHECK(largest_difference(a.simulation.state(), split.b().simulation.state()) == 0);
   CHECK(largest_difference(a.simulation.state(), reference::initial_state(a.simulation.model)) > 0.009);
