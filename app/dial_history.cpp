@@ -5,6 +5,7 @@ namespace fascia {
 void DialHistory::restart(const Dials& now) {
   entries_.clear();
   done_ = 0;
+  complete_ = true;
   last_ = now;
 }
 
@@ -15,7 +16,10 @@ void DialHistory::follow(const Dials& now) {
   if (lines.size() > 1) text += " and " + std::to_string(lines.size() - 1) + " more";
   entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(done_), entries_.end());
   entries_.push_back({std::move(text), last_, now});
-  if (entries_.size() > kMostEntries) entries_.pop_front();
+  if (entries_.size() > kMostEntries) {
+    entries_.pop_front();
+    complete_ = false;
+  }
   done_ = entries_.size();
   last_ = now;
 }

@@ -33,11 +33,13 @@ class DialHistory {
 
   const std::deque<Entry>& entries() const { return entries_; }
   std::size_t done() const { return done_; }  // entries that are not undone
+  bool complete() const { return complete_; }  // false: there were more than kMostEntries, the first ones are gone
 
  private:
   Dials last_;
   std::deque<Entry> entries_;  // the oldest first
   std::size_t done_ = 0;
+  bool complete_ = true;
 };
 
 }  // namespace fascia

@@ -37,8 +37,7 @@ bool Grab::take(const Model& model, const DrawnSurface& surface, std::span<const
   place_ = place_of(model, surface, positions, hit);
   taken_.assign(positions.begin(), positions.begin() + static_cast<std::ptrdiff_t>(model.rest_positions.size()));
   start_ = plane_ = pointer_ = hit.point;
-  grip(model, settings);
-  if (patch_.empty()) return false;
+  if (!grip(model, settings)) return false;
   if (!settings.push) return true;
   const Triangle& t = surface.triangles[hit.triangle];
   const Vector3d normal = (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]);
@@ -48,12 +47,15 @@ bool Grab::take(const Model& model, const DrawnSurface& surface, std::span<const
   return true;
 }
 
-void Grab::grip(const Model& model, const GrabSettings& settings) {
-  radius_ = settings.radius * scene_radius_;
-  patch_.clear();
-  const std::vector<PatchVertex> patch = grab_patch(model, taken_, start_, radius_, place_);
+bool Grab::grip(const Model& model, const GrabSettings& settings) {
+  const double radius = settings.radius * scene_radius_;
+  const std::vector<PatchVertex> patch = grab_patch(model, taken_, start_, radius, place_);
+  if (patch.empty()) return false;
+  radius_ = radius;
   stiffness_ = patch_stiffness(patch, radius_, settings.grip);
+  patch_.clear();
   for (const PatchVertex& p : patch) patch_.push_back({p.vertex, taken_[p.vertex] - model.rest_positions[p.vertex], p.share * stiffness_});
+  return true;
 }
 
 void Grab::set_size(const Model& model, const GrabSettings& settings) {

@@ -29,7 +29,8 @@ class Grab {
             double scene_radius, const GrabSettings& settings);
   void release() { *this = Grab(); }
   bool holding() const { return !patch_.empty(); }
-  /// The same hand with a larger or smaller patch, around the same point of the tissue as it was taken.
+  /// The same hand with a larger or smaller patch, around the same point of the tissue as it was taken. It stays as it is where no free
+  /// vertex is within the new one.
   void set_size(const Model& model, const GrabSettings& settings);
 
   /// The mouse: where its ray meets the plane through the hand that faces the viewer.
@@ -55,7 +56,7 @@ class Grab {
   GrabMark mark() const;
 
  private:
-  void grip(const Model& model, const GrabSettings& settings);
+  bool grip(const Model& model, const GrabSettings& settings);  // false, and nothing changes: no free vertex
 
   struct Grip {
     std::uint32_t vertex;

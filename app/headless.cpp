@@ -1,5 +1,7 @@
 #include "app/headless.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -10,6 +12,7 @@
 #include "app/interrupt.h"
 #include "app/moments.h"
 #include "app/panels.h"
+#include "sim/error.h"
 
 namespace fascia {
 namespace {
@@ -50,6 +53,9 @@ Headless::Headless(const RenderOptions& options, Opened opened)
   if (session_.display().color == ColorBy::error) simulation.gpu()->solve_everything();
   if (!options.split.empty()) {
     Opened other = open_with_display(options, options.split);
+    const Scene &a = session_.simulation.scene, &b = other.scene;
+    if (a.gravity != b.gravity || a.display != b.display || a.solver.time_step != b.solver.time_step)
+      throw Error("--split " + options.split, "changes gravity, the time step or the display, which both sides share", "expected them in --set");
     split_.emplace(graphics_, session_, std::move(other.scene), std::move(other.model));
     if (session_.display().color == ColorBy::error) split_->b().simulation.gpu()->solve_everything();
   }
@@ -124,13 +130,17 @@ Framebuffer& Headless::draw_split(const std::optional<Diagnostics>& diagnostics)
   overlay_.scale_to(picture_.framebuffer().height());
   const int left = options_.panels ? static_cast<int>(panel_space()) : 0;
   split_->share(session_);
-  split_->diagnose(true);
+  split_->request_diagnostics();
+  split_->take_diagnostics(true);
   const std::vector<HandMark> hands = marks_of(session_.simulation, diagnostics);
   if (session_.display().color == ColorBy::error) split_->b().measure_error();
   Framebuffer& framebuffer =
       picture_.draw(session_.camera, [&](Framebuffer& target) { split_->draw(session_, target, left, arrows(hands)); });
   overlay_.draw_headless(session_, framebuffer, options_.panels, diagnostics, {},
-                         [&] { split_->draw_labels(session_, diagnostics, left, false, false); });
+                         [&] {
+                           split_->draw_labels(*ImGui::GetBackgroundDrawList(), session_, framebuffer.width(), framebuffer.height(), left, 1,
+                                               {diagnostics, false, false});
+                         });
   return framebuffer;
 }
 

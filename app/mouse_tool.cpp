@@ -156,9 +156,10 @@ void MouseTool::let_go(const Eigen::Vector2d& at, Picture picture, Session& sess
 }
 
 void MouseTool::let_go_staying(Session& session) {
-  for (std::size_t i = hands_.all().size(); i-- > 0;)
+  const std::size_t before = hands_.all().size();
+  for (std::size_t i = before; i-- > 0;)
     if (!hands_.follows(i)) hands_.let_go(i);
-  springs_changed(session);
+  if (hands_.all().size() < before) springs_changed(session);  // a replay's hands are none of ours
 }
 
 void MouseTool::cancel(Session& session) {

@@ -50,7 +50,7 @@ void OpeningScreen::show(double share, const char* what) {
   overlay_.draw(framebuffer);
   framebuffer.present(width, height);
   glfwSwapBuffers(window);
-  if (cancelled) throw Cancelled();
+  if (cancelled) throw Cancelled{name_};
 }
 
 }  // namespace fascia

@@ -8,7 +8,9 @@
 namespace fascia {
 
 /// Nobody waits any more: what was being made is given up, and whoever asked for it goes on as before.
-struct Cancelled {};
+struct Cancelled {
+  std::string name;  // of what was being opened
+};
 
 class OpeningScreen {
  public:

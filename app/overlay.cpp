@@ -84,10 +84,34 @@ void Overlay::draw_onto(const Framebuffer& framebuffer, bool panels) {
   if (data.CmdListsCount > 0 && data.CmdLists[data.CmdListsCount - 1] == ImGui::GetForegroundDrawList()) --data.CmdListsCount;
   const bool has_background = data.CmdListsCount > 0 && data.CmdLists[0] == ImGui::GetBackgroundDrawList();
   if (!panels) data.CmdListsCount = has_background ? 1 : 0;
-  const float width = static_cast<float>(framebuffer.width()), height = static_cast<float>(framebuffer.height());
-  const float scale = std::min(width / data.DisplaySize.x, height / data.DisplaySize.y);
+  const float scale = scale_onto(framebuffer);
   data.FramebufferScale = {scale, scale};
-  data.DisplaySize = {width / scale, height / scale};
+  data.DisplaySize = {static_cast<float>(framebuffer.width()) / scale, static_cast<float>(framebuffer.height()) / scale};
+  framebuffer.bind_resolved();
+  renderer_->draw(data);
+}
+
+float Overlay::scale_onto(const Framebuffer& framebuffer) const {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  return std::min(static_cast<float>(framebuffer.width()) / size.x, static_cast<float>(framebuffer.height()) / size.y);
+}
+
+void Overlay::draw_list(const Framebuffer& framebuffer, float scale, const std::function<void(ImDrawList&)>& paint) {
+  const ImVec2 size{static_cast<float>(framebuffer.width()) / scale, static_cast<float>(framebuffer.height()) / scale};
+  ImDrawList list(ImGui::GetDrawListSharedData());
+  list._ResetForNewFrame();
+  list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+  list.PushClipRect({0, 0}, size);
+  paint(list);
+  ImDrawList* lists[] = {&list};
+  ImDrawData data;
+  data.Valid = true;
+  data.CmdLists = lists;
+  data.CmdListsCount = 1;
+  data.TotalIdxCount = list.IdxBuffer.Size;
+  data.TotalVtxCount = list.VtxBuffer.Size;
+  data.DisplaySize = size;
+  data.FramebufferScale = {scale, scale};
   framebuffer.bind_resolved();
   renderer_->draw(data);
 }

@@ -10,6 +10,8 @@
 #include "app/session.h"
 #include "render/imgui_renderer.h"
 
+struct ImDrawList;
+
 namespace fascia {
 
 class Overlay {
@@ -34,6 +36,9 @@ class Overlay {
   void draw_foreground(const Framebuffer& framebuffer);
   /// The same frame over a picture of another size, as large as fits; without `panels` only what lies behind them (the color bar).
   void draw_onto(const Framebuffer& framebuffer, bool panels);
+  float scale_onto(const Framebuffer& framebuffer) const;  // of that frame there
+  /// What `paint` draws, in units of `scale` pixels, over the picture. Once a frame has begun.
+  void draw_list(const Framebuffer& framebuffer, float scale, const std::function<void(ImDrawList&)>& paint);
 
  private:
   void set_scale(float scale);

@@ -22,7 +22,7 @@ void history_panel(const DialHistory& history, Requests& requests) {
   for (std::size_t i = count + 1; i-- > 0;) {
     ImGui::PushID(static_cast<int>(i));
     const bool undone = i > history.done();
-    const std::string text = i == 0 ? "As opened" : history.entries()[i - 1].text;
+    const std::string text = i == 0 ? (history.complete() ? "As opened" : "Earlier") : history.entries()[i - 1].text;
     if (undone) ImGui::PushStyleColor(ImGuiCol_Text, ui::kDim);
     if (ImGui::Selectable(text.c_str(), i == history.done()) && i != history.done()) requests.history = i;
     if (undone) ImGui::PopStyleColor();

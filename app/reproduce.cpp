@@ -70,6 +70,8 @@ void collect(const std::string& path, const json& from, const json& to, std::vec
 std::vector<std::string> sets_between(const Scene& from, const Scene& to) {
   const std::filesystem::path folder = to.file.parent_path();
   const json before = scene_document(from, folder), after = scene_document(to, folder);
+  for (const auto& item : before.items())
+    if (!after.contains(item.key())) throw Error(to.file.string(), "has \"" + item.key() + "\", which no --set takes away", "save the scene instead");
   std::vector<std::string> sets;
   collect("", before, after, sets);
   // Half a pair means the best that goes with it, not what the file has.

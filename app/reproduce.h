@@ -8,7 +8,8 @@
 namespace fascia {
 
 /// The fewest --set texts "KEY=VALUE" that make `from` into `to`, which must be scenes of the same file. Keys of the first body need no
-/// "bodies.0."; what a --set cannot say one by one (a key taken away, a region with a dot in its name) is said by the whole around it.
+/// "bodies.0."; what a --set cannot say one by one (a key taken away, a region with a dot in its name) is said by the whole around it. Throws
+/// Error where a key of the scene itself was taken away.
 std::vector<std::string> sets_between(const Scene& from, const Scene& to);
 
 /// "fascia view liver.json --set gravity=[0,0,0]", for a POSIX shell.

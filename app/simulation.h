@@ -27,6 +27,7 @@ class Simulation {
   bool replaying() const { return replay_ && steps_ - replay_begin_ < replay_->steps; }
   long replayed_steps() const { return steps_ - replay_begin_; }
   const std::optional<reference::State>& start() const { return start_; }  // where reset() goes; none: at rest
+  void set_start(std::optional<reference::State> start) { start_ = std::move(start); }  // of the same mesh
   /// Hears of all that a replay of this simulation needs, in the order in which it acts, by steps_made(). None: nobody listens.
   using Listener = std::function<void(const Input&)>;
   void set_listener(Listener listener) { listener_ = std::move(listener); }

@@ -69,7 +69,9 @@ void Simulation::repeat(const Change& change) {
       simulation.held_.restart(springs);
       simulation.apply_grab(springs, springs);
     }
-    void operator()(const GrabMove& move) { simulation.apply_grab(simulation.held_.moved(move), move); }
+    void operator()(const GrabMove& move) {
+      if (simulation.held_.fits(move)) simulation.apply_grab(simulation.held_.moved(move), move);  // else set_grab() has taken over
+    }
     void operator()(const GrantInput& input) { simulation.grant(input.iterations); }
     void operator()(const BackgroundInput& input) {
       if (!simulation.gpu_) return;

@@ -44,15 +44,29 @@ std::string result_text(const Session& session, const std::optional<Diagnostics>
 
 }  // namespace
 
-std::string side_text(const Session& session, bool with_material) {
+namespace {
+
+// The first material that is another one than at the other side.
+std::optional<std::size_t> first_other_material(const Model& model, const Model& other) {
+  for (std::size_t i = 0; i < model.materials.size(); ++i)
+    if (i >= other.materials.size() || model.materials[i] != other.materials[i]) return i;
+  return std::nullopt;
+}
+
+// "Two-level, Subspace, 10 iterations", and that material.
+std::string side_text(const Session& session, const Session& other) {
   const SolverSettings& s = session.simulation.scene.solver;
   std::string text = label_of(s.method);
   if (s.acceleration != Acceleration::none) text += std::string(", ") + label_of(s.acceleration);
   text += ", " + std::to_string(s.iterations) + (s.iterations == 1 ? " iteration" : " iterations");
   if (s.substeps > 1) text += ", " + std::to_string(s.substeps) + " substeps";
-  if (with_material) text += "\n" + material_text(session.simulation.model.materials.front());
+  const Model& model = session.simulation.model;
+  if (const auto i = first_other_material(model, other.simulation.model))
+    text += "\n" + (model.materials.size() > 1 ? model.material_names[*i] + ": " : "") + material_text(model.materials[*i]);
   return text;
 }
+
+}  // namespace
 
 SplitView::SplitView(Graphics& graphics, const Session& a, Scene scene, Model model) : shared_(shared_of(a)) {
   const auto fail = [&](const char* what, const char* expected) { throw Error(scene.file.string(), what, expected); };
@@ -61,6 +75,7 @@ SplitView::SplitView(Graphics& graphics, const Session& a, Scene scene, Model mo
     fail("the second side has another mesh", "expected settings and materials of the same bodies");
   b_ = std::make_unique<Session>(graphics, std::move(scene), std::move(model), false);
   apply(shared_, *b_);
+  b_->simulation.set_start(a.simulation.start());
   restart_from(a);
 }
 
@@ -88,13 +103,13 @@ void SplitView::share(Session& a) {
 
 void SplitView::restart_from(const Session& a) {
   b_->simulation.go_on_from(a.simulation.state());
+  b_->true_error.forget();
   diagnostics_.reset();
 }
 
 void SplitView::reset(Session& a) {
   follow(a, [&] { a.simulation.reset(); });
   restart_from(a);
-  b_->true_error.forget();
 }
 
 void SplitView::swap(std::unique_ptr<Session>& a) {
@@ -125,10 +140,15 @@ void SplitView::follow(Session& a, const std::function<void()>& change_a) {
   if (a.simulation.time() < time) restart_from(a);
 }
 
+void SplitView::lead(Session& a, Session& hand) {
+  const bool led_by_a = &hand == &a || a.simulation.replaying();  // a replay's hands are at A, wherever the mouse is
+  Simulation &leads = led_by_a ? a.simulation : b_->simulation, &follows = led_by_a ? b_->simulation : a.simulation;
+  follows.set_grab(leads.asked_springs());
+}
+
 void SplitView::step(Session& a, Session& hand) {
   if (a.simulation.repeating()) follow(a, [&] { a.simulation.repeat_inputs(); });
-  Session& other = &hand == &a ? *b_ : a;
-  other.simulation.set_grab(hand.simulation.asked_springs());
+  lead(a, hand);
   const double time = a.simulation.time();
   make_step(a, sides_[0]);
   make_step(*b_, sides_[1]);
@@ -139,16 +159,25 @@ void SplitView::step(Session& a, Session& hand) {
   b_->simulation.begin_anew();
 }
 
-const std::optional<Diagnostics>& SplitView::diagnose(bool wait) {
-  GpuSolver& solver = *b_->simulation.gpu();
-  if (!solver.diagnosing()) solver.request_diagnostics();
-  if (auto taken = solver.take_diagnostics(wait)) diagnostics_ = std::move(taken);
-  return diagnostics_;
+bool SplitView::take_diagnostics(bool wait) {
+  std::optional<Diagnostics> taken = b_->simulation.gpu()->take_diagnostics(wait);
+  if (!taken) return false;
+  diagnostics_ = std::move(taken);
+  return true;
 }
 
 std::array<SplitView::Area, 2> SplitView::areas(int width, int left) {
   const int each = std::max(1, (width - left - kDivider) / 2);
   return {Area{left, each}, Area{left + each + kDivider, each}};
+}
+
+Framebuffer& SplitView::picture_of(int width, int height, int samples) {
+  for (const std::unique_ptr<Framebuffer>& picture : pictures_)
+    if (picture && picture->width() == width && picture->height() == height && picture->samples() == samples) return *picture;
+  std::swap(pictures_[0], pictures_[1]);
+  pictures_[0].reset();  // before the new one: both may not fit
+  pictures_[0] = std::make_unique<Framebuffer>(width, height, samples);
+  return *pictures_[0];
 }
 
 void SplitView::draw(Session& a, Framebuffer& framebuffer, int left, std::span<const GrabMark> hands) {
@@ -163,34 +192,27 @@ void SplitView::draw(Session& a, Framebuffer& framebuffer, int left, std::span<c
   gl::Clear(GL_COLOR_BUFFER_BIT);
   const std::array<Area, 2> places = areas(framebuffer.width(), left);
   for (std::size_t i = 0; i < 2; ++i) {
-    std::unique_ptr<Framebuffer>& picture = sides_[i].picture;
-    if (!picture || picture->width() != places[i].width || picture->height() != framebuffer.height()) {
-      picture.reset();
-      picture = std::make_unique<Framebuffer>(places[i].width, framebuffer.height(), framebuffer.samples());
-    }
+    Framebuffer& picture = picture_of(places[i].width, framebuffer.height(), framebuffer.samples());
     if (i == 1) b_->look = a.look;  // after A has found its range
-    (i == 0 ? a : *b_).draw(*picture, hands);
-    picture->copy_to(framebuffer, places[i].x);
+    (i == 0 ? a : *b_).draw(picture, hands);
+    picture.copy_to(framebuffer, places[i].x);
   }
   range = own;
 }
 
-void SplitView::draw_labels(const Session& a, const std::optional<Diagnostics>& diagnostics, int left, bool measured, bool editing_b) const {
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const std::array<Area, 2> places = areas(static_cast<int>(size.x), left);
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const float line = static_cast<float>(places[1].x - kDivider);
-  list.AddRectFilled({line, 0}, {line + kDivider, size.y}, ImGui::GetColorU32(ui::kAccent));
-  const bool with_material = a.simulation.model.materials != b_->simulation.model.materials;
+void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int height, int left, float scale, const Labels& labels) const {
+  const std::array<Area, 2> places = areas(width, left);
+  const float bottom = static_cast<float>(height) / scale, line = static_cast<float>(places[1].x - kDivider) / scale;
+  list.AddRectFilled({line, 0}, {static_cast<float>(places[1].x) / scale, bottom}, ImGui::GetColorU32(ui::kAccent));
   for (std::size_t i = 0; i < 2; ++i) {
-    const Session& session = i == 0 ? a : *b_;
-    const float middle = static_cast<float>(places[i].x) + 0.5f * static_cast<float>(places[i].width);
-    const float widest = static_cast<float>(places[i].width) - ui::px(40);
-    const bool edited = measured && (i == 1) == editing_b;  // without a clock there is nobody who edits
-    ui::pill((i == 0 ? "A   " : "B   ") + side_text(session, with_material), middle, ui::px(46), edited ? ui::kAccent : ui::kText, widest);
-    std::string result = result_text(session, i == 0 ? diagnostics : diagnostics_, sides_[i].step_ms, measured);
+    const Session &session = i == 0 ? a : *b_, &other = i == 0 ? *b_ : a;
+    const float middle = (static_cast<float>(places[i].x) + 0.5f * static_cast<float>(places[i].width)) / scale;
+    const float widest = static_cast<float>(places[i].width) / scale - ui::px(40);
+    const bool edited = labels.measured && (i == 1) == labels.editing_b;  // without a clock there is nobody who edits
+    ui::pill(list, (i == 0 ? "A   " : "B   ") + side_text(session, other), middle, ui::px(46), edited ? ui::kAccent : ui::kText, widest);
+    std::string result = result_text(session, i == 0 ? labels.of_a : diagnostics_, sides_[i].step_ms, labels.measured);
     if (i == 1 && lost_ > 0) result += "  |  came apart " + std::to_string(lost_) + (lost_ == 1 ? " time" : " times");
-    if (!result.empty()) ui::pill(result, middle, size.y - ui::px(78), ui::kText, widest);
+    if (!result.empty()) ui::pill(list, result, middle, bottom - ui::px(78), ui::kText, widest);
   }
 }
 

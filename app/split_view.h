@@ -12,6 +12,8 @@
 #include "app/session.h"
 #include "render/gl/timer.h"
 
+struct ImDrawList;
+
 namespace fascia {
 
 class SplitView {
@@ -24,8 +26,10 @@ class SplitView {
   const Session& b() const { return *b_; }
   DialHistory history;  // of the side that the panels do not show
 
-  /// One step of both, under the springs of `hand`, which is one of them. What a replay does to A happens to B, too: hands, gravity, time
-  /// step, resets; settings and materials where both have the same.
+  /// The other side gets the springs of `hand`, which is one of them, or of A while a replay leads it.
+  void lead(Session& a, Session& hand);
+  /// One step of both, led so. What a replay does to A happens to B, too: hands, gravity, time step, resets; settings and materials where
+  /// both have the same.
   void step(Session& a, Session& hand);
   void reset(Session& a);               // both to where A starts
   void restart_from(const Session& a);  // B into the state that A is in
@@ -35,8 +39,10 @@ class SplitView {
   void swap(std::unique_ptr<Session>& a);
   bool asleep() const { return b_->simulation.asleep(); }
 
-  /// B's diagnostics of the latest state, where there are any; asked for every time. `wait`: of the state of now.
-  const std::optional<Diagnostics>& diagnose(bool wait);
+  void request_diagnostics() { b_->simulation.gpu()->request_diagnostics(); }  // of B's state of now
+  bool take_diagnostics(bool wait);                                             // whether there were any that are new
+  const std::optional<Diagnostics>& diagnostics() const { return diagnostics_; }  // the last ones taken
+  bool busy() const { return b_->true_error.busy() || b_->simulation.gpu()->diagnosing(); }  // results are under way
 
   struct Area {
     int x = 0, width = 0;  // [pixels] of the picture
@@ -44,14 +50,19 @@ class SplitView {
   /// Where the sides are in a picture of this width whose first `left` pixels belong to the panels.
   static std::array<Area, 2> areas(int width, int left);
   void draw(Session& a, Framebuffer& framebuffer, int left, std::span<const GrabMark> hands);
-  /// Over the picture: what each side is, and what it costs and reaches. Between ImGui::NewFrame and ImGui::Render.
-  void draw_labels(const Session& a, const std::optional<Diagnostics>& diagnostics, int left, bool measured, bool editing_b) const;
+  struct Labels {
+    const std::optional<Diagnostics>& of_a;
+    bool measured;   // with times
+    bool editing_b;  // which side the panels show
+  };
+  /// Over a picture of `width` x `height` pixels with the same `left`: what each side is, and what it costs and reaches. The list's unit
+  /// is `scale` pixels.
+  void draw_labels(ImDrawList& list, const Session& a, int width, int height, int left, float scale, const Labels& labels) const;
 
  private:
   struct Side {
     gl::Timer timer;
     double step_ms = 0;
-    std::unique_ptr<Framebuffer> picture;
   };
   struct Shared {
     DisplaySettings display;
@@ -63,15 +74,14 @@ class SplitView {
   static void apply(const Shared& shared, Session& session);
   static void make_step(Session& session, Side& side);
   void follow(Session& a, const std::function<void()>& change_a);
+  Framebuffer& picture_of(int width, int height, int samples);
 
   std::unique_ptr<Session> b_;
   std::array<Side, 2> sides_;
+  std::array<std::unique_ptr<Framebuffer>, 2> pictures_;  // of a side: in the window, and in a video of another size
   Shared shared_;
   std::optional<Diagnostics> diagnostics_;  // of B
   int lost_ = 0;                            // times that B came apart
 };
-
-/// "Two-level, Subspace, 10 iterations", and with `with_material` "E 20 kPa, nu 0.4".
-std::string side_text(const Session& session, bool with_material);
 
 }  // namespace fascia

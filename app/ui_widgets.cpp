@@ -153,8 +153,9 @@ bool number(const NumberField& field, double& value) {
   return changed;
 }
 
-void pill(const std::string& text, float x, float y, const ImVec4& color, float widest) {
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+void pill(const std::string& text, float x, float y, const ImVec4& color) { pill(*ImGui::GetBackgroundDrawList(), text, x, y, color); }
+
+void pill(ImDrawList& list, const std::string& text, float x, float y, const ImVec4& color, float widest) {
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest > 0 ? widest : -1), pad{px(10), px(5)};
   const ImVec2 low{std::floor(x - size.x / 2 - pad.x), std::floor(y)}, high{low.x + size.x + 2 * pad.x, low.y + size.y + 2 * pad.y};
   list.AddRectFilled(low, high, ImGui::GetColorU32(ImVec4(kPanel.x, kPanel.y, kPanel.z, 0.78f)), px(7));

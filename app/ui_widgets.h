@@ -55,8 +55,9 @@ bool choice(const char* name, const std::vector<Choice>& choices, Choice& chosen
   return changed;
 }
 
-/// Text on a dark pill in the background layer, centered on x, wrapped where it is wider than `widest` (0: never).
-void pill(const std::string& text, float x, float y, const ImVec4& color, float widest = 0);
+/// Text on a dark pill, centered on x, wrapped where it is wider than `widest` (0: never); without a list in the background layer.
+void pill(ImDrawList& list, const std::string& text, float x, float y, const ImVec4& color, float widest = 0);
+void pill(const std::string& text, float x, float y, const ImVec4& color);
 
 /// A line of the last values, from 0 to a little above the largest, `height` points high.
 void plot(const char* id, const History& history, float height);

@@ -40,11 +40,12 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
   try {
     OpeningScreen screen(graphics_, overlay_, opened.scene.file.filename().string());
     session_ = make_session(opened, screen, 0);
-  } catch (const Cancelled&) {
-    say(opened.scene.file.filename().string() + " was not opened");
+  } catch (const Cancelled& cancelled) {
+    say(cancelled.name + " was not opened");
     opened = open_file(default_scene(graphics.data_dir));
     session_ = std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model), options_.reference);
   }
+  input_.take();  // what was pressed meanwhile is not for the scene
   if (options.static_equilibrium) {
     const reference::NewtonReport report = session_->simulation.solve_static();
     if (!options.quiet || !report.converged) std::cerr << "fascia: " << describe(report, options.reference) << '\n';
@@ -68,7 +69,7 @@ void ViewWindow::run() {
     wait_for_events();
     require_device();
     if (frames_to_settle_ == 0 && idle_time() > 0) {
-      attempt([&] { remember(); });
+      attempt([&] { remember_now_and_then(); });
       attempt([&] { follow_recording(); });
       last = Clock::now();
       pacing_.restart();
@@ -85,13 +86,11 @@ void ViewWindow::run() {
     state_.statistics.frame.add(1000 * elapsed);
     frame(elapsed);
     require_device();
-    attempt([&] { remember(); });
+    attempt([&] { remember_now_and_then(); });
   }
   stats_.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  attempt([&] {
-    remember();
-    autosave_.finish();
-  });
+  attempt([&] { remember(); });
+  attempt([&] { autosave_.finish(); });
   attempt([&] { end_recording(); });
   stats_.renderer = session_->renderer_description();
   stats_.provenance = provenance();
@@ -120,7 +119,7 @@ void ViewWindow::require_device() const {
 
 double ViewWindow::idle_time() const {
   if (glfwGetWindowAttrib(graphics_.context->window(), GLFW_ICONIFIED)) return kLongestWait;
-  const bool under_way = video_.running() || session_->true_error.busy() || (split_ && split_->b().true_error.busy()) || session_->simulation.gpu()->diagnosing();
+  const bool under_way = video_.running() || session_->true_error.busy() || (split_ && split_->busy()) || session_->simulation.gpu()->diagnosing();
   if (!still() || under_way || ImGui::IsAnyItemActive()) return 0;
   if (!message_) return kLongestWait;
   return std::clamp(std::chrono::duration<double>(message_->until - Clock::now()).count(), 0.0, kLongestWait);
@@ -141,6 +140,8 @@ bool ViewWindow::attempt(const std::function<void()>& work) {
   try {
     work();
     return true;
+  } catch (const Cancelled& cancelled) {
+    say(cancelled.name + " was not opened");
   } catch (const std::bad_alloc&) {
     say("Out of memory", true);
   } catch (const std::exception& error) {
@@ -167,6 +168,7 @@ void ViewWindow::frame(double elapsed) {
   attempt([&] { build_panels(requests); });
   overlay_.end();
   attempt([&] { carry_out(requests); });
+  input_.take();  // what was pressed while something was being opened is not for the scene
   if (!attempt([&] { simulate(elapsed, requests); })) state_.paused = true;
   attempt([&] { follow_replay(); });
   if (!attempt([&] { draw(); })) state_.paused = true;
@@ -204,7 +206,6 @@ void ViewWindow::build_panels(Requests& requests) {
   state_.hands = mouse_.hands().all().size();
   draw_legend(*session_);
   const bool shown_alone = video_.running() && !video_.settings().panels;  // the scene, in a video
-  if (split_) split_->draw_labels(*session_, diagnostics_of_a_, panels_cover(), true, state_.editing_b);
   if (!shown_alone) draw_notice(state_);
   if (state_.show_panels) {
     draw_panels(tuned(), state_, requests);
@@ -264,6 +265,7 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
   }
   if (steps_left_ >= 0) steps = static_cast<int>(std::min<long>(steps, steps_left_));
   simulated_ = 0;
+  const bool repeats = session_->simulation.repeating();
   if (steps > 0) {
     solve_timer_.begin();
     for (int i = 0; i < steps; ++i) make_step();
@@ -274,6 +276,7 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
       s.step_ms = s.step_ms > 0 ? 0.8 * s.step_ms + 0.2 * ms / steps : ms / steps;
     }
   }
+  if (repeats) accept_dials();
   if (const auto lost = session_->simulation.astray()) go_back(*lost);
   read_diagnostics();
   const bool follow = tuned().follow_true_error;  // of both sides
@@ -292,7 +295,7 @@ void ViewWindow::go_back(std::uint32_t lost) {
   Simulation& simulation = session_->simulation;
   came_apart_ = simulation.steps_made() - came_apart_at_ > kForgiven ? 1 : came_apart_ + 1;
   came_apart_at_ = simulation.steps_made();
-  mouse_.cancel(held());
+  let_go();
   session_->true_error.forget();
   diagnose_ = true;
   if (came_apart_ < kMostTimes) {
@@ -311,16 +314,21 @@ void ViewWindow::go_back(std::uint32_t lost) {
 }
 
 void ViewWindow::read_diagnostics() {
-  if (split_ && diagnose_) {
-    const std::optional<Diagnostics>& of_b = split_->diagnose(false);
-    if (of_b && hand_in_b_) mouse_.hands().observe(of_b->hand_forces);
-    if (of_b && state_.editing_b) state_.statistics.diagnostics = of_b;
+  Statistics& s = state_.statistics;
+  if (split_) {
+    if (diagnose_) split_->request_diagnostics();
+    const bool news = split_->take_diagnostics(false);
+    if (news && hand_in_b_) mouse_.hands().observe(split_->diagnostics()->hand_forces);
+    if (state_.editing_b) s.diagnostics = split_->diagnostics();
   }
   GpuSolver& solver = *session_->simulation.gpu();
   Plots& plots = state_.plots;
   if (plots.shown && !plots.probe) plots.probe = tip_vertex(session_->simulation.model);
   solver.set_probe(plots.shown ? plots.probe : std::nullopt);
-  if (diagnose_) solver.request_diagnostics();
+  if (diagnose_) {
+    solver.request_diagnostics();
+    diagnosed_ = {diagnosed_[1], Moment{solver.time(), s.steps}};
+  }
   diagnose_ = false;
   const std::optional<Diagnostics> d = solver.take_diagnostics(false);
   if (!d) return;
@@ -328,11 +336,14 @@ void ViewWindow::read_diagnostics() {
   if (!hand_in_b_) mouse_.hands().observe(d->hand_forces);
   stats_.residual = d->residual;
   follow(*d);
-  if (!state_.editing_b) state_.statistics.diagnostics = d;
+  if (!state_.editing_b) s.diagnostics = d;
+}
+
+void ViewWindow::remember_now_and_then() {
+  if (!remembered_ || autosave_.due()) remember();
 }
 
 void ViewWindow::remember() {
-  if (remembered_ && !autosave_.due()) return;
   Simulation& simulation = session_->simulation;
   Scene scene = scene_now();
   std::string text = scene_to_json(scene, {});
@@ -364,7 +375,7 @@ void ViewWindow::draw_ring() {
 void ViewWindow::draw() {
   render_timer_.begin();
   if (split_)
-    split_->draw(*session_, *framebuffer_, panels_cover(), arrows(marks()));
+    draw_comparison(*framebuffer_, 1, panels_cover());
   else
     session_->draw(*framebuffer_, arrows(marks()));
   render_timer_.end();

@@ -2,6 +2,7 @@
 // that is open stays open; only the loss of the device ends it, and leaves the scene as it was some seconds before. While nothing moves
 // there are no frames: the window sleeps until something happens.
 #pragma once
+#include <array>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -70,7 +71,8 @@ class ViewWindow {
   bool choose_probe(const Eigen::Vector2d& at);  // false: nothing was to be chosen
   void write_plots(const Requests& requests);
   void go_back(std::uint32_t lost);  // the state came apart
-  void remember();              // now and then, for a device that is lost and for a window that ends badly
+  void remember();              // for a device that is lost and for a window that ends badly
+  void remember_now_and_then();
   Scene scene_now() const;      // with the materials and the camera of now
   std::vector<HandMark> marks();
   void draw_ring();
@@ -111,9 +113,11 @@ class ViewWindow {
   void edit(bool b);
   MouseTool::Picture to_side(Eigen::Vector2d& at, bool press);  // of the comparison: which one, and where in it
   MouseTool::Picture picture_of_hand() const;                   // of the side that the mouse acts on
-  void after_mouse();                                           // both sides see the same
+  void after_mouse();                                           // both sides see and feel the same
+  void draw_comparison(Framebuffer& picture, float scale, int left);  // `left`: pixels of it that are the panels'
 
   void follow_dials();  // into the history
+  void accept_dials();  // what a replay has changed is no entry
   void go_through_history(std::size_t entries);  // until so many are in force
   void set_material_entries(const std::vector<MaterialEntries>& entries);
   void materials_changed();  // their number
@@ -121,7 +125,7 @@ class ViewWindow {
   Scene scene_to_reproduce() const;
   void copy_command();
 
-  /// Runs `work`; an exception becomes a message.
+  /// Runs `work`; an exception becomes a message, and so does an opening that was given up.
   bool attempt(const std::function<void()>& work);
   void say(const std::string& text, bool is_error = false);
 
@@ -161,6 +165,11 @@ class ViewWindow {
   long came_apart_at_ = 0;    // steps made when it last did
   std::optional<Diagnostics> diagnostics_of_a_;  // the latest of session_
   bool diagnose_ = true;      // the state has changed since the last diagnostics
+  struct Moment {
+    double time = 0;  // simulated [s]
+    long steps = 0;   // made
+  };
+  std::array<Moment, 2> diagnosed_;  // the last that diagnostics were asked of; no more are under way
   int frames_to_settle_ = 3;  // to draw although nothing moves
   std::optional<CameraSettings> opened_camera_;  // as the session began with
   std::shared_ptr<const Replay> remembered_;  // the scene as it was a few seconds ago, in case that the device is lost

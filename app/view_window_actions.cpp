@@ -56,7 +56,7 @@ void ViewWindow::handle_input(Requests& requests) {
       case Kind::move: mouse_.move(event.at, picture, held()); break;
       case Kind::scroll:
         if (!io.WantCaptureMouse && !mouse_.scroll(event.scroll, keys_of(event.mods), held(), state_.grab))
-          session_->camera.zoom(std::pow(0.9, event.scroll));
+          held().camera.zoom(std::pow(0.9, event.scroll));
         break;
       case Kind::key:
         // With a visible cursor in the panels, keys belong to them; text always does.
@@ -165,14 +165,9 @@ void ViewWindow::carry_out(const Requests& requests) {
 
 void ViewWindow::open(const fs::path& path) {
   // The new session is made while the old one still stands: if it cannot be made, nothing has happened.
-  try {
-    OpeningScreen screen(graphics_, overlay_, path.filename().string());
-    Opened input = read(path, screen);
-    take_over(make_session(input, screen, kReadShare));
-  } catch (const Cancelled&) {
-    say(path.filename().string() + " was not opened");
-    return;
-  }
+  OpeningScreen screen(graphics_, overlay_, path.filename().string());
+  Opened input = read(path, screen);
+  take_over(make_session(input, screen, kReadShare));
   dialogs_.opened(path);
 }
 
@@ -225,8 +220,8 @@ void ViewWindow::take_over(std::unique_ptr<Session> opened) {
   state_.convergence.forget();
   state_.plots.forget();
   session_ = std::move(opened);
-  session_began();
   message_.reset();
+  session_began();
 }
 
 void ViewWindow::session_began() {

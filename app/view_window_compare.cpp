@@ -81,12 +81,26 @@ MouseTool::Picture ViewWindow::picture_of_hand() const {
 MouseTool::Picture ViewWindow::to_side(Eigen::Vector2d& at, bool press) {
   if (split_) {
     const std::array<SplitView::Area, 2> areas = SplitView::areas(framebuffer_->width(), panels_cover());
-    if (press && mouse_.hands().empty()) hand_in_b_ = at.x() >= areas[1].x;  // hands that stay are of the side that took them
+    const bool in_b = at.x() >= areas[1].x;
+    if (press && mouse_.hands().empty() && in_b != hand_in_b_) {  // hands that stay are of the side that took them
+      let_go();
+      hand_in_b_ = in_b;
+    }
     at.x() -= areas[hand_in_b_ ? 1 : 0].x;
   }
   return picture_of_hand();
 }
 
-void ViewWindow::after_mouse() { (hand_in_b_ ? *session_ : split_->b()).camera = held().camera; }
+void ViewWindow::after_mouse() {
+  (hand_in_b_ ? *session_ : split_->b()).camera = held().camera;
+  split_->lead(*session_, held());
+}
+
+void ViewWindow::draw_comparison(Framebuffer& picture, float scale, int left) {
+  split_->draw(*session_, picture, left, arrows(marks()));
+  overlay_.draw_list(picture, scale, [&](ImDrawList& list) {
+    split_->draw_labels(list, *session_, picture.width(), picture.height(), left, scale, {diagnostics_of_a_, true, state_.editing_b});
+  });
+}
 
 }  // namespace fascia

@@ -10,7 +10,7 @@ void ViewWindow::follow(const Diagnostics& diagnostics) {
   Plots& plots = state_.plots;
   if (!plots.shown || plots.held) return;
   Sample sample = sample_of(diagnostics);
-  sample.step = state_.statistics.steps;
+  sample.step = diagnosed_[diagnosed_[1].time == diagnostics.time ? 1 : 0].steps;
   if (!diagnostics.iterations) sample.iterations = session_->simulation.iterations_granted();
   if (state_.statistics.step_ms > 0) sample.step_ms = state_.statistics.step_ms;
   if (!state_.paused) sample.frame_ms = state_.statistics.frame.latest();

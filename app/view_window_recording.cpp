@@ -22,7 +22,7 @@ void ViewWindow::begin_recording() {
   if (path.empty()) return;
   recorded_from_ = simulation.steps_made();
   Replay beginning{scene_now(), simulation.start(), {}, 0};
-  const bool gone_on_from = !beginning.start && simulation.time() > 0;
+  const bool gone_on_from = simulation.time() != (beginning.start ? beginning.start->time : 0);
   begins_at_start_ = recorded_from_ == 0 && !gone_on_from;
   if (!begins_at_start_) beginning.start = simulation.go_on_as_replay();
   for (auto& entry : provenance())
@@ -84,6 +84,7 @@ void ViewWindow::follow_replay() {
   if (const auto display = replay_view_.display(step); display && display != replayed_display_) {
     replayed_display_ = display;
     session_->set_display(*display);
+    accept_dials();
   }
 }
 
@@ -112,8 +113,13 @@ void ViewWindow::record_frame() {
   if (!video_.advance(simulated_)) return;
   Framebuffer& canvas = video_.canvas(*framebuffer_, state_.show_panels);
   if (&canvas != framebuffer_.get()) {
-    session_->draw(canvas, arrows(marks()));
-    overlay_.draw_onto(canvas, video_.settings().panels);
+    const bool panels = video_.settings().panels;
+    const float scale = overlay_.scale_onto(canvas);
+    if (split_)
+      draw_comparison(canvas, scale, panels ? static_cast<int>(scale * static_cast<float>(panels_cover())) : 0);
+    else
+      session_->draw(canvas, arrows(marks()));
+    overlay_.draw_onto(canvas, panels);
   }
   video_.write(canvas);
 }

@@ -6,16 +6,21 @@
 #include "app/reproduce.h"
 #include "app/units.h"
 #include "app/view_window.h"
+#include "sim/scene_scale.h"
 
 namespace fascia {
 
 void ViewWindow::follow_dials() {
-  if (ImGui::IsAnyItemActive()) return;  // a slider that is held is not yet where it will be
+  if (ImGui::IsAnyItemActive() || mouse_.dragging()) return;  // a slider or a section plane that is held is not yet where it will be
   const Dials now = dials_of(tuned(), state_.grab);
   if (tuned().simulation.repeating())
     state_.history.accept(now);
   else
     state_.history.follow(now);
+}
+
+void ViewWindow::accept_dials() {
+  (state_.editing_b ? split_->history : state_.history).accept(dials_of(*session_, state_.grab));
 }
 
 void ViewWindow::go_through_history(std::size_t entries) {
@@ -49,17 +54,13 @@ void ViewWindow::materials_changed() {
 }
 
 void ViewWindow::rescale(double factor) {
-  Scene scene = scene_now();
-  for (Body& body : scene.bodies) {
-    body.transform.scale *= factor;
-    body.transform.translate *= factor;
-  }
-  scene.camera.reset();
+  Scene scene = scene_to_reproduce();
+  scale_lengths(scene, factor);
   Model model = build_model(scene);
   Opened opened{std::move(scene), std::nullopt, std::move(model)};
   OpeningScreen screen(graphics_, overlay_, opened.scene.file.filename().string());
   take_over(make_session(opened, screen, 0));
-  say("Scaled by " + engineering(factor, "") + "; saved with the scene as transform.scale");
+  say("Scaled by " + engineering(factor, "") + ": the scene begins anew, and with it what can be undone. Ctrl+S saves it so");
 }
 
 // A camera that nobody moved is the file's, or none.

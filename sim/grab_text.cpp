@@ -43,7 +43,8 @@ json value_of(const std::string& key, const std::string& text) {
     for (const std::string& part : parts_of(text, '/')) keys.push_back(list(part));
     return keys;
   }
-  return text.find(',') == std::string::npos || key == "body" ? scalar(text) : list(text);
+  if (key == "body") return text;  // which may be called 2
+  return text.find(',') == std::string::npos ? scalar(text) : list(text);
 }
 
 }  // namespace

@@ -77,3 +77,24 @@ TEST_CASE("a process that was killed leaves its state to the next window") {
   CHECK(next.left_behind() == left);
   CHECK_FALSE(std::filesystem::exists(old));
 }
+
+TEST_CASE("a state that goes on in another window is removed when that one's is on disk, not before") {
+  const TemporaryFolder folder;
+  const std::filesystem::path left = folder / "left.fascia";
+  write_file(left, "{}");
+  {
+    write_file(folder / "no_folder", "");
+    Autosave failing(folder / "no_folder");
+    failing.replace(left);
+    failing.keep(replay(), "cube");
+    failing.finish();
+  }
+  CHECK(std::filesystem::exists(left));
+  Autosave autosave(folder / "state");
+  autosave.replace(left);
+  CHECK(std::filesystem::exists(left));
+  autosave.keep(replay(), "cube");
+  autosave.finish();
+  CHECK_FALSE(std::filesystem::exists(left));
+  CHECK(files(folder / "state").size() == 1);
+}

@@ -207,6 +207,23 @@ TEST_CASE("the size of a patch changes while it is held, depth goes along the vi
   CHECK((grab.pointer() - hit.point - Vector3d(0, 0, -0.25 * kRadius - 0.01)).norm() < 1e-12);
 }
 
+TEST_CASE("a patch that would hold nothing free keeps the size it had") {
+  // Two rows are clamped, the triangle between them is taken: its neighbors below are free.
+  const Model model = make_model(make_box(3, 9, 3, {0.1, 0.3, 0.1}), {1e5, 0.3, 1000, 0}, [](const Vector3d& x) { return x.y() > 0.26; });
+  const Surface surface(model);
+  GrabSettings settings{0.4, 3};
+  Grab grab;
+  REQUIRE(grab.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.28)), kRadius, settings));
+  const std::vector<std::uint32_t> held = grab.vertices();
+  const double stiffness = grab.stiffness();
+  settings.radius = 0.01;
+  grab.set_size(model, settings);
+  CHECK(grab.vertices() == held);
+  CHECK(grab.stiffness() == stiffness);
+  CHECK(grab.patch_radius() == Approx(0.4 * kRadius));
+  for (const GrabSpring& s : grab.springs(1e-3)) CHECK(s.target.allFinite());
+}
+
 TEST_CASE("a fine surface in few large tets is held by the tet below the hit point") {
   Model model = make_model(make_box(1, 1, 1, {0.3, 0.3, 0.3}), {1e5, 0.3, 1000, 0}, [](const Vector3d&) { return false; });
   // A surface triangle inside, far from any vertex of the lattice and much smaller than a tet.

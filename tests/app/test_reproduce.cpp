@@ -55,6 +55,14 @@ TEST_CASE("a scene as its file has it needs no --set") {
   CHECK(words(command_that_reproduces(open_scene(desk.file))) == Texts{"fascia", "view", desk.file.string()});
 }
 
+TEST_CASE("a key of the scene that is gone is not passed over") {
+  const Desk desk(R"(, "camera": {"eye": [0, 0, 2]})");
+  const Scene file = open_scene(desk.file);
+  Scene now = file;
+  now.camera.reset();
+  CHECK_THROWS_WITH(sets_between(file, now), Catch::Contains("\"camera\""));
+}
+
 TEST_CASE("what was turned is said key by key, and nothing else") {
   const Desk desk(R"(, "display": {"range": [0, 1]})");
   const Scene file = open_scene(desk.file);

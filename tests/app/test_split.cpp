@@ -134,6 +134,45 @@ TEST_CASE("what a replay does to one side happens to the other, but for what dif
   CHECK(largest_difference(a.simulation.state(), reference::initial_state(a.simulation.model)) > 0.009);
 }
 
+TEST_CASE("a replay leads both sides wherever the mouse is, and what is let go of at one side is let go of at both", "[split]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Replay replay{cube(), std::nullopt, {}, 8};
+  const std::vector<GrabSpring> springs = pull(build_model(cube()));
+  const auto moved = [&](std::size_t count, double x) { return GrabMove{{{count, Eigen::Vector3d(x, 0, 0)}}}; };
+  replay.inputs = {{0, springs}, {1, moved(4, 0.001)}, {3, GrabInput{}}, {4, GrabInput{springs.begin(), springs.begin() + 2}}, {6, moved(2, 0.002)}};
+  Session alone(graphics, cube(), false), a(graphics, cube(), false);
+  alone.simulation.play(replay);
+  a.simulation.play(replay);
+  SplitView split(graphics, a, cube(), a.simulation.model);
+  for (int i = 0; i < 8; ++i) {
+    alone.simulation.step();
+    split.step(a, split.b());  // pressed at B's side, for an orbit
+    CHECK(a.simulation.asked_springs() == alone.simulation.asked_springs());
+  }
+  CHECK(largest_difference(a.simulation.state(), alone.simulation.state()) == 0);
+
+  a.simulation.end_replay();
+  split.lead(a, a);
+  CHECK(split.b().simulation.asked_springs().size() == 2);
+  split.b().simulation.set_grab({});
+  split.lead(a, split.b());
+  CHECK(a.simulation.asked_springs().empty());
+}
+
+TEST_CASE("the second side starts where the first does", "[split]") {
+  Graphics graphics = open_graphics(headless(), false);
+  auto a = std::make_unique<Session>(graphics, cube(), false);
+  for (int i = 0; i < 3; ++i) a->simulation.step();
+  const reference::State start = a->simulation.state();
+  a->simulation.play({cube(), start, {}, 5});
+  for (int i = 0; i < 2; ++i) a->simulation.step();
+  SplitView split(graphics, *a, cube(), a->simulation.model);
+  split.swap(a);
+  a->simulation.reset();
+  CHECK(largest_difference(a->simulation.state(), start) == 0);
+  CHECK(a->simulation.time() == start.time);
+}
+
 TEST_CASE("a side with another mesh is refused", "[split]") {
   Graphics graphics = open_graphics(headless(), false);
   Session a(graphics, cube(), false);
@@ -170,5 +209,8 @@ TEST_CASE("render --split draws both sides, each as it is drawn alone", "[split]
   CHECK(difference(middle(both, 0), middle(left, 0)).share == 0);
   CHECK(difference(middle(both, 202), middle(right, 0)).share == 0);
   CHECK(difference(middle(left, 0), middle(right, 0)).share > 0.01);
+  const CommandResult shared = run_fascia({"render", scene, "--split", "gravity=[0,0,0]", "--out", (folder / "x.png").string()});
+  CHECK(shared.exit_code == 1);
+  CHECK_THAT(shared.err, Catch::Contains("which both sides share"));
   CHECK(run_fascia({"render", scene, "--split", "solver.methd=jacobi", "--out", (folder / "x.png").string()}).exit_code == 1);
 }

@@ -148,3 +148,67 @@ TEST_CASE("a session whose sides were swapped is replayed to the bit, also where
   CAPTURE(again.err);
   CHECK(again.err.find("fascia: to the bit what was recorded") != std::string::npos);
 }
+
+TEST_CASE("a section plane that was dragged is taken back in one piece; a hand at the second side goes with it, and the wheel zooms both") {
+  const TemporaryFolder folder;
+  const VirtualDisplay display(kWidth, kHeight);
+  nlohmann::json scene = nlohmann::json::parse(cube_scene());
+  scene["display"] = {{"section", {{"normal", {1, 0, 0}}, {"offset", 0.02}}}};
+  write_file(folder / "cube.json", scene.dump());
+  FasciaWindow window({(folder / "cube.json").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)}, folder.path());
+  CHECK(window.screenshot().section == 0.02);
+  window.move(kWidth / 2, 150);
+  window.key_down("ctrl");
+  window.press();
+  for (int i = 1; i <= 6; ++i) {
+    window.move(kWidth / 2 + 5 * i, 150);
+    window.pause();  // frames between
+  }
+  window.release();
+  window.key_up("ctrl");
+  CHECK(eventually([&] { return window.screenshot().section > 0.02; }));
+  window.key("ctrl+z");
+  CHECK(eventually([&] { return window.screenshot().section == 0.02; }));
+
+  window.key("b");
+  CHECK(eventually([&] { return divided(window.screenshot().image); }));
+  const int x = kPanels + 3 * (kWidth - kPanels) / 4, y = kHeight / 2;
+  const Screenshot rest = window.screenshot();
+  window.move(x, y);
+  window.press();
+  window.move(x + 60, y - 30);
+  Screenshot pulled;
+  CHECK(eventually([&] { return difference(rest.image, (pulled = window.screenshot()).image).share > 0.005; }));
+  window.key("t");
+  window.release();
+  window.move(x, 120);  // beside the tissue
+  CHECK(eventually([&] {
+    window.click(5);
+    return difference(pulled.image, window.screenshot().image).share > 0.05;
+  }));
+  window.key("b");
+  CHECK(eventually([&] { return !divided(window.screenshot().image); }));
+  const auto replays = [&] {
+    std::vector<std::filesystem::path> found;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+      if (entry.path().extension() == ".fascia") found.push_back(entry.path());
+    return found;
+  };
+  CHECK(eventually([&] {
+    window.key("Escape");
+    window.key("ctrl+r");
+    window.pause();
+    window.key("Return");
+    window.pause();
+    return !replays().empty();
+  }));
+  window.key("ctrl+q");
+  CHECK(window.wait() == 0);
+  INFO("the side that stays is held by nobody");
+  const Replay replay = read_replay(replays().front());
+  const GrabInput* last = nullptr;
+  for (const Input& input : replay.inputs)
+    if (const auto* springs = std::get_if<GrabInput>(&input.change)) last = springs;
+  REQUIRE(last);
+  CHECK(last->empty());
+}

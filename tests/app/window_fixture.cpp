@@ -212,6 +212,7 @@ Screenshot FasciaWindow::screenshot() {
     const auto scene = nlohmann::json::parse(text);
     shot.young_modulus = scene.at("bodies").at(0).at("materials").at("default").at("young_modulus").get<double>();
     shot.wireframe = scene.value("/display/wireframe"_json_pointer, false);
+    shot.section = scene.value("/display/section/offset"_json_pointer, 0.0);
   }
   return shot;
 }

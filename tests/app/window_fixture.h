@@ -34,6 +34,7 @@ struct Screenshot {
   std::string title, moment;
   double young_modulus = 0;  // of the first body's default material [Pa]
   bool wireframe = false;
+  double section = 0;  // offset of the section plane [m]
 };
 
 class FasciaWindow {

@@ -90,6 +90,7 @@ TEST_CASE("a hand on the command line is one more of the scene's") {
   CHECK(scene.grabs[2].path == std::vector<ScriptedGrab::Key>{{0, {0, 0, 0}}, {0.5, {0, 0.1, 0}}});
   CHECK(scene.grabs[2].smooth);
   CHECK(scene.grabs[2].body == "cube");
+  CHECK(file.open({"--grab at=0,0,0;body=2"}).grabs[1].body == "2");
   CHECK(file.open({"grabs.0.radius=0.5"}).grabs[0].radius == 0.5);
 
   CHECK(file.open_error({"--grab at"}) == "--grab: at is no KEY=VALUE; expected such as at=0.1,0.05,0;translate=0,0.1,0");
