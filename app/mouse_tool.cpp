@@ -40,7 +40,7 @@ void drag_section(const Eigen::Vector2d& from, const Eigen::Vector2d& to, MouseT
   const Camera& camera = session.camera;
   constexpr double kHeadOn = 0.97;  // cosine beyond which the normal has no direction in the picture to speak of: up is along it then
   if (std::abs(camera.forward().dot(normal)) > kHeadOn) {
-    display.section->offset += (from.y() - to.y()) * camera.pixel_size(center, picture.height);
+    display.section->offset += (from.y() - to.y()) * camera.pixel_size(center, picture.width, picture.height);
   } else {
     const auto place = [&](const Eigen::Vector2d& at) { return along(center, normal, camera.ray(at.x(), at.y(), picture.width, picture.height)); };
     display.section->offset += place(to) - place(from);
@@ -97,7 +97,7 @@ void MouseTool::press(Button button, Keys keys, const Eigen::Vector2d& at, Pictu
 }
 
 void MouseTool::move(const Eigen::Vector2d& at, Picture picture, Session& session) {
-  const Eigen::Vector2d from = last_, change = (at - from) / picture.height;
+  const Eigen::Vector2d from = last_, change = (at - from) / std::min(picture.width, picture.height);
   last_ = at;
   switch (tool_) {
     case Tool::none: break;

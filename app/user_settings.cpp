@@ -61,8 +61,11 @@ UserSettings read_user_settings(const fs::path& file) {
     } else if (key == "welcomed") {
       if (!value.is_boolean()) fail(file, key, "true or false");
       settings.welcomed = value.get<bool>();
+    } else if (key == "theme") {
+      if (value != "dark" && value != "light") fail(file, key, "dark or light");
+      settings.light = value == "light";
     } else {
-      throw Error(file.string() + ": " + key, "is unknown", "expected recent, folder, hints_done or welcomed");
+      throw Error(file.string() + ": " + key, "is unknown", "expected recent, folder, hints_done, welcomed or theme");
     }
   }
   return settings;
@@ -75,7 +78,8 @@ void write_user_settings(const fs::path& file, const UserSettings& settings) {
                   {"recent", recent},
                   {"folder", settings.folder.string()},
                   {"hints_done", settings.hints_done},
-                  {"welcomed", settings.welcomed}};
+                  {"welcomed", settings.welcomed},
+                  {"theme", settings.light ? "light" : "dark"}};
   fs::create_directories(file.parent_path());
   write_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");  // paths may hold any bytes
 }

@@ -1,5 +1,5 @@
 // What the window remembers of its user from one start to the next: files opened, the folder last looked into, hints that were
-// understood. A small JSON file, strict as scenes are; one that is broken never stops the window.
+// understood, theme. A small JSON file, strict as scenes are; one that is broken never stops the window.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -16,6 +16,7 @@ struct UserSettings {
   std::filesystem::path folder;               // of the dialogs; empty: none yet
   std::set<std::string> hints_done;
   bool welcomed = false;                      // has seen the examples
+  bool light = false;                         // theme of the panels
 
   void opened(const std::filesystem::path& file);
   bool operator==(const UserSettings&) const = default;

@@ -13,6 +13,7 @@
 #include "app/interrupt.h"
 #include "app/panels.h"
 #include "app/paths.h"
+#include "app/ui_style.h"
 #include "app/user_files.h"
 #include "sim/error.h"
 
@@ -37,6 +38,7 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
       gallery_(graphics.data_dir),
       hints_(user_),
       samples_(options.samples > 0 ? options.samples : gl::device().software ? 1 : 4) {
+  if (user_.now().light) ui::set_theme(ui::Theme::light);
   try {
     OpeningScreen screen(graphics_, overlay_, opened.scene.file.filename().string());
     session_ = make_session(opened, screen, 0);
@@ -209,7 +211,7 @@ void ViewWindow::build_panels(Requests& requests) {
   if (!shown_alone) draw_notice(state_);
   if (state_.show_panels) {
     draw_panels(tuned(), state_, requests);
-    if (steps_left_ < 0 && !shown_alone) draw_hints(hints_);
+    if (steps_left_ < 0 && !shown_alone && !split_) draw_hints(hints_);  // where a comparison has its figures
   }
   if (state_.plots.shown) {
     draw_plots(session_->simulation, state_, requests);
@@ -229,6 +231,8 @@ void ViewWindow::build_panels(Requests& requests) {
   if (gallery_.draw(requests)) user_.change([](UserSettings& settings) { settings.welcomed = true; });
   if (left_behind_) draw_left_behind(Autosave::name_in(*left_behind_), requests);
   follow_hints();
+  if (const bool light = ui::theme() == ui::Theme::light; light != user_.now().light)
+    user_.change([&](UserSettings& settings) { settings.light = light; });
   const bool news = message_ && !message_->is_error;
   // A screenshot shows the scene, not the news of the screenshot before it.
   if (message_ && !(news && requests.screenshot) && (draw_message(message_->text, message_->is_error) || Clock::now() > message_->until)) message_.reset();

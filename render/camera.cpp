@@ -42,6 +42,10 @@ double Camera::slope() const {
   return std::tan(fov_deg * kRadians / 2);
 }
 
+Eigen::Vector2d Camera::slopes(double aspect) const {
+  return slope() * Eigen::Vector2d(std::max(aspect, 1.0), std::max(1 / aspect, 1.0));
+}
+
 Eigen::Matrix3d Camera::axes() const {
   const Vector3d direction = forward();
   Vector3d right = direction.cross(up.normalized());
@@ -66,21 +70,20 @@ void Camera::frame(const Vector3d& box_min, const Vector3d& box_max) {
 void Camera::fit(const Vector3d& box_min, const Vector3d& box_max, double aspect) {
   const Vector3d center = (box_min + box_max) / 2;
   const Eigen::Matrix3d basis = axes();
-  const double slope_y = slope() * kMargin, slope_x = slope_y * aspect;
+  const Eigen::Vector2d slope = kMargin * slopes(aspect);
   // In camera axes, with depth f along the line of sight, an eye (r, u, f) sees a corner (r_i, u_i, f_i) when
-  // |r_i - r| <= slope_x (f_i - f), and the same for u. Per axis the tightest corner on either side bounds f.
+  // |r_i - r| <= slope (f_i - f), and the same for u. Per axis the tightest corner on either side bounds f.
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Vector3d low = Vector3d::Constant(-kInfinity), high = Vector3d::Constant(kInfinity);
-  const Vector3d slopes(slope_x, slope_y, 0);
+  Eigen::Vector2d low(-kInfinity, -kInfinity), high(kInfinity, kInfinity);
   for (int corner = 0; corner < 8; ++corner) {
     const Vector3d point(corner & 1 ? box_max.x() : box_min.x(), corner & 2 ? box_max.y() : box_min.y(),
                          corner & 4 ? box_max.z() : box_min.z());
     const Vector3d p = basis.transpose() * (point - center);
     const double depth = -p.z();
-    low = low.cwiseMax(p - slopes * depth);
-    high = high.cwiseMin(p + slopes * depth);
+    low = low.cwiseMax(p.head<2>() - slope * depth);
+    high = high.cwiseMin(p.head<2>() + slope * depth);
   }
-  const double f = std::min((high.x() - low.x()) / (2 * slope_x), (high.y() - low.y()) / (2 * slope_y));
+  const double f = (high - low).cwiseQuotient(2 * slope).minCoeff();
   // A box without size is looked at from where the eye was.
   const double back = (box_max - box_min).norm() > 0 ? -f : std::max(distance(), 1e-6);
   eye = center + basis * Vector3d((low.x() + high.x()) / 2, (low.y() + high.y()) / 2, back);
@@ -125,8 +128,7 @@ Eigen::Matrix4f Camera::projection(double aspect, double scene_radius) const {
   const double near = kNearShare * std::max(distance(), 0.01 * scene_radius);
   const double far = distance() + kFarRadii * scene_radius;
   Eigen::Matrix4d result = Eigen::Matrix4d::Zero();
-  result(0, 0) = 1 / (slope() * aspect);
-  result(1, 1) = 1 / slope();
+  result.diagonal().head<2>() = slopes(aspect).cwiseInverse();
   result(2, 2) = -(far + near) / (far - near);
   result(2, 3) = -2 * far * near / (far - near);
   result(3, 2) = -1;
@@ -135,13 +137,13 @@ Eigen::Matrix4f Camera::projection(double aspect, double scene_radius) const {
 }
 
 Ray Camera::ray(double x, double y, int width, int height) const {
-  const double per_pixel = 2 * slope() / height;
+  const double per_pixel = 2 * slope() / std::min(width, height);
   const Vector3d in_view((x - width / 2.0) * per_pixel, (height / 2.0 - y) * per_pixel, -1);
   return {eye, (axes() * in_view).normalized()};
 }
 
-double Camera::pixel_size(const Vector3d& point, int height) const {
-  return 2 * slope() * std::abs((point - eye).dot(forward())) / height;
+double Camera::pixel_size(const Vector3d& point, int width, int height) const {
+  return 2 * slope() * std::abs((point - eye).dot(forward())) / std::min(width, height);
 }
 
 }  // namespace fascia

@@ -16,7 +16,7 @@ Eigen::Matrix3d standing_axes(const Eigen::Vector3d& up);
 class Camera {
  public:
   Eigen::Vector3d eye{0, 0.3, 1}, target{0, 0, 0}, up{0, 1, 0};
-  double fov_deg = 40;  // vertical
+  double fov_deg = 40;  // across the shorter side of the picture, so that a narrow one still shows the body whole
   Eigen::Vector2d jitter{0, 0};  // of the picture, right and up, in halves of its width and height (Supersampler)
 
   /// Looks at the whole box from the front, a little to the right and above, whatever the picture's shape
@@ -26,7 +26,7 @@ class Camera {
   /// becomes the point on the line of sight at the depth of the box's center.
   void fit(const Eigen::Vector3d& box_min, const Eigen::Vector3d& box_max, double aspect);
   void orbit(double dx, double dy);  // radians about up and the right axis; never over the pole
-  void pan(double dx, double dy);    // shares of the picture's height at the target's depth
+  void pan(double dx, double dy);    // shares of the picture's shorter side at the target's depth
   void zoom(double factor);          // distance to the target times factor
 
   /// Near and far planes are chosen so that a box of this radius around the target, and the ground, are
@@ -37,13 +37,14 @@ class Camera {
   /// center.
   Ray ray(double x, double y, int width, int height) const;
   /// Metres per pixel at the depth of `point`.
-  double pixel_size(const Eigen::Vector3d& point, int height) const;
+  double pixel_size(const Eigen::Vector3d& point, int width, int height) const;
   Eigen::Vector3d forward() const;
 
  private:
   double distance() const { return (target - eye).norm(); }
   Eigen::Matrix3d axes() const;  // columns: right, up, backward
-  double slope() const;          // tangent of half the vertical field of view
+  double slope() const;                        // tangent of half the field of view across the shorter side
+  Eigen::Vector2d slopes(double aspect) const;  // the same across width and height
 };
 
 }  // namespace fascia

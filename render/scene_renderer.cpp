@@ -21,7 +21,7 @@ FrameUniforms frame_uniforms(const Camera& camera, const Look& look, int width, 
   frame.eye << camera.eye.cast<float>(), 1;
   frame.up << look.up.normalized().cast<float>(), 0;
   frame.center << look.center.cast<float>(), float(look.radius);
-  const double per_pixel = camera.pixel_size(camera.eye + camera.forward(), height);
+  const double per_pixel = camera.pixel_size(camera.eye + camera.forward(), width, height);
   frame.picture << float(width), float(height), float(height) / 720, float(per_pixel);
   for (int c = 0; c < 3; ++c) frame.base_color[c] = linear_of_srgb(look.color[c]);
   const Eigen::Vector2f ends = map_range(look);

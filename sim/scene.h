@@ -67,7 +67,7 @@ struct Body {
 
 struct CameraSettings {
   Eigen::Vector3d eye{0, 0.3, 1}, target{0, 0, 0}, up{0, 1, 0};
-  double fov_deg = 40;
+  double fov_deg = 40;  // across the shorter side of the picture
   bool operator==(const CameraSettings&) const = default;
 };
 

@@ -18,7 +18,7 @@ TEST_CASE("user settings survive a round trip, and a missing file is a new user"
   settings.recent = {"/a/b c.json", "/d/\xc3\xa9.msh"};
   settings.folder = "/a";
   settings.hints_done = {"grab"};
-  settings.welcomed = true;
+  settings.welcomed = settings.light = true;
   write_user_settings(folder / "deep/settings.json", settings);
   CHECK(read_user_settings(folder / "deep/settings.json") == settings);
 }
@@ -40,7 +40,8 @@ TEST_CASE("broken settings are told of, kept aside and replaced") {
   const TemporaryFolder folder;
   const std::string broken = GENERATE(as<std::string>(), "{", "[]", "{\"fascia_settings\": 2}", "{\"fascia_settings\": 1, \"recent\": 3}",
                                       "{\"fascia_settings\": 1, \"recent\": [3]}", "{\"fascia_settings\": 1, \"colour\": \"red\"}",
-                                      "{\"fascia_settings\": 1, \"welcomed\": \"yes\"}", "{\"fascia_settings\": 1, \"folder\": []}", "\xff\xfe");
+                                      "{\"fascia_settings\": 1, \"welcomed\": \"yes\"}", "{\"fascia_settings\": 1, \"folder\": []}",
+                                      "{\"fascia_settings\": 1, \"theme\": \"red\"}", "\xff\xfe");
   CAPTURE(broken);
   write_file(folder / "settings.json", broken);
   CHECK_THROWS_AS(read_user_settings(folder / "settings.json"), Error);

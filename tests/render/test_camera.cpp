@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "render/camera.h"
 
@@ -34,21 +35,21 @@ Camera random_camera(std::mt19937& random, double scale) {
 TEST_CASE("camera: the ray under a pixel projects back to that pixel") {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(0, 1);
-  const int width = 1280, height = 720;
   for (const double scale : {1e-3, 1.0, 100.0}) {
-    for (int i = 0; i < 50; ++i) {
-      const Camera camera = random_camera(random, scale);
-      const double x = width * uniform(random), y = height * uniform(random);
-      const fascia::Ray ray = camera.ray(x, y, width, height);
-      CHECK(ray.direction.norm() == Approx(1).epsilon(1e-12));
-      const Vector3d point = ray.origin + ray.direction * scale * (1 + 4 * uniform(random));
-      const Vector3d ndc = project(camera, point, double(width) / height, scale);
-      CAPTURE(scale, x, y, ndc.transpose());
-      // The matrices are float (6e-8) and the eye is up to 5 scene sizes from the origin: 1e-5 of the picture
-      // is 0.01 pixel.
-      CHECK(std::abs((ndc.x() + 1) / 2 * width - x) < 0.02);
-      CHECK(std::abs((1 - ndc.y()) / 2 * height - y) < 0.02);
-    }
+    for (const auto& [width, height] : {std::pair(1280, 720), std::pair(480, 720)})
+      for (int i = 0; i < 50; ++i) {
+        const Camera camera = random_camera(random, scale);
+        const double x = width * uniform(random), y = height * uniform(random);
+        const fascia::Ray ray = camera.ray(x, y, width, height);
+        CHECK(ray.direction.norm() == Approx(1).epsilon(1e-12));
+        const Vector3d point = ray.origin + ray.direction * scale * (1 + 4 * uniform(random));
+        const Vector3d ndc = project(camera, point, double(width) / height, scale);
+        CAPTURE(scale, x, y, ndc.transpose());
+        // The matrices are float (6e-8) and the eye is up to 5 scene sizes from the origin: 1e-5 of the
+        // picture is 0.01 pixel.
+        CHECK(std::abs((ndc.x() + 1) / 2 * width - x) < 0.02);
+        CHECK(std::abs((1 - ndc.y()) / 2 * height - y) < 0.02);
+      }
   }
 }
 
@@ -97,7 +98,7 @@ TEST_CASE("camera: the scene follows the mouse") {
   turned = camera;
   turned.orbit(0, 0.1);
   CHECK(project(turned, front, 1, 1).y() < before.y());
-  // A pan by a tenth of the height moves the target's picture by a tenth of the height.
+  // A pan by a tenth of the shorter side moves the target's picture by as much.
   Camera panned = camera;
   panned.pan(0.1, 0.2);
   const Vector3d target = project(panned, camera.target, 1, 1);
@@ -105,6 +106,17 @@ TEST_CASE("camera: the scene follows the mouse") {
   CHECK(target.y() == Approx(-0.4).margin(1e-5));
   camera.zoom(0.5);
   CHECK((camera.eye - camera.target).norm() == Approx(1));
+}
+
+TEST_CASE("camera: the field of view is the shorter side's") {
+  Camera camera;
+  camera.eye = {0, 0, 2};
+  camera.fov_deg = 90;
+  // At 90 degrees a point as far aside as it is deep lies on the edge.
+  CHECK(project(camera, {0, 2, 0}, 1.5, 1).y() == Approx(1).epsilon(1e-6));
+  CHECK(project(camera, {2, 0, 0}, 1.5, 1).x() == Approx(1 / 1.5).epsilon(1e-6));
+  CHECK(project(camera, {2, 0, 0}, 0.5, 1).x() == Approx(1).epsilon(1e-6));
+  CHECK(project(camera, {0, 2, 0}, 0.5, 1).y() == Approx(0.5).epsilon(1e-6));
 }
 
 TEST_CASE("camera: fit fills the picture and keeps the direction of view") {
@@ -163,16 +175,17 @@ TEST_CASE("camera: pixel_size is the distance between neighbouring pixels' rays 
   Camera camera;
   camera.eye = {0.2, 0.5, 1.5};
   const Vector3d point(0.1, -0.2, 0.3);
-  const int width = 640, height = 480;
-  const double depth = (point - camera.eye).dot(camera.forward());
-  const auto at_depth = [&](double x, double y) {
-    const fascia::Ray ray = camera.ray(x, y, width, height);
-    return Vector3d(ray.origin + ray.direction * depth / ray.direction.dot(camera.forward()));
-  };
-  CHECK((at_depth(11, 20) - at_depth(10, 20)).norm() ==
-        Approx(camera.pixel_size(point, height)).epsilon(1e-9));
-  CHECK((at_depth(10, 21) - at_depth(10, 20)).norm() ==
-        Approx(camera.pixel_size(point, height)).epsilon(1e-9));
+  for (const auto& [width, height] : {std::pair(640, 480), std::pair(300, 480)}) {
+    const double depth = (point - camera.eye).dot(camera.forward());
+    const auto at_depth = [&, width = width, height = height](double x, double y) {
+      const fascia::Ray ray = camera.ray(x, y, width, height);
+      return Vector3d(ray.origin + ray.direction * depth / ray.direction.dot(camera.forward()));
+    };
+    CHECK((at_depth(11, 20) - at_depth(10, 20)).norm() ==
+          Approx(camera.pixel_size(point, width, height)).epsilon(1e-9));
+    CHECK((at_depth(10, 21) - at_depth(10, 20)).norm() ==
+          Approx(camera.pixel_size(point, width, height)).epsilon(1e-9));
+  }
 }
 
 TEST_CASE("camera: near and far hold the scene and the ground at every zoom") {

@@ -35,7 +35,7 @@ TEST_CASE("render: a sphere's silhouette is where the camera says") {
   const Image with = scene.draw();
   scene.shape.triangles.clear();
   const Image without = scene.draw();
-  const double pixel = scene.camera.pixel_size({0.1, 0.7, -0.2}, scene.height);
+  const double pixel = scene.camera.pixel_size({0.1, 0.7, -0.2}, scene.width, scene.height);
   int wrong = 0, body = 0;
   for (int y = 0; y < scene.height; ++y) {
     for (int x = 0; x < scene.width; ++x) {
