@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/ticks.h"
 #include "app/ui_style.h"
 #include "app/units.h"
 
@@ -39,11 +40,11 @@ ImVec2 place(ImDrawList& list, float width, float height, const Ink& ink) {
   return {low.x + pad, low.y + pad};
 }
 
-// Units with prefixes have enough digits; a number without one gets as many decimals as its step has.
-std::string tick_text(double value, double step, const std::string& unit) {
-  if (!unit.empty()) return engineering(std::abs(value) < 1e-9 * step ? 0 : value, unit);
+// A number without a unit gets as many decimals as its step has.
+std::string tick_text(double value, double step, int digits, const std::string& unit) {
+  if (std::abs(value) < 1e-9 * step) value = 0;
   const double size = std::max(std::abs(value), step);
-  if (size < 1e-4 || size >= 1e5) return engineering(value, unit);
+  if (!unit.empty() || size < 1e-4 || size >= 1e5) return engineering(value, unit, std::max(digits, 3));
   char text[32];
   std::snprintf(text, sizeof text, "%.*f", std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 8), value);
   return text;
@@ -54,11 +55,13 @@ void draw_bar(const Look& look, const Quantity& quantity) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float width = ui::px(14), gap = ui::px(8), line = ImGui::GetFontSize();
   const float height = std::min(ui::px(220), 0.5f * ImGui::GetIO().DisplaySize.y);
-  const std::vector<double> ticks = ticks_of(look.range.x(), look.range.y());
+  constexpr int kIntervals = 5;
+  const Ticks scale = linear_ticks(look.range.x(), look.range.y(), kIntervals);
+  const std::vector<double>& ticks = scale.values;
   std::vector<std::string> texts;
   float text_width = 0;
   for (const double tick : ticks) {
-    texts.push_back(tick_text(tick, ticks.size() > 1 ? ticks[1] - ticks[0] : 1, quantity.unit));
+    texts.push_back(tick_text(tick, ticks.size() > 1 ? ticks[1] - ticks[0] : 1, scale.digits, quantity.unit));
     text_width = std::max(text_width, ImGui::CalcTextSize(texts.back().c_str()).x);
   }
   const ImVec2 corner = place(list, std::max(width + gap + text_width, ImGui::CalcTextSize(quantity.title).x), height + 2 * line, ink);
@@ -101,18 +104,6 @@ void draw_regions(const Look& look, const std::vector<std::string>& names) {
 }
 
 }  // namespace
-
-std::vector<double> ticks_of(double low, double high) {
-  const double span = high - low;
-  if (!(span > 0) || !std::isfinite(span)) return {};
-  const double decade = std::pow(10.0, std::floor(std::log10(span / 6)));
-  double step = 10 * decade;
-  for (const double factor : {5.0, 2.5, 2.0, 1.0})
-    if (span / (factor * decade) <= 5 * (1 + 1e-6)) step = factor * decade;
-  std::vector<double> ticks;
-  for (double n = std::ceil(low / step - 1e-6); n * step <= high + 1e-6 * step; ++n) ticks.push_back(n * step + 0.0);  // never -0
-  return ticks;
-}
 
 void draw_legend(const Session& session) {
   if (session.look.heat_map) draw_bar(session.look, quantity_of(session.display().color));

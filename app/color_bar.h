@@ -9,7 +9,4 @@ inline bool has_legend(const Session& session) { return session.look.heat_map ||
 /// At the right edge of the picture, in ImGui's background layer: on a panel over the gradient, straight on backgrounds of one color.
 void draw_legend(const Session& session);
 
-/// Round numbers inside the closed range, the same step apart, three to six of them (none for a range without width).
-std::vector<double> ticks_of(double low, double high);
-
 }  // namespace fascia

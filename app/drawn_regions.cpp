@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "sim/embedding.h"
-
 namespace fascia {
 namespace {
 
@@ -29,20 +27,12 @@ void number_triangles(const Model& model, const DrawnSurface& surface, DrawnRegi
   const auto vertex_count = static_cast<std::uint32_t>(model.rest_positions.size());
   std::map<Triangle, std::vector<std::size_t>> faces;
   std::map<Tet, std::vector<std::size_t>> holders;
-  std::vector<std::size_t> embedded;
-  std::vector<Eigen::Vector3d> points;
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
     const Triangle& triangle = surface.triangles[i];
-    if (triangle[0] < vertex_count) {
+    if (triangle[0] < vertex_count)
       faces[ascending(triangle)].push_back(i);
-      continue;
-    }
-    embedded.push_back(i);
-    points.push_back(surface.rest_positions[triangle[0]]);
-  }
-  if (!points.empty()) {
-    const std::vector<EmbeddedPoint> places = embed(points, model.rest_positions, model.tets).ties;
-    for (std::size_t k = 0; k < embedded.size(); ++k) holders[ascending(places[k].vertices)].push_back(embedded[k]);
+    else
+      holders[ascending(model.embedded.ties[triangle[0] - vertex_count].vertices)].push_back(i);
   }
   regions.of_triangle.assign(surface.triangles.size(), 0);
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
@@ -70,9 +60,9 @@ DrawnRegions drawn_regions(const Scene& scene, const Model& model, const DrawnSu
   for (const auto& key : keys) numbers[key] = 0;
   for (auto& [key, number] : numbers) {
     number = static_cast<std::uint32_t>(regions.names.size());
-    const auto& known = model.file_mesh.region_names;
+    const std::map<int, std::string>& known = model.bodies[key.first].regions;
     const auto name = known.find(key.second);
-    const std::string own = name != known.end() ? name->second : "region " + std::to_string(key.second);
+    const std::string own = name != known.end() && !name->second.empty() ? name->second : "region " + std::to_string(key.second);
     regions.names.push_back(scene.bodies.size() > 1 ? model.bodies[key.first].name + ": " + own : own);
   }
   for (const auto& key : keys) regions.of_tet.push_back(numbers[key]);

@@ -6,13 +6,13 @@
 
 namespace fascia {
 
-DrawnSurface drawn_surface(const Model& model, bool only_tets) {
+DrawnSurface drawn_surface(const Model& model) {
   DrawnSurface drawn;
   drawn.rest_positions = model.rest_positions;
-  const bool colored = !only_tets && std::any_of(model.surfaces.begin(), model.surfaces.end(), [](const SurfaceMesh& s) { return !s.colors.empty(); });
+  const bool colored = std::any_of(model.surfaces.begin(), model.surfaces.end(), [](const SurfaceMesh& s) { return !s.colors.empty(); });
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const SurfaceMesh& surface = model.surfaces[b];
-    if (only_tets || surface.triangles.empty()) {
+    if (surface.triangles.empty()) {
       const auto first = model.tets.begin() + model.bodies[b].tet_begin;
       const std::vector<Triangle> boundary = boundary_triangles({first, first + model.bodies[b].tet_count});
       drawn.triangles.insert(drawn.triangles.end(), boundary.begin(), boundary.end());
@@ -25,6 +25,12 @@ DrawnSurface drawn_surface(const Model& model, bool only_tets) {
     if (colored) drawn.colors.resize(3 * drawn.triangles.size(), 0);
   }
   return drawn;
+}
+
+bool closed_around_tets(const Model& model) {
+  const auto own = [](const SurfaceMesh& s) { return !s.triangles.empty(); };
+  return std::any_of(model.surfaces.begin(), model.surfaces.end(), own) &&
+         std::all_of(model.surfaces.begin(), model.surfaces.end(), [&](const SurfaceMesh& s) { return !own(s) || s.closed; });
 }
 
 }  // namespace fascia

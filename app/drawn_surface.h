@@ -11,7 +11,8 @@ struct DrawnSurface {
   std::vector<Eigen::Vector3d> rest_positions;  // mesh vertices, then embedded ones, as in GpuSolver::positions() [m]
   std::vector<std::uint32_t> colors{};          // as SurfaceMesh::colors, of all triangles; empty if no surface has any
 };
-/// `only_tets`: the boundaries of the tets of all bodies.
-DrawnSurface drawn_surface(const Model& model, bool only_tets = false);
+DrawnSurface drawn_surface(const Model& model);
+/// Whether bodies have surfaces of their own, and all of them enclose an inside.
+bool closed_around_tets(const Model& model);
 
 }  // namespace fascia

@@ -17,15 +17,17 @@ Vector3d shortened(const Vector3d& v, double length) {
   return norm > length ? Vector3d(v * (length / norm)) : v;
 }
 
-// The hit point by the vertices that carry it: corners of a boundary triangle, or of the tet below an embedded one.
+// The hit point by the vertices that carry it: corners of a boundary triangle, of the tet below an embedded one, or of the tet that was cut.
 EmbeddedPoint place_of(const Model& model, const DrawnSurface& surface, std::span<const Vector3d> positions, const Hit& hit) {
+  if (hit.on_cut) return tet_at(model.tets, positions, hit.point);
   const Triangle& t = surface.triangles[hit.triangle];
   const Vector3d &a = positions[t[0]], ab = positions[t[1]] - a, ac = positions[t[2]] - a, normal = ab.cross(ac), at = hit.point - a;
   const double area2 = normal.squaredNorm();
   const double v = area2 > 0 ? at.cross(ac).dot(normal) / area2 : 0, w = area2 > 0 ? ab.cross(at).dot(normal) / area2 : 0, u = 1 - v - w;
   if (t[0] < model.rest_positions.size()) return {{t[0], t[1], t[2], t[0]}, {u, v, w, 0}};
   const auto& rest = surface.rest_positions;
-  return tet_at(model, u * rest[t[0]] + v * rest[t[1]] + w * rest[t[2]]);
+  const BodyPart& body = model.bodies[body_of(model, model.embedded.ties[t[0] - model.rest_positions.size()].vertices[0])];
+  return tet_at(std::span(model.tets).subspan(body.tet_begin, body.tet_count), model.rest_positions, u * rest[t[0]] + v * rest[t[1]] + w * rest[t[2]]);
 }
 
 }  // namespace
@@ -39,10 +41,8 @@ bool Grab::take(const Model& model, const DrawnSurface& surface, std::span<const
   start_ = plane_ = pointer_ = hit.point;
   if (!grip(model, settings)) return false;
   if (!settings.push) return true;
-  const Triangle& t = surface.triangles[hit.triangle];
-  const Vector3d normal = (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]);
-  push_ = normal.norm() > 0;
-  if (push_) inward_ = -normal.normalized();
+  push_ = hit.normal.norm() > 0;
+  if (push_) inward_ = -hit.normal;
   go_deeper(kFirstPush * radius_, inward_);
   return true;
 }

@@ -30,7 +30,8 @@ std::vector<Eigen::Vector3d> deformed_positions(Session& session) {
 double along(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, const Ray& ray) {
   const Eigen::Vector3d to_eye = ray.origin - center;
   const double cosine = ray.direction.dot(normal);
-  return (to_eye.dot(normal) - to_eye.dot(ray.direction) * cosine) / (1 - cosine * cosine);
+  constexpr double kLeastSine2 = 0.01;  // where the ray is nearly along the line, no place on it is nearest
+  return (to_eye.dot(normal) - to_eye.dot(ray.direction) * cosine) / std::max(1 - cosine * cosine, kLeastSine2);
 }
 
 void drag_section(const Eigen::Vector2d& from, const Eigen::Vector2d& to, MouseTool::Picture picture, Session& session) {
@@ -88,7 +89,7 @@ void MouseTool::press(Button button, Keys keys, const Eigen::Vector2d& at, Pictu
   const Ray ray = session.camera.ray(at.x(), at.y(), picture.width, picture.height);
   const std::vector<Eigen::Vector3d> positions = deformed_positions(session);
   const std::vector<Triangle>& triangles = session.surface().triangles;
-  const auto hit = keys.shift ? pick_nearest(ray, triangles, positions) : pick(ray, triangles, positions);
+  const auto hit = keys.shift ? pick_nearest(ray, triangles, positions, shown_cut(session.look)) : pick(ray, triangles, positions, shown_cut(session.look));
   GrabSettings how = settings;
   how.push = settings.push != keys.alt;
   if (!hit || !hands_.take(session.simulation.model, session.surface(), positions, *hit, session.look.radius, how)) return;

@@ -28,23 +28,48 @@ Vector3d nearest_on_segment(const Ray& ray, const Vector3d& a, const Vector3d& b
   return a + (b - a) * (length2 > 0 ? std::clamp(from.dot(ab) / length2, 0.0, 1.0) : 0.0);
 }
 
+double beyond(const SectionCut& cut, const Vector3d& p) { return cut.normal.cast<double>().dot(p) - cut.offset; }
+
+// The part of the ray [m] on which there is something; empty if low > high.
+struct Reach {
+  double low = 0, high = kInfinity;
+};
+
+Reach reach_of(const Ray& ray, const Cut& cut) {
+  if (!cut) return {};
+  const double away = beyond(*cut, ray.origin), slope = cut->normal.cast<double>().dot(ray.direction), crossing = -away / slope;
+  if (away > 0) return slope < 0 ? Reach{crossing, kInfinity} : Reach{kInfinity, 0};
+  return slope > 0 ? Reach{0, crossing} : Reach{};
+}
+
+Vector3d normal_of(const Triangle& t, std::span<const Vector3d> positions) {
+  return (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]).normalized();
+}
+
 }  // namespace
 
-std::optional<Hit> pick(const Ray& ray, std::span<const Triangle> triangles, std::span<const Vector3d> positions) {
-  std::optional<Hit> hit;
+std::optional<Hit> pick(const Ray& ray, std::span<const Triangle> triangles, std::span<const Vector3d> positions, const Cut& cut) {
+  const Reach reach = reach_of(ray, cut);
+  std::optional<std::size_t> first;
   double nearest = kInfinity;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Triangle& t = triangles[i];
     const double distance = distance_to(ray, positions[t[0]], positions[t[1]], positions[t[2]]);
-    if (!(distance < nearest)) continue;
+    if (!(distance < nearest) || distance < reach.low || distance > reach.high) continue;
     nearest = distance;
-    hit = Hit{i, ray.origin + distance * ray.direction};
+    first = i;
   }
-  return hit;
+  if (!first) return std::nullopt;
+  const Vector3d normal = normal_of(triangles[*first], positions);
+  // Seen from its inside: the ray came in through the cut.
+  if (reach.low > 0 && normal.dot(ray.direction) > 0)
+    return Hit{*first, ray.origin + reach.low * ray.direction, cut->normal.cast<double>(), true};
+  return Hit{*first, ray.origin + nearest * ray.direction, normal};
 }
 
-std::optional<Hit> pick_nearest(const Ray& ray, std::span<const Triangle> triangles, std::span<const Vector3d> positions) {
-  if (auto hit = pick(ray, triangles, positions)) return hit;
+std::optional<Hit> pick_nearest(const Ray& ray, std::span<const Triangle> triangles, std::span<const Vector3d> positions,
+                                const Cut& cut) {
+  if (auto hit = pick(ray, triangles, positions, cut)) return hit;
   std::optional<Hit> hit;
   double nearest = kInfinity;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -52,11 +77,11 @@ std::optional<Hit> pick_nearest(const Ray& ray, std::span<const Triangle> triang
       const Vector3d point = nearest_on_segment(ray, positions[triangles[i][k]], positions[triangles[i][(k + 1) % 3]]);
       const Vector3d from_eye = point - ray.origin;
       const double along = ray.direction.dot(from_eye);
-      if (along <= 0) continue;  // behind the eye
+      if (along <= 0 || (cut && beyond(*cut, point) > 0)) continue;  // behind the eye
       const double distance = (from_eye - along * ray.direction).squaredNorm();
       if (!(distance < nearest)) continue;
       nearest = distance;
-      hit = Hit{i, point};
+      hit = Hit{i, point, normal_of(triangles[i], positions)};
     }
   }
   return hit;

@@ -32,7 +32,9 @@ PictureSequence::PictureSequence(fs::path pattern, const FrameFormat& format, Pr
 void PictureSequence::write(const std::vector<std::uint8_t>& rgba) {
   std::string number = std::to_string(frames_);
   number.insert(0, digits_ - std::min(digits_, number.size()), '0');
-  write_png(folder_ / (before_ + number + after_), Image{format_.width, format_.height, rgba}, provenance_);
+  Image picture{format_.width, format_.height, rgba};
+  straighten(picture.rgba);
+  write_png(folder_ / (before_ + number + after_), picture, provenance_);
   ++frames_;
 }
 

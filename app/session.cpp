@@ -8,8 +8,10 @@ namespace fascia {
 
 Session::Session(Graphics& graphics, Scene scene, Model built, bool use_reference, const Progress& progress)
     : simulation(std::move(scene), std::move(built), graphics.programs.get(), use_reference, progress),
+      surface_(drawn_surface(simulation.model)),
       description_(describe(graphics)) {
-  make_renderer(false);
+  renderer_.emplace(*simulation.programs(), surface_.triangles, static_cast<std::uint32_t>(surface_.rest_positions.size()),
+                    simulation.model.fixed, surface_.rest_positions, surface_.colors);
   const Model& model = simulation.model;
   box_min_.setConstant(1e300);
   box_max_.setConstant(-1e300);
@@ -28,16 +30,6 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
   set_display(simulation.scene.display);
 }
 
-void Session::make_renderer(bool cut_open) {
-  surface_ = drawn_surface(simulation.model, cut_open);
-  regions_.reset();
-  renderer_.reset();
-  renderer_.emplace(*simulation.programs(), surface_.triangles, static_cast<std::uint32_t>(surface_.rest_positions.size()),
-                    simulation.model.fixed, surface_.rest_positions, surface_.colors);
-  cut_open_ = cut_open;
-  grabbed_.clear();  // of which the new renderer shows none
-}
-
 void Session::frame() { camera.frame(box_min_, box_max_); }
 
 void Session::look_from(const CameraSettings& view) {
@@ -51,13 +43,10 @@ void Session::set_display(const DisplaySettings& display) {
   simulation.scene.display = display;
   simulation.gpu()->set_color(display.color);
   show(display, look);
-  // A section goes through tets: a finer surface embedded in them would not end where the cut does.
-  const bool cut_open = display.section && !simulation.model.embedded.points.empty();
-  if (cut_open != cut_open_) make_renderer(cut_open);
   const bool by_region = display.color == ColorBy::region;
   if ((by_region || display.section || display.tets) && !regions_) regions_ = drawn_regions(simulation.scene, simulation.model, surface_);
   if (by_region != renderer_->has_regions()) renderer_->set_regions(by_region ? regions_->of_triangle : std::vector<std::uint32_t>());
-  if (display.section || display.tets) renderer_->set_tets({simulation.model.tets, regions_->of_tet});
+  if (display.section || display.tets) renderer_->set_tets({simulation.model.tets, regions_->of_tet, closed_around_tets(simulation.model)});
   if (display.color == ColorBy::error && true_error.result()) show_error();
 }
 

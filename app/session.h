@@ -50,12 +50,10 @@ class Session {
 
  private:
   void show_error();
-  void make_renderer(bool cut_open);
   void show_grabbed();
 
   DrawnSurface surface_;
   std::optional<DrawnRegions> regions_;  // once something has shown them
-  bool cut_open_ = false;  // surface_ is the tets' own boundary, also of bodies with a finer surface
   std::optional<SceneRenderer> renderer_;
   std::vector<std::uint32_t> grabbed_;  // vertices that the renderer shows as held
   Eigen::Vector3d box_min_, box_max_;  // of the bodies at rest [m]

@@ -26,7 +26,7 @@ bool ViewWindow::choose_probe(const Eigen::Vector2d& at) {
   std::vector<Eigen::Vector3d> positions;
   for (const shared::vec4& p : solver.positions().read<shared::vec4>()) positions.emplace_back(p.x, p.y, p.z);
   const Ray ray = session_->camera.ray(at.x(), at.y(), framebuffer_->width(), framebuffer_->height());
-  const auto hit = pick_nearest(ray, session_->surface().triangles, positions);
+  const auto hit = pick_nearest(ray, session_->surface().triangles, positions, shown_cut(session_->look));
   if (!hit) return true;
   // What is drawn may be embedded; what is followed is a vertex of the tets.
   const std::vector<Tet>& tets = session_->simulation.model.tets;

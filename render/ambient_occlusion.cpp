@@ -5,14 +5,6 @@ namespace {
 
 constexpr double kReach = 0.3;  // how far occluders are looked for, in scene radii
 
-GLuint make_target(GLenum attachment, const gl::Texture& texture) {
-  GLuint id = 0;
-  gl::GenFramebuffers(1, &id);
-  gl::BindFramebuffer(GL_FRAMEBUFFER, id);
-  gl::FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.id(), 0);
-  return id;
-}
-
 void bind(GLuint unit, const gl::Texture& texture) {
   gl::ActiveTexture(GL_TEXTURE0 + unit);
   gl::BindTexture(GL_TEXTURE_2D, texture.id());
@@ -23,10 +15,10 @@ void bind(GLuint unit, const gl::Texture& texture) {
 AmbientOcclusion::AmbientOcclusion(gl::ProgramCache& programs, int width, int height)
     : gather_program_(programs.draw("draw/fullscreen.vert", "draw/occlusion.frag")),
       darken_program_(programs.draw("draw/fullscreen.vert", "draw/occlusion_darken.frag")),
-      depth_("picture depth", GL_DEPTH_COMPONENT24, width, height),
+      depth_("picture depth", GL_DEPTH24_STENCIL8, width, height),
       occlusion_("ambient occlusion", GL_RGBA8, width, height),
-      depth_target_(make_target(GL_DEPTH_ATTACHMENT, depth_)),
-      occlusion_target_(make_target(GL_COLOR_ATTACHMENT0, occlusion_)) {}
+      depth_target_(gl::make_target(GL_DEPTH_STENCIL_ATTACHMENT, depth_)),
+      occlusion_target_(gl::make_target(GL_COLOR_ATTACHMENT0, occlusion_)) {}
 
 AmbientOcclusion::~AmbientOcclusion() {
   const GLuint targets[] = {depth_target_, occlusion_target_};

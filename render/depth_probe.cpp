@@ -28,10 +28,10 @@ void DepthProbe::request(const Framebuffer& framebuffer, int x, int y, const Eig
     if (!framebuffer_) {
       gl::GenRenderbuffers(1, &depth_);
       gl::BindRenderbuffer(GL_RENDERBUFFER, depth_);
-      gl::RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_DEPTH_COMPONENT24, kSize, kSize);
+      gl::RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_DEPTH24_STENCIL8, kSize, kSize);
       gl::GenFramebuffers(1, &framebuffer_);
       gl::BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
-      gl::FramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+      gl::FramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth_);
     }
     gl::BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
     gl::Disable(GL_SCISSOR_TEST);

@@ -8,7 +8,7 @@
 namespace fascia {
 namespace {
 
-constexpr std::ptrdiff_t kBytesPerSample = 4;  // of GL_RGBA8 and of GL_DEPTH_COMPONENT24 alike
+constexpr std::ptrdiff_t kBytesPerSample = 4;  // of GL_RGBA8 and of GL_DEPTH24_STENCIL8 alike
 
 void check_limit(const char* what, int value, int least, GLenum limit) {
   GLint most = 0;
@@ -43,7 +43,7 @@ Framebuffer::Framebuffer(int width, int height, int samples)
   GLenum status = gl::CheckFramebufferStatus(GL_FRAMEBUFFER);
   gl::GenFramebuffers(1, &draw_);
   gl::BindFramebuffer(GL_FRAMEBUFFER, draw_);
-  renderbuffer(depth_, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
+  renderbuffer(depth_, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT);
   if (samples_ > 1)
     renderbuffer(color_, GL_RGBA8, GL_COLOR_ATTACHMENT0);
   else
@@ -91,11 +91,7 @@ Image Framebuffer::read() const {
   Image image{width_, height_, {}};
   image.rgba.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   read_into(image.rgba.data());
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    const int alpha = image.rgba[i + 3];
-    if (alpha == 0 || alpha == 255) continue;
-    for (std::size_t c = i; c < i + 3; ++c) image.rgba[c] = static_cast<std::uint8_t>(std::min(255, (255 * image.rgba[c] + alpha / 2) / alpha));
-  }
+  straighten(image.rgba);
   return image;
 }
 

@@ -1,4 +1,4 @@
-// Where everything is drawn: color and depth, multisampled if asked, resolved for reading or showing.
+// Where everything is drawn: color, depth and stencil, multisampled if asked, resolved for reading or showing.
 #pragma once
 #include <cstddef>
 

@@ -109,6 +109,14 @@ std::vector<Chunk> chunks_of(const std::filesystem::path& path, std::string_view
 
 }  // namespace
 
+void straighten(std::vector<std::uint8_t>& rgba) {
+  for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
+    const int alpha = rgba[i + 3];
+    if (alpha == 0 || alpha == 255) continue;
+    for (std::size_t c = i; c < i + 3; ++c) rgba[c] = static_cast<std::uint8_t>(std::min(255, (255 * rgba[c] + alpha / 2) / alpha));
+  }
+}
+
 void write_png(const std::filesystem::path& path, const Image& image, const Metadata& metadata) {
   const std::size_t pixels = static_cast<std::size_t>(std::max(image.width, 0)) *
                              static_cast<std::size_t>(std::max(image.height, 0));

@@ -15,6 +15,9 @@ struct Image {
 
 using Metadata = std::vector<std::pair<std::string, std::string>>;  // keyword, text
 
+/// From colors premultiplied by alpha, as pictures are drawn, to straight ones, as files have them.
+void straighten(std::vector<std::uint8_t>& rgba);
+
 /// Writes a PNG with one tEXt/iTXt chunk per metadata entry through a temporary name. Throws Error.
 void write_png(const std::filesystem::path& path, const Image& image, const Metadata& metadata = {});
 Image read_png(const std::filesystem::path& path);              // throws Error

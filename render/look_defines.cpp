@@ -8,7 +8,7 @@ gl::Defines tissue_defines(const Look& look, bool cap, int triangles, bool color
   gl::Defines defines = backdrop_defines(look);
   const gl::Defines own{{"DEPTH_ONLY", "0"},
                         {"CAP", flag(cap)},
-                        {"BASE_COLOR", flag(colored && !look.heat_map && !look.regions)},
+                        {"BASE_COLOR", flag(colored)},
                         {"HEAT_MAP", flag(look.heat_map)},
                         {"REGIONS", flag(look.regions)},
                         {"TRIANGLES", std::to_string(triangles)},

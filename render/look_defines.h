@@ -14,7 +14,7 @@ inline gl::Defines backdrop_defines(const Look& look) {
 }
 
 /// Of surface.frag and what feeds it. `triangles` per item of the region buffer. `colored`: corners have
-/// colors of their own, which show where the look colors by nothing else.
+/// colors of their own, which show.
 gl::Defines tissue_defines(const Look& look, bool cap, int triangles, bool colored = false);
 /// The same for the depth map that the light sees.
 gl::Defines depth_defines(const Look& look);

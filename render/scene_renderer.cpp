@@ -65,6 +65,28 @@ struct SceneRenderer::Impl {
     return occlusion ? &*occlusion : nullptr;
   }
 
+  // The cut of a closed surface with tets inside that end elsewhere. What a pixel's ray meets of the surface beyond the plane, counted
+  // with its sign, is the winding number of the surface where the ray meets the plane: there the cut belongs, in the color of the
+  // tets where they are and of flesh where the surface stands off them.
+  void draw_cut_within_surface(const Look& look, const gl::Buffer& positions) const {
+    gl::Enable(GL_STENCIL_TEST);
+    gl::StencilFunc(GL_ALWAYS, 0, 0xff);
+    gl::StencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
+    gl::StencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
+    gl::ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl::Disable(GL_DEPTH_TEST);  // which would leave out what lies behind
+    gl::Enable(GL_CLIP_DISTANCE0);
+    surface.draw_bare(look);
+    gl::Disable(GL_CLIP_DISTANCE0);
+    gl::Enable(GL_DEPTH_TEST);
+    gl::ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl::StencilFunc(GL_NOTEQUAL, 0, 0xff);
+    gl::StencilOp(GL_KEEP, GL_KEEP, GL_ZERO);  // once in every place
+    tets->draw_cap(look, positions);
+    tets->draw_flesh(look);
+    gl::Disable(GL_STENCIL_TEST);
+  }
+
   gl::ProgramCache& programs;
   std::uint32_t vertex_count;
   TetView tet_view;
@@ -119,7 +141,11 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
   gl::Disable(GL_SCISSOR_TEST);
   gl::DepthFunc(GL_LEQUAL);
   const bool cut_surface = look.section && !look.tets;
-  if (cut_surface) gl::Enable(GL_CLIP_DISTANCE0);
+  const auto clipped = [&](const auto& draw_surface) {
+    if (cut_surface) gl::Enable(GL_CLIP_DISTANCE0);
+    draw_surface();
+    if (cut_surface) gl::Disable(GL_CLIP_DISTANCE0);
+  };
   const bool above_ground = camera.eye.dot(look.up.normalized()) > look.ground_height;
   const bool ground = look.ground && above_ground;
   // The cut itself is left out of the shadow map: light that enters through it still ends at the surface behind.
@@ -127,7 +153,7 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
     if (look.tets)
       parts.tets->draw_depth(look, positions);
     else
-      parts.surface.draw_depth(look);
+      clipped([&] { parts.surface.draw_depth(look); });
   };
   if (look.shadow) parts.shadow.draw(draw_depth, ground);
 
@@ -136,17 +162,17 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
   gl::DepthMask(GL_TRUE);
   const bool transparent = look.backdrop == Backdrop::transparent;
   if (transparent) gl::ClearColor(0, 0, 0, 0);
-  gl::Clear(transparent ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_DEPTH_BUFFER_BIT);
+  gl::Clear((transparent ? GL_COLOR_BUFFER_BIT : 0) | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   // From front to back, so that every pixel is lit once: software renderers live by their fill rate.
   if (look.shadow) parts.shadow.bind_depth(0);
   if (look.tets)
     parts.tets->draw_tets(look, positions);
   else
-    parts.surface.draw(look);
-  if (cut_surface) {
-    gl::Disable(GL_CLIP_DISTANCE0);
+    clipped([&] { parts.surface.draw(look); });
+  if (cut_surface && parts.tet_view.within_surface)
+    parts.draw_cut_within_surface(look, positions);
+  else if (cut_surface)
     parts.tets->draw_cap(look, positions);
-  }
   if (ground) {
     if (look.shadow) parts.shadow.bind_ground_light(0);
     parts.ground.draw(look);

@@ -23,18 +23,6 @@ Eigen::Vector4f vec4(const Vector3d& xyz, double w) {
   return {float(xyz.x()), float(xyz.y()), float(xyz.z()), float(w)};
 }
 
-GLuint make_target(GLenum attachment, const gl::Texture& texture) {
-  GLuint id = 0;
-  gl::GenFramebuffers(1, &id);
-  gl::BindFramebuffer(GL_FRAMEBUFFER, id);
-  gl::FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.id(), 0);
-  if (attachment == GL_DEPTH_ATTACHMENT) {
-    gl::DrawBuffer(GL_NONE);
-    gl::ReadBuffer(GL_NONE);
-  }
-  return id;
-}
-
 gl::Defines ground_defines() {
   return {{"GROUND_SIZE", std::to_string(ShadowMap::kGroundSize) + ".0"},
           {"PENUMBRA", std::to_string(kLampSlope * kDepthReach / kReach)}};
@@ -48,9 +36,9 @@ ShadowMap::ShadowMap(gl::ProgramCache& programs)
       depth_("shadow depth", GL_DEPTH_COMPONENT32F, kSize, kSize),
       ground_cover_("shadow cover of the ground", GL_RGBA8, kGroundSize, kGroundSize),
       ground_light_("shadow on the ground", GL_RGBA8, kGroundSize, kGroundSize),
-      depth_target_(make_target(GL_DEPTH_ATTACHMENT, depth_)),
-      cover_target_(make_target(GL_COLOR_ATTACHMENT0, ground_cover_)),
-      light_target_(make_target(GL_COLOR_ATTACHMENT0, ground_light_)) {
+      depth_target_(gl::make_target(GL_DEPTH_ATTACHMENT, depth_)),
+      cover_target_(gl::make_target(GL_COLOR_ATTACHMENT0, ground_cover_)),
+      light_target_(gl::make_target(GL_COLOR_ATTACHMENT0, ground_light_)) {
   gl::BindTexture(GL_TEXTURE_2D, depth_.id());
   const float far[] = {1, 1, 1, 1};
   gl::TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, far);

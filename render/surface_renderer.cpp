@@ -38,7 +38,7 @@ SurfaceRenderer::SurfaceRenderer(gl::ProgramCache& programs, const SurfaceCorner
 }
 
 void SurfaceRenderer::update(const gl::Buffer& positions) {
-  if (!pass_ || pass_positions_ != positions.id()) {
+  if (!pass_ || pass_positions_ != &positions || pass_positions_id_ != positions.id()) {
     pass_.emplace(normals_,
                   gl::ComputePass::Bindings{{"position", &positions},
                                             {"corner_vertex", &corner_vertex_},
@@ -47,7 +47,8 @@ void SurfaceRenderer::update(const gl::Buffer& positions) {
                                             {"corner_position", &position_},
                                             {"corner_normal", &normal_}},
                   corner_count_);
-    pass_positions_ = positions.id();
+    pass_positions_ = &positions;
+    pass_positions_id_ = positions.id();
   }
   pass_->run();
 }
@@ -62,27 +63,33 @@ void SurfaceRenderer::draw_depth(const Look& look) const {
   gl::DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }
 
+void SurfaceRenderer::draw_bare(const Look& look) const {
+  Look bare;
+  bare.shadow = false;
+  bare.section = look.section;
+  programs_.draw("draw/surface.vert", "draw/depth.frag", tissue_defines(bare, false, 1)).use();
+  vertices_.bind();
+  gl::DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+}
+
 void SurfaceRenderer::draw(const Look& look) const {
-  programs_.draw("draw/surface.vert", "draw/surface.frag", tissue_defines(look, false, 1, bool(color_))).use();
-  if (look.regions) {
-    gl::ActiveTexture(GL_TEXTURE4);
-    gl::BindTexture(GL_TEXTURE_BUFFER, regions_.texel_view(GL_R32UI));
-  }
+  const bool colored = color_ && !look.heat_map && !look.regions;
+  const GLuint regions = look.regions ? regions_.texel_view(GL_R32UI) : 0, colors = look.wireframe && colored ? color_.texel_view(GL_RGBA32F) : 0;
+  programs_.draw("draw/surface.vert", "draw/surface.frag", tissue_defines(look, false, 1, colored)).use();
+  const auto bind = [](GLuint unit, GLuint view) {
+    gl::ActiveTexture(GL_TEXTURE0 + unit);
+    gl::BindTexture(GL_TEXTURE_BUFFER, view);
+  };
   if (!look.wireframe) {
+    if (look.regions) bind(4, regions);
     vertices_.bind();
     gl::DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
     return;
   }
-  const GLuint views[] = {indices_.texel_view(GL_R32UI), position_.texel_view(GL_RGBA32F),
-                          normal_.texel_view(GL_RGBA32F)};
-  for (GLuint i = 0; i < 3; ++i) {
-    gl::ActiveTexture(GL_TEXTURE1 + i);
-    gl::BindTexture(GL_TEXTURE_BUFFER, views[i]);
-  }
-  if (color_) {
-    gl::ActiveTexture(GL_TEXTURE4);
-    gl::BindTexture(GL_TEXTURE_BUFFER, color_.texel_view(GL_RGBA32F));
-  }
+  // All are made before any is bound: making one leaves it bound to the unit that is active.
+  const GLuint views[] = {indices_.texel_view(GL_R32UI), position_.texel_view(GL_RGBA32F), normal_.texel_view(GL_RGBA32F)};
+  for (GLuint i = 0; i < 3; ++i) bind(1 + i, views[i]);
+  if (look.regions || colored) bind(4, look.regions ? regions : colors);
   no_vertices_.bind();
   gl::DrawArrays(GL_TRIANGLES, 0, index_count_);
 }

@@ -19,6 +19,7 @@ class SurfaceRenderer {
   void set_regions(std::span<const std::uint32_t> regions);
   bool has_regions() const { return static_cast<bool>(regions_); }
   void draw_depth(const Look& look) const;
+  void draw_bare(const Look& look) const;  // as draw(), for depth and stencil only
   /// The shadow map, if any, is bound to texture unit 0.
   void draw(const Look& look) const;
   const gl::Buffer& corner_positions() const { return position_; }
@@ -33,7 +34,8 @@ class SurfaceRenderer {
   GLsizei index_count_;
   VertexArray vertices_, no_vertices_;
   std::optional<gl::ComputePass> pass_;
-  GLuint pass_positions_ = 0;  // buffer that pass_ was recorded for
+  const gl::Buffer* pass_positions_ = nullptr;  // buffer that pass_ was recorded for
+  GLuint pass_positions_id_ = 0;                // and its name then: buffers are made anew in their place
 };
 
 }  // namespace fascia

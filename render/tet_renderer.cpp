@@ -31,6 +31,14 @@ void TetRenderer::draw_cap(const Look& look, const gl::Buffer& positions) const 
        3 * kCapTriangles * tet_count_);
 }
 
+void TetRenderer::draw_flesh(const Look& look) const {
+  Look plain = look;
+  plain.heat_map = plain.regions = plain.wireframe = false;
+  programs_.draw("draw/section_plane.vert", "draw/surface.frag", tissue_defines(plain, true, 1)).use();
+  no_vertices_.bind();
+  gl::DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
 void TetRenderer::draw_tets(const Look& look, const gl::Buffer& positions) const {
   draw(programs_.draw("draw/tets.vert", "draw/surface.frag", tissue_defines(look, false, kFaces)), positions, 3 * kFaces * tet_count_);
 }

@@ -14,12 +14,14 @@ namespace fascia {
 struct TetView {
   std::span<const std::array<std::uint32_t, 4>> tets;
   std::span<const std::uint32_t> region;  // [tets]
+  bool within_surface = false;  // the drawn surface is closed and not the boundary of these tets: a section ends where it does
 };
 
 class TetRenderer {
  public:
   TetRenderer(gl::ProgramCache& programs, const TetView& view);
   void draw_cap(const Look& look, const gl::Buffer& positions) const;
+  void draw_flesh(const Look& look) const;  // all of the section plane, as the inside of tissue without tets
   /// The shadow map, if any, is bound to texture unit 0.
   void draw_tets(const Look& look, const gl::Buffer& positions) const;
   void draw_depth(const Look& look, const gl::Buffer& positions) const;  // of separate tets

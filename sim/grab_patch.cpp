@@ -31,12 +31,12 @@ void make_shares_of_weights(std::vector<PatchVertex>& patch) {
 
 }  // namespace
 
-EmbeddedPoint tet_at(const Model& model, const Vector3d& p) {
-  const auto& x = model.rest_positions;
+EmbeddedPoint tet_at(std::span<const Tet> tets, std::span<const Vector3d> x, const Vector3d& p) {
   EmbeddedPoint best{};
   double best_smallest = -1e300;
-  for (const Tet& tet : model.tets) {
+  for (const Tet& tet : tets) {
     const double volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]);
+    if (volume == 0) continue;  // pressed flat
     std::array<double, 4> w{};
     double smallest = 1;
     for (std::size_t a = 0; a < 4 && smallest > best_smallest; ++a) {

@@ -19,8 +19,8 @@ struct PatchVertex {
   double modulus;  // mean Young's modulus of the tets around [Pa]
 };
 
-/// The tet of the model that holds the point at rest, or the one that misses it least.
-EmbeddedPoint tet_at(const Model& model, const Eigen::Vector3d& rest_point);
+/// The tet that holds the point, or the one that misses it least. `positions` of the vertices that the tets name, at rest or deformed.
+EmbeddedPoint tet_at(std::span<const Tet> tets, std::span<const Eigen::Vector3d> positions, const Eigen::Vector3d& point);
 /// Index into Model::bodies.
 std::size_t body_of(const Model& model, std::uint32_t vertex);
 /// Half the diagonal of the box around all tets at rest [m].

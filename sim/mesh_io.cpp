@@ -19,7 +19,6 @@ std::string likely_kind(std::string_view content, const std::string& ending) {
   if (content.starts_with("solid") || ending == ".stl") return "is an STL surface";
   if (content.starts_with("ply")) return "is a PLY surface";
   if (content.starts_with("OFF")) return "is an OFF surface";
-  if (ending == ".obj") return "is an OBJ surface";
   if (content.starts_with(std::string_view("\1\0\0\0", 4)) ||
       content.starts_with(std::string_view("\0\0\0\1", 4))) {
     return "looks like binary Medit .meshb";
@@ -31,7 +30,7 @@ std::string likely_kind(std::string_view content, const std::string& ending) {
   const std::string kind = likely_kind(content, lower_ending(path));
   if (kind.ends_with("surface")) {
     throw Error(path.string(), kind + " without tets",
-                "expected a tetrahedral mesh: a tet mesher such as gmsh or tetgen can fill a closed surface");
+                "expected a tetrahedral mesh, or a closed surface as Wavefront .obj, which is filled with tets");
   }
   throw Error(path.string(),
               kind.empty() ? "is no mesh that is known here (begins with " + in_quotes(content) + ")" : kind,

@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Edges of a tet that a surface may stand off before anybody is told: a filled surface always does a little, between its vertices.
-constexpr double kNotedDistance = 0.3;
+constexpr double kNotedDistance = 0.4;
 
 /// One body on its way into the model.
 struct LoadedBody {
@@ -47,6 +47,7 @@ LoadedBody load(const Scene& scene, std::size_t index, const Progress& progress)
   }
   if (!body.surface.empty()) {
     loaded.surface = read_obj(scene.resolve(body.surface));
+    put_right(loaded.surface, repair(loaded.surface));
     loaded.file.notes.insert(loaded.file.notes.end(), loaded.surface.notes.begin(), loaded.surface.notes.end());
   }
   loaded.repaired = repair(loaded.file.mesh);

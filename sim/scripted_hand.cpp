@@ -110,7 +110,7 @@ Place place_at(const ScriptedGrab& grab, const Vector3d& at, const Model& model,
   double distance = 0;
   const std::uint32_t nearest = nearest_vertex(model, at, bodies, distance);
   const Model body = only_body(model, body_of(model, nearest));
-  const EmbeddedPoint tet = tet_at(body, at);
+  const EmbeddedPoint tet = tet_at(body.tets, body.rest_positions, at);
   const bool inside = *std::min_element(tet.weights.begin(), tet.weights.end()) >= -0.1;  // also in tets larger than the patch
   if (!inside && distance > std::max(place.radius, kNear * size)) {
     char text[64];

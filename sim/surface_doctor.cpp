@@ -31,7 +31,7 @@ std::vector<std::uint32_t> weld(const std::vector<Vector3d>& positions, std::siz
 
 class Repairer {
  public:
-  explicit Repairer(const SurfaceMesh& surface) : repaired_{surface.positions, {}, {}, {}} {
+  explicit Repairer(const SurfaceMesh& surface) : repaired_{surface.positions, {}, {}, {}, {}} {
     report_.vertices = surface.positions.size();
     report_.triangles = surface.triangles.size();
     collect(surface);
@@ -51,6 +51,7 @@ class Repairer {
       std::uint32_t index, source;
     };
     repaired_.turned.assign(surface.triangles.size(), 0);
+    repaired_.left_out.assign(surface.triangles.size(), 1);
     std::uint32_t source = 0;
     std::vector<Entry> entries;
     entries.reserve(surface.triangles.size());
@@ -77,6 +78,7 @@ class Repairer {
       }
       triangles_.push_back(entry.triangle);
       source_.push_back(entry.source);
+      repaired_.left_out[entry.source] = 0;
       for (const std::uint32_t v : entry.triangle) report_.box.extend(x_[v]);
     }
   }
@@ -173,21 +175,23 @@ class Repairer {
     report_.hole_area = std::accumulate(areas.begin(), areas.end(), 0.0);
   }
 
-  /// Volumes; a shell that is inside out is turned, unless it lies in another one, whose cavity it is.
+  /// Volumes; a shell that is inside out is turned, unless it lies in another one, whose cavity it is. Where a shell is open, its volume is
+  /// that of the cone to its middle, and of a flat one nothing is known.
   void place_shells() {
     std::vector<SurfaceShell>& shells = report_.shells;
-    const Vector3d origin = report_.box.isEmpty() ? Vector3d::Zero() : Vector3d(report_.box.center());
+    constexpr double kFlat = 1e-6;  // volume for the area's 3/2 power
     std::vector<std::vector<Triangle>> parts(shells.size());
     std::vector<Eigen::AlignedBox3d> boxes(shells.size());
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      for (const std::uint32_t v : triangles_[t]) boxes[shell_[t]].extend(x_[v]);
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       SurfaceShell& shell = shells[shell_[t]];
       const auto& [a, b, c] = triangles_[t];
-      const Vector3d p = x_[a] - origin, q = x_[b] - origin, r = x_[c] - origin;
+      const Vector3d origin = boxes[shell_[t]].center(), p = x_[a] - origin, q = x_[b] - origin, r = x_[c] - origin;
       ++shell.triangles;
       shell.area += area_of(p, q, r);
       shell.volume += p.cross(q).dot(r) / 6;
       parts[shell_[t]].push_back(triangles_[t]);
-      for (const std::uint32_t v : triangles_[t]) boxes[shell_[t]].extend(x_[v]);
     }
     std::vector<TriangleTree> trees;  // of shells that may hold others
     std::vector<std::size_t> tree_of(shells.size(), shells.size());
@@ -208,7 +212,7 @@ class Repairer {
       std::size_t outermost = s;
       for (std::size_t other = 0; other < shells.size(); ++other)
         if (shells[other].area > shells[outermost].area && holds(other, s)) outermost = other;
-      turn[s] = shells[outermost].volume < 0;
+      turn[s] = shells[outermost].volume < -kFlat * std::pow(shells[outermost].area, 1.5);
       shells[s].inverted = turn[s];
       shells[s].cavity = outermost != s && (shells[s].volume < 0) != (shells[outermost].volume < 0);
     }
@@ -279,6 +283,24 @@ void SurfaceFinding::add(const Vector3d& where) {
 }
 
 SurfaceRepair repair(const SurfaceMesh& surface) { return Repairer(surface).take(); }
+
+void put_right(SurfaceMesh& surface, const SurfaceRepair& repaired) {
+  const bool colored = !surface.colors.empty();
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (repaired.left_out[t]) continue;
+    surface.triangles[kept] = surface.triangles[t];
+    for (std::size_t k = 0; colored && k < 3; ++k) surface.colors[3 * kept + k] = surface.colors[3 * t + k];
+    if (repaired.turned[t]) {
+      std::swap(surface.triangles[kept][1], surface.triangles[kept][2]);
+      if (colored) std::swap(surface.colors[3 * kept + 1], surface.colors[3 * kept + 2]);
+    }
+    ++kept;
+  }
+  surface.triangles.resize(kept);
+  if (colored) surface.colors.resize(3 * kept);
+  surface.closed = repaired.closed();
+}
 
 SurfaceFinding self_intersections(const TriangleTree& tree) {
   SurfaceFinding finding;

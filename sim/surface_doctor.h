@@ -46,11 +46,15 @@ struct SurfaceRepair {
   std::vector<Eigen::Vector3d> positions;  // of the file
   std::vector<Triangle> triangles;         // outward, cavities inward; vertices at one place are one
   std::vector<char> turned;                // [triangle of the file] 1 where its winding was turned
+  std::vector<char> left_out;              // [triangle of the file] 1 where it has no area or is there already
   SurfaceReport report;
   bool closed() const { return report.open_edges.count == 0; }
 };
 
 SurfaceRepair repair(const SurfaceMesh& surface);
+
+/// The surface as it is to be drawn: wound outward, each triangle once, and known to be closed or not. Its vertices stay as they are.
+void put_right(SurfaceMesh& surface, const SurfaceRepair& repaired);
 
 /// Pairs of triangles that cut each other, the first at one of the cuts. The tree's triangles share vertices where they touch.
 SurfaceFinding self_intersections(const TriangleTree& tree);

@@ -65,11 +65,7 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
                                 " kept whole there, the tets have " + number(volume / found.volume) +
                                 " times the volume of the surface; a resolution above " + std::to_string(filled.resolution) + " is finer");
   }
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {  // or the light would fall on its inside
-    if (!filled.repaired.turned[t]) continue;
-    std::swap(surface.triangles[t][1], surface.triangles[t][2]);
-    if (!surface.colors.empty()) std::swap(surface.colors[3 * t + 1], surface.colors[3 * t + 2]);
-  }
+  put_right(surface, filled.repaired);
   filled.surface = std::move(surface);
   return filled;
 }

@@ -12,7 +12,7 @@ namespace fascia {
 inline constexpr int kFewestCells = 2, kMostCells = 256;  // of a resolution, along the longest side
 
 struct FilledSurface {
-  SurfaceMesh surface;  // as in the file, but wound outward
+  SurfaceMesh surface;  // of the file, put right
   SurfaceRepair repaired;
   MeshFile file;       // the tets; notes of the surface, then of the filling
   std::ptrdiff_t notes_of_surface = 0;

@@ -24,6 +24,7 @@ struct SurfaceMesh {
   std::vector<std::uint32_t> colors;
   std::vector<SurfaceMaterial> materials;
   bool vertex_colors = false;
+  bool closed = false;  // known to be without open edges (surface_doctor.h)
   std::vector<std::string> notes;  // what was passed over, one sentence each
 };
 

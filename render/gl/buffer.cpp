@@ -42,7 +42,7 @@ std::size_t bytes_per_texel(GLenum internal_format) {
     case GL_R32UI:
     case GL_RGBA8:
     case GL_SRGB8_ALPHA8:
-    case GL_DEPTH_COMPONENT24:
+    case GL_DEPTH24_STENCIL8:
     case GL_DEPTH_COMPONENT32F:
       return 4;
     case GL_RGBA16F:

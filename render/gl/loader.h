@@ -38,7 +38,7 @@ namespace fascia::gl {
   X(PolygonMode) X(PolygonOffset) X(ProgramUniform1f) X(ProgramUniform1i) X(ProgramUniform1ui) \
   X(ProgramUniform4f) X(ProgramUniformMatrix4fv) X(QueryCounter) X(ReadBuffer) X(ReadPixels) \
   X(RenderbufferStorage) X(RenderbufferStorageMultisample) X(Scissor) X(ShaderSource) \
-  X(ShaderStorageBlockBinding) X(TexBuffer) X(TexImage2D) X(TexImage2DMultisample) X(TexParameterfv) \
+  X(ShaderStorageBlockBinding) X(StencilFunc) X(StencilOp) X(StencilOpSeparate) X(TexBuffer) X(TexImage2D) X(TexImage2DMultisample) X(TexParameterfv) \
   X(TexParameteri) X(TexSubImage2D) X(Uniform1f) X(Uniform1i) X(Uniform1ui) X(Uniform2f) X(Uniform3f) \
   X(Uniform4f) X(Uniform4fv) X(UniformBlockBinding) X(UniformMatrix4fv) X(UnmapBuffer) X(UseProgram) \
   X(VertexAttribDivisor) X(VertexAttribIPointer) X(VertexAttribPointer) X(Viewport)

@@ -28,10 +28,10 @@ Texture::Texture(std::string label, GLenum internal_format, int width, int heigh
   if (samples > 0) {
     TexImage2DMultisample(target_, samples, internal_format, width, height, GL_TRUE);
   } else {
-    const bool depth = internal_format == GL_DEPTH_COMPONENT24 || internal_format == GL_DEPTH_COMPONENT32F;
+    if (internal_format == GL_DEPTH_COMPONENT32F) format = GL_DEPTH_COMPONENT, type = GL_FLOAT;
+    if (internal_format == GL_DEPTH24_STENCIL8) format = GL_DEPTH_STENCIL, type = GL_UNSIGNED_INT_24_8;
     PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    TexImage2D(target_, 0, static_cast<GLint>(internal_format), width, height, 0,
-               depth ? GL_DEPTH_COMPONENT : format, depth ? GL_FLOAT : type, pixels);
+    TexImage2D(target_, 0, static_cast<GLint>(internal_format), width, height, 0, format, type, pixels);
     TexParameteri(target_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     TexParameteri(target_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     TexParameteri(target_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -72,6 +72,18 @@ void Texture::release() {
   count_bytes(-static_cast<std::ptrdiff_t>(bytes_));
   id_ = 0;
   bytes_ = 0;
+}
+
+GLuint make_target(GLenum attachment, const Texture& texture) {
+  GLuint id = 0;
+  GenFramebuffers(1, &id);
+  BindFramebuffer(GL_FRAMEBUFFER, id);
+  FramebufferTexture2D(GL_FRAMEBUFFER, attachment, texture.target(), texture.id(), 0);
+  if (attachment != GL_COLOR_ATTACHMENT0) {
+    DrawBuffer(GL_NONE);
+    ReadBuffer(GL_NONE);
+  }
+  return id;
 }
 
 }  // namespace fascia::gl

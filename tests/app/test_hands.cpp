@@ -36,7 +36,7 @@ std::vector<GrabSpring> two_hands(const Model& model) {
   std::vector<GrabSpring> springs;
   const std::array<Vector3d, 2> at{Vector3d(0.03, 0, 0.05), Vector3d(0.07, 0, 0.05)}, to{Vector3d(0.02, -0.01, 0), Vector3d(-0.005, 0.02, 0.01)};
   for (std::uint32_t h = 0; h < 2; ++h) {
-    const std::vector<PatchVertex> patch = grab_patch(model, model.rest_positions, at[h], 0.06, tet_at(model, at[h]));
+    const std::vector<PatchVertex> patch = grab_patch(model, model.rest_positions, at[h], 0.06, tet_at(model.tets, model.rest_positions, at[h]));
     for (const PatchVertex& p : patch) springs.push_back({p.vertex, to[h], p.share * (h ? 300 : 800), h});
   }
   return springs;

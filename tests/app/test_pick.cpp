@@ -98,6 +98,32 @@ TEST_CASE("a ray that misses finds the nearest surface point") {
   CHECK(misses > 10);
 }
 
+TEST_CASE("of a body that is cut open, what lies beyond is not hit, and the cut is") {
+  const TetMesh box = make_box(4, 4, 4, {1, 1, 1});
+  const std::vector<Triangle> triangles = boundary_triangles(box.tets);
+  const auto& p = box.positions;
+  const Cut cut = SectionCut{{0, 0, 1}, 0.4f};
+  const double plane = 0.4f;
+  const auto on_cut = pick(towards({0.3, 0.6, 3}, {0.35, 0.55, 0}), triangles, p, cut);
+  REQUIRE(on_cut);
+  CHECK(on_cut->on_cut);
+  CHECK(on_cut->point.z() == Approx(plane));
+  CHECK(on_cut->normal == Vector3d(0, 0, 1));
+  // Past the edge of the cut, into a side wall that is kept.
+  const auto wall = pick(towards({3, 0.5, 1}, {1, 0.5, 0.2}), triangles, p, cut);
+  REQUIRE(wall);
+  CHECK_FALSE(wall->on_cut);
+  CHECK(wall->point.isApprox(Vector3d(1, 0.5, 0.2)));
+  CHECK(wall->normal.isApprox(Vector3d(1, 0, 0)));
+  CHECK_FALSE(pick(towards({3, 0.5, 0.7}, {1, 0.5, 0.7}), triangles, p, cut));  // only through what is gone
+  // From the side that is kept nothing changes.
+  CHECK(pick(towards({0.3, 0.6, -3}, {0.3, 0.6, 0}), triangles, p, cut)->point.isApprox(Vector3d(0.3, 0.6, 0)));
+  CHECK_FALSE(pick(towards({0.5, 0.5, 0.2}, {0.5, 0.5, 1}), triangles, p, cut));  // out through the cut
+  const auto near = pick_nearest(towards({3, 0.5, 0.9}, {0, 0.5, 0.9}), triangles, p, cut);
+  REQUIRE(near);
+  CHECK(near->point.z() <= plane);
+}
+
 TEST_CASE("what cannot be hit is not hit") {
   const Deformed d;
   CHECK_FALSE(pick(towards({0, 0, 2}, {0, 0, 3}), d.triangles, d.mesh.positions));  // the body is behind the eye

@@ -93,6 +93,8 @@ struct Scene {
   std::vector<std::uint32_t> marked, grabbed;
   std::vector<std::array<std::uint32_t, 4>> tets;  // of the shape's vertices
   std::vector<std::uint32_t> tet_region, triangle_region;
+  bool within_surface = false;       // as TetView's
+  std::vector<std::uint32_t> colors; // of the triangles' corners
   std::optional<GrabMark> grab;
   bool creases = true;
   int width = 320, height = 240, samples = 1;
@@ -110,9 +112,9 @@ struct Scene {
     gl::ProgramCache programs(source_dir() / "shaders", path);
     SceneRenderer renderer(
         programs, shape.triangles, static_cast<std::uint32_t>(shape.positions.size()), marked,
-        creases ? std::span<const Eigen::Vector3d>(shape.positions) : std::span<const Eigen::Vector3d>());
+        creases ? std::span<const Eigen::Vector3d>(shape.positions) : std::span<const Eigen::Vector3d>(), colors);
     renderer.set_grabbed(grabbed);
-    renderer.set_tets({tets, tet_region});
+    renderer.set_tets({tets, tet_region, within_surface});
     renderer.set_regions(triangle_region);
     const gl::Buffer positions = shape.upload();
     const Framebuffer target(width, height, samples);

@@ -117,11 +117,40 @@ TEST_CASE("render: a section leaves out what lies beyond, and nothing else") {
   const Vector2d kept = scene.pixel_of({0.5, 0.5, 0.5}), gone = scene.pixel_of({1, 0.02, 0.02});
   CHECK(alpha_at(half, static_cast<int>(kept.x()), static_cast<int>(kept.y())) == 255);
   CHECK(alpha_at(half, static_cast<int>(gone.x()), static_cast<int>(gone.y())) == 0);
-  scene.marked = {0};
-  scene.look.section = SectionCut{{-1, 0, 0}, -0.5f};  // the marked vertex is on the other side
-  const Image marked = scene.draw();
-  scene.marked.clear();
-  CHECK(scene.draw().rgba == marked.rgba);
+  scene.marked = {static_cast<std::uint32_t>(scene.shape.positions.size() - 1)};  // (1, 1, 1), nearest to the eye
+  scene.look.section.reset();
+  CHECK(scene.draw().rgba != whole.rgba);
+  scene.look.section = SectionCut{{1, 0, 0}, 0.5f};
+  CHECK(scene.draw().rgba == half.rgba);
+}
+
+TEST_CASE("render: the cut of a closed surface ends where the surface does, wherever its tets end") {
+  const auto context = test::each_context();
+  // Tets from 0 to 1 in x and y; the surface, two shells that overlap, from 0.3 to 1.3: what is left of 0.3 has tets only, right of 1 only
+  // surface.
+  Scene scene = tet_box(4, {0.05, 0.05, 1});
+  scene.creases = false;
+  scene.shape.triangles.clear();
+  for (const double low : {0.3, 0.5}) {
+    const test::Shape shell = test::box({low, 0.1, 0.1}, {low + 0.8, 0.9, 0.9}, 2);
+    const auto first = static_cast<std::uint32_t>(scene.shape.positions.size());
+    scene.shape.positions.insert(scene.shape.positions.end(), shell.positions.begin(), shell.positions.end());
+    for (const auto& t : shell.triangles) scene.shape.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  for (const Vector3d& p : scene.shape.positions) scene.shape.scalars.push_back(static_cast<float>(p.x()));
+  scene.within_surface = true;
+  scene.samples = GENERATE(1, 4);
+  scene.look.heat_map = true;
+  scene.look.section = SectionCut{{0, 0, 1}, 0.5f};
+  const Image image = scene.draw();
+  const auto at = [&](double x) { return scene.pixel_of({x, 0.5, 0.5}); };
+  const auto is_heat = [&](double x) { return (color_at(image, at(x)) - heat_color(static_cast<float>(x)).cast<double>()).cwiseAbs().maxCoeff() < 3.0 / 255; };
+  CAPTURE(scene.samples, color_at(image, at(0.15)).transpose(), color_at(image, at(0.4)).transpose(), color_at(image, at(1.15)).transpose());
+  CHECK(alpha_at(image, int(at(0.15).x()), int(at(0.15).y())) == 0);
+  CHECK(is_heat(0.4));  // one shell
+  CHECK(is_heat(0.8));  // both
+  CHECK(color_at(image, at(1.15)).x() > 1.2 * color_at(image, at(1.15)).z());  // flesh
+  CHECK(alpha_at(image, int(at(1.35).x()), int(at(1.35).y())) == 0);
 }
 
 TEST_CASE("render: edges of tets on a section, and none across their quadrangles") {
@@ -182,6 +211,8 @@ TEST_CASE("render: regions have their colors on the surface, on sections and on 
   for (const auto& triangle : scene.shape.triangles)
     scene.triangle_region.push_back((scene.shape.positions[triangle[0]] + scene.shape.positions[triangle[1]] + scene.shape.positions[triangle[2]]).x() / 3 < 0.5 ? 0 : 1);
   scene.look.regions = true;
+  scene.look.wireframe = GENERATE(false, true);
+  scene.colors.assign(3 * scene.shape.triangles.size(), 0xff00ff00);  // which regions hide
   const auto check = [&](const char* what, double depth) {
     const Image image = scene.draw();
     for (const unsigned n : {0u, 1u}) {

@@ -154,6 +154,9 @@ TEST_CASE("normals inward, triangles turned or doubled, vertices apart and holes
   CHECK(repaired.filled.repaired.report.duplicates.count == 1);
   CHECK(repaired.filled.repaired.report.degenerate.count == 1);
   CHECK(repaired.report.tet_count == whole.tets.size());
+  CHECK(repaired.filled.surface.triangles.size() == ball.triangles.size());  // drawn once each, outward
+  CHECK(test::enclosed_volume(repaired.filled.surface) == Approx(test::enclosed_volume(ball)));
+  CHECK(repaired.filled.surface.closed);
 
   SurfaceMesh soup;
   for (const Triangle& t : ball.triangles) {
@@ -171,8 +174,20 @@ TEST_CASE("normals inward, triangles turned or doubled, vertices apart and holes
   const Filling closed = fill(holed, 12);
   CHECK(has_note(closed.filled, "1 hole of "));
   CHECK(closed.report.components == 1);
+  CHECK_FALSE(closed.filled.surface.closed);
   // The hole is closed by something between the flat lid and the ball.
   CHECK(std::abs(closed.report.volume - test::enclosed_volume(ball)) < volume_tolerance(closed, 0.05) + 0.02 * test::enclosed_volume(ball));
+}
+
+TEST_CASE("which way an open shell is wound does not depend on where it lies", "[lattice]") {
+  const SurfaceMesh ball = test::make_sphere(24, 48, 0.05);
+  for (const Vector3d& place : {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, -1, 0), Vector3d(0, 0, 1)}) {
+    SurfaceMesh cup = test::make_sphere(16, 32, 0.02, place);
+    cup.triangles.erase(cup.triangles.begin(), cup.triangles.begin() + 300);  // of 960, around a pole
+    CAPTURE(place.transpose());
+    CHECK_FALSE(repair(test::joined(ball, cup)).report.shells[1].inverted);
+    CHECK(repair(test::joined(ball, test::turned(cup))).report.shells[1].inverted);
+  }
 }
 
 TEST_CASE("a surface without an inside is refused with what, how often, where and what to do", "[lattice]") {

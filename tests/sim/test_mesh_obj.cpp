@@ -34,11 +34,38 @@ TEST_CASE("concave polygons are cut into triangles that cover them once, at any 
     comb.emplace_back(scale * 8, 0, 0);
     comb.emplace_back(0, 0, 0);
     for (std::uint32_t c = 0; c < comb.size(); ++c) corners.push_back(c);
-    SurfaceMesh cut{comb, {}, {}, {}, false, {}};
+    SurfaceMesh cut;
+    cut.positions = comb;
     triangulate(comb, corners, cut.triangles);
     CHECK(cut.triangles.size() == comb.size() - 2);
     CHECK(area(cut) == Approx(expected).epsilon(1e-9));
   }
+}
+
+TEST_CASE("names of materials and libraries may hold spaces, a line may name several libraries, and a color may be missing") {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const auto library = [](const std::string& name) -> std::string {
+    if (name == "Left Kidney.mtl") return "newmtl Mat 1  \nKd 1 0 0\nnewmtl plain\nNs 10\n";
+    if (name == "a.mtl") return "newmtl a\nKd 0 1 0\n";
+    if (name == "b.mtl") return "newmtl b\nKd 0 0 1\n";
+    throw Error(name, "does not exist", "");
+  };
+  const SurfaceMesh spaced = read_obj_content("a.obj", "mtllib Left Kidney.mtl\n" + triangle + "usemtl Mat 1\nf 1 2 3\nusemtl plain\nf 1 2 3\n", library);
+  CHECK(spaced.notes.empty());
+  CHECK(spaced.colors == std::vector<std::uint32_t>{0xff0000ff, 0xff0000ff, 0xff0000ff, 0, 0, 0});
+  const SurfaceMesh several = read_obj_content("a.obj", "mtllib a.mtl b.mtl\n" + triangle + "usemtl b\nf 1 2 3\n", library);
+  CHECK(several.colors == std::vector<std::uint32_t>(3, 0xffff0000));
+  const SurfaceMesh unknown = read_obj_content("a.obj", "mtllib a.mtl\n" + triangle + "usemtl c\nf 1 2 3\n", library);
+  REQUIRE(unknown.notes.size() == 1);
+  CHECK(unknown.notes[0] == "material c is in none of its libraries: drawn without it");
+  CHECK(unknown.colors.empty());
+}
+
+TEST_CASE("colors of vertices from 0 to 255 are noted and read as such") {
+  const SurfaceMesh mesh = read_obj_content("a.obj", "v 0 0 0 255 0 0\nv 1 0 0 255 128 0\nv 0 1 0 0 0 0\nf 1 2 3\n");
+  CHECK(mesh.colors == std::vector<std::uint32_t>{0xff0000ff, 0xff0080ff, 0xff000000});
+  REQUIRE(mesh.notes.size() == 1);
+  CHECK(mesh.notes[0] == "colors of vertices above 1: read as 0 to 255");
 }
 
 TEST_CASE("colors come from the vertices, else from the materials, else there are none") {
@@ -70,7 +97,7 @@ TEST_CASE("several shapes are one surface; what cannot be read is one line") {
   const SurfaceMesh two = read_obj_content("a.obj", "o one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no two\nv 0 0 1\nf 1/1/1 2//2 4\n");
   CHECK(two.triangles == std::vector<Triangle>{{0, 1, 2}, {0, 1, 3}});
   const auto reading = [](const std::string& text) { return read_obj_content("a.obj", text); };
-  CHECK_THROWS_WITH(reading("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"), "a.obj: a face uses vertex 9; expected 1 to 3");
+  CHECK_THROWS_WITH(reading("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"), "a.obj:4: a face uses vertex 9; expected 1 to 3");
   CHECK_THROWS_WITH(reading("v 0 0 0\n"), "a.obj: has no faces; expected a Wavefront .obj surface");
   std::string large = "v 0 0 0\nf";
   for (int i = 0; i < 256; ++i) large += " 1";

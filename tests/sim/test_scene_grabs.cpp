@@ -139,7 +139,7 @@ TEST_CASE("a scripted hand is where its path says, never faster than a hand may 
 TEST_CASE("shares of a patch add up to one, also where it is smaller than a tet") {
   const Model model = build_model(SceneFile(with_grabs("[]")).open());
   const Vector3d at = top_of_cube() + Vector3d(0.003, 0, 0.002);
-  const EmbeddedPoint place = tet_at(model, at);
+  const EmbeddedPoint place = tet_at(model.tets, model.rest_positions, at);
   for (const double radius : {1e-6, 0.01, 0.1}) {
     CAPTURE(radius);
     const std::vector<PatchVertex> patch = grab_patch(model, model.rest_positions, at, radius, place);
