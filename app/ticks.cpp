@@ -10,8 +10,8 @@ Ticks linear_ticks(double low, double high, int most) {
   if (!(high > low)) return {{low}, 3};
   const double rough = (high - low) / most, decade = std::pow(10.0, std::floor(std::log10(rough)));
   double step = 10 * decade;
-  for (const double factor : {5.0, 2.0, 1.0})
-    if (factor * decade >= rough * (1 - 1e-9)) step = factor * decade;
+  for (const double factor : {5.0, 2.0, 1.0})  // ranges may come from float32
+    if (factor * decade >= rough * (1 - 1e-6)) step = factor * decade;
   const double first = std::ceil(low / step - 1e-9);
   for (double i = first; i * step <= high + 1e-9 * step; ++i) ticks.values.push_back(i * step);
   const double largest = std::max(std::abs(low), std::abs(high));
