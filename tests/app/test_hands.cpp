@@ -229,7 +229,9 @@ TEST_CASE("a fine surface in few large tets is held by the tet below the hit poi
   // A surface triangle inside, far from any vertex of the lattice and much smaller than a tet.
   const auto first = static_cast<std::uint32_t>(model.rest_positions.size());
   DrawnSurface surface{{{first, first + 1, first + 2}}, model.rest_positions};
-  for (const Vector3d& p : {Vector3d(0.13, 0.16, 0.21), Vector3d(0.14, 0.16, 0.21), Vector3d(0.13, 0.17, 0.21)}) surface.rest_positions.push_back(p);
+  const std::vector<Vector3d> corners{{0.13, 0.16, 0.21}, {0.14, 0.16, 0.21}, {0.13, 0.17, 0.21}};
+  surface.rest_positions.insert(surface.rest_positions.end(), corners.begin(), corners.end());
+  model.embedded = embed(corners, model.rest_positions, model.tets);
   const auto hit = pick(from_front(0.133, 0.163), surface.triangles, surface.rest_positions);
   REQUIRE(hit);
   Grab grab;
