@@ -85,7 +85,7 @@ TEST_CASE("textures hold pixels") {
   ReadPixels(0, 0, 2, 1, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
   CHECK(read == pixels);
   DeleteFramebuffers(1, &framebuffer);
-  CHECK(Texture("depth", GL_DEPTH_COMPONENT24, 8, 8).id() != 0);
+  CHECK(Texture("depth", GL_DEPTH24_STENCIL8, 8, 8).id() != 0);
   CHECK(Texture("samples", GL_RGBA8, 8, 8, 4).target() == GL_TEXTURE_2D_MULTISAMPLE);
   CHECK(GetError() == GL_NO_ERROR);
 }
