@@ -212,7 +212,11 @@ void GpuSolver::choose_passes() {
     if (regions_->begin_step(settings_, springs_)) passes_ = &partial_;
   }
   if (passes_ == &partial_ && partial_.begin.empty()) partial_ = record_step(&regions_->active());
-  if (passes_ == &partial_ && after_whole) method_->begin_partial();
+  if (passes_ == &partial_ && after_whole) {
+    // Vertices beside resting tets sum what those, or a heat map or diagnostics since, left in their slots into the objective.
+    buffers_.correction.clear();
+    method_->begin_partial();
+  }
   tets_stepped_ += passes_ == &partial_ ? regions_->active().tet_count : buffers_.tet_count;
 }
 
