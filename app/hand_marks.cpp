@@ -5,14 +5,24 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/panels.h"
 #include "app/ui_style.h"
+#include "app/ui_widgets.h"
 #include "app/units.h"
 
 namespace fascia {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+
+namespace {
+
+std::optional<ImVec2> place_of(const MarkArea& area, const Session& session, const Vector3d& place) {
+  const auto at = pixel_of(session, place, area.width, area.height);
+  if (!at) return std::nullopt;
+  return ImVec2{area.x + static_cast<float>(at->x()), static_cast<float>(at->y())};
+}
+
+}  // namespace
 
 std::vector<HandMark> hand_marks(const Simulation& simulation, const std::vector<HandForce>& forces, const Hands* hands) {
   const std::vector<GrabSpring>& springs = simulation.springs();
@@ -27,13 +37,16 @@ std::vector<HandMark> hand_marks(const Simulation& simulation, const std::vector
     }
     if (stiffness == 0) continue;
     to /= stiffness;
+    bool observed = false;
     for (const HandForce& f : forces)
-      if (f.hand == hand && f.force.allFinite()) force = f.force;
+      if (f.hand == hand && f.force.allFinite()) force = f.force, observed = true;
     HandMark mark{{(to - force / stiffness).cast<float>(), to.cast<float>()}, force};
     if (hands)
       for (std::size_t i = 0; i < hands->all().size(); ++i)
         if (hands->all()[i].id == hand) {
-          mark.arrow = hands->all()[i].grab.mark();
+          const Grab& grab = hands->all()[i].grab;
+          mark.arrow = grab.mark();
+          if (observed) mark.arrow.from += ((grab.force() - force) / grab.stiffness()).cast<float>();  // of this simulation's tissue
           mark.stays = !hands->follows(i);
         }
     marks.push_back(mark);
@@ -47,46 +60,50 @@ std::vector<GrabMark> arrows(const std::vector<HandMark>& marks) {
   return arrows;
 }
 
-std::optional<Vector2d> pixel_of(const Session& session, const Vector3d& place, int width, int height) {
+std::optional<Vector2d> pixel_of(const Session& session, const Vector3d& place, double width, double height) {
   const Eigen::Matrix4d transform =
-      (session.camera.projection(static_cast<double>(width) / height, session.look.radius) * session.camera.view()).cast<double>();
+      (session.camera.projection(width / height, session.look.radius) * session.camera.view()).cast<double>();
   const Eigen::Vector4d clip = transform * place.homogeneous();
   if (!(clip.w() > 0)) return std::nullopt;
   return Vector2d((0.5 + 0.5 * clip.x() / clip.w()) * width, (0.5 - 0.5 * clip.y() / clip.w()) * height);
 }
 
-void draw_hand_marks(const Session& session, const std::vector<HandMark>& marks) {
+MarkArea MarkArea::whole() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const int width = static_cast<int>(size.x), height = static_cast<int>(size.y);
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  for (const HandMark& mark : marks) {
-    const auto at = pixel_of(session, mark.arrow.to.cast<double>(), width, height);
-    if (!at) continue;
-    const ImVec2 place{static_cast<float>(at->x()), static_cast<float>(at->y())};
-    if (mark.stays) {
-      const float radius = static_cast<float>(kMarkRadius) * size.y / 720;
-      list.AddCircleFilled(place, radius, ImGui::GetColorU32(ImVec4(ui::kAccent.x, ui::kAccent.y, ui::kAccent.z, 0.35f)));
-      list.AddCircle(place, radius, ImGui::GetColorU32({1, 1, 1, 0.95f}), 0, ui::px(2));
-    }
-    draw_pill(engineering(mark.force.norm(), "N"), place.x + ui::px(44), place.y - ui::px(34));
-  }
+  return {*ImGui::GetBackgroundDrawList(), 0, size.x, size.y};
 }
 
-void draw_patch_ring(const Session& session, const Vector3d& place, const Vector3d& normal, double radius) {
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
+void draw_hand_marks(const MarkArea& area, const Session& session, const std::vector<HandMark>& marks) {
+  ImDrawList& list = area.list;
+  list.PushClipRect({area.x, 0}, {area.x + area.width, area.height}, true);
+  for (const HandMark& mark : marks) {
+    const auto place = place_of(area, session, mark.arrow.to.cast<double>());
+    if (!place) continue;
+    if (mark.stays) {
+      const float radius = static_cast<float>(kMarkRadius) * area.height / 720;
+      list.AddCircleFilled(*place, radius, ImGui::GetColorU32(ImVec4(ui::kAccent.x, ui::kAccent.y, ui::kAccent.z, 0.35f)));
+      list.AddCircle(*place, radius, ImGui::GetColorU32({1, 1, 1, 0.95f}), 0, ui::px(2));
+    }
+    ui::pill(list, engineering(mark.force.norm(), "N"), place->x + ui::px(44), place->y - ui::px(34), ui::kText);
+  }
+  list.PopClipRect();
+}
+
+void draw_patch_ring(const MarkArea& area, const Session& session, const Vector3d& place, const Vector3d& normal, double radius) {
   const Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
   constexpr int kCorners = 64;
   std::vector<ImVec2> ring;
   for (int k = 0; k < kCorners; ++k) {
     const double angle = 2 * std::numbers::pi * k / kCorners;
-    const auto at = pixel_of(session, place + radius * (std::cos(angle) * u + std::sin(angle) * v), static_cast<int>(size.x),
-                             static_cast<int>(size.y));
+    const auto at = place_of(area, session, place + radius * (std::cos(angle) * u + std::sin(angle) * v));
     if (!at) return;
-    ring.push_back({static_cast<float>(at->x()), static_cast<float>(at->y())});
+    ring.push_back(*at);
   }
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  ImDrawList& list = area.list;
+  list.PushClipRect({area.x, 0}, {area.x + area.width, area.height}, true);
   list.AddPolyline(ring.data(), kCorners, ImGui::GetColorU32({0, 0, 0, 0.35f}), ImDrawFlags_Closed, ui::px(3.5f));
   list.AddPolyline(ring.data(), kCorners, ImGui::GetColorU32({1, 1, 1, 0.9f}), ImDrawFlags_Closed, ui::px(1.6f));
+  list.PopClipRect();
 }
 
 }  // namespace fascia

@@ -6,6 +6,8 @@
 #include "app/hands.h"
 #include "app/session.h"
 
+struct ImDrawList;
+
 namespace fascia {
 
 inline constexpr double kMarkRadius = 11;  // of the handle of a hand [1/720 of the picture's height]
@@ -21,12 +23,19 @@ std::vector<HandMark> hand_marks(const Simulation& simulation, const std::vector
 std::vector<GrabMark> arrows(const std::vector<HandMark>& marks);
 
 /// Pixel of a place in a picture of the session; nothing behind the eye.
-std::optional<Eigen::Vector2d> pixel_of(const Session& session, const Eigen::Vector3d& place, int width, int height);
+std::optional<Eigen::Vector2d> pixel_of(const Session& session, const Eigen::Vector3d& place, double width, double height);
 
-/// Handles and forces in newtons, between ImGui::NewFrame and ImGui::Render.
-void draw_hand_marks(const Session& session, const std::vector<HandMark>& marks);
+/// A list to draw into and where the picture of a session is in it, in the list's units.
+struct MarkArea {
+  ImDrawList& list;
+  float x, width, height;
+  static MarkArea whole();  // ImGui's background, between ImGui::NewFrame and ImGui::Render
+};
+
+/// Handles and forces in newtons.
+void draw_hand_marks(const MarkArea& area, const Session& session, const std::vector<HandMark>& marks);
 
 /// A circle of the patch's radius [m] on the tissue at this place, square to `normal`.
-void draw_patch_ring(const Session& session, const Eigen::Vector3d& place, const Eigen::Vector3d& normal, double radius);
+void draw_patch_ring(const MarkArea& area, const Session& session, const Eigen::Vector3d& place, const Eigen::Vector3d& normal, double radius);
 
 }  // namespace fascia

@@ -132,14 +132,14 @@ Framebuffer& Headless::draw_split(const std::optional<Diagnostics>& diagnostics)
   split_->share(session_);
   split_->request_diagnostics();
   split_->take_diagnostics(true);
-  const std::vector<HandMark> hands = marks_of(session_.simulation, diagnostics);
+  const SplitView::SideHands hands = split_->hands(session_, diagnostics, nullptr);
   if (session_.display().color == ColorBy::error) split_->b().measure_error();
   Framebuffer& framebuffer =
-      picture_.draw(session_.camera, [&](Framebuffer& target) { split_->draw(session_, target, left, arrows(hands)); });
+      picture_.draw(session_.camera, [&](Framebuffer& target) { split_->draw(session_, target, left, hands); });
   overlay_.draw_headless(session_, framebuffer, options_.panels, diagnostics, {},
                          [&] {
                            split_->draw_labels(*ImGui::GetBackgroundDrawList(), session_, framebuffer.width(), framebuffer.height(), left, 1,
-                                               {diagnostics, false, false});
+                                               {diagnostics, false, false, hands});
                          });
   return framebuffer;
 }

@@ -79,7 +79,7 @@ void MouseTool::press(Button button, Keys keys, const Eigen::Vector2d& at, Pictu
       tool_ = Tool::grab;
     } else {
       hands_.let_go(*mark);
-      springs_changed(session);
+      hold(session);
     }
     return;
   }
@@ -121,7 +121,7 @@ void MouseTool::release(Button button, Keys keys, Session& session, const GrabSe
     hands_.stay();
   } else {
     hands_.let_go_following();
-    springs_changed(session);
+    hold(session);
   }
 }
 
@@ -153,14 +153,21 @@ void MouseTool::let_go(const Eigen::Vector2d& at, Picture picture, Session& sess
   std::size_t index = mark_at(at, picture, session).value_or(hands_.all().size() - 1);
   if (hands_.follows(index)) tool_ = Tool::none;
   hands_.let_go(index);
-  springs_changed(session);
+  hold(session);
 }
 
 void MouseTool::let_go_staying(Session& session) {
   const std::size_t before = hands_.all().size();
   for (std::size_t i = before; i-- > 0;)
     if (!hands_.follows(i)) hands_.let_go(i);
-  if (hands_.all().size() < before) springs_changed(session);  // a replay's hands are none of ours
+  if (hands_.all().size() < before) hold(session);  // a replay's hands are none of ours
+}
+
+void MouseTool::end_drag(Session& session) {
+  tool_ = Tool::none;
+  if (!hands_.following()) return;
+  hands_.let_go_following();
+  hold(session);
 }
 
 void MouseTool::cancel(Session& session) {
@@ -170,10 +177,7 @@ void MouseTool::cancel(Session& session) {
   session.simulation.set_grab({});
 }
 
-// Also when no step follows: what was let go of pulls no more.
-void MouseTool::springs_changed(Session& session) {
-  session.simulation.set_grab(hands_.springs(0));
-}
+void MouseTool::hold(Session& session) { session.simulation.set_grab(hands_.springs(0)); }
 
 void MouseTool::pull(Session& session) {
   if (!hands_.empty()) session.simulation.set_grab(hands_.springs(session.simulation.scene.solver.time_step));

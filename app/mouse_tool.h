@@ -34,6 +34,8 @@ class MouseTool {
   /// The hand whose mark is at this place, or else the last one that stays.
   void let_go(const Eigen::Vector2d& at, Picture picture, Session& session);
   void let_go_staying(Session& session);  // of all but the one that follows the mouse
+  /// Whatever the mouse is doing ends; hands that stay hold on.
+  void end_drag(Session& session);
   /// Scene replaced or reset: everything is let go of.
   void cancel(Session& session);
 
@@ -42,10 +44,11 @@ class MouseTool {
   Hands& hands() { return hands_; }
   /// Springs of the next step, to the simulation.
   void pull(Session& session);
+  /// Those of now: for what was let go of, which pulls no more although no step follows, and for a simulation that has to hold on.
+  void hold(Session& session);
 
  private:
   std::optional<std::size_t> mark_at(const Eigen::Vector2d& at, Picture picture, const Session& session) const;
-  void springs_changed(Session& session);
 
   enum class Tool { none, grab, orbit, pan, section };
   Tool tool_ = Tool::none;

@@ -129,7 +129,7 @@ void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool pan
   for (int pass = 0; pass < 2; ++pass) {
     ImGui::NewFrame();
     Requests nobody_asks;
-    draw_hand_marks(session, hands);
+    draw_hand_marks(MarkArea::whole(), session, hands);
     if (panels) draw_panels(session, state, nobody_asks);
     draw_legend(session);
     if (more) more();

@@ -36,8 +36,6 @@ void draw_hints(const Hints& hints);
 /// Offers to go on with what a window left that ended badly; `scene`: its name.
 void draw_left_behind(const std::string& scene, Requests& requests);
 void draw_notice(const ViewState& state);
-/// Text on a dark pill behind the panels, centered on x.
-void draw_pill(const std::string& text, float x, float y);
 /// A red dot: in front of everything and not part of pictures.
 void draw_recording_dot(double seconds, long dropped);
 

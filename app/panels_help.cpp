@@ -138,8 +138,6 @@ void draw_notice(const ViewState& state) {
   }
 }
 
-void draw_pill(const std::string& text, float x, float y) { ui::pill(text, x, y, ui::kText); }
-
 void draw_recording_dot(double seconds, long dropped) {
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   char text[64];

@@ -166,6 +166,10 @@ bool SplitView::take_diagnostics(bool wait) {
   return true;
 }
 
+MarkArea SplitView::area_of(ImDrawList& list, const Area& area, int height, float scale) {
+  return {list, static_cast<float>(area.x) / scale, static_cast<float>(area.width) / scale, static_cast<float>(height) / scale};
+}
+
 std::array<SplitView::Area, 2> SplitView::areas(int width, int left) {
   const int each = std::max(1, (width - left - kDivider) / 2);
   return {Area{left, each}, Area{left + each + kDivider, each}};
@@ -180,7 +184,15 @@ Framebuffer& SplitView::picture_of(int width, int height, int samples) {
   return *pictures_[0];
 }
 
-void SplitView::draw(Session& a, Framebuffer& framebuffer, int left, std::span<const GrabMark> hands) {
+SplitView::SideHands SplitView::hands(const Session& a, const std::optional<Diagnostics>& of_a, const Hands* of_user) const {
+  const auto marks = [&](const Session& side, const std::optional<Diagnostics>& diagnostics) {
+    return hand_marks(side.simulation, diagnostics ? diagnostics->hand_forces : std::vector<HandForce>(), of_user);
+  };
+  return {marks(a, of_a), marks(*b_, diagnostics_)};
+}
+
+void SplitView::draw(Session& a, Framebuffer& framebuffer, int left, const SideHands& hands,
+                     const std::function<void(std::size_t, const Framebuffer&)>& drawn) {
   b_->camera = a.camera;
   // One scale for both sides, the one of A: B's colors do not follow its own values.
   std::optional<Eigen::Vector2d>& range = b_->simulation.scene.display.range;
@@ -194,7 +206,8 @@ void SplitView::draw(Session& a, Framebuffer& framebuffer, int left, std::span<c
   for (std::size_t i = 0; i < 2; ++i) {
     Framebuffer& picture = picture_of(places[i].width, framebuffer.height(), framebuffer.samples());
     if (i == 1) b_->look = a.look;  // after A has found its range
-    (i == 0 ? a : *b_).draw(picture, hands);
+    (i == 0 ? a : *b_).draw(picture, arrows(hands[i]));
+    if (drawn) drawn(i, picture);
     picture.copy_to(framebuffer, places[i].x);
   }
   range = own;
@@ -208,6 +221,7 @@ void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int h
     const Session &session = i == 0 ? a : *b_, &other = i == 0 ? *b_ : a;
     const float middle = (static_cast<float>(places[i].x) + 0.5f * static_cast<float>(places[i].width)) / scale;
     const float widest = static_cast<float>(places[i].width) / scale - ui::px(40);
+    draw_hand_marks(area_of(list, places[i], height, scale), session, labels.hands[i]);
     const bool edited = labels.measured && (i == 1) == labels.editing_b;  // without a clock there is nobody who edits
     ui::pill(list, (i == 0 ? "A   " : "B   ") + side_text(session, other), middle, ui::px(46), edited ? ui::kAccent : ui::kText, widest);
     std::string result = result_text(session, i == 0 ? labels.of_a : diagnostics_, sides_[i].step_ms, labels.measured);

@@ -220,8 +220,8 @@ void ViewWindow::build_panels(Requests& requests) {
       draw_probe(session_->camera, session_->simulation.model.rest_positions[*state_.plots.probe] + *d->probe, session_->look.radius);
   }
   if (!split_) {  // whose pictures lie elsewhere
-    draw_hand_marks(*session_, marks());
-    draw_ring();
+    draw_hand_marks(MarkArea::whole(), *session_, marks());
+    draw_ring(MarkArea::whole(), *session_);
   }
   if (session_->simulation.replaying()) draw_replay_badge(session_->simulation, state_, requests);
   if (state_.show_recording) draw_recording_settings(state_, requests);
@@ -369,22 +369,26 @@ std::vector<HandMark> ViewWindow::marks() {
 }
 
 // How much a hand holds, or would hold where the mouse is.
-void ViewWindow::draw_ring() {
+void ViewWindow::draw_ring(const MarkArea& area, const Session& session) {
   if (const Grab* grab = mouse_.hands().following())
-    draw_patch_ring(*session_, grab->anchor(), session_->camera.forward(), grab->patch_radius());
+    draw_patch_ring(area, session, grab->anchor(), session.camera.forward(), grab->patch_radius());
   else if (const auto& spot = hover_.spot(); spot && !mouse_.dragging() && !ImGui::GetIO().WantCaptureMouse)
-    draw_patch_ring(*session_, spot->point, spot->normal, state_.grab.radius * session_->look.radius);
+    draw_patch_ring(area, session, spot->point, spot->normal, state_.grab.radius * session.look.radius);
 }
 
 void ViewWindow::draw() {
-  render_timer_.begin();
-  if (split_)
-    draw_comparison(*framebuffer_, 1, panels_cover());
-  else
-    session_->draw(*framebuffer_, arrows(marks()));
-  render_timer_.end();
   const bool aims = !mouse_.dragging() && !ImGui::GetIO().WantCaptureMouse;
-  if (!split_) hover_.look(*framebuffer_, *session_, aims ? std::optional(pointer_) : std::nullopt);
+  render_timer_.begin();
+  if (split_) {
+    draw_comparison(*framebuffer_, 1, panels_cover(), [&](std::size_t side, const Framebuffer& picture) {
+      const bool b = side == 1;
+      if (b == points_at_b()) hover_.look(picture, b ? split_->b() : *session_, aims ? std::optional(pointer_in_side(b)) : std::nullopt);
+    });
+  } else {
+    session_->draw(*framebuffer_, arrows(marks()));
+    hover_.look(*framebuffer_, *session_, aims ? std::optional(pointer_) : std::nullopt);
+  }
+  render_timer_.end();
   if (const double ms = render_timer_.milliseconds(); ms > 0) state_.statistics.render.add(ms);
 }
 

@@ -75,7 +75,7 @@ class ViewWindow {
   void remember_now_and_then();
   Scene scene_now() const;      // with the materials and the camera of now
   std::vector<HandMark> marks();
-  void draw_ring();
+  void draw_ring(const MarkArea& area, const Session& session);
   void draw();
   void capture(const Requests& requests);
 
@@ -95,6 +95,7 @@ class ViewWindow {
   void follow_recording();  // once a frame
   void end_recording();
   void leave_recorded_session();
+  void record_anew();  // after it: hands that stay hold on
   void let_go();  // of all that hands hold, at both sides; a replay's hand holds on
   void save_replay(const std::filesystem::path& path);
   void begin_replay();
@@ -113,8 +114,13 @@ class ViewWindow {
   void edit(bool b);
   MouseTool::Picture to_side(Eigen::Vector2d& at, bool press);  // of the comparison: which one, and where in it
   MouseTool::Picture picture_of_hand() const;                   // of the side that the mouse acts on
+  bool points_at_b() const;
+  Eigen::Vector2d pointer_in_side(bool b) const;
   void after_mouse();                                           // both sides see and feel the same
-  void draw_comparison(Framebuffer& picture, float scale, int left);  // `left`: pixels of it that are the panels'
+  void lead();                                                  // both feel the same
+  /// `left`: pixels of it that are the panels'; `drawn`: SplitView::draw.
+  void draw_comparison(Framebuffer& picture, float scale, int left,
+                       const std::function<void(std::size_t, const Framebuffer&)>& drawn = {});
 
   void follow_dials();  // into the history
   void accept_dials();  // what a replay has changed is no entry
@@ -145,7 +151,7 @@ class ViewWindow {
   bool hand_in_b_ = false;
   MouseTool mouse_;
   Hover hover_;
-  Eigen::Vector2d pointer_{-1, -1};  // the mouse, in pixels of the picture
+  Eigen::Vector2d pointer_{-1, -1};  // the mouse, in pixels of the window's picture
   Pacing pacing_;
   VideoCapture video_;
   std::unique_ptr<SessionRecording> recording_;  // none: there is no place for it

@@ -40,8 +40,8 @@ void ViewWindow::handle_input(Requests& requests) {
   };
   for (InputEvent event : input_.take()) {
     const bool taken = event.kind == Kind::press && !io.WantCaptureMouse && !mouse_.dragging();
-    const MouseTool::Picture picture = to_side(event.at, taken);
     pointer_ = event.at;
+    const MouseTool::Picture picture = to_side(event.at, taken);
     switch (event.kind) {
       case Kind::press:
         if (io.WantCaptureMouse || event.code > GLFW_MOUSE_BUTTON_MIDDLE) break;
@@ -117,7 +117,7 @@ void ViewWindow::press_key(int key, int mods, Requests& requests) {
     case GLFW_KEY_X: state_.grab.push = !state_.grab.push; break;
     case GLFW_KEY_LEFT_BRACKET: mouse_.resize(1 / kResize, held(), state_.grab); break;
     case GLFW_KEY_RIGHT_BRACKET: mouse_.resize(kResize, held(), state_.grab); break;
-    case GLFW_KEY_DELETE: mouse_.let_go(pointer_, picture_of_hand(), held()); break;
+    case GLFW_KEY_DELETE: mouse_.let_go(pointer_in_side(hand_in_b_), picture_of_hand(), held()); break;
     case GLFW_KEY_ESCAPE: mouse_.let_go_staying(held()); break;
     case GLFW_KEY_F1: state_.show_help = !state_.show_help; break;
     case GLFW_KEY_F2: requests.gallery = true; break;

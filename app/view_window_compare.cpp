@@ -22,18 +22,19 @@ void ViewWindow::edit(bool b) {
 
 void ViewWindow::compare(CompareAsk ask) {
   if (ask != CompareAsk::open_or_close && !split_) return;
-  let_go();
-  hand_in_b_ = false;
+  mouse_.end_drag(held());
   switch (ask) {
     case CompareAsk::nothing: break;
     case CompareAsk::open_or_close: {
       if (split_) {
         edit(false);
         split_.reset();
+        hand_in_b_ = false;
         break;
       }
       split_ = std::make_unique<SplitView>(graphics_, *session_, scene_now(), session_->simulation.model);
       split_->history.restart(dials_of(split_->b(), state_.grab));
+      lead();
       edit(true);  // A is as it was: what one wants to turn is the other
       break;
     }
@@ -49,7 +50,7 @@ void ViewWindow::compare(CompareAsk ask) {
     case CompareAsk::swap:
       leave_recorded_session();
       split_->swap(session_);
-      attempt([&] { begin_recording(); });
+      record_anew();
       std::swap(state_.history, split_->history);
       break;
     case CompareAsk::keep_b:
@@ -57,7 +58,8 @@ void ViewWindow::compare(CompareAsk ask) {
       leave_recorded_session();
       split_->swap(session_);
       split_.reset();
-      attempt([&] { begin_recording(); });
+      hand_in_b_ = false;
+      record_anew();
       break;
   }
   state_.comparing = split_ != nullptr;
@@ -78,28 +80,38 @@ MouseTool::Picture ViewWindow::picture_of_hand() const {
   return {split_ ? SplitView::areas(width, panels_cover())[hand_in_b_ ? 1 : 0].width : width, framebuffer_->height()};
 }
 
+bool ViewWindow::points_at_b() const {
+  return split_ && pointer_.x() >= SplitView::areas(framebuffer_->width(), panels_cover())[1].x;
+}
+
+Eigen::Vector2d ViewWindow::pointer_in_side(bool b) const {
+  if (!split_) return pointer_;
+  return pointer_ - Eigen::Vector2d(SplitView::areas(framebuffer_->width(), panels_cover())[b ? 1 : 0].x, 0);
+}
+
+// Hands that stay pull at both sides alike, so that the mouse may go on at either.
 MouseTool::Picture ViewWindow::to_side(Eigen::Vector2d& at, bool press) {
-  if (split_) {
-    const std::array<SplitView::Area, 2> areas = SplitView::areas(framebuffer_->width(), panels_cover());
-    const bool in_b = at.x() >= areas[1].x;
-    if (press && mouse_.hands().empty() && in_b != hand_in_b_) {  // hands that stay are of the side that took them
-      let_go();
-      hand_in_b_ = in_b;
-    }
-    at.x() -= areas[hand_in_b_ ? 1 : 0].x;
-  }
+  if (press) hand_in_b_ = points_at_b();
+  at = pointer_in_side(hand_in_b_);
   return picture_of_hand();
 }
 
 void ViewWindow::after_mouse() {
   (hand_in_b_ ? *session_ : split_->b()).camera = held().camera;
-  split_->lead(*session_, held());
+  lead();
 }
 
-void ViewWindow::draw_comparison(Framebuffer& picture, float scale, int left) {
-  split_->draw(*session_, picture, left, arrows(marks()));
+void ViewWindow::lead() { split_->lead(*session_, held()); }
+
+void ViewWindow::draw_comparison(Framebuffer& picture, float scale, int left,
+                                 const std::function<void(std::size_t, const Framebuffer&)>& drawn) {
+  const SplitView::SideHands hands = split_->hands(*session_, diagnostics_of_a_, &mouse_.hands());
+  split_->draw(*session_, picture, left, hands, drawn);
   overlay_.draw_list(picture, scale, [&](ImDrawList& list) {
-    split_->draw_labels(list, *session_, picture.width(), picture.height(), left, scale, {diagnostics_of_a_, true, state_.editing_b});
+    split_->draw_labels(list, *session_, picture.width(), picture.height(), left, scale, {diagnostics_of_a_, true, state_.editing_b, hands});
+    const bool ring_in_b = mouse_.hands().following() ? hand_in_b_ : points_at_b();
+    const SplitView::Area area = SplitView::areas(picture.width(), left)[ring_in_b ? 1 : 0];
+    draw_ring(SplitView::area_of(list, area, picture.height(), scale), ring_in_b ? split_->b() : *session_);
   });
 }
 

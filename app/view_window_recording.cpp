@@ -48,10 +48,18 @@ void ViewWindow::end_recording() {
 
 // With nothing held, so that another recording may go on from here.
 void ViewWindow::leave_recorded_session() {
-  let_go();
+  mouse_.end_drag(held());
   end_replay("You took over from the replay");
+  session_->simulation.set_grab({});
+  if (split_) split_->b().simulation.set_grab({});
   attempt([&] { end_recording(); });
   session_->simulation.set_listener({});
+}
+
+void ViewWindow::record_anew() {
+  attempt([&] { begin_recording(); });
+  mouse_.hold(held());
+  if (split_) lead();
 }
 
 void ViewWindow::save_replay(const fs::path& path) {

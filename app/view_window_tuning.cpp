@@ -50,7 +50,7 @@ void ViewWindow::materials_changed() {
   if (&tuned() != session_.get()) return;
   // With other regions it is another scene, whose recording begins here.
   leave_recorded_session();
-  attempt([&] { begin_recording(); });
+  record_anew();
 }
 
 void ViewWindow::rescale(double factor) {

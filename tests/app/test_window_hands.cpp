@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "sim/file.h"
 #include "sim/replay.h"
@@ -75,7 +76,7 @@ TEST_CASE("two hands in the window: the first stays, the second goes away with t
   CHECK(away > std::abs(hands[0].at("force")[0].get<double>()));
 }
 
-TEST_CASE("a hand that stays at side B of a comparison is let go of at both sides when the comparison ends") {
+TEST_CASE("hands that stay hold on through a comparison, whose sides both take more of them, and Escape lets go of all") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
   write_file(folder / "cube.json",
@@ -85,28 +86,43 @@ TEST_CASE("a hand that stays at side B of a comparison is let go of at both side
                             {"camera", {{"eye", {0, 0.05, 0.4}}, {"target", {0, 0.05, 0}}, {"fov_deg", 30}}}}
                  .dump());
   FasciaWindow window({(folder / "cube.json").string(), "--size", "1000x700"}, folder.path());
-  const auto grabs = [&] {  // of the session, so far
-    std::vector<Input> inputs;
-    for (const auto& entry : std::filesystem::directory_iterator(display.state() / "sessions")) inputs = read_replay(entry.path()).inputs;
-    std::erase_if(inputs, [](const Input& input) { return !std::holds_alternative<GrabInput>(input.change); });
-    return inputs;
+  std::filesystem::path session;
+  const auto hands = [&] {  // that pull, as the newest session's file has it so far
+    session.clear();
+    for (const auto& entry : std::filesystem::directory_iterator(display.state() / "sessions")) session = std::max(session, entry.path());
+    std::set<std::uint32_t> ids;
+    for (const Input& input : read_replay(session).inputs)
+      if (const auto* springs = std::get_if<GrabInput>(&input.change)) {
+        ids.clear();
+        for (const GrabSpring& spring : *springs) ids.insert(spring.hand);
+      }
+    return ids.size();
+  };
+  const auto pull_and_stay = [&](int x, int y, std::size_t expected) {
+    window.move(x, y);
+    window.press();
+    window.move(x - 20, y - 40);
+    CHECK(eventually([&] { return window.screenshot(), hands() == expected; }));
+    window.key("t");
+    window.release();
+    window.screenshot();
   };
   window.screenshot();
+  pull_and_stay(kWidth / 2 + 50, kHeight / 2 - 40, 1);
   window.key("b");
   window.screenshot();
-  window.move(kPanels + 3 * (kWidth - kPanels) / 4, kHeight / 2 - 40);
-  CHECK(eventually([&] {
-    window.press();
-    window.move(kPanels + 3 * (kWidth - kPanels) / 4 - 20, kHeight / 2 - 80);
-    window.screenshot();
-    return !grabs().empty();
-  }));
-  window.key("t");
-  window.release();
-  window.screenshot();
-  REQUIRE_FALSE(std::get<GrabInput>(grabs().back().change).empty());
+  CHECK(hands() == 1);
+  const int width = (kWidth - kPanels) / 2;
+  pull_and_stay(kPanels + 3 * width / 2 - 20, kHeight / 2 + 10, 2);
+  pull_and_stay(kPanels + width / 2 + 40, kHeight / 2 + 60, 3);
   window.key("b");
-  CHECK(eventually([&] { return std::get<GrabInput>(grabs().back().change).empty(); }));
+  window.screenshot();
+  CHECK(hands() == 3);
+  window.key("Escape");
+  CHECK(eventually([&] { return window.screenshot(), hands() == 0; }));
   window.key("ctrl+q");
   CHECK(window.wait() == 0);
+  const CommandResult again = run_fascia({"run", "--replay", session.string()}, folder.path());
+  CAPTURE(again.err);
+  CHECK(again.err.find("fascia: to the bit what was recorded") != std::string::npos);
 }
