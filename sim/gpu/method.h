@@ -61,7 +61,7 @@ class StepMethod {
   virtual Passes begin(const Recording&) const { return {}; }  // once a substep, after the prediction
   /// Before the first and every kRefresh-th iteration: what changes slowly enough to serve for some of them.
   virtual Passes refresh(const Recording&) const { return {}; }
-  static constexpr int kRefresh = 8;
+  static constexpr int kRefresh = 16;
   /// One iteration, the grab's springs included. The first one of a substep finds no history.
   virtual Passes iteration(const Recording& recording, bool first) const = 0;
   virtual Passes end(const Recording&) const { return {}; }  // after the last iteration of a substep, unless a stop rule ended them

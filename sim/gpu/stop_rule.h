@@ -12,13 +12,14 @@ namespace fascia {
 class StopRule {
  public:
   /// `gradient`: what the method's iterations start from, so that a check before each of them is cheap. Without one (null) a gradient
-  /// of its own is computed, before every StepMethod::kRefresh-th iteration only.
+  /// of its own is computed, before every kOwnInterval-th iteration only.
   StopRule(const gl::ProgramCache& programs, const SimBuffers& buffers, const StepGradient* gradient);
 
   /// Appends the check to what runs before the first iteration of a substep and before later ones, and makes the passes `before` and
   /// `governed` such that a check ends them.
   void record(const Recording& recording, Passes& before_first, Passes& before, std::initializer_list<Passes*> governed);
-  int interval() const { return own_ ? StepMethod::kRefresh : 1; }  // iterations from one check to the next
+  static constexpr int kOwnInterval = 8;
+  int interval() const { return own_ ? kOwnInterval : 1; }  // iterations from one check to the next
 
   const gl::Buffer& state() const { return state_; }  // uint [2] iterations of the last substep, and of all since this was made
 

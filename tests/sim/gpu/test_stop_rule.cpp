@@ -100,7 +100,7 @@ TEST_CASE("methods without a gradient of their own are checked every eighth iter
   solver.step();
   CAPTURE(name_of(method), solver.last_iterations(), residual_of(solver));
   CHECK(solver.last_iterations() < 200);
-  CHECK(solver.last_iterations() % StepMethod::kRefresh == 0);
+  CHECK(solver.last_iterations() % StopRule::kOwnInterval == 0);
   CHECK(residual_of(solver) <= 0.0501);
 }
 
