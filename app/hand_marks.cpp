@@ -106,4 +106,11 @@ void draw_patch_ring(const MarkArea& area, const Session& session, const Vector3
   list.PopClipRect();
 }
 
+void draw_probe(const MarkArea& area, const Session& session, const Vector3d& place) {
+  const auto middle = place_of(area, session, place);
+  if (!middle) return;
+  area.list.AddCircleFilled(*middle, ui::px(5), IM_COL32(0, 0, 0, 160));
+  area.list.AddCircleFilled(*middle, ui::px(3.2f), ImGui::GetColorU32(ui::kWarning));
+}
+
 }  // namespace fascia

@@ -1,4 +1,5 @@
-// Where the hands are and how hard they pull, drawn over the tissue: those of the user, of the scene and of a replay alike.
+// Where the hands are and how hard they pull, drawn over the tissue: those of the user, of the scene and of a replay alike. And what else
+// marks places of it.
 #pragma once
 #include <optional>
 #include <vector>
@@ -37,5 +38,8 @@ void draw_hand_marks(const MarkArea& area, const Session& session, const std::ve
 
 /// A circle of the patch's radius [m] on the tissue at this place, square to `normal`.
 void draw_patch_ring(const MarkArea& area, const Session& session, const Eigen::Vector3d& place, const Eigen::Vector3d& normal, double radius);
+
+/// A dot on the vertex that is plotted; `place` is where it is [m].
+void draw_probe(const MarkArea& area, const Session& session, const Eigen::Vector3d& place);
 
 }  // namespace fascia

@@ -112,6 +112,10 @@ Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
     const auto ago = static_cast<std::size_t>(step_ - static_cast<long>(std::floor(step + kRounding)));
     hands = remembered_hands_[remembered_hands_.size() - 1 - std::min(ago, remembered_hands_.size() - 1)];
   }
+  if (options_.panels) {
+    overlay_.scale_to(picture_.framebuffer().height());
+    session_.camera.middle.x() = static_cast<double>(panel_space()) / picture_.framebuffer().width();
+  }
   Framebuffer& framebuffer =
       picture_.draw(session_.camera, [&](Framebuffer& target) { session_.draw(target, arrows(hands), positions); });
   if (options_.panels || has_legend(session_) || !hands.empty())

@@ -22,8 +22,6 @@ void display_panel(Session& session);
 void grab_panel(const Session& session, ViewState& state, Requests& requests);
 void draw_plots(const Simulation& simulation, ViewState& state, Requests& requests);  // a window of its own, movable
 bool shows_convergence(const Plots& plots);
-/// A dot on the vertex that is plotted; `at` is where it is [m].
-void draw_probe(const Camera& camera, const Eigen::Vector3d& at, double scene_radius);
 /// Supports, weight, hands and inertia, and a badge that tells whether they balance.
 void balance_rows(const Simulation& simulation, const SceneFacts& facts, const Diagnostics& diagnostics);
 void statistics_panel(Session& session, const ViewState& state);

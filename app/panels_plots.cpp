@@ -115,15 +115,4 @@ void draw_plots(const Simulation& simulation, ViewState& state, Requests& reques
   ImGui::End();
 }
 
-void draw_probe(const Camera& camera, const Eigen::Vector3d& at, double scene_radius) {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const Eigen::Vector4f clip = camera.projection(screen.x / screen.y, scene_radius) * camera.view() *
-                               Eigen::Vector4f(static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z()), 1);
-  if (clip.w() <= 0) return;
-  const ImVec2 middle{0.5f * screen.x * (1 + clip.x() / clip.w()), 0.5f * screen.y * (1 - clip.y() / clip.w())};
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  list.AddCircleFilled(middle, ui::px(5), IM_COL32(0, 0, 0, 160));
-  list.AddCircleFilled(middle, ui::px(3.2f), ImGui::GetColorU32(ui::kWarning));
-}
-
 }  // namespace fascia

@@ -213,16 +213,7 @@ void ViewWindow::build_panels(Requests& requests) {
     draw_panels(tuned(), state_, requests);
     if (steps_left_ < 0 && !shown_alone && !split_) draw_hints(hints_);  // where a comparison has its figures
   }
-  if (state_.plots.shown) {
-    draw_plots(session_->simulation, state_, requests);
-    const auto& d = s.diagnostics;
-    if (d && d->probe && !split_)
-      draw_probe(session_->camera, session_->simulation.model.rest_positions[*state_.plots.probe] + *d->probe, session_->look.radius);
-  }
-  if (!split_) {  // whose pictures lie elsewhere
-    draw_hand_marks(MarkArea::whole(), *session_, marks());
-    draw_ring(MarkArea::whole(), *session_);
-  }
+  if (state_.plots.shown) draw_plots(session_->simulation, state_, requests);
   if (session_->simulation.replaying()) draw_replay_badge(session_->simulation, state_, requests);
   if (state_.show_recording) draw_recording_settings(state_, requests);
   replay_dialog_.draw(requests);
@@ -376,6 +367,20 @@ void ViewWindow::draw_ring(const MarkArea& area, const Session& session) {
     draw_patch_ring(area, session, spot->point, spot->normal, state_.grab.radius * session.look.radius);
 }
 
+void ViewWindow::draw_scene(Framebuffer& picture, float scale, int left) {
+  Session& session = *session_;
+  const std::vector<HandMark> hands = marks();
+  session.camera.middle.x() = static_cast<double>(left) / picture.width();
+  session.draw(picture, arrows(hands));
+  overlay_.draw_list(picture, scale, [&](ImDrawList& list) {
+    const MarkArea area{list, 0, static_cast<float>(picture.width()) / scale, static_cast<float>(picture.height()) / scale};
+    draw_hand_marks(area, session, hands);
+    draw_ring(area, session);
+    const auto& d = state_.statistics.diagnostics;
+    if (state_.plots.shown && d && d->probe) draw_probe(area, session, session.simulation.model.rest_positions[*state_.plots.probe] + *d->probe);
+  });
+}
+
 void ViewWindow::draw() {
   const bool aims = !mouse_.dragging() && !ImGui::GetIO().WantCaptureMouse;
   render_timer_.begin();
@@ -385,7 +390,7 @@ void ViewWindow::draw() {
       if (b == points_at_b()) hover_.look(picture, b ? split_->b() : *session_, aims ? std::optional(pointer_in_side(b)) : std::nullopt);
     });
   } else {
-    session_->draw(*framebuffer_, arrows(marks()));
+    draw_scene(*framebuffer_, 1, panels_cover());
     hover_.look(*framebuffer_, *session_, aims ? std::optional(pointer_) : std::nullopt);
   }
   render_timer_.end();

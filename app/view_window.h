@@ -118,7 +118,8 @@ class ViewWindow {
   Eigen::Vector2d pointer_in_side(bool b) const;
   void after_mouse();                                           // both sides see and feel the same
   void lead();                                                  // both feel the same
-  /// `left`: pixels of it that are the panels'; `drawn`: SplitView::draw.
+  /// `scale`: SplitView::draw_labels; `left`: pixels of it that are the panels', beside which the tissue stands; `drawn`: SplitView::draw.
+  void draw_scene(Framebuffer& picture, float scale, int left);
   void draw_comparison(Framebuffer& picture, float scale, int left,
                        const std::function<void(std::size_t, const Framebuffer&)>& drawn = {});
 

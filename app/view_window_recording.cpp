@@ -123,10 +123,14 @@ void ViewWindow::record_frame() {
   if (&canvas != framebuffer_.get()) {
     const bool panels = video_.settings().panels;
     const float scale = overlay_.scale_onto(canvas);
-    if (split_)
-      draw_comparison(canvas, scale, panels ? static_cast<int>(scale * static_cast<float>(panels_cover())) : 0);
-    else
-      session_->draw(canvas, arrows(marks()));
+    const int left = panels ? static_cast<int>(scale * static_cast<float>(panels_cover())) : 0;
+    if (split_) {
+      draw_comparison(canvas, scale, left);
+    } else {
+      const Camera in_window = session_->camera;
+      draw_scene(canvas, scale, left);
+      session_->camera = in_window;
+    }
     overlay_.draw_onto(canvas, panels);
   }
   video_.write(canvas);

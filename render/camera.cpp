@@ -132,13 +132,13 @@ Eigen::Matrix4f Camera::projection(double aspect, double scene_radius) const {
   result(2, 2) = -(far + near) / (far - near);
   result(2, 3) = -2 * far * near / (far - near);
   result(3, 2) = -1;
-  result.block<2, 1>(0, 2) = -jitter;
+  result.block<2, 1>(0, 2) = -(middle + jitter);
   return result.cast<float>();
 }
 
 Ray Camera::ray(double x, double y, int width, int height) const {
   const double per_pixel = 2 * slope() / std::min(width, height);
-  const Vector3d in_view((x - width / 2.0) * per_pixel, (height / 2.0 - y) * per_pixel, -1);
+  const Vector3d in_view((x - (1 + middle.x()) * width / 2) * per_pixel, ((1 - middle.y()) * height / 2 - y) * per_pixel, -1);
   return {eye, (axes() * in_view).normalized()};
 }
 

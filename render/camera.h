@@ -17,6 +17,7 @@ class Camera {
  public:
   Eigen::Vector3d eye{0, 0.3, 1}, target{0, 0, 0}, up{0, 1, 0};
   double fov_deg = 40;  // across the shorter side of the picture, so that a narrow one still shows the body whole
+  Eigen::Vector2d middle{0, 0};  // where the picture shows the target: from its middle to the right and up, in halves of its size
   Eigen::Vector2d jitter{0, 0};  // of the picture, right and up, in halves of its width and height (Supersampler)
 
   /// Looks at the whole box from the front, a little to the right and above, whatever the picture's shape

@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kWidth = 1000, kHeight = 700;
 constexpr int kPanels = 340;  // a little more than the column of panels is wide
+constexpr int kMiddle = (kPanels + kWidth) / 2;  // of what they leave
 
 // A cube of soft tissue on its clamped base, without gravity: nothing moves unless a hand moves it. It stands in the middle of
 // the picture.
@@ -111,10 +112,10 @@ TEST_CASE("a window in which nothing moves uses no processor, and wakes when it 
   CHECK(eventually([&] { return (used = used_in_a_while()) < 0.02; }));
   CAPTURE(used);
 
-  window.move(kWidth / 2, kHeight / 2);
+  window.move(kMiddle, kHeight / 2);
   window.press();
   const Screenshot rest = window.screenshot();
-  window.move(kWidth / 2 + 160, kHeight / 2 - 60);
+  window.move(kMiddle + 160, kHeight / 2 - 60);
   CHECK(eventually([&] { return changed_share(rest, window.screenshot()) > 0.01; }));
   window.release();
   window.key("ctrl+q");
@@ -133,9 +134,9 @@ TEST_CASE("tissue is dragged, a slider moved and keys pressed in the window") {
   CHECK(rest.young_modulus == 2e4);
 
   INFO("a drag on tissue deforms it, and letting go and R bring it back");
-  window.move(kWidth / 2, kHeight / 2);
+  window.move(kMiddle, kHeight / 2);
   window.press();
-  window.move(kWidth / 2 + 160, kHeight / 2 - 60);
+  window.move(kMiddle + 160, kHeight / 2 - 60);
   Screenshot dragged;
   CHECK(eventually([&] { return changed_share(rest, dragged = window.screenshot()) > 0.01; }));
   window.release();
@@ -186,9 +187,9 @@ TEST_CASE("tissue is dragged, a slider moved and keys pressed in the window") {
 
   INFO("closing while the hand still pulls writes the deformed state");
   window.key("space");
-  window.move(kWidth / 2, kHeight / 2);
+  window.move(kMiddle, kHeight / 2);
   window.press();
-  window.move(kWidth / 2 + 160, kHeight / 2 - 60);
+  window.move(kMiddle + 160, kHeight / 2 - 60);
   const Screenshot before = window.screenshot();
   CHECK(eventually([&] { return window.screenshot().moment != before.moment; }));
   CHECK(eventually([&] { return changed_share(wire, window.screenshot()) > 0.01; }));
@@ -339,9 +340,9 @@ TEST_CASE("a session in the window is replayed to the bit, also one that was kil
     const Screenshot start = window.screenshot();
     const Place slider = first_slider(start.image);
     REQUIRE(slider.y > 0);
-    window.move(kPanels + (kWidth - kPanels) / 2, kHeight / 2);
+    window.move(kMiddle, kHeight / 2);
     window.press();
-    window.move(kPanels + (kWidth - kPanels) / 2 + 120, kHeight / 2 - 60);
+    window.move(kMiddle + 120, kHeight / 2 - 60);
     window.screenshot();  // each of these drags lasts some frames, however slow the machine
     window.release();
     window.move(slider.x, slider.y);
@@ -384,9 +385,9 @@ TEST_CASE("a session in the window is replayed to the bit, also one that was kil
   {
     FasciaWindow window(with_size({scene}), desk.folder.path());
     window.screenshot();
-    window.move(kPanels + (kWidth - kPanels) / 2, kHeight / 2);
+    window.move(kMiddle, kHeight / 2);
     window.press();
-    window.move(kPanels + (kWidth - kPanels) / 2 + 120, kHeight / 2 - 60);
+    window.move(kMiddle + 120, kHeight / 2 - 60);
     CHECK(eventually([&] {
       const std::vector<Input> written = inputs();
       return std::any_of(written.begin(), written.end(), [](const Input& input) { return std::holds_alternative<GrabMove>(input.change); });

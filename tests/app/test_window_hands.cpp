@@ -13,7 +13,7 @@ using namespace fascia::test;
 
 namespace {
 
-constexpr int kWidth = 1000, kHeight = 700, kPanels = 340;
+constexpr int kWidth = 1000, kHeight = 700, kPanels = 340, kMiddle = (kPanels + kWidth) / 2;  // of what the panels leave
 
 double changed_share(const Screenshot& a, const Screenshot& b) {
   return difference(right_part(a.image, kPanels), right_part(b.image, kPanels)).share;
@@ -37,21 +37,21 @@ TEST_CASE("two hands in the window: the first stays, the second goes away with t
   const Screenshot rest = window.screenshot();
 
   INFO("Ctrl on release: the hand stays, and so does the pull");
-  window.move(kWidth / 2 - 40, kHeight / 2 - 60);
+  window.move(kMiddle - 40, kHeight / 2 - 60);
   window.press();
-  window.move(kWidth / 2 - 120, kHeight / 2 - 120);
+  window.move(kMiddle - 120, kHeight / 2 - 120);
   CHECK(eventually([&] { return changed_share(rest, window.screenshot()) > 0.01; }));
   window.key_down("ctrl");
   window.release();
   window.key_up("ctrl");
-  const int mark_x = kWidth / 2 - 120, mark_y = kHeight / 2 - 120;
+  const int mark_x = kMiddle - 120, mark_y = kHeight / 2 - 120;
   const Screenshot one = window.screenshot();
   CHECK(changed_share(rest, one) > 0.01);
 
   INFO("a second hand, led away from the viewer by the wheel, stays by T");
-  window.move(kWidth / 2 + 60, kHeight / 2);
+  window.move(kMiddle + 60, kHeight / 2);
   window.press();
-  window.move(kWidth / 2 + 66, kHeight / 2);
+  window.move(kMiddle + 66, kHeight / 2);
   for (int i = 0; i < 10; ++i) window.click(4);
   Screenshot two;
   CHECK(eventually([&] { return changed_share(one, two = window.screenshot()) > 0.005; }));
@@ -108,7 +108,7 @@ TEST_CASE("hands that stay hold on through a comparison, whose sides both take m
     window.screenshot();
   };
   window.screenshot();
-  pull_and_stay(kWidth / 2 + 50, kHeight / 2 - 40, 1);
+  pull_and_stay(kMiddle + 50, kHeight / 2 - 40, 1);
   window.key("b");
   window.screenshot();
   CHECK(hands() == 1);

@@ -13,7 +13,7 @@ using namespace fascia::test;
 
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 720, kPanels = 340;
+constexpr int kWidth = 1280, kHeight = 720, kPanels = 340, kMiddle = (kPanels + kWidth) / 2;  // of what the panels leave
 
 std::string cube_scene() {
   return nlohmann::json{{"fascia_scene", 1},
@@ -157,11 +157,11 @@ TEST_CASE("a section plane that was dragged is taken back in one piece; a hand a
   write_file(folder / "cube.json", scene.dump());
   FasciaWindow window({(folder / "cube.json").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)}, folder.path());
   CHECK(window.screenshot().section == 0.02);
-  window.move(kWidth / 2, 150);
+  window.move(kMiddle, 150);
   window.key_down("ctrl");
   window.press();
   for (int i = 1; i <= 6; ++i) {
-    window.move(kWidth / 2 + 5 * i, 150);
+    window.move(kMiddle + 5 * i, 150);
     window.pause();  // frames between
   }
   window.release();

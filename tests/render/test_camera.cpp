@@ -38,7 +38,8 @@ TEST_CASE("camera: the ray under a pixel projects back to that pixel") {
   for (const double scale : {1e-3, 1.0, 100.0}) {
     for (const auto& [width, height] : {std::pair(1280, 720), std::pair(480, 720)})
       for (int i = 0; i < 50; ++i) {
-        const Camera camera = random_camera(random, scale);
+        Camera camera = random_camera(random, scale);
+        if (i % 2) camera.middle = {uniform(random) - 0.5, uniform(random) - 0.5};
         const double x = width * uniform(random), y = height * uniform(random);
         const fascia::Ray ray = camera.ray(x, y, width, height);
         CHECK(ray.direction.norm() == Approx(1).epsilon(1e-12));
@@ -58,6 +59,13 @@ TEST_CASE("camera: the ray through the middle goes to the target") {
   const fascia::Ray ray = camera.ray(320, 180, 640, 360);
   CHECK((ray.direction - camera.forward()).norm() < 1e-12);
   CHECK((ray.origin - camera.eye).norm() == 0);
+}
+
+TEST_CASE("camera: the target is at the middle that was asked for") {
+  Camera camera;
+  camera.middle = {0.25, -0.5};
+  CHECK((project(camera, camera.target, 640.0 / 360, 1).head<2>() - camera.middle).norm() < 1e-6);
+  CHECK((camera.ray(400, 270, 640, 360).direction - camera.forward()).norm() < 1e-12);
 }
 
 TEST_CASE("camera: an orbit keeps its distance and never passes the pole") {

@@ -100,6 +100,17 @@ TEST_CASE("render: ambient occlusion darkens a crease, not a plain or what stand
   CHECK(kept({0, 0, -0.95}) < 0.8);
   CHECK(kept({0, 0.05, -1}) < 0.8);
   CHECK(corner_color(occluded) == corner_color(plain));  // behind there is nothing
+
+  INFO("wherever in the picture it stands");
+  const Vector3d places[] = {{0, 0, -0.95}, {0, 0, -0.8}, {0, 0.1, -1}, {0, 0.3, -1}};
+  double before[std::size(places)];
+  for (std::size_t i = 0; i < std::size(places); ++i) before[i] = color_at(occluded, scene.pixel_of(places[i])).sum();
+  scene.camera.middle.x() = -0.5;
+  const Image aside = scene.draw();
+  for (std::size_t i = 0; i < std::size(places); ++i) {
+    CAPTURE(i, before[i]);
+    CHECK(color_at(aside, scene.pixel_of(places[i])).sum() == Approx(before[i]).epsilon(0.02));
+  }
 }
 
 }  // namespace fascia
