@@ -59,9 +59,13 @@ class StepMethod {
   /// What is computed before every iteration, of methods that descend the step's objective; null for the others.
   virtual const StepGradient* gradient() const { return nullptr; }
   virtual Passes begin(const Recording&) const { return {}; }  // once a substep, after the prediction
-  /// Before the first and every kRefresh-th iteration: what changes slowly enough to serve for some of them.
+  /// What changes slowly enough to serve for some iterations: before those that refreshes_before() names.
   virtual Passes refresh(const Recording&) const { return {}; }
-  static constexpr int kRefresh = 16;
+  /// The first, and every eighth unless so few are left that they would save less than it costs.
+  static bool refreshes_before(int iteration, int iterations) {
+    constexpr int kInterval = 8, kLeastLeft = 4;
+    return iteration == 0 || (iteration % kInterval == 0 && iterations - iteration >= kLeastLeft);
+  }
   /// One iteration, the grab's springs included. The first one of a substep finds no history.
   virtual Passes iteration(const Recording& recording, bool first) const = 0;
   virtual Passes end(const Recording&) const { return {}; }  // after the last iteration of a substep, unless a stop rule ended them

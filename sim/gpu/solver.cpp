@@ -199,7 +199,7 @@ void GpuSolver::begin_substep() {
 
 void GpuSolver::iterate(int iteration) {
   if (iteration % before_every_ == 0) run(iteration == 0 ? passes_->before_first : passes_->before);
-  if (iteration % StepMethod::kRefresh == 0) run(passes_->refresh);
+  if (StepMethod::refreshes_before(iteration, settings_.iterations)) run(passes_->refresh);
   run(iteration == 0 ? passes_->first_iteration : passes_->iteration);
 }
 
@@ -388,14 +388,19 @@ double GpuSolver::bytes_per_iteration() const {
       if (!(deferred_ && pass.arguments() == &deferred_->count) && counted.insert(&pass.program()).second) bytes += static_cast<double>(pass.bytes());
     return bytes;
   };
-  return bytes_of(whole_.iteration) + bytes_of(whole_.before) / before_every_ + bytes_of(whole_.refresh) / StepMethod::kRefresh;
+  return bytes_of(whole_.iteration) + bytes_of(whole_.before) / before_every_ + bytes_of(whole_.refresh) * refreshes() / settings_.iterations;
+}
+
+int GpuSolver::refreshes() const {
+  int count = 0;
+  for (int i = 0; i < settings_.iterations; ++i) count += StepMethod::refreshes_before(i, settings_.iterations);
+  return count;
 }
 
 std::uint64_t GpuSolver::dispatches_per_step() const {
-  const std::uint64_t refreshes = (settings_.iterations + StepMethod::kRefresh - 1) / StepMethod::kRefresh;
   const std::uint64_t others = (settings_.iterations - 1) / before_every_;  // runs of before_ after the first
   const std::uint64_t iterations = whole_.before_first.size() + others * whole_.before.size() + whole_.first_iteration.size() +
-                                   (settings_.iterations - 1) * whole_.iteration.size() + refreshes * whole_.refresh.size();
+                                   (settings_.iterations - 1) * whole_.iteration.size() + refreshes() * whole_.refresh.size();
   return settings_.substeps * (whole_.begin.size() + iterations + whole_.end.size());
 }
 

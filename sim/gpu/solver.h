@@ -121,6 +121,7 @@ class GpuSolver {
   };
   Recording recording(const ActiveSet* active);
   StepPasses record_step(const ActiveSet* active);
+  int refreshes() const;  // in a substep
   Passes iteration(const Recording& recording, bool first);
   void choose_passes();
   void state_changed();
