@@ -23,6 +23,7 @@ void ViewWindow::edit(bool b) {
 void ViewWindow::compare(CompareAsk ask) {
   if (ask != CompareAsk::open_or_close && !split_) return;
   mouse_.end_drag(held());
+  if (split_) lead();  // the other side, too, is let go of
   switch (ask) {
     case CompareAsk::nothing: break;
     case CompareAsk::open_or_close: {

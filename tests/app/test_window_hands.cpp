@@ -115,7 +115,14 @@ TEST_CASE("hands that stay hold on through a comparison, whose sides both take m
   const int width = (kWidth - kPanels) / 2;
   pull_and_stay(kPanels + 3 * width / 2 - 20, kHeight / 2 + 10, 2);
   pull_and_stay(kPanels + width / 2 + 40, kHeight / 2 + 60, 3);
+  INFO("one that still follows the mouse lets go of both sides when the comparison ends");
+  window.move(kPanels + 3 * width / 2 + 30, kHeight / 2 - 50);
+  window.press();
+  window.move(kPanels + 3 * width / 2 + 50, kHeight / 2 - 80);
+  CHECK(eventually([&] { return window.screenshot(), hands() == 4; }));
   window.key("b");
+  CHECK(eventually([&] { return window.screenshot(), hands() == 3; }));
+  window.release();
   window.screenshot();
   CHECK(hands() == 3);
   window.key("Escape");
