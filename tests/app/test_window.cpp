@@ -22,7 +22,7 @@ constexpr int kPanels = 340;  // a little more than the column of panels is wide
 constexpr int kMiddle = (kPanels + kWidth) / 2;  // of what they leave
 
 // A cube of soft tissue on its clamped base, without gravity: nothing moves unless a hand moves it. It stands in the middle of
-// the picture.
+// what the panels leave.
 std::string cube_scene(const std::string& title, double young_modulus) {
   return nlohmann::json{
       {"fascia_scene", 1},
