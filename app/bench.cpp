@@ -1,5 +1,6 @@
 #include "app/bench.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -8,7 +9,10 @@
 
 #include "app/gnuplot.h"
 #include "app/interrupt.h"
+#include "sim/byte_hash.h"
 #include "sim/error.h"
+#include "sim/file.h"
+#include "sim/replay.h"
 
 namespace fascia {
 namespace fs = std::filesystem;
@@ -28,12 +32,27 @@ std::string processor() {
   return "unknown processor";
 }
 
+// Of the program and its kernels: an interrupted benchmark goes on only with the build that began it.
+std::string build_hash(const fs::path& shaders) {
+  std::vector<fs::path> files{fs::read_symlink("/proc/self/exe")};
+  for (const auto& entry : fs::recursive_directory_iterator(shaders))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin() + 1, files.end());
+  ByteHash hash;
+  for (const fs::path& file : files) {
+    const std::string bytes = read_file(file);
+    hash.add({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+  }
+  return hash_text(hash.value());
+}
+
 }  // namespace
 
 Bench::Bench(const BenchOptions& o, const std::string& name)
     : options(o), folder(made_folder(o.out)), graphics(open_graphics(o, false)), has_gnuplot(gnuplot_installed()) {
   const char* threads = std::getenv("LP_NUM_THREADS");
   notes_ = {std::string("fascia ") + FASCIA_VERSION + ", bench " + name + (options.quick ? " --quick" : ""),
+            "build: " + build_hash(graphics.data_dir / "shaders"),
             "renderer: " + describe(graphics),
             "machine: " + processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores",
             std::string("LP_NUM_THREADS: ") + (threads ? threads : "not set")};

@@ -5,6 +5,7 @@
 
 #include "app/breakdown.h"
 #include "app/process_memory.h"
+#include "sim/replay.h"
 
 namespace fascia {
 namespace {
@@ -125,9 +126,7 @@ int soak_scenes(Bench& bench, const std::vector<std::filesystem::path>& inputs, 
     failed += !what.empty();
     for (int k = 0; k < 2; ++k) {
       const SoakRun& run = runs[k];
-      char hash[17];
-      std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(run.hash));
-      table.rows.push_back({name, tets, steps, k + 1, hash, run.elastic_first, run.elastic_last, run.kinetic_last, run.strained,
+      table.rows.push_back({name, tets, steps, k + 1, hash_text(run.hash), run.elastic_first, run.elastic_last, run.kinetic_last, run.strained,
                             run.gpu_first, run.gpu_last, run.memory_first, run.memory_last, what});
     }
     bench.write("soak", table);

@@ -4,7 +4,7 @@
 // Of a last step that raised the objective only a part is kept instead: where phi(t) = phi(0) + phi'(0) t + c t^4 has its
 // minimum, but no more than half, for the energy of strained tissue is of fourth order in the displacement. Nothing is kept of a step
 // that had no slope down (inertia's), nor with FINAL.
-// Without REMEMBERS the span is that of z_f and z_c.
+// Unless the method remembers, and in the first iteration, the span is that of z_f and z_c.
 // After subspace_dots and subspace_curvature, before subspace_update.
 #include "common/io.glsl"
 #include "sim/subspace_state.glsl"
@@ -13,6 +13,7 @@ INPUT_VEC4(DotPartials, dot_partials)              // [3 * partials]
 #if !FINAL
 INPUT_VEC4(CurvaturePartials, curvature_partials)  // [curvature_count]
 uniform uint curvature_count;
+uniform uint remembers;  // 0 or 1
 #endif
 INOUT(float, SubspaceState, subspace_state)
 uniform uint partials;
@@ -74,7 +75,7 @@ void main() {
     float ff = sums[1].x + sums[3].x, fc = sums[1].y + sums[3].y, cc = sums[1].z + sums[3].z;
     // The elastic energy adds to the curvature of the masses; what falls below it is the rounding of two gradients' difference.
     float fp = sums[2].x, cp = sums[2].y, pp = max(sums[2].z, sums[1].w);
-    vec3 diagonal = abs(vec3(ff, cc, REMEMBERS != 0 ? pp : 0.0));
+    vec3 diagonal = abs(vec3(ff, cc, remembers != 0u ? pp : 0.0));
     vec3 scale = vec3(diagonal.x > 0.0 ? inversesqrt(diagonal.x) : 0.0, diagonal.y > 0.0 ? inversesqrt(diagonal.y) : 0.0,
                       diagonal.z > 0.0 ? inversesqrt(diagonal.z) : 0.0);
     mat3 a = mat3(vec3(ff * scale.x * scale.x, fc * scale.x * scale.y, fp * scale.x * scale.z),

@@ -105,13 +105,13 @@ Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
         gl::ComputePass::Bindings{{"displacement", &r.buffers.displacement}, {"fine_direction", &fine_direction_}},
         r.buffers.vertex_count);
   }
-  append(passes, subspace_step(r, false));
+  append(passes, subspace_step(r, first, false));
   return passes;
 }
 
 Passes TwoLevelMethod::end(const Recording& r) const {
   Passes passes = gradient_.passes(r);  // the last step, too, is taken back if it raised the objective
-  append(passes, subspace_step(r, true));
+  append(passes, subspace_step(r, false, true));
   return passes;
 }
 
@@ -120,7 +120,7 @@ gl::ComputePass TwoLevelMethod::objective_sum(const Recording& r) const {
                              vertices_);
 }
 
-Passes TwoLevelMethod::subspace_step(const Recording& r, bool last) const {
+Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) const {
   gl::Defines defines{{"FINAL", last ? "1" : "0"}, {"SPLIT", splits_ ? "1" : "0"}};
   Passes passes;
   const auto with_coarse = [&](gl::ComputePass::Bindings bindings) {
@@ -165,10 +165,10 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool last) const {
   if (!last) {
     solve.emplace_back("curvature_partials", &curvature_partials_);
     constants.emplace_back("curvature_count", tets_.partials);
+    constants.emplace_back("remembers", remembers_ && !first);
   }
-  passes.emplace_back(
-      r.programs.compute("sim/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}, {"REMEMBERS", remembers_ ? "1" : "0"}}),
-      std::move(solve), Reduction::kGroup, std::move(constants));
+  passes.emplace_back(r.programs.compute("sim/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}}), std::move(solve), Reduction::kGroup,
+                      std::move(constants));
   gl::ComputePass::Bindings update{
       {"subspace_state", &state_}, {"last_step", &last_step_}, {"displacement", &r.buffers.displacement}};
   if (!last) {

@@ -3,7 +3,8 @@
 // of iterations hardly depends on the mesh. The two corrections z_f and z_c are combined with the last step p by minimising a
 // quadratic model of the objective over their span, with the curvature of the last step taken from the change of the gradient
 // (compare the locally optimal block iteration of Knyazev 2001, and the two-dimensional subspace trust region of Byrd, Schnabel,
-// Shultz 1988); of a step that raises the objective only a part is kept.
+// Shultz 1988); of a step that raises the objective only a part is kept. The first iteration's span has no p: that is inertia's step,
+// so long that the change of the gradient along it is not the curvature at its end (errors in motion were 2 to 3 times larger with it).
 #pragma once
 #include "sim/gpu/anderson.h"
 #include "sim/gpu/coarse_level.h"
@@ -35,9 +36,9 @@ class TwoLevelMethod : public StepMethod {
 
  private:
   gl::ComputePass objective_sum(const Recording& recording) const;
-  Passes subspace_step(const Recording& recording, bool last) const;
+  Passes subspace_step(const Recording& recording, bool first, bool last) const;
 
-  bool remembers_ = false, splits_ = false;  // whether the span has p; whether it has two directions beside it
+  bool remembers_ = false, splits_ = false;  // whether the span has p, but in the first iteration; whether it has two directions beside it
   StepGradient gradient_;
   CoarseLevel coarse_;
   gl::Buffer vertex_tets_, block_inverse_;

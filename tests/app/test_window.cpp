@@ -45,10 +45,8 @@ struct Desk {
   }
 };
 
-const std::vector<std::string> kSize = {"--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)};
-
 std::vector<std::string> with_size(std::vector<std::string> arguments) {
-  arguments.insert(arguments.end(), kSize.begin(), kSize.end());
+  arguments.insert(arguments.end(), {"--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)});
   return arguments;
 }
 

@@ -102,10 +102,12 @@ VectorXd DoubleTwoLevel::coarse(const VectorXd& gradient) const {
 void DoubleTwoLevel::begin(const VectorXd& base) {
   last_step_ = u_ - base;
   previous_gradient_ = gradient(base, objective_);
+  inertia_ = true;
 }
 
 void DoubleTwoLevel::descend(Acceleration acceleration) {
-  const bool split = acceleration == Acceleration::subspace;
+  const bool split = acceleration == Acceleration::subspace, remembers = acceleration != Acceleration::none && !inertia_;
+  inertia_ = false;
   double objective = 0;
   const VectorXd g = gradient(u_, objective);
   if (objective > objective_) {
@@ -130,7 +132,7 @@ void DoubleTwoLevel::descend(Acceleration acceleration) {
   for (Index i = 0; i < corrections; ++i) a(i, last) = a(last, i) = z.col(i).dot(y);
   a(last, last) = std::max(last_step_.dot(y), last_step_.dot(mass_.cwiseProduct(last_step_)));
   VectorXd scale = a.diagonal().cwiseAbs().cwiseSqrt();
-  if (acceleration == Acceleration::none) scale[last] = 0;
+  if (!remembers) scale[last] = 0;
   for (double& s : scale) s = s > 0 ? 1 / s : 0;  // nothing was kept of the last step
   const SelfAdjointEigenSolver<MatrixXd> eigen(scale.asDiagonal() * a * scale.asDiagonal());
   const VectorXd b = -(scale.asDiagonal() * (z.transpose() * g));

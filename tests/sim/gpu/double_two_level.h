@@ -21,7 +21,7 @@ class DoubleTwoLevel {
   Eigen::VectorXd coarse(const Eigen::VectorXd& gradient) const;  // with the rotations of now
   void begin(const Eigen::VectorXd& base);  // the start is a step from `base`, to be judged by descend()
   /// The step within the span of z_f, z_c and the last step (subspace), of z_f + z_c and the last step (nonlinear_cg), or of
-  /// z_f + z_c (none). Of one that raised the objective a part is kept.
+  /// z_f + z_c (none); the first one's without the last step. Of one that raised the objective a part is kept.
   void descend(Acceleration acceleration);
 
  private:
@@ -30,6 +30,7 @@ class DoubleTwoLevel {
   reference::ElasticSystem system_;
   Eigen::VectorXd u_, predicted_, mass_, last_step_, previous_gradient_;
   double objective_ = 0;  // before the last step
+  bool inertia_ = false;  // whether the last step is that of begin()
   std::vector<Eigen::Matrix3d> block_inverse_;
   CoarseSpace space_;
   CoarseGather gather_;

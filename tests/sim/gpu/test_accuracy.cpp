@@ -186,7 +186,7 @@ TEST_CASE("the dynamic reference case with the default settings", "[gpu]") {
     for (std::size_t i = 0; i < exact.size(); ++i) exact[i] -= model.rest_positions[i];
     const double error = relative_rms(solver.download().displacement, exact);
     CAPTURE(tight, step, error);
-    CHECK(error < (tight ? 1e-3 : 5e-3));
+    CHECK(error < (step == 1 ? 1e-3 : 1e-4));  // from rest inertia's start knows nothing of gravity
   }
 }
 
