@@ -30,11 +30,12 @@ struct Desk {
     write_file(folder / (title + ".json"), scene.dump());
     return (folder / (title + ".json")).string();
   }
+  /// Whole files only: what is still being written has a name that begins with a dot.
   std::vector<std::filesystem::path> with_ending(const std::string& ending, const std::filesystem::path& where) const {
     std::vector<std::filesystem::path> found;
     std::error_code ec;
     for (std::filesystem::directory_iterator it(where, ec), end; !ec && it != end; it.increment(ec))
-      if (it->path().extension() == ending) found.push_back(it->path());
+      if (it->path().extension() == ending && it->path().filename().string()[0] != '.') found.push_back(it->path());
     return found;
   }
 };
