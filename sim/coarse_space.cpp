@@ -13,6 +13,7 @@ namespace {
 using Eigen::Vector3d;
 constexpr double kWeakNode = 0.1;        // of the mean mass
 constexpr double kLeastWeight = 1e-12;   // of a lattice corner that counts
+constexpr double kInner = 0.5;           // of a node's largest weight in a tet
 constexpr std::size_t kFewVertices = 24; // below: more lattice nodes than vertices, and nothing to gain
 
 struct Lattice {
@@ -245,7 +246,7 @@ CoarseSpace lattice_space(const Model& model, const std::vector<std::uint32_t>& 
 }  // namespace
 
 std::uint32_t coarse_node_target(std::size_t tet_count) {
-  return static_cast<std::uint32_t>(std::clamp(0.9 * std::sqrt(static_cast<double>(tet_count)), 30.0, 500.0));
+  return static_cast<std::uint32_t>(std::clamp(2 * std::sqrt(static_cast<double>(tet_count)), 30.0, 500.0));
 }
 
 CoarseSpace make_coarse_space(const Model& model, std::uint32_t target) {
@@ -273,22 +274,38 @@ CoarseSpace make_coarse_space(const Model& model, std::uint32_t target) {
   return space;
 }
 
+CoarseTranspose transpose(const CoarseSpace& space) {
+  CoarseTranspose rows;
+  rows.begin.assign(space.node_count + 1, 0);
+  for (const std::uint32_t node : space.node) ++rows.begin[node + 1];
+  std::partial_sum(rows.begin.begin(), rows.begin.end(), rows.begin.begin());
+  rows.vertex.resize(space.node.size());
+  rows.weight.resize(space.node.size());
+  std::vector<std::uint32_t> next(rows.begin.begin(), rows.begin.end() - 1);
+  for (std::uint32_t v = 0; v + 1 < space.begin.size(); ++v)
+    for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k) {
+      const std::uint32_t at = next[space.node[k]]++;
+      rows.vertex[at] = v;
+      rows.weight[at] = space.weight[k];
+    }
+  return rows;
+}
+
 CoarseGather make_coarse_gather(const Model& model, const CoarseSpace& space) {
   struct Entry {
     std::uint32_t node;
     Vector3d gradient;
-    double weight;
   };
   const std::size_t vertex_count = model.rest_positions.size();
   std::vector<std::vector<Entry>> rows(vertex_count);
   const auto entry = [&](std::uint32_t v, std::uint32_t node) -> Entry& {
     for (Entry& e : rows[v])
       if (e.node == node) return e;
-    return rows[v].emplace_back(Entry{node, Vector3d::Zero(), 0});
+    return rows[v].emplace_back(Entry{node, Vector3d::Zero()});
   };
-  std::vector<double> volume(space.node_count, 0);
+  std::vector<double> volume(space.node_count, 0), largest(space.node_count, 0);
   std::vector<std::pair<std::uint32_t, double>> share;  // node, sum of the corners' weights
-  for (const Tet& tet : model.tets) {
+  const auto find_share = [&](const Tet& tet) {
     share.clear();
     for (const std::uint32_t v : tet)
       for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k) {
@@ -298,11 +315,19 @@ CoarseGather make_coarse_gather(const Model& model, const CoarseSpace& space) {
         else
           same->second += space.weight[k];
       }
+  };
+  for (const Tet& tet : model.tets) {
+    find_share(tet);
+    for (const auto& [node, s] : share) largest[node] = std::max(largest[node], s);
+  }
+  for (const Tet& tet : model.tets) {
+    find_share(tet);
     Eigen::Matrix3d dm;
     for (int k = 0; k < 3; ++k) dm.col(k) = model.rest_positions[tet[k + 1]] - model.rest_positions[tet[0]];
     const Eigen::Matrix3d inv_dm = dm.inverse();
     const double v = dm.determinant() / 6;
     for (const auto& [node, s] : share) {
+      if (s < kInner * largest[node]) continue;
       volume[node] += v * s;
       for (int a = 0; a < 4; ++a) {
         const Vector3d b = a == 0 ? Vector3d(-inv_dm.colwise().sum().transpose()) : Vector3d(inv_dm.row(a - 1).transpose());
@@ -310,8 +335,6 @@ CoarseGather make_coarse_gather(const Model& model, const CoarseSpace& space) {
       }
     }
   }
-  for (std::uint32_t v = 0; v < vertex_count; ++v)
-    for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k) entry(v, space.node[k]).weight = space.weight[k];
 
   CoarseGather gather;
   gather.begin.assign(space.node_count + 1, 0);
@@ -320,14 +343,12 @@ CoarseGather make_coarse_gather(const Model& model, const CoarseSpace& space) {
   std::partial_sum(gather.begin.begin(), gather.begin.end(), gather.begin.begin());
   gather.vertex.resize(gather.begin.back());
   gather.gradient.resize(gather.begin.back());
-  gather.weight.resize(gather.begin.back());
   std::vector<std::uint32_t> next(gather.begin.begin(), gather.begin.end() - 1);
   for (std::uint32_t v = 0; v < vertex_count; ++v)
     for (const Entry& e : rows[v]) {
       const std::uint32_t at = next[e.node]++;
       gather.vertex[at] = v;
       gather.gradient[at] = e.gradient / volume[e.node];
-      gather.weight[at] = e.weight;
     }
   return gather;
 }

@@ -28,13 +28,21 @@ CoarseSpace make_coarse_space(const Model& model, std::uint32_t target);
 /// How many nodes a mesh deserves: dense products with the square of it must stay small beside a pass over the tets.
 std::uint32_t coarse_node_target(std::size_t tet_count);
 
+/// P^T in rows of nodes: entries begin[j] to begin[j + 1].
+struct CoarseTranspose {
+  std::vector<std::uint32_t> begin;  // [node_count + 1]
+  std::vector<std::uint32_t> vertex;
+  std::vector<double> weight;
+};
+CoarseTranspose transpose(const CoarseSpace& space);
+
 /// The mean deformation gradient around every coarse node as a weighted sum of displacements, M_j = I + sum_a u_a c_ja^T, which
-/// holds because F is linear in u; together with P^T in rows of nodes. Entries begin[j] to begin[j + 1].
+/// holds because F is linear in u. The mean is of the tets where the node's weight is at least half its largest: with all of them it
+/// costs seven times as many entries and turns stiff bodies worse. Entries begin[j] to begin[j + 1].
 struct CoarseGather {
   std::vector<std::uint32_t> begin;  // [node_count + 1]
   std::vector<std::uint32_t> vertex;
   std::vector<Eigen::Vector3d> gradient;  // c_ja [1/m]
-  std::vector<double> weight;             // P_aj, 0 for vertices that only count for the mean
 };
 CoarseGather make_coarse_gather(const Model& model, const CoarseSpace& space);
 

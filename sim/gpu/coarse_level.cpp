@@ -11,22 +11,19 @@ namespace {
 
 using shared::vec4;
 
-vec4 to_vec4(const Eigen::Vector3d& v, double w) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), static_cast<float>(w)};
-}
-
+// A sparse matrix in rows, for the GPU.
 struct PackedRows {
-  std::vector<std::uint32_t> begin{0};  // [vertex_count + 1]
-  std::vector<Tet> pairs;               // two entries each: node and weight (float bits) in turn; a last one alone is padded with zeros
+  std::vector<std::uint32_t> begin{0};  // [row count + 1]
+  std::vector<Tet> pairs;               // two entries each: column and weight (float bits) in turn; a last one alone is padded with zeros
 };
 
-PackedRows pack_rows(const CoarseSpace& space) {
+PackedRows pack_rows(const std::vector<std::uint32_t>& begin, const std::vector<std::uint32_t>& column, const std::vector<double>& weights) {
   PackedRows rows;
-  const auto weight = [&](std::uint32_t k) { return std::bit_cast<std::uint32_t>(static_cast<float>(space.weight[k])); };
-  for (std::size_t v = 0; v + 1 < space.begin.size(); ++v) {
-    const std::uint32_t end = space.begin[v + 1];
-    for (std::uint32_t k = space.begin[v]; k < end; k += 2)
-      rows.pairs.push_back({space.node[k], weight(k), k + 1 < end ? space.node[k + 1] : 0, k + 1 < end ? weight(k + 1) : 0});
+  const auto weight = [&](std::uint32_t k) { return std::bit_cast<std::uint32_t>(static_cast<float>(weights[k])); };
+  for (std::size_t i = 0; i + 1 < begin.size(); ++i) {
+    const std::uint32_t end = begin[i + 1];
+    for (std::uint32_t k = begin[i]; k < end; k += 2)
+      rows.pairs.push_back({column[k], weight(k), k + 1 < end ? column[k + 1] : 0, k + 1 < end ? weight(k + 1) : 0});
     rows.begin.push_back(static_cast<std::uint32_t>(rows.pairs.size()));
   }
   return rows;
@@ -50,16 +47,22 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
       h_(settings.substep()) {
   if (empty()) return;
   const CoarseGather gather = make_coarse_gather(model, space_);
-  std::vector<vec4> entries;
-  for (std::size_t k = 0; k < gather.vertex.size(); ++k) entries.push_back(to_vec4(gather.gradient[k], gather.weight[k]));
+  std::vector<Tet> entries;  // of c_ja [1/m] (float bits) and the vertex
+  for (std::size_t k = 0; k < gather.vertex.size(); ++k) {
+    const Eigen::Vector3f c = gather.gradient[k].cast<float>();
+    entries.push_back({std::bit_cast<std::uint32_t>(c.x()), std::bit_cast<std::uint32_t>(c.y()), std::bit_cast<std::uint32_t>(c.z()), gather.vertex[k]});
+  }
   const std::uint32_t n = space_.node_count;
-  // GPUs want some 16,000 invocations. On software renderers every partial sum costs as much as some entries: as many as run in lockstep.
-  lanes_ = programs.load_path() == gl::LoadPath::storage ? std::clamp<std::uint32_t>(16384 / n, 1, 64) : 8;
+  // GPUs want some 16,000 invocations; on software renderers sharing a node only makes sums to be added.
+  lanes_ = programs.load_path() == gl::LoadPath::storage ? std::clamp<std::uint32_t>(16384 / n, 1, 64) : 1;
   row_quads_ = (3 * n + 3) / 4;
   gather_begin_ = gl::Buffer("gather_begin", gather.begin);
-  gather_vertex_ = gl::Buffer("gather_vertex", gather.vertex);
   gather_entry_ = gl::Buffer("gather_entry", entries);
-  const PackedRows rows = pack_rows(space_);
+  const CoarseTranspose transposed = transpose(space_);
+  const PackedRows columns = pack_rows(transposed.begin, transposed.vertex, transposed.weight);
+  column_begin_ = gl::Buffer("coarse_column_begin", columns.begin);
+  columns_ = gl::Buffer("coarse_columns", columns.pairs);
+  const PackedRows rows = pack_rows(space_.begin, space_.node, space_.weight);
   row_begin_ = gl::Buffer("coarse_row_begin", rows.begin);
   rows_ = gl::Buffer("coarse_rows", rows.pairs);
   partials_ = gl::Buffer("coarse_partials", 3 * sizeof(vec4) * n * lanes_);
@@ -75,8 +78,9 @@ Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const
   Passes passes;
   passes.emplace_back(r.programs.compute("sim/coarse_restrict.comp"),
                       gl::ComputePass::Bindings{{"gather_begin", &gather_begin_},
-                                                {"gather_vertex", &gather_vertex_},
                                                 {"gather_entry", &gather_entry_},
+                                                {"coarse_column_begin", &column_begin_},
+                                                {"coarse_columns", &columns_},
                                                 {"gradient", &gradient},
                                                 {"displacement", &r.buffers.displacement},
                                                 {"coarse_partials", &partials_}},

@@ -40,9 +40,9 @@ class CoarseLevel {
   void upload(const Eigen::MatrixXf& inverse);
 
   CoarseSpace space_;
-  std::uint32_t lanes_ = 1;      // invocations that share a node in the restriction
+  std::uint32_t lanes_ = 1;      // invocations that share a node in sums over the vertices around it
   std::uint32_t row_quads_ = 0;  // vec4 per row of the inverse
-  gl::Buffer gather_begin_, gather_vertex_, gather_entry_, row_begin_, rows_;
+  gl::Buffer gather_begin_, gather_entry_, column_begin_, columns_, row_begin_, rows_;
   gl::Buffer partials_, rotation_, gradient_, inverse_rows_, correction_;
   std::vector<Material> materials_;  // that the newest inverse is for, ready or not
   double h_ = 0;                     // [s]

@@ -1,6 +1,7 @@
 // The coarse space of the two-level method and its matrix: what they must be on any mesh.
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
+#include <map>
 #include <set>
 
 #include "sim/coarse_matrix.h"
@@ -105,6 +106,21 @@ TEST_CASE("the gathered mean deformation gradient of an affine motion is that mo
     CAPTURE(j);
     REQUIRE((m - f).norm() < 1e-12);
   }
+}
+
+TEST_CASE("the transpose of a coarse space has its entries") {
+  const CoarseSpace space = make_coarse_space(beam(), 40);
+  const CoarseTranspose transposed = transpose(space);
+  REQUIRE(transposed.begin.size() == space.node_count + 1);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> entries;  // of vertex and node
+  for (std::uint32_t j = 0; j < space.node_count; ++j)
+    for (std::uint32_t k = transposed.begin[j]; k < transposed.begin[j + 1]; ++k) entries[{transposed.vertex[k], j}] = transposed.weight[k];
+  CHECK(entries.size() == space.weight.size());
+  for (std::uint32_t v = 0; v + 1 < space.begin.size(); ++v)
+    for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k) {
+      CAPTURE(v, space.node[k]);
+      REQUIRE(entries.at({v, space.node[k]}) == space.weight[k]);
+    }
 }
 
 TEST_CASE("the coarse matrix is the Hessian at rest seen from the coarse space, and its inverse inverts it") {

@@ -78,20 +78,19 @@ VectorXd DoubleTwoLevel::fine(const VectorXd& gradient) const {
 VectorXd DoubleTwoLevel::coarse(const VectorXd& gradient) const {
   const Index n = space_.node_count;
   std::vector<Matrix3d> rotations;
-  VectorXd load(3 * n), z = VectorXd::Zero(gradient.size());
+  VectorXd load = VectorXd::Zero(3 * n), z = VectorXd::Zero(gradient.size());
   for (std::uint32_t j = 0; j < n; ++j) {
     Matrix3d mean = Matrix3d::Identity();
-    Vector3d r = Vector3d::Zero();
-    for (std::uint32_t k = gather_.begin[j]; k < gather_.begin[j + 1]; ++k) {
+    for (std::uint32_t k = gather_.begin[j]; k < gather_.begin[j + 1]; ++k)
       mean += u_.segment<3>(at(gather_.vertex[k])) * gather_.gradient[k].transpose();
-      r += gather_.weight[k] * gradient.segment<3>(at(gather_.vertex[k]));
-    }
     const JacobiSVD<Matrix3d> svd(mean, ComputeFullU | ComputeFullV);
     Matrix3d sign = Matrix3d::Identity();
     sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
     rotations.push_back(svd.matrixU() * sign * svd.matrixV().transpose());
-    load.segment<3>(at(j)) = rotations[j].transpose() * r;
   }
+  for (std::uint32_t v = 0; v + 1 < space_.begin.size(); ++v)
+    for (std::uint32_t k = space_.begin[v]; k < space_.begin[v + 1]; ++k)
+      load.segment<3>(at(space_.node[k])) += space_.weight[k] * (rotations[space_.node[k]].transpose() * gradient.segment<3>(at(v)));
   const VectorXd x = coarse_matrix_.ldlt().solve(load);
   for (std::uint32_t v = 0; v + 1 < space_.begin.size(); ++v)
     for (std::uint32_t k = space_.begin[v]; k < space_.begin[v + 1]; ++k)

@@ -153,7 +153,7 @@ TEST_CASE("Anderson's direction beside the correction: the same first step, a lo
   exact.begin(flat(s.buffers.previous_displacement, s.buffers.vertex_count));
   run(method.begin(s.recording));
   run(method.refresh(s.recording));
-  for (int iteration = 0; iteration < 10; ++iteration) {
+  for (int iteration = 0; iteration < 20; ++iteration) {
     run(method.gradient()->passes(s.recording));
     run(method.iteration(s.recording, iteration == 0));
     exact.descend(Acceleration::none);
