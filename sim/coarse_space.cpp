@@ -14,6 +14,7 @@ using Eigen::Vector3d;
 constexpr double kWeakNode = 0.1;        // of the mean mass
 constexpr double kLeastWeight = 1e-12;   // of a lattice corner that counts
 constexpr double kInner = 0.5;           // of a node's largest weight in a tet
+constexpr double kEnough = 0.85;         // of the wanted nodes
 constexpr std::size_t kFewVertices = 24; // below: more lattice nodes than vertices, and nothing to gain
 
 struct Lattice {
@@ -267,8 +268,13 @@ CoarseSpace make_coarse_space(const Model& model, std::uint32_t target) {
     const Edges edges = free_edges(model, held, cut_materials);
     for (const double share : {1.0, 0.5, 0.25}) {
       bool complete = false;
-      space = lattice_space(model, free, edges, std::max(8u, static_cast<std::uint32_t>(share * target)), most, complete);
-      if (complete) return space;
+      const auto wanted = std::max(8u, static_cast<std::uint32_t>(share * target));
+      space = lattice_space(model, free, edges, wanted, most, complete);
+      if (!complete) continue;
+      if (space.node_count > kEnough * wanted) return space;
+      // Weak nodes have left: a finer lattice makes up for them.
+      const CoarseSpace finer = lattice_space(model, free, edges, wanted * wanted / space.node_count, wanted + wanted / 4, complete);
+      return complete ? finer : space;
     }
   }
   return space;
