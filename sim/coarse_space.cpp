@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 constexpr double kWeakNode = 0.1;        // of the mean mass
 constexpr double kLeastWeight = 1e-12;   // of a lattice corner that counts
-constexpr double kInner = 0.5;           // of a node's largest weight in a tet
+constexpr double kInner = 0.5;           // of the largest share that a tet has in a node's rotation
 constexpr double kEnough = 0.85;         // of the wanted nodes
 constexpr std::size_t kFewVertices = 24; // below: more lattice nodes than vertices, and nothing to gain
 
@@ -309,11 +309,11 @@ CoarseGather make_coarse_gather(const Model& model, const CoarseSpace& space) {
       if (e.node == node) return e;
     return rows[v].emplace_back(Entry{node, Vector3d::Zero()});
   };
-  std::vector<double> volume(space.node_count, 0), largest(space.node_count, 0);
-  std::vector<std::pair<std::uint32_t, double>> share;  // node, sum of the corners' weights
-  const auto find_share = [&](const Tet& tet) {
+  std::vector<double> sum(space.node_count, 0), largest(space.node_count, 0);
+  std::vector<std::pair<std::uint32_t, double>> share;  // node, sum of the corners' weights times the stiffness
+  const auto find_share = [&](std::size_t t) {
     share.clear();
-    for (const std::uint32_t v : tet)
+    for (const std::uint32_t v : model.tets[t])
       for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k) {
         const auto same = std::find_if(share.begin(), share.end(), [&](const auto& s) { return s.first == space.node[k]; });
         if (same == share.end())
@@ -321,20 +321,22 @@ CoarseGather make_coarse_gather(const Model& model, const CoarseSpace& space) {
         else
           same->second += space.weight[k];
       }
+    for (auto& [node, s] : share) s *= model.materials[model.tet_material[t]].young_modulus;
   };
-  for (const Tet& tet : model.tets) {
-    find_share(tet);
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    find_share(t);
     for (const auto& [node, s] : share) largest[node] = std::max(largest[node], s);
   }
-  for (const Tet& tet : model.tets) {
-    find_share(tet);
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const Tet& tet = model.tets[t];
+    find_share(t);
     Eigen::Matrix3d dm;
     for (int k = 0; k < 3; ++k) dm.col(k) = model.rest_positions[tet[k + 1]] - model.rest_positions[tet[0]];
     const Eigen::Matrix3d inv_dm = dm.inverse();
     const double v = dm.determinant() / 6;
     for (const auto& [node, s] : share) {
       if (s < kInner * largest[node]) continue;
-      volume[node] += v * s;
+      sum[node] += v * s;
       for (int a = 0; a < 4; ++a) {
         const Vector3d b = a == 0 ? Vector3d(-inv_dm.colwise().sum().transpose()) : Vector3d(inv_dm.row(a - 1).transpose());
         entry(tet[static_cast<std::size_t>(a)], node).gradient += v * s * b;
@@ -354,7 +356,7 @@ CoarseGather make_coarse_gather(const Model& model, const CoarseSpace& space) {
     for (const Entry& e : rows[v]) {
       const std::uint32_t at = next[e.node]++;
       gather.vertex[at] = v;
-      gather.gradient[at] = e.gradient / volume[e.node];
+      gather.gradient[at] = e.gradient / sum[e.node];
     }
   return gather;
 }

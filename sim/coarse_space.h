@@ -37,8 +37,9 @@ struct CoarseTranspose {
 CoarseTranspose transpose(const CoarseSpace& space);
 
 /// The mean deformation gradient around every coarse node as a weighted sum of displacements, M_j = I + sum_a u_a c_ja^T, which
-/// holds because F is linear in u. The mean is of the tets where the node's weight is at least half its largest: with all of them it
-/// costs seven times as many entries and turns stiff bodies worse. Entries begin[j] to begin[j + 1].
+/// holds because F is linear in u. A tet counts by its volume, stiffness and the node's weight in it: beside stiff tissue soft tets may
+/// turn any way. Those whose stiffness times weight is below half the node's largest are left out, which saves six of seven entries
+/// and turns stiff bodies no worse. Entries begin[j] to begin[j + 1].
 struct CoarseGather {
   std::vector<std::uint32_t> begin;  // [node_count + 1]
   std::vector<std::uint32_t> vertex;

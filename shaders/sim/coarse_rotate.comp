@@ -24,8 +24,9 @@ void main() {
   // Rows and columns in the order x, y, z, w.
   mat4 k = mat4(vec4(2.0 * m[0].x - trace, s01, s02, twist.x), vec4(s01, 2.0 * m[1].y - trace, s12, twist.y),
                 vec4(s02, s12, 2.0 * m[2].z - trace, twist.z), vec4(twist, trace));
-  // |eigenvalues of K| <= sum of the singular values of M <= sqrt(3) |M|.
-  float shift = 1.7320508 * sqrt(dot(m[0], m[0]) + dot(m[1], m[1]) + dot(m[2], m[2]));
+  // |eigenvalues of K| <= sum of the singular values of M <= sqrt(3) |M|. A little more: where all has collapsed to a point M is 0, and
+  // the rotation the identity.
+  float shift = 1e-6 + 1.7320508 * sqrt(dot(m[0], m[0]) + dot(m[1], m[1]) + dot(m[2], m[2]));
   k += mat4(shift);
   for (int i = 0; i < 10; ++i) {
     k *= 1.0 / (k[0].x + k[1].y + k[2].z + k[3].w);

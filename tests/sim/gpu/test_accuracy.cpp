@@ -76,7 +76,7 @@ struct Step {
 
 }  // namespace
 
-TEST_CASE("two levels reach one percent of a disturbed step in 15 iterations, whatever the stiffness", "[gpu]") {
+TEST_CASE("two levels reach a thousandth of a disturbed step in 20 iterations, whatever the stiffness", "[gpu]") {
   const double young_modulus = GENERATE(1e5, 1e6, 1e7, 1e9);
   const auto acceleration = GENERATE(Acceleration::nonlinear_cg, Acceleration::subspace);
   CAPTURE(young_modulus, name_of(acceleration));
@@ -84,10 +84,10 @@ TEST_CASE("two levels reach one percent of a disturbed step in 15 iterations, wh
   const Model model = clamped_beam(24, 6, 6, young_modulus);
   REQUIRE(model.tets.size() == 5184);
   const Step step(model, disturbed(model, 1.0 / 24));
-  const double few = step.error_of(gpu, with({Method::two_level, acceleration}, 15));
+  const double few = step.error_of(gpu, with({Method::two_level, acceleration}, 20));
   const double many = step.error_of(gpu, with({Method::two_level, acceleration}, 60));
   CAPTURE(few, many);
-  CHECK(few < 0.01);
+  CHECK(few < 0.001);
   CHECK(many < 2e-6);  // float32
 }
 
@@ -186,7 +186,7 @@ TEST_CASE("the dynamic reference case with the default settings", "[gpu]") {
     for (std::size_t i = 0; i < exact.size(); ++i) exact[i] -= model.rest_positions[i];
     const double error = relative_rms(solver.download().displacement, exact);
     CAPTURE(tight, step, error);
-    CHECK(error < (step == 1 ? 1e-3 : 1e-4));  // from rest inertia's start knows nothing of gravity
+    CHECK(error < (step == 1 ? 1e-4 : 3e-5));  // from rest inertia's start knows nothing of gravity
   }
 }
 
