@@ -17,7 +17,7 @@ std::optional<Hint> locking_hint(double poisson_ratio) {
   if (poisson_ratio <= kLockingPoissonRatio) return std::nullopt;
   return Hint{"locking", "Linear tets lock above 0.45: too stiff.",
               "A linear tet has one strain, and near 0.5 nearly no way to bend without changing its volume: the body moves too little, the "
-              "coarser the mesh the worse. Take 0.45, or a finer mesh, and more iterations: 0.49 needs about five times as many.",
+              "coarser the mesh the worse. Take 0.45, or a finer mesh, and more iterations: 0.49 needs about three times as many.",
               ""};
 }
 
