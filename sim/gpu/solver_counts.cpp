@@ -1,0 +1,46 @@
+// What the solver's steps take, counted: iterations, dispatches, bytes.
+#include <set>
+
+#include "sim/gpu/solver.h"
+
+namespace fascia {
+
+int GpuSolver::last_iterations() const {
+  return stop_ && substeps_ > 0 ? static_cast<int>(stop_->state().read<std::uint32_t>().front()) : settings_.iterations;
+}
+
+double GpuSolver::mean_iterations() const {
+  if (!stop_ || substeps_ == 0) return settings_.iterations;
+  return static_cast<double>(stop_->state().read<std::uint32_t>().back()) / static_cast<double>(substeps_);
+}
+
+double GpuSolver::share_solved() const {
+  const double all = static_cast<double>(steps_solved_) * buffers_.tet_count;
+  return all > 0 ? static_cast<double>(tets_stepped_) / all : 1;
+}
+
+double GpuSolver::bytes_per_iteration() const {
+  const auto bytes_of = [&](const Passes& passes) {
+    double bytes = 0;
+    std::set<const gl::Program*> counted;  // the colors of a sweep share what they go through
+    for (const gl::ComputePass& pass : passes)
+      if (!(deferred_ && pass.arguments() == &deferred_->count) && counted.insert(&pass.program()).second) bytes += static_cast<double>(pass.bytes());
+    return bytes;
+  };
+  return bytes_of(whole_.iteration) + bytes_of(whole_.before) / before_every_ + bytes_of(whole_.refresh) * refreshes() / settings_.iterations;
+}
+
+int GpuSolver::refreshes() const {
+  int count = 0;
+  for (int i = 0; i < settings_.iterations; ++i) count += StepMethod::refreshes_before(i, settings_.iterations);
+  return count;
+}
+
+std::uint64_t GpuSolver::dispatches_per_step() const {
+  const std::uint64_t others = (settings_.iterations - 1) / before_every_;  // runs of before_ after the first
+  const std::uint64_t iterations = whole_.before_first.size() + others * whole_.before.size() + whole_.first_iteration.size() +
+                                   (settings_.iterations - 1) * whole_.iteration.size() + refreshes() * whole_.refresh.size();
+  return settings_.substeps * (whole_.begin.size() + iterations + whole_.end.size());
+}
+
+}  // namespace fascia
