@@ -1,8 +1,10 @@
 #include "sim/coarse_matrix.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
+#include <map>
 
 namespace fascia {
 
@@ -82,6 +84,40 @@ Eigen::MatrixXf coarse_inverse(MatrixXd matrix) {
     if (factor.info() == Eigen::Success) return inverse_of(factor.matrixLLT()).cast<float>();
   }
   return Eigen::MatrixXf::Zero(matrix.rows(), matrix.cols());  // not finite: the fine level works alone
+}
+
+Eigen::MatrixXf with_springs(const Eigen::MatrixXf& inverse, const CoarseSpace& space, const std::vector<GrabSpring>& springs, double h) {
+  constexpr double kLeast = 1e-3;  // of the stiffest function
+  std::map<std::uint32_t, Eigen::Index> touched;  // node and its place among them
+  for (const GrabSpring& s : springs)
+    for (std::uint32_t k = space.begin[s.vertex]; k < space.begin[s.vertex + 1]; ++k)
+      touched.emplace(space.node[k], static_cast<Eigen::Index>(touched.size()));
+  const auto count = static_cast<Eigen::Index>(touched.size());
+  if (count == 0) return inverse;
+  MatrixXd stiffness = MatrixXd::Zero(count, count);  // of one component [kg]; the others have the same
+  for (const GrabSpring& s : springs) {
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(count);
+    for (std::uint32_t k = space.begin[s.vertex]; k < space.begin[s.vertex + 1]; ++k) weights[touched.at(space.node[k])] = space.weight[k];
+    stiffness += h * h * s.stiffness * weights * weights.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(stiffness);
+  const double least = kLeast * eigen.eigenvalues()[count - 1];
+  Eigen::Index first = 0;
+  while (first < count && !(eigen.eigenvalues()[first] > least)) ++first;
+  const Eigen::Index rank = 3 * (count - first);
+  if (rank == 0) return inverse;  // springs without stiffness
+  Eigen::MatrixXf functions = Eigen::MatrixXf::Zero(inverse.rows(), rank);
+  Eigen::VectorXd compliance(rank);
+  for (Eigen::Index m = 0; m < rank; ++m) {
+    compliance[m] = 1 / eigen.eigenvalues()[first + m / 3];
+    for (const auto& [node, place] : touched)
+      functions(3 * static_cast<Eigen::Index>(node) + m % 3, m) = static_cast<float>(eigen.eigenvectors()(place, first + m / 3));
+  }
+  const Eigen::MatrixXf moved = inverse * functions;
+  MatrixXd small = (functions.transpose() * moved).cast<double>();
+  small.diagonal() += compliance;
+  const Eigen::MatrixXf back = small.ldlt().solve(moved.transpose().cast<double>()).cast<float>();
+  return inverse - moved * back;
 }
 
 }  // namespace fascia

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "sim/coarse_space.h"
+#include "sim/grab_spring.h"
 
 namespace fascia {
 
@@ -13,5 +14,10 @@ Eigen::MatrixXd coarse_matrix(const Model& model, const CoarseSpace& space, doub
 /// Of a symmetric positive semidefinite matrix, in single precision for the GPU. The diagonal is raised until it factors: a function
 /// that the others can express adds nothing.
 Eigen::MatrixXf coarse_inverse(Eigen::MatrixXd matrix);
+
+/// The inverse with h^2 times the stiffness of springs at vertices added to the matrix, by the formula of Sherman, Morrison and Woodbury
+/// over what few functions the springs make: where a hand holds it, the body must not be as yielding as it is free. The springs turn
+/// with the nodes, which changes nothing as far as those around a hand turn alike.
+Eigen::MatrixXf with_springs(const Eigen::MatrixXf& inverse, const CoarseSpace& space, const std::vector<GrabSpring>& springs, double h);
 
 }  // namespace fascia

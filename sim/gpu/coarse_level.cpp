@@ -70,7 +70,8 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
   gradient_ = gl::Buffer("coarse_gradient", sizeof(vec4) * row_quads_);
   inverse_rows_ = gl::Buffer("coarse_inverse", sizeof(vec4) * row_quads_ * 3 * n);
   correction_ = gl::Buffer("coarse_correction", sizeof(vec4) * n);
-  upload(compute(space_, {material_part(model), settings.substep()}));
+  free_inverse_ = compute(space_, {material_part(model), settings.substep()});
+  upload();
 }
 
 Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const {
@@ -103,7 +104,8 @@ Eigen::MatrixXf CoarseLevel::compute(const CoarseSpace& space, const Job& job) {
   return coarse_inverse(coarse_matrix(job.model, space, job.h));
 }
 
-void CoarseLevel::upload(const Eigen::MatrixXf& inverse) {
+void CoarseLevel::upload() {
+  const Eigen::MatrixXf inverse = with_springs(free_inverse_, space_, springs_, h_);
   std::vector<float> rows(std::size_t{4} * row_quads_ * static_cast<std::size_t>(inverse.rows()), 0.0f);
   for (Eigen::Index i = 0; i < inverse.rows(); ++i)
     for (Eigen::Index k = 0; k < inverse.cols(); ++k)
@@ -126,8 +128,17 @@ void CoarseLevel::values_changed(const Model& model, const SolverSettings& setti
     start(std::move(job));
 }
 
+void CoarseLevel::set_springs(const std::vector<GrabSpring>& springs) {
+  if (empty()) return;
+  const auto same = [](const GrabSpring& a, const GrabSpring& b) { return a.vertex == b.vertex && a.stiffness == b.stiffness; };
+  if (std::equal(springs.begin(), springs.end(), springs_.begin(), springs_.end(), same)) return;
+  springs_ = springs;
+  upload();
+}
+
 void CoarseLevel::take_next() {
-  upload(inverse_.get());
+  free_inverse_ = inverse_.get();
+  upload();
   if (!next_) return;
   start(std::move(*next_));
   next_.reset();

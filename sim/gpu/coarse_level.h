@@ -24,6 +24,8 @@ class CoarseLevel {
 
   /// Starts to compute the inverse if materials or h are other ones; one that waits for older values is let go.
   void values_changed(const Model& model, const SolverSettings& settings);
+  /// What holds the body beside the tissue, from now on.
+  void set_springs(const std::vector<GrabSpring>& springs);
   /// Uploads an inverse that is ready; with `wait`, waits until the newest is. Returns how many.
   int update(bool wait);
   /// Waits for so many inverses, or as many as are asked for, and uploads them.
@@ -37,13 +39,15 @@ class CoarseLevel {
   static Eigen::MatrixXf compute(const CoarseSpace& space, const Job& job);
   void start(Job job);
   void take_next();
-  void upload(const Eigen::MatrixXf& inverse);
+  void upload();
 
   CoarseSpace space_;
   std::uint32_t lanes_ = 1;      // invocations that share a node in sums over the vertices around it
   std::uint32_t row_quads_ = 0;  // vec4 per row of the inverse
   gl::Buffer gather_begin_, gather_entry_, column_begin_, columns_, row_begin_, rows_;
   gl::Buffer partials_, rotation_, gradient_, inverse_rows_, correction_;
+  Eigen::MatrixXf free_inverse_;     // without springs
+  std::vector<GrabSpring> springs_;  // targets left aside
   std::vector<Material> materials_;  // that the newest inverse is for, ready or not
   double h_ = 0;                     // [s]
   std::future<Eigen::MatrixXf> inverse_;

@@ -77,6 +77,8 @@ class StepMethod {
   virtual void begin_partial() {}
   /// Materials, masses, gravity or h have other values; buffers and passes stay.
   virtual void values_changed(const Model&, const SolverSettings&) {}
+  /// What holds the body beside the tissue; targets may be others at every call.
+  virtual void set_springs(const std::vector<GrabSpring>&) {}
   /// Uploads what was computed beside the frame, if it is ready, or, with `wait`, all of it when it is. Returns how many results.
   virtual int update(bool wait) { return static_cast<void>(wait), 0; }
   /// Waits for so many results, if as many are computed, and uploads them.

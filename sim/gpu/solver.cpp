@@ -72,6 +72,7 @@ void GpuSolver::make_method() {
   if (settings_.tolerance > 0) stop_.emplace(programs_, buffers_, method_->gradient());
   substeps_ = 0;
   grab_.set_use(springs_at_vertices, springs_at_vertices || stop_, buffers_.vertex_count);
+  method_->set_springs(grab_.hands().joined);
 
   chebyshev_.reset();
   anderson_.reset();
@@ -333,7 +334,9 @@ void GpuSolver::materials_changed() {
 void GpuSolver::set_grab(const std::vector<GrabSpring>& springs) {
   springs_ = springs;
   has_step_ = false;
-  if (!grab_.set(springs)) return;
+  const bool others = grab_.set(springs);
+  method_->set_springs(grab_.hands().joined);
+  if (!others) return;
   record();
   if (regions_) regions_->restart();
 }

@@ -30,6 +30,7 @@ class TwoLevelMethod : public StepMethod {
   Passes iteration(const Recording& recording, bool first) const override;
   Passes end(const Recording& recording) const override;
   void values_changed(const Model& model, const SolverSettings& settings) override { coarse_.values_changed(model, settings); }
+  void set_springs(const std::vector<GrabSpring>& springs) override { coarse_.set_springs(springs); }
   int update(bool wait) override { return coarse_.update(wait); }
   void take(int results) override { coarse_.take(results); }
   void begin_partial() override { gradient_.clear(); }  // the coarse level gathers the resting vertices' too

@@ -154,6 +154,29 @@ TEST_CASE("the coarse matrix is the Hessian at rest seen from the coarse space, 
   CHECK((identity - Eigen::MatrixXd::Identity(a.rows(), a.cols())).norm() < 4e-7 * condition);
 }
 
+TEST_CASE("the inverse with springs is that of the matrix with springs") {
+  const Model model = beam();
+  const double h = 1.0 / 60;
+  const CoarseSpace space = make_coarse_space(model, 40);
+  std::vector<std::uint32_t> free;
+  for (std::uint32_t v = 0; v + 1 < space.begin.size(); ++v)
+    if (space.begin[v + 1] > space.begin[v]) free.push_back(v);
+  const std::vector<GrabSpring> springs{{free[10], Vector3d::Zero(), 300}, {free[free.size() / 2], Vector3d::Zero(), 500}, {free.back(), Vector3d::Zero(), 400}};
+  Eigen::MatrixXd a = coarse_matrix(model, space, h);
+  const Eigen::MatrixXf inverse = coarse_inverse(a), held = with_springs(inverse, space, springs, h);
+  for (const GrabSpring& s : springs)
+    for (std::uint32_t k = space.begin[s.vertex]; k < space.begin[s.vertex + 1]; ++k)
+      for (std::uint32_t l = space.begin[s.vertex]; l < space.begin[s.vertex + 1]; ++l)
+        a.block<3, 3>(3 * space.node[k], 3 * space.node[l]).diagonal().array() += h * h * s.stiffness * space.weight[k] * space.weight[l];
+  const Eigen::MatrixXf expected = coarse_inverse(a);
+  const float error = (held - expected).norm() / expected.norm(), change = (held - inverse).norm() / expected.norm();
+  CAPTURE(error, change);
+  CHECK(change > 0.1f);  // the springs matter
+  CHECK(error < 1e-4f);
+  CHECK(with_springs(inverse, space, {}, h) == inverse);
+  CHECK(with_springs(inverse, space, {{free[10], Vector3d::Zero(), 0}}, h) == inverse);
+}
+
 TEST_CASE("an inclusion of another material has coarse nodes of its own") {
   Model model = make_model(make_box(12, 12, 12, {0.12, 0.12, 0.12}), kTissue, [](const Vector3d& x) { return x.y() < 1e-9; });
   const auto inside = [](const Vector3d& x) { return (x - Vector3d(0.06, 0.06, 0.06)).cwiseAbs().maxCoeff() < 0.0301; };
