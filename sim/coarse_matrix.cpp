@@ -95,11 +95,10 @@ Eigen::MatrixXf with_springs(const Eigen::MatrixXf& inverse, const CoarseSpace& 
   const auto count = static_cast<Eigen::Index>(touched.size());
   if (count == 0) return inverse;
   MatrixXd stiffness = MatrixXd::Zero(count, count);  // of one component [kg]; the others have the same
-  for (const GrabSpring& s : springs) {
-    Eigen::VectorXd weights = Eigen::VectorXd::Zero(count);
-    for (std::uint32_t k = space.begin[s.vertex]; k < space.begin[s.vertex + 1]; ++k) weights[touched.at(space.node[k])] = space.weight[k];
-    stiffness += h * h * s.stiffness * weights * weights.transpose();
-  }
+  for (const GrabSpring& s : springs)
+    for (std::uint32_t k = space.begin[s.vertex]; k < space.begin[s.vertex + 1]; ++k)
+      for (std::uint32_t l = space.begin[s.vertex]; l < space.begin[s.vertex + 1]; ++l)
+        stiffness(touched.at(space.node[k]), touched.at(space.node[l])) += h * h * s.stiffness * space.weight[k] * space.weight[l];
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(stiffness);
   const double least = kLeast * eigen.eigenvalues()[count - 1];
   Eigen::Index first = 0;
