@@ -272,8 +272,9 @@ CoarseSpace make_coarse_space(const Model& model, std::uint32_t target) {
       space = lattice_space(model, free, edges, wanted, most, complete);
       if (!complete) continue;
       if (space.node_count > kEnough * wanted) return space;
-      // Weak nodes have left: a finer lattice makes up for them.
-      const CoarseSpace finer = lattice_space(model, free, edges, wanted * wanted / space.node_count, wanted + wanted / 4, complete);
+      // Weak nodes have left: a finer lattice makes up for them, as far as twice as many can.
+      const std::uint32_t more = space.node_count > wanted / 2 ? wanted * wanted / space.node_count : 2 * wanted;
+      const CoarseSpace finer = lattice_space(model, free, edges, more, wanted + wanted / 4, complete);
       return complete ? finer : space;
     }
   }
