@@ -35,6 +35,8 @@ class Simulation {
   Scene scene;  // as opened; materials and solver settings follow the changes made here
   Model model;
 
+  /// Whether a step can begin without waiting for what opening or another method still computes.
+  bool ready() const { return reference_ || gpu_->ready(); }
   void step();
   /// What a replay has before the next step; step() does it by itself.
   void repeat_inputs();

@@ -131,7 +131,7 @@ void ViewWindow::wait_for_events() {
   const double idle = frames_to_settle_ > 0 ? 0 : idle_time();
   if (idle > 0)
     glfwWaitEventsTimeout(idle);
-  else if (still() && !mouse_.dragging())
+  else if (shown_ && ((still() && !mouse_.dragging()) || !session_->simulation.ready()))
     glfwWaitEventsTimeout(kUnsettledWait);
   else
     glfwPollEvents();
@@ -171,7 +171,7 @@ void ViewWindow::frame(double elapsed) {
   overlay_.end();
   attempt([&] { carry_out(requests); });
   input_.take();  // what was pressed while something was being opened is not for the scene
-  if (!attempt([&] { simulate(elapsed, requests); })) state_.paused = true;
+  if (shown_ && !attempt([&] { simulate(elapsed, requests); })) state_.paused = true;
   attempt([&] { follow_replay(); });
   if (!attempt([&] { draw(); })) state_.paused = true;
   overlay_.draw(*framebuffer_);
@@ -180,6 +180,7 @@ void ViewWindow::frame(double elapsed) {
   overlay_.draw_foreground(*framebuffer_);
   framebuffer_->present(framebuffer_->width(), framebuffer_->height());
   glfwSwapBuffers(graphics_.context->window());
+  shown_ = true;
 }
 
 bool ViewWindow::update_framebuffer() {
@@ -250,13 +251,13 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
   Statistics& s = state_.statistics;
   const double time_step = session_->simulation.scene.solver.time_step;
   int steps = 0;
-  if (!state_.paused) {
+  if (!state_.paused && session_->simulation.ready()) {
     const bool replaying = session_->simulation.replaying();
     steps = pacing_.advance(elapsed * (replaying ? state_.replay_speed : 1), time_step, s.step_ms / 1000);
     if (replaying) steps = static_cast<int>(std::min<long>(steps, session_->simulation.replay()->steps - session_->simulation.replayed_steps()));
   } else {
     pacing_.restart();
-    steps = requests.step ? 1 : 0;
+    steps = state_.paused && requests.step ? 1 : 0;
   }
   if (steps_left_ >= 0) steps = static_cast<int>(std::min<long>(steps, steps_left_));
   simulated_ = 0;

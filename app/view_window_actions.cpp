@@ -225,6 +225,7 @@ void ViewWindow::take_over(std::unique_ptr<Session> opened) {
 }
 
 void ViewWindow::session_began() {
+  shown_ = false;
   remembered_.reset();
   came_apart_ = 0;
   state_.facts = SceneFacts(session_->simulation.model);

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace fascia {
@@ -31,40 +32,82 @@ MatrixXd inverse_of(const MatrixXd& factor) {
   return inverse.selfadjointView<Eigen::Lower>();
 }
 
+// Tets of one material that follow each other and lie under the same coarse functions, as those within a cell of the lattice do: the
+// stiffness between two functions with gradients p and q is lambda p q^T + mu (q p^T + p.q I) times the volume, linear in the sum of
+// V p q^T over them, which is made once.
+class AlikeTets {
+ public:
+  bool takes(const std::vector<std::uint32_t>& nodes, std::uint32_t material) const {
+    return count_ > 0 && count_ < kMost && nodes == nodes_ && material == material_;
+  }
+  void begin(const std::vector<std::uint32_t>& nodes, std::uint32_t material) {
+    nodes_ = nodes;
+    material_ = material;
+    scaled_.resize(3 * static_cast<Eigen::Index>(nodes.size()), kMost);
+    count_ = 0;
+  }
+  void add(const std::vector<Vector3d>& gradients, double volume) {
+    for (std::size_t i = 0; i < gradients.size(); ++i)
+      scaled_.block<3, 1>(3 * static_cast<Eigen::Index>(i), count_) = std::sqrt(volume) * gradients[i];
+    ++count_;
+  }
+  /// To the lower triangle of `a`.
+  void add_stiffness(MatrixXd& a, const Model& model, double h) {
+    if (count_ == 0) return;
+    const Material& material = model.materials[material_];
+    const double scale = h * h * (1 + material.damping / h), lambda = scale * material.lame_lambda(), mu = scale * material.lame_mu();
+    sum_.noalias() = scaled_.leftCols(count_) * scaled_.leftCols(count_).transpose();
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      for (std::size_t j = 0; j < nodes_.size(); ++j) {
+        if (nodes_[j] > nodes_[i]) continue;
+        const auto pq = sum_.block<3, 3>(3 * static_cast<Eigen::Index>(i), 3 * static_cast<Eigen::Index>(j));
+        auto block = a.block<3, 3>(3 * nodes_[i], 3 * nodes_[j]);
+        block += lambda * pq + mu * pq.transpose();
+        block.diagonal().array() += mu * pq.trace();
+      }
+  }
+
+ private:
+  static constexpr Eigen::Index kMost = 64;
+  std::vector<std::uint32_t> nodes_;
+  std::uint32_t material_ = 0;
+  Eigen::Index count_ = 0;
+  MatrixXd scaled_, sum_;  // gradients times the root of the volume, [3 * nodes] rows, a column per tet
+};
+
 }  // namespace
 
 MatrixXd coarse_matrix(const Model& model, const CoarseSpace& space, double h) {
   MatrixXd a = MatrixXd::Zero(3 * space.node_count, 3 * space.node_count);
-  std::vector<std::pair<std::uint32_t, Vector3d>> gradients;  // of the coarse functions in a tet
+  AlikeTets alike;
+  std::vector<std::uint32_t> nodes;
+  std::vector<Vector3d> gradients;
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
     const Tet& tet = model.tets[t];
     Matrix3d dm;
     for (int k = 0; k < 3; ++k) dm.col(k) = model.rest_positions[tet[k + 1]] - model.rest_positions[tet[0]];
     const Matrix3d inv_dm = dm.inverse();
+    nodes.clear();
     gradients.clear();
     for (int corner = 0; corner < 4; ++corner) {
       const Vector3d b = corner == 0 ? Vector3d(-inv_dm.colwise().sum().transpose()) : Vector3d(inv_dm.row(corner - 1).transpose());
       const std::uint32_t v = tet[static_cast<std::size_t>(corner)];
       for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k) {
-        const auto same =
-            std::find_if(gradients.begin(), gradients.end(), [&](const auto& g) { return g.first == space.node[k]; });
-        if (same == gradients.end())
-          gradients.emplace_back(space.node[k], space.weight[k] * b);
-        else
-          same->second += space.weight[k] * b;
+        const auto place = static_cast<std::size_t>(std::find(nodes.begin(), nodes.end(), space.node[k]) - nodes.begin());
+        if (place == nodes.size()) {
+          nodes.push_back(space.node[k]);
+          gradients.emplace_back(Vector3d::Zero());
+        }
+        gradients[place] += space.weight[k] * b;
       }
     }
-    const Material& material = model.materials[model.tet_material[t]];
-    const double scale = h * h * dm.determinant() / 6 * (1 + material.damping / h);
-    const double lambda = scale * material.lame_lambda(), mu = scale * material.lame_mu();
-    for (const auto& [i, p] : gradients)
-      for (const auto& [j, q] : gradients) {
-        if (j > i) continue;
-        Matrix3d block = lambda * p * q.transpose() + mu * q * p.transpose();
-        block.diagonal().array() += mu * p.dot(q);
-        a.block<3, 3>(3 * i, 3 * j) += block;
-      }
+    if (!alike.takes(nodes, model.tet_material[t])) {
+      alike.add_stiffness(a, model, h);
+      alike.begin(nodes, model.tet_material[t]);
+    }
+    alike.add(gradients, dm.determinant() / 6);
   }
+  alike.add_stiffness(a, model, h);
   const std::vector<double> masses = lumped_masses(model);
   for (std::size_t v = 0; v < masses.size(); ++v)
     for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k)

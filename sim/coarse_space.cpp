@@ -15,14 +15,17 @@ constexpr double kWeakNode = 0.1;        // of the mean mass
 constexpr double kLeastWeight = 1e-12;   // of a lattice corner that counts
 constexpr double kInner = 0.5;           // of the largest share that a tet has in a node's rotation
 constexpr double kEnough = 0.85;         // of the wanted nodes
+constexpr int kMostCells = 100;           // along an axis
 constexpr std::size_t kFewVertices = 24; // below: more lattice nodes than vertices, and nothing to gain
 
 struct Lattice {
   Vector3d low, extent;
   std::array<int, 3> cells{1, 1, 1};
 
+  std::size_t nodes() const { return std::size_t{node_row(0)} * node_row(1) * node_row(2); }
+  std::uint32_t node_row(unsigned k) const { return static_cast<std::uint32_t>(cells[k]) + 1; }
   struct Corner {
-    std::uint64_t key;
+    std::uint32_t node;
     double weight;
   };
   std::array<Corner, 8> corners(const Vector3d& x) const {
@@ -39,7 +42,7 @@ struct Lattice {
       for (unsigned k = 0; k < 3; ++k) {
         const unsigned upper = c >> k & 1u;
         found[c].weight *= upper ? part[k] : 1 - part[k];
-        found[c].key = found[c].key * 1024 + static_cast<unsigned>(cell[k]) + upper;
+        found[c].node = found[c].node * node_row(k) + static_cast<unsigned>(cell[k]) + upper;
       }
     }
     return found;
@@ -124,23 +127,22 @@ Lattice fit_lattice(const std::vector<Vector3d>& positions, const std::vector<st
   const double longest = lattice.extent.maxCoeff();
   const auto with_cell = [&](double size) {
     Lattice l = lattice;
-    for (int k = 0; k < 3; ++k) l.cells[k] = std::clamp(static_cast<int>(std::lround(l.extent[k] / size)), 1, 1000);
+    for (int k = 0; k < 3; ++k) l.cells[k] = std::clamp(static_cast<int>(std::lround(l.extent[k] / size)), 1, kMostCells);
     return l;
   };
-  std::vector<std::uint64_t> keys;
+  std::vector<char> reached;
   const auto nodes_of = [&](const Lattice& l) {
-    keys.clear();
-    for (const std::uint32_t v : free) {
+    reached.assign(l.nodes(), 0);
+    std::uint32_t count = 0;
+    for (const std::uint32_t v : free)
       for (const Lattice::Corner& c : l.corners(positions[v]))
-        if (c.weight > kLeastWeight) keys.push_back(c.key);
-      if (keys.size() < 4'000'000) continue;
-      std::sort(keys.begin(), keys.end());
-      keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-    }
-    std::sort(keys.begin(), keys.end());
-    return static_cast<double>(std::unique(keys.begin(), keys.end()) - keys.begin());
+        if (c.weight > kLeastWeight && !reached[c.node]) {
+          reached[c.node] = 1;
+          ++count;
+        }
+    return static_cast<double>(count);
   };
-  double small = longest / 100, large = 2 * longest;
+  double small = longest / kMostCells, large = 2 * longest;
   Lattice best = with_cell(large);
   double best_miss = std::abs(nodes_of(best) - target);
   for (int i = 0; i < 14; ++i) {
@@ -164,15 +166,15 @@ CoarseSpace lattice_space(const Model& model, const std::vector<std::uint32_t>& 
   const std::vector<double> masses = lumped_masses(model);
   const Lattice lattice = fit_lattice(model.rest_positions, free, target);
   struct Reach {
-    std::uint64_t key;
+    std::uint32_t node;  // of the lattice
     std::uint32_t vertex;
     double weight;
   };
   std::vector<Reach> reaches;
   for (const std::uint32_t v : free)
     for (const Lattice::Corner& c : lattice.corners(model.rest_positions[v]))
-      if (c.weight > kLeastWeight) reaches.push_back({c.key, v, c.weight});
-  std::stable_sort(reaches.begin(), reaches.end(), [](const Reach& a, const Reach& b) { return a.key < b.key; });
+      if (c.weight > kLeastWeight) reaches.push_back({c.node, v, c.weight});
+  std::stable_sort(reaches.begin(), reaches.end(), [](const Reach& a, const Reach& b) { return a.node < b.node; });
 
   std::vector<int> local(vertex_count, -1);
   std::uint32_t part_count = 0;
@@ -186,7 +188,7 @@ CoarseSpace lattice_space(const Model& model, const std::vector<std::uint32_t>& 
   for (std::size_t first = 0; first < reaches.size();) {
     std::size_t last = first;
     std::vector<std::uint32_t> members;
-    while (last < reaches.size() && reaches[last].key == reaches[first].key) members.push_back(reaches[last++].vertex);
+    while (last < reaches.size() && reaches[last].node == reaches[first].node) members.push_back(reaches[last++].vertex);
     std::uint32_t count = 0;
     const std::vector<std::uint32_t> piece = pieces(members, edges, local, count);
     const auto base = static_cast<std::uint32_t>(node_mass.size());

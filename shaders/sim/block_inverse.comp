@@ -1,6 +1,7 @@
 // Inverse of every vertex's 3x3 block, kept for some iterations: a fresh one each time would cost more than the iterations that it
 // saves. After predict and prescribe.
 #include "common/io.glsl"
+#define GUARDED_ELSEWHERE 1
 #define AT_VERTEX(v) FETCH(displacement, v).xyz
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]

@@ -1,6 +1,10 @@
-// To the coarse space: the gradient that every coarse node sees, r_j = sum_a P_aj g_a, and the mean deformation gradient around it
-// without its identity, M_j - I = sum_a u_a c_ja^T. `lanes` invocations share a node. After gradient.
+// To the coarse space: the rotation R_j of every coarse node, nearest to the mean deformation gradient around it, M_j = I + sum_a u_a c_ja^T,
+// and the gradient that the node sees, turned back into the rest frame, where the coarse matrix lives: R_j^T sum_a P_aj g_a. On GPUs a
+// work group per node, else an invocation. After gradient.
+// The rotation is the unit quaternion q that maximises tr(R(q)^T M) = q^T K q (Davenport's problem): the leading eigenvector of K,
+// by squaring K plus a shift that makes it positive. Always a rotation, also where M is singular or mirrored.
 #include "common/io.glsl"
+#include "common/group_sum.glsl"
 COMPUTE_1D
 INPUT_UINT(GatherBegin, gather_begin)               // [node_count + 1]
 INPUT_UVEC4(GatherEntry, gather_entry)              // [entries] xyz c_ja [1/m] (float bits), w vertex
@@ -8,28 +12,59 @@ INPUT_UINT(CoarseColumnBegin, coarse_column_begin)  // [node_count + 1]
 INPUT_UVEC4(CoarseColumns, coarse_columns)          // two entries of P each: vertex and weight (float bits) in turn
 INPUT_VEC4(Gradient, gradient)                      // [vertex_count] g [kg m]
 INPUT_VEC4(Displacement, displacement)              // [vertex_count] u [m]
-OUTPUT(vec4, CoarsePartials, coarse_partials)       // [3 * invocations] columns of M_j - I, with r_j in the w
-uniform uint lanes;
+OUTPUT(vec4, CoarseRotation, coarse_rotation)       // [node_count] quaternion, xyz vector and w scalar part
+OUTPUT(float, CoarseGradient, coarse_gradient)      // [3 * node_count] [kg m]
+
+vec4 nearest_rotation(mat3 m) {
+  float trace = m[0].x + m[1].y + m[2].z;
+  vec3 twist = vec3(m[1].z - m[2].y, m[2].x - m[0].z, m[0].y - m[1].x);
+  float s01 = m[0].y + m[1].x, s02 = m[0].z + m[2].x, s12 = m[1].z + m[2].y;
+  // Rows and columns in the order x, y, z, w.
+  mat4 k = mat4(vec4(2.0 * m[0].x - trace, s01, s02, twist.x), vec4(s01, 2.0 * m[1].y - trace, s12, twist.y),
+                vec4(s02, s12, 2.0 * m[2].z - trace, twist.z), vec4(twist, trace));
+  // |eigenvalues of K| <= sum of the singular values of M <= sqrt(3) |M|. A little more: where all has collapsed to a point M is 0, and
+  // the rotation the identity.
+  float shift = 1e-6 + 1.7320508 * sqrt(dot(m[0], m[0]) + dot(m[1], m[1]) + dot(m[2], m[2]));
+  k += mat4(shift);
+  for (int i = 0; i < 10; ++i) {
+    k *= 1.0 / (k[0].x + k[1].y + k[2].z + k[3].w);
+    k = k * k;
+  }
+  // The longest column of what has become a projection.
+  vec4 q = k[3];
+  if (k[0].x > max(k[1].y, max(k[2].z, k[3].w))) q = k[0];
+  else if (k[1].y > max(k[2].z, k[3].w)) q = k[1];
+  else if (k[2].z > k[3].w) q = k[2];
+  return q * inversesqrt(dot(q, q));
+}
 
 void main() {
-  ITEM_OR_RETURN(i)
-  uint node = i / lanes, lane = i % lanes;
+  SHARED_ITEM_OR_RETURN(j, lane)
   vec3 m0 = vec3(0.0), m1 = vec3(0.0), m2 = vec3(0.0), r = vec3(0.0);
-  uint end = FETCH1(gather_begin, node + 1u);
-  for (uint k = FETCH1(gather_begin, node) + lane; k < end; k += lanes) {
+  uint end = FETCH1(gather_begin, j + 1u);
+  for (uint k = FETCH1(gather_begin, j) + lane; k < end; k += LANES) {
     uvec4 entry = FETCH(gather_entry, k);
     vec3 c = uintBitsToFloat(entry.xyz), u = FETCH(displacement, entry.w).xyz;
     m0 += c.x * u;
     m1 += c.y * u;
     m2 += c.z * u;
   }
-  end = FETCH1(coarse_column_begin, node + 1u);
-  for (uint k = FETCH1(coarse_column_begin, node) + lane; k < end; k += lanes) {
+  end = FETCH1(coarse_column_begin, j + 1u);
+  for (uint k = FETCH1(coarse_column_begin, j) + lane; k < end; k += LANES) {
     uvec4 entries = FETCH(coarse_columns, k);
     r += uintBitsToFloat(entries.y) * FETCH(gradient, entries.x).xyz;
     r += uintBitsToFloat(entries.w) * FETCH(gradient, entries.z).xyz;
   }
-  coarse_partials[3u * i] = vec4(m0, r.x);
-  coarse_partials[3u * i + 1u] = vec4(m1, r.y);
-  coarse_partials[3u * i + 2u] = vec4(m2, r.z);
+  SUM_OVER_LANES(m0, lane)
+  SUM_OVER_LANES(m1, lane)
+  SUM_OVER_LANES(m2, lane)
+  SUM_OVER_LANES(r, lane)
+  if (lane != 0u) return;
+  vec4 q = nearest_rotation(mat3(1.0) + mat3(m0, m1, m2));
+  coarse_rotation[j] = q;
+  vec3 cross_r = cross(-q.xyz, r);
+  vec3 back = r + 2.0 * (q.w * cross_r + cross(-q.xyz, cross_r));
+  coarse_gradient[3u * j] = back.x;
+  coarse_gradient[3u * j + 1u] = back.y;
+  coarse_gradient[3u * j + 2u] = back.z;
 }

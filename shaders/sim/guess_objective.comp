@@ -1,5 +1,6 @@
 // The objective before the step p of guess_begin, from objective_sum's partials; one work group.
 #include "common/io.glsl"
+#include "common/group_sum.glsl"
 #include "sim/subspace_state.glsl"
 COMPUTE_1D
 INPUT_VEC4(DotPartials, dot_partials)  // [partials]
@@ -7,8 +8,10 @@ OUTPUT(float, SubspaceState, subspace_state)
 uniform uint partials;
 
 void main() {
-  if (gl_GlobalInvocationID.x != 0u) return;
-  float sum = 0.0;
-  for (uint k = 0u; k < partials; ++k) sum += FETCH(dot_partials, k).w;
-  subspace_state[SUBSPACE_OBJECTIVE] = sum;
+  uint lane = gl_LocalInvocationID.x;
+  vec3 sum = vec3(0.0);
+  if (lane < LANES)
+    for (uint k = lane; k < partials; k += LANES) sum.x += FETCH(dot_partials, k).w;
+  SUM_OVER_LANES(sum, lane)
+  if (lane == 0u) subspace_state[SUBSPACE_OBJECTIVE] = sum.x;
 }

@@ -5,7 +5,7 @@
 // minimum, but no more than half, for the energy of strained tissue is of fourth order in the displacement. Nothing is kept of a step
 // that had no slope down (inertia's), nor with FINAL.
 // Unless the method remembers, and in the first iteration, the span is that of z_f and z_c.
-// After subspace_dots and subspace_curvature, before subspace_update.
+// After two_level_correct or subspace_dots, and subspace_curvature; before subspace_update.
 #include "common/io.glsl"
 #include "sim/subspace_state.glsl"
 COMPUTE_1D
@@ -20,7 +20,13 @@ uniform uint partials;
 #define EIGENVALUE_FLOOR 1e-7
 #define OBJECTIVE_ROUNDING 2e-6  // of float32 sums of some thousand terms
 
-shared vec4 sums[4];
+// Four sums are made at once, each on GPUs by several invocations.
+#if READ_TEXELS
+#define SLICES 1u
+#else
+#define SLICES 16u
+#endif
+shared vec4 slices[4u * SLICES];
 
 // One Jacobi rotation: makes a[p][q] zero. v collects the eigenvectors in its columns.
 #define ROTATE(p, q, r)                                                   \
@@ -42,25 +48,21 @@ shared vec4 sums[4];
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
-#if FINAL
-  if (lane == 0u) {
+  if (lane < 4u * SLICES) {
+    uint row = lane % 4u;
     vec4 sum = vec4(0.0);
-    for (uint k = 0u; k < partials; ++k) sum += FETCH(dot_partials, k);
-    sums[0] = sum;
-  }
-#else
-  if (lane < 3u) {
-    vec4 sum = vec4(0.0);
-    for (uint k = 0u; k < partials; ++k) sum += FETCH(dot_partials, lane * partials + k);
-    sums[lane] = sum;
-  } else if (lane == 3u) {
-    vec4 sum = vec4(0.0);
-    for (uint k = 0u; k < curvature_count; ++k) sum += FETCH(curvature_partials, k);
-    sums[3] = sum;
-  }
+    if (row < (FINAL == 1 ? 1u : 3u))
+      for (uint k = lane / 4u; k < partials; k += SLICES) sum += FETCH(dot_partials, row * partials + k);
+#if !FINAL
+    if (row == 3u)
+      for (uint k = lane / 4u; k < curvature_count; k += SLICES) sum += FETCH(curvature_partials, k);
 #endif
+    slices[lane] = sum;
+  }
   barrier();
   if (lane != 0u) return;
+  vec4 sums[4] = vec4[4](slices[0], slices[1], slices[2], slices[3]);
+  for (uint k = 4u; k < 4u * SLICES; ++k) sums[k % 4u] += slices[k];
 
   vec3 step = vec3(0.0), last = vec3(0.0);
   float objective = sums[0].w;

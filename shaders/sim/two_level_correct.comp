@@ -1,9 +1,9 @@
-// Both corrections of every vertex: of its own block, z_f = H_ii^-1 g, and of the coarse space, z_c = P times the nodes' corrections.
-// After gradient and, with COARSE, coarse_solve.
+// Both corrections of every vertex: of its own block, z_f = H_ii^-1 g, and of the coarse space, z_c = P times the nodes' corrections;
+// and, unless a sweep is made of them, the sums for the step along them. After gradient and, with COARSE, coarse_solve.
 #include "common/io.glsl"
 #include "common/symmetric.glsl"
 COMPUTE_1D
-INPUT_VEC4(Gradient, gradient)           // [vertex_count] g [kg m]
+INPUT_VEC4(Gradient, gradient)           // [vertex_count] xyz g [kg m], w objective [kg m^2]
 INPUT_VEC4(Predicted, predicted)         // [vertex_count] w inverse mass, 0 where held
 INPUT_VEC4(BlockInverse, block_inverse)  // [2 * vertex_count]
 #if COARSE
@@ -20,11 +20,13 @@ OUTPUT(vec4, CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]; with
 #define RELAXATION 0.4
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
 OUTPUT(vec4, Iterate, iterate)          // [vertex_count] u [m]
+#else
+#include "sim/subspace_sums.glsl"
 #endif
 
-void main() {
-  ITEM_OR_RETURN(i)
-  vec3 fine = vec3(0.0), coarse = vec3(0.0);
+void correct(uint i, out vec3 fine, out vec3 coarse) {
+  fine = vec3(0.0);
+  coarse = vec3(0.0);
   if (FETCH(predicted, i).w > 0.0) {
     fine = times(Sym3(FETCH(block_inverse, 2u * i).xyz, FETCH(block_inverse, 2u * i + 1u).xyz), FETCH(gradient, i).xyz);
 #if COARSE
@@ -36,15 +38,36 @@ void main() {
     }
 #endif
   }
+}
+
 #if SWEEP
+void main() {
+  ITEM_OR_RETURN(i)
+  vec3 fine, coarse;
+  correct(i, fine, coarse);
   vec3 u = FETCH(displacement, i).xyz;
   iterate[i] = vec4(u, 0.0);
   STORE3(fine_direction[i], u - RELAXATION * (fine + coarse))
   STORE3(coarse_direction[i], fine + coarse)
-#elif SPLIT
-  STORE3(fine_direction[i], fine)
-  STORE3(coarse_direction[i], coarse)
-#else
-  STORE3(fine_direction[i], fine + coarse)
-#endif
 }
+#else
+void main() {
+  LANE_OR_RETURN(i)
+  SubspaceSums sums = SubspaceSums(vec4(0.0), vec4(0.0), vec4(0.0));
+  for (uint k = i; k < vertex_count; k += invocations) {
+    uint v = LISTED_ITEM(k);
+    vec3 fine, coarse;
+    correct(v, fine, coarse);
+#if SPLIT
+    STORE3(fine_direction[v], fine)
+    STORE3(coarse_direction[v], coarse)
+#else
+    fine += coarse;
+    coarse = vec3(0.0);
+    STORE3(fine_direction[v], fine)
+#endif
+    add_vertex(sums, v, fine, coarse);
+  }
+  store_sums(sums, i);
+}
+#endif

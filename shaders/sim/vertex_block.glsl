@@ -1,6 +1,7 @@
 // The 3x3 block of a vertex in the Hessian of the step's objective, and the vertex's gradient, from the tets around it:
 //   H_ii = m I + h^2 sum V corner_block(b_i), positive definite.
-// The kernel declares `displacement` [vertex_count] as it reads it (AT_VERTEX(v): vec3 u).
+// The kernel declares `displacement` [vertex_count] as it reads it (AT_VERTEX(v): vec3 u). GUARDED_ELSEWHERE: blocks that only
+// precondition do without the decomposition of guarded tets. What the guard adds to F F^T is no more than LEAST_STRETCH^2 I.
 #include "common/step.glsl"
 #include "common/tet.glsl"
 #include "sim/elasticity.glsl"
@@ -22,6 +23,10 @@ VertexBlock add_tets(uint v) {
     vec3 b = corner == 0u ? -(tet.b1 + tet.b2 + tet.b3) : corner == 1u ? tet.b1 : corner == 2u ? tet.b2 : tet.b3;
     vec4 material = material_of(t);
     Sym3 hessian = corner_block(tangent_of(t, h, material), h, material, b);
+#if SIGNED_ST_VENANT_KIRCHHOFF && defined GUARDED_ELSEWHERE
+    if (needs_guard(h, material))
+      hessian.d += LEAST_STRETCH * LEAST_STRETCH * (lame_lambda(material) + 2.0 * lame_mu(material)) * dot(b, b);
+#endif
     float scale = SUBSTEP * SUBSTEP * tet.volume;
     block.hessian.d += scale * hessian.d;
     block.hessian.s += scale * hessian.s;

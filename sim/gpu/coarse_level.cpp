@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "sim/coarse_matrix.h"
+#include "sim/gpu/reduction.h"
 
 namespace fascia {
 namespace {
@@ -53,8 +54,7 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
     entries.push_back({std::bit_cast<std::uint32_t>(c.x()), std::bit_cast<std::uint32_t>(c.y()), std::bit_cast<std::uint32_t>(c.z()), gather.vertex[k]});
   }
   const std::uint32_t n = space_.node_count;
-  // GPUs want some 16,000 invocations; on software renderers sharing a node only makes sums to be added.
-  lanes_ = programs.load_path() == gl::LoadPath::storage ? std::clamp<std::uint32_t>(16384 / n, 1, 64) : 1;
+  lanes_ = programs.load_path() == gl::LoadPath::storage ? Reduction::kGroup : 1;
   row_quads_ = (3 * n + 3) / 4;
   gather_begin_ = gl::Buffer("gather_begin", gather.begin);
   gather_entry_ = gl::Buffer("gather_entry", entries);
@@ -65,13 +65,11 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
   const PackedRows rows = pack_rows(space_.begin, space_.node, space_.weight);
   row_begin_ = gl::Buffer("coarse_row_begin", rows.begin);
   rows_ = gl::Buffer("coarse_rows", rows.pairs);
-  partials_ = gl::Buffer("coarse_partials", 3 * sizeof(vec4) * n * lanes_);
   rotation_ = gl::Buffer("coarse_rotation", sizeof(vec4) * n);
   gradient_ = gl::Buffer("coarse_gradient", sizeof(vec4) * row_quads_);
   inverse_rows_ = gl::Buffer("coarse_inverse", sizeof(vec4) * row_quads_ * 3 * n);
   correction_ = gl::Buffer("coarse_correction", sizeof(vec4) * n);
-  free_inverse_ = compute(space_, {material_part(model), settings.substep()});
-  upload();
+  start({material_part(model), settings.substep()});
 }
 
 Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const {
@@ -84,19 +82,15 @@ Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const
                                                 {"coarse_columns", &columns_},
                                                 {"gradient", &gradient},
                                                 {"displacement", &r.buffers.displacement},
-                                                {"coarse_partials", &partials_}},
-                      n * lanes_, gl::ComputePass::Constants{{"lanes", lanes_}});
-  passes.emplace_back(r.programs.compute("sim/coarse_rotate.comp"),
-                      gl::ComputePass::Bindings{{"coarse_partials", &partials_},
                                                 {"coarse_rotation", &rotation_},
                                                 {"coarse_gradient", &gradient_}},
-                      n, gl::ComputePass::Constants{{"lanes", lanes_}});
+                      n * lanes_);
   passes.emplace_back(r.programs.compute("sim/coarse_solve.comp"),
                       gl::ComputePass::Bindings{{"coarse_inverse", &inverse_rows_},
                                                 {"coarse_gradient", &gradient_},
                                                 {"coarse_rotation", &rotation_},
                                                 {"coarse_correction", &correction_}},
-                      n, gl::ComputePass::Constants{{"row_quads", row_quads_}});
+                      n * lanes_, gl::ComputePass::Constants{{"row_quads", row_quads_}});
   return passes;
 }
 
@@ -111,6 +105,14 @@ void CoarseLevel::upload() {
     for (Eigen::Index k = 0; k < inverse.cols(); ++k)
       rows[static_cast<std::size_t>(i) * 4 * row_quads_ + static_cast<std::size_t>(k)] = inverse(k, i);  // symmetric
   inverse_rows_.upload(0, rows.size() * sizeof(float), rows.data());
+}
+
+bool CoarseLevel::ready() const {
+  return free_inverse_.size() > 0 || !inverse_.valid() || inverse_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+void CoarseLevel::complete() {
+  if (free_inverse_.size() == 0 && inverse_.valid()) take_next();
 }
 
 void CoarseLevel::start(Job job) {
@@ -133,7 +135,7 @@ void CoarseLevel::set_springs(const std::vector<GrabSpring>& springs) {
   const auto same = [](const GrabSpring& a, const GrabSpring& b) { return a.vertex == b.vertex && a.stiffness == b.stiffness; };
   if (std::equal(springs.begin(), springs.end(), springs_.begin(), springs_.end(), same)) return;
   springs_ = springs;
-  upload();
+  if (free_inverse_.size() > 0) upload();
 }
 
 void CoarseLevel::take_next() {
@@ -145,6 +147,7 @@ void CoarseLevel::take_next() {
 }
 
 int CoarseLevel::update(bool wait) {
+  if (wait) complete();
   int taken = 0;
   for (; inverse_.valid(); ++taken) {
     if (!wait && inverse_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) break;
@@ -154,6 +157,7 @@ int CoarseLevel::update(bool wait) {
 }
 
 void CoarseLevel::take(int count) {
+  complete();
   for (; count > 0 && inverse_.valid(); --count) take_next();
 }
 

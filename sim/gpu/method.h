@@ -79,6 +79,10 @@ class StepMethod {
   virtual void values_changed(const Model&, const SolverSettings&) {}
   /// What holds the body beside the tissue; targets may be others at every call.
   virtual void set_springs(const std::vector<GrabSpring>&) {}
+  /// Whether all is there that the first step needs; what takes long is computed beside what else is made.
+  virtual bool ready() const { return true; }
+  /// Waits until it is. Before any step, and before the two below tell of later results.
+  virtual void complete() {}
   /// Uploads what was computed beside the frame, if it is ready, or, with `wait`, all of it when it is. Returns how many results.
   virtual int update(bool wait) { return static_cast<void>(wait), 0; }
   /// Waits for so many results, if as many are computed, and uploads them.

@@ -13,10 +13,12 @@ struct Reduction {
 
   static constexpr std::uint32_t kGroup = 64;  // GROUP_SIZE of shaders/common/io.glsl
 
-  Reduction(const gl::ProgramCache& programs, std::uint32_t items) {
+  /// `wide`: the kernel does more for an item than to add it up, and on a GPU needs as many invocations as another one.
+  Reduction(const gl::ProgramCache& programs, std::uint32_t items, bool wide = false) {
     // Software renderers get few lanes, whose sums one invocation adds up; GPUs get many, and a tree leaves one sum per group.
     const bool tree = programs.load_path() == gl::LoadPath::storage;
-    lanes = (std::clamp<std::uint32_t>(items / (tree ? 4 : 16), kGroup, tree ? 4096 : 256) + kGroup - 1) / kGroup * kGroup;
+    const std::uint32_t share = !tree ? 16 : wide ? 1 : 4, most = !tree ? 256 : wide ? 32768 : 4096;
+    lanes = (std::clamp(items / share, kGroup, most) + kGroup - 1) / kGroup * kGroup;
     partials = tree ? lanes / kGroup : lanes;
   }
 };

@@ -187,6 +187,7 @@ std::map<std::string, GpuSolver::KernelTime> GpuSolver::timed_step() {
 }
 
 void GpuSolver::look_beside() {
+  method_->complete();
   if (!background_held_) background_taken_ += method_->update(false);
 }
 

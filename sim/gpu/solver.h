@@ -93,6 +93,8 @@ class GpuSolver {
   int last_iterations() const;  // of the last substep; as mean_iterations()
   /// State, materials, gravity and grab of another solver of the same model; the state without a way through the CPU.
   void follow(const GpuSolver& leader);
+  /// Whether a step can begin without waiting for what is still computed since the method was made.
+  bool ready() const { return method_->ready(); }
   /// Waits for what is computed beside the frame (the coarse level's inverse after a change of materials or h) and takes it.
   void finish_background() { background_taken_ += method_->update(true); }
   /// It is taken at the first step that finds it ready, which depends on the moment. Held back, it waits for take_background().

@@ -14,8 +14,8 @@ TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& mo
       coarse_(programs, model, settings),
       vertex_tets_(make_vertex_tets(buffers)),
       block_inverse_("block_inverse", 2 * sizeof(vec4) * buffers.vertex_count),
-      vertices_(programs, buffers.vertex_count),
-      tets_(programs, buffers.tet_count),
+      vertices_(programs, buffers.vertex_count, true),
+      tets_(programs, buffers.tet_count, true),
       fine_direction_("fine_direction", gradient_.gradient().bytes()),
       last_step_("last_step", gradient_.gradient().bytes()),
       previous_gradient_("previous_gradient", gradient_.gradient().bytes()),
@@ -81,6 +81,7 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
 Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
   Passes passes;
   if (!coarse_.empty()) append(passes, coarse_.passes(r, gradient_.gradient()));
+  gl::Defines defines{{"COARSE", coarse_.empty() ? "0" : "1"}, {"SPLIT", splits_ ? "1" : "0"}, {"SWEEP", anderson_ ? "1" : "0"}};
   gl::ComputePass::Bindings correct{{"gradient", &gradient_.gradient()},
                                     {"predicted", &r.buffers.predicted},
                                     {"block_inverse", &block_inverse_},
@@ -91,19 +92,19 @@ Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
     correct.emplace_back("coarse_correction", &coarse_.correction());
   }
   if (splits_) correct.emplace_back("coarse_direction", &coarse_direction_);
-  if (anderson_) {
+  if (!anderson_) {
+    passes.push_back(sum_for_step(r, "sim/two_level_correct.comp", std::move(defines), std::move(correct)));
+  } else {
     correct.emplace_back("displacement", &r.buffers.displacement);
     correct.emplace_back("iterate", &anderson_->iterate(0));
-  }
-  passes.push_back(r.over_vertices(
-      "sim/two_level_correct.comp",
-      {{"COARSE", coarse_.empty() ? "0" : "1"}, {"SPLIT", splits_ ? "1" : "0"}, {"SWEEP", anderson_ ? "1" : "0"}}, std::move(correct)));
-  if (anderson_) {
+    passes.push_back(r.over_vertices("sim/two_level_correct.comp", std::move(defines), std::move(correct)));
     append(passes, anderson_->passes(r.programs, first));
     passes.emplace_back(
         r.programs.compute("sim/sweep_direction.comp"),
         gl::ComputePass::Bindings{{"displacement", &r.buffers.displacement}, {"fine_direction", &fine_direction_}},
         r.buffers.vertex_count);
+    passes.push_back(sum_for_step(r, "sim/subspace_dots.comp", {},
+                                  {{"gradient", &gradient_.gradient()}, {"fine_direction", &fine_direction_}, {"coarse_direction", &coarse_direction_}}));
   }
   append(passes, subspace_step(r, first, false));
   return passes;
@@ -120,6 +121,18 @@ gl::ComputePass TwoLevelMethod::objective_sum(const Recording& r) const {
                              vertices_);
 }
 
+// A kernel that ends in the sums of sim/subspace_sums.glsl.
+gl::ComputePass TwoLevelMethod::sum_for_step(const Recording& r, const char* kernel, gl::Defines defines,
+                                             gl::ComputePass::Bindings bindings) const {
+  bindings.insert(bindings.end(), {{"step", &r.buffers.step},
+                                   {"mass", &r.buffers.mass},
+                                   {"last_step", &last_step_},
+                                   {"previous_gradient", &previous_gradient_},
+                                   {"dot_partials", &dot_partials_}});
+  defines = r.grab.with_springs(std::move(defines), bindings);
+  return r.sum_over_vertices(kernel, std::move(defines), std::move(bindings), vertices_, {{"partials", vertices_.partials}});
+}
+
 Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) const {
   gl::Defines defines{{"FINAL", last ? "1" : "0"}, {"SPLIT", splits_ ? "1" : "0"}};
   Passes passes;
@@ -130,16 +143,6 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
   if (last) {
     passes.push_back(objective_sum(r));
   } else {
-    gl::ComputePass::Bindings dots = with_coarse({{"step", &r.buffers.step},
-                                                  {"gradient", &gradient_.gradient()},
-                                                  {"mass", &r.buffers.mass},
-                                                  {"fine_direction", &fine_direction_},
-                                                  {"last_step", &last_step_},
-                                                  {"previous_gradient", &previous_gradient_},
-                                                  {"dot_partials", &dot_partials_}});
-    const gl::Defines dot_defines = r.grab.with_springs({{"SPLIT", splits_ ? "1" : "0"}}, dots);
-    passes.push_back(
-        r.sum_over_vertices("sim/subspace_dots.comp", dot_defines, std::move(dots), vertices_, {{"partials", vertices_.partials}}));
     gl::ComputePass::Bindings curvature = with_coarse({{"step", &r.buffers.step},
                                                        {"tet_vertices", &r.buffers.tet_vertices},
                                                        {"tet_shape", &r.buffers.tet_shape},

@@ -31,12 +31,15 @@ class TwoLevelMethod : public StepMethod {
   Passes end(const Recording& recording) const override;
   void values_changed(const Model& model, const SolverSettings& settings) override { coarse_.values_changed(model, settings); }
   void set_springs(const std::vector<GrabSpring>& springs) override { coarse_.set_springs(springs); }
+  bool ready() const override { return coarse_.ready(); }
+  void complete() override { coarse_.complete(); }
   int update(bool wait) override { return coarse_.update(wait); }
   void take(int results) override { coarse_.take(results); }
   void begin_partial() override { gradient_.clear(); }  // the coarse level gathers the resting vertices' too
 
  private:
   gl::ComputePass objective_sum(const Recording& recording) const;
+  gl::ComputePass sum_for_step(const Recording& recording, const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
   Passes subspace_step(const Recording& recording, bool first, bool last) const;
 
   bool remembers_ = false, splits_ = false;  // whether the span has p, but in the first iteration; whether it has two directions beside it

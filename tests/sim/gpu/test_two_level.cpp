@@ -103,7 +103,8 @@ TEST_CASE("steps within the span of the corrections and the last step", "[gpu]")
   Step s(GENERATE(gl::LoadPath::texel, gl::LoadPath::storage), acceleration, soft);
   const VectorXd start = s.displacement();
   DoubleTwoLevel exact(s.model, s.settings.substep(), start, flat(s.buffers.predicted, s.buffers.vertex_count));
-  const TwoLevelMethod method(s.gpu.programs, s.model, s.buffers, s.settings);
+  TwoLevelMethod method(s.gpu.programs, s.model, s.buffers, s.settings);
+  method.complete();
   exact.begin(flat(s.buffers.previous_displacement, s.buffers.vertex_count));
   run(method.begin(s.recording));
   CHECK((s.displacement() - start).norm() <= 1e-6 * start.norm());  // there again
@@ -125,6 +126,7 @@ TEST_CASE("tets that are deferred take part in a step like those that are not", 
   const VectorXd start = at_once.displacement();
   const auto iterate = [](Step& s, DeferredTets* deferred) {
     TwoLevelMethod method(s.gpu.programs, s.model, s.buffers, s.settings);
+    method.complete();
     Recording blocks = s.recording;  // whose blocks are exact in both
     s.recording.deferred = deferred;
     method.prepare(s.recording);
@@ -149,7 +151,8 @@ TEST_CASE("Anderson's direction beside the correction: the same first step, a lo
   Step s(GENERATE(gl::LoadPath::texel, gl::LoadPath::storage), Acceleration::anderson);
   const VectorXd start = s.displacement();
   DoubleTwoLevel exact(s.model, s.settings.substep(), start, flat(s.buffers.predicted, s.buffers.vertex_count));
-  const TwoLevelMethod method(s.gpu.programs, s.model, s.buffers, s.settings);
+  TwoLevelMethod method(s.gpu.programs, s.model, s.buffers, s.settings);
+  method.complete();
   exact.begin(flat(s.buffers.previous_displacement, s.buffers.vertex_count));
   run(method.begin(s.recording));
   run(method.refresh(s.recording));

@@ -1,0 +1,22 @@
+// Items whose work is a long sum, in kernels that have few of them: on GPUs a work group shares an item, LANES invocations of it each
+// take every LANES-th term, and the first one goes on with the sum; on software renderers, where shared memory costs 20 times more,
+// one invocation has all of it.
+#if READ_TEXELS
+#define LANES 1u
+#define SHARED_ITEM_OR_RETURN(i, lane) ITEM_OR_RETURN(i) const uint lane = 0u;
+#define SUM_OVER_LANES(sum, lane)
+#else
+#define LANES uint(GROUP_SIZE)
+#define SHARED_ITEM_OR_RETURN(i, lane) uint i = gl_WorkGroupID.x, lane = gl_LocalInvocationID.x;
+shared vec3 lane_sums[GROUP_SIZE];
+
+// By all invocations of a group; only the first one's `sum` (vec3) is the sum afterwards.
+#define SUM_OVER_LANES(sum, lane)                                     \
+  barrier();                                                          \
+  lane_sums[lane] = sum;                                              \
+  for (uint other = LANES / 2u; other > 0u; other /= 2u) {            \
+    barrier();                                                        \
+    if (lane < other) lane_sums[lane] += lane_sums[lane + other];     \
+  }                                                                   \
+  sum = lane_sums[0];
+#endif
