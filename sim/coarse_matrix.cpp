@@ -37,10 +37,10 @@ MatrixXd inverse_of(const MatrixXd& factor) {
 // V p q^T over them, which is made once.
 class AlikeTets {
  public:
-  bool takes(const std::vector<std::uint32_t>& nodes, std::uint32_t material) const {
+  bool takes(const std::vector<std::uint32_t>& nodes, const Material& material) const {
     return count_ > 0 && count_ < kMost && nodes == nodes_ && material == material_;
   }
-  void begin(const std::vector<std::uint32_t>& nodes, std::uint32_t material) {
+  void begin(const std::vector<std::uint32_t>& nodes, const Material& material) {
     nodes_ = nodes;
     material_ = material;
     scaled_.resize(3 * static_cast<Eigen::Index>(nodes.size()), kMost);
@@ -52,10 +52,9 @@ class AlikeTets {
     ++count_;
   }
   /// To the lower triangle of `a`.
-  void add_stiffness(MatrixXd& a, const Model& model, double h) {
+  void add_stiffness(MatrixXd& a, double h) {
     if (count_ == 0) return;
-    const Material& material = model.materials[material_];
-    const double scale = h * h * (1 + material.damping / h), lambda = scale * material.lame_lambda(), mu = scale * material.lame_mu();
+    const double scale = h * h * (1 + material_.damping / h), lambda = scale * material_.lame_lambda(), mu = scale * material_.lame_mu();
     sum_.noalias() = scaled_.leftCols(count_) * scaled_.leftCols(count_).transpose();
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       for (std::size_t j = 0; j < nodes_.size(); ++j) {
@@ -70,7 +69,7 @@ class AlikeTets {
  private:
   static constexpr Eigen::Index kMost = 64;
   std::vector<std::uint32_t> nodes_;
-  std::uint32_t material_ = 0;
+  Material material_;
   Eigen::Index count_ = 0;
   MatrixXd scaled_, sum_;  // gradients times the root of the volume, [3 * nodes] rows, a column per tet
 };
@@ -101,13 +100,14 @@ MatrixXd coarse_matrix(const Model& model, const CoarseSpace& space, double h) {
         gradients[place] += space.weight[k] * b;
       }
     }
-    if (!alike.takes(nodes, model.tet_material[t])) {
-      alike.add_stiffness(a, model, h);
-      alike.begin(nodes, model.tet_material[t]);
+    const Material& material = model.materials[model.tet_material[t]];
+    if (!alike.takes(nodes, material)) {
+      alike.add_stiffness(a, h);
+      alike.begin(nodes, material);
     }
     alike.add(gradients, dm.determinant() / 6);
   }
-  alike.add_stiffness(a, model, h);
+  alike.add_stiffness(a, h);
   const std::vector<double> masses = lumped_masses(model);
   for (std::size_t v = 0; v < masses.size(); ++v)
     for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k)
