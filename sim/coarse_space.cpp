@@ -143,15 +143,17 @@ Lattice fit_lattice(const std::vector<Vector3d>& positions, const std::vector<st
     return static_cast<double>(count);
   };
   double small = longest / kMostCells, large = 2 * longest;
-  Lattice best = with_cell(large);
-  double best_miss = std::abs(nodes_of(best) - target);
+  Lattice tried = with_cell(large), best = tried;
+  double nodes = nodes_of(tried), best_miss = std::abs(nodes - target);
   for (int i = 0; i < 14; ++i) {
     const double size = std::sqrt(small * large);
-    const Lattice l = with_cell(size);
-    const double nodes = nodes_of(l);
+    if (const Lattice l = with_cell(size); l.cells != tried.cells) {
+      tried = l;
+      nodes = nodes_of(tried);
+    }
     if (std::abs(nodes - target) < best_miss) {
       best_miss = std::abs(nodes - target);
-      best = l;
+      best = tried;
     }
     (nodes > target ? small : large) = size;
   }
