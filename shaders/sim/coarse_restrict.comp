@@ -1,5 +1,5 @@
 // To the coarse space: the rotation R_j of every coarse node, nearest to the mean deformation gradient around it, M_j = I + sum_a u_a c_ja^T,
-// and the gradient that the node sees, turned back into the rest frame, where the coarse matrix lives: R_j^T sum_a P_aj g_a. On GPUs a
+// and the gradient that the node sees, turned back into the rest frame, where the coarse matrix lives: S R_j^T sum_a P_aj g_a (S: coarse_solve). On GPUs a
 // work group per node, else an invocation. After gradient.
 // The rotation is the unit quaternion q that maximises tr(R(q)^T M) = q^T K q (Davenport's problem): the leading eigenvector of K,
 // by squaring K plus a shift that makes it positive. Always a rotation, also where M is singular or mirrored.
@@ -12,8 +12,9 @@ INPUT_UINT(CoarseColumnBegin, coarse_column_begin)  // [node_count + 1]
 INPUT_UVEC4(CoarseColumns, coarse_columns)          // two entries of P each: vertex and weight (float bits) in turn
 INPUT_VEC4(Gradient, gradient)                      // [vertex_count] g [kg m]
 INPUT_VEC4(Displacement, displacement)              // [vertex_count] u [m]
+INPUT_VEC4(CoarseScale, coarse_scale)               // [node_count] xyz of S [1/sqrt(kg)]
 OUTPUT(vec4, CoarseRotation, coarse_rotation)       // [node_count] quaternion, xyz vector and w scalar part
-OUTPUT(float, CoarseGradient, coarse_gradient)      // [3 * node_count] [kg m]
+OUTPUT(float, CoarseGradient, coarse_gradient)      // [3 * node_count] [sqrt(kg) m]
 
 vec4 nearest_rotation(mat3 m) {
   float trace = m[0].x + m[1].y + m[2].z;
@@ -63,7 +64,7 @@ void main() {
   vec4 q = nearest_rotation(mat3(1.0) + mat3(m0, m1, m2));
   coarse_rotation[j] = q;
   vec3 cross_r = cross(-q.xyz, r);
-  vec3 back = r + 2.0 * (q.w * cross_r + cross(-q.xyz, cross_r));
+  vec3 back = FETCH(coarse_scale, j).xyz * (r + 2.0 * (q.w * cross_r + cross(-q.xyz, cross_r)));
   coarse_gradient[3u * j] = back.x;
   coarse_gradient[3u * j + 1u] = back.y;
   coarse_gradient[3u * j + 2u] = back.z;

@@ -1,25 +1,34 @@
 // The coarse correction at every coarse node, R_j (A_c^-1 r)_j: three rows of the dense inverse each. On GPUs a work group per
 // node, else an invocation. After coarse_restrict.
+// The inverse is S C S with the same diagonal throughout C, of which 16-bit integers hold as many digits as such a correction needs, in
+// half of what there would be to read. S r comes from coarse_restrict.
 #include "common/io.glsl"
 #include "common/group_sum.glsl"
 COMPUTE_1D
-INPUT_VEC4(CoarseInverse, coarse_inverse)    // [3 * node_count * row_quads] rows of A_c^-1, padded with zeros [1/kg]
-INPUT_VEC4(CoarseGradient, coarse_gradient)  // [row_quads] R^T r, padded with zeros [kg m]
+INPUT_UVEC4(CoarseInverse, coarse_inverse)   // [3 * node_count * row_octets] rows of C, eight 16-bit integers each, padded with zeros
+INPUT_VEC4(CoarseScale, coarse_scale)        // [node_count] xyz of S [1/sqrt(kg)]
+INPUT_VEC4(CoarseGradient, coarse_gradient)  // [2 * row_octets] S R^T r, padded with zeros [sqrt(kg) m]
 INPUT_VEC4(CoarseRotation, coarse_rotation)  // [node_count]
 OUTPUT(vec4, CoarseCorrection, coarse_correction)  // [node_count] [m]
-uniform uint row_quads;  // vec4 per row
+uniform uint row_octets;  // uvec4 per row
+
+float times(uvec4 eight, vec4 even, vec4 odd) {
+  return dot(vec4(ivec4(eight << 16u) >> 16), even) + dot(vec4(ivec4(eight) >> 16), odd);
+}
 
 void main() {
   SHARED_ITEM_OR_RETURN(j, lane)
-  uint row = 3u * j * row_quads;
+  uint row = 3u * j * row_octets;
   vec3 x = vec3(0.0);
-  for (uint k = lane; k < row_quads; k += LANES) {
-    vec4 r = FETCH(coarse_gradient, k);
-    x += vec3(dot(FETCH(coarse_inverse, row + k), r), dot(FETCH(coarse_inverse, row + row_quads + k), r),
-              dot(FETCH(coarse_inverse, row + 2u * row_quads + k), r));
+  for (uint k = lane; k < row_octets; k += LANES) {
+    vec4 low = FETCH(coarse_gradient, 2u * k), high = FETCH(coarse_gradient, 2u * k + 1u);
+    vec4 even = vec4(low.xz, high.xz), odd = vec4(low.yw, high.yw);
+    x += vec3(times(FETCH(coarse_inverse, row + k), even, odd), times(FETCH(coarse_inverse, row + row_octets + k), even, odd),
+              times(FETCH(coarse_inverse, row + 2u * row_octets + k), even, odd));
   }
   SUM_OVER_LANES(x, lane)
   if (lane != 0u) return;
+  x *= FETCH(coarse_scale, j).xyz;
   vec4 q = FETCH(coarse_rotation, j);
   vec3 cross_x = cross(q.xyz, x);
   STORE3(coarse_correction[j], x + 2.0 * (q.w * cross_x + cross(q.xyz, cross_x)))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <cmath>
 
 #include "sim/coarse_matrix.h"
 #include "sim/gpu/reduction.h"
@@ -55,7 +56,7 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
   }
   const std::uint32_t n = space_.node_count;
   lanes_ = programs.load_path() == gl::LoadPath::storage ? Reduction::kGroup : 1;
-  row_quads_ = (3 * n + 3) / 4;
+  row_octets_ = (3 * n + 7) / 8;
   gather_begin_ = gl::Buffer("gather_begin", gather.begin);
   gather_entry_ = gl::Buffer("gather_entry", entries);
   const CoarseTranspose transposed = transpose(space_);
@@ -66,8 +67,9 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
   row_begin_ = gl::Buffer("coarse_row_begin", rows.begin);
   rows_ = gl::Buffer("coarse_rows", rows.pairs);
   rotation_ = gl::Buffer("coarse_rotation", sizeof(vec4) * n);
-  gradient_ = gl::Buffer("coarse_gradient", sizeof(vec4) * row_quads_);
-  inverse_rows_ = gl::Buffer("coarse_inverse", sizeof(vec4) * row_quads_ * 3 * n);
+  gradient_ = gl::Buffer("coarse_gradient", 2 * sizeof(vec4) * row_octets_);
+  inverse_rows_ = gl::Buffer("coarse_inverse", sizeof(Tet) * row_octets_ * 3 * n);
+  scale_ = gl::Buffer("coarse_scale", sizeof(vec4) * n);
   correction_ = gl::Buffer("coarse_correction", sizeof(vec4) * n);
   start({material_part(model), settings.substep()});
 }
@@ -82,15 +84,17 @@ Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const
                                                 {"coarse_columns", &columns_},
                                                 {"gradient", &gradient},
                                                 {"displacement", &r.buffers.displacement},
+                                                {"coarse_scale", &scale_},
                                                 {"coarse_rotation", &rotation_},
                                                 {"coarse_gradient", &gradient_}},
                       n * lanes_);
   passes.emplace_back(r.programs.compute("sim/coarse_solve.comp"),
                       gl::ComputePass::Bindings{{"coarse_inverse", &inverse_rows_},
+                                                {"coarse_scale", &scale_},
                                                 {"coarse_gradient", &gradient_},
                                                 {"coarse_rotation", &rotation_},
                                                 {"coarse_correction", &correction_}},
-                      n * lanes_, gl::ComputePass::Constants{{"row_quads", row_quads_}});
+                      n * lanes_, gl::ComputePass::Constants{{"row_octets", row_octets_}});
   return passes;
 }
 
@@ -100,11 +104,19 @@ Eigen::MatrixXf CoarseLevel::compute(const CoarseSpace& space, const Job& job) {
 
 void CoarseLevel::upload() {
   const Eigen::MatrixXf inverse = with_springs(free_inverse_, space_, springs_, h_);
-  std::vector<float> rows(std::size_t{4} * row_quads_ * static_cast<std::size_t>(inverse.rows()), 0.0f);
+  constexpr float kOne = 32767;
+  const Eigen::VectorXf scale = (inverse.diagonal().cwiseMax(0) / kOne).cwiseSqrt();
+  const std::size_t row_length = std::size_t{8} * row_octets_;
+  std::vector<std::int16_t> rows(row_length * static_cast<std::size_t>(inverse.rows()), 0);
   for (Eigen::Index i = 0; i < inverse.rows(); ++i)
     for (Eigen::Index k = 0; k < inverse.cols(); ++k)
-      rows[static_cast<std::size_t>(i) * 4 * row_quads_ + static_cast<std::size_t>(k)] = inverse(k, i);  // symmetric
-  inverse_rows_.upload(0, rows.size() * sizeof(float), rows.data());
+      if (const float product = scale[i] * scale[k]; product > 0)  // symmetric
+        rows[static_cast<std::size_t>(i) * row_length + static_cast<std::size_t>(k)] =
+            static_cast<std::int16_t>(std::lround(std::clamp(inverse(k, i) / product, -kOne, kOne)));
+  inverse_rows_.upload(0, rows.size() * sizeof(std::int16_t), rows.data());
+  std::vector<vec4> scales;
+  for (Eigen::Index i = 0; i < inverse.rows(); i += 3) scales.push_back({scale[i], scale[i + 1], scale[i + 2], 0});
+  scale_.upload(0, scales.size() * sizeof(vec4), scales.data());
 }
 
 bool CoarseLevel::ready() const {

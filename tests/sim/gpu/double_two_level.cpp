@@ -39,6 +39,14 @@ std::vector<Matrix3d> blocks(const Model& model, const VectorXd& u, const Vector
   return result;
 }
 
+// As the GPU holds it: of a diagonal that is raised a little, and S C S with integers of 16 bits in C, whose diagonal is one and the same.
+MatrixXd inverse_in_sixteen_bits(MatrixXd matrix) {
+  matrix.diagonal() *= 1 + 1e-7;
+  const MatrixXd inverse = matrix.inverse();
+  const VectorXd scale = (inverse.diagonal() / 32767).cwiseSqrt();
+  return inverse.cwiseQuotient(scale * scale.transpose()).array().round().matrix().cwiseProduct(scale * scale.transpose());
+}
+
 }  // namespace
 
 DoubleTwoLevel::DoubleTwoLevel(const Model& model, double h, const VectorXd& start, const VectorXd& predicted)
@@ -50,7 +58,7 @@ DoubleTwoLevel::DoubleTwoLevel(const Model& model, double h, const VectorXd& sta
       mass_(start.size()),
       space_(make_coarse_space(model, coarse_node_target(model.tets.size()))),
       gather_(make_coarse_gather(model, space_)),
-      coarse_matrix_(coarse_matrix(model, space_, h)) {
+      coarse_inverse_(inverse_in_sixteen_bits(coarse_matrix(model, space_, h))) {
   const std::vector<double> masses = lumped_masses(model);
   for (std::size_t v = 0; v < masses.size(); ++v) mass_.segment<3>(3 * static_cast<Index>(v)).setConstant(masses[v]);
   for (const Matrix3d& block : blocks(model, start, mass_, h)) block_inverse_.push_back(block.inverse());
@@ -91,7 +99,7 @@ VectorXd DoubleTwoLevel::coarse(const VectorXd& gradient) const {
   for (std::uint32_t v = 0; v + 1 < space_.begin.size(); ++v)
     for (std::uint32_t k = space_.begin[v]; k < space_.begin[v + 1]; ++k)
       load.segment<3>(at(space_.node[k])) += space_.weight[k] * (rotations[space_.node[k]].transpose() * gradient.segment<3>(at(v)));
-  const VectorXd x = coarse_matrix_.ldlt().solve(load);
+  const VectorXd x = coarse_inverse_ * load;
   for (std::uint32_t v = 0; v + 1 < space_.begin.size(); ++v)
     for (std::uint32_t k = space_.begin[v]; k < space_.begin[v + 1]; ++k)
       z.segment<3>(at(v)) += space_.weight[k] * (rotations[space_.node[k]] * x.segment<3>(at(space_.node[k])));

@@ -34,7 +34,7 @@ class DoubleTwoLevel {
   std::vector<Eigen::Matrix3d> block_inverse_;
   CoarseSpace space_;
   CoarseGather gather_;
-  Eigen::MatrixXd coarse_matrix_;
+  Eigen::MatrixXd coarse_inverse_;
 };
 
 }  // namespace fascia::test
