@@ -1,4 +1,4 @@
-// Sums over an array, the same on every run: each of a fixed number of lanes adds up every lanes-th item, then
+// Sums over an array, the same on every run: each of a fixed number of lanes adds up its share of the items, then
 //   REDUCE_TREE 1 (GPUs): the lanes of a work group are added up in a tree; one partial sum per group;
 //   REDUCE_TREE 0 (software renderers, where shared memory costs 20 times more): one partial sum per lane.
 // The number of lanes is a multiple of GROUP_SIZE. The kernel that uses the sum adds up the partials. Partials that follow n others

@@ -54,7 +54,7 @@ void main() {
 void main() {
   LANE_OR_RETURN(i)
   SubspaceSums sums = SubspaceSums(vec4(0.0), vec4(0.0), vec4(0.0));
-  for (uint k = i; k < vertex_count; k += invocations) {
+  FOR_ITEMS_OF_LANE(k, i, vertex_count) {
     uint v = LISTED_ITEM(k);
     vec3 fine, coarse;
     correct(v, fine, coarse);
