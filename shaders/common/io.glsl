@@ -66,14 +66,15 @@ INPUT_UINT(DeferredCount, deferred_count)
 #else
 #define ITEM_OR_RETURN(i) if (gl_GlobalInvocationID.x >= invocations) return; uint i = LISTED_ITEM(gl_GlobalInvocationID.x);
 #endif
-// For sums: lane i goes through its share of `count` items, LISTED_ITEM(k). On GPUs all lanes go over the items side by side; on software
-// renderers, whose vectors hold eight invocations, those have a stretch of their own, for items beside each other share what they read.
+// For sums: lane i of `lanes` goes through its share of `count` items, LISTED_ITEM(k). On GPUs all lanes go over the items side by side;
+// on software renderers, whose vectors hold eight invocations, those have a stretch of their own, for items beside each other share
+// what they read.
 #define LANE_OR_RETURN(i) uint i = gl_GlobalInvocationID.x; if (i >= invocations) return;
 #if READ_TEXELS
-#define FOR_ITEMS_OF_LANE(k, i, count)                                                                         \
-  for (uint stretch = 8u * (((count) + invocations - 1u) / invocations), k = (i) / 8u * stretch + (i) % 8u,    \
+#define FOR_ITEMS_OF_LANE(k, i, lanes, count)                                                                  \
+  for (uint stretch = 8u * (((count) + (lanes) - 1u) / (lanes)), k = (i) / 8u * stretch + (i) % 8u,            \
             end_of_stretch = min(count, ((i) / 8u + 1u) * stretch);                                            \
        k < end_of_stretch; k += 8u)
 #else
-#define FOR_ITEMS_OF_LANE(k, i, count) for (uint k = i; k < (count); k += invocations)
+#define FOR_ITEMS_OF_LANE(k, i, lanes, count) for (uint k = i; k < (count); k += (lanes))
 #endif

@@ -18,7 +18,7 @@ void main() {
   uint column = (i / lanes) * vector_count;
   uint newest = uint(FETCH1(anderson_state, ANDERSON_NEXT)) * vector_count;
   vec4 sum = vec4(0.0);
-  for (uint v = i % lanes; v < vector_count; v += lanes) {
+  FOR_ITEMS_OF_LANE(v, i % lanes, lanes, vector_count) {
     vec4 f = FETCH(residual, v);
     vec3 d = FETCH(residual_change, column + v).xyz, g = FETCH(image, v).xyz;
     sum += f.w * vec4(dot(FETCH(residual_change, newest + v).xyz, d), dot(d, f.xyz), dot(f.xyz, f.xyz), dot(g, g));

@@ -11,7 +11,7 @@ uniform uint vertex_count;
 void main() {
   ITEM_OR_RETURN(i)
   vec4 sum = vec4(0.0);
-  FOR_ITEMS_OF_LANE(v, i, vertex_count) {
+  FOR_ITEMS_OF_LANE(v, i, invocations, vertex_count) {
     vec3 f = FETCH(displacement, v).xyz - FETCH(start, v).xyz;
     sum.x += dot(f, f);
   }

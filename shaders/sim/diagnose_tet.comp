@@ -16,7 +16,7 @@ uniform uint tet_count;
 void main() {
   ITEM_OR_RETURN(i)
   TetPartial partial = TetPartial(vec4(3.4e38, -3.4e38, 0.0, 0.0), vec4(0.0));
-  FOR_ITEMS_OF_LANE(t, i, tet_count) {
+  FOR_ITEMS_OF_LANE(t, i, invocations, tet_count) {
     Tet tet = load_tet(t);
     mat3 h = displacement_gradient(tet, FETCH(displacement, tet.v.x).xyz, FETCH(displacement, tet.v.y).xyz,
                                    FETCH(displacement, tet.v.z).xyz, FETCH(displacement, tet.v.w).xyz);

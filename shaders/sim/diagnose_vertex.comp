@@ -17,7 +17,7 @@ uniform uint vertex_count;
 void main() {
   ITEM_OR_RETURN(i)
   VertexPartial partial = VertexPartial(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-  FOR_ITEMS_OF_LANE(v, i, vertex_count) {
+  FOR_ITEMS_OF_LANE(v, i, invocations, vertex_count) {
     vec3 impulse = vec3(0.0);
     uint end = FETCH1(slot_begin, v + 1u);
     for (uint k = FETCH1(slot_begin, v); k < end; ++k) impulse += FETCH(correction, k).xyz;

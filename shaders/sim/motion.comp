@@ -11,7 +11,7 @@ uniform uint vertex_count;
 void main() {
   ITEM_OR_RETURN(i)
   float way = 0.0, speed = 0.0, displaced = 0.0;
-  FOR_ITEMS_OF_LANE(v, i, vertex_count) {
+  FOR_ITEMS_OF_LANE(v, i, invocations, vertex_count) {
     vec3 u = FETCH(displacement, v).xyz, d = u - FETCH(earlier_displacement, v).xyz, w = FETCH(velocity, v).xyz;
     way = max(way, dot(d, d));
     speed = max(speed, dot(w, w));

@@ -9,6 +9,6 @@ uniform uint vertex_count;
 void main() {
   LANE_OR_RETURN(i)
   float sum = 0.0;
-  FOR_ITEMS_OF_LANE(k, i, vertex_count) sum += FETCH(gradient, LISTED_ITEM(k)).w;
+  FOR_ITEMS_OF_LANE(k, i, invocations, vertex_count) sum += FETCH(gradient, LISTED_ITEM(k)).w;
   STORE_PARTIAL(dot_partials, i, vec4(0.0, 0.0, 0.0, sum))
 }

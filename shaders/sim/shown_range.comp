@@ -9,7 +9,7 @@ uniform uint vertex_count;
 void main() {
   ITEM_OR_RETURN(i)
   vec2 range = vec2(3.4e38, -3.4e38);
-  FOR_ITEMS_OF_LANE(v, i, vertex_count) {
+  FOR_ITEMS_OF_LANE(v, i, invocations, vertex_count) {
     float scalar = FETCH(position, v).w;
     if (abs(scalar) < 3.0e38) range = vec2(min(range.x, scalar), max(range.y, scalar));
   }

@@ -18,7 +18,7 @@ void main() {
   ITEM_OR_RETURN(i)
   vec4 sum = vec4(0.0);
   float motion = 0.0;
-  FOR_ITEMS_OF_LANE(v, i, vertex_count) {
+  FOR_ITEMS_OF_LANE(v, i, invocations, vertex_count) {
     vec4 predicted_v = FETCH(predicted, v);
     if (!(predicted_v.w > 0.0)) continue;
     float m = FETCH1(mass, v) * INVERSE_MEAN_MASS;

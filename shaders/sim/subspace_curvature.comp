@@ -57,7 +57,7 @@ void main() {
 void main() {
   LANE_OR_RETURN(i)
   vec3 sum = vec3(0.0);
-  FOR_ITEMS_OF_LANE(k, i, tet_count) {
+  FOR_ITEMS_OF_LANE(k, i, invocations, tet_count) {
     uint t = LISTED_ITEM(k);
     bool guard;
     vec3 terms = terms_of(t, guard);

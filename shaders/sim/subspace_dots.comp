@@ -9,7 +9,7 @@ INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] the other [m]
 void main() {
   LANE_OR_RETURN(i)
   SubspaceSums sums = SubspaceSums(vec4(0.0), vec4(0.0), vec4(0.0));
-  FOR_ITEMS_OF_LANE(k, i, vertex_count) {
+  FOR_ITEMS_OF_LANE(k, i, invocations, vertex_count) {
     uint v = LISTED_ITEM(k);
     add_vertex(sums, v, FETCH(fine_direction, v).xyz, FETCH(coarse_direction, v).xyz);
   }

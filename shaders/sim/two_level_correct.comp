@@ -54,7 +54,7 @@ void main() {
 void main() {
   LANE_OR_RETURN(i)
   SubspaceSums sums = SubspaceSums(vec4(0.0), vec4(0.0), vec4(0.0));
-  FOR_ITEMS_OF_LANE(k, i, vertex_count) {
+  FOR_ITEMS_OF_LANE(k, i, invocations, vertex_count) {
     uint v = LISTED_ITEM(k);
     vec3 fine, coarse;
     correct(v, fine, coarse);
