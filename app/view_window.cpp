@@ -100,10 +100,6 @@ void ViewWindow::run() {
   count_work(stats_, session_->simulation);
 }
 
-void ViewWindow::finish_video() {
-  if (video_.running()) video_.finish();
-}
-
 bool ViewWindow::still() const {
   const Simulation& simulation = session_->simulation;
   const bool asleep = simulation.asleep() && (!split_ || split_->asleep());

@@ -42,7 +42,9 @@ class ViewWindow {
   /// the file that keeps the scene.
   void run();
   /// The video that was being recorded when the window closed. Throws Error.
-  void finish_video();
+  void finish_video() {
+    if (video_.running()) video_.finish();
+  }
 
   const Simulation& simulation() const { return session_->simulation; }
   const RunStats& stats() const { return stats_; }  // of all steps made

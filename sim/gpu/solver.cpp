@@ -100,7 +100,7 @@ void GpuSolver::record() {
                         !always_whole_;
   if (!may_rest) regions_.reset();
   if (may_rest && !regions_) regions_.emplace(programs_, buffers_);
-  // A GPU jumps over a branch that none of a few neighbors takes, and to a small mesh each dispatch counts.
+  // A GPU jumps over a branch that none of a few neighbors takes, and to a small mesh each dispatch counts. The number is a guess.
   constexpr std::uint32_t kManyTets = 50'000;
   const bool branches_skip = programs_.load_path() == gl::LoadPath::storage;
   const bool may_defer = features_.signed_st_venant_kirchhoff && method_->defers() && !(branches_skip && buffers_.tet_count < kManyTets);
