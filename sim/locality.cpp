@@ -50,4 +50,6 @@ std::vector<std::uint32_t> solved_tets(const Model& model) {
   return order;
 }
 
+TetPairing paired_tets(const Model& model) { return pair_tets(model.tets, solved_tets(model)); }
+
 }  // namespace fascia

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/model.h"
+#include "sim/tet_pairing.h"
 
 namespace fascia {
 
@@ -14,5 +15,7 @@ std::vector<std::uint32_t> curve_order(const std::vector<Eigen::Vector3d>& posit
 
 /// The tets that a solver needs, along the curve: all but those whose vertices are all fixed, which never strain.
 std::vector<std::uint32_t> solved_tets(const Model& model);
+/// The same in pairs.
+TetPairing paired_tets(const Model& model);
 
 }  // namespace fascia

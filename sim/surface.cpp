@@ -45,11 +45,11 @@ std::vector<Face> faces_by_lowest_vertex(const std::vector<Tet>& tets,
   return faces;
 }
 
-/// [4 * tet_count] 1 for faces of exactly one tet.
-std::vector<char> faces_at_boundary(const std::vector<Tet>& tets) {
+/// Calls `visit` with every run of faces that have the same vertices.
+template <typename Visit>
+void for_each_face(const std::vector<Tet>& tets, const Visit& visit) {
   std::vector<std::size_t> group_begin;
   std::vector<Face> faces = faces_by_lowest_vertex(tets, group_begin);
-  std::vector<char> on_boundary(faces.size(), 0);
   for (std::size_t group = 0; group + 1 < group_begin.size(); ++group) {
     const auto begin = faces.begin() + static_cast<std::ptrdiff_t>(group_begin[group]);
     const auto end = faces.begin() + static_cast<std::ptrdiff_t>(group_begin[group + 1]);
@@ -59,10 +59,18 @@ std::vector<char> faces_at_boundary(const std::vector<Tet>& tets) {
     for (auto face = begin; face != end;) {
       auto other = face + 1;
       while (other != end && other->same_vertices(*face)) ++other;
-      if (other - face == 1) on_boundary[face->id] = 1;
+      visit(face, other);
       face = other;
     }
   }
+}
+
+/// [4 * tet_count] 1 for faces of exactly one tet.
+std::vector<char> faces_at_boundary(const std::vector<Tet>& tets) {
+  std::vector<char> on_boundary(4 * tets.size(), 0);
+  for_each_face(tets, [&](auto begin, auto end) {
+    if (end - begin == 1) on_boundary[begin->id] = 1;
+  });
   return on_boundary;
 }
 
@@ -85,6 +93,16 @@ std::vector<std::uint32_t> tets_at_boundary(const std::vector<Tet>& tets) {
   for (std::size_t id = 0; id < on_boundary.size(); ++id)
     if (on_boundary[id]) result.push_back(static_cast<std::uint32_t>(id / 4));
   return result;
+}
+
+std::vector<std::uint32_t> tets_across_faces(const std::vector<Tet>& tets) {
+  std::vector<std::uint32_t> across(4 * tets.size(), kNoTet);
+  for_each_face(tets, [&](auto begin, auto end) {
+    if (end - begin != 2) return;
+    across[begin->id] = static_cast<std::uint32_t>((begin + 1)->id / 4);
+    across[(begin + 1)->id] = static_cast<std::uint32_t>(begin->id / 4);
+  });
+  return across;
 }
 
 }  // namespace fascia

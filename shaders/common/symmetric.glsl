@@ -8,6 +8,10 @@ vec3 times(Sym3 a, vec3 v) {
   return vec3(dot(vec3(a.d.x, a.s.z, a.s.y), v), dot(vec3(a.s.z, a.d.y, a.s.x), v), dot(vec3(a.s.y, a.s.x, a.d.z), v));
 }
 
+mat3 times(mat3 f, Sym3 s) {
+  return mat3(f * vec3(s.d.x, s.s.z, s.s.y), f * vec3(s.s.z, s.d.y, s.s.x), f * vec3(s.s.y, s.s.x, s.d.z));
+}
+
 float contract(Sym3 a, Sym3 b) { return dot(a.d, b.d) + 2.0 * dot(a.s, b.s); }
 
 // eps = sym(H) + 1/2 H^T H with F = I + H: no difference of nearly equal numbers at small strain.

@@ -14,10 +14,6 @@ struct Elastic {
 #include "sim/material/stable_neo_hookean.glsl"
 #endif
 
-mat3 times(mat3 f, Sym3 s) {
-  return mat3(f * vec3(s.d.x, s.s.z, s.s.y), f * vec3(s.s.z, s.d.y, s.s.x), f * vec3(s.s.y, s.s.x, s.d.z));
-}
-
 Elastic elastic_of(mat3 h, vec4 material) {
 #if STABLE_NEO_HOOKEAN
   if (IS_STABLE_NEO_HOOKEAN(material)) return stable_neo_hookean(h, material);

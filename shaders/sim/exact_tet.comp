@@ -1,27 +1,37 @@
 // Exact XPBD, first of four passes: the force of the multipliers on the corners, G_a^T lambda = F mat(lambda) b_a, and what the
 // tension adds to a corner's mass, 2 |b_a|^2 |mat(lambda)|, into the slots that exact_vertex gathers.
 #include "common/io.glsl"
-#include "common/tet.glsl"
+#include "common/tet_pair.glsl"
+#include "common/pair_slots.glsl"
 #include "sim/material/deformation.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
 INPUT_VEC4(Multiplier, multiplier)      // [2 * tet_count] lambda
-INPUT_UVEC4(TetSlots, tet_slots)        // [tet_count]
-OUTPUT(vec4, Correction, correction)    // [4 * tet_count] xyz [kg m], w [kg]
+OUTPUT(vec4, Correction, correction)    // [corners of all pairs] xyz [kg m], w [kg]
 
-void main() {
-  ITEM_OR_RETURN(t)
-  Tet tet = load_tet(t);
-  mat3 h = displacement_gradient(tet, FETCH(displacement, tet.v.x).xyz, FETCH(displacement, tet.v.y).xyz,
-                                 FETCH(displacement, tet.v.z).xyz, FETCH(displacement, tet.v.w).xyz);
-  DEFER_GUARDED(t, h)
+struct Tension {
+  mat3 force;   // F mat(lambda)
+  float raise;  // [kg m^2]
+};
+
+Tension tension_of(uint t, mat3 h) {
   mat3 f = deformation_of(h, material_of(t)).f;
   Sym3 lambda = with_halved_shears(FETCH(multiplier, 2u * t).xyz, FETCH(multiplier, 2u * t + 1u).xyz);
-  float tension = 2.0 * sqrt(contract(lambda, lambda));
-  vec3 b0 = -(tet.b1 + tet.b2 + tet.b3);
-  uvec4 slot = FETCH(tet_slots, t);
-  correction[slot.x] = vec4(f * times(lambda, b0), tension * dot(b0, b0));
-  correction[slot.y] = vec4(f * times(lambda, tet.b1), tension * dot(tet.b1, tet.b1));
-  correction[slot.z] = vec4(f * times(lambda, tet.b2), tension * dot(tet.b2, tet.b2));
-  correction[slot.w] = vec4(f * times(lambda, tet.b3), tension * dot(tet.b3, tet.b3));
+  return Tension(times(f, lambda), 2.0 * sqrt(contract(lambda, lambda)));
+}
+
+vec4 at_corner(Tension tension, vec3 b) { return vec4(tension.force * b, tension.raise * dot(b, b)); }
+
+void main() {
+  ITEM_OR_RETURN(i)
+  TetPair pair = load_pair(i);
+  PairGradient h = GRADIENTS(pair, displacement);
+  DEFER_GUARDED(i, pair, h)
+  Tension a = tension_of(pair.ta, h.a), b = tension_of(pair.tb, h.b);
+  uvec4 slot = FETCH(pair_slots, i);
+  correction[slot.x] = at_corner(a, -(pair.a.b1 + pair.a.b2 + pair.a.b3)) + at_corner(b, -(pair.b.b1 + pair.b.b2 + pair.b.b3));
+  correction[slot.y] = at_corner(a, pair.a.b1) + at_corner(b, pair.b.b2);
+  correction[slot.z] = at_corner(a, pair.a.b2) + at_corner(b, pair.b.b1);
+  correction[slot.w] = at_corner(a, pair.a.b3);
+  if (pair.two) correction[FETCH1(pair_fifth_slot, i)] = at_corner(b, pair.b.b3);
 }

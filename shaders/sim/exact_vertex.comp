@@ -6,7 +6,8 @@ COMPUTE_1D
 INPUT_VEC4(Predicted, predicted)    // [vertex_count] xyz u~ [m], w inverse mass, 0 where held
 INPUT_FLOAT(Mass, mass)             // [vertex_count] [kg]
 INPUT_UINT(SlotBegin, slot_begin)   // [vertex_count + 1]
-INPUT_VEC4(Correction, correction)  // [4 * tet_count] from exact_tet
+INPUT_VEC4(Correction, correction)  // [corners of all pairs of tets] from exact_tet
+INPUT_UINT(CopyBegin, copy_begin)   // [vertex_count + 1] its differences are the numbers of tets
 #include "sim/feature_grab.glsl"
 INOUT(vec4, Displacement, displacement)   // [vertex_count] w becomes n / m^ [1/kg]
 OUTPUT(vec4, PrimalStep, primal_step)     // [vertex_count] xyz g / m^ [m]
@@ -23,7 +24,7 @@ void main() {
   float m = FETCH1(mass, i), k = SUBSTEP * SUBSTEP * spring.w;
   float raised = m + sum.w + k;
   float inverse = predicted_i.w > 0.0 ? 1.0 / raised : 0.0;
-  displacement[i].w = float(end - begin) * inverse;
+  displacement[i].w = float(FETCH1(copy_begin, i + 1u) - FETCH1(copy_begin, i)) * inverse;
   STORE3(primal_step[i], inverse * (m * (u - predicted_i.xyz) - sum.xyz + k * (u - spring.xyz)))
   raised_mass[i] = raised;
 }

@@ -19,7 +19,8 @@ void main() {
 #else
   vec3 lambda_d = FETCH(lambda, 2u * t).xyz, lambda_s = FETCH(lambda, 2u * t + 1u).xyz;
 #endif
-  BlockStep s = solve_block(t, tet, u0, u1, u2, u3, lambda_d, lambda_s, Sym3(vec3(0.0), vec3(0.0)));
+  mat3 h = displacement_gradient(tet, u0.xyz, u1.xyz, u2.xyz, u3.xyz);
+  BlockStep s = solve_block(t, tet, h, vec4(u0.w, u1.w, u2.w, u3.w), lambda_d, lambda_s, Sym3(vec3(0.0), vec3(0.0)));
   STORE3(multiplier[2u * t], lambda_d + s.change_d)
   STORE3(multiplier[2u * t + 1u], lambda_s + s.change_s)
   // Held vertices may be shared within a color: they do not move, so they are not written.

@@ -1,9 +1,9 @@
-// Forgets what subspace_curvature left for the tets that elastic_force deferred.
+// Forgets what subspace_curvature left for the pairs of tets that elastic_force deferred.
 #include "common/io.glsl"
 COMPUTE_1D
-OUTPUT(vec4, GuardedCurvature, guarded_curvature)  // [tet_count]
+OUTPUT(vec4, GuardedCurvature, guarded_curvature)  // [pairs and single tets]
 
 void main() {
-  ITEM_OR_RETURN(t)
-  guarded_curvature[t] = vec4(0.0);
+  ITEM_OR_RETURN(i)
+  guarded_curvature[i] = vec4(0.0);
 }

@@ -1,42 +1,61 @@
-// One Jacobi sweep over all tets: every tet solves its block from the same displacements. With EXACT each vertex will also move by
+// One Jacobi sweep over all tets: every tet solves its block, in pairs, from the same displacements. With EXACT each vertex will also move by
 // -g/m^ (exact_vertex.comp), which the tets foresee.
-// Reads displacement; writes multiplier and one correction per corner into the slots that jacobi_vertex gathers.
+// Reads displacement; writes multiplier and one correction per corner of a pair into the slots that jacobi_vertex gathers.
 #include "common/io.glsl"
+#include "common/tet_pair.glsl"
+#include "common/pair_slots.glsl"
 #include "sim/xpbd_block.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] xyz u [m], w inverse mass [1/kg]
-INPUT_UVEC4(TetSlots, tet_slots)        // [tet_count] where each corner's correction goes
 INPUT_VEC4_IN_PLACE(Lambda, lambda)     // [2 * tet_count] multiplier: xyz of xx, yy, zz then of yz, xz, xy
 OUTPUT(vec4, Multiplier, multiplier)
 #if EXACT
 INPUT_VEC4(PrimalStep, primal_step)     // [vertex_count] xyz g/m^ [m]
 #endif
-OUTPUT(vec4, Correction, correction)    // [4 * tet_count]
+OUTPUT(vec4, Correction, correction)    // [corners of all pairs]
+
+struct Multiplier6 {
+  vec3 d, s;
+};
+
+Multiplier6 multiplier_of(uint t) {
+#if FIRST_ITERATION
+  return Multiplier6(vec3(0.0), vec3(0.0));
+#else
+  return Multiplier6(FETCH(lambda, 2u * t).xyz, FETCH(lambda, 2u * t + 1u).xyz);
+#endif
+}
+
+// Returns the corrections and stores the multiplier.
+BlockStep solve(uint t, bool stored, Tet tet, mat3 h, vec4 inverse_mass, Sym3 foreseen) {
+  Multiplier6 before = multiplier_of(t);
+  BlockStep s = solve_block(t, tet, h, inverse_mass, before.d, before.s, foreseen);
+  if (stored) {
+    STORE3(multiplier[2u * t], before.d + s.change_d)
+    STORE3(multiplier[2u * t + 1u], before.s + s.change_s)
+  }
+  return s;
+}
 
 void main() {
-  ITEM_OR_RETURN(t)
-  Tet tet = load_tet(t);
-#if FIRST_ITERATION
-  vec3 lambda_d = vec3(0.0), lambda_s = vec3(0.0);
-#else
-  vec3 lambda_d = FETCH(lambda, 2u * t).xyz, lambda_s = FETCH(lambda, 2u * t + 1u).xyz;
-#endif
-  vec4 u0 = FETCH(displacement, tet.v.x), u1 = FETCH(displacement, tet.v.y), u2 = FETCH(displacement, tet.v.z),
-       u3 = FETCH(displacement, tet.v.w);
-  mat3 h = displacement_gradient(tet, u0.xyz, u1.xyz, u2.xyz, u3.xyz);
-  DEFER_GUARDED(t, h)
-  Sym3 foreseen = Sym3(vec3(0.0), vec3(0.0));
+  ITEM_OR_RETURN(i)
+  TetPair pair = load_pair(i);
+  vec4 s0 = FETCH(displacement, pair.a.v.x), s1 = FETCH(displacement, pair.a.v.y), s2 = FETCH(displacement, pair.a.v.z),
+       x = FETCH(displacement, pair.a.v.w), y = FETCH(displacement, pair.b.v.w);
+  PairGradient h = gradients(pair, s0.xyz, s1.xyz, s2.xyz, x.xyz, y.xyz);
+  DEFER_GUARDED(i, pair, h)
+  Sym3 foreseen_a = Sym3(vec3(0.0), vec3(0.0)), foreseen_b = foreseen_a;
 #if EXACT
-  mat3 f = deformation_of(h, material_of(t)).f;
-  foreseen = strain_change(f, displacement_gradient(tet, FETCH(primal_step, tet.v.x).xyz, FETCH(primal_step, tet.v.y).xyz,
-                                                    FETCH(primal_step, tet.v.z).xyz, FETCH(primal_step, tet.v.w).xyz));
+  PairGradient step = GRADIENTS(pair, primal_step);
+  foreseen_a = strain_change(deformation_of(h.a, material_of(pair.ta)).f, step.a);
+  foreseen_b = strain_change(deformation_of(h.b, material_of(pair.tb)).f, step.b);
 #endif
-  BlockStep s = solve_block(t, tet, u0, u1, u2, u3, lambda_d, lambda_s, foreseen);
-  STORE3(multiplier[2u * t], lambda_d + s.change_d)
-  STORE3(multiplier[2u * t + 1u], lambda_s + s.change_s)
-  uvec4 slot = FETCH(tet_slots, t);
-  STORE3(correction[slot.x], s.dx0)
-  STORE3(correction[slot.y], s.dx1)
-  STORE3(correction[slot.z], s.dx2)
-  STORE3(correction[slot.w], s.dx3)
+  BlockStep a = solve(pair.ta, true, pair.a, h.a, vec4(s0.w, s1.w, s2.w, x.w), foreseen_a);
+  BlockStep b = solve(pair.tb, pair.two, pair.b, h.b, vec4(s0.w, s2.w, s1.w, y.w), foreseen_b);
+  uvec4 slot = FETCH(pair_slots, i);
+  STORE3(correction[slot.x], a.dx0 + b.dx0)
+  STORE3(correction[slot.y], a.dx1 + b.dx2)
+  STORE3(correction[slot.z], a.dx2 + b.dx1)
+  STORE3(correction[slot.w], a.dx3)
+  if (pair.two) STORE3(correction[FETCH1(pair_fifth_slot, i)], b.dx3)
 }

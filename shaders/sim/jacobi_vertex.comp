@@ -3,7 +3,8 @@
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_UINT(SlotBegin, slot_begin)        // [vertex_count + 1]
-INPUT_VEC4(Correction, correction)       // [4 * tet_count] sorted by vertex
+INPUT_VEC4(Correction, correction)       // [corners of all pairs of tets] sorted by vertex
+INPUT_UINT(CopyBegin, copy_begin)        // [vertex_count + 1] its differences are the numbers of tets
 #if EXACT
 INPUT_VEC4(PrimalStep, primal_step)      // [vertex_count] xyz g/m^ [m], 0 where held
 #endif
@@ -14,7 +15,7 @@ void main() {
   uint begin = FETCH1(slot_begin, i), end = FETCH1(slot_begin, i + 1u);
   vec3 sum = vec3(0.0);
   for (uint k = begin; k < end; ++k) sum += FETCH(correction, k).xyz;
-  vec3 step = end > begin ? sum / float(end - begin) : vec3(0.0);
+  vec3 step = end > begin ? sum / float(FETCH1(copy_begin, i + 1u) - FETCH1(copy_begin, i)) : vec3(0.0);
 #if EXACT
   step -= FETCH(primal_step, i).xyz;
 #endif

@@ -1,11 +1,11 @@
-// Curvature of the elastic energy along z_f and z_c: sums over the tets of h^2 times
+// Curvature of the elastic energy along z_f and z_c: sums over the pairs of tets of h^2 times
 //   V dF_i : d^2 Psi / dF^2 : dF_j,   with damping its viscous part.
 // Only the three sums are needed, not the products of the Hessian with the directions. After two_level_correct. With DEFERRED the terms
 // of the tets that elastic_force deferred; those of the others and the sums come after it.
 #include "common/io.glsl"
 #include "common/reduce.glsl"
 #include "common/step.glsl"
-#include "common/tet.glsl"
+#include "common/tet_pair.glsl"
 #include "sim/elasticity.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)        // [vertex_count] u [m]
@@ -14,56 +14,62 @@ INPUT_VEC4(FineDirection, fine_direction)     // [vertex_count] z_f [m]
 INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]
 #endif
 #ifdef DEFERRED
-OUTPUT(vec4, GuardedCurvature, guarded_curvature)  // [tet_count] xyz the terms of a guarded tet, w 1
+OUTPUT(vec4, GuardedCurvature, guarded_curvature)  // [pairs and single tets] xyz the terms of one with a guarded tet, w 1
 #else
 OUTPUT(vec4, CurvaturePartials, curvature_partials)  // x z_f H z_f, y z_f H z_c, z z_c H z_c
-uniform uint tet_count;
+uniform uint pair_and_single_count;
 #ifdef GUARDED_ELSEWHERE
-INPUT_VEC4(GuardedTerms, guarded_terms)  // [tet_count] the same, w 0 where not guarded
+INPUT_VEC4(GuardedTerms, guarded_terms)  // [the same] w 0 where not guarded
 #endif
 #endif
 
-// Of a tet as it stands; `guard`: whether it needs one.
-vec3 terms_of(uint t, out bool guard) {
-  Tet tet = load_tet(t);
-  mat3 h = displacement_gradient(tet, FETCH(displacement, tet.v.x).xyz, FETCH(displacement, tet.v.y).xyz,
-                                 FETCH(displacement, tet.v.z).xyz, FETCH(displacement, tet.v.w).xyz);
+vec3 terms_of(uint t, Tet tet, mat3 h, mat3 df, mat3 dc) {
   vec4 material = material_of(t);
-#ifdef GUARDED_ELSEWHERE
-  guard = needs_guard(h, material);
-#else
-  guard = false;
-#endif
   Tangent tangent = tangent_of(t, h, material);
-  mat3 df = displacement_gradient(tet, FETCH(fine_direction, tet.v.x).xyz, FETCH(fine_direction, tet.v.y).xyz,
-                                  FETCH(fine_direction, tet.v.z).xyz, FETCH(fine_direction, tet.v.w).xyz);
   vec3 terms = vec3(curvature(tangent, h, material, df, df), 0.0, 0.0);
 #if SPLIT
-  mat3 dc = displacement_gradient(tet, FETCH(coarse_direction, tet.v.x).xyz, FETCH(coarse_direction, tet.v.y).xyz,
-                                  FETCH(coarse_direction, tet.v.z).xyz, FETCH(coarse_direction, tet.v.w).xyz);
   terms.y = curvature(tangent, h, material, df, dc);
   terms.z = curvature(tangent, h, material, dc, dc);
 #endif
-  return SUBSTEP * SUBSTEP * tet.volume * terms;
+  return tet.volume * terms;
+}
+
+// Of a pair as it stands; `guard`: whether a tet of it needs one.
+vec3 terms_of(uint i, out bool guard) {
+  TetPair pair = load_pair(i);
+  PairGradient h = GRADIENTS(pair, displacement);
+#ifdef GUARDED_ELSEWHERE
+  guard = needs_guard(h.a, material_of(pair.ta)) || needs_guard(h.b, material_of(pair.tb));
+#else
+  guard = false;
+#endif
+  PairGradient fine = GRADIENTS(pair, fine_direction);
+#if SPLIT
+  PairGradient coarse = GRADIENTS(pair, coarse_direction);
+#else
+  PairGradient coarse = fine;
+#endif
+  return SUBSTEP * SUBSTEP *
+         (terms_of(pair.ta, pair.a, h.a, fine.a, coarse.a) + terms_of(pair.tb, pair.b, h.b, fine.b, coarse.b));
 }
 
 #ifdef DEFERRED
 void main() {
-  ITEM_OR_RETURN(t)
+  ITEM_OR_RETURN(i)
   bool guard;
-  guarded_curvature[t] = vec4(terms_of(t, guard), 1.0);
+  guarded_curvature[i] = vec4(terms_of(i, guard), 1.0);
 }
 #else
 void main() {
   LANE_OR_RETURN(i)
   vec3 sum = vec3(0.0);
-  FOR_ITEMS_OF_LANE(k, i, invocations, tet_count) {
-    uint t = LISTED_ITEM(k);
+  FOR_ITEMS_OF_LANE(k, i, invocations, pair_and_single_count) {
+    uint pair = LISTED_ITEM(k);
     bool guard;
-    vec3 terms = terms_of(t, guard);
+    vec3 terms = terms_of(pair, guard);
 #ifdef GUARDED_ELSEWHERE
     // Upright ones, most of all, read one and the same element. Where rounding makes the two kernels disagree both terms are right.
-    vec4 other = FETCH(guarded_terms, guard ? t : 0u);
+    vec4 other = FETCH(guarded_terms, guard ? pair : 0u);
     if (guard && other.w > 0.0) terms = other.xyz;
 #endif
     sum += terms;

@@ -11,10 +11,11 @@ INPUT_UINT(VertexTets, vertex_tets)  // [4 * tet_count] 4 * tet + corner, sorted
 struct VertexBlock {
   Sym3 hessian;   // [kg]
   vec3 gradient;  // of the tets alone [kg m]
+  bool guard;     // with DEFERS: whether a tet needs one
 };
 
 VertexBlock add_tets(uint v) {
-  VertexBlock block = VertexBlock(Sym3(vec3(0.0), vec3(0.0)), vec3(0.0));
+  VertexBlock block = VertexBlock(Sym3(vec3(0.0), vec3(0.0)), vec3(0.0), false);
   uint end = FETCH1(slot_begin, v + 1u);
   for (uint k = FETCH1(slot_begin, v); k < end; ++k) {
     uint entry = FETCH1(vertex_tets, k), t = entry / 4u, corner = entry % 4u;
@@ -22,7 +23,11 @@ VertexBlock add_tets(uint v) {
     mat3 h = displacement_gradient(tet, AT_VERTEX(tet.v.x), AT_VERTEX(tet.v.y), AT_VERTEX(tet.v.z), AT_VERTEX(tet.v.w));
     vec3 b = corner == 0u ? -(tet.b1 + tet.b2 + tet.b3) : corner == 1u ? tet.b1 : corner == 2u ? tet.b2 : tet.b3;
     vec4 material = material_of(t);
-    Sym3 hessian = corner_block(tangent_of(t, h, material), h, material, b);
+#ifdef DEFERS
+    block.guard = block.guard || needs_guard(h, material);
+#endif
+    Tangent tangent = tangent_of(t, h, material);
+    Sym3 hessian = corner_block(tangent, h, material, b);
 #if SIGNED_ST_VENANT_KIRCHHOFF && defined GUARDED_ELSEWHERE
     if (needs_guard(h, material))
       hessian.d += LEAST_STRETCH * LEAST_STRETCH * (lame_lambda(material) + 2.0 * lame_mu(material)) * dot(b, b);
@@ -30,7 +35,11 @@ VertexBlock add_tets(uint v) {
     float scale = SUBSTEP * SUBSTEP * tet.volume;
     block.hessian.d += scale * hessian.d;
     block.hessian.s += scale * hessian.s;
+#if DAMPING || STABLE_NEO_HOOKEAN
     block.gradient += scale * (response_of(t, h, material).p * b);
+#else
+    block.gradient += scale * (tangent.f * times(tangent.s, b));
+#endif
   }
   return block;
 }

@@ -16,6 +16,12 @@ void main() {
   ITEM_OR_RETURN(i)
   uint v = FETCH1(color_vertex, first_item + i);
   VertexBlock block = add_tets(v);
+#ifdef DEFERS
+  if (block.guard) {
+    defer(i);
+    return;
+  }
+#endif
   vec4 spring = spring_of(v);
   vec3 u = AT_VERTEX(v);
   float m = FETCH1(mass, v), k = SUBSTEP * SUBSTEP * spring.w;

@@ -18,10 +18,9 @@ struct BlockStep {
   vec3 dx0, dx1, dx2, dx3;      // corrections of the corners [m]
 };
 
-// u: displacement [m] and, in w, inverse mass [1/kg] of the corners of tet t. `foreseen`: strain that the corners are about to lose
-// whatever the tet does.
-BlockStep solve_block(uint t, Tet tet, vec4 u0, vec4 u1, vec4 u2, vec4 u3, vec3 lambda_d, vec3 lambda_s, Sym3 foreseen) {
-  mat3 h = displacement_gradient(tet, u0.xyz, u1.xyz, u2.xyz, u3.xyz);
+// h: displacement gradient of tet t. inverse_mass [1/kg]: of its corners. `foreseen`: strain that the corners are about to lose whatever
+// the tet does.
+BlockStep solve_block(uint t, Tet tet, mat3 h, vec4 inverse_mass, vec3 lambda_d, vec3 lambda_s, Sym3 foreseen) {
   vec4 material = material_of(t);
   Deformation deformation = deformation_of(h, material);
   mat3 f = deformation.f;
@@ -29,7 +28,7 @@ BlockStep solve_block(uint t, Tet tet, vec4 u0, vec4 u1, vec4 u2, vec4 u3, vec3 
   vec3 b0 = -(tet.b1 + tet.b2 + tet.b3);
 
   Sym3 c = Sym3(vec3(dot(f[0], f[0]), dot(f[1], f[1]), dot(f[2], f[2])), vec3(dot(f[1], f[2]), dot(f[0], f[2]), dot(f[0], f[1])));
-  vec3 p0 = u0.w * b0, p1 = u1.w * tet.b1, p2 = u2.w * tet.b2, p3 = u3.w * tet.b3;
+  vec3 p0 = inverse_mass.x * b0, p1 = inverse_mass.y * tet.b1, p2 = inverse_mass.z * tet.b2, p3 = inverse_mass.w * tet.b3;
   Sym3 w = Sym3(p0 * b0 + p1 * tet.b1 + p2 * tet.b2 + p3 * tet.b3,
                 p0.yxx * b0.zzy + p1.yxx * tet.b1.zzy + p2.yxx * tet.b2.zzy + p3.yxx * tet.b3.zzy);
 
@@ -72,6 +71,5 @@ BlockStep solve_block(uint t, Tet tet, vec4 u0, vec4 u1, vec4 u2, vec4 u3, vec3 
   solve6(m, change_d, change_s);  // right-hand side in, solution out
 
   Sym3 change = with_halved_shears(change_d, change_s);
-  return BlockStep(change_d, change_s, u0.w * (f * times(change, b0)), u1.w * (f * times(change, tet.b1)),
-                   u2.w * (f * times(change, tet.b2)), u3.w * (f * times(change, tet.b3)));
+  return BlockStep(change_d, change_s, f * times(change, p0), f * times(change, p1), f * times(change, p2), f * times(change, p3));
 }

@@ -3,7 +3,8 @@
 namespace fascia {
 
 ExactXpbdMethod::ExactXpbdMethod(const SimBuffers& buffers)
-    : multiplier_("multiplier", 2 * sizeof(shared::vec4) * buffers.tet_count),
+    : pairs_(buffers.pairs()),
+      multiplier_("multiplier", 2 * sizeof(shared::vec4) * buffers.tet_count),
       primal_step_("primal_step", sizeof(shared::vec4) * buffers.vertex_count),
       raised_mass_("raised_mass", sizeof(float) * buffers.vertex_count) {}
 
@@ -24,16 +25,16 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
   gl::ComputePass::Bindings force{{"step", &r.buffers.step},
                                   {"tet_vertices", &r.buffers.tet_vertices},
                                   {"tet_shape", &r.buffers.tet_shape},
-                                  {"tet_slots", &r.buffers.tet_slots},
                                   {"displacement", &r.buffers.displacement},
                                   {"multiplier", &multiplier_},
                                   {"correction", &r.buffers.correction}};
-  force = with_material(std::move(force), r.features, r.buffers);
-  Passes passes = r.over_tets_deferring("sim/exact_tet.comp", defines_of(r.features), force);
+  force = with_material(pairs_->with_slots(std::move(force)), r.features, r.buffers);
+  Passes passes = r.over_pairs_deferring("sim/exact_tet.comp", defines_of(r.features), force);
   gl::ComputePass::Bindings vertex{{"step", &r.buffers.step},
                                    {"predicted", &r.buffers.predicted},
                                    {"mass", &r.buffers.mass},
-                                   {"slot_begin", &r.buffers.slot_begin},
+                                   {"slot_begin", &pairs_->slot_begin},
+                                   {"copy_begin", &r.buffers.slot_begin},
                                    {"correction", &r.buffers.correction},
                                    {"displacement", &r.buffers.displacement},
                                    {"primal_step", &primal_step_},
@@ -47,16 +48,16 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
   gl::ComputePass::Bindings tet{{"step", &r.buffers.step},
                                 {"tet_vertices", &r.buffers.tet_vertices},
                                 {"tet_shape", &r.buffers.tet_shape},
-                                {"tet_slots", &r.buffers.tet_slots},
                                 {"displacement", &r.buffers.displacement},
                                 {"primal_step", &primal_step_},
                                 {"lambda", &multiplier_},
                                 {"multiplier", &multiplier_},
                                 {"correction", &r.buffers.correction}};
-  tet = with_damping(with_material(std::move(tet), r.features, r.buffers), r.features, r.previous_strain);
-  append(passes, r.over_tets_deferring("sim/jacobi_tet.comp", defines, tet));
+  tet = with_damping(with_material(pairs_->with_slots(std::move(tet)), r.features, r.buffers), r.features, r.previous_strain);
+  append(passes, r.over_pairs_deferring("sim/jacobi_tet.comp", defines, tet));
   passes.emplace_back(r.programs.compute("sim/jacobi_vertex.comp", {{"EXACT", "1"}}),
-                      gl::ComputePass::Bindings{{"slot_begin", &r.buffers.slot_begin},
+                      gl::ComputePass::Bindings{{"slot_begin", &pairs_->slot_begin},
+                                                {"copy_begin", &r.buffers.slot_begin},
                                                 {"correction", &r.buffers.correction},
                                                 {"primal_step", &primal_step_},
                                                 {"displacement", &r.buffers.displacement}},

@@ -7,6 +7,7 @@
 //   x_i += (sum_e G_i^T dlambda_e - g_i) / m^_i
 #pragma once
 #include "sim/gpu/method.h"
+#include "sim/gpu/tet_pairs.h"
 
 namespace fascia {
 
@@ -17,10 +18,11 @@ class ExactXpbdMethod : public StepMethod {
   const gl::Buffer& raised_mass() const { return raised_mass_; }  // float [vertex_count] m^ [kg]
   /// The multipliers start in balance with the stress at the prediction: from zero, accelerated iterations stall.
   Passes begin(const Recording& recording) const override;
-  bool defers() const override { return true; }
+  std::uint32_t most_deferred(const SimBuffers& buffers) const override { return buffers.pair_and_single_count(); }
   Passes iteration(const Recording& recording, bool first) const override;
 
  private:
+  std::shared_ptr<const TetPairs> pairs_;
   gl::Buffer multiplier_;   // vec4 [2 * tet_count] lambda
   gl::Buffer primal_step_;  // vec4 [vertex_count] g / m^ [m]
   gl::Buffer raised_mass_;

@@ -25,7 +25,7 @@ GaussSeidelMethod::GaussSeidelMethod(const Model& model, SimBuffers& buffers, in
   coloring_ = color(model, order, colors);
   phantom_count_ = static_cast<std::uint32_t>(coloring_.phantom_vertex.size());
   std::transform(coloring_.order.begin(), coloring_.order.end(), order.begin(), [solved = order](std::uint32_t k) { return solved[k]; });
-  buffers.set_tet_order(model, order);
+  buffers.set_tet_order(model, {std::move(order), 0});
   buffers.set_phantom_count(phantom_count_);
   if (phantom_count_ == 0) return;
   std::vector<Tet> corners;

@@ -4,6 +4,7 @@ namespace fascia {
 
 JacobiMethod::JacobiMethod(const SimBuffers& buffers, bool split_masses)
     : copy_begin_(split_masses ? &buffers.slot_begin : nullptr),
+      pairs_(buffers.pairs()),
       multiplier_("multiplier", 2 * sizeof(shared::vec4) * buffers.tet_count) {}
 
 Passes JacobiMethod::iteration(const Recording& r, bool first) const {
@@ -13,15 +14,15 @@ Passes JacobiMethod::iteration(const Recording& r, bool first) const {
   gl::ComputePass::Bindings tet{{"step", &r.buffers.step},
                                 {"tet_vertices", &r.buffers.tet_vertices},
                                 {"tet_shape", &r.buffers.tet_shape},
-                                {"tet_slots", &r.buffers.tet_slots},
                                 {"displacement", &r.buffers.displacement},
                                 {"lambda", &multiplier_},
                                 {"multiplier", &multiplier_},
                                 {"correction", &r.buffers.correction}};
-  tet = with_damping(with_material(std::move(tet), r.features, r.buffers), r.features, r.previous_strain);
-  Passes passes = r.over_tets_deferring("sim/jacobi_tet.comp", defines, tet);
+  tet = with_damping(with_material(pairs_->with_slots(std::move(tet)), r.features, r.buffers), r.features, r.previous_strain);
+  Passes passes = r.over_pairs_deferring("sim/jacobi_tet.comp", defines, tet);
   passes.emplace_back(r.programs.compute("sim/jacobi_vertex.comp", {{"EXACT", "0"}}),
-                      gl::ComputePass::Bindings{{"slot_begin", &r.buffers.slot_begin},
+                      gl::ComputePass::Bindings{{"slot_begin", &pairs_->slot_begin},
+                                                {"copy_begin", &r.buffers.slot_begin},
                                                 {"correction", &r.buffers.correction},
                                                 {"displacement", &r.buffers.displacement}},
                       r.buffers.vertex_count);

@@ -3,6 +3,7 @@
 // gives the multipliers the whole step and the positions only a part of it. On split masses (predict.comp) both get the same.
 #pragma once
 #include "sim/gpu/method.h"
+#include "sim/gpu/tet_pairs.h"
 
 namespace fascia {
 
@@ -11,11 +12,12 @@ class JacobiMethod : public StepMethod {
   /// `split_masses`: every tet sees its share of a vertex's mass (method "mass_splitting").
   JacobiMethod(const SimBuffers& buffers, bool split_masses);
   const gl::Buffer* copy_begin() const override { return copy_begin_; }
-  bool defers() const override { return true; }
+  std::uint32_t most_deferred(const SimBuffers& buffers) const override { return buffers.pair_and_single_count(); }
   Passes iteration(const Recording& recording, bool first) const override;
 
  private:
   const gl::Buffer* copy_begin_;
+  std::shared_ptr<const TetPairs> pairs_;
   gl::Buffer multiplier_;  // vec4 [2 * tet_count] lambda, xyz of xx, yy, zz then of yz, xz, xy
 };
 

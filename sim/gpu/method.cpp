@@ -18,29 +18,52 @@ gl::ComputePass Recording::over_vertices(const char* kernel, gl::Defines defines
 }
 
 gl::ComputePass Recording::over_tets(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
-  if (active) list(defines, bindings, active->tets);
-  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.tet_count);
-  if (active) pass.follow("invocations", active->tet_count);
+  return {programs.compute(kernel, defines), std::move(bindings), buffers.tet_count};
+}
+
+gl::ComputePass Recording::over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
+  if (active) list(defines, bindings, active->pairs);
+  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.pair_and_single_count(),
+                       {{"pair_count", buffers.pair_count}});
+  if (active) pass.follow("invocations", active->pair_count);
   return pass;
 }
 
-Passes Recording::over_tets_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings) const {
-  if (!deferred) return {over_tets(kernel, defines, bindings)};
-  Passes passes;
-  gl::Defines first_defines = defines;
-  first_defines.emplace_back("DEFERS", "1");
-  gl::ComputePass::Bindings first_bindings = bindings;
-  first_bindings.insert(first_bindings.end(), {{"deferred_items", &deferred->tets}, {"deferred_counts", &deferred->count}});
-  passes.push_back(over_tets(kernel, std::move(first_defines), std::move(first_bindings)));
+Passes Recording::over_pairs_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings) const {
+  if (!deferred) return {over_pairs(kernel, defines, bindings)};
+  auto [first_defines, first_bindings] = deferring(defines, bindings);
+  Passes passes{over_pairs(kernel, std::move(first_defines), std::move(first_bindings))};
   passes.back().copy_first(deferred->none, deferred->count);
   passes.push_back(over_deferred(kernel, defines, bindings));
   return passes;
 }
 
 gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
+  return over_deferred(kernel, std::move(defines), std::move(bindings), buffers.pair_and_single_count(), {{"pair_count", buffers.pair_count}});
+}
+
+Passes Recording::over_range_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings,
+                                       std::uint32_t first_item, std::uint32_t count) const {
+  const gl::ComputePass::Constants constants{{"first_item", first_item}};
+  if (!deferred) return {{programs.compute(kernel, defines), bindings, count, constants}};
+  auto [first_defines, first_bindings] = deferring(defines, bindings);
+  Passes passes{{programs.compute(kernel, first_defines), std::move(first_bindings), count, constants}};
+  passes.back().copy_first(deferred->none, deferred->count);
+  passes.push_back(over_deferred(kernel, defines, bindings, count, constants));
+  return passes;
+}
+
+std::pair<gl::Defines, gl::ComputePass::Bindings> Recording::deferring(gl::Defines defines, gl::ComputePass::Bindings bindings) const {
+  defines.emplace_back("DEFERS", "1");
+  bindings.insert(bindings.end(), {{"deferred_items", &deferred->items}, {"deferred_counts", &deferred->count}});
+  return {std::move(defines), std::move(bindings)};
+}
+
+gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, std::uint32_t most,
+                                         gl::ComputePass::Constants constants) const {
   defines.emplace_back("DEFERRED", "1");
-  bindings.insert(bindings.end(), {{"deferred_item", &deferred->tets}, {"deferred_count", &deferred->count}});
-  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.tet_count);
+  bindings.insert(bindings.end(), {{"deferred_item", &deferred->items}, {"deferred_count", &deferred->count}});
+  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), most, std::move(constants));
   pass.set_indirect(deferred->count, 0);
   return pass;
 }
@@ -54,11 +77,12 @@ gl::ComputePass Recording::sum_over_vertices(const char* kernel, gl::Defines def
   return pass;
 }
 
-gl::ComputePass Recording::sum_over_tets(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings,
+gl::ComputePass Recording::sum_over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings,
                                          const Reduction& sum) const {
-  if (active) list(defines, bindings, active->tets);
-  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), sum.lanes, {{"tet_count", buffers.tet_count}});
-  if (active) pass.follow("tet_count", active->tet_count);
+  if (active) list(defines, bindings, active->pairs);
+  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), sum.lanes,
+                       {{"pair_count", buffers.pair_count}, {"pair_and_single_count", buffers.pair_and_single_count()}});
+  if (active) pass.follow("pair_and_single_count", active->pair_count);
   return pass;
 }
 

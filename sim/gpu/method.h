@@ -28,17 +28,26 @@ struct Recording {
   DeferredTets* deferred = nullptr;  // null: no material defers tets
   const ActiveSet* active = nullptr;       // what the passes go through; null: everything
 
-  /// A pass of an invocation per vertex or tet.
+  /// A pass of an invocation per vertex, tet or pair of tets (shaders/common/tet_pair.glsl).
   gl::ComputePass over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
   gl::ComputePass over_tets(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
-  /// The same and, with materials that have them, one over the tets that it deferred.
-  Passes over_tets_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings) const;
-  /// For the tets that were deferred last.
+  gl::ComputePass over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
+  /// The same and, with materials that have them, one over the pairs that it deferred.
+  Passes over_pairs_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings) const;
+  /// For the pairs that were deferred last.
   gl::ComputePass over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
-  /// A sum over them; the kernel's loop ends at the constant vertex_count or tet_count.
+  /// Of an invocation per item of a range, which begins at the kernel's constant first_item, and one over the items that it deferred.
+  Passes over_range_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings,
+                              std::uint32_t first_item, std::uint32_t count) const;
+  /// A sum over them; the kernel's loop ends at the constant vertex_count or pair_and_single_count.
   gl::ComputePass sum_over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, const Reduction& sum,
                                     gl::ComputePass::Constants constants = {}) const;
-  gl::ComputePass sum_over_tets(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, const Reduction& sum) const;
+  gl::ComputePass sum_over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, const Reduction& sum) const;
+
+ private:
+  std::pair<gl::Defines, gl::ComputePass::Bindings> deferring(gl::Defines defines, gl::ComputePass::Bindings bindings) const;
+  gl::ComputePass over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, std::uint32_t most,
+                                gl::ComputePass::Constants constants) const;
 };
 
 class StepGradient;
@@ -69,8 +78,8 @@ class StepMethod {
   /// One iteration, the grab's springs included. The first one of a substep finds no history.
   virtual Passes iteration(const Recording& recording, bool first) const = 0;
   virtual Passes end(const Recording&) const { return {}; }  // after the last iteration of a substep, unless a stop rule ended them
-  /// Whether its passes put tets off (deferred_tets.h).
-  virtual bool defers() const { return false; }
+  /// Of how many items a pass may put some off (deferred_tets.h); 0 where none does.
+  virtual std::uint32_t most_deferred(const SimBuffers&) const { return 0; }
   /// Before passes are recorded, with what they will be recorded from.
   virtual void prepare(const Recording&) {}
   /// Before the first step of some that go through a part of the tets only.

@@ -61,7 +61,7 @@ Regions::Regions(gl::ProgramCache& programs, const SimBuffers& buffers)
   }
 
   active_.vertices = gl::Buffer("active_vertices", sizeof(std::uint32_t) * buffers.vertex_count);
-  active_.tets = gl::Buffer("active_tets", sizeof(std::uint32_t) * tets_.size());
+  active_.pairs = gl::Buffer("active_pairs", sizeof(std::uint32_t) * buffers.pair_and_single_count());
   begin_ = gl::Buffer("region_begin", region_begin_);
   vertices_ = gl::Buffer("region_vertices", region_vertices_);
   motion_ = gl::Buffer("region_motion", 2 * sizeof(float) * region_count());
@@ -100,9 +100,19 @@ bool Regions::list(const SolverSettings& settings, const std::vector<GrabSpring>
   if (moving == listed_) return active_.tet_count <= kMostShare * static_cast<double>(tets_.size());
   listed_ = moving;
 
-  std::vector<std::uint32_t> tets, vertices;
-  for (std::uint32_t t = 0; t < tets_.size(); ++t)
-    if (std::any_of(tets_[t].begin(), tets_[t].end(), [&](std::uint32_t v) { return moving[vertex_region_[v]] != 0; })) tets.push_back(t);
+  std::vector<std::uint32_t> pairs, tets, vertices;
+  const auto moves = [&](const Tet& tet) {
+    return std::any_of(tet.begin(), tet.end(), [&](std::uint32_t v) { return moving[vertex_region_[v]] != 0; });
+  };
+  for (std::uint32_t i = 0, t = 0; i < buffers_.pair_and_single_count(); ++i) {
+    const std::uint32_t end = t + (i < buffers_.pair_count ? 2 : 1);
+    if (std::any_of(tets_.begin() + t, tets_.begin() + end, moves)) {
+      pairs.push_back(i);
+      for (; t < end; ++t) tets.push_back(t);
+    }
+    t = end;
+  }
+  active_.pair_count = static_cast<std::uint32_t>(pairs.size());
   active_.tet_count = static_cast<std::uint32_t>(tets.size());
   if (active_.tet_count > kMostShare * static_cast<double>(tets_.size())) return false;
   std::vector<char> beside(buffers_.vertex_count, 0);
@@ -114,7 +124,7 @@ bool Regions::list(const SolverSettings& settings, const std::vector<GrabSpring>
   for (const std::uint32_t v : region_vertices_)
     if (beside[v]) vertices.push_back(v);
   active_.vertex_count = static_cast<std::uint32_t>(vertices.size());
-  active_.tets.upload(0, tets.size() * sizeof(std::uint32_t), tets.data());
+  active_.pairs.upload(0, pairs.size() * sizeof(std::uint32_t), pairs.data());
   active_.vertices.upload(0, vertices.size() * sizeof(std::uint32_t), vertices.data());
   return true;
 }

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <numeric>
 
+#include "sim/gpu/tet_pairs.h"
 #include "sim/locality.h"
 
 namespace fascia {
@@ -65,8 +66,8 @@ std::vector<Eigen::Vector3d> download_vectors(const gl::Buffer& buffer, std::siz
 
 SimBuffers::SimBuffers(const Model& model)
     : vertex_count(static_cast<std::uint32_t>(model.rest_positions.size())) {
-  const std::vector<std::uint32_t> order = solved_tets(model);
-  tet_count = static_cast<std::uint32_t>(order.size());
+  const TetPairing pairing = paired_tets(model);
+  tet_count = static_cast<std::uint32_t>(pairing.order.size());
   const std::size_t vertex_bytes = vertex_count * sizeof(vec4), tet_bytes = tet_count * sizeof(vec4);
   displacement = gl::Buffer("displacement", vertex_bytes);
   velocity = gl::Buffer("velocity", vertex_bytes);
@@ -74,8 +75,8 @@ SimBuffers::SimBuffers(const Model& model)
   predicted = gl::Buffer("predicted", vertex_bytes);
   rest_position = gl::Buffer("rest_position", vertex_bytes);
   mass = gl::Buffer("mass", vertex_count * sizeof(float));
-  slot_begin = gl::Buffer("slot_begin", first_slots(model, order));
-  set_tet_order(model, order);
+  slot_begin = gl::Buffer("slot_begin", first_slots(model, pairing.order));
+  set_tet_order(model, pairing);
   for (const Tet& tet : model.tets) {
     const std::vector<Eigen::Vector3d>& x = model.rest_positions;
     volume += (x[tet[1]] - x[tet[0]]).cross(x[tet[2]] - x[tet[0]]).dot(x[tet[3]] - x[tet[0]]) / 6;
@@ -94,7 +95,10 @@ SimBuffers::SimBuffers(const Model& model)
   upload_state(model, reference::initial_state(model));
 }
 
-void SimBuffers::set_tet_order(const Model& model, const std::vector<std::uint32_t>& order) {
+void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
+  const std::vector<std::uint32_t>& order = pairing.order;
+  pair_count = pairing.pair_count;
+  pairs_.reset();
   std::vector<Tet> tets;
   std::vector<std::uint32_t> material;
   tets.reserve(order.size());
@@ -102,10 +106,17 @@ void SimBuffers::set_tet_order(const Model& model, const std::vector<std::uint32
     tets.push_back(model.tets[t]);
     if (model.materials.size() > 1) material.push_back(model.tet_material[t]);
   }
+  for (std::size_t i = 0; i < pair_count; ++i) align_at_face(tets[2 * i], tets[2 * i + 1]);
   tet_vertices = gl::Buffer("tet_vertices", tets);
   tet_shape = gl::Buffer("tet_shape", make_shapes(model, tets));
   tet_slots = gl::Buffer("tet_slots", make_slots(tets, first_slots(model, order)));
   if (!material.empty()) tet_material = gl::Buffer("tet_material", material);
+}
+
+std::shared_ptr<const TetPairs> SimBuffers::pairs() const {
+  std::shared_ptr<const TetPairs> pairs = pairs_.lock();
+  if (!pairs) pairs_ = pairs = std::make_shared<const TetPairs>(*this);
+  return pairs;
 }
 
 void SimBuffers::set_phantom_count(std::uint32_t count) {

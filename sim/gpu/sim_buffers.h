@@ -2,6 +2,7 @@
 // near rest they keep seven digits where positions would lose them to the distance from the origin.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "render/gl/buffer.h"
@@ -9,17 +10,21 @@
 #include "sim/model.h"
 #include "sim/reference/newton.h"
 #include "sim/settings.h"
+#include "sim/tet_pairing.h"
 
 namespace fascia {
 
 /// The first `count` vec4 of a buffer, without their w. Waits for the GPU.
 std::vector<Eigen::Vector3d> download_vectors(const gl::Buffer& buffer, std::size_t count);
 
+struct TetPairs;
+
 struct SimBuffers {
   explicit SimBuffers(const Model& model);
 
   std::uint32_t vertex_count = 0;
   std::uint32_t tet_count = 0;  // of solved_tets(), which are here
+  std::uint32_t pair_count = 0;  // the first 2 * pair_count tets are pairs as of pair_tets()
   double volume = 0;     // of all tets at rest [m^3]
   double mean_mass = 0;  // of the vertices [kg]
   double size = 0;       // diagonal of the box around all tets at rest [m]
@@ -48,9 +53,11 @@ struct SimBuffers {
 
   gl::Buffer step;  // uniform block Step (shared::StepValues)
 
-  /// The tets in another order than that of solved_tets(): `order` [tet_count] indices into model.tets. Needs passes that count on the
-  /// old one recorded anew.
-  void set_tet_order(const Model& model, const std::vector<std::uint32_t>& order);
+  /// The tets in another order: all of solved_tets(). Needs passes and lists that count on the old one made anew.
+  void set_tet_order(const Model& model, const TetPairing& order);
+  std::uint32_t pair_and_single_count() const { return tet_count - pair_count; }
+  /// Made when first asked for, and again after set_tet_order; there as long as anyone holds it.
+  std::shared_ptr<const TetPairs> pairs() const;
   /// Room for `count` copies of vertices behind the displacements, which stay.
   void set_phantom_count(std::uint32_t count);
 
@@ -60,6 +67,9 @@ struct SimBuffers {
   void upload_materials(const Model& model);
   void upload_step(const Model& model, const SolverSettings& settings);
   bool material_per_tet() const { return static_cast<bool>(tet_material); }
+
+ private:
+  mutable std::weak_ptr<const TetPairs> pairs_;
 };
 
 }  // namespace fascia

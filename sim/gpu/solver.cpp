@@ -39,7 +39,7 @@ void GpuSolver::make_method() {
   regions_.reset();
   if (!colors_stay && !levels_stay) method_.reset();  // before the next one is made: both may not fit
   if (order_goes) {
-    buffers_.set_tet_order(model_, solved_tets(model_));
+    buffers_.set_tet_order(model_, paired_tets(model_));
     buffers_.set_phantom_count(0);
   }
   const bool joint = settings_.acceleration == Acceleration::anderson && settings_.method != Method::two_level;  // which does its own
@@ -103,9 +103,10 @@ void GpuSolver::record() {
   // A GPU jumps over a branch that none of a few neighbors takes, and to a small mesh each dispatch counts. The number is a guess.
   constexpr std::uint32_t kManyTets = 50'000;
   const bool branches_skip = programs_.load_path() == gl::LoadPath::storage;
-  const bool may_defer = features_.signed_st_venant_kirchhoff && method_->defers() && !(branches_skip && buffers_.tet_count < kManyTets);
+  const std::uint32_t most_deferred = method_->most_deferred(buffers_);
+  const bool may_defer = features_.signed_st_venant_kirchhoff && most_deferred > 0 && !(branches_skip && buffers_.tet_count < kManyTets);
   if (!may_defer) deferred_.reset();
-  if (may_defer && !deferred_) deferred_.emplace(buffers_.tet_count);
+  if (may_defer && (!deferred_ || deferred_->most() != most_deferred)) deferred_.emplace(most_deferred);
   method_->prepare(recording(nullptr));
   buffers_.correction.clear();  // of which kernels may leave the w as it is
   before_every_ = 1;
@@ -125,7 +126,7 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
   passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), !method_->starts_without_gravity(), active));
   if (!motions_.empty()) passes.begin.push_back(motions_.pass(programs_, buffers_));
   if (features_.damping)
-    passes.begin.push_back(r.over_tets("sim/previous_strain.comp", {},
+    passes.begin.push_back(r.over_pairs("sim/previous_strain.comp", {},
                                        {{"tet_vertices", &buffers_.tet_vertices},
                                         {"tet_shape", &buffers_.tet_shape},
                                         {"previous_displacement", &buffers_.previous_displacement},

@@ -2,16 +2,16 @@
 
 namespace fascia {
 
-StepGradient::StepGradient(std::uint32_t vertex_count) : gradient_("gradient", vertex_count * sizeof(shared::vec4)) {}
+StepGradient::StepGradient(const SimBuffers& buffers)
+    : pairs_(buffers.pairs()), gradient_("gradient", buffers.vertex_count * sizeof(shared::vec4)) {}
 
 Passes StepGradient::passes(const Recording& r) const {
   gl::ComputePass::Bindings tet{{"step", &r.buffers.step},
                                 {"tet_vertices", &r.buffers.tet_vertices},
                                 {"tet_shape", &r.buffers.tet_shape},
-                                {"tet_slots", &r.buffers.tet_slots},
                                 {"displacement", &r.buffers.displacement},
                                 {"correction", &r.buffers.correction}};
-  tet = with_damping(with_material(std::move(tet), r.features, r.buffers), r.features, r.previous_strain);
+  tet = with_damping(with_material(pairs_->with_slots(std::move(tet)), r.features, r.buffers), r.features, r.previous_strain);
   gl::Defines tet_defines = defines_of(r.features);
   tet_defines.emplace_back("COMPENSATED", r.buffers.displacement_low ? "1" : "0");
   if (r.buffers.displacement_low) tet.emplace_back("displacement_low", &r.buffers.displacement_low);
@@ -19,12 +19,12 @@ Passes StepGradient::passes(const Recording& r) const {
                                    {"displacement", &r.buffers.displacement},
                                    {"predicted", &r.buffers.predicted},
                                    {"mass", &r.buffers.mass},
-                                   {"slot_begin", &r.buffers.slot_begin},
+                                   {"slot_begin", &pairs_->slot_begin},
                                    {"correction", &r.buffers.correction},
                                    {"gradient", &gradient_}};
   const gl::Defines vertex_defines = r.grab.with_springs({}, vertex);
   Passes passes;
-  append(passes, r.over_tets_deferring("sim/elastic_force.comp", tet_defines, tet));
+  append(passes, r.over_pairs_deferring("sim/elastic_force.comp", tet_defines, tet));
   passes.push_back(r.over_vertices("sim/gradient.comp", vertex_defines, std::move(vertex)));
   return passes;
 }

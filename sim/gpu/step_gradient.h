@@ -2,18 +2,20 @@
 // the grab included: what the methods that descend it start every iteration with.
 #pragma once
 #include "sim/gpu/method.h"
+#include "sim/gpu/tet_pairs.h"
 
 namespace fascia {
 
 class StepGradient {
  public:
-  explicit StepGradient(std::uint32_t vertex_count);
+  explicit StepGradient(const SimBuffers& buffers);
   /// Forces of the tets into the slots, and their sums.
   Passes passes(const Recording& recording) const;
   void clear() { gradient_.clear(); }
   const gl::Buffer& gradient() const { return gradient_; }  // vec4 [vertex_count] xyz g [kg m], w objective [kg m^2]
 
  private:
+  std::shared_ptr<const TetPairs> pairs_;
   gl::Buffer gradient_;
 };
 

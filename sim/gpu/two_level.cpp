@@ -10,12 +10,12 @@ constexpr std::size_t kStateFloats = 8;  // shaders/sim/subspace_state.glsl
 
 TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& model, const SimBuffers& buffers,
                                const SolverSettings& settings)
-    : gradient_(buffers.vertex_count),
+    : gradient_(buffers),
       coarse_(programs, model, settings),
       vertex_tets_(make_vertex_tets(buffers)),
       block_inverse_("block_inverse", 2 * sizeof(vec4) * buffers.vertex_count),
       vertices_(programs, buffers.vertex_count, true),
-      tets_(programs, buffers.tet_count, true),
+      tets_(programs, buffers.pair_and_single_count(), true),
       fine_direction_("fine_direction", gradient_.gradient().bytes()),
       last_step_("last_step", gradient_.gradient().bytes()),
       previous_gradient_("previous_gradient", gradient_.gradient().bytes()),
@@ -37,7 +37,7 @@ void TwoLevelMethod::set_acceleration(const gl::ProgramCache& programs, const Si
 void TwoLevelMethod::prepare(const Recording& r) {
   if (!r.deferred) guarded_curvature_ = {};
   if (!r.deferred || guarded_curvature_) return;
-  guarded_curvature_ = gl::Buffer("guarded_curvature", sizeof(shared::vec4) * r.buffers.tet_count);
+  guarded_curvature_ = gl::Buffer("guarded_curvature", sizeof(shared::vec4) * r.buffers.pair_and_single_count());
   guarded_curvature_.clear();
 }
 
@@ -160,7 +160,7 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
       sums.emplace_back("guarded_terms", &guarded_curvature_);
       sum_defines.emplace_back("GUARDED_ELSEWHERE", "1");
     }
-    passes.push_back(r.sum_over_tets("sim/subspace_curvature.comp", sum_defines, std::move(sums), tets_));
+    passes.push_back(r.sum_over_pairs("sim/subspace_curvature.comp", sum_defines, std::move(sums), tets_));
     if (r.deferred) passes.push_back(r.over_deferred("sim/guarded_curvature_clear.comp", {}, {{"guarded_curvature", &guarded_curvature_}}));
   }
   gl::ComputePass::Bindings solve{{"dot_partials", &dot_partials_}, {"subspace_state", &state_}};

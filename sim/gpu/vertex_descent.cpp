@@ -22,11 +22,10 @@ Passes VertexDescentMethod::iteration(const Recording& r, bool) const {
                                      {"color_vertex", &color_vertex_}};
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
   const gl::Defines defines = r.grab.with_springs(defines_of(r.features), bindings);
-  const gl::Program& program = r.programs.compute("sim/vertex_descent.comp", defines);
   Passes passes;
   for (std::size_t color = 0; color < coloring_.color_count(); ++color)
-    passes.emplace_back(program, bindings, coloring_.begin[color + 1] - coloring_.begin[color],
-                        gl::ComputePass::Constants{{"first_item", coloring_.begin[color]}});
+    append(passes, r.over_range_deferring("sim/vertex_descent.comp", defines, bindings, coloring_.begin[color],
+                                          coloring_.begin[color + 1] - coloring_.begin[color]));
   return passes;
 }
 

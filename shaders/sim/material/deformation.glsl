@@ -40,20 +40,17 @@ bool needs_guard(mat3 h, vec4 material) { return IS_SIGNED_ST_VENANT_KIRCHHOFF(m
 #endif
 
 #ifdef DEFERS
-#define DEFER_GUARDED(t, h) if (needs_guard(h, material_of(t))) { defer(t); return; }
+#define DEFER_GUARDED(i, pair, h) \
+  if (needs_guard(h.a, material_of(pair.ta)) || needs_guard(h.b, material_of(pair.tb))) { defer(i); return; }
 #else
-#define DEFER_GUARDED(t, h)
+#define DEFER_GUARDED(i, pair, h)
 #endif
 
 Deformation deformation_of(mat3 h, vec4 material) {
-#ifdef DEFERRED
-  return guarded(mat3(1.0) + h, true);
-#else
   Deformation plain = Deformation(mat3(1.0) + h, green_strain(h));
 #if SIGNED_ST_VENANT_KIRCHHOFF && !defined DEFERS && !defined GUARDED_ELSEWHERE
   bool needed = needs_guard(h, material);
   if (needed) return guarded(plain.f, needed);
 #endif
   return plain;
-#endif
 }

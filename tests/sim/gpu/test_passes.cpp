@@ -104,11 +104,11 @@ TEST_CASE("previous strain is the Green strain of the start of the substep", "[g
                    {"tet_shape", &buffers.tet_shape},
                    {"previous_displacement", &buffers.previous_displacement},
                    {"previous_strain", &strain}},
-                  buffers.tet_count)
+                  buffers.pair_and_single_count(), {{"pair_count", buffers.pair_count}})
       .run();
   const DoubleXpbd exact(model, {});
   std::vector<Vector3d> expected;
-  for (const std::uint32_t t : solved_tets(model)) {
+  for (const std::uint32_t t : paired_tets(model).order) {
     const Vector6d e = exact.strain(t, state.displacement);
     expected.push_back(e.head<3>());
     expected.push_back(e.tail<3>());

@@ -71,7 +71,7 @@ struct Step {
   gl::Buffer no_strain;
   GrabSprings grab;
   Recording recording{gpu.programs, buffers, features, no_strain, grab};
-  DeferredTets deferred{buffers.tet_count};
+  DeferredTets deferred{buffers.pair_and_single_count()};
   VectorXd displacement() const { return flat(buffers.displacement, buffers.vertex_count); }
 };
 
@@ -86,7 +86,7 @@ TEST_CASE("the gradient of a step and its objective", "[gpu]") {
   if (s.features.signed_st_venant_kirchhoff) s.recording.deferred = GENERATE(false, true) ? &s.deferred : nullptr;
   const VectorXd start = s.displacement();
   const DoubleTwoLevel exact(s.model, s.settings.substep(), start, flat(s.buffers.predicted, s.buffers.vertex_count));
-  const StepGradient gradient(s.buffers.vertex_count);
+  const StepGradient gradient(s.buffers);
   run(gradient.passes(s.recording));
   double objective = 0, sum = 0;
   const VectorXd expected = exact.gradient(start, objective);
