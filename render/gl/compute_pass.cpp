@@ -1,6 +1,7 @@
 #include "render/gl/compute_pass.h"
 
 #include <algorithm>
+#include <set>
 
 #include "sim/error.h"
 
@@ -187,8 +188,10 @@ void ComputePass::follow(const std::string& constant, const std::uint32_t& value
 }
 
 std::size_t ComputePass::bytes() const {
+  std::set<const Buffer*> counted;
   std::size_t bytes = 0;
-  for (const Slot& slot : slots_) bytes += slot.buffer->bytes();
+  for (const Slot& slot : slots_)
+    if (counted.insert(slot.buffer).second) bytes += slot.buffer->bytes();
   return bytes;
 }
 

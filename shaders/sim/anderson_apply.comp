@@ -14,6 +14,6 @@ void main() {
   uint count = uint(FETCH1(anderson_state, ANDERSON_COUNT));
   for (uint j = 0u; j < count; ++j)
     z -= FETCH1(anderson_state, ANDERSON_WEIGHTS + j) * FETCH(image_change, j * invocations + i).xyz;
-  iterate[i] = vec4(z, 0.0);
+  STORE3(iterate[i], z)
   value[i].xyz = z;
 }

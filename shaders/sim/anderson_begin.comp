@@ -4,7 +4,8 @@
 COMPUTE_1D
 INPUT_VEC4(Value, value)  // [invocations] G(z_0)
 #include "sim/feature_weight.glsl"
-INOUT(vec4, Iterate, iterate)     // [invocations] z_0 to z_1
+INPUT_VEC4_IN_PLACE(Start, start)  // [invocations] z_0
+OUTPUT(vec4, Iterate, iterate)     // [invocations] z_1
 OUTPUT(vec4, Residual, residual)  // [invocations] xyz f_0 = G(z_0) - z_0, w weight
 OUTPUT(vec4, Image, image)        // [invocations] G(z_0)
 OUTPUT(float, AndersonState, anderson_state)
@@ -12,9 +13,9 @@ OUTPUT(float, AndersonState, anderson_state)
 void main() {
   ITEM_OR_RETURN(i)
   vec3 g = FETCH(value, i).xyz;
-  residual[i] = vec4(g - iterate[i].xyz, weight_of(i));
-  iterate[i] = vec4(g, 0.0);
-  image[i] = vec4(g, 0.0);
+  residual[i] = vec4(g - FETCH(start, i).xyz, weight_of(i));
+  STORE3(iterate[i], g)
+  STORE3(image[i], g)
   if (i == 0u) {
     anderson_state[ANDERSON_NEXT] = 0.0;
     anderson_state[ANDERSON_COUNT] = 0.0;

@@ -8,8 +8,10 @@ INPUT_VEC4(Value, value)      // [invocations] G(z_k)
 INPUT_VEC4(Iterate, iterate)  // [invocations] z_k
 #include "sim/feature_weight.glsl"
 INPUT_FLOAT(AndersonState, anderson_state)
-INOUT(vec4, Residual, residual)                // [invocations] xyz f_{k-1} to f_k, w weight
-INOUT(vec4, Image, image)                      // [invocations] G(z_{k-1}) to G(z_k)
+INPUT_VEC4_IN_PLACE(ResidualBefore, residual_before)  // [invocations] xyz f_{k-1}, w weight
+INPUT_VEC4_IN_PLACE(ImageBefore, image_before)        // [invocations] G(z_{k-1})
+OUTPUT(vec4, Residual, residual)               // [invocations] xyz f_k, w weight
+OUTPUT(vec4, Image, image)                     // [invocations] G(z_k)
 OUTPUT(vec4, ResidualChange, residual_change)  // [window * invocations] dF
 OUTPUT(vec4, ImageChange, image_change)        // [window * invocations] dG
 
@@ -18,8 +20,8 @@ void main() {
   vec3 g = FETCH(value, i).xyz;
   vec3 f = g - FETCH(iterate, i).xyz;
   uint column = uint(FETCH1(anderson_state, ANDERSON_NEXT)) * invocations + i;
-  residual_change[column] = vec4(f - residual[i].xyz, 0.0);
-  image_change[column] = vec4(g - image[i].xyz, 0.0);
+  STORE3(residual_change[column], f - FETCH(residual_before, i).xyz)
+  STORE3(image_change[column], g - FETCH(image_before, i).xyz)
   residual[i] = vec4(f, weight_of(i));
-  image[i] = vec4(g, 0.0);
+  STORE3(image[i], g)
 }

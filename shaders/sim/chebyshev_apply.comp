@@ -3,16 +3,19 @@
 #include "sim/chebyshev_state.glsl"
 COMPUTE_1D
 INPUT_FLOAT(ChebyshevState, chebyshev_state)
-INOUT(vec4, Displacement, displacement)  // [vertex_count] G(x_k) to x_{k+1} [m]; w stays
-INOUT(vec4, Iterate, iterate)            // [vertex_count] x_k to x_{k+1}
-INOUT(vec4, Before, before)              // [vertex_count] x_{k-1} to x_k
+INPUT_VEC4_IN_PLACE(Swept, swept)        // [vertex_count] G(x_k) [m]
+INPUT_VEC4_IN_PLACE(Current, current)    // [vertex_count] x_k
+INPUT_VEC4_IN_PLACE(Earlier, earlier)    // [vertex_count] x_{k-1}
+OUTPUT(vec4, Displacement, displacement)  // [vertex_count] x_{k+1}; w stays
+OUTPUT(vec4, Iterate, iterate)            // [vertex_count] x_{k+1}
+OUTPUT(vec4, Before, before)              // [vertex_count] x_k
 
 void main() {
   ITEM_OR_RETURN(i)
   float omega = FETCH1(chebyshev_state, CHEBYSHEV_WEIGHT);
-  vec3 x = displacement[i].xyz;
-  if (omega != 1.0) x = omega * (x - before[i].xyz) + before[i].xyz;  // a weight of 1 changes no bit
+  vec3 x = FETCH(swept, i).xyz, x_before = FETCH(earlier, i).xyz;
+  if (omega != 1.0) x = omega * (x - x_before) + x_before;  // a weight of 1 changes no bit
   displacement[i].xyz = x;
-  before[i] = iterate[i];
-  iterate[i] = vec4(x, 0.0);
+  STORE3(before[i], FETCH(current, i).xyz)
+  STORE3(iterate[i], x)
 }

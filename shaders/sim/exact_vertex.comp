@@ -9,7 +9,8 @@ INPUT_UINT(SlotBegin, slot_begin)   // [vertex_count + 1]
 INPUT_VEC4(Correction, correction)  // [corners of all pairs of tets] from exact_tet
 INPUT_UINT(CopyBegin, copy_begin)   // [vertex_count + 1] its differences are the numbers of tets
 #include "sim/feature_grab.glsl"
-INOUT(vec4, Displacement, displacement)   // [vertex_count] w becomes n / m^ [1/kg]
+INPUT_VEC4_IN_PLACE(Iterate, iterate)     // [vertex_count] u [m]
+OUTPUT(vec4, Displacement, displacement)  // [vertex_count] w becomes n / m^ [1/kg]
 OUTPUT(vec4, PrimalStep, primal_step)     // [vertex_count] xyz g / m^ [m]
 OUTPUT(float, RaisedMass, raised_mass)    // [vertex_count] m^ [kg]
 
@@ -20,7 +21,7 @@ void main() {
   for (uint k = begin; k < end; ++k) sum += FETCH(correction, k);
   vec4 predicted_i = FETCH(predicted, i);
   vec4 spring = spring_of(i);
-  vec3 u = displacement[i].xyz;
+  vec3 u = FETCH(iterate, i).xyz;
   float m = FETCH1(mass, i), k = SUBSTEP * SUBSTEP * spring.w;
   float raised = m + sum.w + k;
   float inverse = predicted_i.w > 0.0 ? 1.0 / raised : 0.0;

@@ -8,7 +8,8 @@ INPUT_UINT(CopyBegin, copy_begin)        // [vertex_count + 1] its differences a
 #if EXACT
 INPUT_VEC4(PrimalStep, primal_step)      // [vertex_count] xyz g/m^ [m], 0 where held
 #endif
-INOUT(vec4, Displacement, displacement)  // [vertex_count]
+INPUT_VEC4_IN_PLACE(Iterate, iterate)    // [vertex_count] u [m]
+OUTPUT(vec4, Displacement, displacement)
 
 void main() {
   ITEM_OR_RETURN(i)
@@ -19,5 +20,5 @@ void main() {
 #if EXACT
   step -= FETCH(primal_step, i).xyz;
 #endif
-  displacement[i].xyz += step;
+  displacement[i].xyz = FETCH(iterate, i).xyz + step;
 }

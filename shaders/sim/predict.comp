@@ -10,7 +10,8 @@
 COMPUTE_1D
 INPUT_VEC4(RestPosition, rest_position)  // [vertex_count] xyz X [m], w inverse mass [1/kg]
 INPUT_VEC4(Velocity, velocity)           // [vertex_count] [m/s]
-INOUT(vec4, Displacement, displacement)  // [vertex_count] u [m]
+INPUT_VEC4_IN_PLACE(Iterate, iterate)    // [vertex_count] u [m]
+OUTPUT(vec4, Displacement, displacement)
 #if MASS_SPLITTING
 INPUT_UINT(CopyBegin, copy_begin)  // [vertex_count + 1] its differences are the numbers of copies
 float copies(uint i) { return float(FETCH1(copy_begin, i + 1u) - FETCH1(copy_begin, i)); }
@@ -26,7 +27,7 @@ uniform uint moving_count;  // of the list: the others rest and are held where t
 
 void main() {
   ITEM_OR_RETURN(i)
-  vec3 u = displacement[i].xyz;
+  vec3 u = FETCH(iterate, i).xyz;
   float inv_mass = FETCH(rest_position, i).w;
 #ifdef LISTED
   if (gl_GlobalInvocationID.x >= moving_count) inv_mass = 0.0;

@@ -2,9 +2,10 @@
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)      // [vertex_count] u [m]
-INOUT(vec4, FineDirection, fine_direction)  // [vertex_count] the proposed u to z [m]
+INPUT_VEC4_IN_PLACE(Proposed, proposed)      // [vertex_count] u [m]
+OUTPUT(vec4, FineDirection, fine_direction)  // [vertex_count] z [m]
 
 void main() {
   ITEM_OR_RETURN(i)
-  fine_direction[i] = vec4(FETCH(displacement, i).xyz - fine_direction[i].xyz, 0.0);
+  STORE3(fine_direction[i], FETCH(displacement, i).xyz - FETCH(proposed, i).xyz)
 }

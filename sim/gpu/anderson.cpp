@@ -56,9 +56,12 @@ Passes Anderson::passes(gl::ProgramCache& programs, bool first) const {
                                          {"anderson_state", &state_}};
     if (part.weight) difference.emplace_back("weight", part.weight);
     if (first) {
+      difference.emplace_back("start", &history.iterate);
       passes.emplace_back(programs.compute("sim/anderson_begin.comp", weighted), std::move(difference), part.count);
       continue;
     }
+    difference.emplace_back("residual_before", &history.residual);
+    difference.emplace_back("image_before", &history.image);
     difference.emplace_back("residual_change", &history.residual_change);
     difference.emplace_back("image_change", &history.image_change);
     passes.emplace_back(programs.compute("sim/anderson_difference.comp", weighted), std::move(difference), part.count);

@@ -35,7 +35,7 @@ std::vector<gl::ComputePass> Chebyshev::passes(gl::ProgramCache& programs, const
   if (first)
     apply.emplace_back("start", &start);
   else
-    apply.emplace_back("chebyshev_state", &state_);
+    apply.insert(apply.end(), {{"chebyshev_state", &state_}, {"swept", &displacement}, {"current", &iterate_}, {"earlier", &before_}});
   passes.emplace_back(programs.compute(first ? "sim/chebyshev_begin.comp" : "sim/chebyshev_apply.comp"), std::move(apply),
                       vertex_count_);
   return passes;

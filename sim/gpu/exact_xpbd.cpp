@@ -35,6 +35,7 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
                                    {"mass", &r.buffers.mass},
                                    {"slot_begin", &pairs_->slot_begin},
                                    {"copy_begin", &r.buffers.slot_begin},
+                                   {"iterate", &r.buffers.displacement},
                                    {"correction", &r.buffers.correction},
                                    {"displacement", &r.buffers.displacement},
                                    {"primal_step", &primal_step_},
@@ -60,6 +61,7 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
                                                 {"copy_begin", &r.buffers.slot_begin},
                                                 {"correction", &r.buffers.correction},
                                                 {"primal_step", &primal_step_},
+                                                {"iterate", &r.buffers.displacement},
                                                 {"displacement", &r.buffers.displacement}},
                       r.buffers.vertex_count);
   return passes;

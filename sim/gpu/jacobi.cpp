@@ -24,6 +24,7 @@ Passes JacobiMethod::iteration(const Recording& r, bool first) const {
                       gl::ComputePass::Bindings{{"slot_begin", &pairs_->slot_begin},
                                                 {"copy_begin", &r.buffers.slot_begin},
                                                 {"correction", &r.buffers.correction},
+                                                {"iterate", &r.buffers.displacement},
                                                 {"displacement", &r.buffers.displacement}},
                       r.buffers.vertex_count);
   if (!r.grab.empty()) passes.push_back(r.grab.pull(r.programs, r.buffers, first));

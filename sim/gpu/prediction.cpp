@@ -7,6 +7,7 @@ gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers
   gl::ComputePass::Bindings bindings{{"step", &buffers.step},
                                      {"rest_position", &buffers.rest_position},
                                      {"velocity", &buffers.velocity},
+                                     {"iterate", &buffers.displacement},
                                      {"displacement", &buffers.displacement},
                                      {"previous_displacement", &buffers.previous_displacement},
                                      {"predicted", &buffers.predicted}};

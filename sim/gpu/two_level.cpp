@@ -48,6 +48,7 @@ Passes TwoLevelMethod::begin(const Recording& r) const {
                                    {{"previous_displacement", &r.buffers.previous_displacement},
                                     {"predicted", &r.buffers.predicted},
                                     {"last_step", &last_step_},
+                                    {"iterate", &r.buffers.displacement},
                                     {"displacement", &r.buffers.displacement}}));
   append(passes, gradient_.passes(r));
   passes.push_back(objective_sum(r));
@@ -58,6 +59,7 @@ Passes TwoLevelMethod::begin(const Recording& r) const {
                                    {{"gradient", &gradient_.gradient()},
                                     {"last_step", &last_step_},
                                     {"previous_gradient", &previous_gradient_},
+                                    {"iterate", &r.buffers.displacement},
                                     {"displacement", &r.buffers.displacement}}));
   return passes;
 }
@@ -101,7 +103,7 @@ Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
     append(passes, anderson_->passes(r.programs, first));
     passes.emplace_back(
         r.programs.compute("sim/sweep_direction.comp"),
-        gl::ComputePass::Bindings{{"displacement", &r.buffers.displacement}, {"fine_direction", &fine_direction_}},
+        gl::ComputePass::Bindings{{"displacement", &r.buffers.displacement}, {"proposed", &fine_direction_}, {"fine_direction", &fine_direction_}},
         r.buffers.vertex_count);
     passes.push_back(sum_for_step(r, "sim/subspace_dots.comp", {},
                                   {{"gradient", &gradient_.gradient()}, {"fine_direction", &fine_direction_}, {"coarse_direction", &coarse_direction_}}));
@@ -173,15 +175,17 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
   passes.emplace_back(r.programs.compute("sim/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}}), std::move(solve), Reduction::kGroup,
                       std::move(constants));
   gl::ComputePass::Bindings update{
-      {"subspace_state", &state_}, {"last_step", &last_step_}, {"displacement", &r.buffers.displacement}};
+      {"subspace_state", &state_}, {"step_before", &last_step_}, {"iterate", &r.buffers.displacement}, {"displacement", &r.buffers.displacement}};
   if (!last) {
     update = with_coarse(std::move(update));
     update.emplace_back("fine_direction", &fine_direction_);
     update.emplace_back("gradient", &gradient_.gradient());
     update.emplace_back("previous_gradient", &previous_gradient_);
+    update.emplace_back("last_step", &last_step_);
   }
   defines.emplace_back("COMPENSATED", r.buffers.displacement_low ? "1" : "0");
-  if (r.buffers.displacement_low) update.emplace_back("displacement_low", &r.buffers.displacement_low);
+  if (r.buffers.displacement_low)
+    update.insert(update.end(), {{"iterate_low", &r.buffers.displacement_low}, {"displacement_low", &r.buffers.displacement_low}});
   passes.push_back(r.over_vertices("sim/subspace_update.comp", defines, std::move(update)));
   return passes;
 }
