@@ -11,7 +11,6 @@ INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
 #if COMPENSATED
 INPUT_VEC4(DisplacementLow, displacement_low)  // [vertex_count] what float32 cannot hold of u [m]
 #endif
-OUTPUT(vec4, Correction, correction)    // [corners of all pairs]
 
 void main() {
   ITEM_OR_RETURN(i)
@@ -32,5 +31,5 @@ void main() {
   STORE3(correction[slot.y], s1)
   STORE3(correction[slot.z], s2)
   STORE3(correction[slot.w], x)
-  if (pair.two) STORE3(correction[FETCH1(pair_fifth_slot, i)], y)
+  if (pair.two) STORE3(correction[FETCH1(fifth_slot, i)], y)
 }

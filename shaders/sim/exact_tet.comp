@@ -7,7 +7,6 @@
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
 INPUT_VEC4(Multiplier, multiplier)      // [2 * tet_count] lambda
-OUTPUT(vec4, Correction, correction)    // [corners of all pairs] xyz [kg m], w [kg]
 
 struct Tension {
   mat3 force;   // F mat(lambda)
@@ -33,5 +32,5 @@ void main() {
   correction[slot.y] = at_corner(a, pair.a.b1) + at_corner(b, pair.b.b2);
   correction[slot.z] = at_corner(a, pair.a.b2) + at_corner(b, pair.b.b1);
   correction[slot.w] = at_corner(a, pair.a.b3);
-  if (pair.two) correction[FETCH1(pair_fifth_slot, i)] = at_corner(b, pair.b.b3);
+  if (pair.two) correction[FETCH1(fifth_slot, i)] = at_corner(b, pair.b.b3);
 }

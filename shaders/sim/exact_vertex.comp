@@ -6,7 +6,7 @@ COMPUTE_1D
 INPUT_VEC4(Predicted, predicted)    // [vertex_count] xyz u~ [m], w inverse mass, 0 where held
 INPUT_FLOAT(Mass, mass)             // [vertex_count] [kg]
 INPUT_UINT(SlotBegin, slot_begin)   // [vertex_count + 1]
-INPUT_VEC4(Correction, correction)  // [corners of all pairs of tets] from exact_tet
+INPUT_VEC4(Correction, correction)  // [slots] from exact_tet
 INPUT_UINT(CopyBegin, copy_begin)   // [vertex_count + 1] its differences are the numbers of tets
 #include "sim/feature_grab.glsl"
 INPUT_VEC4_IN_PLACE(Iterate, iterate)     // [vertex_count] u [m]

@@ -5,7 +5,7 @@ COMPUTE_1D
 INPUT_UINT(GrabVertex, grab_vertex)          // [grab_count]
 INPUT_VEC4(GrabMultiplier, grab_multiplier)  // [grab_count] h^2 times the force on the tissue [kg m]
 INPUT_UINT(SlotBegin, slot_begin)            // [vertex_count + 1]
-INOUT(vec4, Correction, correction)          // [4 * tet_count] h^2 times the force of each corner
+INOUT(vec4, Correction, correction)          // [slots] h^2 times the force of each corner
 
 void main() {
   ITEM_OR_RETURN(i)

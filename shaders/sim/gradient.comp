@@ -7,7 +7,7 @@ INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
 INPUT_VEC4(Predicted, predicted)        // [vertex_count] xyz u~ [m], w inverse mass, 0 where held
 INPUT_FLOAT(Mass, mass)                 // [vertex_count] [kg]
 INPUT_UINT(SlotBegin, slot_begin)       // [vertex_count + 1]
-INPUT_VEC4(Correction, correction)      // [corners of all pairs of tets] from elastic_force
+INPUT_VEC4(Correction, correction)      // [slots] from elastic_force
 #include "sim/feature_grab.glsl"
 OUTPUT(vec4, Gradient, gradient)  // [vertex_count] xyz g [kg m], w objective [kg m^2]
 

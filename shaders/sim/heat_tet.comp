@@ -1,7 +1,9 @@
-// The scalar that the heat map shows, weighted by volume, into the slots that publish averages. Runs only while shown.
+// The scalar that the heat map shows, weighted by volume, into the slots that publish averages: x volume * scalar, y volume. Runs only
+// while shown.
 #include "common/io.glsl"
 #include "common/step.glsl"
-#include "common/tet.glsl"
+#include "common/tet_pair.glsl"
+#include "common/pair_slots.glsl"
 #include "sim/elasticity.glsl"
 #include "sim/tet_scalars.glsl"
 #if HEAT_LARGEST_STRESS || HEAT_SMALLEST_STRESS
@@ -9,14 +11,8 @@
 #endif
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
-INPUT_UVEC4(TetSlots, tet_slots)        // [tet_count]
-OUTPUT(vec4, Correction, correction)    // [4 * tet_count] x volume * scalar, y volume
 
-void main() {
-  ITEM_OR_RETURN(t)
-  Tet tet = load_tet(t);
-  mat3 h = displacement_gradient(tet, FETCH(displacement, tet.v.x).xyz, FETCH(displacement, tet.v.y).xyz,
-                                 FETCH(displacement, tet.v.z).xyz, FETCH(displacement, tet.v.w).xyz);
+vec4 weighted(uint t, float volume, mat3 h) {
 #if HEAT_STRAIN
   float scalar = strain_norm(green_strain(h));
 #elif HEAT_VOLUME_RATIO
@@ -32,10 +28,18 @@ void main() {
   float scalar = principal_stresses(f, j, p).z;
 #endif
 #endif
-  vec4 weighted = vec4(tet.volume * scalar, tet.volume, 0.0, 0.0);
-  uvec4 slot = FETCH(tet_slots, t);
-  correction[slot.x] = weighted;
-  correction[slot.y] = weighted;
-  correction[slot.z] = weighted;
-  correction[slot.w] = weighted;
+  return vec4(volume * scalar, volume, 0.0, 0.0);
+}
+
+void main() {
+  ITEM_OR_RETURN(i)
+  TetPair pair = load_pair(i);
+  PairGradient h = GRADIENTS(pair, displacement);
+  vec4 a = weighted(pair.ta, pair.a.volume, h.a), b = pair.two ? weighted(pair.tb, pair.b.volume, h.b) : vec4(0.0);
+  uvec4 slot = FETCH(pair_slots, i);
+  correction[slot.x] = a + b;
+  correction[slot.y] = a + b;
+  correction[slot.z] = a + b;
+  correction[slot.w] = a;
+  if (pair.two) correction[FETCH1(fifth_slot, i)] = b;
 }

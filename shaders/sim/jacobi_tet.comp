@@ -12,7 +12,6 @@ OUTPUT(vec4, Multiplier, multiplier)
 #if EXACT
 INPUT_VEC4(PrimalStep, primal_step)     // [vertex_count] xyz g/m^ [m]
 #endif
-OUTPUT(vec4, Correction, correction)    // [corners of all pairs]
 
 struct Multiplier6 {
   vec3 d, s;
@@ -57,5 +56,5 @@ void main() {
   STORE3(correction[slot.y], a.dx1 + b.dx2)
   STORE3(correction[slot.z], a.dx2 + b.dx1)
   STORE3(correction[slot.w], a.dx3)
-  if (pair.two) STORE3(correction[FETCH1(pair_fifth_slot, i)], b.dx3)
+  if (pair.two) STORE3(correction[FETCH1(fifth_slot, i)], b.dx3)
 }

@@ -3,7 +3,7 @@
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_UINT(SlotBegin, slot_begin)        // [vertex_count + 1]
-INPUT_VEC4(Correction, correction)       // [corners of all pairs of tets] sorted by vertex
+INPUT_VEC4(Correction, correction)       // [slots] sorted by vertex
 INPUT_UINT(CopyBegin, copy_begin)        // [vertex_count + 1] its differences are the numbers of tets
 #if EXACT
 INPUT_VEC4(PrimalStep, primal_step)      // [vertex_count] xyz g/m^ [m], 0 where held

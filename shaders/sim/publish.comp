@@ -5,7 +5,7 @@ INPUT_VEC4(RestPosition, rest_position)  // [vertex_count] X [m]
 INPUT_VEC4(Displacement, displacement)   // [vertex_count] u [m]
 #if HEAT_BY_TET
 INPUT_UINT(SlotBegin, slot_begin)   // [vertex_count + 1]
-INPUT_VEC4(Correction, correction)  // [4 * tet_count] from heat_tet
+INPUT_VEC4(Correction, correction)  // [slots] from heat_tet
 #elif HEAT_BY_VERTEX
 INPUT_FLOAT(VertexScalar, vertex_scalar)  // [vertex_count]
 #elif HEAT_VELOCITY

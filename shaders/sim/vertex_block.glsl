@@ -5,7 +5,7 @@
 #include "common/step.glsl"
 #include "common/tet.glsl"
 #include "sim/elasticity.glsl"
-INPUT_UINT(SlotBegin, slot_begin)    // [vertex_count + 1]
+INPUT_UINT(TetBegin, tet_begin)      // [vertex_count + 1]
 INPUT_UINT(VertexTets, vertex_tets)  // [4 * tet_count] 4 * tet + corner, sorted by vertex
 
 struct VertexBlock {
@@ -16,8 +16,8 @@ struct VertexBlock {
 
 VertexBlock add_tets(uint v) {
   VertexBlock block = VertexBlock(Sym3(vec3(0.0), vec3(0.0)), vec3(0.0), false);
-  uint end = FETCH1(slot_begin, v + 1u);
-  for (uint k = FETCH1(slot_begin, v); k < end; ++k) {
+  uint end = FETCH1(tet_begin, v + 1u);
+  for (uint k = FETCH1(tet_begin, v); k < end; ++k) {
     uint entry = FETCH1(vertex_tets, k), t = entry / 4u, corner = entry % 4u;
     Tet tet = load_tet(t);
     mat3 h = displacement_gradient(tet, AT_VERTEX(tet.v.x), AT_VERTEX(tet.v.y), AT_VERTEX(tet.v.z), AT_VERTEX(tet.v.w));
@@ -38,7 +38,7 @@ VertexBlock add_tets(uint v) {
 #if DAMPING || STABLE_NEO_HOOKEAN
     block.gradient += scale * (response_of(t, h, material).p * b);
 #else
-    block.gradient += scale * (tangent.f * times(tangent.s, b));
+    block.gradient += scale * (times(tangent.f, tangent.s) * b);
 #endif
   }
   return block;

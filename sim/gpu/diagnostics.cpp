@@ -17,7 +17,7 @@ double Diagnostics::imbalance(const Eigen::Vector3d& weight) const {
 }
 
 DiagnosticsReader::DiagnosticsReader(const SimBuffers& buffers)
-    : tet_partial_count_(partial_count(buffers.tet_count)),
+    : tet_partial_count_(partial_count(buffers.pair_and_single_count())),
       vertex_partial_count_(partial_count(buffers.vertex_count)),
       volume_(buffers.volume),
       mean_mass_(buffers.mean_mass),
@@ -31,13 +31,11 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
   gl::ComputePass::Bindings tet{{"step", &buffers.step},
                                 {"tet_vertices", &buffers.tet_vertices},
                                 {"tet_shape", &buffers.tet_shape},
-                                {"tet_slots", &buffers.tet_slots},
                                 {"displacement", &buffers.displacement},
-                                {"correction", &buffers.correction},
                                 {"tet_partials", &tet_partials_}};
-  tet = with_damping(with_material(std::move(tet), features, buffers), features, previous_strain);
+  tet = with_damping(with_material(with_slots(std::move(tet), buffers), features, buffers), features, previous_strain);
   passes_.emplace_back(programs.compute("sim/diagnose_tet.comp", defines_of(features)), std::move(tet), tet_partial_count_,
-                       gl::ComputePass::Constants{{"tet_count", buffers.tet_count}});
+                       gl::ComputePass::Constants{{"pair_count", buffers.pair_count}, {"pair_and_single_count", buffers.pair_and_single_count()}});
   if (!grab.empty() && grab.at_vertices()) passes_.push_back(grab.measure(programs, buffers));
   if (!grab.empty()) passes_.push_back(grab.load(programs, buffers));
   passes_.emplace_back(programs.compute("sim/diagnose_vertex.comp"),

@@ -3,8 +3,7 @@
 namespace fascia {
 
 ExactXpbdMethod::ExactXpbdMethod(const SimBuffers& buffers)
-    : pairs_(buffers.pairs()),
-      multiplier_("multiplier", 2 * sizeof(shared::vec4) * buffers.tet_count),
+    : multiplier_("multiplier", 2 * sizeof(shared::vec4) * buffers.tet_count),
       primal_step_("primal_step", sizeof(shared::vec4) * buffers.vertex_count),
       raised_mass_("raised_mass", sizeof(float) * buffers.vertex_count) {}
 
@@ -26,15 +25,14 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
                                   {"tet_vertices", &r.buffers.tet_vertices},
                                   {"tet_shape", &r.buffers.tet_shape},
                                   {"displacement", &r.buffers.displacement},
-                                  {"multiplier", &multiplier_},
-                                  {"correction", &r.buffers.correction}};
-  force = with_material(pairs_->with_slots(std::move(force)), r.features, r.buffers);
+                                  {"multiplier", &multiplier_}};
+  force = with_material(with_slots(std::move(force), r.buffers), r.features, r.buffers);
   Passes passes = r.over_pairs_deferring("sim/exact_tet.comp", defines_of(r.features), force);
   gl::ComputePass::Bindings vertex{{"step", &r.buffers.step},
                                    {"predicted", &r.buffers.predicted},
                                    {"mass", &r.buffers.mass},
-                                   {"slot_begin", &pairs_->slot_begin},
-                                   {"copy_begin", &r.buffers.slot_begin},
+                                   {"slot_begin", &r.buffers.slot_begin},
+                                   {"copy_begin", &r.buffers.tet_begin},
                                    {"iterate", &r.buffers.displacement},
                                    {"correction", &r.buffers.correction},
                                    {"displacement", &r.buffers.displacement},
@@ -52,13 +50,12 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
                                 {"displacement", &r.buffers.displacement},
                                 {"primal_step", &primal_step_},
                                 {"lambda", &multiplier_},
-                                {"multiplier", &multiplier_},
-                                {"correction", &r.buffers.correction}};
-  tet = with_damping(with_material(pairs_->with_slots(std::move(tet)), r.features, r.buffers), r.features, r.previous_strain);
+                                {"multiplier", &multiplier_}};
+  tet = with_damping(with_material(with_slots(std::move(tet), r.buffers), r.features, r.buffers), r.features, r.previous_strain);
   append(passes, r.over_pairs_deferring("sim/jacobi_tet.comp", defines, tet));
   passes.emplace_back(r.programs.compute("sim/jacobi_vertex.comp", {{"EXACT", "1"}}),
-                      gl::ComputePass::Bindings{{"slot_begin", &pairs_->slot_begin},
-                                                {"copy_begin", &r.buffers.slot_begin},
+                      gl::ComputePass::Bindings{{"slot_begin", &r.buffers.slot_begin},
+                                                {"copy_begin", &r.buffers.tet_begin},
                                                 {"correction", &r.buffers.correction},
                                                 {"primal_step", &primal_step_},
                                                 {"iterate", &r.buffers.displacement},

@@ -7,7 +7,6 @@
 //   x_i += (sum_e G_i^T dlambda_e - g_i) / m^_i
 #pragma once
 #include "sim/gpu/method.h"
-#include "sim/gpu/tet_pairs.h"
 
 namespace fascia {
 
@@ -22,7 +21,6 @@ class ExactXpbdMethod : public StepMethod {
   Passes iteration(const Recording& recording, bool first) const override;
 
  private:
-  std::shared_ptr<const TetPairs> pairs_;
   gl::Buffer multiplier_;   // vec4 [2 * tet_count] lambda
   gl::Buffer primal_step_;  // vec4 [vertex_count] g / m^ [m]
   gl::Buffer raised_mass_;

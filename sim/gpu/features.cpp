@@ -36,4 +36,9 @@ gl::ComputePass::Bindings with_damping(gl::ComputePass::Bindings bindings, const
   return bindings;
 }
 
+gl::ComputePass::Bindings with_slots(gl::ComputePass::Bindings bindings, const SimBuffers& buffers) {
+  bindings.insert(bindings.end(), {{"pair_slots", &buffers.pair_slots}, {"fifth_slot", &buffers.fifth_slot}, {"correction", &buffers.correction}});
+  return bindings;
+}
+
 }  // namespace fascia

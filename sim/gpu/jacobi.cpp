@@ -3,8 +3,7 @@
 namespace fascia {
 
 JacobiMethod::JacobiMethod(const SimBuffers& buffers, bool split_masses)
-    : copy_begin_(split_masses ? &buffers.slot_begin : nullptr),
-      pairs_(buffers.pairs()),
+    : copy_begin_(split_masses ? &buffers.tet_begin : nullptr),
       multiplier_("multiplier", 2 * sizeof(shared::vec4) * buffers.tet_count) {}
 
 Passes JacobiMethod::iteration(const Recording& r, bool first) const {
@@ -16,13 +15,12 @@ Passes JacobiMethod::iteration(const Recording& r, bool first) const {
                                 {"tet_shape", &r.buffers.tet_shape},
                                 {"displacement", &r.buffers.displacement},
                                 {"lambda", &multiplier_},
-                                {"multiplier", &multiplier_},
-                                {"correction", &r.buffers.correction}};
-  tet = with_damping(with_material(pairs_->with_slots(std::move(tet)), r.features, r.buffers), r.features, r.previous_strain);
+                                {"multiplier", &multiplier_}};
+  tet = with_damping(with_material(with_slots(std::move(tet), r.buffers), r.features, r.buffers), r.features, r.previous_strain);
   Passes passes = r.over_pairs_deferring("sim/jacobi_tet.comp", defines, tet);
   passes.emplace_back(r.programs.compute("sim/jacobi_vertex.comp", {{"EXACT", "0"}}),
-                      gl::ComputePass::Bindings{{"slot_begin", &pairs_->slot_begin},
-                                                {"copy_begin", &r.buffers.slot_begin},
+                      gl::ComputePass::Bindings{{"slot_begin", &r.buffers.slot_begin},
+                                                {"copy_begin", &r.buffers.tet_begin},
                                                 {"correction", &r.buffers.correction},
                                                 {"iterate", &r.buffers.displacement},
                                                 {"displacement", &r.buffers.displacement}},

@@ -3,7 +3,6 @@
 // gives the multipliers the whole step and the positions only a part of it. On split masses (predict.comp) both get the same.
 #pragma once
 #include "sim/gpu/method.h"
-#include "sim/gpu/tet_pairs.h"
 
 namespace fascia {
 
@@ -17,7 +16,6 @@ class JacobiMethod : public StepMethod {
 
  private:
   const gl::Buffer* copy_begin_;
-  std::shared_ptr<const TetPairs> pairs_;
   gl::Buffer multiplier_;  // vec4 [2 * tet_count] lambda, xyz of xx, yy, zz then of yz, xz, xy
 };
 

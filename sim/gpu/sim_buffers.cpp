@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <numeric>
 
-#include "sim/gpu/tet_pairs.h"
 #include "sim/locality.h"
 
 namespace fascia {
@@ -24,20 +23,12 @@ vec4 to_vec4(const Material& m) {
           static_cast<float>(m.model)};
 }
 
-std::vector<std::uint32_t> first_slots(const Model& model, const std::vector<std::uint32_t>& order) {
-  std::vector<std::uint32_t> begin(model.rest_positions.size() + 1, 0);
-  for (const std::uint32_t t : order)
-    for (const std::uint32_t v : model.tets[t]) ++begin[v + 1];
+std::vector<std::uint32_t> tets_before(const std::vector<Tet>& tets, std::size_t vertex_count) {
+  std::vector<std::uint32_t> begin(vertex_count + 1, 0);
+  for (const Tet& tet : tets)
+    for (const std::uint32_t v : tet) ++begin[v + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   return begin;
-}
-
-// Counting sort of tet corners by vertex: the slot of every corner. `next` begins as the first slot of each vertex.
-std::vector<Tet> make_slots(const std::vector<Tet>& tets, std::vector<std::uint32_t> next) {
-  std::vector<Tet> slots(tets.size());
-  for (std::size_t t = 0; t < tets.size(); ++t)
-    for (int a = 0; a < 4; ++a) slots[t][a] = next[tets[t][a]]++;
-  return slots;
 }
 
 std::vector<vec4> make_shapes(const Model& model, const std::vector<Tet>& tets) {
@@ -68,14 +59,13 @@ SimBuffers::SimBuffers(const Model& model)
     : vertex_count(static_cast<std::uint32_t>(model.rest_positions.size())) {
   const TetPairing pairing = paired_tets(model);
   tet_count = static_cast<std::uint32_t>(pairing.order.size());
-  const std::size_t vertex_bytes = vertex_count * sizeof(vec4), tet_bytes = tet_count * sizeof(vec4);
+  const std::size_t vertex_bytes = vertex_count * sizeof(vec4);
   displacement = gl::Buffer("displacement", vertex_bytes);
   velocity = gl::Buffer("velocity", vertex_bytes);
   previous_displacement = gl::Buffer("previous_displacement", vertex_bytes);
   predicted = gl::Buffer("predicted", vertex_bytes);
   rest_position = gl::Buffer("rest_position", vertex_bytes);
   mass = gl::Buffer("mass", vertex_count * sizeof(float));
-  slot_begin = gl::Buffer("slot_begin", first_slots(model, pairing.order));
   set_tet_order(model, pairing);
   for (const Tet& tet : model.tets) {
     const std::vector<Eigen::Vector3d>& x = model.rest_positions;
@@ -88,7 +78,6 @@ SimBuffers::SimBuffers(const Model& model)
   if (model.materials.size() > 1) {
     materials = gl::Buffer("materials", model.materials.size() * sizeof(vec4));
   }
-  correction = gl::Buffer("correction", 4 * tet_bytes);
   astray = gl::Buffer("astray", sizeof(std::uint32_t));
   step = gl::Buffer("step", sizeof(shared::StepValues));
   upload_materials(model);
@@ -98,7 +87,6 @@ SimBuffers::SimBuffers(const Model& model)
 void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
   const std::vector<std::uint32_t>& order = pairing.order;
   pair_count = pairing.pair_count;
-  pairs_.reset();
   std::vector<Tet> tets;
   std::vector<std::uint32_t> material;
   tets.reserve(order.size());
@@ -109,14 +97,34 @@ void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
   for (std::size_t i = 0; i < pair_count; ++i) align_at_face(tets[2 * i], tets[2 * i + 1]);
   tet_vertices = gl::Buffer("tet_vertices", tets);
   tet_shape = gl::Buffer("tet_shape", make_shapes(model, tets));
-  tet_slots = gl::Buffer("tet_slots", make_slots(tets, first_slots(model, order)));
+  tet_begin = gl::Buffer("tet_begin", tets_before(tets, vertex_count));
+  make_slots(tets);
   if (!material.empty()) tet_material = gl::Buffer("tet_material", material);
 }
 
-std::shared_ptr<const TetPairs> SimBuffers::pairs() const {
-  std::shared_ptr<const TetPairs> pairs = pairs_.lock();
-  if (!pairs) pairs_ = pairs = std::make_shared<const TetPairs>(*this);
-  return pairs;
+// A counting sort of corners by vertex.
+void SimBuffers::make_slots(const std::vector<Tet>& tets) {
+  const std::uint32_t count = pair_and_single_count();
+  std::vector<Tet> corners(count);
+  std::vector<std::uint32_t> fifth(count, 0), begin(vertex_count + 1, 0);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const bool two = i < pair_count;
+    corners[i] = tets[two ? 2 * i : pair_count + i];
+    for (const std::uint32_t v : corners[i]) ++begin[v + 1];
+    if (!two) continue;
+    fifth[i] = tets[2 * i + 1][3];
+    ++begin[fifth[i] + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  slot_begin = gl::Buffer("slot_begin", begin);
+  correction = gl::Buffer("correction", begin.back() * sizeof(vec4));
+  std::vector<std::uint32_t>& next = begin;  // of each vertex the next free slot
+  for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::uint32_t& v : corners[i]) v = next[v]++;
+    if (i < pair_count) fifth[i] = next[fifth[i]]++;
+  }
+  pair_slots = gl::Buffer("pair_slots", corners);
+  fifth_slot = gl::Buffer("fifth_slot", fifth);
 }
 
 void SimBuffers::set_phantom_count(std::uint32_t count) {

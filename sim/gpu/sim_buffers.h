@@ -2,7 +2,6 @@
 // near rest they keep seven digits where positions would lose them to the distance from the origin.
 #pragma once
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "render/gl/buffer.h"
@@ -16,8 +15,6 @@ namespace fascia {
 
 /// The first `count` vec4 of a buffer, without their w. Waits for the GPU.
 std::vector<Eigen::Vector3d> download_vectors(const gl::Buffer& buffer, std::size_t count);
-
-struct TetPairs;
 
 struct SimBuffers {
   explicit SimBuffers(const Model& model);
@@ -41,13 +38,15 @@ struct SimBuffers {
   gl::Buffer mass;           // float [vertex_count] [kg]
   gl::Buffer tet_vertices;   // uvec4 [tet_count]
   gl::Buffer tet_shape;      // vec4 [3 * tet_count] rows of Dm^-1 [1/m], w of the first row: volume [m^3]
-  gl::Buffer tet_slots;      // uvec4 [tet_count] slot of each corner, sorted by vertex
-  gl::Buffer slot_begin;     // uint [vertex_count + 1] first slot of each vertex
+  gl::Buffer tet_begin;      // uint [vertex_count + 1] its differences are the numbers of tets around each vertex
   gl::Buffer tet_material;   // uint [tet_count]; not made for a single material
   gl::Buffer materials;      // vec4 [material_count]; not made for a single material
 
-  // Scratch, vec4 [4 * tet_count]: what each corner of a tet adds to its vertex.
+  // Scratch, vec4 [slots]: what each corner of a pair of tets, or of a single tet, adds to its vertex (shaders/common/pair_slots.glsl).
   gl::Buffer correction;
+  gl::Buffer pair_slots;  // uvec4 [pairs and single tets] slots of all corners but the pair's fifth, sorted by vertex
+  gl::Buffer fifth_slot;  // uint [the same] the slot of that
+  gl::Buffer slot_begin;  // uint [vertex_count + 1] first slot of each vertex
 
   gl::Buffer astray;  // uint [1] smallest index of a vertex that is lost (shaders/sim/velocity.comp), ~0 for none
 
@@ -56,8 +55,6 @@ struct SimBuffers {
   /// The tets in another order: all of solved_tets(). Needs passes and lists that count on the old one made anew.
   void set_tet_order(const Model& model, const TetPairing& order);
   std::uint32_t pair_and_single_count() const { return tet_count - pair_count; }
-  /// Made when first asked for, and again after set_tet_order; there as long as anyone holds it.
-  std::shared_ptr<const TetPairs> pairs() const;
   /// Room for `count` copies of vertices behind the displacements, which stay.
   void set_phantom_count(std::uint32_t count);
 
@@ -69,7 +66,7 @@ struct SimBuffers {
   bool material_per_tet() const { return static_cast<bool>(tet_material); }
 
  private:
-  mutable std::weak_ptr<const TetPairs> pairs_;
+  void make_slots(const std::vector<Tet>& tets);
 };
 
 }  // namespace fascia

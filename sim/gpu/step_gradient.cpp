@@ -3,15 +3,14 @@
 namespace fascia {
 
 StepGradient::StepGradient(const SimBuffers& buffers)
-    : pairs_(buffers.pairs()), gradient_("gradient", buffers.vertex_count * sizeof(shared::vec4)) {}
+    : gradient_("gradient", buffers.vertex_count * sizeof(shared::vec4)) {}
 
 Passes StepGradient::passes(const Recording& r) const {
   gl::ComputePass::Bindings tet{{"step", &r.buffers.step},
                                 {"tet_vertices", &r.buffers.tet_vertices},
                                 {"tet_shape", &r.buffers.tet_shape},
-                                {"displacement", &r.buffers.displacement},
-                                {"correction", &r.buffers.correction}};
-  tet = with_damping(with_material(pairs_->with_slots(std::move(tet)), r.features, r.buffers), r.features, r.previous_strain);
+                                {"displacement", &r.buffers.displacement}};
+  tet = with_damping(with_material(with_slots(std::move(tet), r.buffers), r.features, r.buffers), r.features, r.previous_strain);
   gl::Defines tet_defines = defines_of(r.features);
   tet_defines.emplace_back("COMPENSATED", r.buffers.displacement_low ? "1" : "0");
   if (r.buffers.displacement_low) tet.emplace_back("displacement_low", &r.buffers.displacement_low);
@@ -19,7 +18,7 @@ Passes StepGradient::passes(const Recording& r) const {
                                    {"displacement", &r.buffers.displacement},
                                    {"predicted", &r.buffers.predicted},
                                    {"mass", &r.buffers.mass},
-                                   {"slot_begin", &pairs_->slot_begin},
+                                   {"slot_begin", &r.buffers.slot_begin},
                                    {"correction", &r.buffers.correction},
                                    {"gradient", &gradient_}};
   const gl::Defines vertex_defines = r.grab.with_springs({}, vertex);
@@ -30,10 +29,11 @@ Passes StepGradient::passes(const Recording& r) const {
 }
 
 gl::Buffer make_vertex_tets(const SimBuffers& buffers) {
-  const auto slots = buffers.tet_slots.read<Tet>();
-  std::vector<std::uint32_t> entries(4 * slots.size());
-  for (std::uint32_t t = 0; t < slots.size(); ++t)
-    for (std::uint32_t a = 0; a < 4; ++a) entries[slots[t][a]] = 4 * t + a;
+  const auto tets = buffers.tet_vertices.read<Tet>();
+  auto next = buffers.tet_begin.read<std::uint32_t>();
+  std::vector<std::uint32_t> entries(4 * tets.size());
+  for (std::uint32_t t = 0; t < tets.size(); ++t)
+    for (std::uint32_t a = 0; a < 4; ++a) entries[next[tets[t][a]]++] = 4 * t + a;
   return {"vertex_tets", entries};
 }
 

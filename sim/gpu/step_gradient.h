@@ -2,7 +2,6 @@
 // the grab included: what the methods that descend it start every iteration with.
 #pragma once
 #include "sim/gpu/method.h"
-#include "sim/gpu/tet_pairs.h"
 
 namespace fascia {
 
@@ -15,12 +14,11 @@ class StepGradient {
   const gl::Buffer& gradient() const { return gradient_; }  // vec4 [vertex_count] xyz g [kg m], w objective [kg m^2]
 
  private:
-  std::shared_ptr<const TetPairs> pairs_;
   gl::Buffer gradient_;
 };
 
-/// Tets around every vertex for kernels that include vertex_block.glsl: uint [4 * tet_count], 4 * tet + corner, in the order of the
-/// slots, as the tets are ordered now.
+/// Tets around every vertex for kernels that include vertex_block.glsl: uint [4 * tet_count], 4 * tet + corner, those of a vertex
+/// from its place in tet_begin on, as the tets are ordered now.
 gl::Buffer make_vertex_tets(const SimBuffers& buffers);
 
 }  // namespace fascia

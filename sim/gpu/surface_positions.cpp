@@ -48,11 +48,10 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
     gl::ComputePass::Bindings tet{{"step", &buffers.step},
                                   {"tet_vertices", &buffers.tet_vertices},
                                   {"tet_shape", &buffers.tet_shape},
-                                  {"tet_slots", &buffers.tet_slots},
-                                  {"displacement", &buffers.displacement},
-                                  {"correction", &buffers.correction}};
+                                  {"displacement", &buffers.displacement}};
     passes_.emplace_back(programs.compute("sim/heat_tet.comp", defines),
-                         with_material(std::move(tet), features, buffers), buffers.tet_count);
+                         with_material(with_slots(std::move(tet), buffers), features, buffers), buffers.pair_and_single_count(),
+                         gl::ComputePass::Constants{{"pair_count", buffers.pair_count}});
     publish.emplace_back("slot_begin", &buffers.slot_begin);
     publish.emplace_back("correction", &buffers.correction);
   }

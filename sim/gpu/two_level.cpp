@@ -70,7 +70,7 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
                                      {"tet_shape", &r.buffers.tet_shape},
                                      {"displacement", &r.buffers.displacement},
                                      {"mass", &r.buffers.mass},
-                                     {"slot_begin", &r.buffers.slot_begin},
+                                     {"tet_begin", &r.buffers.tet_begin},
                                      {"vertex_tets", &vertex_tets_},
                                      {"block_inverse", &block_inverse_}};
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);

@@ -17,7 +17,7 @@ Passes VertexDescentMethod::iteration(const Recording& r, bool) const {
                                      {"displacement", &r.buffers.displacement},
                                      {"predicted", &r.buffers.predicted},
                                      {"mass", &r.buffers.mass},
-                                     {"slot_begin", &r.buffers.slot_begin},
+                                     {"tet_begin", &r.buffers.tet_begin},
                                      {"vertex_tets", &vertex_tets_},
                                      {"color_vertex", &color_vertex_}};
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);

@@ -43,7 +43,7 @@ TEST_CASE("predict adds velocity and gravity to free vertices only", "[gpu]") {
   buffers.upload_step(model, settings);
   const reference::State state = random_state(model, 0.01, 1);
   buffers.upload_state(model, state);
-  prediction(gpu.programs, buffers, split ? &buffers.slot_begin : nullptr).run();
+  prediction(gpu.programs, buffers, split ? &buffers.tet_begin : nullptr).run();
   const std::vector<char> held = model.held();
   const std::vector<double> mass = lumped_masses(model);
   std::vector<Vector3d> expected = state.displacement;

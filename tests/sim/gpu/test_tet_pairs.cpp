@@ -1,9 +1,8 @@
 // Where pairs of tets leave what vertices gather.
-#include "sim/gpu/tet_pairs.h"
-
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/gauss_seidel.h"
+#include "sim/locality.h"
 #include "tests/sim/gpu/gpu_fixture.h"
 #include "tests/support/models.h"
 
@@ -20,9 +19,8 @@ Model beam() {
 
 // Every corner has a slot of its own, among those of its vertex. Returns the number of slots.
 std::size_t check_slots(const SimBuffers& buffers) {
-  const std::shared_ptr<const TetPairs> pairs = buffers.pairs();
-  const auto tets = buffers.tet_vertices.read<Tet>(), slots = pairs->slots.read<Tet>();
-  const auto fifth = pairs->fifth_slot.read<std::uint32_t>(), begin = pairs->slot_begin.read<std::uint32_t>();
+  const auto tets = buffers.tet_vertices.read<Tet>(), slots = buffers.pair_slots.read<Tet>();
+  const auto fifth = buffers.fifth_slot.read<std::uint32_t>(), begin = buffers.slot_begin.read<std::uint32_t>();
   REQUIRE(slots.size() == buffers.pair_and_single_count());
   REQUIRE(fifth.size() == slots.size());
   std::vector<int> used(begin.back(), 0);
@@ -42,6 +40,7 @@ std::size_t check_slots(const SimBuffers& buffers) {
     use(b[3], fifth[i]);
   }
   CHECK(used == std::vector<int>(begin.back(), 1));
+  CHECK(buffers.correction.bytes() == 16 * begin.back());
   return begin.back();
 }
 
@@ -55,18 +54,13 @@ TEST_CASE("pairs of tets have five slots, one at each corner's vertex", "[gpu]")
   CHECK(check_slots(buffers) == 5 * model.tets.size() / 2);
 }
 
-TEST_CASE("pairs are there while they are used, and follow the order of the tets", "[gpu]") {
+TEST_CASE("an order by color has single tets, and back", "[gpu]") {
   Gpu gpu;
   const Model model = beam();
   SimBuffers buffers(model);
-  const std::size_t without = gl::allocated_bytes();
-  {
-    const std::shared_ptr<const TetPairs> first = buffers.pairs();
-    CHECK(buffers.pairs() == first);
-    CHECK(gl::allocated_bytes() == without + 20 * buffers.pair_and_single_count() + 4 * (buffers.vertex_count + 1));
-  }
-  CHECK(gl::allocated_bytes() == without);
-  const GaussSeidelMethod by_color(model, buffers, 0);  // has its own order, of single tets
+  const GaussSeidelMethod by_color(model, buffers, 0);
   CHECK(buffers.pair_and_single_count() == model.tets.size());
   CHECK(check_slots(buffers) == 4 * model.tets.size());
+  buffers.set_tet_order(model, paired_tets(model));
+  CHECK(check_slots(buffers) == 5 * model.tets.size() / 2);
 }

@@ -26,8 +26,8 @@ Model beam(const Material& material) {
 // Of every tet, where its pair leaves what each vertex gets.
 std::vector<std::map<std::uint32_t, std::uint32_t>> slots_of_corners(const SimBuffers& buffers) {
   const auto tets = buffers.tet_vertices.read<Tet>();
-  const auto slots = buffers.pairs()->slots.read<Tet>();
-  const auto fifth = buffers.pairs()->fifth_slot.read<std::uint32_t>();
+  const auto slots = buffers.pair_slots.read<Tet>();
+  const auto fifth = buffers.fifth_slot.read<std::uint32_t>();
   std::vector<std::map<std::uint32_t, std::uint32_t>> result;
   for (std::uint32_t i = 0; i < buffers.pair_and_single_count(); ++i) {
     const bool two = i < buffers.pair_count;
@@ -66,7 +66,7 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
   const JacobiMethod method(buffers, split);
   const GrabSprings no_grab;
   // predict puts the inverse masses beside the displacements and moves the vertices; compare from where it ends.
-  prediction(gpu.programs, buffers, split ? &buffers.slot_begin : nullptr).run();
+  prediction(gpu.programs, buffers, split ? &buffers.tet_begin : nullptr).run();
   if (features.damping)
     gl::ComputePass(gpu.programs.compute("sim/previous_strain.comp"),
                     {{"tet_vertices", &buffers.tet_vertices},
