@@ -30,13 +30,8 @@ Tet with_last(const Tet& tet, int corner) {
 // Matches tets across faces.
 class Matching {
  public:
-  Matching(const std::vector<Tet>& tets) : tets_(tets), across_(tets_across_faces(tets)), partner_(tets.size(), kNoTet), choices_(tets.size(), 0) {
-    for (std::size_t k = 0; k < across_.size(); ++k) {
-      if (across_[k] == kNoTet) continue;
-      Tet a = tets[k / 4], b = tets[across_[k]];
-      if (!align_at_face(a, b)) across_[k] = kNoTet;
-      else ++choices_[k / 4];
-    }
+  explicit Matching(const std::vector<Tet>& tets) : tets_(tets), across_(tets_across_faces(tets)), partner_(tets.size(), kNoTet), choices_(tets.size(), 0) {
+    for (std::size_t k = 0; k < across_.size(); ++k) choices_[k / 4] += across_[k] != kNoTet;
     for (std::uint32_t t = 0; t < tets.size(); ++t)
       if (choices_[t] == 1) forced_.push_back(t);
     for (std::uint32_t t = 0; t < tets.size(); ++t) {
@@ -61,7 +56,8 @@ class Matching {
     for (std::uint32_t k = 4 * t; k < 4 * t + 4; ++k) {
       const std::uint32_t other = across_[k];
       if (other == kNoTet || partner_[other] != kNoTet) continue;
-      if (best == kNoTet || choices_[other] < choices_[best]) best = other;
+      Tet a = tets_[t], b = tets_[other];
+      if (align_at_face(a, b) && (best == kNoTet || choices_[other] < choices_[best])) best = other;
     }
     if (best == kNoTet) return;
     partner_[t] = best;

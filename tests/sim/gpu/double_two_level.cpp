@@ -143,7 +143,7 @@ void DoubleTwoLevel::descend(Acceleration acceleration) {
   for (double& s : scale) s = s > 0 ? 1 / s : 0;  // nothing was kept of the last step
   const SelfAdjointEigenSolver<MatrixXd> eigen(scale.asDiagonal() * a * scale.asDiagonal());
   const VectorXd b = -(scale.asDiagonal() * (z.transpose() * g));
-  const VectorXd modes = (eigen.eigenvectors().transpose() * b).cwiseQuotient(eigen.eigenvalues().cwiseAbs().cwiseMax(1e-7));
+  const VectorXd modes = (eigen.eigenvectors().transpose() * b).cwiseQuotient(eigen.eigenvalues().cwiseAbs().cwiseMax(0.03));
   const VectorXd step = z * (scale.asDiagonal() * (eigen.eigenvectors() * modes));
   u_ += step;
   last_step_ = step;
