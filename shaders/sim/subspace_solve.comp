@@ -1,8 +1,7 @@
 // The step within span{z_f, z_c, p} that minimises the quadratic model of the objective, one work group. The model is scaled by its
 // diagonal, and its eigenvalues count by their absolute value, at least EIGENVALUE_FLOOR: a direction of negative curvature is
-// descended like one of positive, and one that the others can express adds nothing. In motion none below the floor mattered (with 0.1 in
-// its place the errors after ten iterations stay the same); at rest, where changes of the gradient are rounding, small ones come about
-// by accident, and steps along them kicked the tissue.
+// descended like one of positive, and one that the others can express adds nothing. At rest, where changes of the gradient are rounding,
+// small eigenvalues come about by accident, and long steps along them would kick the tissue; in motion the floor changes next to nothing.
 // Of a last step that raised the objective only a part is kept instead: where phi(t) = phi(0) + phi'(0) t + c t^4 has its
 // minimum, but no more than half, for the energy of strained tissue is of fourth order in the displacement. Nothing is kept of a step
 // that had no slope down (inertia's), nor with FINAL.

@@ -28,7 +28,7 @@ struct Recording {
   DeferredTets* deferred = nullptr;  // null: no material defers tets
   const ActiveSet* active = nullptr;       // what the passes go through; null: everything
 
-  /// A pass of an invocation per vertex, tet or pair of tets (shaders/common/tet_pair.glsl).
+  /// A pass of an invocation per vertex, tet or pair of tets (shaders/common/tet_pair.glsl); over tets it is always all of them.
   gl::ComputePass over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
   gl::ComputePass over_tets(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
   gl::ComputePass over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
