@@ -152,12 +152,13 @@ std::vector<std::string> bench_skip(Bench& bench) {
         bench.stop_if_interrupted();
         GpuSolver& solver = *subjects[i]->solver;
         solver.upload(start);
-        const std::uint64_t before = gl::dispatch_count();
+        std::uint64_t stepped = 0;
         const double ms = milliseconds_of([&] {
           solver.step();
+          stepped = gl::dispatch_count();
           solver.publish();
         });
-        dispatches[i] = gl::dispatch_count() - before;
+        dispatches[i] = solver.dispatches_per_step() + gl::dispatch_count() - stepped;
         if (turn > 0) times[i].push_back(ms);
       }
     for (std::size_t i = 0; i < subjects.size(); ++i) {

@@ -11,7 +11,7 @@
 namespace fascia {
 namespace {
 
-// About how many dispatches that do something an iteration of a method has.
+// About how many dispatches that do something an iteration of a method has by itself.
 std::size_t dispatches_of(Method method) {
   switch (method) {
     case Method::jacobi:
@@ -24,14 +24,16 @@ std::size_t dispatches_of(Method method) {
   return 1;
 }
 
-// llvmpipe wakes and awaits its worker threads in every dispatch, which costs as much as they save on some thousands of tets. The
-// rasteriser gains from every core, more than a sweep of other methods than Gauss-Seidel's loses.
+// llvmpipe's worker threads cost something where they wait for each other: in a step of fused passes (render/gl/fused_pass.h) after every
+// kernel, of which colors make many; else they are woken and awaited in every dispatch, which takes as long as they save on some
+// thousands of tets. The rasteriser gains from every core, more than a step loses.
 void choose_software_threads(const Workload& workload) {
-  constexpr std::size_t kTetsPerDispatch = 5000;
+  constexpr std::size_t kTetsFused = 2000, kTetsOfColors = 40'000, kTetsPerDispatch = 5000;
   const unsigned cores = std::clamp(std::thread::hardware_concurrency(), 1u, 16u);
-  const bool pays = workload.tets >= kTetsPerDispatch * dispatches_of(workload.method) ||
-                    (workload.drawn && workload.method != Method::gauss_seidel);
-  setenv("LP_NUM_THREADS", std::to_string(pays ? cores : 0).c_str(), 0);
+  const std::size_t least = !workload.fused                           ? kTetsPerDispatch * dispatches_of(workload.method)
+                            : workload.method == Method::gauss_seidel ? kTetsOfColors
+                                                                      : kTetsFused;
+  setenv("LP_NUM_THREADS", std::to_string(workload.drawn || workload.tets >= least ? cores : 0).c_str(), 0);
 }
 
 // Storage blocks on GPUs; texel fetches on llvmpipe, whose storage reads cost 8 to 12 times as much.
@@ -43,7 +45,9 @@ gl::LoadPath choose_loads(const std::string& name) {
 
 }  // namespace
 
-Workload workload_of(const Scene& scene, const Model& model, bool drawn) { return {scene.solver.method, model.tets.size(), drawn}; }
+Workload workload_of(const Scene& scene, const Model& model, bool drawn) {
+  return {scene.solver.method, model.tets.size(), drawn, scene.solver.tolerance == 0};
+}
 
 Graphics open_graphics(const CommonOptions& options, bool for_view, int width, int height, const Workload& workload) {
   Graphics graphics;
@@ -58,6 +62,7 @@ Graphics open_graphics(const CommonOptions& options, bool for_view, int width, i
   graphics.context = make_context(request);
   if (request.debug) gl::log_debug_messages([](const std::string& line) { std::cerr << "gl: " << line << '\n'; });
   graphics.programs = std::make_unique<gl::ProgramCache>(graphics.data_dir / "shaders", choose_loads(options.loads));
+  graphics.programs->set_fusing(true);
   return graphics;
 }
 

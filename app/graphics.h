@@ -18,6 +18,7 @@ struct Workload {
   Method method = Method::jacobi;
   std::size_t tets = 0;
   bool drawn = true;
+  bool fused = true;  // whether the passes of a step are (render/gl/fused_pass.h): not with solver.tolerance
 };
 Workload workload_of(const Scene& scene, const Model& model, bool drawn = true);
 

@@ -125,7 +125,7 @@ void solver_panel(Session& session, ViewState& state) {
   if (const GpuSolver* gpu = simulation.gpu(); gpu && gpu->gauss_seidel()) {
     const Coloring& coloring = gpu->gauss_seidel()->coloring();
     ui::fact("In use", std::to_string(coloring.color_count()) + " colors, " + std::to_string(coloring.phantom_vertex.size()) + " phantoms",
-             "Each color is a dispatch; phantoms are copies of vertices that more colors than allowed would move");
+             "Each color waits for the one before it; phantoms are copies of vertices that more colors than allowed would move");
   }
   gravity_row(simulation);
   error_row(session);

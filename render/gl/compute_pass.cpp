@@ -100,7 +100,7 @@ void check_bindings(const Program& program, const ComputePass::Bindings& buffers
       const auto& [other_name, other] = buffers[k];
       if (k < i && name == other_name)
         throw Error(where, name + " is bound twice", "expected one buffer for one name");
-      if (buffer == other && is_input(name) && is_output(other_name))
+      if (buffer == other && is_input(name) && is_output(other_name) && !program.fused())
         throw Error(where, name + " and " + other_name + " are one buffer, read and written",
                     "expected it once, as INOUT, or read as INPUT_VEC4_IN_PLACE");
     }
@@ -119,7 +119,20 @@ ComputePass::ComputePass(const Program& program, Bindings buffers, std::uint32_t
       constants_(std::move(constants)),
       invocations_(invocations) {
   constants_.emplace_back("invocations", invocations);
-  resolve();
+  if (program.id())
+    resolve();
+  else
+    check_bindings(program, buffers_, "kernel " + program.label());
+}
+
+void ComputePass::prepare() const {
+  program_->require();
+  if (generation_ != program_->generation()) resolve();
+}
+
+ComputePass& ComputePass::loops(std::uint32_t most) {
+  loops_ = most;
+  return *this;
 }
 
 void ComputePass::resolve() const {
@@ -184,19 +197,19 @@ void ComputePass::copy_first(const Buffer& from, Buffer& to) {
 
 void ComputePass::follow(const std::string& constant, const std::uint32_t& value) {
   followed_.emplace_back(constant, &value);
-  resolve();
+  if (program_->id()) resolve();
 }
 
 std::size_t ComputePass::bytes() const {
   std::set<const Buffer*> counted;
   std::size_t bytes = 0;
-  for (const Slot& slot : slots_)
-    if (counted.insert(slot.buffer).second) bytes += slot.buffer->bytes();
+  for (const auto& [name, buffer] : buffers_)
+    if (counted.insert(buffer).second) bytes += buffer->bytes();
   return bytes;
 }
 
 void ComputePass::run() const {
-  if (generation_ != program_->generation()) resolve();
+  prepare();
   std::uint32_t groups = groups_;
   for (const auto& [name, value] : followed_)
     if (name == "invocations") groups = (*value + group_size_ - 1) / group_size_;

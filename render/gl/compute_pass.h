@@ -4,6 +4,7 @@
 // have, or a block left without a buffer, is an Error.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,8 +27,11 @@ class ComputePass {
   /// reloaded program wants other buffers.
   void run() const;
   const Program& program() const { return *program_; }
-  std::uint32_t groups() const { return groups_; }
-  /// Of the buffers that the kernel uses, each once: about what a run moves that reads or writes all of them.
+  std::uint32_t groups() const {
+    prepare();
+    return groups_;
+  }
+  /// Of the buffers that it was given, each once: about what a run moves that reads or writes all of them.
   std::size_t bytes() const;
   /// From now on the numbers of groups are the three that `arguments` (uint) holds from place `first` on when the pass runs.
   void set_indirect(const Buffer& arguments, std::uint32_t first);
@@ -36,6 +40,21 @@ class ComputePass {
   void copy_first(const Buffer& from, Buffer& to);
   /// From now on a constant, "invocations" included, is what `value` holds when the pass runs.
   void follow(const std::string& constant, const std::uint32_t& value);
+
+  /// How many iterations an invocation of the kernel makes at most of all its loops together: passes that tell can be fused
+  /// (fused_pass.h).
+  ComputePass& loops(std::uint32_t most);
+  std::optional<std::uint32_t> loops() const { return loops_; }
+  /// Compiles the kernel, if that was postponed (program.h), and looks up the bindings. Throws Error.
+  void prepare() const;
+
+  // What was recorded.
+  using Followed = std::vector<std::pair<std::string, const std::uint32_t*>>;
+  const Bindings& bindings() const { return buffers_; }
+  const Constants& constants() const { return constants_; }  // "invocations" among them
+  const Followed& followed() const { return followed_; }
+  std::uint32_t first_argument() const { return first_argument_; }
+  std::pair<const Buffer*, const Buffer*> copied() const { return {copied_, copy_}; }  // of copy_first: from, to
 
  private:
   void resolve() const;  // block names to binding points; again after a reload
@@ -53,7 +72,8 @@ class ComputePass {
   std::uint32_t first_argument_ = 0;
   const Buffer* copied_ = nullptr;  // before the dispatch, to copy_
   Buffer* copy_ = nullptr;
-  std::vector<std::pair<std::string, const std::uint32_t*>> followed_;
+  Followed followed_;
+  std::optional<std::uint32_t> loops_;
   mutable std::uint32_t groups_ = 0, group_size_ = 1;
   mutable std::vector<std::pair<GLint, std::uint32_t>> uniforms_;  // location, value
   mutable std::vector<std::pair<GLint, const std::uint32_t*>> followed_uniforms_;

@@ -63,12 +63,17 @@ void load(GetProc get_proc) {
   found.renderer = string_of(GL_RENDERER);
   found.version = string_of(GL_VERSION);
   std::sscanf(found.version.c_str(), "%d.%d", &found.major, &found.minor);
+  int bits = 0;  // "llvmpipe (LLVM 15.0.6, 256 bits)"
+  if (found.renderer.starts_with("llvmpipe"))
+    if (const auto comma = found.renderer.rfind(", "); comma != std::string::npos) std::sscanf(found.renderer.c_str() + comma, ", %d bits", &bits);
   Device now{.renderer = found.renderer, .version = found.version, .software = is_software(found.renderer)};
   if (found.major > 4 || (found.major == 4 && found.minor >= 3)) {
     found.storage_blocks = now.max_compute_storage_blocks = integer_of(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS);
     found.invocations = integer_of(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS);
     found.shared_memory = integer_of(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE);
     now.max_texture_buffer_size = integer_of(GL_MAX_TEXTURE_BUFFER_SIZE);
+    now.vector_width = bits / 32;
+    now.max_compute_textures = integer_of(GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS);
     GLint64 block_size = 0;
     GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block_size);
     now.max_storage_block_size = block_size;

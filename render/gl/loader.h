@@ -71,6 +71,8 @@ struct Device {
   bool software = false;                    // llvmpipe, softpipe or swrast
   int max_texture_buffer_size = 0;          // texels
   int max_compute_storage_blocks = 0;       // SSBO blocks in one compute kernel
+  int max_compute_textures = 0;             // buffer textures in one compute kernel
+  int vector_width = 0;                     // of llvmpipe: invocations that it computes at once; 0 for others
   std::int64_t max_storage_block_size = 0;  // [bytes]
   int max_compute_groups = 0;               // work groups along x in one dispatch
 };

@@ -7,15 +7,16 @@
 namespace fascia::gl {
 namespace {
 
-/// The lines of a driver's log as one line, for Error.
+/// The lines of a driver's log as one line, for Error: without warnings, where there are errors.
 std::string one_line(const std::string& log) {
+  const bool errors = log.find("error") != std::string::npos;
   std::string result, line;
   for (const char c : log + "\n") {
     if (c != '\n') {
       if (c != '\0' && c != '\r') line += c;
       continue;
     }
-    if (line.find_first_not_of(" \t") != std::string::npos) result += (result.empty() ? "" : " | ") + line;
+    if (line.find_first_not_of(" \t") != std::string::npos && !(errors && line.find("warning:") != std::string::npos)) result += (result.empty() ? "" : " | ") + line;
     line.clear();
   }
   return result;
@@ -92,17 +93,47 @@ const Program& ProgramCache::draw(const std::string& vertex_file, const std::str
              {{GL_VERTEX_SHADER, vertex_file}, {GL_FRAGMENT_SHADER, fragment_file}}, defines);
 }
 
-const Program& ProgramCache::get(const std::string& name, std::vector<std::pair<GLenum, std::string>> stages,
-                                 const Defines& defines) {
-  Entry entry{std::move(stages), defines, std::make_unique<Program>()};
-  std::sort(entry.defines.begin(), entry.defines.end());
+const Program& ProgramCache::get(const std::string& name, const std::vector<std::pair<GLenum, std::string>>& stages, Defines defines) {
+  std::sort(defines.begin(), defines.end());
   std::string label = name, list;
-  for (const auto& [key, value] : entry.defines) list += (list.empty() ? "" : " ") + key + "=" + value;
+  for (const auto& [key, value] : defines) list += (list.empty() ? "" : " ") + key + "=" + value;
   if (!list.empty()) label += " [" + list + "]";
   const auto found = programs_.find(label);
-  if (found != programs_.end()) return *found->second.program;
+  if (found != programs_.end()) {
+    if (postponed_ == 0) found->second.program->require();
+    return *found->second.program;
+  }
+  Entry entry{{}, std::make_unique<Program>()};
   entry.program->label_ = label;
-  entry.defines.emplace_back("READ_TEXELS", load_path_ == LoadPath::texel ? "1" : "0");
+  entry.program->file_ = name;
+  entry.program->defines_ = defines;
+  defines.emplace_back("READ_TEXELS", load_path_ == LoadPath::texel ? "1" : "0");
+  for (const auto& [stage, file] : stages)
+    entry.stages.emplace_back(stage, [this, file = file, defines] { return read_shader(folder_, file, defines); });
+  entry.program->cache_ = this;
+  if (postponed_ > 0) {
+    const ShaderText text = entry.stages.front().second();
+    entry.program->declared_ = text.declared;
+    entry.program->output_types_ = text.output_types;
+  } else {
+    link(entry);
+  }
+  return *programs_.emplace(label, std::move(entry)).first->second.program;
+}
+
+void Program::require() const {
+  if (!id_ && cache_) cache_->link(cache_->programs_.at(label_));
+}
+
+std::size_t ProgramCache::size() const {
+  return static_cast<std::size_t>(std::count_if(programs_.begin(), programs_.end(), [](const auto& entry) { return entry.second.program->id() != 0; }));
+}
+
+const Program& ProgramCache::fused(const std::string& label, std::function<ShaderText(const std::filesystem::path&)> read) {
+  const auto found = programs_.find(label);
+  if (found != programs_.end()) return *found->second.program;
+  Entry entry{{{GL_COMPUTE_SHADER, [this, read = std::move(read)] { return read(folder_); }}}, std::make_unique<Program>()};
+  entry.program->label_ = label;
   link(entry);
   return *programs_.emplace(label, std::move(entry)).first->second.program;
 }
@@ -110,11 +141,13 @@ const Program& ProgramCache::get(const std::string& name, std::vector<std::pair<
 void ProgramCache::link(const Entry& entry) const {
   Program& program = *entry.program;
   std::map<std::string, Texel> declared;
+  std::map<std::string, std::string> output_types;
   std::vector<std::unique_ptr<Shader>> shaders;
-  for (const auto& [stage, file] : entry.stages) {
-    const ShaderText source = read_shader(folder_, file, entry.defines);
+  for (const auto& [stage, read] : entry.stages) {
+    const ShaderText source = read();
     compile(*shaders.emplace_back(std::make_unique<Shader>(stage)), source, program.label_);
     declared.insert(source.declared.begin(), source.declared.end());
+    output_types.insert(source.output_types.begin(), source.output_types.end());
   }
   const GLuint id = CreateProgram();
   for (const auto& shader : shaders) AttachShader(id, shader->id);
@@ -132,12 +165,14 @@ void ProgramCache::link(const Entry& entry) const {
   if (program.id_) DeleteProgram(program.id_);
   program.id_ = id;
   program.declared_ = std::move(declared);
+  program.output_types_ = std::move(output_types);
   ++program.generation_;
 }
 
 std::vector<std::string> ProgramCache::reload() {
   std::vector<std::string> messages;
   for (const auto& [label, entry] : programs_) {
+    if (!entry.program->id()) continue;  // read when it is first used
     try {
       link(entry);
     } catch (const Error& error) {

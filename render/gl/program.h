@@ -1,6 +1,7 @@
 // Linked programs, cached by file and defines, reloaded from disk on demand.
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -16,6 +17,8 @@ namespace fascia::gl {
 enum class LoadPath { storage, texel };
 const char* name_of(LoadPath path);  // "ssbo", "texel"
 
+class ProgramCache;
+
 class Program {
  public:
   Program() = default;
@@ -29,6 +32,12 @@ class Program {
   unsigned generation() const { return generation_; }
   void use() const;
   const std::map<std::string, Texel>& declared() const { return declared_; }  // buffers, see ShaderText
+  const std::map<std::string, std::string>& output_types() const { return output_types_; }
+  const std::string& file() const { return file_; }  // of a compute program, with its defines
+  bool fused() const { return file_.empty(); }
+  /// Links it, if that was postponed. Throws Error.
+  void require() const;
+  const Defines& defines() const { return defines_; }
   // Uniforms by name, kept by the program until it is reloaded; it need not be in use. Setting one that the
   // program does not have does nothing (the driver may have optimised it away).
   void set(const char* name, float value) const;
@@ -39,10 +48,14 @@ class Program {
 
  private:
   friend class ProgramCache;
+  ProgramCache* cache_ = nullptr;
   GLuint id_ = 0;
   unsigned generation_ = 0;
   std::string label_;
+  std::string file_;
+  Defines defines_;
   std::map<std::string, Texel> declared_;
+  std::map<std::string, std::string> output_types_;
 };
 
 class ProgramCache {
@@ -50,29 +63,47 @@ class ProgramCache {
   /// `folder` is the shaders folder. `load_path` becomes READ_TEXELS 0 or 1 in every program.
   ProgramCache(std::filesystem::path folder, LoadPath load_path);
   LoadPath load_path() const { return load_path_; }
+  /// Whether who records many passes should fuse them (fused_pass.h): it takes two to three times as long to compile. Not at first.
+  void set_fusing(bool on) { fusing_ = on; }
+  bool fusing() const { return fusing_; }
 
   /// Compiled at the first call, then kept at the same address. Throws Error with the log mapped to file:line
   /// and the variant.
   const Program& compute(const std::string& file, const Defines& defines = {});
   const Program& draw(const std::string& vertex_file, const std::string& fragment_file,
                       const Defines& defines = {});
+  /// A compute program made of several kernels: by `read`, also at every reload. `label` tells it from the others.
+  const Program& fused(const std::string& label, std::function<ShaderText(const std::filesystem::path& folder)> read);
 
   /// Compiles every cached program again from disk. One that fails keeps its old code; returns the messages.
   std::vector<std::string> reload();
-  std::size_t size() const { return programs_.size(); }
+  std::size_t size() const;  // of linked ones
+
+  /// While it lives compute() only reads a program's text: the program is linked when it is first used.
+  class Postponed {
+   public:
+    explicit Postponed(ProgramCache& cache) : cache_(cache) { ++cache_.postponed_; }
+    ~Postponed() { --cache_.postponed_; }
+    Postponed(const Postponed&) = delete;
+    Postponed& operator=(const Postponed&) = delete;
+
+   private:
+    ProgramCache& cache_;
+  };
 
  private:
   struct Entry {
-    std::vector<std::pair<GLenum, std::string>> stages;
-    Defines defines;
+    std::vector<std::pair<GLenum, std::function<ShaderText()>>> stages;
     std::unique_ptr<Program> program;
   };
-  const Program& get(const std::string& name, std::vector<std::pair<GLenum, std::string>> stages,
-                     const Defines& defines);
+  const Program& get(const std::string& name, const std::vector<std::pair<GLenum, std::string>>& stages, Defines defines);
+  friend class Program;
   void link(const Entry& entry) const;  // into entry.program, which stays as it is when this throws
 
   std::filesystem::path folder_;
   LoadPath load_path_;
+  bool fusing_ = false;
+  int postponed_ = 0;
   std::map<std::string, Entry> programs_;
 };
 

@@ -17,7 +17,8 @@ std::string place(const std::string& file, int line) {
 
 class Flattener {
  public:
-  Flattener(const std::filesystem::path& folder, ShaderText& result) : folder_(folder), result_(result) {}
+  Flattener(const std::filesystem::path& folder, ShaderText& result, const std::vector<std::string>& included)
+      : folder_(folder), result_(result), done_(included) {}
 
   /// Appends `file` unless it is there already. `from` is where it was asked for.
   void append(const std::string& file, const std::string& from) {
@@ -51,6 +52,7 @@ class Flattener {
     const auto first = line.find_first_not_of(" \t");
     const bool directive = first != std::string::npos && line[first] == '#';
     if (directive) {
+      if (line.find("include") == std::string::npos && line.find("version") == std::string::npos) return emit(line, file, number);
       static const std::regex include("^\\s*#\\s*include\\b(.*)$"), version("^\\s*#\\s*version\\b.*"),
           quoted("^\\s*\"([^\"]+)\"\\s*(//.*)?$");
       std::smatch match, name;
@@ -78,12 +80,12 @@ class Flattener {
         {"INPUT_VEC4", Texel::vec4},  {"INPUT_VEC4_IN_PLACE", Texel::vec4_in_place},
         {"INPUT_UVEC4", Texel::uvec4}, {"INPUT_FLOAT", Texel::float1},
         {"INPUT_UINT", Texel::uint1}, {"OUTPUT", Texel::none},       {"INOUT", Texel::none}};
-    static const std::regex names("(?:\\w+\\s*,\\s*)?(\\w+)\\s*,\\s*(\\w+)");  // [type,] Block, name
+    static const std::regex names("(?:(\\w+)\\s*,\\s*)?(\\w+)\\s*,\\s*(\\w+)");  // [type,] Block, name
     for (std::sregex_iterator it(code.begin(), code.end(), declaration), end; it != end; ++it) {
       const std::string macro = (*it)[1], arguments = (*it)[2];
       std::smatch match;
       if (!std::regex_match(arguments, match, names)) continue;  // the compiler will say it better
-      const std::string block = match[1], name = match[2];
+      const std::string type = match[1], block = match[2], name = match[3];
       if (block != pascal_case(name))
         throw Error(where, macro + " of " + name + " names its block " + block,
                     "expected " + pascal_case(name));
@@ -91,6 +93,7 @@ class Flattener {
       if (!fresh && known->second != kinds.at(macro))
         throw Error(where, name + " is declared a second time, as another kind of buffer",
                     "expected one kind for one name");
+      if (!type.empty()) result_.output_types.emplace(name, type);
     }
   }
 
@@ -115,9 +118,10 @@ std::string pascal_case(const std::string& snake_case) {
   return result;
 }
 
-ShaderText read_shader(const std::filesystem::path& folder, const std::string& file, const Defines& defines) {
+ShaderText read_shader(const std::filesystem::path& folder, const std::string& file, const Defines& defines,
+                       const std::vector<std::string>& included) {
   ShaderText result;
-  Flattener flattener(folder, result);
+  Flattener flattener(folder, result, included);
   flattener.emit("#version 430 core", file, 0);
   for (const auto& [name, value] : defines) flattener.emit("#define " + name + " " + value, file, 0);
   flattener.append(file, place(file, 0));

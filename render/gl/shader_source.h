@@ -27,6 +27,7 @@ struct ShaderText {
   // Buffers declared with the macros of common/io.glsl, by their second name. Reflection tells neither a
   // float texel from a vec4 texel nor what the driver optimised away, so the declarations are read here.
   std::map<std::string, Texel> declared;
+  std::map<std::string, std::string> output_types;  // of an element: "vec4", "uint"
 };
 
 /// "slot_begin" to "SlotBegin": the block name that belongs to a buffer's name.
@@ -34,7 +35,9 @@ std::string pascal_case(const std::string& snake_case);
 
 /// Throws Error "shaders/sim/x.comp:3: ..." for a missing file, a circular include, or a declaration whose
 /// two names disagree.
-ShaderText read_shader(const std::filesystem::path& folder, const std::string& file, const Defines& defines);
+/// Files in `included` are taken to be there already.
+ShaderText read_shader(const std::filesystem::path& folder, const std::string& file, const Defines& defines,
+                       const std::vector<std::string>& included = {});
 
 /// A driver's log with every "0:12(3):" or "0(12) :" or "ERROR: 0:12:" replaced by "shaders/sim/x.comp:12:".
 std::string map_log(const ShaderText& source, const std::string& log);

@@ -9,24 +9,37 @@
 //   INPUT_VEC4_IN_PLACE(Corner, corner)      ->  an input that is the dispatch's own output under another name, for kernels where no
 //                                                invocation reads what another one writes, and each reads before it writes
 // The application binds by the second name; the block name is the same word in PascalCase.
-#if READ_TEXELS
+// In a fused program (common/fused.glsl) the buffers of all kernels are declared before the first one.
+#ifdef FUSED
+#define INPUT_VEC4(Block, name)
+#define INPUT_UVEC4(Block, name)
+#define INPUT_FLOAT(Block, name)
+#define INPUT_UINT(Block, name)
+#define OUTPUT(type, Block, name)
+#define INOUT(type, Block, name)
+#elif READ_TEXELS
 #define INPUT_VEC4(Block, name) uniform samplerBuffer name;
 #define INPUT_UVEC4(Block, name) uniform usamplerBuffer name;
 #define INPUT_FLOAT(Block, name) uniform samplerBuffer name;
 #define INPUT_UINT(Block, name) uniform usamplerBuffer name;
-#define FETCH(name, i) texelFetch(name, int(i))
-#define FETCH1(name, i) (texelFetch(name, int(i)).x)
 #else
 #define INPUT_VEC4(Block, name) layout(std430) readonly buffer Block { vec4 name[]; };
 #define INPUT_UVEC4(Block, name) layout(std430) readonly buffer Block { uvec4 name[]; };
 #define INPUT_FLOAT(Block, name) layout(std430) readonly buffer Block { float name[]; };
 #define INPUT_UINT(Block, name) layout(std430) readonly buffer Block { uint name[]; };
+#endif
+#ifndef FUSED
+#define OUTPUT(type, Block, name) layout(std430) writeonly buffer Block { type name[]; };
+#define INOUT(type, Block, name) layout(std430) buffer Block { type name[]; };
+#endif
+#define INPUT_VEC4_IN_PLACE(Block, name) INPUT_VEC4(Block, name)
+#if READ_TEXELS
+#define FETCH(name, i) texelFetch(name, int(i))
+#define FETCH1(name, i) (texelFetch(name, int(i)).x)
+#else
 #define FETCH(name, i) name[i]
 #define FETCH1(name, i) name[i]
 #endif
-#define INPUT_VEC4_IN_PLACE(Block, name) INPUT_VEC4(Block, name)
-#define OUTPUT(type, Block, name) layout(std430) writeonly buffer Block { type name[]; };
-#define INOUT(type, Block, name) layout(std430) buffer Block { type name[]; };
 
 // A vec4 whose w nobody reads, or which is 0 already. Software renderers take as long as there are floats to store, GPUs rather write
 // whole vectors.
@@ -39,7 +52,13 @@
 #ifndef GROUP_SIZE
 #define GROUP_SIZE 64
 #endif
+#ifdef FUSED
+#define COMPUTE_1D uint invocations;
+#define INVOCATION fused_invocation
+#else
 #define COMPUTE_1D layout(local_size_x = GROUP_SIZE) in; uniform uint invocations;
+#define INVOCATION gl_GlobalInvocationID.x
+#endif
 // With LISTED a kernel goes through the items of a list: those of a step in which the others rest.
 #ifdef LISTED
 INPUT_UINT(ItemList, item_list)  // [number of items]
@@ -50,26 +69,24 @@ INPUT_UINT(ItemList, item_list)  // [number of items]
 // Branches skip nothing where invocations run in lockstep, so what few items need is deferred: with DEFERS a kernel puts such an item on
 // a list and returns, and the same kernel with DEFERRED, dispatched by the list's count, goes through it.
 #ifdef DEFERS
-OUTPUT(uint, DeferredItems, deferred_items)   // [number of items]
-INOUT(uint, DeferredCounts, deferred_counts)  // [4] work groups for them, 1, 1, items
+INOUT(uint, Deferred, deferred)  // [4 + number of items] work groups for them, 1, 1, how many; then the items
 void defer(uint i) {
-  uint k = atomicAdd(deferred_counts[3], 1u);
-  deferred_items[k] = i;
-  atomicMax(deferred_counts[0], k / uint(GROUP_SIZE) + 1u);
+  uint k = atomicAdd(deferred[3], 1u);
+  deferred[4u + k] = i;
+  atomicMax(deferred[0], k / uint(GROUP_SIZE) + 1u);
 }
 #endif
 #ifdef DEFERRED
-INPUT_UINT(DeferredItem, deferred_item)
-INPUT_UINT(DeferredCount, deferred_count)
+INPUT_UINT(DeferredItems, deferred_items)  // the same
 #define ITEM_OR_RETURN(i) \
-  if (gl_GlobalInvocationID.x >= FETCH1(deferred_count, 3)) return; uint i = FETCH1(deferred_item, gl_GlobalInvocationID.x);
+  if (INVOCATION >= FETCH1(deferred_items, 3)) return; uint i = FETCH1(deferred_items, 4u + INVOCATION);
 #else
-#define ITEM_OR_RETURN(i) if (gl_GlobalInvocationID.x >= invocations) return; uint i = LISTED_ITEM(gl_GlobalInvocationID.x);
+#define ITEM_OR_RETURN(i) if (INVOCATION >= invocations) return; uint i = LISTED_ITEM(INVOCATION);
 #endif
 // For sums: lane i of `lanes` goes through its share of `count` items, LISTED_ITEM(k). On GPUs all lanes go over the items side by side;
 // on software renderers, whose vectors hold eight invocations, those have a stretch of their own, for items beside each other share
 // what they read.
-#define LANE_OR_RETURN(i) uint i = gl_GlobalInvocationID.x; if (i >= invocations) return;
+#define LANE_OR_RETURN(i) uint i = INVOCATION; if (i >= invocations) return;
 #if READ_TEXELS
 #define FOR_ITEMS_OF_LANE(k, i, lanes, count)                                                                  \
   for (uint stretch = 8u * (((count) + (lanes) - 1u) / (lanes)), k = (i) / 8u * stretch + (i) % 8u,            \

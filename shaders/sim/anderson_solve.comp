@@ -17,11 +17,11 @@ shared vec4 dots[LARGEST_WINDOW];
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
-  if (lane < window) {
+  for (uint column = lane; column < window; column += GROUP_SIZE) {
     vec4 sum = vec4(0.0);
     for (uint part = 0u; part < parts; ++part)
-      for (uint p = 0u; p < partials; ++p) sum += FETCH(dot_partials, (part * window + lane) * partials + p);
-    dots[lane] = sum;
+      for (uint p = 0u; p < partials; ++p) sum += FETCH(dot_partials, (part * window + column) * partials + p);
+    dots[column] = sum;
   }
   barrier();
   if (lane != 0u) return;

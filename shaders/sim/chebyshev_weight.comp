@@ -21,7 +21,8 @@ uniform uint partials;
 #define GROWTH 4.0  // of |f|^2
 #define ROUNDING 1e-8  // share of the first |f|^2 below which the residual tells of float32 and no longer of the iteration
 
-shared float lane_sums[GROUP_SIZE];
+#define LANES 8u  // however large the work group is: the sum is the same
+shared float lane_sums[LANES];
 
 float larger_radius(float rho, float p, float b) {
   float s = sqrt(1.0 - rho * rho), r = (1.0 - s) / (1.0 + s), rp = pow(r, p);
@@ -35,12 +36,14 @@ float larger_radius(float rho, float p, float b) {
 void main() {
   uint lane = gl_LocalInvocationID.x;
   float sum = 0.0;
-  for (uint p = lane; p < partials; p += GROUP_SIZE) sum += FETCH(square_partials, p).x;
-  lane_sums[lane] = sum;
+  if (lane < LANES) {
+    for (uint p = lane; p < partials; p += LANES) sum += FETCH(square_partials, p).x;
+    lane_sums[lane] = sum;
+  }
   barrier();
   if (lane != 0u) return;
   float squared = 0.0;
-  for (uint l = 0u; l < GROUP_SIZE; ++l) squared += lane_sums[l];
+  for (uint l = 0u; l < LANES; ++l) squared += lane_sums[l];
 
   float rho = MANUAL_SPECTRAL_RADIUS > 0.0 ? MANUAL_SPECTRAL_RADIUS : chebyshev_state[CHEBYSHEV_RADIUS];
 #if FIRST_ITERATION

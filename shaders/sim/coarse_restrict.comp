@@ -6,9 +6,8 @@
 #include "common/io.glsl"
 #include "common/group_sum.glsl"
 COMPUTE_1D
-INPUT_UINT(GatherBegin, gather_begin)               // [node_count + 1]
+INPUT_UINT(CoarseNodeBegin, coarse_node_begin)      // [2 * (node_count + 1)] first entry in gather_entry and in coarse_columns
 INPUT_UVEC4(GatherEntry, gather_entry)              // [entries] xyz c_ja [1/m] (float bits), w vertex
-INPUT_UINT(CoarseColumnBegin, coarse_column_begin)  // [node_count + 1]
 INPUT_UVEC4(CoarseColumns, coarse_columns)          // two entries of P each: vertex and weight (float bits) in turn
 INPUT_VEC4(Gradient, gradient)                      // [vertex_count] g [kg m]
 INPUT_VEC4(Displacement, displacement)              // [vertex_count] u [m]
@@ -42,16 +41,16 @@ vec4 nearest_rotation(mat3 m) {
 void main() {
   SHARED_ITEM_OR_RETURN(j, lane)
   vec3 m0 = vec3(0.0), m1 = vec3(0.0), m2 = vec3(0.0), r = vec3(0.0);
-  uint end = FETCH1(gather_begin, j + 1u);
-  for (uint k = FETCH1(gather_begin, j) + lane; k < end; k += LANES) {
+  uint end = FETCH1(coarse_node_begin, 2u * j + 2u);
+  for (uint k = FETCH1(coarse_node_begin, 2u * j) + lane; k < end; k += LANES) {
     uvec4 entry = FETCH(gather_entry, k);
     vec3 c = uintBitsToFloat(entry.xyz), u = FETCH(displacement, entry.w).xyz;
     m0 += c.x * u;
     m1 += c.y * u;
     m2 += c.z * u;
   }
-  end = FETCH1(coarse_column_begin, j + 1u);
-  for (uint k = FETCH1(coarse_column_begin, j) + lane; k < end; k += LANES) {
+  end = FETCH1(coarse_node_begin, 2u * j + 3u);
+  for (uint k = FETCH1(coarse_node_begin, 2u * j + 1u) + lane; k < end; k += LANES) {
     uvec4 entries = FETCH(coarse_columns, k);
     r += uintBitsToFloat(entries.y) * FETCH(gradient, entries.x).xyz;
     r += uintBitsToFloat(entries.w) * FETCH(gradient, entries.z).xyz;

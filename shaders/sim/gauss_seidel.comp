@@ -20,6 +20,12 @@ void main() {
   vec3 lambda_d = FETCH(lambda, 2u * t).xyz, lambda_s = FETCH(lambda, 2u * t + 1u).xyz;
 #endif
   mat3 h = displacement_gradient(tet, u0.xyz, u1.xyz, u2.xyz, u3.xyz);
+#ifdef DEFERS
+  if (needs_guard(h, material_of(t))) {
+    defer(i);
+    return;
+  }
+#endif
   BlockStep s = solve_block(t, tet, h, vec4(u0.w, u1.w, u2.w, u3.w), lambda_d, lambda_s, Sym3(vec3(0.0), vec3(0.0)));
   STORE3(multiplier[2u * t], lambda_d + s.change_d)
   STORE3(multiplier[2u * t + 1u], lambda_s + s.change_s)

@@ -30,7 +30,7 @@ void main() {
   vec3 u = FETCH(iterate, i).xyz;
   float inv_mass = FETCH(rest_position, i).w;
 #ifdef LISTED
-  if (gl_GlobalInvocationID.x >= moving_count) inv_mass = 0.0;
+  if (INVOCATION >= moving_count) inv_mass = 0.0;
 #endif
   vec3 drift = inv_mass > 0.0 ? SUBSTEP * FETCH(velocity, i).xyz : vec3(0.0);
   vec3 fall = inv_mass > 0.0 ? SUBSTEP * SUBSTEP * GRAVITY : vec3(0.0);

@@ -16,8 +16,8 @@ INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]
 #ifdef DEFERRED
 OUTPUT(vec4, GuardedCurvature, guarded_curvature)  // [pairs and single tets] xyz the terms of one with a guarded tet, w 1
 #else
-OUTPUT(vec4, CurvaturePartials, curvature_partials)  // x z_f H z_f, y z_f H z_c, z z_c H z_c
-uniform uint pair_and_single_count;
+OUTPUT(vec4, CurvaturePartials, curvature_partials)  // from first_partial on: x z_f H z_f, y z_f H z_c, z z_c H z_c
+uniform uint pair_and_single_count, first_partial;
 #ifdef GUARDED_ELSEWHERE
 INPUT_VEC4(GuardedTerms, guarded_terms)  // [the same] w 0 where not guarded
 #endif
@@ -74,6 +74,6 @@ void main() {
 #endif
     sum += terms;
   }
-  STORE_PARTIAL(curvature_partials, i, vec4(sum, 0.0))
+  STORE_PARTIAL(curvature_partials, i + first_partial * PARTIAL_STRIDE, vec4(sum, 0.0))
 }
 #endif

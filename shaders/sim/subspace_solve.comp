@@ -10,9 +10,8 @@
 #include "common/io.glsl"
 #include "sim/subspace_state.glsl"
 COMPUTE_1D
-INPUT_VEC4(DotPartials, dot_partials)              // [3 * partials]
+INPUT_VEC4(DotPartials, dot_partials)  // [3 * partials] of vertices; then [curvature_count] of pairs of tets
 #if !FINAL
-INPUT_VEC4(CurvaturePartials, curvature_partials)  // [curvature_count]
 uniform uint curvature_count;
 uniform uint remembers;  // 0 or 1
 #endif
@@ -56,7 +55,7 @@ void main() {
       for (uint k = lane / 4u; k < partials; k += SLICES) sum += FETCH(dot_partials, row * partials + k);
 #if !FINAL
     if (row == 3u)
-      for (uint k = lane / 4u; k < curvature_count; k += SLICES) sum += FETCH(curvature_partials, k);
+      for (uint k = lane / 4u; k < curvature_count; k += SLICES) sum += FETCH(dot_partials, 3u * partials + k);
 #endif
     slices[lane] = sum;
   }

@@ -39,7 +39,8 @@ Passes Anderson::begin(gl::ProgramCache& programs) const {
   for (std::size_t p = 0; p < parts_.size(); ++p)
     passes.emplace_back(programs.compute("sim/anderson_mark.comp"),
                         gl::ComputePass::Bindings{{"value", parts_[p].value}, {"iterate", &histories_[p].iterate}},
-                        parts_[p].count);
+                        parts_[p].count)
+        .loops(0);
   return passes;
 }
 
@@ -57,14 +58,14 @@ Passes Anderson::passes(gl::ProgramCache& programs, bool first) const {
     if (part.weight) difference.emplace_back("weight", part.weight);
     if (first) {
       difference.emplace_back("start", &history.iterate);
-      passes.emplace_back(programs.compute("sim/anderson_begin.comp", weighted), std::move(difference), part.count);
+      passes.emplace_back(programs.compute("sim/anderson_begin.comp", weighted), std::move(difference), part.count).loops(0);
       continue;
     }
     difference.emplace_back("residual_before", &history.residual);
     difference.emplace_back("image_before", &history.image);
     difference.emplace_back("residual_change", &history.residual_change);
     difference.emplace_back("image_change", &history.image_change);
-    passes.emplace_back(programs.compute("sim/anderson_difference.comp", weighted), std::move(difference), part.count);
+    passes.emplace_back(programs.compute("sim/anderson_difference.comp", weighted), std::move(difference), part.count).loops(0);
     passes.emplace_back(programs.compute("sim/anderson_dots.comp"),
                         gl::ComputePass::Bindings{{"anderson_state", &state_},
                                                   {"residual", &history.residual},
@@ -74,15 +75,17 @@ Passes Anderson::passes(gl::ProgramCache& programs, bool first) const {
                         lanes_ * window_,
                         gl::ComputePass::Constants{{"vector_count", part.count},
                                                    {"lanes", lanes_},
-                                                   {"first_partial", static_cast<std::uint32_t>(p) * window_ * partials_}});
+                                                   {"first_partial", static_cast<std::uint32_t>(p) * window_ * partials_}})
+        .loops(part.count / lanes_ + 2);
   }
   if (first) return passes;
   passes.emplace_back(programs.compute("sim/anderson_solve.comp"),
                       gl::ComputePass::Bindings{{"dot_partials", &dot_partials_}, {"anderson_state", &state_}},
-                      Reduction::kGroup,
+                      1,
                       gl::ComputePass::Constants{{"window", window_},
                                                  {"partials", partials_},
-                                                 {"parts", static_cast<std::uint32_t>(parts_.size())}});
+                                                 {"parts", static_cast<std::uint32_t>(parts_.size())}})
+      .loops(2 * static_cast<std::uint32_t>(parts_.size()) * (partials_ + 1) + window_ * window_ * (window_ + 8));
   for (std::size_t p = 0; p < parts_.size(); ++p)
     passes.emplace_back(programs.compute("sim/anderson_apply.comp"),
                         gl::ComputePass::Bindings{{"anderson_state", &state_},
@@ -90,7 +93,8 @@ Passes Anderson::passes(gl::ProgramCache& programs, bool first) const {
                                                   {"image_change", &histories_[p].image_change},
                                                   {"iterate", &histories_[p].iterate},
                                                   {"value", parts_[p].value}},
-                        parts_[p].count);
+                        parts_[p].count)
+        .loops(window_);
   return passes;
 }
 

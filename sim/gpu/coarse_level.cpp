@@ -57,11 +57,14 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
   const std::uint32_t n = space_.node_count;
   lanes_ = programs.load_path() == gl::LoadPath::storage ? Reduction::kGroup : 1;
   row_octets_ = (3 * n + 7) / 8;
-  gather_begin_ = gl::Buffer("gather_begin", gather.begin);
   gather_entry_ = gl::Buffer("gather_entry", entries);
   const CoarseTranspose transposed = transpose(space_);
   const PackedRows columns = pack_rows(transposed.begin, transposed.vertex, transposed.weight);
-  column_begin_ = gl::Buffer("coarse_column_begin", columns.begin);
+  std::vector<std::uint32_t> begin;
+  for (std::uint32_t i = 0; i <= n; ++i) begin.insert(begin.end(), {gather.begin[i], columns.begin[i]});
+  for (std::uint32_t i = 0; i < n; ++i)
+    most_entries_ = std::max(most_entries_, gather.begin[i + 1] - gather.begin[i] + columns.begin[i + 1] - columns.begin[i]);
+  node_begin_ = gl::Buffer("coarse_node_begin", begin);
   columns_ = gl::Buffer("coarse_columns", columns.pairs);
   const PackedRows rows = pack_rows(space_.begin, space_.node, space_.weight);
   row_begin_ = gl::Buffer("coarse_row_begin", rows.begin);
@@ -78,23 +81,24 @@ Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const
   const std::uint32_t n = space_.node_count;
   Passes passes;
   passes.emplace_back(r.programs.compute("sim/coarse_restrict.comp"),
-                      gl::ComputePass::Bindings{{"gather_begin", &gather_begin_},
+                      gl::ComputePass::Bindings{{"coarse_node_begin", &node_begin_},
                                                 {"gather_entry", &gather_entry_},
-                                                {"coarse_column_begin", &column_begin_},
                                                 {"coarse_columns", &columns_},
                                                 {"gradient", &gradient},
                                                 {"displacement", &r.buffers.displacement},
                                                 {"coarse_scale", &scale_},
                                                 {"coarse_rotation", &rotation_},
                                                 {"coarse_gradient", &gradient_}},
-                      n * lanes_);
+                      n * lanes_)
+      .loops(most_entries_ + 16);
   passes.emplace_back(r.programs.compute("sim/coarse_solve.comp"),
                       gl::ComputePass::Bindings{{"coarse_inverse", &inverse_rows_},
                                                 {"coarse_scale", &scale_},
                                                 {"coarse_gradient", &gradient_},
                                                 {"coarse_rotation", &rotation_},
                                                 {"coarse_correction", &correction_}},
-                      n * lanes_, gl::ComputePass::Constants{{"row_octets", row_octets_}});
+                      n * lanes_, gl::ComputePass::Constants{{"row_octets", row_octets_}})
+      .loops(row_octets_ + 1);
   return passes;
 }
 

@@ -48,7 +48,8 @@ class CoarseLevel {
   CoarseSpace space_;
   std::uint32_t lanes_ = 1;       // invocations that share a node (shaders/common/group_sum.glsl)
   std::uint32_t row_octets_ = 0;  // uvec4 per row of the inverse, eight 16-bit integers each
-  gl::Buffer gather_begin_, gather_entry_, column_begin_, columns_, row_begin_, rows_;
+  std::uint32_t most_entries_ = 0;  // of a node, in both lists that coarse_restrict goes through
+  gl::Buffer node_begin_, gather_entry_, columns_, row_begin_, rows_;
   gl::Buffer rotation_, gradient_, inverse_rows_, scale_, correction_;
   Eigen::MatrixXf free_inverse_;     // without springs; empty before the first is taken
   std::vector<GrabSpring> springs_;  // targets left aside

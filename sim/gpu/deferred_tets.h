@@ -10,12 +10,16 @@
 namespace fascia {
 
 struct DeferredTets {
-  explicit DeferredTets(std::uint32_t most) : items("deferred_items", sizeof(std::uint32_t) * most) {}
+  explicit DeferredTets(std::uint32_t most) : list("deferred_items", sizeof(std::uint32_t) * (4 + most)) {}
 
-  std::uint32_t most() const { return static_cast<std::uint32_t>(items.bytes() / sizeof(std::uint32_t)); }
+  std::uint32_t most() const { return static_cast<std::uint32_t>(list.bytes() / sizeof(std::uint32_t)) - 4; }
+  std::uint32_t count() const {  // waits for the GPU
+    std::uint32_t count = 0;
+    list.download(3 * sizeof count, sizeof count, &count);
+    return count;
+  }
 
-  gl::Buffer items;  // uint [most]
-  gl::Buffer count{"deferred_count", std::vector<std::uint32_t>{0, 1, 1, 0}};  // work groups of the second dispatch, 1, 1, items
+  gl::Buffer list;  // uint [4 + most] work groups of the second dispatch, 1, 1, number of items; then the items
   gl::Buffer none{"no_deferred", std::vector<std::uint32_t>{0, 1, 1, 0}};
 };
 

@@ -16,7 +16,8 @@ Passes ExactXpbdMethod::begin(const Recording& r) const {
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
   Passes passes;
   passes.emplace_back(r.programs.compute("sim/multiplier_start.comp", defines_of(r.features)), std::move(bindings),
-                      r.buffers.tet_count);
+                      r.buffers.tet_count)
+      .loops(r.loops_of_tet());
   return passes;
 }
 
@@ -39,7 +40,7 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
                                    {"primal_step", &primal_step_},
                                    {"raised_mass", &raised_mass_}};
   const gl::Defines vertex_defines = r.grab.with_springs({}, vertex);
-  passes.emplace_back(r.programs.compute("sim/exact_vertex.comp", vertex_defines), std::move(vertex), r.buffers.vertex_count);
+  passes.emplace_back(r.programs.compute("sim/exact_vertex.comp", vertex_defines), std::move(vertex), r.buffers.vertex_count).loops(r.loops_of_slots());
 
   gl::Defines defines = defines_of(r.features);
   defines.emplace_back("FIRST_ITERATION", "0");
@@ -60,7 +61,8 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
                                                 {"primal_step", &primal_step_},
                                                 {"iterate", &r.buffers.displacement},
                                                 {"displacement", &r.buffers.displacement}},
-                      r.buffers.vertex_count);
+                      r.buffers.vertex_count)
+      .loops(r.loops_of_slots());
   return passes;
 }
 

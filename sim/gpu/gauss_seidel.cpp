@@ -49,7 +49,6 @@ Passes GaussSeidelMethod::iteration(const Recording& r, bool first) const {
   // Invocations without a tet take as long as the others on software renderers, and small colors leave most of a group without one.
   constexpr std::size_t kSmall = 32;  // tets of a color
   if (coloring_.order.size() <= kSmall * coloring_.color_count()) defines.emplace_back("GROUP_SIZE", std::to_string(kSmall));
-  const gl::Program& program = r.programs.compute("sim/gauss_seidel.comp", defines);
   gl::ComputePass::Bindings bindings{{"step", &r.buffers.step},
                                      {"tet_vertices", phantom_count_ ? &corners_ : &r.buffers.tet_vertices},
                                      {"tet_shape", &r.buffers.tet_shape},
@@ -62,16 +61,18 @@ Passes GaussSeidelMethod::iteration(const Recording& r, bool first) const {
   if (phantom_count_)
     passes.emplace_back(r.programs.compute("sim/split_phantoms.comp"),
                         gl::ComputePass::Bindings{{"phantom_vertex", &phantom_vertex_}, {"displacement", &r.buffers.displacement}},
-                        phantom_count_, gl::ComputePass::Constants{{"first_item", r.buffers.vertex_count}});
+                        phantom_count_, gl::ComputePass::Constants{{"first_item", r.buffers.vertex_count}})
+        .loops(0);
   for (std::size_t color = 0; color < coloring_.color_count(); ++color)
-    passes.emplace_back(program, bindings, coloring_.begin[color + 1] - coloring_.begin[color],
-                        gl::ComputePass::Constants{{"first_item", coloring_.begin[color]}});
+    append(passes, r.over_range_deferring("sim/gauss_seidel.comp", defines, bindings, coloring_.begin[color],
+                                          coloring_.begin[color + 1] - coloring_.begin[color], 0, 1));
   if (phantom_count_)
     passes.emplace_back(r.programs.compute("sim/merge_phantoms.comp"),
                         gl::ComputePass::Bindings{{"split_vertex", &split_vertex_},
                                                   {"copy_begin", &copy_begin_},
                                                   {"displacement", &r.buffers.displacement}},
-                        split_count_, gl::ComputePass::Constants{{"first_item", r.buffers.vertex_count}});
+                        split_count_, gl::ComputePass::Constants{{"first_item", r.buffers.vertex_count}})
+        .loops(r.loops_of_vertex());
   if (!r.grab.empty()) passes.push_back(r.grab.pull(r.programs, r.buffers, first));
   return passes;
 }

@@ -16,6 +16,9 @@ class GaussSeidelMethod : public StepMethod {
   /// One pass per color. The first iteration of a substep starts from zero multipliers.
   Passes iteration(const Recording& recording, bool first) const override;
 
+  /// A color is too small for a dispatch more.
+  std::uint32_t most_deferred(const SimBuffers& buffers, bool fused) const override { return fused ? buffers.tet_count : 0; }
+
   int colors_asked() const { return colors_asked_; }
   const Coloring& coloring() const { return coloring_; }
   /// Vertices and phantoms before each vertex; null without phantoms.

@@ -66,14 +66,16 @@ gl::ComputePass GrabSprings::measure(gl::ProgramCache& programs, const SimBuffer
 }
 
 gl::ComputePass GrabSprings::pull(gl::ProgramCache& programs, const SimBuffers& buffers, bool first) const {
-  return {programs.compute("sim/grab.comp", {{"FIRST_ITERATION", first ? "1" : "0"}}),
-          {{"step", &buffers.step},
-           {"grab_vertex", &vertex_},
-           {"grab_target", &target_},
-           {"grab_multiplier", &multiplier_},
-           {"predicted", &buffers.predicted},
-           {"displacement", &buffers.displacement}},
-          count()};
+  gl::ComputePass pass(programs.compute("sim/grab.comp", {{"FIRST_ITERATION", first ? "1" : "0"}}),
+                       {{"step", &buffers.step},
+                        {"grab_vertex", &vertex_},
+                        {"grab_target", &target_},
+                        {"grab_multiplier", &multiplier_},
+                        {"predicted", &buffers.predicted},
+                        {"displacement", &buffers.displacement}},
+                       count());
+  pass.loops(0);
+  return pass;
 }
 
 gl::ComputePass GrabSprings::load(gl::ProgramCache& programs, const SimBuffers& buffers) const {

@@ -24,7 +24,8 @@ Passes JacobiMethod::iteration(const Recording& r, bool first) const {
                                                 {"correction", &r.buffers.correction},
                                                 {"iterate", &r.buffers.displacement},
                                                 {"displacement", &r.buffers.displacement}},
-                      r.buffers.vertex_count);
+                      r.buffers.vertex_count)
+      .loops(r.loops_of_slots());
   if (!r.grab.empty()) passes.push_back(r.grab.pull(r.programs, r.buffers, first));
   return passes;
 }

@@ -13,18 +13,22 @@ void list(gl::Defines& defines, gl::ComputePass::Bindings& bindings, const gl::B
 gl::ComputePass Recording::over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
   if (active) list(defines, bindings, active->vertices);
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.vertex_count);
+  pass.loops(0);
   if (active) pass.follow("invocations", active->vertex_count);
   return pass;
 }
 
 gl::ComputePass Recording::over_tets(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
-  return {programs.compute(kernel, defines), std::move(bindings), buffers.tet_count};
+  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.tet_count);
+  pass.loops(loops_of_tet());
+  return pass;
 }
 
 gl::ComputePass Recording::over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
   if (active) list(defines, bindings, active->pairs);
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.pair_and_single_count(),
                        {{"pair_count", buffers.pair_count}});
+  pass.loops(loops_of_pair());
   if (active) pass.follow("invocations", active->pair_count);
   return pass;
 }
@@ -33,38 +37,48 @@ Passes Recording::over_pairs_deferring(const char* kernel, const gl::Defines& de
   if (!deferred) return {over_pairs(kernel, defines, bindings)};
   auto [first_defines, first_bindings] = deferring(defines, bindings);
   Passes passes{over_pairs(kernel, std::move(first_defines), std::move(first_bindings))};
-  passes.back().copy_first(deferred->none, deferred->count);
+  passes.back().loops(0);
+  passes.back().copy_first(deferred->none, deferred->list);
   passes.push_back(over_deferred(kernel, defines, bindings));
   return passes;
 }
 
 gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
-  return over_deferred(kernel, std::move(defines), std::move(bindings), buffers.pair_and_single_count(), {{"pair_count", buffers.pair_count}});
+  gl::ComputePass pass =
+      over_deferred(kernel, std::move(defines), std::move(bindings), buffers.pair_and_single_count(), {{"pair_count", buffers.pair_count}});
+  pass.loops(loops_of_pair());
+  return pass;
 }
 
 Passes Recording::over_range_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings,
-                                       std::uint32_t first_item, std::uint32_t count) const {
+                                       std::uint32_t first_item, std::uint32_t count, std::uint32_t loops, std::uint32_t decompositions) const {
   const gl::ComputePass::Constants constants{{"first_item", first_item}};
-  if (!deferred) return {{programs.compute(kernel, defines), bindings, count, constants}};
+  const std::uint32_t loops_decomposing = loops + decompositions * loops_of_tet();
+  Passes passes;
+  if (!deferred) {
+    passes.emplace_back(programs.compute(kernel, defines), bindings, count, constants).loops(loops_decomposing);
+    return passes;
+  }
   auto [first_defines, first_bindings] = deferring(defines, bindings);
-  Passes passes{{programs.compute(kernel, first_defines), std::move(first_bindings), count, constants}};
-  passes.back().copy_first(deferred->none, deferred->count);
+  passes.emplace_back(programs.compute(kernel, first_defines), std::move(first_bindings), count, constants).loops(loops);
+  passes.back().copy_first(deferred->none, deferred->list);
   passes.push_back(over_deferred(kernel, defines, bindings, count, constants));
+  passes.back().loops(loops_decomposing);
   return passes;
 }
 
 std::pair<gl::Defines, gl::ComputePass::Bindings> Recording::deferring(gl::Defines defines, gl::ComputePass::Bindings bindings) const {
   defines.emplace_back("DEFERS", "1");
-  bindings.insert(bindings.end(), {{"deferred_items", &deferred->items}, {"deferred_counts", &deferred->count}});
+  bindings.emplace_back("deferred", &deferred->list);
   return {std::move(defines), std::move(bindings)};
 }
 
 gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, std::uint32_t most,
                                          gl::ComputePass::Constants constants) const {
   defines.emplace_back("DEFERRED", "1");
-  bindings.insert(bindings.end(), {{"deferred_item", &deferred->items}, {"deferred_count", &deferred->count}});
+  bindings.emplace_back("deferred_items", &deferred->list);
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), most, std::move(constants));
-  pass.set_indirect(deferred->count, 0);
+  pass.set_indirect(deferred->list, 0);
   return pass;
 }
 
@@ -73,15 +87,17 @@ gl::ComputePass Recording::sum_over_vertices(const char* kernel, gl::Defines def
   if (active) list(defines, bindings, active->vertices);
   constants.emplace_back("vertex_count", buffers.vertex_count);
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), sum.lanes, std::move(constants));
+  pass.loops(loops_of_sum(buffers.vertex_count, sum, 9));  // a vertex is in the reach of eight coarse nodes
   if (active) pass.follow("vertex_count", active->vertex_count);
   return pass;
 }
 
 gl::ComputePass Recording::sum_over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings,
-                                         const Reduction& sum) const {
+                                         const Reduction& sum, gl::ComputePass::Constants constants) const {
   if (active) list(defines, bindings, active->pairs);
-  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), sum.lanes,
-                       {{"pair_count", buffers.pair_count}, {"pair_and_single_count", buffers.pair_and_single_count()}});
+  constants.insert(constants.end(), {{"pair_count", buffers.pair_count}, {"pair_and_single_count", buffers.pair_and_single_count()}});
+  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), sum.lanes, std::move(constants));
+  pass.loops(loops_of_sum(buffers.pair_and_single_count(), sum, deferred ? 0 : loops_of_pair()));
   if (active) pass.follow("pair_and_single_count", active->pair_count);
   return pass;
 }

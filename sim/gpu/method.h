@@ -28,6 +28,16 @@ struct Recording {
   DeferredTets* deferred = nullptr;  // null: no material defers tets
   const ActiveSet* active = nullptr;       // what the passes go through; null: everything
 
+  // ComputePass::loops(): of kernels that go through the slots or the tets of a vertex; of those that decompose a tet's or a pair's
+  // deformation, if a material wants it, twice at most; of sums over so many items, in each of which there are `inner`.
+  std::uint32_t loops_of_slots() const { return buffers.most_slots + 1; }
+  std::uint32_t loops_of_vertex() const { return buffers.most_tets + 1; }
+  std::uint32_t loops_of_tet() const { return features.signed_st_venant_kirchhoff ? 32 : 0; }
+  std::uint32_t loops_of_pair() const { return 2 * loops_of_tet(); }
+  static std::uint32_t loops_of_sum(std::uint32_t items, const Reduction& sum, std::uint32_t inner = 0) {
+    return (items / sum.lanes + 2) * (1 + inner);
+  }
+
   /// A pass of an invocation per vertex, tet or pair of tets (shaders/common/tet_pair.glsl); over tets it is always all of them.
   gl::ComputePass over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
   gl::ComputePass over_tets(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
@@ -37,12 +47,14 @@ struct Recording {
   /// For the pairs that were deferred last.
   gl::ComputePass over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
   /// Of an invocation per item of a range, which begins at the kernel's constant first_item, and one over the items that it deferred.
+  /// `loops`: ComputePass::loops() without decompositions, and how many tets an item may decompose.
   Passes over_range_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings,
-                              std::uint32_t first_item, std::uint32_t count) const;
+                              std::uint32_t first_item, std::uint32_t count, std::uint32_t loops, std::uint32_t decompositions) const;
   /// A sum over them; the kernel's loop ends at the constant vertex_count or pair_and_single_count.
   gl::ComputePass sum_over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, const Reduction& sum,
                                     gl::ComputePass::Constants constants = {}) const;
-  gl::ComputePass sum_over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, const Reduction& sum) const;
+  gl::ComputePass sum_over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, const Reduction& sum,
+                                 gl::ComputePass::Constants constants = {}) const;
 
  private:
   std::pair<gl::Defines, gl::ComputePass::Bindings> deferring(gl::Defines defines, gl::ComputePass::Bindings bindings) const;
@@ -78,8 +90,8 @@ class StepMethod {
   /// One iteration, the grab's springs included. The first one of a substep finds no history.
   virtual Passes iteration(const Recording& recording, bool first) const = 0;
   virtual Passes end(const Recording&) const { return {}; }  // after the last iteration of a substep, unless a stop rule ended them
-  /// Of how many items a pass may put some off (deferred_tets.h); 0 where none does.
-  virtual std::uint32_t most_deferred(const SimBuffers&) const { return 0; }
+  /// Of how many items a pass may put some off (deferred_tets.h); 0 where none does. `fused`: whether passes are (render/gl/fused_pass.h).
+  virtual std::uint32_t most_deferred(const SimBuffers&, bool fused) const { return static_cast<void>(fused), 0; }
   /// Before passes are recorded, with what they will be recorded from.
   virtual void prepare(const Recording&) {}
   /// Before the first step of some that go through a part of the tets only.

@@ -36,12 +36,14 @@ void MotionTargets::upload(const Model& model, double t) {
 }
 
 gl::ComputePass MotionTargets::pass(gl::ProgramCache& programs, const SimBuffers& buffers) const {
-  return {programs.compute("sim/prescribe.comp"),
-          {{"prescribed_vertex", &vertex_},
-           {"prescribed_target", &target_},
-           {"displacement", &buffers.displacement},
-           {"predicted", &buffers.predicted}},
-          static_cast<std::uint32_t>(vertices_.size())};
+  gl::ComputePass pass(programs.compute("sim/prescribe.comp"),
+                       {{"prescribed_vertex", &vertex_},
+                        {"prescribed_target", &target_},
+                        {"displacement", &buffers.displacement},
+                        {"predicted", &buffers.predicted}},
+                       static_cast<std::uint32_t>(vertices_.size()));
+  pass.loops(0);
+  return pass;
 }
 
 }  // namespace fascia

@@ -18,6 +18,7 @@ gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers
     bindings.emplace_back("item_list", &active->vertices);
   }
   gl::ComputePass pass(programs.compute("sim/predict.comp", defines), std::move(bindings), buffers.vertex_count);
+  pass.loops(0);
   if (active) {
     pass.follow("invocations", active->vertex_count);
     pass.follow("moving_count", active->moving_count);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <numeric>
 
 #include "sim/locality.h"
@@ -97,7 +98,10 @@ void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
   for (std::size_t i = 0; i < pair_count; ++i) align_at_face(tets[2 * i], tets[2 * i + 1]);
   tet_vertices = gl::Buffer("tet_vertices", tets);
   tet_shape = gl::Buffer("tet_shape", make_shapes(model, tets));
-  tet_begin = gl::Buffer("tet_begin", tets_before(tets, vertex_count));
+  const std::vector<std::uint32_t> before = tets_before(tets, vertex_count);
+  most_tets = 0;
+  for (std::uint32_t v = 0; v < vertex_count; ++v) most_tets = std::max(most_tets, before[v + 1] - before[v]);
+  tet_begin = gl::Buffer("tet_begin", before);
   make_slots(tets);
   if (!material.empty()) tet_material = gl::Buffer("tet_material", material);
 }
@@ -116,6 +120,8 @@ void SimBuffers::make_slots(const std::vector<Tet>& tets) {
     ++begin[fifth[i] + 1];
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  most_slots = 0;
+  for (std::uint32_t v = 0; v < vertex_count; ++v) most_slots = std::max(most_slots, begin[v + 1] - begin[v]);
   slot_begin = gl::Buffer("slot_begin", begin);
   correction = gl::Buffer("correction", begin.back() * sizeof(vec4));
   std::vector<std::uint32_t>& next = begin;  // of each vertex the next free slot

@@ -1,6 +1,5 @@
 #include "sim/gpu/solver.h"
 
-#include <chrono>
 #include <tuple>
 
 #include "sim/gpu/exact_xpbd.h"
@@ -100,10 +99,11 @@ void GpuSolver::record() {
                         !always_whole_;
   if (!may_rest) regions_.reset();
   if (may_rest && !regions_) regions_.emplace(programs_, buffers_);
+  fuses_ = !stop_ && gl::fuses(programs_);
   // A GPU jumps over a branch that none of a few neighbors takes, and to a small mesh each dispatch counts. The number is a guess.
   constexpr std::uint32_t kManyTets = 50'000;
   const bool branches_skip = programs_.load_path() == gl::LoadPath::storage;
-  const std::uint32_t most_deferred = method_->most_deferred(buffers_);
+  const std::uint32_t most_deferred = method_->most_deferred(buffers_, fuses_);
   const bool may_defer = features_.signed_st_venant_kirchhoff && most_deferred > 0 && !(branches_skip && buffers_.tet_count < kManyTets);
   if (!may_defer) deferred_.reset();
   if (may_defer && (!deferred_ || deferred_->most() != most_deferred)) deferred_.emplace(most_deferred);
@@ -111,9 +111,22 @@ void GpuSolver::record() {
   buffers_.correction.clear();  // of which kernels may leave the w as it is
   before_every_ = 1;
   whole_ = record_step(nullptr);
+  whole_fused_ = fuse(whole_);
   partial_ = {};
+  partial_fused_.reset();
   diagnostics_.record(programs_, buffers_, features_, previous_strain_, grab_);
   surface_.record(programs_, buffers_, features_, color_);
+}
+
+std::optional<GpuSolver::FusedStep> GpuSolver::fuse(const StepPasses& passes) {
+  if (!fuses_) return std::nullopt;
+  const auto joined = [&](std::initializer_list<const Passes*> lists) {
+    Passes all;
+    for (const Passes* list : lists) append(all, *list);
+    return gl::FusedPasses(programs_, all);
+  };
+  return FusedStep{joined({&passes.begin}), joined({&passes.before_first, &passes.first_iteration}), joined({&passes.refresh}),
+                   joined({&passes.before, &passes.iteration}), joined({&passes.end})};
 }
 
 Recording GpuSolver::recording(const ActiveSet* active) {
@@ -121,6 +134,8 @@ Recording GpuSolver::recording(const ActiveSet* active) {
 }
 
 GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
+  std::optional<gl::ProgramCache::Postponed> fused;  // kernels that are part of another program need no program of their own
+  if (fuses_) fused.emplace(programs_);
   const Recording r = recording(active);
   StepPasses passes;
   passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), !method_->starts_without_gravity(), active));
@@ -166,101 +181,6 @@ Passes GpuSolver::iteration(const Recording& r, bool first) {
   if (chebyshev_) append(passes, chebyshev_->passes(programs_, buffers_.step, buffers_.predicted, buffers_.displacement, first));
   if (anderson_) append(passes, anderson_->passes(programs_, first));
   return passes;
-}
-
-void GpuSolver::run(const Passes& passes) {
-  using Clock = std::chrono::steady_clock;
-  for (const gl::ComputePass& pass : passes) {
-    const Clock::time_point start = times_ ? Clock::now() : Clock::time_point();
-    pass.run();
-    if (!times_) continue;
-    gl::Finish();
-    KernelTime& time = (*times_)[pass.program().label()];
-    time.ms += std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    ++time.runs;
-  }
-}
-
-std::map<std::string, GpuSolver::KernelTime> GpuSolver::timed_step() {
-  std::map<std::string, KernelTime> times;
-  gl::Finish();
-  times_ = &times;
-  step();
-  times_ = nullptr;
-  return times;
-}
-
-void GpuSolver::look_beside() {
-  method_->complete();
-  if (!background_held_) background_taken_ += method_->update(false);
-}
-
-void GpuSolver::begin_substep() {
-  time_ += settings_.substep();
-  ++substeps_;
-  motions_.upload(model_, time_);
-  run(passes_->begin);
-}
-
-void GpuSolver::iterate(int iteration) {
-  if (iteration % before_every_ == 0) run(iteration == 0 ? passes_->before_first : passes_->before);
-  if (StepMethod::refreshes_before(iteration, settings_.iterations)) run(passes_->refresh);
-  run(iteration == 0 ? passes_->first_iteration : passes_->iteration);
-}
-
-// Everything, or what moves beside regions at rest.
-void GpuSolver::choose_passes() {
-  const bool after_whole = passes_ == &whole_;
-  passes_ = &whole_;
-  if (regions_) {
-    if (time_ < model_.end_of_motions()) regions_->restart();
-    if (regions_->begin_step(settings_, springs_)) passes_ = &partial_;
-  }
-  if (passes_ == &partial_ && partial_.begin.empty()) partial_ = record_step(&regions_->active());
-  if (passes_ == &partial_ && after_whole) {
-    // Vertices beside resting tets sum what those, or a heat map or diagnostics since, left in their slots into the objective.
-    buffers_.correction.clear();
-    method_->begin_partial();
-  }
-  tets_stepped_ += passes_ == &partial_ ? regions_->active().tet_count : buffers_.tet_count;
-}
-
-void GpuSolver::step() {
-  look_beside();
-  choose_passes();
-  for (int s = 0; s < settings_.substeps; ++s) {
-    begin_substep();
-    for (int i = 0; i < settings_.iterations; ++i) iterate(i);
-    run(passes_->end);
-  }
-  if (regions_) regions_->end_step();
-  has_step_ = true;
-  ++steps_solved_;
-}
-
-void GpuSolver::rest() {
-  time_ += settings_.time_step;
-  guard_.pass_time(settings_.time_step);
-}
-
-std::vector<Diagnostics> GpuSolver::traced_substep() {
-  std::vector<Diagnostics> trace;
-  const auto diagnose = [&] {
-    request_diagnostics();
-    trace.push_back(*take_diagnostics(true));
-  };
-  passes_ = &whole_;
-  if (regions_) regions_->restart();
-  look_beside();
-  begin_substep();
-  if (!grab_.empty()) grab_.forget();
-  diagnose();
-  for (int i = 0; i < settings_.iterations; ++i) {
-    iterate(i);
-    diagnose();
-  }
-  run(passes_->end);
-  return trace;
 }
 
 void GpuSolver::reset() { upload(reference::initial_state(model_)); }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/gl/fused_pass.h"
 #include "sim/gpu/anderson.h"
 #include "sim/gpu/chebyshev.h"
 #include "sim/gpu/diagnostics.h"
@@ -116,11 +117,20 @@ class GpuSolver {
   void run(const Passes& passes);
   void look_beside();
   void begin_substep();
-  void iterate(int iteration);
+  void iterate(int iteration, int count = 1);  // so many, if fused and alike_from() tells so
+  void end_substep();
+  void solve_substep();
+  int alike_from(int iteration) const;  // the first of the iterations after it that does not do the same
   void settings_changed();
   struct StepPasses {
     Passes begin, before_first, before, refresh, first_iteration, iteration, end;  // of one substep
   };
+  // The same in few dispatches, where passes can be fused. `first`: the first iteration with what comes before it.
+  struct FusedStep {
+    gl::FusedPasses begin, first, refresh, iteration, end;
+  };
+  const FusedStep* fused_step() const;  // of passes_; null where they run by themselves
+  std::optional<FusedStep> fuse(const StepPasses& passes);
   Recording recording(const ActiveSet* active);
   StepPasses record_step(const ActiveSet* active);
   int refreshes() const;  // in a substep
@@ -149,8 +159,10 @@ class GpuSolver {
   std::optional<DeferredTets> deferred_;  // with materials that have such
   std::optional<Regions> regions_;  // where some may rest while others move
   StepPasses whole_, partial_;      // for all tets; for those of a step in which regions rest, recorded when there first is one
+  std::optional<FusedStep> whole_fused_, partial_fused_;
   const StepPasses* passes_ = &whole_;
   bool always_whole_ = false;
+  bool fuses_ = false;
   int before_every_ = 1;  // iterations from one run of `before` to the next
   std::map<std::string, KernelTime>* times_ = nullptr;  // of a timed step
   bool background_held_ = false;

@@ -24,7 +24,7 @@ double GpuSolver::bytes_per_iteration() const {
     double bytes = 0;
     std::set<const gl::Program*> counted;  // the colors of a sweep share what they go through
     for (const gl::ComputePass& pass : passes)
-      if (!(deferred_ && pass.arguments() == &deferred_->count) && counted.insert(&pass.program()).second) bytes += static_cast<double>(pass.bytes());
+      if (!(deferred_ && pass.arguments() == &deferred_->list) && counted.insert(&pass.program()).second) bytes += static_cast<double>(pass.bytes());
     return bytes;
   };
   return bytes_of(whole_.iteration) + bytes_of(whole_.before) / before_every_ + bytes_of(whole_.refresh) * refreshes() / settings_.iterations;
@@ -37,6 +37,14 @@ int GpuSolver::refreshes() const {
 }
 
 std::uint64_t GpuSolver::dispatches_per_step() const {
+  if (whole_fused_) {
+    const FusedStep& fused = *whole_fused_;
+    std::uint64_t count = fused.begin.dispatches(1) + fused.first.dispatches(1) + fused.end.dispatches(1);
+    count += refreshes() * fused.refresh.dispatches(1);
+    for (int i = 1; i < settings_.iterations; i = alike_from(i))
+      count += fused.iteration.dispatches(static_cast<std::uint32_t>(alike_from(i) - i));
+    return settings_.substeps * count;
+  }
   const std::uint64_t others = (settings_.iterations - 1) / before_every_;  // runs of before_ after the first
   const std::uint64_t iterations = whole_.before_first.size() + others * whole_.before.size() + whole_.first_iteration.size() +
                                    (settings_.iterations - 1) * whole_.iteration.size() + refreshes() * whole_.refresh.size();

@@ -25,6 +25,7 @@ Passes StepGradient::passes(const Recording& r) const {
   Passes passes;
   append(passes, r.over_pairs_deferring("sim/elastic_force.comp", tet_defines, tet));
   passes.push_back(r.over_vertices("sim/gradient.comp", vertex_defines, std::move(vertex)));
+  passes.back().loops(r.loops_of_slots());
   return passes;
 }
 

@@ -28,7 +28,7 @@ Passes StopRule::check(const Recording& r, bool first, std::uint32_t pass_count)
                                                 {"full_groups", &full_groups_},
                                                 {"dispatch_arguments", &arguments_},
                                                 {"stop_state", &state_}},
-                      Reduction::kGroup,
+                      1,
                       gl::ComputePass::Constants{{"partials", sums_.partials},
                                                  {"pass_count", pass_count},
                                                  {"interval", static_cast<std::uint32_t>(interval())}});

@@ -19,8 +19,7 @@ TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& mo
       fine_direction_("fine_direction", gradient_.gradient().bytes()),
       last_step_("last_step", gradient_.gradient().bytes()),
       previous_gradient_("previous_gradient", gradient_.gradient().bytes()),
-      dot_partials_("dot_partials", 3 * sizeof(vec4) * vertices_.partials),
-      curvature_partials_("curvature_partials", sizeof(vec4) * tets_.partials),
+      partials_("subspace_partials", sizeof(vec4) * (3 * vertices_.partials + tets_.partials)),
       state_("subspace_state", kStateFloats * sizeof(float)) {
   set_acceleration(programs, buffers, settings);
 }
@@ -53,8 +52,9 @@ Passes TwoLevelMethod::begin(const Recording& r) const {
   append(passes, gradient_.passes(r));
   passes.push_back(objective_sum(r));
   passes.emplace_back(r.programs.compute("sim/guess_objective.comp"),
-                      gl::ComputePass::Bindings{{"dot_partials", &dot_partials_}, {"subspace_state", &state_}}, 1,
-                      gl::ComputePass::Constants{{"partials", vertices_.partials}});
+                      gl::ComputePass::Bindings{{"dot_partials", &partials_}, {"subspace_state", &state_}}, 1,
+                      gl::ComputePass::Constants{{"partials", vertices_.partials}})
+      .loops(vertices_.partials + Reduction::kGroup);
   passes.push_back(r.over_vertices("sim/guess_take.comp", {},
                                    {{"gradient", &gradient_.gradient()},
                                     {"last_step", &last_step_},
@@ -77,6 +77,7 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
   const gl::Defines defines = r.grab.with_springs(defines_of(r.features), bindings);
   Passes passes;
   passes.push_back(r.over_vertices("sim/block_inverse.comp", defines, std::move(bindings)));
+  passes.back().loops(r.loops_of_vertex());
   return passes;
 }
 
@@ -100,11 +101,13 @@ Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
     correct.emplace_back("displacement", &r.buffers.displacement);
     correct.emplace_back("iterate", &anderson_->iterate(0));
     passes.push_back(r.over_vertices("sim/two_level_correct.comp", std::move(defines), std::move(correct)));
+    passes.back().loops(9);
     append(passes, anderson_->passes(r.programs, first));
     passes.emplace_back(
         r.programs.compute("sim/sweep_direction.comp"),
         gl::ComputePass::Bindings{{"displacement", &r.buffers.displacement}, {"proposed", &fine_direction_}, {"fine_direction", &fine_direction_}},
-        r.buffers.vertex_count);
+        r.buffers.vertex_count)
+        .loops(0);
     passes.push_back(sum_for_step(r, "sim/subspace_dots.comp", {},
                                   {{"gradient", &gradient_.gradient()}, {"fine_direction", &fine_direction_}, {"coarse_direction", &coarse_direction_}}));
   }
@@ -119,7 +122,7 @@ Passes TwoLevelMethod::end(const Recording& r) const {
 }
 
 gl::ComputePass TwoLevelMethod::objective_sum(const Recording& r) const {
-  return r.sum_over_vertices("sim/objective_sum.comp", {}, {{"gradient", &gradient_.gradient()}, {"dot_partials", &dot_partials_}},
+  return r.sum_over_vertices("sim/objective_sum.comp", {}, {{"gradient", &gradient_.gradient()}, {"dot_partials", &partials_}},
                              vertices_);
 }
 
@@ -130,7 +133,7 @@ gl::ComputePass TwoLevelMethod::sum_for_step(const Recording& r, const char* ker
                                    {"mass", &r.buffers.mass},
                                    {"last_step", &last_step_},
                                    {"previous_gradient", &previous_gradient_},
-                                   {"dot_partials", &dot_partials_}});
+                                   {"dot_partials", &partials_}});
   defines = r.grab.with_springs(std::move(defines), bindings);
   return r.sum_over_vertices(kernel, std::move(defines), std::move(bindings), vertices_, {{"partials", vertices_.partials}});
 }
@@ -155,25 +158,25 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
     curvature_defines.emplace_back("SPLIT", splits_ ? "1" : "0");
     gl::ComputePass::Bindings sums = curvature;
     gl::Defines sum_defines = curvature_defines;
-    sums.emplace_back("curvature_partials", &curvature_partials_);
+    sums.emplace_back("curvature_partials", &partials_);
     if (r.deferred) {
       curvature.emplace_back("guarded_curvature", &guarded_curvature_);
       passes.push_back(r.over_deferred("sim/subspace_curvature.comp", curvature_defines, std::move(curvature)));
       sums.emplace_back("guarded_terms", &guarded_curvature_);
       sum_defines.emplace_back("GUARDED_ELSEWHERE", "1");
     }
-    passes.push_back(r.sum_over_pairs("sim/subspace_curvature.comp", sum_defines, std::move(sums), tets_));
+    passes.push_back(r.sum_over_pairs("sim/subspace_curvature.comp", sum_defines, std::move(sums), tets_, {{"first_partial", 3 * vertices_.partials}}));
     if (r.deferred) passes.push_back(r.over_deferred("sim/guarded_curvature_clear.comp", {}, {{"guarded_curvature", &guarded_curvature_}}));
   }
-  gl::ComputePass::Bindings solve{{"dot_partials", &dot_partials_}, {"subspace_state", &state_}};
+  gl::ComputePass::Bindings solve{{"dot_partials", &partials_}, {"subspace_state", &state_}};
   gl::ComputePass::Constants constants{{"partials", vertices_.partials}};
   if (!last) {
-    solve.emplace_back("curvature_partials", &curvature_partials_);
-    constants.emplace_back("curvature_count", tets_.partials);
+        constants.emplace_back("curvature_count", tets_.partials);
     constants.emplace_back("remembers", remembers_ && !first);
   }
-  passes.emplace_back(r.programs.compute("sim/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}}), std::move(solve), Reduction::kGroup,
-                      std::move(constants));
+  passes.emplace_back(r.programs.compute("sim/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}}), std::move(solve), 1,
+                      std::move(constants))
+      .loops(vertices_.partials + tets_.partials + 2 * Reduction::kGroup);
   gl::ComputePass::Bindings update{
       {"subspace_state", &state_}, {"step_before", &last_step_}, {"iterate", &r.buffers.displacement}, {"displacement", &r.buffers.displacement}};
   if (!last) {

@@ -26,7 +26,7 @@ class TwoLevelMethod : public StepMethod {
   void prepare(const Recording& recording) override;
   Passes begin(const Recording& recording) const override;
   Passes refresh(const Recording& recording) const override;
-  std::uint32_t most_deferred(const SimBuffers& buffers) const override { return buffers.pair_and_single_count(); }
+  std::uint32_t most_deferred(const SimBuffers& buffers, bool) const override { return buffers.pair_and_single_count(); }
   Passes iteration(const Recording& recording, bool first) const override;
   Passes end(const Recording& recording) const override;
   void values_changed(const Model& model, const SolverSettings& settings) override { coarse_.values_changed(model, settings); }
@@ -49,7 +49,7 @@ class TwoLevelMethod : public StepMethod {
   Reduction vertices_, tets_;
   gl::Buffer fine_direction_, coarse_direction_;  // vec4 [vertex_count]; the two directions, whatever they are
   gl::Buffer last_step_, previous_gradient_;      // vec4 [vertex_count]
-  gl::Buffer dot_partials_, curvature_partials_, state_;
+  gl::Buffer partials_, state_;  // partials_: vec4, three sums over the vertices and one over the pairs
   gl::Buffer guarded_curvature_;  // vec4 [pairs and single tets], with deferred ones: their terms of the curvature
   std::optional<Anderson> anderson_;  // of the sweeps; its results stand in fine_direction_
 };

@@ -25,7 +25,7 @@ Passes VertexDescentMethod::iteration(const Recording& r, bool) const {
   Passes passes;
   for (std::size_t color = 0; color < coloring_.color_count(); ++color)
     append(passes, r.over_range_deferring("sim/vertex_descent.comp", defines, bindings, coloring_.begin[color],
-                                          coloring_.begin[color + 1] - coloring_.begin[color]));
+                                          coloring_.begin[color + 1] - coloring_.begin[color], r.loops_of_vertex(), r.buffers.most_tets));
   return passes;
 }
 

@@ -11,7 +11,7 @@ class VertexDescentMethod : public StepMethod {
   VertexDescentMethod(const Model& model, const SimBuffers& buffers);
   bool starts_without_gravity() const override { return true; }
   /// Vertices of a color share no tet, so they are no more than the tets.
-  std::uint32_t most_deferred(const SimBuffers& buffers) const override { return buffers.tet_count; }
+  std::uint32_t most_deferred(const SimBuffers& buffers, bool) const override { return buffers.tet_count; }
   Passes iteration(const Recording& recording, bool first) const override;
 
  private:

@@ -144,7 +144,7 @@ TEST_CASE("bench figures, quick form", "[bench]") {
     CHECK(number(row, "largest_color") * colors >= number(row, "tets"));
     CHECK((plain || colors <= number(row, "colors_asked")));
     CHECK((number(row, "phantoms") == 0 || !plain));
-    CHECK(number(row, "dispatches") == colors + (number(row, "phantoms") > 0 ? 2 : 0));
+    CHECK(number(row, "dispatches") == 1);  // fused
   }
 }
 

@@ -23,11 +23,11 @@ struct Counts {
 }  // namespace
 
 TEST_CASE("counts of the shipped scenes", "[counts]") {
-  const Counts expected = GENERATE(values<Counts>({{"beam", 4896, 127, 25, 1'782'572},
-                                                   {"cube", 500, 127, 24, 206'880},
-                                                   {"inclusion", 5585, 127, 25, 2'085'604},
-                                                   {"ligament", 7006, 126, 24, 2'523'136},
-                                                   {"liver", 9389, 127, 25, 3'374'592}}));
+  const Counts expected = GENERATE(values<Counts>({{"beam", 4896, 5, 8, 1'789'812},
+                                                   {"cube", 500, 5, 7, 214'124},
+                                                   {"inclusion", 5585, 23, 9, 2'092'816},
+                                                   {"ligament", 7006, 5, 8, 2'530'344},
+                                                   {"liver", 9389, 5, 8, 3'381'836}}));
   CAPTURE(expected.scene);
   Graphics graphics = open_graphics(headless(), false);
   Simulation simulation(open_scene(source_dir() / "assets/scenes" / (expected.scene + ".json")), graphics.programs.get(), false);
@@ -37,7 +37,7 @@ TEST_CASE("counts of the shipped scenes", "[counts]") {
   CHECK(simulation.gpu()->dispatches_per_step() == expected.dispatches_per_step);
   // Beside the step's own: the regions' speeds, where there are regions.
   const std::uint64_t measured = simulation.gpu()->buffers().tet_count >= Regions::kLeastTets ? 1 : 0;
-  CHECK(gl::dispatch_count() - before == expected.dispatches_per_step + measured);
+  CHECK(gl::dispatch_count() - before >= expected.dispatches_per_step + measured);  // more where the loops of one were not enough
   CHECK(simulation.programs()->size() == expected.kernels);
   CHECK(gl::allocated_bytes() == expected.gpu_bytes);
   const auto& buffers = gl::bytes_by_buffer();

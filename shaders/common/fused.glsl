@@ -1,0 +1,94 @@
+// Several kernels in one dispatch, for llvmpipe (render/gl/fused_pass.h). The work groups are a crew: they take the work groups of one
+// kernel after another, some at a time, until none is left, and wait for each other before the next kernel. Who takes what changes nothing:
+// kernels do not depend on the order of their work groups.
+//
+// Nobody promises that all groups of a dispatch run at the same time. So a group joins when it begins to run, and only from then on is
+// waited for; where one runs after the other, the first does it all (compare the discovery of co-running groups of Sorensen, Donaldson,
+// Batty, Gopalakrishnan, Rakamaric 2016). And llvmpipe ends all loops of an invocation once it has gone through 65,535 iterations of them
+// together. So a group leaves the crew before that, and one that waited too long gives up: what is not done then is left to the next
+// dispatch.
+#define barrier()  // a work group is one vector, whose invocations go in step
+layout(local_size_x = GROUP_SIZE) in;
+// [0] number of the kernel that runs, members of the crew, members that wait; from [1] on the work groups of every kernel that were taken.
+layout(std430) coherent buffer Crew { uint crew[]; };
+uniform usamplerBuffer plan;  // what there is to do: render/gl/fused_source.h
+uniform uint repeats;
+#define PLAN(i) (texelFetch(plan, int(i)).x)
+#define MEMBER 64u
+#define KERNEL_SHIFT 12
+#define NO_KERNEL 0xfffffu  // when all are done
+#define KERNEL_OF(word) ((word) >> KERNEL_SHIFT)
+#define MOST_LOOPS 50000u
+#define LOOPS_OF_A_KERNEL 16u  // each of its own is gone through once where there is nothing to do
+#define NONE 0x7fffffffu
+
+uint fused_invocation;     // what gl_GlobalInvocationID.x is to a kernel by itself
+uint kernel_number = 0u;   // that this group has come to
+uint kernel_count = 0u;
+// Of the first invocation:
+uint word = 0u;              // crew[0] when it was last seen
+uint joined_at = NO_KERNEL;  // the first kernel that this group helps with
+uint loops = 0u;             // iterations that it may have gone through
+bool leaves = false;
+shared uint told;            // by the first invocation to the others
+
+bool helps() { return joined_at != NO_KERNEL && kernel_number >= joined_at; }
+
+// Returns the kernel that runs.
+uint join_crew() {
+  if (gl_LocalInvocationID.x == 0u) {
+    uint expected;
+    bool done;
+    do {
+      expected = word;
+      word = atomicCompSwap(crew[0], expected, KERNEL_OF(expected) == NO_KERNEL ? expected : expected + MEMBER);
+      done = word == expected;
+      ++loops;
+    } while (!done);
+    told = joined_at = KERNEL_OF(word);
+  }
+  return told;
+}
+
+// The first of the next `count` work groups of the kernel, in each of which an invocation goes through `cost` iterations at most.
+uint take_groups(uint count, uint cost) {
+  if (gl_LocalInvocationID.x == 0u) {
+    told = NONE;
+    if (loops + count * cost > MOST_LOOPS) leaves = true;
+    if (helps() && !leaves) {
+      told = atomicAdd(crew[1u + kernel_number], count);
+      loops += count * cost;
+    }
+  }
+  return told;
+}
+
+void wait_for_crew() {
+  memoryBarrierBuffer();
+  if (gl_LocalInvocationID.x == 0u) loops += LOOPS_OF_A_KERNEL;
+  if (gl_LocalInvocationID.x == 0u && helps()) {
+    uint next = (kernel_number + 1u == kernel_count ? NO_KERNEL : kernel_number + 1u) << KERNEL_SHIFT, expected;
+    bool last, done;
+    do {
+      expected = word;
+      uint members = expected / MEMBER % MEMBER, waiting = expected % MEMBER, left = members - (leaves ? 1u : 0u);
+      last = waiting + 1u == members && (waiting > 0u || !leaves);  // who waits has found nothing left to take
+      word = atomicCompSwap(crew[0], expected, last ? next + left * MEMBER : leaves ? expected - MEMBER : expected + 1u);
+      done = word == expected;
+      ++loops;
+    } while (!done);
+    done = last || leaves;
+    float pause = 1.0;
+    do {
+      word = atomicOr(crew[0], 0u);
+      // Leaves the core to the thread beside this one.
+      pause = inversesqrt(1.0 + inversesqrt(1.0 + inversesqrt(1.0 + inversesqrt(1.0 + inversesqrt(1.0 + pause)))));
+      ++loops;
+      if (loops > MOST_LOOPS + uint(pause)) leaves = true;
+      done = done || leaves || KERNEL_OF(word) != kernel_number;
+    } while (!done);
+    if (leaves) joined_at = NO_KERNEL;
+  }
+  memoryBarrierBuffer();
+  ++kernel_number;
+}

@@ -1,0 +1,139 @@
+// How the solver runs what it has recorded: a step, and steps that are timed or looked into.
+#include <chrono>
+
+#include "sim/gpu/solver.h"
+
+namespace fascia {
+
+void GpuSolver::run(const Passes& passes) {
+  using Clock = std::chrono::steady_clock;
+  for (const gl::ComputePass& pass : passes) {
+    const Clock::time_point start = times_ ? Clock::now() : Clock::time_point();
+    pass.run();
+    if (!times_) continue;
+    gl::Finish();
+    KernelTime& time = (*times_)[pass.program().label()];
+    time.ms += std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    ++time.runs;
+  }
+}
+
+std::map<std::string, GpuSolver::KernelTime> GpuSolver::timed_step() {
+  std::map<std::string, KernelTime> times;
+  gl::Finish();
+  times_ = &times;
+  step();
+  times_ = nullptr;
+  return times;
+}
+
+void GpuSolver::look_beside() {
+  method_->complete();
+  if (!background_held_) background_taken_ += method_->update(false);
+}
+
+void GpuSolver::begin_substep() {
+  time_ += settings_.substep();
+  ++substeps_;
+  motions_.upload(model_, time_);
+  if (const FusedStep* fused = fused_step())
+    fused->begin.run();
+  else
+    run(passes_->begin);
+}
+
+void GpuSolver::iterate(int iteration, int count) {
+  const bool refreshes = StepMethod::refreshes_before(iteration, settings_.iterations);
+  if (const FusedStep* fused = fused_step()) {
+    if (refreshes) fused->refresh.run();
+    if (iteration == 0) return fused->first.run();
+    return fused->iteration.run(static_cast<std::uint32_t>(count));
+  }
+  if (iteration % before_every_ == 0) run(iteration == 0 ? passes_->before_first : passes_->before);
+  if (refreshes) run(passes_->refresh);
+  run(iteration == 0 ? passes_->first_iteration : passes_->iteration);
+}
+
+void GpuSolver::end_substep() {
+  if (const FusedStep* fused = fused_step())
+    fused->end.run();
+  else
+    run(passes_->end);
+}
+
+int GpuSolver::alike_from(int iteration) const {
+  int end = iteration + 1;
+  while (iteration > 0 && end < settings_.iterations && !StepMethod::refreshes_before(end, settings_.iterations)) ++end;
+  return end;
+}
+
+const GpuSolver::FusedStep* GpuSolver::fused_step() const {
+  const std::optional<FusedStep>& fused = passes_ == &whole_ ? whole_fused_ : partial_fused_;
+  return fused && !times_ ? &*fused : nullptr;
+}
+
+void GpuSolver::solve_substep() {
+  begin_substep();
+  for (int i = 0; i < settings_.iterations;) {
+    const int count = fused_step() ? alike_from(i) - i : 1;
+    iterate(i, count);
+    i += count;
+  }
+  end_substep();
+}
+
+// Everything, or what moves beside regions at rest.
+void GpuSolver::choose_passes() {
+  const bool after_whole = passes_ == &whole_;
+  passes_ = &whole_;
+  if (regions_) {
+    if (time_ < model_.end_of_motions()) regions_->restart();
+    if (regions_->begin_step(settings_, springs_)) passes_ = &partial_;
+  }
+  if (passes_ == &partial_ && partial_.begin.empty()) {
+    partial_ = record_step(&regions_->active());
+    partial_fused_ = fuse(partial_);
+  }
+  if (passes_ == &partial_ && after_whole) {
+    // Vertices beside resting tets sum what those, or a heat map or diagnostics since, left in their slots into the objective.
+    buffers_.correction.clear();
+    method_->begin_partial();
+  }
+  tets_stepped_ += passes_ == &partial_ ? regions_->active().tet_count : buffers_.tet_count;
+}
+
+void GpuSolver::step() {
+  look_beside();
+  choose_passes();
+  for (int s = 0; s < settings_.substeps; ++s) solve_substep();
+  if (regions_) regions_->end_step();
+  has_step_ = true;
+  ++steps_solved_;
+}
+
+void GpuSolver::rest() {
+  time_ += settings_.time_step;
+  guard_.pass_time(settings_.time_step);
+}
+
+std::vector<Diagnostics> GpuSolver::traced_substep() {
+  std::vector<Diagnostics> trace;
+  const auto diagnose = [&] {
+    request_diagnostics();
+    trace.push_back(*take_diagnostics(true));
+  };
+  passes_ = &whole_;
+  if (regions_) regions_->restart();
+  look_beside();
+  begin_substep();
+  if (!grab_.empty()) grab_.forget();
+  diagnose();
+  for (int i = 0; i < settings_.iterations; ++i) {
+    iterate(i);
+    diagnose();
+  }
+  end_substep();
+  return trace;
+}
+
+}  // namespace fascia

@@ -1,0 +1,134 @@
+// A step whose passes are fused does the same to the bit as one whose passes are dispatched one by one. Run with several of llvmpipe's
+// threads, too (tests.cmake).
+#include <catch2/catch.hpp>
+
+#include "render/gl/fused_pass.h"
+#include "sim/gpu/solver.h"
+#include "tests/sim/gpu/bars.h"
+#include "tests/sim/gpu/gpu_fixture.h"
+
+using namespace fascia;
+using namespace fascia::test;
+using Eigen::Vector3d;
+
+namespace {
+
+// Falls so far in a step that many tets are inverted on the way.
+Model crushed(int cells, double damping) {
+  const double length = 0.1 * cells;
+  Model model = make_model(make_box(cells, 4, 4, {length, 0.1, 0.1}), {2e4, 0.4, 1000, damping, MaterialModel::signed_st_venant_kirchhoff},
+                           [](const Vector3d& x) { return x.x() < 1e-9; });
+  model.gravity = {-300, 0, -50};
+  return model;
+}
+
+std::size_t differences(const reference::State& a, const reference::State& b) {
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < a.displacement.size(); ++v) count += a.displacement[v] != b.displacement[v] || a.velocity[v] != b.velocity[v];
+  return count;
+}
+
+struct Compared {
+  Gpu gpu;
+  gl::ProgramCache fusing{source_dir() / "shaders", gl::LoadPath::texel};
+  Model model;
+  GpuSolver alone;
+  GpuSolver fused;
+
+  Compared(Model of, const SolverSettings& settings)
+      : model(std::move(of)), alone(gpu.programs, model, settings), fused((fusing.set_fusing(true), fusing), model, settings) {}
+  void step() {
+    alone.step();
+    fused.step();
+  }
+  std::size_t differences() const { return ::differences(alone.download(), fused.download()); }
+};
+
+}  // namespace
+
+TEST_CASE("fused steps are those of passes one by one", "[gpu][threads]") {
+  struct Case {
+    Pair pair;
+    double damping;
+    bool grab;
+    int colors = 0;
+  };
+  const auto [pair, damping, grab, colors] =
+      GENERATE(Case{{Method::jacobi, Acceleration::chebyshev}, 0.01, false},
+               Case{{Method::mass_splitting, Acceleration::anderson_positions}, 0, true},
+               Case{{Method::gauss_seidel, Acceleration::none}, 0, false}, Case{{Method::gauss_seidel, Acceleration::none}, 0.01, false, 5},
+               Case{{Method::exact_xpbd, Acceleration::anderson}, 0, false}, Case{{Method::vertex_descent, Acceleration::anderson}, 0.01, true},
+               Case{{Method::two_level, Acceleration::anderson}, 0, false}, Case{{Method::two_level, Acceleration::subspace}, 0.01, true});
+  CAPTURE(name_of(pair.method), name_of(pair.acceleration), damping, colors);
+  SolverSettings settings = with(pair);
+  settings.substeps = 2;
+  settings.iterations = 13;  // with a refresh among them
+  settings.colors = colors;
+  Compared c(crushed(8, damping), settings);
+  for (int i = 0; i < 3; ++i) c.step();
+  CHECK(c.differences() == 0);
+
+  const std::uint64_t before = gl::dispatch_count();
+  c.fused.step();
+  const std::uint64_t dispatches = gl::dispatch_count() - before;
+  c.alone.step();
+  CAPTURE(c.alone.dispatches_per_step(), dispatches);
+  CHECK(dispatches >= c.fused.dispatches_per_step());  // more where one was not enough
+  CHECK(c.fused.dispatches_per_step() < c.alone.dispatches_per_step() / 3);
+
+  if (grab) {
+    const std::vector<GrabSpring> hand{{3, {0.02, 0.01, 0}, 50}, {20, {0.3, 0.05, 0.02}, 50}};
+    c.alone.set_grab(hand);
+    c.fused.set_grab(hand);
+  }
+  for (int i = 0; i < 2; ++i) c.step();
+  CHECK(c.differences() == 0);
+  CHECK(c.fused.timed_step().size() > 3);  // one by one, too
+  c.alone.step();
+  CHECK(c.differences() == 0);
+  const std::vector<Diagnostics> trace = c.fused.traced_substep(), expected = c.alone.traced_substep();
+  REQUIRE(trace.size() == expected.size());
+  for (std::size_t i = 0; i < trace.size(); ++i) CHECK(trace[i].elastic == expected[i].elastic);
+}
+
+TEST_CASE("fused steps of larger meshes are those of passes one by one", "[gpu][threads]") {
+  // More than the loops of one dispatch: what a kernel has of them must have been told right.
+  const Pair pair = GENERATE(Pair{Method::jacobi, Acceleration::none}, Pair{Method::two_level, Acceleration::subspace});
+  CAPTURE(name_of(pair.method));
+  SolverSettings settings = with(pair);
+  settings.iterations = 12;
+  Compared c(crushed(320, 0), settings);
+  CAPTURE(c.model.tets.size());
+  const std::uint64_t before = gl::dispatch_count();
+  c.fused.step();
+  CHECK(gl::dispatch_count() - before > c.fused.dispatches_per_step());
+  c.alone.step();
+  c.step();
+  CHECK(c.differences() == 0);
+}
+
+TEST_CASE("fused steps leave the same regions at rest", "[gpu][threads]") {
+  // Two beams of which one is pulled at.
+  TetMesh mesh = make_box(16, 4, 4, {0.4, 0.1, 0.1});
+  const TetMesh other = mesh;
+  const auto offset = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const Vector3d& x : other.positions) mesh.positions.push_back(x + Vector3d(0, 0.3, 0));
+  for (Tet tet : other.tets) {
+    for (std::uint32_t& v : tet) v += offset;
+    mesh.tets.push_back(tet);
+  }
+  mesh.regions.insert(mesh.regions.end(), other.regions.begin(), other.regions.end());
+  Model model = make_model(mesh, {2e6, 0.4, 1000, 0.1, MaterialModel::signed_st_venant_kirchhoff}, [](const Vector3d& x) { return x.x() < 1e-9; });
+  model.gravity.setZero();
+  SolverSettings settings = with(Pair{Method::two_level, Acceleration::subspace});
+  settings.rest_speed = 1e-3;
+  Compared c(std::move(model), settings);
+  const std::vector<GrabSpring> hand{{static_cast<std::uint32_t>(c.model.rest_positions.size() - 1), {0, 0.05, 0}, 20}};
+  c.alone.set_grab(hand);
+  c.fused.set_grab(hand);
+  for (int i = 0; i < 30; ++i) c.step();
+  CAPTURE(c.alone.share_solved());
+  CHECK(c.fused.share_solved() < 1);
+  CHECK(c.fused.share_solved() == c.alone.share_solved());
+  CHECK(c.differences() == 0);
+}
