@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <optional>
 #include <thread>
 
 #include "render/gl/fused_source.h"
-#include "sim/byte_hash.h"
 #include "sim/error.h"
 
 namespace fascia::gl {
@@ -151,7 +151,7 @@ struct Composition {
   }
 
  private:
-  // "fused predict, elastic_force, ... (1c9f...)": with a fingerprint of all that makes the text.
+  // "fused predict, elastic_force, ... (1906...)": with a fingerprint of all that makes the text.
   std::string label(const std::vector<FusedLoop>& loops) const {
     std::string names, all;
     for (const std::string& line : declarations.lines()) all += line + "\n";
@@ -166,9 +166,7 @@ struct Composition {
       all += "\n";
       for (const std::size_t kernel : loop) all += std::to_string(kernel) + " ";
     }
-    ByteHash hash;
-    hash.add({reinterpret_cast<const std::uint8_t*>(all.data()), all.size()});
-    return "fused " + names + " (" + std::to_string(hash.value()) + ")";
+    return "fused " + names + " (" + std::to_string(std::hash<std::string>{}(all)) + ")";
   }
   void add(FusedKernel kernel, std::vector<Word> record) {
     const auto found = std::find(kernels.begin(), kernels.end(), kernel);

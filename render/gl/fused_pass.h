@@ -13,7 +13,6 @@ namespace fascia::gl {
 
 /// Whether passes can be fused here, and are to be.
 bool fuses(const ProgramCache& programs);
-bool can_fuse(const ProgramCache& programs);
 
 class FusedPasses {
  public:

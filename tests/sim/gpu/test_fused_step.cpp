@@ -46,7 +46,7 @@ struct Compared {
 
 }  // namespace
 
-TEST_CASE("fused steps are those of passes one by one", "[gpu][threads]") {
+TEST_CASE("fused steps are those of passes one by one", "[gpu][.threads]") {
   struct Case {
     Pair pair;
     double damping;
@@ -91,7 +91,7 @@ TEST_CASE("fused steps are those of passes one by one", "[gpu][threads]") {
   for (std::size_t i = 0; i < trace.size(); ++i) CHECK(trace[i].elastic == expected[i].elastic);
 }
 
-TEST_CASE("fused steps of larger meshes are those of passes one by one", "[gpu][threads]") {
+TEST_CASE("fused steps of larger meshes are those of passes one by one", "[gpu][.threads]") {
   // More than the loops of one dispatch: what a kernel has of them must have been told right.
   const Pair pair = GENERATE(Pair{Method::jacobi, Acceleration::none}, Pair{Method::two_level, Acceleration::subspace});
   CAPTURE(name_of(pair.method));
@@ -107,7 +107,7 @@ TEST_CASE("fused steps of larger meshes are those of passes one by one", "[gpu][
   CHECK(c.differences() == 0);
 }
 
-TEST_CASE("fused steps leave the same regions at rest", "[gpu][threads]") {
+TEST_CASE("fused steps leave the same regions at rest", "[gpu][.threads]") {
   // Two beams of which one is pulled at.
   TetMesh mesh = make_box(16, 4, 4, {0.4, 0.1, 0.1});
   const TetMesh other = mesh;
