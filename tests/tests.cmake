@@ -40,12 +40,17 @@ fascia_test(test_render SOURCES ${T}/render/test_render*.cpp ${T}/render/test_ca
             LIBS render)
 fascia_test(test_solver SOURCES ${T}/sim/gpu/*.cpp LIBS sim render)
 fascia_test(test_app SOURCES ${T}/app/test_*.cpp ${T}/app/window_fixture.cpp LIBS app nlohmann_json::nlohmann_json)
-# The work groups of fused passes wait for each other: with more threads than most machines of CI have cores.
-set(FASCIA_THREADS_ENVIRONMENT LP_NUM_THREADS=3 LIBGL_ALWAYS_SOFTWARE=1)
+# The work groups of fused passes wait for each other: with more threads than most machines of CI have cores. And vectors of four, as
+# llvmpipe has them on processors without AVX2.
+set(threads_environment ${FASCIA_TEST_ENVIRONMENT})
+list(TRANSFORM threads_environment REPLACE "^LP_NUM_THREADS=0$" "LP_NUM_THREADS=3")
 foreach(name test_gl test_solver)
   if(TARGET ${name})
     add_test(NAME ${name}_threads COMMAND ${name} "[threads]")
-    set_tests_properties(${name}_threads PROPERTIES TIMEOUT ${FASCIA_TEST_TIMEOUT} ENVIRONMENT "${FASCIA_THREADS_ENVIRONMENT}")
+    add_test(NAME ${name}_narrow COMMAND ${name} "[threads]")
+    set_tests_properties(${name}_threads PROPERTIES TIMEOUT ${FASCIA_TEST_TIMEOUT} ENVIRONMENT "${threads_environment}")
+    set_tests_properties(${name}_narrow PROPERTIES TIMEOUT ${FASCIA_TEST_TIMEOUT}
+                         ENVIRONMENT "${threads_environment};LP_NATIVE_VECTOR_WIDTH=128")
   endif()
 endforeach()
 if(TARGET test_app)

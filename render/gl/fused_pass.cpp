@@ -12,10 +12,11 @@
 namespace fascia::gl {
 namespace {
 
-// As in shaders/common/fused.glsl.
-constexpr std::uint32_t kNoKernel = 0xfffff, kKernelShift = 12;
+// What shaders/common/fused.glsl is compiled with.
+constexpr std::uint32_t kKernelShift = 12, kNoKernel = 0xfffff;  // of the crew's first word: where the kernel is, and when all are done
+constexpr std::uint32_t kFirstCounter = 16;  // of work groups that were taken: beside the first word they slow down those who wait for it
 constexpr std::uint32_t kMostLoops = 50'000;   // iterations of a work group
-constexpr std::uint32_t kLoopsOfAKernel = 16;  // that has nothing to do
+constexpr std::uint32_t kLoopsOfAKernel = 16;  // each of its own is gone through once where there is nothing to do
 constexpr std::uint32_t kMostAtOnce = kMostLoops / 8;
 
 // As many as llvmpipe has threads.
@@ -103,7 +104,11 @@ struct Composition {
   const Program& program(ProgramCache& programs, const std::vector<FusedLoop>& loops) const {
     return programs.fused(label(loops), [lines = declarations.lines(), kernels = kernels, loops, step = step != nullptr,
                                          declared = declarations.declared()](const std::filesystem::path& folder) {
-      const Defines defines{{"READ_TEXELS", "1"}, {"GROUP_SIZE", std::to_string(group_size())}};
+      Defines defines{{"READ_TEXELS", "1"}};
+      for (const auto& [name, value] : {std::pair("GROUP_SIZE", group_size()), std::pair("KERNEL_SHIFT", kKernelShift),
+                                        std::pair("NO_KERNEL", kNoKernel), std::pair("FIRST_COUNTER", kFirstCounter),
+                                        std::pair("MOST_LOOPS", kMostLoops), std::pair("LOOPS_OF_A_KERNEL", kLoopsOfAKernel)})
+        defines.emplace_back(name, std::to_string(value) + "u");
       ShaderText text = read_fused(folder, defines, lines, step, kernels, loops);
       text.declared = declared;
       text.declared.insert({{"crew", Texel::none}, {"plan", Texel::uint1}});
@@ -119,14 +124,18 @@ struct Composition {
       if (define.first != "GROUP_SIZE") kernel.defines.push_back(define);
     for (const auto& [name, buffer] : pass.bindings()) {
       const auto declared = pass.program().declared().find(name);
-      if (declared == pass.program().declared().end())
-        step = buffer;
-      else
+      if (declared != pass.program().declared().end()) {
         kernel.buffers[name] = declared->second == Texel::none ? declarations.output(*buffer, pass.program().output_types().at(name))
                                                                : declarations.input(*buffer, declared->second);
+        continue;
+      }
+      if (name != "step")
+        throw Error("kernel " + pass.program().label(), "has no buffer named " + name, "expected a name that the kernel declares");
+      if (step && step != buffer) throw Error("kernel " + pass.program().label(), "another step buffer", "expected one for all fused kernels");
+      step = buffer;
     }
     // Not a texel: outside of all conditions the compiler takes a second fetch from one place for the first one.
-    if (pass.arguments()) kernel.groups = declarations.output(*pass.arguments(), "uint") + "[" + std::to_string(pass.first_argument()) + "]";
+    if (pass.arguments()) kernel.groups = declarations.output(*pass.arguments(), "uint");
     std::vector<Word> record(3);
     record[2].value = 1 + *pass.loops();
     for (const auto& [name, value] : pass.constants()) {
@@ -144,9 +153,8 @@ struct Composition {
         kernel.constants.push_back(name);
         record.push_back({0, followed, false});
       }
-    // So many that nobody waits long for the last one; of an unknown number each by itself.
-    const std::uint32_t most = std::max(1u, kMostAtOnce / record[2].value);
-    record[1].value = pass.arguments() ? 1 : std::clamp(groups_of(record[0].value) / (8 * crew_size()), 1u, most);
+    if (pass.arguments()) record[0] = {pass.first_argument()};
+    record[1].value = std::max(1u, kMostAtOnce / record[2].value);
     add(std::move(kernel), std::move(record));
   }
 
@@ -175,10 +183,14 @@ struct Composition {
   }
   void add_copy(const Buffer& from, const Buffer& to) {
     const std::vector<std::uint32_t> words = from.read<std::uint32_t>();
-    if (words.size() != 4) throw Error("fused " + to.label(), std::to_string(words.size()) + " words to fill it with", "expected 4");
+    constexpr std::size_t kPattern = 4;
+    for (std::size_t k = 0; k < words.size(); ++k)
+      if (words.size() % kPattern != 0 || words[k] != words[k % kPattern])
+        throw Error("fused " + to.label(), "what it is to be filled with", "expected the same four words again and again");
+    const auto repeats = static_cast<std::uint32_t>(words.size() / kPattern);
     FusedKernel kernel{"common/fill.comp", {}, {{"filled", declarations.output(to, "uint")}}, {"invocations"}, {}};
-    std::vector<Word> record{{1, nullptr, true}, {1}, {1}, {1}};
-    for (std::size_t k = 0; k < words.size(); ++k) {
+    std::vector<Word> record{{repeats, nullptr, true}, {kMostAtOnce}, {1}, {repeats}};
+    for (std::size_t k = 0; k < kPattern; ++k) {
       kernel.constants.push_back("word_" + std::to_string(k));
       record.push_back({words[k]});
     }
@@ -225,7 +237,7 @@ class FusedPasses::Dispatch {
     for (const Run& run : composition.runs) words_.insert(words_.end(), run.record.begin(), run.record.end());
     values_ = values();
     plan_ = Buffer("plan", values_);
-    crew_ = Buffer("crew", sizeof(std::uint32_t) * (1 + most_repeats() * words_.front().value));
+    crew_ = Buffer("crew", sizeof(std::uint32_t) * (kFirstCounter + most_repeats() * words_.front().value));
     ComputePass::Bindings bindings = composition.declarations.bindings();
     bindings.insert(bindings.end(), {{"crew", &crew_}, {"plan", &plan_}});
     if (composition.step) bindings.emplace_back("step", composition.step);
@@ -254,8 +266,6 @@ class FusedPasses::Dispatch {
       std::uint32_t word = 0;
       crew_.download(0, sizeof word, &word);
       if (word >> kKernelShift == kNoKernel) return;
-      word = word >> kKernelShift << kKernelShift;  // the kernel that runs, and no members
-      crew_.upload(0, sizeof word, &word);
     }
     throw Error("kernel " + together_->program().label() + ": comes to no end");
   }

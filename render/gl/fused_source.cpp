@@ -97,16 +97,29 @@ void append_kernel(Composer& out, const std::filesystem::path& folder, const Fus
   for (const std::string& name : names.macros) out.line("#undef " + name);
 }
 
-void append_call(Composer& out, const FusedKernel& kernel, std::size_t n) {
+// What groups_of() knows the kernel by that runs after the k-th one of a loop, or 0 where it does not know how many there are.
+std::string next_of(const std::vector<FusedKernel>& kernels, const std::vector<FusedLoop>& loops, std::size_t loop, std::size_t k) {
+  const bool last = k + 1 == loops[loop].size();
+  if (last && loop + 1 == loops.size()) return "0u";
+  const std::size_t next = last ? loops[loop + 1].front() : loops[loop][k + 1];
+  if (kernels[next].groups.empty()) return "0u";
+  const std::string name = std::to_string(next + 1) + "u";
+  return last ? "turn + 1u == PLAN(" + std::to_string(1 + loop) + "u) ? " + name + " : 0u" : name;
+}
+
+void append_call(Composer& out, const FusedKernel& kernel, std::size_t n, const std::string& next) {
   out.line("      load_constants_of" + numbered("", n) + "(at);");
-  out.line("      groups = " + (kernel.groups.empty() ? "PLAN(at)" : kernel.groups) + ";");
-  out.line("      share = PLAN(at + 1u);");
+  out.line("      groups = " + (kernel.groups.empty() ? "PLAN(at)" : kernel.groups + "[PLAN(at)]") + ";");
+  out.line("      most = PLAN(at + 1u);");
   out.line("      cost = PLAN(at + 2u);");
   out.line("      at += " + std::to_string(record_size(kernel)) + "u;");
   // Loops whose condition comes last: llvmpipe goes once more through the others, with no invocation in them.
+  out.line("      left = groups;");
   out.line("      do {");
+  out.line("        share = clamp(left >> share_shift, 1u, most);");
   out.line("        begin = take_groups(share, cost);");
   out.line("        end = min(begin + share, groups);");
+  out.line("        left = groups - end;");
   out.line("        group = begin;");
   out.line("        do {");
   out.line("          fused_invocation = group * uint(GROUP_SIZE) + gl_LocalInvocationID.x;");
@@ -114,7 +127,7 @@ void append_call(Composer& out, const FusedKernel& kernel, std::size_t n) {
   out.line("          ++group;");
   out.line("        } while (group < end);");
   out.line("      } while (begin + share < groups);");
-  out.line("      wait_for_crew();");
+  out.line("      wait_for_crew(" + next + ", at);");
 }
 
 }  // namespace
@@ -128,19 +141,26 @@ ShaderText read_fused(const std::filesystem::path& folder, const Defines& define
   if (step) out.all_of(read_shader(folder, "common/step.glsl", {}));
   for (const std::string& declaration : declarations) out.line(declaration);
   for (std::size_t n = 0; n < kernels.size(); ++n) append_kernel(out, folder, kernels[n], n, all);
+  out.line("uint groups_of(uint next, uint record) {");
+  for (std::size_t n = 0; n < kernels.size(); ++n)
+    if (!kernels[n].groups.empty()) out.line("  if (next == " + std::to_string(n + 1) + "u) return " + kernels[n].groups + "[PLAN(record)];");
+  out.line("  return 1u;");
+  out.line("}");
   out.line("void main() {");
   out.line("  kernel_count = repeats * PLAN(0u);");
   // Who comes late goes through as little as can be; a loop of llvmpipe's is gone through once at least.
   out.line("  uint first = join_crew();");
   out.line("  uint last_repeat = first == NO_KERNEL ? 0u : repeats, repeat = first == NO_KERNEL ? 0u : first / PLAN(0u);");
   out.line("  kernel_number = repeat * PLAN(0u);");
-  out.line("  uint turn, at, groups, share, cost, begin, end, group;");
+  out.line("  uint turn, at, groups, left, most, share, cost, begin, end, group;");
+  // What is left is taken in ever smaller parts (guided self-scheduling, Polychronopoulos, Kuck 1987), so that all end at about the same time.
+  out.line("  uint share_shift = uint(findMSB(gl_NumWorkGroups.x));");
   out.line("  do {");
   out.line("    at = " + std::to_string(1 + loops.size()) + "u;");
   for (std::size_t l = 0; l < loops.size(); ++l) {
     out.line("    turn = 0u;");
     out.line("    do {");
-    for (const std::size_t n : loops[l]) append_call(out, kernels[n], n);
+    for (std::size_t k = 0; k < loops[l].size(); ++k) append_call(out, kernels[loops[l][k]], loops[l][k], next_of(kernels, loops, l, k));
     out.line("      ++turn;");
     out.line("    } while (turn < PLAN(" + std::to_string(1 + l) + "u) && last_repeat > 0u);");
   }

@@ -2,7 +2,6 @@
 #pragma once
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +15,7 @@ struct FusedKernel {
   Defines defines;
   std::map<std::string, std::string> buffers;  // its name for a buffer, the fused program's
   std::vector<std::string> constants;          // uint uniforms, in the order of their values in the plan
-  std::string groups;                          // number of work groups: an expression; empty where the plan has it
+  std::string groups;                          // the buffer that has the number of work groups; empty where the plan has it
   bool operator==(const FusedKernel&) const = default;
 };
 
@@ -24,7 +23,8 @@ struct FusedKernel {
 using FusedLoop = std::vector<std::size_t>;
 
 /// The plan, uint: the number of kernels that run in a repeat, the turns of every loop, and a record for every kernel that runs: work
-/// groups, how many of them are taken at once, how many loops an invocation of one goes through at most, and the constants.
+/// groups, or their place in FusedKernel::groups, how many of them may be taken at once, how many loops an invocation of one goes through
+/// at most, and the constants.
 inline std::uint32_t record_size(const FusedKernel& kernel) { return 3 + static_cast<std::uint32_t>(kernel.constants.size()); }
 
 /// `declarations` [lines] of all buffers; `step`: whether kernels know the substep's uniform block. Throws Error as read_shader() does.

@@ -1,4 +1,4 @@
-// Four words at the beginning of a buffer.
+// Four words again and again, from the beginning of a buffer on.
 #include "common/io.glsl"
 COMPUTE_1D
 OUTPUT(uint, Filled, filled)
@@ -6,8 +6,8 @@ uniform uint word_0, word_1, word_2, word_3;
 
 void main() {
   ITEM_OR_RETURN(i)
-  filled[0] = word_0;
-  filled[1] = word_1;
-  filled[2] = word_2;
-  filled[3] = word_3;
+  filled[4u * i] = word_0;
+  filled[4u * i + 1u] = word_1;
+  filled[4u * i + 2u] = word_2;
+  filled[4u * i + 3u] = word_3;
 }

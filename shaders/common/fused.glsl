@@ -9,17 +9,14 @@
 // dispatch.
 #define barrier()  // a work group is one vector, whose invocations go in step
 layout(local_size_x = GROUP_SIZE) in;
-// [0] number of the kernel that runs, members of the crew, members that wait; from [1] on the work groups of every kernel that were taken.
+// [0] number of the kernel that runs, members of the crew, members that wait; from [FIRST_COUNTER] on the work groups of every kernel that
+// were taken.
 layout(std430) coherent buffer Crew { uint crew[]; };
 uniform usamplerBuffer plan;  // what there is to do: render/gl/fused_source.h
 uniform uint repeats;
 #define PLAN(i) (texelFetch(plan, int(i)).x)
 #define MEMBER 64u
-#define KERNEL_SHIFT 12
-#define NO_KERNEL 0xfffffu  // when all are done
 #define KERNEL_OF(word) ((word) >> KERNEL_SHIFT)
-#define MOST_LOOPS 50000u
-#define LOOPS_OF_A_KERNEL 16u  // each of its own is gone through once where there is nothing to do
 #define NONE 0x7fffffffu
 
 uint fused_invocation;     // what gl_GlobalInvocationID.x is to a kernel by itself
@@ -54,40 +51,48 @@ uint join_crew() {
 uint take_groups(uint count, uint cost) {
   if (gl_LocalInvocationID.x == 0u) {
     told = NONE;
-    if (loops + count * cost > MOST_LOOPS) leaves = true;
+    uint more = count * cost + 1u;  // and the loop that takes
+    if (loops + more > MOST_LOOPS) leaves = true;
     if (helps() && !leaves) {
-      told = atomicAdd(crew[1u + kernel_number], count);
-      loops += count * cost;
+      told = atomicAdd(crew[FIRST_COUNTER + kernel_number], count);
+      loops += more;
     }
   }
   return told;
 }
 
-void wait_for_crew() {
+// Of the kernel that the generated text names so, with its record in the plan; 1 for 0: there may be something to do.
+uint groups_of(uint next, uint record);
+
+// Where nothing is to be done in the next kernel it is passed over: nobody needs to wait for each other after it.
+void wait_for_crew(uint next, uint record) {
   memoryBarrierBuffer();
   if (gl_LocalInvocationID.x == 0u) loops += LOOPS_OF_A_KERNEL;
   if (gl_LocalInvocationID.x == 0u && helps()) {
-    uint next = (kernel_number + 1u == kernel_count ? NO_KERNEL : kernel_number + 1u) << KERNEL_SHIFT, expected;
+    uint expected, then;
     bool last, done;
     do {
       expected = word;
       uint members = expected / MEMBER % MEMBER, waiting = expected % MEMBER, left = members - (leaves ? 1u : 0u);
       last = waiting + 1u == members && (waiting > 0u || !leaves);  // who waits has found nothing left to take
-      word = atomicCompSwap(crew[0], expected, last ? next + left * MEMBER : leaves ? expected - MEMBER : expected + 1u);
+      then = kernel_number + (last && groups_of(next, record) == 0u ? 2u : 1u);
+      then = (then == kernel_count ? NO_KERNEL : then) << KERNEL_SHIFT;
+      word = atomicCompSwap(crew[0], expected, last ? then + left * MEMBER : leaves ? expected - MEMBER : expected + 1u);
       done = word == expected;
       ++loops;
     } while (!done);
-    done = last || leaves;
     float pause = 1.0;
     do {
-      word = atomicOr(crew[0], 0u);
+      expected = word;
+      bool gives_up = !leaves && loops > MOST_LOOPS + uint(pause) && KERNEL_OF(expected) == kernel_number;
+      word = atomicCompSwap(crew[0], expected, gives_up ? expected - MEMBER - 1u : expected);
+      leaves = leaves || gives_up && word == expected;
       // Leaves the core to the thread beside this one.
       pause = inversesqrt(1.0 + inversesqrt(1.0 + inversesqrt(1.0 + inversesqrt(1.0 + inversesqrt(1.0 + pause)))));
       ++loops;
-      if (loops > MOST_LOOPS + uint(pause)) leaves = true;
-      done = done || leaves || KERNEL_OF(word) != kernel_number;
+      done = leaves || KERNEL_OF(word) != kernel_number;
     } while (!done);
-    if (leaves) joined_at = NO_KERNEL;
+    joined_at = leaves ? NO_KERNEL : KERNEL_OF(word);
   }
   memoryBarrierBuffer();
   ++kernel_number;

@@ -67,19 +67,22 @@ INPUT_UINT(ItemList, item_list)  // [number of items]
 #define LISTED_ITEM(k) (k)
 #endif
 // Branches skip nothing where invocations run in lockstep, so what few items need is deferred: with DEFERS a kernel puts such an item on
-// a list and returns, and the same kernel with DEFERRED, dispatched by the list's count, goes through it.
+// a list and returns, and the same kernel with DEFERRED, dispatched by the list's count, goes through it (sim/gpu/deferred_tets.h).
+#if defined(DEFERS) || defined(DEFERRED)
+uniform uint deferred_list, deferred_begin;  // where the list's numbers are, and its items
+#endif
 #ifdef DEFERS
-INOUT(uint, Deferred, deferred)  // [4 + number of items] work groups for them, 1, 1, how many; then the items
+INOUT(uint, Deferred, deferred)  // from deferred_list on: work groups for the items, 1, 1, how many
 void defer(uint i) {
-  uint k = atomicAdd(deferred[3], 1u);
-  deferred[4u + k] = i;
-  atomicMax(deferred[0], k / uint(GROUP_SIZE) + 1u);
+  uint k = atomicAdd(deferred[deferred_list + 3u], 1u);
+  deferred[deferred_begin + k] = i;
+  atomicMax(deferred[deferred_list], k / uint(GROUP_SIZE) + 1u);
 }
 #endif
 #ifdef DEFERRED
 INPUT_UINT(DeferredItems, deferred_items)  // the same
 #define ITEM_OR_RETURN(i) \
-  if (INVOCATION >= FETCH1(deferred_items, 3)) return; uint i = FETCH1(deferred_items, 4u + INVOCATION);
+  if (INVOCATION >= FETCH1(deferred_items, deferred_list + 3u)) return; uint i = FETCH1(deferred_items, deferred_begin + INVOCATION);
 #else
 #define ITEM_OR_RETURN(i) if (INVOCATION >= invocations) return; uint i = LISTED_ITEM(INVOCATION);
 #endif

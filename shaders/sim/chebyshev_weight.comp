@@ -35,10 +35,10 @@ float larger_radius(float rho, float p, float b) {
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
-  float sum = 0.0;
-  if (lane < LANES) {
-    for (uint p = lane; p < partials; p += LANES) sum += FETCH(square_partials, p).x;
-    lane_sums[lane] = sum;
+  for (uint l = lane; l < LANES; l += uint(GROUP_SIZE)) {
+    float sum = 0.0;
+    for (uint p = l; p < partials; p += LANES) sum += FETCH(square_partials, p).x;
+    lane_sums[l] = sum;
   }
   barrier();
   if (lane != 0u) return;

@@ -79,13 +79,14 @@ Passes Anderson::passes(gl::ProgramCache& programs, bool first) const {
         .loops(part.count / lanes_ + 2);
   }
   if (first) return passes;
+  constexpr std::uint32_t kLeastWidth = 4;  // of a vector, whose invocations take columns in turn
   passes.emplace_back(programs.compute("sim/anderson_solve.comp"),
                       gl::ComputePass::Bindings{{"dot_partials", &dot_partials_}, {"anderson_state", &state_}},
                       1,
                       gl::ComputePass::Constants{{"window", window_},
                                                  {"partials", partials_},
                                                  {"parts", static_cast<std::uint32_t>(parts_.size())}})
-      .loops(2 * static_cast<std::uint32_t>(parts_.size()) * (partials_ + 1) + window_ * window_ * (window_ + 8));
+      .loops((window_ / kLeastWidth + 1) * static_cast<std::uint32_t>(parts_.size()) * (partials_ + 1) + window_ * window_ * (window_ + 8));
   for (std::size_t p = 0; p < parts_.size(); ++p)
     passes.emplace_back(programs.compute("sim/anderson_apply.comp"),
                         gl::ComputePass::Bindings{{"anderson_state", &state_},

@@ -9,18 +9,30 @@
 
 namespace fascia {
 
-struct DeferredTets {
-  explicit DeferredTets(std::uint32_t most) : list("deferred_items", sizeof(std::uint32_t) * (4 + most)) {}
+/// The room that a method needs: lists that are filled one after another before all are emptied, and items on all of them together.
+struct Deferral {
+  std::uint32_t lists = 0, items = 0;
+  bool operator==(const Deferral&) const = default;
+};
 
-  std::uint32_t most() const { return static_cast<std::uint32_t>(list.bytes() / sizeof(std::uint32_t)) - 4; }
-  std::uint32_t count() const {  // waits for the GPU
+struct DeferredTets {
+  explicit DeferredTets(Deferral room) : most(room), lists("deferred_items", sizeof(std::uint32_t) * (4 * room.lists + room.items)) {
+    std::vector<std::uint32_t> words;
+    for (std::uint32_t list = 0; list < most.lists; ++list) words.insert(words.end(), {0, 1, 1, 0});
+    none = gl::Buffer("no_deferred", words);
+  }
+
+  std::uint32_t count() const {  // on all lists; waits for the GPU
+    std::vector<std::uint32_t> heads(4 * most.lists);
+    lists.download(0, heads.size() * sizeof(std::uint32_t), heads.data());
     std::uint32_t count = 0;
-    list.download(3 * sizeof count, sizeof count, &count);
+    for (std::uint32_t list = 0; list < most.lists; ++list) count += heads[4 * list + 3];
     return count;
   }
 
-  gl::Buffer list;  // uint [4 + most] work groups of the second dispatch, 1, 1, number of items; then the items
-  gl::Buffer none{"no_deferred", std::vector<std::uint32_t>{0, 1, 1, 0}};
+  Deferral most;
+  gl::Buffer lists;  // uint, of each list: work groups of the second dispatch, 1, 1, number of items; after these the items of all
+  gl::Buffer none;   // uint [4 * most.lists] what empties them
 };
 
 }  // namespace fascia

@@ -43,6 +43,10 @@ GaussSeidelMethod::GaussSeidelMethod(const Model& model, SimBuffers& buffers, in
   split_count_ = static_cast<std::uint32_t>(split.size());
 }
 
+Deferral GaussSeidelMethod::most_deferred(const SimBuffers& buffers, bool fused) const {
+  return fused ? Deferral{static_cast<std::uint32_t>(coloring_.color_count()), buffers.tet_count} : Deferral{};
+}
+
 Passes GaussSeidelMethod::iteration(const Recording& r, bool first) const {
   gl::Defines defines = defines_of(r.features);
   defines.emplace_back("FIRST_ITERATION", first ? "1" : "0");
@@ -63,9 +67,7 @@ Passes GaussSeidelMethod::iteration(const Recording& r, bool first) const {
                         gl::ComputePass::Bindings{{"phantom_vertex", &phantom_vertex_}, {"displacement", &r.buffers.displacement}},
                         phantom_count_, gl::ComputePass::Constants{{"first_item", r.buffers.vertex_count}})
         .loops(0);
-  for (std::size_t color = 0; color < coloring_.color_count(); ++color)
-    append(passes, r.over_range_deferring("sim/gauss_seidel.comp", defines, bindings, coloring_.begin[color],
-                                          coloring_.begin[color + 1] - coloring_.begin[color], 0, 1));
+  append(passes, r.over_ranges_deferring("sim/gauss_seidel.comp", defines, bindings, coloring_.begin, 0, 1));
   if (phantom_count_)
     passes.emplace_back(r.programs.compute("sim/merge_phantoms.comp"),
                         gl::ComputePass::Bindings{{"split_vertex", &split_vertex_},

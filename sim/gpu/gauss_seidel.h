@@ -17,7 +17,7 @@ class GaussSeidelMethod : public StepMethod {
   Passes iteration(const Recording& recording, bool first) const override;
 
   /// A color is too small for a dispatch more.
-  std::uint32_t most_deferred(const SimBuffers& buffers, bool fused) const override { return fused ? buffers.tet_count : 0; }
+  Deferral most_deferred(const SimBuffers& buffers, bool fused) const override;
 
   int colors_asked() const { return colors_asked_; }
   const Coloring& coloring() const { return coloring_; }

@@ -8,6 +8,11 @@ void list(gl::Defines& defines, gl::ComputePass::Bindings& bindings, const gl::B
   bindings.emplace_back("item_list", &items);
 }
 
+// Of the kernel that fills a list and the one that goes through it: where it is, and where its items are.
+gl::ComputePass::Constants list_constants(const Deferral& most, std::uint32_t list, std::uint32_t first_item) {
+  return {{"deferred_list", 4 * list}, {"deferred_begin", 4 * most.lists + first_item}};
+}
+
 }  // namespace
 
 gl::ComputePass Recording::over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
@@ -24,10 +29,11 @@ gl::ComputePass Recording::over_tets(const char* kernel, gl::Defines defines, gl
   return pass;
 }
 
-gl::ComputePass Recording::over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
+gl::ComputePass Recording::over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings,
+                                      gl::ComputePass::Constants constants) const {
   if (active) list(defines, bindings, active->pairs);
-  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.pair_and_single_count(),
-                       {{"pair_count", buffers.pair_count}});
+  constants.emplace_back("pair_count", buffers.pair_count);
+  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.pair_and_single_count(), std::move(constants));
   pass.loops(loops_of_pair());
   if (active) pass.follow("invocations", active->pair_count);
   return pass;
@@ -36,49 +42,55 @@ gl::ComputePass Recording::over_pairs(const char* kernel, gl::Defines defines, g
 Passes Recording::over_pairs_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings) const {
   if (!deferred) return {over_pairs(kernel, defines, bindings)};
   auto [first_defines, first_bindings] = deferring(defines, bindings);
-  Passes passes{over_pairs(kernel, std::move(first_defines), std::move(first_bindings))};
+  Passes passes{over_pairs(kernel, std::move(first_defines), std::move(first_bindings), list_constants(deferred->most, 0, 0))};
   passes.back().loops(0);
-  passes.back().copy_first(deferred->none, deferred->list);
+  passes.back().copy_first(deferred->none, deferred->lists);
   passes.push_back(over_deferred(kernel, defines, bindings));
   return passes;
 }
 
 gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
+  gl::ComputePass::Constants constants = list_constants(deferred->most, 0, 0);
+  constants.emplace_back("pair_count", buffers.pair_count);
   gl::ComputePass pass =
-      over_deferred(kernel, std::move(defines), std::move(bindings), buffers.pair_and_single_count(), {{"pair_count", buffers.pair_count}});
+      over_deferred(kernel, std::move(defines), std::move(bindings), 0, buffers.pair_and_single_count(), std::move(constants));
   pass.loops(loops_of_pair());
   return pass;
 }
 
-Passes Recording::over_range_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings,
-                                       std::uint32_t first_item, std::uint32_t count, std::uint32_t loops, std::uint32_t decompositions) const {
-  const gl::ComputePass::Constants constants{{"first_item", first_item}};
+Passes Recording::over_ranges_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings,
+                                        const std::vector<std::uint32_t>& begin, std::uint32_t loops, std::uint32_t decompositions) const {
   const std::uint32_t loops_decomposing = loops + decompositions * loops_of_tet();
   Passes passes;
-  if (!deferred) {
-    passes.emplace_back(programs.compute(kernel, defines), bindings, count, constants).loops(loops_decomposing);
-    return passes;
+  for (std::uint32_t k = 0; k + 1 < begin.size(); ++k) {
+    const std::uint32_t count = begin[k + 1] - begin[k];
+    gl::ComputePass::Constants constants{{"first_item", begin[k]}};
+    if (!deferred) {
+      passes.emplace_back(programs.compute(kernel, defines), bindings, count, constants).loops(loops_decomposing);
+      continue;
+    }
+    auto [first_defines, first_bindings] = deferring(defines, bindings);
+    for (auto& constant : list_constants(deferred->most, k, begin[k])) constants.push_back(std::move(constant));
+    passes.emplace_back(programs.compute(kernel, first_defines), std::move(first_bindings), count, constants).loops(loops);
+    if (k == 0) passes.back().copy_first(deferred->none, deferred->lists);
+    passes.push_back(over_deferred(kernel, defines, bindings, k, count, std::move(constants)));
+    passes.back().loops(loops_decomposing);
   }
-  auto [first_defines, first_bindings] = deferring(defines, bindings);
-  passes.emplace_back(programs.compute(kernel, first_defines), std::move(first_bindings), count, constants).loops(loops);
-  passes.back().copy_first(deferred->none, deferred->list);
-  passes.push_back(over_deferred(kernel, defines, bindings, count, constants));
-  passes.back().loops(loops_decomposing);
   return passes;
 }
 
 std::pair<gl::Defines, gl::ComputePass::Bindings> Recording::deferring(gl::Defines defines, gl::ComputePass::Bindings bindings) const {
   defines.emplace_back("DEFERS", "1");
-  bindings.emplace_back("deferred", &deferred->list);
+  bindings.emplace_back("deferred", &deferred->lists);
   return {std::move(defines), std::move(bindings)};
 }
 
-gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, std::uint32_t most,
-                                         gl::ComputePass::Constants constants) const {
+gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, std::uint32_t list,
+                                         std::uint32_t most, gl::ComputePass::Constants constants) const {
   defines.emplace_back("DEFERRED", "1");
-  bindings.emplace_back("deferred_items", &deferred->list);
+  bindings.emplace_back("deferred_items", &deferred->lists);
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), most, std::move(constants));
-  pass.set_indirect(deferred->list, 0);
+  pass.set_indirect(deferred->lists, 4 * list);
   return pass;
 }
 

@@ -41,15 +41,17 @@ struct Recording {
   /// A pass of an invocation per vertex, tet or pair of tets (shaders/common/tet_pair.glsl); over tets it is always all of them.
   gl::ComputePass over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
   gl::ComputePass over_tets(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
-  gl::ComputePass over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
+  gl::ComputePass over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings,
+                             gl::ComputePass::Constants constants = {}) const;
   /// The same and, with materials that have them, one over the pairs that it deferred.
   Passes over_pairs_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings) const;
   /// For the pairs that were deferred last.
   gl::ComputePass over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
-  /// Of an invocation per item of a range, which begins at the kernel's constant first_item, and one over the items that it deferred.
+  /// For each of the ranges, from begin[k] to begin[k + 1], one of an invocation per item, which begins at the kernel's constant
+  /// first_item, and one over the items that it deferred.
   /// `loops`: ComputePass::loops() without decompositions, and how many tets an item may decompose.
-  Passes over_range_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings,
-                              std::uint32_t first_item, std::uint32_t count, std::uint32_t loops, std::uint32_t decompositions) const;
+  Passes over_ranges_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings,
+                               const std::vector<std::uint32_t>& begin, std::uint32_t loops, std::uint32_t decompositions) const;
   /// A sum over them; the kernel's loop ends at the constant vertex_count or pair_and_single_count.
   gl::ComputePass sum_over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, const Reduction& sum,
                                     gl::ComputePass::Constants constants = {}) const;
@@ -58,8 +60,8 @@ struct Recording {
 
  private:
   std::pair<gl::Defines, gl::ComputePass::Bindings> deferring(gl::Defines defines, gl::ComputePass::Bindings bindings) const;
-  gl::ComputePass over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, std::uint32_t most,
-                                gl::ComputePass::Constants constants) const;
+  gl::ComputePass over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, std::uint32_t list,
+                                std::uint32_t most, gl::ComputePass::Constants constants) const;
 };
 
 class StepGradient;
@@ -90,8 +92,8 @@ class StepMethod {
   /// One iteration, the grab's springs included. The first one of a substep finds no history.
   virtual Passes iteration(const Recording& recording, bool first) const = 0;
   virtual Passes end(const Recording&) const { return {}; }  // after the last iteration of a substep, unless a stop rule ended them
-  /// Of how many items a pass may put some off (deferred_tets.h); 0 where none does. `fused`: whether passes are (render/gl/fused_pass.h).
-  virtual std::uint32_t most_deferred(const SimBuffers&, bool fused) const { return static_cast<void>(fused), 0; }
+  /// What the passes of an iteration may put off (deferred_tets.h). `fused`: whether passes are (render/gl/fused_pass.h).
+  virtual Deferral most_deferred(const SimBuffers&, bool fused) const { return static_cast<void>(fused), Deferral{}; }
   /// Before passes are recorded, with what they will be recorded from.
   virtual void prepare(const Recording&) {}
   /// Before the first step of some that go through a part of the tets only.

@@ -103,10 +103,10 @@ void GpuSolver::record() {
   // A GPU jumps over a branch that none of a few neighbors takes, and to a small mesh each dispatch counts. The number is a guess.
   constexpr std::uint32_t kManyTets = 50'000;
   const bool branches_skip = programs_.load_path() == gl::LoadPath::storage;
-  const std::uint32_t most_deferred = method_->most_deferred(buffers_, fuses_);
-  const bool may_defer = features_.signed_st_venant_kirchhoff && most_deferred > 0 && !(branches_skip && buffers_.tet_count < kManyTets);
+  const Deferral most_deferred = method_->most_deferred(buffers_, fuses_);
+  const bool may_defer = features_.signed_st_venant_kirchhoff && most_deferred.items > 0 && !(branches_skip && buffers_.tet_count < kManyTets);
   if (!may_defer) deferred_.reset();
-  if (may_defer && (!deferred_ || deferred_->most() != most_deferred)) deferred_.emplace(most_deferred);
+  if (may_defer && (!deferred_ || deferred_->most != most_deferred)) deferred_.emplace(most_deferred);
   method_->prepare(recording(nullptr));
   buffers_.correction.clear();  // of which kernels may leave the w as it is
   before_every_ = 1;

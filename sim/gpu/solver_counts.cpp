@@ -24,7 +24,7 @@ double GpuSolver::bytes_per_iteration() const {
     double bytes = 0;
     std::set<const gl::Program*> counted;  // the colors of a sweep share what they go through
     for (const gl::ComputePass& pass : passes)
-      if (!(deferred_ && pass.arguments() == &deferred_->list) && counted.insert(&pass.program()).second) bytes += static_cast<double>(pass.bytes());
+      if (!(deferred_ && pass.arguments() == &deferred_->lists) && counted.insert(&pass.program()).second) bytes += static_cast<double>(pass.bytes());
     return bytes;
   };
   return bytes_of(whole_.iteration) + bytes_of(whole_.before) / before_every_ + bytes_of(whole_.refresh) * refreshes() / settings_.iterations;

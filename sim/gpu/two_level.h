@@ -26,7 +26,7 @@ class TwoLevelMethod : public StepMethod {
   void prepare(const Recording& recording) override;
   Passes begin(const Recording& recording) const override;
   Passes refresh(const Recording& recording) const override;
-  std::uint32_t most_deferred(const SimBuffers& buffers, bool) const override { return buffers.pair_and_single_count(); }
+  Deferral most_deferred(const SimBuffers& buffers, bool) const override { return {1, buffers.pair_and_single_count()}; }
   Passes iteration(const Recording& recording, bool first) const override;
   Passes end(const Recording& recording) const override;
   void values_changed(const Model& model, const SolverSettings& settings) override { coarse_.values_changed(model, settings); }

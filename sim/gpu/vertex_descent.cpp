@@ -22,11 +22,7 @@ Passes VertexDescentMethod::iteration(const Recording& r, bool) const {
                                      {"color_vertex", &color_vertex_}};
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
   const gl::Defines defines = r.grab.with_springs(defines_of(r.features), bindings);
-  Passes passes;
-  for (std::size_t color = 0; color < coloring_.color_count(); ++color)
-    append(passes, r.over_range_deferring("sim/vertex_descent.comp", defines, bindings, coloring_.begin[color],
-                                          coloring_.begin[color + 1] - coloring_.begin[color], r.loops_of_vertex(), r.buffers.most_tets));
-  return passes;
+  return r.over_ranges_deferring("sim/vertex_descent.comp", defines, bindings, coloring_.begin, r.loops_of_vertex(), r.buffers.most_tets);
 }
 
 }  // namespace fascia

@@ -10,8 +10,9 @@ class VertexDescentMethod : public StepMethod {
  public:
   VertexDescentMethod(const Model& model, const SimBuffers& buffers);
   bool starts_without_gravity() const override { return true; }
-  /// Vertices of a color share no tet, so they are no more than the tets.
-  std::uint32_t most_deferred(const SimBuffers& buffers, bool) const override { return buffers.tet_count; }
+  Deferral most_deferred(const SimBuffers&, bool) const override {
+    return {static_cast<std::uint32_t>(coloring_.color_count()), static_cast<std::uint32_t>(coloring_.order.size())};
+  }
   Passes iteration(const Recording& recording, bool first) const override;
 
  private:

@@ -41,19 +41,21 @@ void main() {
   ITEM_OR_RETURN(i)
   Pair pair = Pair(load(i));
   for (uint k = 0u; k < rounds; ++k) pair.sum = vec4(1.0) - WEIGHT * pair.sum;
-  value[i] = FETCH(before, i) - pair.sum;
+  vec4 v = FETCH(before, i) - pair.sum;
+  value[i] = v - 2.0 * floor(0.5 * v + 0.5);  // from -1 to 1, so that lists are never all or nothing
 }
 )";
-// Lists the items whose first component is large, and goes through the list.
+// Lists the items whose first component is larger than a bound, and goes through the list.
 constexpr const char* kListed = R"(#include "common/io.glsl"
 INPUT_VEC4_IN_PLACE(Before, before)
 OUTPUT(vec4, Value, value)
 COMPUTE_1D
+uniform uint bound;
 void main() {
   ITEM_OR_RETURN(i)
   vec4 v = FETCH(before, i);
 #ifdef DEFERS
-  if (v.x > 0.0) {
+  if (v.x > float(bound)) {
     defer(i);
     return;
   }
@@ -76,17 +78,17 @@ class Folder : public test::ShaderFolder {
 };
 
 struct Values {
-  static constexpr std::uint32_t kCount = 1000;
+  static constexpr std::uint32_t kCount = 1000, kLists = 3;
   std::uint32_t some = 700;  // that passes follow
-  Buffer value, result{"result", 16 * kCount}, list{"list", 4 * (4 + kCount)};
-  Buffer none{"none", std::vector<std::uint32_t>{0, 1, 1, 0}};
+  Buffer value, result{"result", 16 * kCount}, lists{"lists", 4 * kLists * (4 + kCount)};
+  Buffer none{"none", std::vector<std::uint32_t>{0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0}};
 
   Values() {
     std::vector<float> start;
     for (std::uint32_t i = 0; i < 4 * kCount; ++i) start.push_back(static_cast<float>((i * 2654435761u) >> 12) / 524288.0f - 1.0f);
     value = Buffer("value", start);
   }
-  // Eight passes, some of one kernel, with `rounds` in the loops of two.
+  // Ten passes, some of one kernel, with `rounds` in the loops of two.
   std::vector<ComputePass> passes(ProgramCache& programs, std::uint32_t rounds) {
     std::vector<ComputePass> passes;
     const auto spread = [&](ComputePass::Constants constants) {
@@ -103,15 +105,18 @@ struct Values {
     spread({{"distance", 17}});
     passes[2].follow("start", some);  // which is no constant otherwise
     passes.back().follow("invocations", some);
-    for (int lists = 0; lists < 2; ++lists) {  // the second is longer
+    for (std::uint32_t list = 0; list < kLists; ++list) {
+      const bool stays_empty = list == 1;
+      const ComputePass::Constants constants{
+          {"deferred_list", 4 * list}, {"deferred_begin", 4 * kLists + list * kCount}, {"bound", stays_empty ? 1000u : 0u}};
       passes.emplace_back(programs.compute("listed.comp", {{"DEFERS", "1"}}),
-                          ComputePass::Bindings{{"before", &value}, {"value", &value}, {"deferred", &list}}, kCount)
+                          ComputePass::Bindings{{"before", &value}, {"value", &value}, {"deferred", &lists}}, kCount, constants)
           .loops(0);
-      passes.back().copy_first(none, list);
+      if (list == 0) passes.back().copy_first(none, lists);
       passes.emplace_back(programs.compute("listed.comp", {{"DEFERRED", "1"}}),
-                          ComputePass::Bindings{{"before", &value}, {"value", &value}, {"deferred_items", &list}}, kCount)
+                          ComputePass::Bindings{{"before", &value}, {"value", &value}, {"deferred_items", &lists}}, kCount, constants)
           .loops(0);
-      passes.back().set_indirect(list, 0);
+      passes.back().set_indirect(lists, 4 * list);
     }
     return passes;
   }
@@ -161,6 +166,9 @@ TEST_CASE("fused passes do the same as one after another, in one dispatch", "[th
   const std::vector<float> found = values.value.read<float>();
   CAPTURE(differences(found, expected), found[0], expected[0]);
   CHECK(differences(found, expected) == 0);
+  const std::vector<std::uint32_t> lists = values.lists.read<std::uint32_t>();
+  CAPTURE(lists[3], lists[7], lists[11]);
+  CHECK((lists[3] > 0 && lists[7] == 0 && lists[11] > 0));
   CHECK(GetError() == GL_NO_ERROR);
 
   CHECK(programs.reload().empty());
@@ -196,7 +204,7 @@ TEST_CASE("a pass that does not tell its loops, and one alone, are dispatched by
   passes[1] = ComputePass(programs.compute("turn.comp"), {{"result", &values.result}, {"before", &values.value}, {"value", &values.value}},
                           Values::kCount, {{"rounds", 3}});
   const FusedPasses fused(programs, passes);
-  CHECK(fused.dispatches(1) == 3);  // one, one, and the other six
+  CHECK(fused.dispatches(1) == 3);  // one, one, and the other eight
   CHECK(fused.dispatches(5) == 15);
   const std::uint64_t before = dispatch_count();
   fused.run(5);

@@ -71,7 +71,7 @@ struct Step {
   gl::Buffer no_strain;
   GrabSprings grab;
   Recording recording{gpu.programs, buffers, features, no_strain, grab};
-  DeferredTets deferred{buffers.pair_and_single_count()};
+  DeferredTets deferred{{1, buffers.pair_and_single_count()}};
   VectorXd displacement() const { return flat(buffers.displacement, buffers.vertex_count); }
 };
 

@@ -26,6 +26,8 @@ TEST_CASE("vertices that are deferred move as they do in place", "[gpu]") {
   settings.method = Method::vertex_descent;
   const double amplitude = GENERATE(0.0, 0.004, 0.02);  // [m] the last turns many tets inside out
   const reference::State state = random_state(model, amplitude, 5);
+  const VertexColoring coloring = color_vertices(model.tets, model.held());
+  const auto colors = static_cast<std::uint32_t>(coloring.color_count()), vertices = static_cast<std::uint32_t>(coloring.order.size());
   const auto descend = [&](DeferredTets* deferred) {
     SimBuffers buffers(model);
     buffers.upload_step(model, settings);
@@ -44,7 +46,7 @@ TEST_CASE("vertices that are deferred move as they do in place", "[gpu]") {
       }
     return std::pair(buffers.download_state(0).displacement, most);
   };
-  DeferredTets deferred(static_cast<std::uint32_t>(model.tets.size()));
+  DeferredTets deferred({colors, vertices});
   const auto [in_place, none] = descend(nullptr);
   const auto [later, most] = descend(&deferred);
   const double difference = relative_rms(later, in_place);
@@ -59,10 +61,11 @@ TEST_CASE("a change of method makes room for what the new one defers", "[gpu]") 
   SolverSettings settings;
   GpuSolver solver(gpu.programs, model, settings);
   CHECK(gl::bytes_by_buffer().at("deferred_items") == 4 * (4 + solver.buffers().pair_and_single_count()));
+  const VertexColoring coloring = color_vertices(model.tets, model.held());
   settings.method = Method::vertex_descent;
   settings.acceleration = Acceleration::none;
   solver.set_settings(settings);
-  CHECK(gl::bytes_by_buffer().at("deferred_items") == 4 * (4 + model.tets.size()));  // vertices of a color are no more than the tets
+  CHECK(gl::bytes_by_buffer().at("deferred_items") == 4 * (4 * coloring.color_count() + coloring.order.size()));
   settings.method = Method::gauss_seidel;
   solver.set_settings(settings);
   CHECK_FALSE(gl::bytes_by_buffer().contains("deferred_items"));

@@ -77,7 +77,7 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
         .run();
   const reference::State moved = buffers.download_state(0);
 
-  DeferredTets deferred(buffers.pair_and_single_count());
+  DeferredTets deferred({1, buffers.pair_and_single_count()});
   const bool defers = features.signed_st_venant_kirchhoff && GENERATE(false, true);
   CAPTURE(defers);
   const Recording recording{gpu.programs, buffers, features, previous_strain, no_grab, defers ? &deferred : nullptr};
