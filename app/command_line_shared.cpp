@@ -43,7 +43,7 @@ void add_graphics(CLI::App& command, CommonOptions& options) {
 }
 
 void add_common(CLI::App& command, CommonOptions& options) {
-  command.add_option("scene", options.input, "scene (.json) or tetrahedral mesh; default: the shipped liver")->type_name("FILE");
+  command.add_option("scene", options.input, "scene (.json), tetrahedral mesh, surface (.obj) or replay (.fascia); default: the shipped liver")->type_name("FILE");
   command.add_option("--set", options.sets, "override a scene value, e.g. solver.iterations=40")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);

@@ -88,7 +88,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
   if (stats.imbalance) json["imbalance"] = *stats.imbalance;
   if (stats.error) json["error"] = *stats.error;
   for (const auto& [keyword, text] : stats.provenance) json["provenance"][keyword] = text;
-  write_file(path, json.dump(2) + "\n");
+  write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace fascia

@@ -16,32 +16,28 @@ namespace fascia::gl {
 
 // clang-format off
 #define FASCIA_GL_FUNCTIONS(X) /* without the gl prefix, alphabetical */ \
-  X(ActiveTexture) X(AttachShader) X(BeginQuery) X(BindBuffer) X(BindBufferBase) X(BindBufferRange) \
-  X(BindFramebuffer) X(BindRenderbuffer) X(BindSampler) X(BindTexture) X(BindVertexArray) X(BlendEquation) \
-  X(BlendEquationSeparate) X(BlendFunc) X(BlendFuncSeparate) X(BlitFramebuffer) X(BufferData) \
-  X(BufferSubData) X(CheckFramebufferStatus) X(Clear) X(ClearBufferData) X(ClearBufferSubData) \
-  X(ClearBufferfv) X(ClearColor) X(ClearDepth) X(ClientWaitSync) X(ColorMask) X(CompileShader) \
-  X(CopyBufferSubData) X(CreateProgram) X(CreateShader) X(CullFace) X(DebugMessageCallback) \
+  X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindBufferBase) X(BindFramebuffer) \
+  X(BindRenderbuffer) X(BindTexture) X(BindVertexArray) X(BlendEquation) X(BlendFuncSeparate) \
+  X(BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(Clear) \
+  X(ClearBufferData) X(ClearColor) X(ClientWaitSync) X(ColorMask) X(CompileShader) \
+  X(CopyBufferSubData) X(CreateProgram) X(CreateShader) X(DebugMessageCallback) \
   X(DebugMessageControl) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries) \
   X(DeleteRenderbuffers) X(DeleteShader) X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) \
   X(DepthFunc) X(DepthMask) X(DetachShader) X(Disable) X(DispatchCompute) X(DispatchComputeIndirect) \
-  X(DrawArrays) X(DrawArraysInstanced) X(DrawBuffer) X(DrawBuffers) X(DrawElements) \
-  X(DrawElementsBaseVertex) X(DrawElementsInstanced) X(Enable) X(EnableVertexAttribArray) X(EndQuery) \
-  X(FenceSync) X(Finish) X(Flush) X(FramebufferRenderbuffer) X(FramebufferTexture2D) X(FrontFace) \
-  X(GenBuffers) X(GenFramebuffers) X(GenQueries) X(GenRenderbuffers) X(GenTextures) X(GenVertexArrays) \
-  X(GetActiveUniform) X(GetBufferSubData) X(GetError) X(GetFloatv) X(GetInteger64v) X(GetIntegeri_v) \
+  X(DrawArrays) X(DrawArraysInstanced) X(DrawBuffer) X(DrawElements) X(DrawElementsBaseVertex) \
+  X(Enable) X(EnableVertexAttribArray) X(FenceSync) X(Finish) X(FramebufferRenderbuffer) \
+  X(FramebufferTexture2D) X(GenBuffers) X(GenFramebuffers) X(GenQueries) X(GenRenderbuffers) \
+  X(GenTextures) X(GenVertexArrays) X(GetBufferSubData) X(GetError) X(GetInteger64v) X(GetIntegeri_v) \
   X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramInterfaceiv) X(GetProgramResourceIndex) \
   X(GetProgramResourceName) X(GetProgramResourceiv) X(GetProgramiv) X(GetQueryObjectiv) \
-  X(GetQueryObjectui64v) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi) \
-  X(GetUniformBlockIndex) X(GetUniformLocation) X(InvalidateFramebuffer) X(IsEnabled) X(LineWidth) \
-  X(LinkProgram) X(MapBufferRange) X(MemoryBarrier) X(ObjectLabel) X(PixelStorei) X(PointSize) \
-  X(PolygonMode) X(PolygonOffset) X(ProgramUniform1f) X(ProgramUniform1i) X(ProgramUniform1ui) \
-  X(ProgramUniform4f) X(ProgramUniformMatrix4fv) X(QueryCounter) X(ReadBuffer) X(ReadPixels) \
-  X(RenderbufferStorage) X(RenderbufferStorageMultisample) X(Scissor) X(ShaderSource) \
-  X(ShaderStorageBlockBinding) X(StencilFunc) X(StencilOp) X(StencilOpSeparate) X(TexBuffer) X(TexImage2D) X(TexImage2DMultisample) X(TexParameterfv) \
-  X(TexParameteri) X(TexSubImage2D) X(Uniform1f) X(Uniform1i) X(Uniform1ui) X(Uniform2f) X(Uniform3f) \
-  X(Uniform4f) X(Uniform4fv) X(UniformBlockBinding) X(UniformMatrix4fv) X(UnmapBuffer) X(UseProgram) \
-  X(VertexAttribDivisor) X(VertexAttribIPointer) X(VertexAttribPointer) X(Viewport)
+  X(GetQueryObjectui64v) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetUniformLocation) \
+  X(IsEnabled) X(LinkProgram) X(MemoryBarrier) X(ObjectLabel) X(PixelStorei) X(ProgramUniform1f) \
+  X(ProgramUniform1i) X(ProgramUniform1ui) X(ProgramUniform4f) X(ProgramUniformMatrix4fv) \
+  X(QueryCounter) X(ReadBuffer) X(ReadPixels) X(RenderbufferStorageMultisample) X(Scissor) \
+  X(ShaderSource) X(ShaderStorageBlockBinding) X(StencilFunc) X(StencilOp) X(StencilOpSeparate) \
+  X(TexBuffer) X(TexImage2D) X(TexImage2DMultisample) X(TexParameterfv) X(TexParameteri) \
+  X(TexSubImage2D) X(Uniform1ui) X(UniformBlockBinding) X(UseProgram) X(VertexAttribDivisor) \
+  X(VertexAttribIPointer) X(VertexAttribPointer) X(Viewport)
 // clang-format on
 
 #define X(name) extern decltype(&::gl##name) name;

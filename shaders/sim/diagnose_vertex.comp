@@ -1,5 +1,5 @@
 // Momentum, energies, support reaction and the residual g = M (u - u~) - h^2 f of the implicit step, after diagnose_tet.
-// Each invocation walks through every invocations-th vertex and keeps its own sums. Forces of the residual are in units of the mean
+// Each invocation walks through its share of the vertices and keeps its own sums. Forces of the residual are in units of the mean
 // mass, so that the squares of small bodies stay in the range of float32.
 #include "common/io.glsl"
 #include "common/step.glsl"

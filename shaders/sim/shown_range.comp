@@ -1,4 +1,4 @@
-// Smallest and largest scalar of the heat map. Each invocation walks through every invocations-th vertex; the CPU finishes the sum.
+// Smallest and largest scalar of the heat map. Each invocation walks through its share of the vertices; the CPU finishes the sum.
 // Reads what publish has written. What is not finite is left out: the state guard speaks of it.
 #include "common/io.glsl"
 COMPUTE_1D

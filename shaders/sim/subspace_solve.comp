@@ -96,7 +96,7 @@ void main() {
     last = step;
   } else {
     float slope = sums[0].z - sums[2].z;  // where the step began
-    float kept = slope < 0.0 ? min(0.5, pow(-0.25 * slope / (objective - before), 1.0 / 3.0)) : 0.0;
+    float kept = slope < 0.0 ? min(0.5, pow(-0.25 * slope / (objective - before - slope), 1.0 / 3.0)) : 0.0;
     if (!(kept >= 0.0)) kept = 0.0;
     step = vec3(0.0, 0.0, kept - 1.0);
     last = vec3(0.0, 0.0, kept);

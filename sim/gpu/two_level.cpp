@@ -15,11 +15,11 @@ TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& mo
       vertex_tets_(make_vertex_tets(buffers)),
       block_inverse_("block_inverse", 2 * sizeof(vec4) * buffers.vertex_count),
       vertices_(programs, buffers.vertex_count, true),
-      tets_(programs, buffers.pair_and_single_count(), true),
+      pairs_(programs, buffers.pair_and_single_count(), true),
       fine_direction_("fine_direction", gradient_.gradient().bytes()),
       last_step_("last_step", gradient_.gradient().bytes()),
       previous_gradient_("previous_gradient", gradient_.gradient().bytes()),
-      partials_("subspace_partials", sizeof(vec4) * (3 * vertices_.partials + tets_.partials)),
+      partials_("subspace_partials", sizeof(vec4) * (3 * vertices_.partials + pairs_.partials)),
       state_("subspace_state", kStateFloats * sizeof(float)) {
   set_acceleration(programs, buffers, settings);
 }
@@ -165,18 +165,18 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
       sums.emplace_back("guarded_terms", &guarded_curvature_);
       sum_defines.emplace_back("GUARDED_ELSEWHERE", "1");
     }
-    passes.push_back(r.sum_over_pairs("sim/subspace_curvature.comp", sum_defines, std::move(sums), tets_, {{"first_partial", 3 * vertices_.partials}}));
+    passes.push_back(r.sum_over_pairs("sim/subspace_curvature.comp", sum_defines, std::move(sums), pairs_, {{"first_partial", 3 * vertices_.partials}}));
     if (r.deferred) passes.push_back(r.over_deferred("sim/guarded_curvature_clear.comp", {}, {{"guarded_curvature", &guarded_curvature_}}));
   }
   gl::ComputePass::Bindings solve{{"dot_partials", &partials_}, {"subspace_state", &state_}};
   gl::ComputePass::Constants constants{{"partials", vertices_.partials}};
   if (!last) {
-        constants.emplace_back("curvature_count", tets_.partials);
+    constants.emplace_back("curvature_count", pairs_.partials);
     constants.emplace_back("remembers", remembers_ && !first);
   }
   passes.emplace_back(r.programs.compute("sim/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}}), std::move(solve), 1,
                       std::move(constants))
-      .loops(vertices_.partials + tets_.partials + 2 * Reduction::kGroup);
+      .loops(vertices_.partials + pairs_.partials + 2 * Reduction::kGroup);
   gl::ComputePass::Bindings update{
       {"subspace_state", &state_}, {"step_before", &last_step_}, {"iterate", &r.buffers.displacement}, {"displacement", &r.buffers.displacement}};
   if (!last) {

@@ -46,7 +46,7 @@ class TwoLevelMethod : public StepMethod {
   StepGradient gradient_;
   CoarseLevel coarse_;
   gl::Buffer vertex_tets_, block_inverse_;
-  Reduction vertices_, tets_;
+  Reduction vertices_, pairs_;
   gl::Buffer fine_direction_, coarse_direction_;  // vec4 [vertex_count]; the two directions, whatever they are
   gl::Buffer last_step_, previous_gradient_;      // vec4 [vertex_count]
   gl::Buffer partials_, state_;  // partials_: vec4, three sums over the vertices and one over the pairs

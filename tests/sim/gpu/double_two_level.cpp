@@ -119,7 +119,7 @@ void DoubleTwoLevel::descend(Acceleration acceleration) {
   const VectorXd g = gradient(u_, objective);
   if (objective > objective_) {
     const double slope = last_step_.dot(previous_gradient_);
-    const double kept = slope < 0 ? std::min(0.5, std::cbrt(-0.25 * slope / (objective - objective_))) : 0;
+    const double kept = slope < 0 ? std::min(0.5, std::cbrt(-0.25 * slope / (objective - objective_ - slope))) : 0;
     u_ -= (1 - kept) * last_step_;
     last_step_ *= kept;
     return;
