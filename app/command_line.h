@@ -36,6 +36,8 @@ void add_size(CLI::App& command, int& width, int& height);
 void add_graphics(CLI::App& command, CommonOptions& options);
 void add_common(CLI::App& command, CommonOptions& options);  // add_graphics() and what opens and steps a scene
 
+/// For options that are finite numbers.
+CLI::Validator at_least(double least);
 
 /// One of `choices`, which the help shows as a|b|c. `name` begins with "--", or is a positional's.
 CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& field, const std::vector<std::string>& choices,

@@ -9,11 +9,11 @@ void add_run(CLI::App& program, Invocation& invocation) {
   CLI::App& command = *program.add_subcommand("run", "simulate and draw nothing");
   add_common(command, *options);
   command.add_option("--export", options->export_path, "the state after the last step: .vtu, .csv, .msh or .obj")->type_name("FILE");
-  command.add_option("--every", options->every, "export every K-th step as numbered files")->type_name("K")->check(CLI::PositiveNumber);
+  command.add_option("--every", options->every, "export every K-th step as numbered files")->type_name("K")->check(at_least(1));
   auto* history = command.add_option("--history", options->history, "a row per step: energies, volume, forces, residual, times")->type_name("FILE.csv");
   command.add_option("--history-every", options->history_every, "a row every K-th step")
       ->type_name("K")
-      ->check(CLI::PositiveNumber)
+      ->check(at_least(1))
       ->needs(history)
       ->capture_default_str();
   command.add_option("--probe", options->probe, "vertex whose displacement the history has; default: the one farthest from the supports")

@@ -1,9 +1,23 @@
 // Options that several commands have.
+#include <cmath>
 #include <cstdio>
+#include <sstream>
 
 #include "app/command_line.h"
 
 namespace fascia {
+
+CLI::Validator at_least(double least) {
+  std::ostringstream text;
+  text << "a number from " << least << " on";
+  return CLI::Validator(
+      [least, expected = text.str()](std::string& value) {
+        double number = 0;
+        const bool good = CLI::detail::lexical_cast(value, number) && std::isfinite(number) && number >= least;
+        return good ? std::string() : value + " is not " + expected;
+      },
+      "");
+}
 
 CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& field, const std::vector<std::string>& choices,
                         const std::string& help) {
@@ -51,10 +65,10 @@ void add_common(CLI::App& command, CommonOptions& options) {
       ->type_name("KEY=VALUE;...")
       ->allow_extra_args(false);
   command.add_option("--replay", options.replay, "recorded inputs, with the scene they were made on")->type_name("FILE.fascia");
-  auto* steps = command.add_option("--steps", options.steps, "steps to simulate")->check(CLI::NonNegativeNumber);
+  auto* steps = command.add_option("--steps", options.steps, "steps to simulate")->check(at_least(0));
   command.add_option("--time", options.time, "seconds to simulate; default: the scene's duration")
       ->type_name("SECONDS")
-      ->check(CLI::NonNegativeNumber)
+      ->check(at_least(0))
       ->excludes(steps);
   command.add_flag("--static", options.static_equilibrium, "static equilibrium instead of motion");
   command.add_flag("--reference", options.reference, "the double-precision CPU solver instead of the GPU");

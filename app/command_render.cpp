@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/interrupt.h"
+#include "app/output_files.h"
 #include "app/usage_error.h"
 #include "app/video_render.h"
 #include "sim/error.h"
@@ -38,7 +39,17 @@ int command_render(const RenderOptions& options) {
     throw UsageError("fascia render", "no output named", "expected --out FILE.png, --video FILE.mp4, --compare GOLDEN.png or several of them");
   if (options.static_equilibrium && !options.video.empty())
     throw UsageError("--static", "has no motion to put into " + options.video, "leave out --video");
+  require_steps_or_static(options);
+  std::optional<EndAtOnce> opening(std::in_place);
   Headless headless(options);
+  opening.reset();
+  std::vector<std::filesystem::path> inputs = input_files(headless.session().simulation.scene);
+  for (const std::string& golden : {options.compare, options.state}) {
+    if (std::error_code ec; !golden.empty() && !options.update && !std::filesystem::exists(golden, ec))
+      throw Error(golden, "no such golden", "expected one to compare with; --update writes it");
+    inputs.emplace_back(golden);
+  }
+  require_outputs({{"--out", options.out, {".png"}}, {"--diff", options.difference, {".png"}}}, inputs);
   if (!options.video.empty() && headless.session().display().background == Background::transparent)
     throw Error("--video", "has no transparency", "expected another display.background");
   std::optional<VideoRender> video;

@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/graphics.h"
 #include "app/interrupt.h"
+#include "app/output_files.h"
 #include "app/sample.h"
 #include "app/simulation.h"
 #include "app/stats.h"
@@ -69,10 +70,15 @@ int command_run(const RunOptions& options) {
                 options.export_path.empty() ? "expected --export FILE beside it" : "leave out one of them");
   if (!options.history.empty() && options.static_equilibrium)
     throw UsageError("--history", "has no steps to follow with --static", "leave out one of them");
+  require_steps_or_static(options);
+  std::optional<EndAtOnce> opening(std::in_place);
   Opened opened = open_input(options, options.sets);
+  require_outputs({{"--export", options.export_path, state_endings}, {"--history", options.history, {}}, {"--stats", options.stats, {}}},
+                  input_files(opened.scene));
   Graphics graphics;
   if (!options.reference) graphics = open_graphics(options, false, 16, 16, workload_of(opened.scene, opened.model, false));
   Simulation simulation(std::move(opened.scene), std::move(opened.model), graphics.programs.get(), options.reference);
+  opening.reset();
   if (opened.replay) simulation.play(std::move(*opened.replay));
   if (options.error) simulation.gpu()->solve_everything();
   announce(options, graphics, simulation.model.notes);
@@ -95,13 +101,14 @@ int command_run(const RunOptions& options) {
 
   const Clock::time_point start = Clock::now();
   if (options.static_equilibrium) {
-    const reference::NewtonReport report = simulation.solve_static();
+    const StaticReport report = simulation.solve_static();
+    if (interrupted()) return exit_interrupted;
+    require_equilibrium(simulation, report);
     stats.solve_ms.push_back(milliseconds_since(start));
     stats.step_ms = stats.solve_ms;
     stats.residual = report.relative_residual;
     stats.steps = 1;
-    if (!options.quiet || !report.converged)
-      std::cerr << "fascia: " << describe(report, options.reference) << '\n';
+    if (!options.quiet) std::cerr << "fascia: " << describe(report) << '\n';
   } else {
     const long steps = steps_to_run(options, simulation);
     if (series) export_frame();

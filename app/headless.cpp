@@ -66,9 +66,14 @@ Headless::Headless(const RenderOptions& options, Opened opened)
 void Headless::run(const std::function<void()>& after_step) {
   Simulation& simulation = session_.simulation;
   if (options_.static_equilibrium) {
-    const reference::NewtonReport report = simulation.solve_static();
-    if (!options_.quiet || !report.converged) std::cerr << "fascia: " << describe(report, options_.reference) << '\n';
-    if (split_) split_->b().simulation.solve_static();
+    const auto settle = [&](Simulation& side) {
+      const StaticReport report = side.solve_static();
+      if (interrupted()) return;
+      require_equilibrium(side, report);
+      if (!options_.quiet) std::cerr << "fascia: " << describe(report) << '\n';
+    };
+    settle(simulation);
+    if (split_) settle(split_->b().simulation);
     return;
   }
   if (after_step) after_step();

@@ -5,14 +5,17 @@
 namespace fascia {
 namespace {
 
-volatile std::sig_atomic_t flag = 0;
+volatile std::sig_atomic_t flag = 0, ends_at_once = 0;
+std::stop_source source;  // requests are atomic operations as long as nobody registers callbacks
 
 }  // namespace
 
 void catch_interrupts() {
   const auto remember = [](int signal) {
-    flag = 1;
     std::signal(signal, SIG_DFL);
+    if (ends_at_once) std::raise(signal);
+    flag = 1;
+    source.request_stop();
   };
   std::signal(SIGINT, remember);
   std::signal(SIGTERM, remember);
@@ -21,5 +24,10 @@ void catch_interrupts() {
 }
 
 bool interrupted() { return flag != 0; }
+
+std::stop_token interrupt_token() { return source.get_token(); }
+
+EndAtOnce::EndAtOnce() { ends_at_once = 1; }
+EndAtOnce::~EndAtOnce() { ends_at_once = 0; }
 
 }  // namespace fascia

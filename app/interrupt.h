@@ -1,5 +1,6 @@
 // Ctrl-C asks politely: commands finish the file being written and return 130.
 #pragma once
+#include <stop_token>
 
 namespace fascia {
 
@@ -7,5 +8,16 @@ namespace fascia {
 /// file that may not grow is an error with a message, not an end without one.
 void catch_interrupts();
 bool interrupted();
+/// Stop is requested when interrupted() becomes true. To be asked, not to hang callbacks on: these would run in the signal's handler.
+std::stop_token interrupt_token();
+
+/// While one lives the first signal ends the program at once, too: for work that does not look at the flag and leaves nothing half done.
+class EndAtOnce {
+ public:
+  EndAtOnce();
+  ~EndAtOnce();
+  EndAtOnce(const EndAtOnce&) = delete;
+  EndAtOnce& operator=(const EndAtOnce&) = delete;
+};
 
 }  // namespace fascia

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "app/interrupt.h"
 #include "app/paths.h"
 #include "app/replay_time.h"
 #include "app/usage_error.h"
@@ -197,20 +198,33 @@ reference::State Simulation::go_on_as_replay() {
 
 double Simulation::time() const { return reference_ ? reference_state_.time : gpu_->time(); }
 
-reference::NewtonReport Simulation::solve_static() {
+StaticReport Simulation::solve_static() {
   pull(with_hands_at_last(other_springs_, model.hands));
-  if (!reference_) {
-    equilibrium_.emplace();
-    return march_to_equilibrium(*gpu_, model, scene.solver.tolerance > 0 ? scene.solver.tolerance : 1e-5, *equilibrium_);
+  StaticReport report;
+  const auto by_newton = [&](reference::State& state, double tolerance) {
+    reference::NewtonSolver solver(model, scene.solver, interrupt_token());
+    solver.set_springs(springs_);
+    const reference::NewtonReport newton = solver.solve_static(state, tolerance);
+    report.newton_iterations = newton.iterations;
+    if (newton.converged || reference_) report.relative_residual = newton.relative_residual;
+    report.converged = newton.converged;
+    if (gpu_ && (newton.converged || reference_)) gpu_->upload(state);
+  };
+  if (reference_) {
+    by_newton(reference_state_, scene.solver.tolerance);
+    return report;
   }
-  newton_report_ = reference_->solve_static(reference_state_, scene.solver.tolerance);
-  if (!newton_report_.converged)
-    throw Error(scene.file.string(),
-                "static equilibrium not reached: relative residual " + std::to_string(newton_report_.relative_residual) +
-                    " after " + std::to_string(newton_report_.iterations) + " Newton iterations",
-                "expected a body that is held and a load it can carry");
-  if (gpu_) gpu_->upload(reference_state_);
-  return newton_report_;
+  const double tolerance = scene.solver.tolerance > 0 ? scene.solver.tolerance : 1e-5;
+  equilibrium_.emplace();
+  const reference::NewtonReport march = march_to_equilibrium(*gpu_, model, tolerance, *equilibrium_, interrupt_token());
+  report = {march.iterations, 0, march.relative_residual, march.converged};
+  constexpr double kNear = 1e-2;  // from farther away Newton's method finds no way, either, and takes long for it
+  if (march.converged || march.relative_residual > kNear || model.tets.size() > reference::NewtonSolver::kMostTets || interrupted())
+    return report;
+  reference::State exact = *equilibrium_;
+  by_newton(exact, tolerance);
+  if (report.converged) equilibrium_ = std::move(exact);
+  return report;
 }
 
 void Simulation::set_settings(const SolverSettings& settings) {
@@ -316,11 +330,31 @@ double Simulation::mean_iterations() const {
   return gpu_ && !reference_ ? gpu_->mean_iterations() : scene.solver.iterations;
 }
 
-std::string describe(const reference::NewtonReport& report, bool newton) {
+void require_steps_or_static(const CommonOptions& options) {
+  if (options.static_equilibrium && (options.steps || options.time))
+    throw UsageError(options.steps ? "--steps" : "--time", "means nothing with --static", "leave out one of them");
+}
+
+std::vector<std::filesystem::path> input_files(const Scene& scene) {
+  std::vector<std::filesystem::path> files{scene.file};
+  for (const Body& body : scene.bodies) files.push_back(scene.resolve(body.mesh));
+  return files;
+}
+
+std::string describe(const StaticReport& report) {
   std::ostringstream text;
-  text << (report.converged ? "static equilibrium" : "not quite in static equilibrium") << " after " << report.iterations
-       << (newton ? " Newton" : "") << " iterations, relative residual " << report.relative_residual;
+  text << (report.converged ? "static equilibrium after " : "no static equilibrium after ");
+  if (report.iterations > 0) text << report.iterations << (report.newton_iterations > 0 ? " and " : " ");
+  if (report.newton_iterations > 0) text << report.newton_iterations << " Newton ";
+  text << "iterations, relative residual " << report.relative_residual;
   return text.str();
+}
+
+void require_equilibrium(const Simulation& simulation, const StaticReport& report) {
+  constexpr double kFloat32 = 1e-3;  // what rounding leaves of soft slender bodies, with room
+  const bool only_march = simulation.model.tets.size() > reference::NewtonSolver::kMostTets;
+  if (report.converged || (only_march && report.relative_residual <= kFloat32)) return;
+  throw Error(simulation.scene.file.string(), describe(report), "expected a body that is held and a load it can carry");
 }
 
 Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets) {
@@ -331,17 +365,33 @@ Opened open_file(const std::filesystem::path& path, const std::vector<std::strin
 Opened open_input(const CommonOptions& options, const std::vector<std::string>& sets) {
   std::vector<std::string> overrides = sets;
   for (const std::string& grab : options.grabs) overrides.push_back("--grab " + grab);
-  if (options.replay.empty())
-    return open_file(options.input.empty() ? default_scene(find_data_dir(options.data_dir)) : std::filesystem::path(options.input), overrides);
-  if (!options.input.empty()) throw UsageError("--replay", "has a scene of its own", "leave out " + options.input);
-  return open_replay(options.replay, overrides);
+  if (!options.replay.empty() && !options.input.empty()) throw UsageError("--replay", "has a scene of its own", "leave out " + options.input);
+  try {
+    Opened opened = !options.replay.empty() ? open_replay(options.replay, overrides)
+                    : options.input.empty() ? open_file(default_scene(find_data_dir(options.data_dir)), overrides)
+                                            : open_file(options.input, overrides);
+    const auto names = [&](const std::string& key) {
+      return std::any_of(sets.begin(), sets.end(), [&](const std::string& set) { return set.starts_with(key); });
+    };
+    if (names("solver.method=") != names("solver.acceleration="))  // the other one may have changed with it
+      opened.model.notes.push_back("solver: " + name_of(opened.scene.solver.pair()));
+    return opened;
+  } catch (const Error& error) {
+    if (std::string(error.what()).starts_with("--")) throw UsageError(error.what());  // the option's fault, not the file's
+    throw;
+  }
 }
 
 long steps_to_run(const CommonOptions& options, const Simulation& simulation) {
   if (options.steps) return *options.steps;
   const double time_step = simulation.scene.solver.time_step;
   if (options.time && simulation.replay()) return ReplayTime(*simulation.replay()).steps(*options.time);
-  if (options.time) return std::lround(*options.time / time_step);
+  if (options.time) {
+    const long steps = std::lround(*options.time / time_step);
+    if (steps == 0 && *options.time > 0)
+      throw UsageError("--time " + std::to_string(*options.time), "is less than half a step", "expected at least " + std::to_string(time_step) + " s, or 0");
+    return steps;
+  }
   return simulation.replay() ? simulation.replay()->steps : std::lround(simulation.scene.duration / time_step);
 }
 

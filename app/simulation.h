@@ -14,6 +14,13 @@
 
 namespace fascia {
 
+/// Of the search for a static equilibrium.
+struct StaticReport {
+  int iterations = 0, newton_iterations = 0;  // of the scene's method, and of Newton's
+  double relative_residual = 0;               // reference::NewtonReport
+  bool converged = false;                     // to the tolerance
+};
+
 class Simulation {
  public:
   /// `built`: build_model(scene). `programs` null: no GPU at all, which only the reference solver can do without. Throws Error.
@@ -48,9 +55,10 @@ class Simulation {
   reference::State go_on_as_replay();
   double time() const;
   double simulated() const { return simulated_; }  // in all steps made [s]: goes on where time() goes back
-  /// Static equilibrium, by the reference solver to 1e-10 or by the GPU to 1e-5, or to solver.tolerance if that is given. Throws Error
-  /// when the reference solver does not reach it; the GPU's report tells how far float32 went.
-  reference::NewtonReport solve_static();
+  /// Static equilibrium, by the reference solver to 1e-10 or by the GPU to 1e-5, or to solver.tolerance if that is given. Where float32
+  /// does not go so far, Newton's method in double precision goes on from there, with meshes that are not too large for it. The report
+  /// tells how far it got; Ctrl-C ends it unconverged.
+  StaticReport solve_static();
 
   void set_settings(const SolverSettings& settings);
   void set_material(std::size_t index, const Material& material);  // of model.materials
@@ -144,7 +152,16 @@ class Simulation {
 };
 
 /// "static equilibrium after 12 Newton iterations, relative residual 1e-11"
-std::string describe(const reference::NewtonReport& report, bool newton);
+/// Throws UsageError for --static beside a number of steps.
+void require_steps_or_static(const CommonOptions& options);
+
+/// The scene's file and its meshes.
+std::vector<std::filesystem::path> input_files(const Scene& scene);
+
+/// One line.
+std::string describe(const StaticReport& report);
+/// Throws Error where it is no equilibrium: neither to the tolerance nor, with a mesh too large for Newton's method, as far as float32 goes.
+void require_equilibrium(const Simulation& simulation, const StaticReport& report);
 
 /// What a command opens: --replay's scene, else the scene or mesh that is named, else the default one.
 struct Opened {

@@ -21,7 +21,7 @@ struct StepError {
 
 class TrueError {
  public:
-  static constexpr std::size_t kMostTets = 200'000;  // bounds time and memory of the reference solver's factor
+  static constexpr std::size_t kMostTets = reference::NewtonSolver::kMostTets;
 
   TrueError() = default;
   TrueError(const TrueError&) = delete;

@@ -49,8 +49,8 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
   }
   input_.take();  // what was pressed meanwhile is not for the scene
   if (options.static_equilibrium) {
-    const reference::NewtonReport report = session_->simulation.solve_static();
-    if (!options.quiet || !report.converged) std::cerr << "fascia: " << describe(report, options.reference) << '\n';
+    const StaticReport report = session_->simulation.solve_static();
+    if (!options.quiet || !report.converged) std::cerr << "fascia: " << describe(report) << '\n';
     state_.paused = true;
   }
   if (options.steps || options.time) steps_left_ = steps_to_run(options, session_->simulation);

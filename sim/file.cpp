@@ -156,7 +156,7 @@ std::string lower_ending(const fs::path& path) {
   return ending;
 }
 
-void write_file(const fs::path& path, const std::function<void(std::ostream&)>& writer) {
+void require_writable(const fs::path& path) {
   std::error_code ec;
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ec)) {
@@ -164,15 +164,26 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
   }
   const fs::file_status status = fs::status(path, ec);
   if (fs::is_directory(status)) throw Error(path.string(), "is a directory", "expected a file name");
+  if (fs::exists(status) && !fs::is_regular_file(status)) return;
+  // A rename would replace a read-only file too; whoever made it so wants to keep it.
+  if (fs::exists(status) && access(path.c_str(), W_OK) != 0) {
+    throw Error(path.string(), "cannot be written" + reason(errno), "expected a file that may be changed");
+  }
+  errno = 0;
+  if (!fs::exists(status) && access(folder.c_str(), W_OK) != 0) {
+    throw Error(path.string(), "cannot be written" + reason(errno), writable);
+  }
+}
+
+void write_file(const fs::path& path, const std::function<void(std::ostream&)>& writer) {
+  require_writable(path);
+  std::error_code ec;
+  const fs::file_status status = fs::status(path, ec);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
     if (const std::string problem = write_stream(path, writer); !problem.empty()) {
       throw Error(path.string(), problem, "expected a device that takes data");
     }
     return;
-  }
-  // A rename would replace a read-only file too; whoever made it so wants to keep it.
-  if (fs::exists(status) && access(path.c_str(), W_OK) != 0) {
-    throw Error(path.string(), "cannot be written" + reason(errno), "expected a file that may be changed");
   }
 
   const fs::path target = fs::is_symlink(path, ec) ? fs::weakly_canonical(path, ec) : path;

@@ -18,6 +18,9 @@ std::string read_file(const std::filesystem::path& path);
 void write_file(const std::filesystem::path& path, std::string_view content);
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& writer);
 
+/// Throws as write_file() would, as far as that can be known before: to be asked before long work whose result goes there.
+void require_writable(const std::filesystem::path& path);
+
 /// A name beside `path` for a file still being written, another one at every call (same ending, so that child
 /// processes know the format). Its process is part of the name.
 std::filesystem::path temporary_name(const std::filesystem::path& path);

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kIterations = 30;        // of the method per step
 constexpr int kPatience = 12;          // steps that may gain nothing
+constexpr double kStill = 1e-4;        // of the body's size: less is no way. A slender body falls over for long with one residual
 constexpr int kMostSteps = 400;
 constexpr double kFirstStep = 1.0 / 30;  // [s]
 constexpr double kLongestStep = 300;     // [s] inertia is nothing for whatever fits on a table
@@ -35,9 +36,17 @@ int increments(const Model& model, const std::vector<GrabSpring>& springs, doubl
   return std::clamp(static_cast<int>(std::ceil(3 * farthest / width)), 1, 300);
 }
 
+double farthest_way(const reference::State& from, const reference::State& to) {
+  double farthest = 0;
+  for (std::size_t v = 0; v < to.displacement.size(); ++v)
+    farthest = std::max(farthest, (to.displacement[v] - from.displacement[v]).norm());
+  return farthest;
+}
+
 }  // namespace
 
-reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance, reference::State& equilibrium) {
+reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance, reference::State& equilibrium,
+                                             const std::stop_token& stop) {
   reference::require_supports(model);
   const SolverSettings settings = solver.settings();
   SolverSettings marching = settings;
@@ -65,7 +74,7 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
   const double begin = state.time, end = std::max(begin, model.end_of_motions());
   if (end > begin || !springs.empty()) {
     const int count = increments(model, springs, solver.buffers().volume);
-    for (int k = 1; k <= count; ++k) {
+    for (int k = 1; k <= count && !stop.stop_requested(); ++k) {
       std::vector<GrabSpring> part = springs;
       for (GrabSpring& spring : part) spring.target *= static_cast<double>(k) / count;
       solver.set_grab(part);
@@ -76,9 +85,11 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
   report.relative_residual = reference::static_residual(model, state, springs);
   double last = report.relative_residual;
   for (int steps = 0, idle = 0; steps < kMostSteps && idle < kPatience && report.relative_residual > tolerance; ++steps) {
+    if (stop.stop_requested()) break;
+    const reference::State before = state;
     step_to(end);
     const double residual = reference::static_residual(model, state, springs);
-    ++idle;
+    idle = farthest_way(before, state) > kStill * solver.buffers().size ? 0 : idle + 1;
     if (residual < report.relative_residual) {
       if (residual < 0.9 * report.relative_residual) idle = 0;
       report.relative_residual = residual;

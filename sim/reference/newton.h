@@ -54,6 +54,9 @@ struct NewtonReport {
 /// Keeps a reference to the model, which must not change.
 class NewtonSolver {
  public:
+  /// Meshes up to which a desktop has the time and the memory for its factor. A guess, and not enforced here.
+  static constexpr std::size_t kMostTets = 200'000;
+
   /// A solve ends unconverged soon after `stop` is requested.
   NewtonSolver(const Model& model, const SolverSettings& settings, std::stop_token stop = {});
   ~NewtonSolver();
