@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <numbers>
+#include <sstream>
 
 #include "sim/error.h"
 #include "sim/file.h"
@@ -16,7 +17,13 @@ constexpr double kLowestShare = 0.02;  // of the height: how much of a mesh open
 
 /// The first character that is no space, without reading the whole of a large mesh.
 char first_character(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
+  std::error_code ec;
+  std::ifstream file;
+  std::istringstream kept;
+  const bool is_file = std::filesystem::is_regular_file(path, ec);
+  if (is_file) file.open(path, std::ios::binary);
+  else kept.str(read_file(path));  // what a stream takes of a pipe is gone
+  std::istream& in = is_file ? static_cast<std::istream&>(file) : kept;
   char c = 0;
   if (in >> c) return c;
   read_file(path);  // says so if it is no readable file

@@ -1,6 +1,11 @@
 // Scenes that open: defaults, every key, both kinds of file, round trip.
-#include <set>
+#include <sys/stat.h>
 
+#include <fstream>
+#include <set>
+#include <thread>
+
+#include "sim/model.h"
 #include "tests/sim/scene_test.h"
 
 using namespace fascia;
@@ -280,4 +285,13 @@ TEST_CASE("one value of a section or of separate tets turns them on") {
   CHECK(file.open({"display.section.normal=[0,0,-2]"}).display.section == SectionPlane{{0, 0, -2}, 0});
   CHECK(file.open({"display.tets.spread=0.5"}).display.tets == SeparateTets{0.85, 0.5});
   CHECK(!file.open().display.section);
+}
+
+TEST_CASE("a mesh that comes through a pipe is opened as one that is a file") {
+  const TemporaryFolder folder;
+  REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  const std::string content = read_file(source_dir() / "assets/meshes/cube.msh");
+  std::jthread writer([&] { std::ofstream(folder / "pipe") << content; });
+  const Scene scene = open_scene(folder / "pipe");
+  CHECK(build_model(scene).tets == build_model(open_scene(source_dir() / "assets/meshes/cube.msh")).tets);
 }
