@@ -43,7 +43,6 @@ MeshFile read_mesh_content(const fs::path& path, std::string_view content) {
   MeshFile file;
   if (content.empty()) throw Error(path.string(), "is empty", known_formats);
   Scanner in(path.string(), content);
-  if (content.starts_with("\xef\xbb\xbf")) in.seek(3);  // UTF-8 byte order mark
   const std::string_view text = content.substr(in.offset());
 
   Scanner peek = in;

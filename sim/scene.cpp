@@ -15,7 +15,9 @@ namespace {
 
 constexpr double kLowestShare = 0.02;  // of the height: how much of a mesh opened alone is held
 
-/// The first character that is no space, without reading the whole of a large mesh.
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors start text files with it
+
+/// The first character that is no space and no byte order mark, without reading the whole of a large mesh.
 char first_character(const std::filesystem::path& path) {
   std::error_code ec;
   std::ifstream file;
@@ -24,17 +26,15 @@ char first_character(const std::filesystem::path& path) {
   if (is_file) file.open(path, std::ios::binary);
   else kept.str(read_file(path));  // what a stream takes of a pipe is gone
   std::istream& in = is_file ? static_cast<std::istream&>(file) : kept;
-  char c = 0;
-  if (in >> c) return c;
+  for (char c = 0; in >> c;)
+    if (kByteOrderMark.find(c) == kByteOrderMark.npos) return c;
   read_file(path);  // says so if it is no readable file
   throw Error(path.string(), "is empty", "expected a scene (JSON) or a tet mesh");
 }
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors start JSON files with it
-
 bool is_scene(const std::filesystem::path& path) {
   const char first = first_character(path);
-  return first == '{' || first == kByteOrderMark[0] || path.extension() == ".json";
+  return first == '{' || path.extension() == ".json";
 }
 
 Scene read_document(nlohmann::json document, const std::filesystem::path& path, const std::vector<std::string>& overrides) {

@@ -58,6 +58,16 @@ TEST_CASE("the format is found in the content, whatever the ending", "[mesh_io]"
   }
 }
 
+TEST_CASE("TetGen files may begin with a byte order mark", "[mesh_io]") {
+  const TemporaryFolder folder;
+  for (MeshSample sample : other_samples()) {
+    if (sample.node_content.empty()) continue;
+    sample.content = "\xef\xbb\xbf" + sample.content;
+    sample.node_content = "\xef\xbb\xbf" + sample.node_content;
+    check_sample(read_mesh(write_sample(folder, sample)), sample);
+  }
+}
+
 TEST_CASE("writing and reading back keeps what the format can hold", "[mesh_io]") {
   const TemporaryFolder folder;
   TetMesh mesh = sample_mesh();

@@ -154,6 +154,7 @@ TEST_CASE("a scene is told from a mesh by its content, or by the ending .json") 
   CHECK(SceneFile("\n\t " + scene_text(), "scene.txt").open().bodies[0].mesh == "m.msh");
   CHECK(SceneFile("\xEF\xBB\xBF" + scene_text(), "scene.txt").open().bodies[0].mesh == "m.msh");
   CHECK(SceneFile("# vtk", "x.txt").open().bodies[0].mesh == "x.txt");
+  CHECK(SceneFile("\xEF\xBB\xBF# vtk", "x.txt").open().bodies[0].mesh == "x.txt");
   CHECK(SceneFile("\"fascia_scene\": 1}", "s.json").open_error().find("s.json:1:15: ") == 0);
 }
 
