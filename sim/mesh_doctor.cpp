@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "sim/surface.h"
+#include "sim/vertex_places.h"
 
 namespace fascia {
 namespace {
@@ -123,6 +124,7 @@ void examine_vertices(const TetMesh& mesh, const std::vector<Tet>& tets, MeshRep
   }
   report.unused_vertices = used.size() - used_count;
   report.components = used_count - joins;
+  report.coincident_vertices = count_coincident(mesh.positions, tets);
 }
 
 /// A surface is manifold when each edge joins two triangles and the triangles around each vertex form one

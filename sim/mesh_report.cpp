@@ -131,6 +131,8 @@ void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& rep
   line(out, "format") << file.format << "\n";
   line(out, "vertices") << report.vertex_count;
   if (report.unused_vertices > 0) out << ", " << report.unused_vertices << " of them in no usable tet";
+  if (report.coincident_vertices > 0)
+    out << ", " << report.coincident_vertices << " of them at the place of an earlier one, not joined: convert --weld makes them one";
   out << "\n";
   line(out, "tets") << report.tet_count;
   if (report.usable_tets != report.tet_count) out << ", " << report.usable_tets << " of them usable";

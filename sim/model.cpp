@@ -13,6 +13,7 @@
 #include "sim/model_selection.h"
 #include "sim/report_text.h"
 #include "sim/surface_fill.h"
+#include "sim/vertex_places.h"
 
 namespace fascia {
 namespace {
@@ -79,6 +80,9 @@ void add_notes(const LoadedBody& loaded, std::vector<std::string>& notes) {
     notes.push_back(name + ": " + std::to_string(unused) + (unused == 1 ? " vertex" : " vertices") +
                     " in no tet, kept in exports");
   }
+  if (const std::size_t count = count_coincident(loaded.file.mesh.positions, loaded.repaired.tets); count > 0)
+    notes.push_back(name + ": " + std::to_string(count) + (count == 1 ? " vertex" : " vertices") +
+                    " at the place of an earlier one, not joined: fascia convert --weld makes them one");
 }
 
 void add_materials(const LoadedBody& loaded, Model& model, BodyPart& part) {
