@@ -182,6 +182,7 @@ MeshReport examine(const TetMesh& mesh, const MeshRepair& repaired) {
   report.flipped = repaired.flipped.size();
   report.degenerate = repaired.degenerate.size();
   report.duplicated = repaired.duplicated.size();
+  report.far_vertices = far_vertices(mesh);
   examine_tets(mesh, repaired, report);
   examine_vertices(mesh, repaired.tets, report);
   examine_boundary(boundary_triangles(repaired.tets), mesh.positions.size(), report);

@@ -55,7 +55,7 @@ LoadedBody load(const Scene& scene, std::size_t index, const Progress& progress)
   if (loaded.repaired.tets.empty()) {
     throw Error(
         path.string(),
-        "has no tet with volume (" + std::to_string(loaded.repaired.degenerate.size()) + " degenerate)",
+        "has no tet higher than 1e-7 of its longest edge (" + std::to_string(loaded.repaired.degenerate.size()) + " degenerate)",
         "expected at least one");
   }
   loaded.used = used_vertices(loaded.repaired.tets, loaded.file.mesh.positions.size());
@@ -80,6 +80,9 @@ void add_notes(const LoadedBody& loaded, std::vector<std::string>& notes) {
     notes.push_back(name + ": " + std::to_string(unused) + (unused == 1 ? " vertex" : " vertices") +
                     " in no tet, kept in exports");
   }
+  if (const std::vector<std::uint32_t> far = far_vertices(loaded.file.mesh); !far.empty())
+    notes.push_back(name + ": " + std::to_string(far.size()) + (far.size() == 1 ? " vertex" : " vertices") +
+                    " far from all others (vertex " + std::to_string(far.front()) + " at " + point(loaded.file.mesh.positions[far.front()]) + ")");
   if (const std::size_t count = count_coincident(loaded.file.mesh.positions, loaded.repaired.tets); count > 0)
     notes.push_back(name + ": " + std::to_string(count) + (count == 1 ? " vertex" : " vertices") +
                     " at the place of an earlier one, not joined: fascia convert --weld makes them one");

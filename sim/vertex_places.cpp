@@ -5,6 +5,18 @@
 #include <numeric>
 
 namespace fascia {
+namespace {
+
+constexpr double kFar = 1e4;  // of the length that holds the middle half of the vertices; graded meshes stay well below
+
+std::vector<char> vertices_of(const std::vector<Tet>& tets, std::size_t vertex_count) {
+  std::vector<char> used(vertex_count, 0);
+  for (const Tet& tet : tets)
+    for (const std::uint32_t v : tet) used[v] = 1;
+  return used;
+}
+
+}  // namespace
 
 using Eigen::Vector3d;
 
@@ -21,9 +33,8 @@ std::vector<std::uint32_t> first_at_place(const std::vector<Vector3d>& positions
 }
 
 std::size_t count_coincident(const std::vector<Vector3d>& positions, const std::vector<Tet>& tets) {
-  std::vector<char> used(positions.size(), 0), taken(positions.size(), 0);
-  for (const Tet& tet : tets)
-    for (const std::uint32_t v : tet) used[v] = 1;
+  const std::vector<char> used = vertices_of(tets, positions.size());
+  std::vector<char> taken(positions.size(), 0);
   const std::vector<std::uint32_t> first = first_at_place(positions);
   std::size_t count = 0;
   for (std::size_t v = 0; v < used.size(); ++v) {
@@ -52,6 +63,29 @@ std::size_t weld(TetMesh& mesh) {
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   }
   return first.size() - kept;
+}
+
+std::vector<std::uint32_t> far_vertices(const TetMesh& mesh) {
+  const std::vector<char> used = vertices_of(mesh.tets, mesh.positions.size());
+  Vector3d middle = Vector3d::Zero();
+  double length = 0;  // that holds the middle half of the vertices
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> x;
+    for (std::size_t v = 0; v < used.size(); ++v)
+      if (used[v]) x.push_back(mesh.positions[v][axis]);
+    if (x.empty()) return {};
+    const auto value = [&](std::size_t quarter) {
+      const auto place = x.begin() + static_cast<std::ptrdiff_t>(quarter * x.size() / 4);
+      std::nth_element(x.begin(), place, x.end());
+      return *place;
+    };
+    middle[axis] = value(2);
+    length = std::max(length, value(3) - value(1));
+  }
+  std::vector<std::uint32_t> far;
+  for (std::uint32_t v = 0; length > 0 && v < used.size(); ++v)
+    if (used[v] && (mesh.positions[v] - middle).cwiseAbs().maxCoeff() > kFar * length) far.push_back(v);
+  return far;
 }
 
 }  // namespace fascia

@@ -18,4 +18,7 @@ std::size_t count_coincident(const std::vector<Eigen::Vector3d>& positions, cons
 /// Makes vertices at one place one, the first of them; the others keep their order. Returns how many are gone.
 std::size_t weld(TetMesh& mesh);
 
+/// Ascending vertices of the tets that lie 10,000 times as far out as most: slips of a digit or an exponent, hardly a shape.
+std::vector<std::uint32_t> far_vertices(const TetMesh& mesh);
+
 }  // namespace fascia

@@ -251,7 +251,7 @@ TEST_CASE("the report names what was found") {
   has("regions     2  tissue  12 tets, 6.5 m^3");
   has("groups      clamp: 3 vertices");
   has("flipped     1 tet wound inside out, reoriented: 3");
-  has("degenerate  11 tets without volume, left out: 13, 14, 15, 16, 17, 18, 19, 20, 21, 22 and 1 more");
+  has("degenerate  11 tets lower than 1e-7 of the longest edge, left out: 13, 14, 15, 16, 17, 18, 19, 20, 21, 22 and 1 more");
   has("duplicated  1 tet with the vertices of an earlier one, left out: 12");
   CHECK(text.find("\nsize        6.5 m wide, too large for tissue") != std::string::npos);
 }
@@ -292,4 +292,20 @@ TEST_CASE("a vertex of no tet is at nobody's place") {
   for (Tet& tet : mesh.tets)
     for (std::uint32_t& v : tet) ++v;
   CHECK(examine(mesh).coincident_vertices == 0);
+}
+
+TEST_CASE("a vertex that is far from all others is named, whether its tets are left out or not") {
+  for (const double far : {1e6, 1e300}) {
+    TetMesh mesh = make_box(3, 3, 3, {1, 1, 1});
+    mesh.positions[5].x() = far;
+    mesh.positions.push_back({1e9, 0, 0});  // of no tet
+    const std::string text = report_text(mesh);
+    INFO(text);
+    CHECK(examine(mesh).far_vertices == Indices{5});
+    CHECK(text.find("far off     1 vertex far from all others: 5 at (1e+") != std::string::npos);
+    CHECK(text.find("without volume") == std::string::npos);
+  }
+  TetMesh graded = make_box(9, 9, 9, {1, 1, 1});
+  for (Eigen::Vector3d& x : graded.positions) x *= std::pow(x.norm(), 3);
+  CHECK(examine(graded).far_vertices.empty());
 }

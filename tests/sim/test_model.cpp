@@ -283,7 +283,7 @@ TEST_CASE("a mesh of degenerate tets only cannot be simulated") {
   mesh.resize(mesh.find("$Elements"));
   mesh += "$Elements\n1\n1 4 2 1 1 1 2 3 3\n$EndElements\n";
   CHECK(TwoTets("", mesh).build_error() ==
-        "m.msh: has no tet with volume (1 degenerate); expected at least one");
+        "m.msh: has no tet higher than 1e-7 of its longest edge (1 degenerate); expected at least one");
 }
 
 TEST_CASE("an unreadable mesh is reported under its own name") {
