@@ -1,5 +1,6 @@
 #include "sim/mesh_io.h"
 
+#include <algorithm>
 #include <new>
 
 #include "sim/error.h"
@@ -90,6 +91,19 @@ void write_mesh(const fs::path& path, const TetMesh& mesh) {
     throw Error(path.string(), "cannot be written: its ending names no mesh format",
                 "expected .msh, .vtk, .vtu, .node, .ele or .mesh");
   }
+}
+
+std::string names_left_out(const fs::path& path, const TetMesh& mesh) {
+  const std::string ending = lower_ending(path);
+  if (ending != ".mesh" && ending != ".node" && ending != ".ele") return "";
+  std::vector<std::string> names;
+  for (const auto& [region, name] : mesh.region_names) names.push_back("region " + std::to_string(region) + " " + name);
+  for (const auto& [name, vertices] : groups_beyond_regions(mesh)) names.push_back("group " + name);
+  if (names.empty()) return "";
+  constexpr std::size_t kNamed = 8;
+  std::string text = ending + " holds the numbers of regions, no names and no groups. Left out: ";
+  for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i) text += (i ? ", " : "") + names[i];
+  return text + (names.size() > kNamed ? " and " + std::to_string(names.size() - kNamed) + " more." : ".");
 }
 
 }  // namespace fascia
