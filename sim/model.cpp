@@ -6,6 +6,7 @@
 
 #include "sim/csv.h"
 #include "sim/error.h"
+#include "sim/loose_parts.h"
 #include "sim/mesh_doctor.h"
 #include "sim/mesh_io.h"
 #include "sim/model_materials.h"
@@ -224,6 +225,7 @@ Model build_model(const Scene& scene, const Progress& progress) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(load(scene, b, progress), model);
   model.rest_positions = model.file_mesh.positions;
   for (std::size_t g = 0; g < scene.grabs.size(); ++g) model.hands.push_back(resolve_hand(scene, g, model));
+  if (std::string note = note_of_loose_parts(model); !note.empty()) model.notes.push_back(std::move(note));
   return model;
 }
 
