@@ -13,7 +13,8 @@ int command_convert(const ConvertOptions& options) {
   write_mesh(options.out, file.mesh);
   std::cerr << "fascia: " << options.out << ": " << file.mesh.positions.size() << " vertices, " << file.mesh.tets.size()
             << " tets, from " << file.format << '\n';
-  if (options.weld) std::cerr << "fascia: --weld: " << welded << " vertices at the place of an earlier one are gone\n";
+  if (options.weld)
+    std::cerr << "fascia: --weld: " << welded << (welded == 1 ? " vertex" : " vertices") << " at the place of an earlier one left out\n";
   if (const std::string lost = names_left_out(options.out, file.mesh); !lost.empty()) std::cerr << "fascia: " << lost << '\n';
   for (const std::string& note : file.notes) std::cerr << "fascia: " << note << '\n';
   return exit_done;

@@ -51,7 +51,7 @@ TEST_CASE("tets with vertices of their own are told about and welded", "[mesh_fi
   const CommandResult welded = run_fascia({"convert", apart, whole, "--weld"});
   INFO(welded.err);
   CHECK(welded.exit_code == 0);
-  CHECK_THAT(welded.err, Catch::Contains("36 vertices at the place of an earlier one are gone"));
+  CHECK_THAT(welded.err, Catch::Contains("36 vertices at the place of an earlier one left out"));
   CHECK_THAT(welded.err, Catch::Contains(".mesh holds the numbers of regions, no names and no groups. Left out: region 3 liver."));
   CHECK(read_mesh(whole).mesh.positions.size() == 12);
   CHECK_THAT(run_fascia({"info", whole}).out, Catch::Contains("components  1\n") && !Catch::Contains("held nowhere"));
