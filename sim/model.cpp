@@ -83,7 +83,8 @@ void add_notes(const LoadedBody& loaded, std::vector<std::string>& notes) {
   }
   if (const std::vector<std::uint32_t> far = far_vertices(loaded.file.mesh); !far.empty())
     notes.push_back(name + ": " + std::to_string(far.size()) + (far.size() == 1 ? " vertex" : " vertices") +
-                    " far from all others (vertex " + std::to_string(far.front()) + " at " + point(loaded.file.mesh.positions[far.front()]) + ")");
+                    " far from all others (vertex " + std::to_string(far.front()) + " at " +
+                    point(loaded.file.mesh.positions[far.front()]) + ")");
   if (const std::size_t count = count_coincident(loaded.file.mesh.positions, loaded.repaired.tets); count > 0)
     notes.push_back(name + ": " + std::to_string(count) + (count == 1 ? " vertex" : " vertices") +
                     " at the place of an earlier one, not joined: fascia convert --weld makes them one");

@@ -229,7 +229,8 @@ TEST_CASE("what a format cannot hold of the names is said", "[mesh_io]") {
   mesh.groups = region_groups(mesh);
   mesh.groups["clamp"] = {0, 1, 2};
   for (const char* name : {"m.msh", "m.vtk", "m.vtu"}) CHECK(names_left_out(name, mesh).empty());
-  CHECK(names_left_out("m.MESH", mesh) == ".mesh holds the numbers of regions, no names and no groups. Left out: region 3 left part, group clamp.");
+  CHECK(names_left_out("m.MESH", mesh) ==
+        ".mesh holds the numbers of regions, no names and no groups. Left out: region 3 left part, group clamp.");
   CHECK(names_left_out("m.node", mesh).starts_with(".node holds"));
   mesh.region_names.clear();
   mesh.groups = region_groups(mesh);
