@@ -78,6 +78,7 @@ struct InfoOptions {
 
 struct ConvertOptions {
   std::string in, out;
+  bool weld = false;
 };
 
 }  // namespace fascia

@@ -15,6 +15,8 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <system_error>
 
 #include "sim/error.h"
@@ -101,22 +103,12 @@ void remove_stale(const fs::path& target) {
   }
 }
 
-}  // namespace
-
-std::string read_file(const fs::path& path) {
-  std::error_code ec;
-  const fs::file_status status = fs::status(path, ec);
-  if (status.type() == fs::file_type::none)
-    throw Error(path.string(), "cannot be opened: " + ec.message(), "expected a readable file");
-  if (!fs::exists(status)) throw Error(path.string(), "no such file", "expected a readable file");
-  if (fs::is_directory(status)) throw Error(path.string(), "is a directory", "expected a file");
-  if (!fs::is_regular_file(status) && !fs::is_fifo(status)) {
-    throw Error(path.string(), "is a device", "expected a file");  // /dev/zero never ends
-  }
+std::string read_whole(const fs::path& path) {
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Error(path.string(), "cannot be opened" + reason(errno), "expected a readable file");
   std::string content;
+  std::error_code ec;
   if (const auto size = fs::file_size(path, ec); !ec) {  // pipes have none
     if (const std::uint64_t free = free_memory(); size > free) {
       throw Error(path.string(), "needs more than " + gigabytes(size) + " of memory, " + gigabytes(free) + " are free",
@@ -129,6 +121,30 @@ std::string read_file(const fs::path& path) {
     content.append(block, static_cast<std::size_t>(in.gcount()));
   if (in.bad()) throw Error(path.string(), "reading failed", "expected a readable file");
   return content;
+}
+
+/// A pipe gives its bytes once, and files are read more than once: to see of what kind they are, for a report, for the model.
+std::string read_pipe(const fs::path& path) {
+  static std::mutex mutex;
+  static std::map<fs::path, std::string> contents;
+  const std::lock_guard lock(mutex);
+  auto content = contents.find(path);
+  if (content == contents.end()) content = contents.emplace(path, read_whole(path)).first;
+  return content->second;
+}
+
+}  // namespace
+
+std::string read_file(const fs::path& path) {
+  std::error_code ec;
+  const fs::file_status status = fs::status(path, ec);
+  if (status.type() == fs::file_type::none)
+    throw Error(path.string(), "cannot be opened: " + ec.message(), "expected a readable file");
+  if (!fs::exists(status)) throw Error(path.string(), "no such file", "expected a readable file");
+  if (fs::is_directory(status)) throw Error(path.string(), "is a directory", "expected a file");
+  if (fs::is_fifo(status)) return read_pipe(path);
+  if (!fs::is_regular_file(status)) throw Error(path.string(), "is a device", "expected a file");  // /dev/zero never ends
+  return read_whole(path);
 }
 
 fs::path temporary_name(const fs::path& path) {

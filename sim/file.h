@@ -10,7 +10,7 @@
 namespace fascia {
 
 /// Throws Error for a missing file, a directory, a device, a file larger than the memory that is free, or a
-/// read that fails.
+/// read that fails. A pipe is read once: whoever reads it again gets the same content.
 std::string read_file(const std::filesystem::path& path);
 
 /// Throws Error (missing folder, no permission, read-only file, disk full); the old file is untouched then. A

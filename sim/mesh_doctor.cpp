@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "sim/surface.h"
+#include "sim/vertex_places.h"
 
 namespace fascia {
 namespace {
@@ -123,6 +124,7 @@ void examine_vertices(const TetMesh& mesh, const std::vector<Tet>& tets, MeshRep
   }
   report.unused_vertices = used.size() - used_count;
   report.components = used_count - joins;
+  report.coincident_vertices = count_coincident(mesh.positions, tets);
 }
 
 /// A surface is manifold when each edge joins two triangles and the triangles around each vertex form one
@@ -180,6 +182,7 @@ MeshReport examine(const TetMesh& mesh, const MeshRepair& repaired) {
   report.flipped = repaired.flipped.size();
   report.degenerate = repaired.degenerate.size();
   report.duplicated = repaired.duplicated.size();
+  report.far_vertices = far_vertices(mesh);
   examine_tets(mesh, repaired, report);
   examine_vertices(mesh, repaired.tets, report);
   examine_boundary(boundary_triangles(repaired.tets), mesh.positions.size(), report);

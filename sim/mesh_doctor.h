@@ -26,8 +26,10 @@ inline constexpr std::size_t kNamedTets = 10;
 
 struct MeshReport {
   std::size_t vertex_count = 0, tet_count = 0, usable_tets = 0, flipped = 0, degenerate = 0, duplicated = 0;
+  std::vector<std::uint32_t> far_vertices;  // see sim/vertex_places.h
   // All below is about the usable tets and their vertices.
   std::size_t unused_vertices = 0, components = 0;  // component: tets connected through shared vertices
+  std::size_t coincident_vertices = 0;              // at the place of an earlier one
   Eigen::Vector3d box_min = Eigen::Vector3d::Zero(), box_max = Eigen::Vector3d::Zero();  // [m]
   double volume = 0, shortest_edge = 0, longest_edge = 0;                                // [m^3], [m], [m]
   double smallest_dihedral_deg = 0, largest_dihedral_deg = 0;

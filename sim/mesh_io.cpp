@@ -1,5 +1,6 @@
 #include "sim/mesh_io.h"
 
+#include <algorithm>
 #include <new>
 
 #include "sim/error.h"
@@ -43,7 +44,6 @@ MeshFile read_mesh_content(const fs::path& path, std::string_view content) {
   MeshFile file;
   if (content.empty()) throw Error(path.string(), "is empty", known_formats);
   Scanner in(path.string(), content);
-  if (content.starts_with("\xef\xbb\xbf")) in.seek(3);  // UTF-8 byte order mark
   const std::string_view text = content.substr(in.offset());
 
   Scanner peek = in;
@@ -91,6 +91,19 @@ void write_mesh(const fs::path& path, const TetMesh& mesh) {
     throw Error(path.string(), "cannot be written: its ending names no mesh format",
                 "expected .msh, .vtk, .vtu, .node, .ele or .mesh");
   }
+}
+
+std::string names_left_out(const fs::path& path, const TetMesh& mesh) {
+  const std::string ending = lower_ending(path);
+  if (ending != ".mesh" && ending != ".node" && ending != ".ele") return "";
+  std::vector<std::string> names;
+  for (const auto& [region, name] : mesh.region_names) names.push_back("region " + std::to_string(region) + " " + name);
+  for (const auto& [name, vertices] : groups_beyond_regions(mesh)) names.push_back("group " + name);
+  if (names.empty()) return "";
+  constexpr std::size_t kNamed = 8;
+  std::string text = ending + " holds the numbers of regions, no names and no groups. Left out: ";
+  for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i) text += (i ? ", " : "") + names[i];
+  return text + (names.size() > kNamed ? " and " + std::to_string(names.size() - kNamed) + " more." : ".");
 }
 
 }  // namespace fascia

@@ -32,4 +32,7 @@ MeshFile read_mesh(const std::filesystem::path& path);
 /// Writes through a temporary name and renames. Throws Error for an unknown ending or a failed write.
 void write_mesh(const std::filesystem::path& path, const TetMesh& mesh);
 
+/// What of the mesh's names the format of this ending cannot hold, one sentence; empty if nothing is lost.
+std::string names_left_out(const std::filesystem::path& path, const TetMesh& mesh);
+
 }  // namespace fascia

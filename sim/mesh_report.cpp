@@ -10,6 +10,7 @@
 namespace fascia {
 namespace {
 
+constexpr std::size_t kNamedVertices = 3;
 // From the smallest sample that is handled under a microscope to the largest whole body.
 constexpr double kSmallestTissue = 1e-3, kLargestTissue = 3;  // [m]
 
@@ -20,6 +21,15 @@ void print_tets(std::ostream& out, const char* label, const std::vector<std::uin
   line(out, label) << plural(tets.size(), "tet") << " " << what << ": ";
   for (std::size_t k = 0; k < tets.size() && k < kNamedTets; ++k) out << (k ? ", " : "") << tets[k];
   if (tets.size() > kNamedTets) out << " and " << tets.size() - kNamedTets << " more";
+  out << "\n";
+}
+
+void print_far(std::ostream& out, const TetMesh& mesh, const std::vector<std::uint32_t>& vertices) {
+  if (vertices.empty()) return;
+  line(out, "far off") << vertices.size() << (vertices.size() == 1 ? " vertex" : " vertices") << " far from all others: ";
+  for (std::size_t k = 0; k < vertices.size() && k < kNamedVertices; ++k)
+    out << (k ? ", " : "") << vertices[k] << " at " << point(mesh.positions[vertices[k]]);
+  if (vertices.size() > kNamedVertices) out << " and " << vertices.size() - kNamedVertices << " more";
   out << "\n";
 }
 
@@ -131,6 +141,8 @@ void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& rep
   line(out, "format") << file.format << "\n";
   line(out, "vertices") << report.vertex_count;
   if (report.unused_vertices > 0) out << ", " << report.unused_vertices << " of them in no usable tet";
+  if (report.coincident_vertices > 0)
+    out << ", " << report.coincident_vertices << " of them at the place of an earlier one, not joined: convert --weld makes them one";
   out << "\n";
   line(out, "tets") << report.tet_count;
   if (report.usable_tets != report.tet_count) out << ", " << report.usable_tets << " of them usable";
@@ -139,8 +151,9 @@ void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& rep
   print_regions(out, report.regions);
   print_groups(out, file.mesh);
   print_tets(out, "flipped", repaired.flipped, "wound inside out, reoriented");
-  print_tets(out, "degenerate", repaired.degenerate, "without volume, left out");
+  print_tets(out, "degenerate", repaired.degenerate, "lower than 1e-7 of the longest edge, left out");
   print_tets(out, "duplicated", repaired.duplicated, "with the vertices of an earlier one, left out");
+  print_far(out, file.mesh, report.far_vertices);
   print_slivers(out, report);
   print_ignored(out, file);
   for (const std::string& note : file.notes) line(out, "note") << note << "\n";

@@ -6,6 +6,7 @@
 
 #include "sim/csv.h"
 #include "sim/error.h"
+#include "sim/loose_parts.h"
 #include "sim/mesh_doctor.h"
 #include "sim/mesh_io.h"
 #include "sim/model_materials.h"
@@ -13,6 +14,7 @@
 #include "sim/model_selection.h"
 #include "sim/report_text.h"
 #include "sim/surface_fill.h"
+#include "sim/vertex_places.h"
 
 namespace fascia {
 namespace {
@@ -54,7 +56,7 @@ LoadedBody load(const Scene& scene, std::size_t index, const Progress& progress)
   if (loaded.repaired.tets.empty()) {
     throw Error(
         path.string(),
-        "has no tet with volume (" + std::to_string(loaded.repaired.degenerate.size()) + " degenerate)",
+        "has no tet higher than 1e-7 of its longest edge (" + std::to_string(loaded.repaired.degenerate.size()) + " degenerate)",
         "expected at least one");
   }
   loaded.used = used_vertices(loaded.repaired.tets, loaded.file.mesh.positions.size());
@@ -79,6 +81,13 @@ void add_notes(const LoadedBody& loaded, std::vector<std::string>& notes) {
     notes.push_back(name + ": " + std::to_string(unused) + (unused == 1 ? " vertex" : " vertices") +
                     " in no tet, kept in exports");
   }
+  if (const std::vector<std::uint32_t> far = far_vertices(loaded.file.mesh); !far.empty())
+    notes.push_back(name + ": " + std::to_string(far.size()) + (far.size() == 1 ? " vertex" : " vertices") +
+                    " far from all others (vertex " + std::to_string(far.front()) + " at " +
+                    point(loaded.file.mesh.positions[far.front()]) + ")");
+  if (const std::size_t count = count_coincident(loaded.file.mesh.positions, loaded.repaired.tets); count > 0)
+    notes.push_back(name + ": " + std::to_string(count) + (count == 1 ? " vertex" : " vertices") +
+                    " at the place of an earlier one, not joined: fascia convert --weld makes them one");
 }
 
 void add_materials(const LoadedBody& loaded, Model& model, BodyPart& part) {
@@ -217,6 +226,7 @@ Model build_model(const Scene& scene, const Progress& progress) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(load(scene, b, progress), model);
   model.rest_positions = model.file_mesh.positions;
   for (std::size_t g = 0; g < scene.grabs.size(); ++g) model.hands.push_back(resolve_hand(scene, g, model));
+  if (std::string note = note_of_loose_parts(model); !note.empty()) model.notes.push_back(std::move(note));
   return model;
 }
 

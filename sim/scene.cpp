@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <numbers>
+#include <sstream>
 
 #include "sim/error.h"
 #include "sim/file.h"
@@ -14,20 +15,26 @@ namespace {
 
 constexpr double kLowestShare = 0.02;  // of the height: how much of a mesh opened alone is held
 
-/// The first character that is no space, without reading the whole of a large mesh.
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors start text files with it
+
+/// The first character that is no space and no byte order mark, without reading the whole of a large mesh.
 char first_character(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  char c = 0;
-  if (in >> c) return c;
+  std::error_code ec;
+  std::ifstream file;
+  std::istringstream kept;
+  const bool is_file = std::filesystem::is_regular_file(path, ec);
+  if (is_file) file.open(path, std::ios::binary);
+  else kept.str(read_file(path));  // what a stream takes of a pipe is gone
+  std::istream& in = is_file ? static_cast<std::istream&>(file) : kept;
+  for (char c = 0; in >> c;)
+    if (kByteOrderMark.find(c) == kByteOrderMark.npos) return c;
   read_file(path);  // says so if it is no readable file
   throw Error(path.string(), "is empty", "expected a scene (JSON) or a tet mesh");
 }
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors start JSON files with it
-
 bool is_scene(const std::filesystem::path& path) {
   const char first = first_character(path);
-  return first == '{' || first == kByteOrderMark[0] || path.extension() == ".json";
+  return first == '{' || path.extension() == ".json";
 }
 
 Scene read_document(nlohmann::json document, const std::filesystem::path& path, const std::vector<std::string>& overrides) {

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "sim/vertex_places.h"
+
 namespace fascia {
 namespace {
 
@@ -14,20 +16,6 @@ constexpr std::uint32_t kNone = ~0u;
 constexpr std::size_t kSamples = 9;  // vertices of a shell that are asked whether they lie in another one
 
 double area_of(const Vector3d& a, const Vector3d& b, const Vector3d& c) { return (b - a).cross(c - a).norm() / 2; }
-
-/// For every vertex the first one at the same place.
-std::vector<std::uint32_t> weld(const std::vector<Vector3d>& positions, std::size_t& welded) {
-  std::vector<std::uint32_t> order(positions.size()), first(positions.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t v) { return std::array<double, 3>{positions[v].x(), positions[v].y(), positions[v].z()}; };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
-    first[order[i]] = same ? first[order[i - 1]] : order[i];
-    welded += same;
-  }
-  return first;
-}
 
 class Repairer {
  public:
@@ -45,7 +33,8 @@ class Repairer {
  private:
   /// Triangles of welded vertices, without those that have no area or are there already.
   void collect(const SurfaceMesh& surface) {
-    const std::vector<std::uint32_t> first = weld(x_, report_.welded);
+    const std::vector<std::uint32_t> first = first_at_place(x_);
+    for (std::uint32_t v = 0; v < first.size(); ++v) report_.welded += first[v] != v;
     struct Entry {
       Triangle ascending, triangle;
       std::uint32_t index, source;

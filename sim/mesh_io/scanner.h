@@ -12,7 +12,10 @@ namespace fascia {
 
 class Scanner {
  public:
-  Scanner(std::string where, std::string_view data) : where_(std::move(where)), data_(data) {}
+  /// Begins behind a UTF-8 byte order mark, which some editors write.
+  Scanner(std::string where, std::string_view data) : where_(std::move(where)), data_(data) {
+    if (data.starts_with("\xef\xbb\xbf")) seek(3);
+  }
 
   const std::string& where() const { return where_; }
   std::string_view data() const { return data_; }

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <string>
 
 #include "sim/error.h"
+#include "sim/loose_parts.h"
 
 namespace fascia::reference {
 namespace {
@@ -13,11 +12,6 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double largest_turn = 0.5;  // [rad] a linear prediction stretches what turns by this much to 1.12
-
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t v) {
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
-}
 
 }  // namespace
 
@@ -66,23 +60,10 @@ double HeldPath::largest_increment() const {
 
 void require_supports(const Model& model) {
   if (model.gravity.isZero(0)) return;
-  std::vector<std::uint32_t> parent(model.rest_positions.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  for (const Tet& tet : model.tets)
-    for (int a = 1; a < 4; ++a) parent[root_of(parent, tet[a])] = root_of(parent, tet[0]);
-  const std::vector<char> held = model.held();
-  std::vector<char> supported(parent.size(), 0);
-  for (std::uint32_t v = 0; v < parent.size(); ++v)
-    if (held[v]) supported[root_of(parent, v)] = 1;
-  for (const Tet& tet : model.tets) {
-    if (supported[root_of(parent, tet[0])]) continue;
-    std::string name = "the mesh";
-    for (const BodyPart& body : model.bodies)
-      if (tet[0] >= body.vertex_begin && tet[0] < body.vertex_begin + body.vertex_count) name = body.name;
-    throw Error("static equilibrium",
-                "a part of " + name + " (vertex " + std::to_string(tet[0]) + ") is held nowhere",
+  const LooseParts loose = loose_parts(model, model.held());
+  if (loose.parts > 0)
+    throw Error("static equilibrium", "a part of the mesh (" + vertex_name(model, loose.first) + ") is held nowhere",
                 "expected fixed or prescribed vertices in every part, or no gravity");
-  }
 }
 
 }  // namespace fascia::reference

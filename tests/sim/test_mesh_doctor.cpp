@@ -3,10 +3,12 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <sstream>
 
 #include "sim/mesh_generate.h"
+#include "sim/vertex_places.h"
 
 using namespace fascia;
 
@@ -249,7 +251,61 @@ TEST_CASE("the report names what was found") {
   has("regions     2  tissue  12 tets, 6.5 m^3");
   has("groups      clamp: 3 vertices");
   has("flipped     1 tet wound inside out, reoriented: 3");
-  has("degenerate  11 tets without volume, left out: 13, 14, 15, 16, 17, 18, 19, 20, 21, 22 and 1 more");
+  has("degenerate  11 tets lower than 1e-7 of the longest edge, left out: 13, 14, 15, 16, 17, 18, 19, 20, 21, 22 and 1 more");
   has("duplicated  1 tet with the vertices of an earlier one, left out: 12");
   CHECK(text.find("\nsize        6.5 m wide, too large for tissue") != std::string::npos);
+}
+
+TEST_CASE("halves that touch with vertices of their own are counted, and welded on demand") {
+  const TetMesh whole = make_box(2, 1, 1, {2, 1, 1});
+  TetMesh mesh = whole;
+  mesh.groups["end"] = {0, 1};
+  std::map<std::uint32_t, std::uint32_t> copies;
+  for (Tet& tet : mesh.tets) {
+    double middle = 0;
+    for (const std::uint32_t v : tet) middle += whole.positions[v].x() / 4;
+    if (middle < 1) continue;
+    for (std::uint32_t& v : tet) {
+      if (whole.positions[v].x() > 1.5) continue;
+      const auto [copy, is_new] = copies.try_emplace(v, static_cast<std::uint32_t>(mesh.positions.size()));
+      if (is_new) mesh.positions.push_back(whole.positions[v]);
+      v = copy->second;
+    }
+  }
+  mesh.groups["crack"] = {copies.begin()->first, copies.begin()->second};
+  REQUIRE(copies.size() == 4);
+  CHECK(examine(mesh).components == 2);
+  CHECK(examine(mesh).coincident_vertices == 4);
+  CHECK(report_text(mesh).find("vertices    16, 4 of them at the place of an earlier one") != std::string::npos);
+  CHECK(weld(mesh) == 4);
+  CHECK(mesh.positions == whole.positions);
+  CHECK(mesh.tets == whole.tets);
+  CHECK(mesh.groups["end"] == Indices{0, 1});
+  CHECK(mesh.groups["crack"] == Indices{copies.begin()->first});
+  CHECK(examine(mesh).coincident_vertices == 0);
+  CHECK(weld(mesh) == 0);
+}
+
+TEST_CASE("a vertex of no tet is at nobody's place") {
+  TetMesh mesh = make_box(1, 1, 1, {1, 1, 1});
+  mesh.positions.insert(mesh.positions.begin(), mesh.positions[0]);
+  for (Tet& tet : mesh.tets)
+    for (std::uint32_t& v : tet) ++v;
+  CHECK(examine(mesh).coincident_vertices == 0);
+}
+
+TEST_CASE("a vertex that is far from all others is named, whether its tets are left out or not") {
+  for (const double far : {1e6, 1e300}) {
+    TetMesh mesh = make_box(3, 3, 3, {1, 1, 1});
+    mesh.positions[5].x() = far;
+    mesh.positions.push_back({1e9, 0, 0});  // of no tet
+    const std::string text = report_text(mesh);
+    INFO(text);
+    CHECK(examine(mesh).far_vertices == Indices{5});
+    CHECK(text.find("far off     1 vertex far from all others: 5 at (1e+") != std::string::npos);
+    CHECK(text.find("without volume") == std::string::npos);
+  }
+  TetMesh graded = make_box(9, 9, 9, {1, 1, 1});
+  for (Eigen::Vector3d& x : graded.positions) x *= std::pow(x.norm(), 3);
+  CHECK(examine(graded).far_vertices.empty());
 }

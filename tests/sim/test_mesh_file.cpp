@@ -1,8 +1,11 @@
 // Whole files: what is written is complete or not there.
 #include "sim/file.h"
 
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <thread>
 
 #include "sim/error.h"
 #include "tests/support/support.h"
@@ -29,6 +32,15 @@ TEST_CASE("a file reads back as it was written", "[file]") {
   write_file(folder / "a", "");
   CHECK(read_file(folder / "a").empty());
   CHECK(entries(folder) == 1);
+}
+
+TEST_CASE("a pipe can be read as often as a file", "[file]") {
+  const TemporaryFolder folder;
+  REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  const std::string content(200000, 'x');  // more than a pipe holds
+  std::jthread writer([&] { std::ofstream(folder / "pipe") << content; });
+  CHECK(read_file(folder / "pipe") == content);
+  CHECK(read_file(folder / "pipe") == content);
 }
 
 TEST_CASE("reading says what is wrong", "[file]") {

@@ -58,6 +58,16 @@ TEST_CASE("the format is found in the content, whatever the ending", "[mesh_io]"
   }
 }
 
+TEST_CASE("TetGen files may begin with a byte order mark", "[mesh_io]") {
+  const TemporaryFolder folder;
+  for (MeshSample sample : other_samples()) {
+    if (sample.node_content.empty()) continue;
+    sample.content = "\xef\xbb\xbf" + sample.content;
+    sample.node_content = "\xef\xbb\xbf" + sample.node_content;
+    check_sample(read_mesh(write_sample(folder, sample)), sample);
+  }
+}
+
 TEST_CASE("writing and reading back keeps what the format can hold", "[mesh_io]") {
   const TemporaryFolder folder;
   TetMesh mesh = sample_mesh();
@@ -211,4 +221,18 @@ TEST_CASE("no wrong byte crashes a reader or makes it hang", "[mesh_io]") {
     }
     CHECK(refused > sample.content.size() / 4);
   }
+}
+
+TEST_CASE("what a format cannot hold of the names is said", "[mesh_io]") {
+  TetMesh mesh = sample_mesh();
+  mesh.region_names = {{3, "left part"}};
+  mesh.groups = region_groups(mesh);
+  mesh.groups["clamp"] = {0, 1, 2};
+  for (const char* name : {"m.msh", "m.vtk", "m.vtu"}) CHECK(names_left_out(name, mesh).empty());
+  CHECK(names_left_out("m.MESH", mesh) ==
+        ".mesh holds the numbers of regions, no names and no groups. Left out: region 3 left part, group clamp.");
+  CHECK(names_left_out("m.node", mesh).starts_with(".node holds"));
+  mesh.region_names.clear();
+  mesh.groups = region_groups(mesh);
+  CHECK(names_left_out("m.mesh", mesh).empty());
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
+#include "sim/loose_parts.h"
 #include "tests/sim/scene_test.h"
 
 using namespace fascia;
@@ -283,7 +284,7 @@ TEST_CASE("a mesh of degenerate tets only cannot be simulated") {
   mesh.resize(mesh.find("$Elements"));
   mesh += "$Elements\n1\n1 4 2 1 1 1 2 3 3\n$EndElements\n";
   CHECK(TwoTets("", mesh).build_error() ==
-        "m.msh: has no tet with volume (1 degenerate); expected at least one");
+        "m.msh: has no tet higher than 1e-7 of its longest edge (1 degenerate); expected at least one");
 }
 
 TEST_CASE("an unreadable mesh is reported under its own name") {
@@ -307,4 +308,28 @@ TEST_CASE("the hash of a mesh sees every bit of positions and every index") {
   other = mesh;
   other.tets = {{0, 2, 1, 3}};
   CHECK(mesh_hash(other) != hash);
+}
+
+TEST_CASE("parts that fall off a model that is held elsewhere are noted") {
+  std::string apart = kTwoTets;  // the second tet has a face of its own
+  apart.replace(apart.find("$Nodes\n6"), 8, "$Nodes\n9");
+  apart.insert(apart.find("$EndNodes"), "7 5 0 0\n8 5 1 0\n9 5 0 1\n");
+  apart.replace(apart.find("3 4 2 2 1 2 3 4 5"), 17, "3 4 2 2 1 7 8 9 5");
+  const auto note_of = [&](const std::string& keys, const std::vector<std::string>& overrides = {}) {
+    return note_of_loose_parts(TwoTets(keys, apart).build(overrides));
+  };
+  const std::string fixed = R"("name": "liver", "fixed": [{"vertices": [0]}])";
+  const Model model = TwoTets(fixed, apart).build();
+  const LooseParts loose = loose_parts(model, model.held());
+  CHECK(loose.parts == 1);
+  CHECK(loose.vertices == 4);
+  CHECK(loose.held_parts == 1);
+  REQUIRE(!model.notes.empty());
+  CHECK(model.notes.back() ==
+        "1 part of 4 vertices in all is held nowhere and will fall (vertex 4 of liver): no vertex shared with what is fixed or prescribed");
+  CHECK(note_of(fixed, {"gravity=[0,0,0]"}).empty());
+  CHECK(note_of("").empty());  // all of it falls
+  CHECK(note_of(R"("fixed": [{"vertices": [0, 4]}])").empty());
+  CHECK(note_of(R"("fixed": [{"vertices": [0]}], "prescribed": [{"select": {"vertices": [7]}}])").empty());
+  CHECK(note_of_loose_parts(TwoTets(fixed).build()).empty());  // held by the face between the two
 }

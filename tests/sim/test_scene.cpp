@@ -1,6 +1,11 @@
 // Scenes that open: defaults, every key, both kinds of file, round trip.
-#include <set>
+#include <sys/stat.h>
 
+#include <fstream>
+#include <set>
+#include <thread>
+
+#include "sim/model.h"
 #include "tests/sim/scene_test.h"
 
 using namespace fascia;
@@ -149,6 +154,7 @@ TEST_CASE("a scene is told from a mesh by its content, or by the ending .json") 
   CHECK(SceneFile("\n\t " + scene_text(), "scene.txt").open().bodies[0].mesh == "m.msh");
   CHECK(SceneFile("\xEF\xBB\xBF" + scene_text(), "scene.txt").open().bodies[0].mesh == "m.msh");
   CHECK(SceneFile("# vtk", "x.txt").open().bodies[0].mesh == "x.txt");
+  CHECK(SceneFile("\xEF\xBB\xBF# vtk", "x.txt").open().bodies[0].mesh == "x.txt");
   CHECK(SceneFile("\"fascia_scene\": 1}", "s.json").open_error().find("s.json:1:15: ") == 0);
 }
 
@@ -280,4 +286,13 @@ TEST_CASE("one value of a section or of separate tets turns them on") {
   CHECK(file.open({"display.section.normal=[0,0,-2]"}).display.section == SectionPlane{{0, 0, -2}, 0});
   CHECK(file.open({"display.tets.spread=0.5"}).display.tets == SeparateTets{0.85, 0.5});
   CHECK(!file.open().display.section);
+}
+
+TEST_CASE("a mesh that comes through a pipe is opened as one that is a file") {
+  const TemporaryFolder folder;
+  REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  const std::string content = read_file(source_dir() / "assets/meshes/cube.msh");
+  std::jthread writer([&] { std::ofstream(folder / "pipe") << content; });
+  const Scene scene = open_scene(folder / "pipe");
+  CHECK(build_model(scene).tets == build_model(open_scene(source_dir() / "assets/meshes/cube.msh")).tets);
 }
