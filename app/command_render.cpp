@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/interrupt.h"
+#include "app/opened.h"
 #include "app/output_files.h"
 #include "app/usage_error.h"
 #include "app/video_render.h"

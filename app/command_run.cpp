@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/graphics.h"
 #include "app/interrupt.h"
+#include "app/opened.h"
 #include "app/output_files.h"
 #include "app/sample.h"
 #include "app/simulation.h"

@@ -3,6 +3,7 @@
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/opened.h"
 #include "app/usage_error.h"
 #include "app/view_window.h"
 #include "sim/reference/newton.h"

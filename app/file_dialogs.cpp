@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "app/opened.h"
 #include "app/ui_style.h"
 
 namespace fascia {

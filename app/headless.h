@@ -5,6 +5,7 @@
 
 #include "app/golden.h"
 #include "app/hand_marks.h"
+#include "app/opened.h"
 #include "app/options.h"
 #include "app/overlay.h"
 #include "app/provenance.h"

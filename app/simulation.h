@@ -152,26 +152,9 @@ class Simulation {
 };
 
 /// "static equilibrium after 12 Newton iterations, relative residual 1e-11"
-/// Throws UsageError for --static beside a number of steps.
-void require_steps_or_static(const CommonOptions& options);
-
-/// The scene's file and its meshes.
-std::vector<std::filesystem::path> input_files(const Scene& scene);
-
 /// One line.
 std::string describe(const StaticReport& report);
 /// Throws Error where it is no equilibrium: neither to the tolerance nor, with a mesh too large for Newton's method, as far as float32 goes.
 void require_equilibrium(const Simulation& simulation, const StaticReport& report);
-
-/// What a command opens: --replay's scene, else the scene or mesh that is named, else the default one.
-struct Opened {
-  Scene scene;
-  std::optional<Replay> replay;
-  Model model = build_model(scene);
-};
-Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets = {});  // a replay by its ending .fascia
-Opened open_input(const CommonOptions& options, const std::vector<std::string>& sets);
-/// Steps that a command makes: --steps, else --time, else those of the replay, else the scene's duration.
-long steps_to_run(const CommonOptions& options, const Simulation& simulation);
 
 }  // namespace fascia

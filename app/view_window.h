@@ -18,6 +18,7 @@
 #include "app/hints.h"
 #include "app/hover.h"
 #include "app/mouse_tool.h"
+#include "app/opened.h"
 #include "app/opening_screen.h"
 #include "app/options.h"
 #include "app/overlay.h"

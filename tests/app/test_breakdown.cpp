@@ -6,6 +6,7 @@
 
 #include "app/breakdown.h"
 #include "app/graphics.h"
+#include "app/opened.h"
 #include "app/stress.h"
 #include "sim/error.h"
 #include "sim/mesh_generate.h"

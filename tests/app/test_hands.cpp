@@ -4,6 +4,7 @@
 
 #include "app/graphics.h"
 #include "app/hands.h"
+#include "app/opened.h"
 #include "app/simulation.h"
 #include "sim/file.h"
 #include "sim/surface.h"

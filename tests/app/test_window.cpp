@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/graphics.h"
+#include "app/opened.h"
 #include "app/user_files.h"
 #include "app/view_window.h"
 #include "sim/file.h"

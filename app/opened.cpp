@@ -1,0 +1,77 @@
+#include "app/opened.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/paths.h"
+#include "app/replay_time.h"
+#include "app/usage_error.h"
+#include "sim/file.h"
+
+namespace fascia {
+namespace {
+
+Opened open_replay(const std::filesystem::path& path, const std::vector<std::string>& sets) {
+  Replay replay = read_replay(path, sets);
+  Scene scene = replay.scene;
+  Opened opened{std::move(scene), std::move(replay)};
+  const Replay& read = *opened.replay;
+  if (!read.note.empty()) opened.model.notes.push_back(read.note);
+  const auto mesh = std::find_if(read.made_by.begin(), read.made_by.end(), [](const auto& entry) { return entry.first == "Mesh hash"; });
+  if (mesh != read.made_by.end() && mesh->second != hash_text(mesh_hash(opened.model.file_mesh)))
+    opened.model.notes.push_back(path.string() + ": recorded with another mesh than its file holds now");
+  return opened;
+}
+
+}  // namespace
+
+void require_steps_or_static(const CommonOptions& options) {
+  if (options.static_equilibrium && (options.steps || options.time))
+    throw UsageError(options.steps ? "--steps" : "--time", "means nothing with --static", "leave out one of them");
+}
+
+std::vector<std::filesystem::path> input_files(const Scene& scene) {
+  std::vector<std::filesystem::path> files{scene.file};
+  for (const Body& body : scene.bodies) files.push_back(scene.resolve(body.mesh));
+  return files;
+}
+
+Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets) {
+  if (lower_ending(path) == ".fascia") return open_replay(path, sets);
+  return {open_scene(path, sets), std::nullopt};
+}
+
+Opened open_input(const CommonOptions& options, const std::vector<std::string>& sets) {
+  std::vector<std::string> overrides = sets;
+  for (const std::string& grab : options.grabs) overrides.push_back("--grab " + grab);
+  if (!options.replay.empty() && !options.input.empty()) throw UsageError("--replay", "has a scene of its own", "leave out " + options.input);
+  try {
+    Opened opened = !options.replay.empty() ? open_replay(options.replay, overrides)
+                    : options.input.empty() ? open_file(default_scene(find_data_dir(options.data_dir)), overrides)
+                                            : open_file(options.input, overrides);
+    const auto names = [&](const std::string& key) {
+      return std::any_of(sets.begin(), sets.end(), [&](const std::string& set) { return set.starts_with(key); });
+    };
+    if (names("solver.method=") != names("solver.acceleration="))  // the other one may have changed with it
+      opened.model.notes.push_back(std::string("solver: ") + name_of(opened.scene.solver.method) + " + " + name_of(opened.scene.solver.acceleration));
+    return opened;
+  } catch (const Error& error) {
+    if (std::string(error.what()).starts_with("--")) throw UsageError(error.what());  // the option's fault, not the file's
+    throw;
+  }
+}
+
+long steps_to_run(const CommonOptions& options, const Simulation& simulation) {
+  if (options.steps) return *options.steps;
+  const double time_step = simulation.scene.solver.time_step;
+  if (options.time && simulation.replay()) return ReplayTime(*simulation.replay()).steps(*options.time);
+  if (options.time) {
+    const long steps = std::lround(*options.time / time_step);
+    if (steps == 0 && *options.time > 0)
+      throw UsageError("--time " + std::to_string(*options.time), "is less than half a step", "expected at least " + std::to_string(time_step) + " s, or 0");
+    return steps;
+  }
+  return simulation.replay() ? simulation.replay()->steps : std::lround(simulation.scene.duration / time_step);
+}
+
+}  // namespace fascia

@@ -1,0 +1,29 @@
+// What a command opens, and how far it steps what it opened.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/options.h"
+#include "app/simulation.h"
+
+namespace fascia {
+
+/// What a command opens: --replay's scene, else the scene or mesh that is named, else the default one.
+struct Opened {
+  Scene scene;
+  std::optional<Replay> replay;
+  Model model = build_model(scene);
+};
+Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets = {});  // a replay by its ending .fascia
+Opened open_input(const CommonOptions& options, const std::vector<std::string>& sets);
+/// Steps that a command makes: --steps, else --time, else those of the replay, else the scene's duration.
+long steps_to_run(const CommonOptions& options, const Simulation& simulation);
+
+/// Throws UsageError for --static beside a number of steps.
+void require_steps_or_static(const CommonOptions& options);
+
+/// The scene's file and its meshes.
+std::vector<std::filesystem::path> input_files(const Scene& scene);
+
+}  // namespace fascia
