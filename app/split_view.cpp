@@ -194,10 +194,7 @@ SplitView::SideHands SplitView::hands(const Session& a, const std::optional<Diag
 void SplitView::draw(Session& a, Framebuffer& framebuffer, int left, const SideHands& hands,
                      const std::function<void(std::size_t, const Framebuffer&)>& drawn) {
   b_->camera = a.camera;
-  // One scale for both sides, the one of A: B's colors do not follow its own values.
-  std::optional<Eigen::Vector2d>& range = b_->simulation.scene.display.range;
-  const std::optional<Eigen::Vector2d> own = range;
-  if (a.look.heat_map) range = a.look.range.cast<double>();
+  b_->look = a.look;  // one scale for both sides
   framebuffer.bind_resolved();
   gl::Disable(GL_SCISSOR_TEST);
   gl::ClearColor(ui::kPanel.x, ui::kPanel.y, ui::kPanel.z, 1);
@@ -205,12 +202,10 @@ void SplitView::draw(Session& a, Framebuffer& framebuffer, int left, const SideH
   const std::array<Area, 2> places = areas(framebuffer.width(), left);
   for (std::size_t i = 0; i < 2; ++i) {
     Framebuffer& picture = picture_of(places[i].width, framebuffer.height(), framebuffer.samples());
-    if (i == 1) b_->look = a.look;  // after A has found its range
     (i == 0 ? a : *b_).draw(picture, arrows(hands[i]));
     if (drawn) drawn(i, picture);
     picture.copy_to(framebuffer, places[i].x);
   }
-  range = own;
 }
 
 void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int height, int left, float scale, const Labels& labels) const {

@@ -368,6 +368,7 @@ void ViewWindow::draw_scene(Framebuffer& picture, float scale, int left) {
   Session& session = *session_;
   const std::vector<HandMark> hands = marks();
   session.camera.middle.x() = static_cast<double>(left) / picture.width();
+  session.follow_range();
   session.draw(picture, arrows(hands));
   overlay_.draw_list(picture, scale, [&](ImDrawList& list) {
     const MarkArea area{list, 0, static_cast<float>(picture.width()) / scale, static_cast<float>(picture.height()) / scale};
