@@ -319,7 +319,7 @@ double Simulation::mean_iterations() const {
 std::string describe(const reference::NewtonReport& report, bool newton) {
   std::ostringstream text;
   text << (report.converged ? "static equilibrium" : "not quite in static equilibrium") << " after " << report.iterations
-       << (newton ? " Newton" : "") << " iterations, relative residual " << report.relative_residual;
+       << (newton ? " Newton" : "") << (report.iterations == 1 ? " iteration" : " iterations") << ", relative residual " << report.relative_residual;
   return text.str();
 }
 
