@@ -54,7 +54,10 @@ void bench_scene(Bench& bench, const std::string& name, int frames, Table& table
     for (Variant& v : variants) {
       bench.stop_if_interrupted();
       v.solve_ms.push_back(milliseconds_of([&] { v.session->simulation.step(); }));
-      v.draw_ms.push_back(milliseconds_of([&] { v.session->draw(framebuffer); }));
+      v.draw_ms.push_back(milliseconds_of([&] {
+        v.session->follow_range();
+        v.session->draw(framebuffer);
+      }));
       v.frame_ms.push_back(v.solve_ms.back() + v.draw_ms.back());
     }
 
@@ -70,6 +73,7 @@ void bench_scene(Bench& bench, const std::string& name, int frames, Table& table
     table.rows.push_back(std::move(row));
   }
   Framebuffer smooth(bench.options.width, bench.options.height, 4);
+  variants.front().session->settle_range();
   variants.front().session->draw(smooth);
   bench.write("fig1_" + name, smooth.read(), *variants.front().session, frames);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "app/ticks.h"
 #include "app/ui_style.h"
@@ -18,26 +19,26 @@ constexpr int kBands = 48;  // of the gradient; each is shaded from edge to edge
 ImU32 color_of(const Eigen::Vector3f& c) { return ImGui::GetColorU32(ImVec4(c.x(), c.y(), c.z(), 1)); }
 
 struct Ink {
-  ImVec4 text, line;
-  bool panel;
+  ImVec4 text, line, panel;
 };
 
 Ink ink_on(Backdrop backdrop) {
   const ImVec4 black{0.05f, 0.05f, 0.06f, 1}, white{0.95f, 0.95f, 0.96f, 1};
-  if (backdrop == Backdrop::gradient) return {ui::kText, ui::kDim, true};
-  if (backdrop == Backdrop::black) return {white, white, false};
-  return {black, black, false};
+  if (backdrop == Backdrop::gradient) return {ui::kText, ui::kDim, ui::kPanel};
+  if (backdrop == Backdrop::black) return {white, white, black};
+  return {black, black, {1, 1, 1, 1}};
 }
 
-// A box at the right edge, half way up; its upper left corner inside the padding.
-ImVec2 place(ImDrawList& list, float width, float height, const Ink& ink) {
+// A box at the right edge, half way up; its upper left corner inside the padding. None where it would hide too much of the picture.
+std::optional<ImVec2> place(ImDrawList& list, float width, float height, const Ink& ink) {
+  constexpr float kMostShare = 0.2f;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float pad = ui::px(10), box_width = width + 2 * pad, box_height = height + 2 * pad;
+  if (box_width * box_height > kMostShare * screen.x * screen.y) return std::nullopt;
   const ImVec2 low{std::floor(screen.x - box_width - ui::px(12)), std::floor((screen.y - box_height) / 2)};
-  if (ink.panel)
-    list.AddRectFilled(low, {low.x + box_width, low.y + box_height},
-                       ImGui::GetColorU32(ImVec4(ui::kPanel.x, ui::kPanel.y, ui::kPanel.z, 0.78f)), ui::px(8));
-  return {low.x + pad, low.y + pad};
+  list.AddRectFilled(low, {low.x + box_width, low.y + box_height}, ImGui::GetColorU32(ImVec4(ink.panel.x, ink.panel.y, ink.panel.z, 0.78f)),
+                     ui::px(8));
+  return ImVec2{low.x + pad, low.y + pad};
 }
 
 // A number without a unit gets as many decimals as its step has.
@@ -64,10 +65,13 @@ void draw_bar(const Look& look, const Quantity& quantity) {
     texts.push_back(tick_text(tick, ticks.size() > 1 ? ticks[1] - ticks[0] : 1, scale.digits, quantity.unit));
     text_width = std::max(text_width, ImGui::CalcTextSize(texts.back().c_str()).x);
   }
-  const ImVec2 corner = place(list, std::max(width + gap + text_width, ImGui::CalcTextSize(quantity.title).x), height + 2 * line, ink);
-  list.AddText(corner, ImGui::GetColorU32(ink.text), quantity.title);
+  // Labels reach half a line over the bar's ends, and the upper one stays as much below the title.
+  const float above = 2 * line, below = 0.5f * line;
+  const auto corner = place(list, std::max(width + gap + text_width, ImGui::CalcTextSize(quantity.title).x), above + height + below, ink);
+  if (!corner) return;
+  list.AddText(*corner, ImGui::GetColorU32(ink.text), quantity.title);
 
-  const float left = corner.x, top = corner.y + 1.5f * line;
+  const float left = corner->x, top = corner->y + above;
   const Eigen::Vector2f ends = map_range(look);
   const auto color_at = [&](float share) {
     const float value = look.range.x() + share * (look.range.y() - look.range.x());
@@ -95,7 +99,9 @@ void draw_regions(const Look& look, const std::vector<std::string>& names) {
   float width = ImGui::CalcTextSize(more.c_str()).x;
   for (std::size_t i = 0; i < shown; ++i) width = std::max(width, ImGui::CalcTextSize(names[i].c_str()).x + line + gap);
   const float rows = static_cast<float>(shown + (more.empty() ? 0 : 1));
-  ImVec2 at = place(list, width, rows * row - 0.35f * line, ink);
+  const auto corner = place(list, width, rows * row - 0.35f * line, ink);
+  if (!corner) return;
+  ImVec2 at = *corner;
   for (std::size_t i = 0; i < shown; ++i, at.y += row) {
     list.AddRectFilled(at, {at.x + line, at.y + line}, color_of(region_color(static_cast<unsigned>(i))), ui::px(2));
     list.AddText({at.x + line + gap, at.y}, ImGui::GetColorU32(ink.text), names[i].c_str());

@@ -6,7 +6,7 @@ namespace fascia {
 
 inline bool has_legend(const Session& session) { return session.look.heat_map || session.look.regions; }
 
-/// At the right edge of the picture, in ImGui's background layer: on a panel over the gradient, straight on backgrounds of one color.
+/// On a panel at the right edge of the picture, in ImGui's background layer; not in pictures so small that it would hide much of them.
 void draw_legend(const Session& session);
 
 }  // namespace fascia

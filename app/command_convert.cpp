@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "app/commands.h"
+#include "sim/report_text.h"
 #include "sim/surface_fill.h"
 #include "sim/vertex_places.h"
 
@@ -11,10 +12,9 @@ int command_convert(const ConvertOptions& options) {
   MeshFile file = read_mesh_or_fill(options.in);
   const std::size_t welded = options.weld ? weld(file.mesh) : 0;
   write_mesh(options.out, file.mesh);
-  std::cerr << "fascia: " << options.out << ": " << file.mesh.positions.size() << " vertices, " << file.mesh.tets.size()
-            << " tets, from " << file.format << '\n';
-  if (options.weld)
-    std::cerr << "fascia: --weld: " << welded << (welded == 1 ? " vertex" : " vertices") << " at the place of an earlier one left out\n";
+  std::cerr << "fascia: " << options.out << ": " << plural(file.mesh.positions.size(), "vertex") << ", "
+            << plural(file.mesh.tets.size(), "tet") << ", from " << file.format << '\n';
+  if (options.weld) std::cerr << "fascia: --weld: " << plural(welded, "vertex") << " at the place of an earlier one left out\n";
   if (const std::string lost = names_left_out(options.out, file.mesh); !lost.empty()) std::cerr << "fascia: " << lost << '\n';
   for (const std::string& note : file.notes) std::cerr << "fascia: " << note << '\n';
   return exit_done;

@@ -11,6 +11,7 @@
 #include "sim/locality.h"
 #include "sim/mesh_doctor.h"
 #include "sim/model.h"
+#include "sim/report_text.h"
 #include "sim/surface_fill.h"
 #include "sim/tissues.h"
 
@@ -25,8 +26,9 @@ void print_coloring(const std::string& name, const Model& model, const Coloring&
     least = std::min<std::size_t>(least, coloring.begin[color + 1] - coloring.begin[color]);
     most = std::max<std::size_t>(most, coloring.begin[color + 1] - coloring.begin[color]);
   }
-  std::cout << "  coloring     " << name << ": " << coloring.color_count() << " colors of " << least << " to " << most << " tets, "
-            << coloring.phantom_vertex.size() << " phantoms\n";
+  std::cout << "  coloring     " << name << ": " << plural(coloring.color_count(), "color") << " of ";
+  if (least < most) std::cout << least << " to ";
+  std::cout << plural(most, "tet") << ", " << plural(coloring.phantom_vertex.size(), "phantom") << '\n';
 }
 
 void print_colorings(const Model& model, int asked) {
@@ -74,10 +76,10 @@ int command_info(const InfoOptions& options) {
   const std::vector<double> masses = lumped_masses(model);
   std::cout << "\nscene\n";
   std::cout << "  mass         " << std::accumulate(masses.begin(), masses.end(), 0.0) << " kg\n";
-  std::cout << "  fixed        " << model.fixed.size() << " vertices\n";
+  std::cout << "  fixed        " << plural(model.fixed.size(), "vertex") << '\n';
   std::size_t prescribed = 0;
   for (const Motion& motion : model.motions) prescribed += motion.vertices.size();
-  std::cout << "  prescribed   " << prescribed << " vertices\n";
+  std::cout << "  prescribed   " << plural(prescribed, "vertex") << '\n';
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     const Material& m = model.materials[i];
     std::cout << "  material     " << model.material_names[i] << ": E " << m.young_modulus << " Pa, nu " << m.poisson_ratio
@@ -85,7 +87,7 @@ int command_info(const InfoOptions& options) {
   }
   print_colorings(model, scene.solver.colors);
   if (const EmbeddedPoints& drawn = model.embedded; !drawn.points.empty())
-    std::cout << "  surface      " << drawn.points.size() << " vertices, " << drawn.outside << " of them outside of the tets, at most " << drawn.farthest << " m\n";
+    std::cout << "  surface      " << plural(drawn.points.size(), "vertex") << ", " << drawn.outside << " of them outside of the tets, at most " << drawn.farthest << " m\n";
   for (const std::string& note : model.notes) std::cout << "  note         " << note << '\n';
   return exit_done;
 }

@@ -14,6 +14,7 @@
 #include "app/true_error.h"
 #include "app/usage_error.h"
 #include "sim/error.h"
+#include "sim/report_text.h"
 #include "sim/state_export.h"
 
 namespace fascia {
@@ -169,7 +170,7 @@ int command_run(const RunOptions& options) {
   if (!series && !options.export_path.empty())
     write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last), stats.provenance);
   if (!options.quiet)
-    std::cerr << "fascia: " << stats.steps << " steps, " << last.time << " s simulated in " << stats.wall_s << " s, median "
+    std::cerr << "fascia: " << plural(static_cast<std::size_t>(stats.steps), "step") << ", " << last.time << " s simulated in " << stats.wall_s << " s, median "
               << percentiles(stats.solve_ms).median << " ms a step\n";
   return interrupted() ? exit_interrupted : exit_done;
 }

@@ -50,6 +50,7 @@ void keep_failure(Bench& bench, Row& row) {
   session.simulation.play(std::move(replay));
   for (long step = 0; step < row.result.steps; ++step) session.simulation.step();
   Framebuffer framebuffer(bench.options.width, bench.options.height, 1);
+  session.settle_range();
   session.draw(framebuffer);
   bench.write("failures/" + name, framebuffer.read(), session, row.result.steps);
 }

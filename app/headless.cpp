@@ -100,16 +100,21 @@ void Headless::look(double step) {
 
 Framebuffer& Headless::draw() {
   require_sound(session_.simulation);
+  session_.forget_range();
   return draw(static_cast<double>(step_), nullptr);
 }
 
 Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
   look(step);
+  if (split_) split_->share(session_);
   GpuSolver& solver = *session_.simulation.gpu();
   solver.request_diagnostics();
   const std::optional<Diagnostics> diagnostics = solver.take_diagnostics(true);
-  if (session_.display().color == ColorBy::error) session_.measure_error();
-  session_.settle_range();
+  if (session_.display().color == ColorBy::error) {
+    session_.measure_error();
+    if (split_) split_->b().measure_error();
+  }
+  session_.settle_range(split_ ? &split_->b() : nullptr);
   if (split_) return draw_split(diagnostics);
   std::vector<HandMark> hands = marks_of(session_.simulation, diagnostics);
   if (positions && !remembered_hands_.empty()) {
@@ -138,11 +143,9 @@ void Headless::remember_hands() {
 Framebuffer& Headless::draw_split(const std::optional<Diagnostics>& diagnostics) {
   overlay_.scale_to(picture_.framebuffer().height());
   const int left = options_.panels ? static_cast<int>(panel_space()) : 0;
-  split_->share(session_);
   split_->request_diagnostics();
   split_->take_diagnostics(true);
   const SplitView::SideHands hands = split_->hands(session_, diagnostics, nullptr);
-  if (session_.display().color == ColorBy::error) split_->b().measure_error();
   Framebuffer& framebuffer =
       picture_.draw(session_.camera, [&](Framebuffer& target) { split_->draw(session_, target, left, hands); });
   overlay_.draw_headless(session_, framebuffer, options_.panels, diagnostics, {},

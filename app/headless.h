@@ -25,7 +25,8 @@ class Headless {
   /// start, too. Throws Error when a vertex is lost.
   void run(const std::function<void()>& after_step = {});
 
-  /// The scene as it is now, with panels and color bar where they are wanted. Throws Error when a vertex is lost.
+  /// The scene as it is now, with panels and color bar where they are wanted, whatever was drawn before. Throws Error when a vertex is
+  /// lost.
   Framebuffer& draw();
   /// The same after `step` steps, with these positions and colors (null: those of now), seen by the camera and with the hands of then;
   /// panels, the range of colors and which vertices are held are of now. A replay goes on to the same bits afterwards.

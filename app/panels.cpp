@@ -10,6 +10,12 @@ namespace fascia {
 float panel_width() { return ui::px(318); }
 float panel_space() { return panel_width() + 2 * ui::px(10); }
 
+Room room_beside_panels(const ViewState& state) {
+  const float screen = ImGui::GetIO().DisplaySize.x;
+  const bool docked = state.plots.shown && state.plots.docked && state.plots.width > 0;
+  return {state.show_panels ? panel_space() : 0, docked ? state.plots.left : screen};
+}
+
 void draw_panels(Session& session, ViewState& state, Requests& requests) {
   const float margin = ui::px(10);
   ImGui::SetNextWindowPos({margin, margin});

@@ -29,11 +29,19 @@ void statistics_panel(Session& session, const ViewState& state);
 /// Keys and mouse, one line each, over the picture; closes by its button or F1.
 void draw_help(ViewState& state);
 
+/// What the column at the left and docked plots leave of the picture's width [pixels].
+struct Room {
+  float left, right;
+  float middle() const { return 0.5f * (left + right); }
+  float width() const { return right - left; }
+};
+Room room_beside_panels(const ViewState& state);
+
 /// Lines over the picture: what the mouse does (bottom), that time runs slow or stands (top).
-void draw_hints(const Hints& hints);
+void draw_hints(const Hints& hints, const Room& room);
 /// Offers to go on with what a window left that ended badly; `scene`: its name.
 void draw_left_behind(const std::string& scene, Requests& requests);
-void draw_notice(const ViewState& state);
+void draw_notice(const ViewState& state, const Room& room);
 /// A red dot: in front of everything and not part of pictures.
 void draw_recording_dot(double seconds, long dropped);
 

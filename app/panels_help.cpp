@@ -96,9 +96,10 @@ void draw_help(ViewState& state) {
   ImGui::End();
 }
 
-void draw_hints(const Hints& hints) {
+void draw_hints(const Hints& hints, const Room& room) {
+  if (room.width() < ui::px(330)) return;  // they do not fit
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const float left = panel_width() + ui::px(20), middle = 0.5f * (size.x + left), line = ui::px(36);
+  const float left = room.left, middle = room.middle(), line = ui::px(36);
   float below = size.y - ui::px(40);
   if (hints.wanted("help")) {
     ui::pill("F1: all keys, F2: examples", middle, below, ui::kDim);
@@ -126,8 +127,9 @@ void draw_left_behind(const std::string& scene, Requests& requests) {
   ImGui::End();
 }
 
-void draw_notice(const ViewState& state) {
-  const float left = state.show_panels ? panel_width() : 0, middle = (ImGui::GetIO().DisplaySize.x + left) / 2, top = ui::px(14);
+void draw_notice(const ViewState& state, const Room& room) {
+  const bool fits = room.width() > ui::px(230);
+  const float middle = fits ? room.middle() : 0.5f * (room.left + ImGui::GetIO().DisplaySize.x), top = ui::px(14);
   const double speed = state.statistics.speed;
   char text[96];
   if (state.paused) {

@@ -1,8 +1,10 @@
 // Curves over time, several charts one above the other, for what is chosen among them.
 #include <imgui.h>
 
+#include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "app/panels.h"
 #include "app/time_plot.h"
@@ -87,12 +89,20 @@ bool shows_convergence(const Plots& plots) { return plots.shown && plots.chosen[
 void draw_plots(const Simulation& simulation, ViewState& state, Requests& requests) {
   Plots& plots = state.plots;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float margin = ui::px(10), width = std::min(ui::px(430), 0.45f * screen.x);
-  ImGui::SetNextWindowPos({screen.x - width - margin, margin}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize({width, screen.y - 2 * margin}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSizeConstraints({ui::px(260), ui::px(180)}, {screen.x, screen.y});
+  const float margin = ui::px(10), least_width = ui::px(260), least_height = ui::px(180);
+  const float width = std::floor(std::max(least_width, std::min(ui::px(430), 0.45f * screen.x)));
+  const std::array<float, 4> dock{screen.x - width - margin, margin, width, std::max(least_height, screen.y - 2 * margin)};
+  const bool dock_moved = std::exchange(plots.dock, dock) != dock;
+  if (plots.docked && dock_moved) {
+    ImGui::SetNextWindowPos({dock[0], dock[1]});
+    ImGui::SetNextWindowSize({dock[2], dock[3]});
+  }
+  ImGui::SetNextWindowSizeConstraints({least_width, least_height}, {std::max(least_width, screen.x), std::max(least_height, screen.y)});
   if (ImGui::Begin("Plots", &plots.shown, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing)) {
+    ui::keep_inside();
     const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    const auto at = [](float is, float wanted) { return std::abs(is - wanted) < 2; };
+    plots.docked = at(corner.x, dock[0]) && at(corner.y, dock[1]) && at(size.x, dock[2]) && at(size.y, dock[3]);
     plots.left = corner.x, plots.top = corner.y, plots.width = size.x, plots.height = size.y;
     buttons(plots, requests);
     choose_charts(plots);

@@ -32,6 +32,7 @@ void draw_recording_settings(ViewState& state, Requests& requests) {
   ImGui::SetNextWindowPos({panel_width() + ui::px(24), ui::px(100)}, ImGuiCond_Appearing);
   if (ImGui::Begin("Recording", &state.show_recording,
                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize)) {
+    ui::keep_inside();
     VideoSettings& video = state.video;
     ImGui::BeginDisabled(state.recording);
     label("File");

@@ -56,7 +56,7 @@ void scene_panel(const Session& session, ViewState& state, Requests& requests) {
 
   const Model& model = simulation.model;
   const Statistics& clock_now = state.statistics;
-  ui::fact("Mesh", grouped(model.rest_positions.size()) + " vertices, " + grouped(model.tets.size()) + " tets",
+  ui::fact("Mesh", grouped(model.rest_positions.size()) + " vertices, " + grouped(model.tets.size()) + (model.tets.size() == 1 ? " tet" : " tets"),
            "Of all bodies, as simulated: what is degenerate is left out");
   ui::fact("Mass", engineering(state.facts.mass(model), "kg"), "At the present densities; lumped to the vertices");
   char text[64];

@@ -10,6 +10,7 @@
 #include "app/ui_style.h"
 #include "app/ui_widgets.h"
 #include "app/units.h"
+#include "sim/report_text.h"
 
 namespace fascia {
 namespace {
@@ -124,7 +125,7 @@ void solver_panel(Session& session, ViewState& state) {
   if (changed) simulation.set_settings(settings);
   if (const GpuSolver* gpu = simulation.gpu(); gpu && gpu->gauss_seidel()) {
     const Coloring& coloring = gpu->gauss_seidel()->coloring();
-    ui::fact("In use", std::to_string(coloring.color_count()) + " colors, " + std::to_string(coloring.phantom_vertex.size()) + " phantoms",
+    ui::fact("In use", plural(coloring.color_count(), "color") + ", " + plural(coloring.phantom_vertex.size(), "phantom"),
              "Each color waits for the one before it; phantoms are copies of vertices that more colors than allowed would move");
   }
   gravity_row(simulation);

@@ -20,6 +20,8 @@ struct Plots {
   std::optional<std::uint32_t> probe;  // vertex that is followed; none: the tip, once there are plots
   bool choosing = false;       // the next click on the tissue chooses the probe
   float left = 0, top = 0, width = 0, height = 0;  // of the panel in the picture [pixels]
+  bool docked = true;            // until it is moved or resized, it fills the picture's right side, whatever size that gets
+  std::array<float, 4> dock{};   // where that was in the frame before: left, top, width, height [pixels]
 
   double right_edge() const { return end ? *end : history.all().empty() ? span : history.all().back().time; }
   /// Another scene: its samples and its vertex are gone.

@@ -40,8 +40,10 @@ void Session::look_from(const CameraSettings& view) {
 }
 
 void Session::set_display(const DisplaySettings& display) {
+  const bool other_range = display.color != this->display().color || display.range != this->display().range;
   simulation.scene.display = display;
   simulation.gpu()->set_color(display.color);
+  if (other_range) forget_range();
   show(display, look);
   const bool by_region = display.color == ColorBy::region;
   if ((by_region || display.section || display.tets) && !regions_) regions_ = drawn_regions(simulation.scene, simulation.model, surface_);
@@ -62,12 +64,32 @@ void Session::measure_error() {
 
 void Session::show_error() { simulation.gpu()->set_vertex_errors(true_error.result()->distance); }
 
-void Session::settle_range() {
+std::optional<Eigen::Vector2d> Session::measure_shown(bool now) {
   GpuSolver& solver = *simulation.gpu();
-  if (!solver.shown_range() || display().range) return;
-  solver.publish();
-  solver.shown_range()->request();
-  if (const auto shown = solver.shown_range()->take(true)) follow_range(*shown, display().color, look.range);
+  ShownRange& range = *solver.shown_range();
+  if (const auto shown = range.take(false); shown && !now) shown_ = shown;
+  if (now || !range.pending()) {
+    solver.publish();
+    range.request();
+  }
+  if (now) shown_ = range.take(true);
+  return shown_;
+}
+
+void Session::follow_range(Session* beside, bool now) {
+  if (!simulation.gpu()->shown_range() || display().range) return;
+  std::optional<Eigen::Vector2d> shown = measure_shown(now);
+  if (const auto other = beside && beside->display().color == display().color ? beside->measure_shown(now) : std::nullopt)
+    shown = shown ? Eigen::Vector2d(std::min(shown->x(), other->x()), std::max(shown->y(), other->y())) : *other;
+  if (shown) fascia::follow_range(*shown, display().color, range_);
+  if (range_) look.range = *range_;
+  if (beside) beside->look.range = look.range;
+}
+
+void Session::forget_range() {
+  shown_.reset();
+  range_.reset();
+  if (!display().range) look.range = Look().range;
 }
 
 void Session::show_grabbed() {
@@ -82,10 +104,6 @@ void Session::draw(Framebuffer& framebuffer, std::span<const GrabMark> hands, co
   GpuSolver& solver = *simulation.gpu();
   solver.publish();
   show_grabbed();
-  if (ShownRange* range = solver.shown_range(); range && !display().range) {
-    if (const auto shown = range->take(false)) follow_range(*shown, display().color, look.range);
-    if (!range->pending()) range->request();
-  }
   framebuffer.bind();
   renderer_->draw(SurfaceView{positions ? positions : &solver.positions()}, camera, look, hands, framebuffer);
   framebuffer.resolve();

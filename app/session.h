@@ -35,9 +35,12 @@ class Session {
   /// of now: vec4, as GpuSolver::positions.
   void draw(Framebuffer& framebuffer, std::span<const GrabMark> hands = {}, const gl::Buffer* positions = nullptr);
 
-  /// The heat map's range, where it is not fixed, follows what is drawn a frame late; this takes it from the state of now, for a
-  /// single picture.
-  void settle_range();
+  /// Once before each picture: the heat map's range, where it is not fixed, covers what was shown a frame ago here and at `beside`,
+  /// which gets the same range.
+  void follow_range(Session* beside = nullptr) { follow_range(beside, false); }
+  /// The same from the state of now, for a single picture.
+  void settle_range(Session* beside = nullptr) { follow_range(beside, true); }
+  void forget_range();  // the next one does not depend on what was shown before
   /// Once a frame, after its steps: the comparison with the exact step, where it is wanted, and its heat map.
   void follow_error();
   void measure_error();  // now, for a single picture
@@ -51,10 +54,14 @@ class Session {
  private:
   void show_error();
   void show_grabbed();
+  void follow_range(Session* beside, bool now);
+  std::optional<Eigen::Vector2d> measure_shown(bool now);
 
   DrawnSurface surface_;
   std::optional<DrawnRegions> regions_;  // once something has shown them
   std::optional<SceneRenderer> renderer_;
+  std::optional<Eigen::Vector2d> shown_;  // smallest and largest value of the heat map, when last measured
+  std::optional<Eigen::Vector2f> range_;  // that follows them
   std::vector<std::uint32_t> grabbed_;  // vertices that the renderer shows as held
   Eigen::Vector3d box_min_, box_max_;  // of the bodies at rest [m]
   std::string description_;

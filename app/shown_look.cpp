@@ -54,13 +54,11 @@ void show(const DisplaySettings& display, Look& look) {
   look.backdrop = backdrop_of(display.background);
 }
 
-void follow_range(const Eigen::Vector2d& shown, ColorBy color, Eigen::Vector2f& range) {
+void follow_range(const Eigen::Vector2d& shown, ColorBy color, std::optional<Eigen::Vector2f>& range) {
   const auto neutral = quantity_of(color).neutral;
   const double middle = neutral.value_or(0), wanted = neutral ? (shown.array() - middle).abs().maxCoeff() : shown.y();
   if (!(wanted > 0) || !std::isfinite(wanted)) return;
-  const double reach = range.y() - middle;
-  const bool right_kind = neutral ? std::abs(range.x() + range.y() - 2 * middle) <= 1e-6 * reach : range.x() == 0;
-  if (right_kind && wanted <= reach && wanted >= 0.2 * reach) return;
+  if (const double reach = range ? range->y() - middle : 0; wanted <= reach && wanted >= 0.2 * reach) return;
   // Closer to a neutral 1 than this, float32 has no digits left.
   const double next = std::max(round_up(wanted), middle == 0 ? 0.0 : 1e-5);
   range = Eigen::Vector2d(neutral ? middle - next : 0, middle + next).cast<float>();

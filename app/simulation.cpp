@@ -317,7 +317,7 @@ std::string describe(const StaticReport& report) {
   text << (report.converged ? "static equilibrium after " : "no static equilibrium after ");
   if (report.iterations > 0) text << report.iterations << (report.newton_iterations > 0 ? " and " : " ");
   if (report.newton_iterations > 0) text << report.newton_iterations << " Newton ";
-  text << "iterations, relative residual " << report.relative_residual;
+  text << (report.iterations + report.newton_iterations == 1 ? "iteration" : "iterations") << ", relative residual " << report.relative_residual;
   return text.str();
 }
 

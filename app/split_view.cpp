@@ -23,7 +23,9 @@ std::string material_text(const Material& m) {
          (m.damping > 0 ? ", damping " + engineering(m.damping, "s") : "");
 }
 
-std::string result_text(const Session& session, const std::optional<Diagnostics>& diagnostics, double step_ms, bool measured) {
+}  // namespace
+
+std::string side_result(const Session& session, const std::optional<Diagnostics>& diagnostics, double step_ms, bool measured) {
   char text[64];
   std::string result;
   if (const auto& error = session.true_error.result(); error && error->converged) {
@@ -33,16 +35,17 @@ std::string result_text(const Session& session, const std::optional<Diagnostics>
     std::snprintf(text, sizeof text, "residual %.2g", diagnostics->residual);
     result = text;
   }
-  if (measured && step_ms > 0) {
-    std::snprintf(text, sizeof text, "%s%.1f ms a step", result.empty() ? "" : "  |  ", step_ms);
+  const char* separator = result.empty() ? "" : "  |  ";
+  if (measured && session.simulation.asleep()) {
+    result += std::string(separator) + "at rest, asleep";
+  } else if (measured && step_ms > 0) {
+    std::snprintf(text, sizeof text, "%s%.1f ms a step", separator, step_ms);
     result += text;
   }
   if (diagnostics && !session.simulation.gpu()->springs().empty())
     result += (result.empty() ? "" : "  |  ") + engineering(diagnostics->grab_force.norm(), "N");
   return result;
 }
-
-}  // namespace
 
 namespace {
 
@@ -119,6 +122,10 @@ void SplitView::swap(std::unique_ptr<Session>& a) {
 }
 
 void SplitView::make_step(Session& session, Side& side) {
+  if (session.simulation.asleep()) {  // what that takes is no step's time
+    session.simulation.step();
+    return;
+  }
   side.timer.begin();
   session.simulation.step();
   side.timer.end();
@@ -194,10 +201,7 @@ SplitView::SideHands SplitView::hands(const Session& a, const std::optional<Diag
 void SplitView::draw(Session& a, Framebuffer& framebuffer, int left, const SideHands& hands,
                      const std::function<void(std::size_t, const Framebuffer&)>& drawn) {
   b_->camera = a.camera;
-  // One scale for both sides, the one of A: B's colors do not follow its own values.
-  std::optional<Eigen::Vector2d>& range = b_->simulation.scene.display.range;
-  const std::optional<Eigen::Vector2d> own = range;
-  if (a.look.heat_map) range = a.look.range.cast<double>();
+  b_->look = a.look;  // one scale for both sides
   framebuffer.bind_resolved();
   gl::Disable(GL_SCISSOR_TEST);
   gl::ClearColor(ui::kPanel.x, ui::kPanel.y, ui::kPanel.z, 1);
@@ -205,12 +209,10 @@ void SplitView::draw(Session& a, Framebuffer& framebuffer, int left, const SideH
   const std::array<Area, 2> places = areas(framebuffer.width(), left);
   for (std::size_t i = 0; i < 2; ++i) {
     Framebuffer& picture = picture_of(places[i].width, framebuffer.height(), framebuffer.samples());
-    if (i == 1) b_->look = a.look;  // after A has found its range
     (i == 0 ? a : *b_).draw(picture, arrows(hands[i]));
     if (drawn) drawn(i, picture);
     picture.copy_to(framebuffer, places[i].x);
   }
-  range = own;
 }
 
 void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int height, int left, float scale, const Labels& labels) const {
@@ -224,7 +226,7 @@ void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int h
     draw_hand_marks(area_of(list, places[i], height, scale), session, labels.hands[i]);
     const bool edited = labels.measured && (i == 1) == labels.editing_b;  // without a clock there is nobody who edits
     ui::pill(list, (i == 0 ? "A   " : "B   ") + side_text(session, other), middle, ui::px(46), edited ? ui::kAccent : ui::kText, widest);
-    std::string result = result_text(session, i == 0 ? labels.of_a : diagnostics_, sides_[i].step_ms, labels.measured);
+    std::string result = side_result(session, i == 0 ? labels.of_a : diagnostics_, sides_[i].step_ms, labels.measured);
     if (i == 1 && lost_ > 0) result += "  |  came apart " + std::to_string(lost_) + (lost_ == 1 ? " time" : " times");
     if (!result.empty()) ui::pill(list, result, middle, bottom - ui::px(78), ui::kText, widest);
   }

@@ -17,6 +17,9 @@ struct ImDrawList;
 
 namespace fascia {
 
+/// What a side costs and reaches, in one line; the time of a step, or that it sleeps, only where it is `measured`.
+std::string side_result(const Session& session, const std::optional<Diagnostics>& diagnostics, double step_ms, bool measured);
+
 class SplitView {
  public:
   /// B is `scene` in the state that A is in; `model` goes with it. Throws Error if it has other vertices than A, or where one of them is

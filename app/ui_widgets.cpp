@@ -136,7 +136,9 @@ bool number(const NumberField& field, double& value) {
   if (typing.id == id) {
     changed = typed_number(field, value);
   } else {
-    ImGui::SetNextItemWidth(kSliderShare * row);
+    // By its unit and not by its value: a slider that changed its width under the mouse would run away from it.
+    const float gap = px(6), widest_value = ImGui::CalcTextSize(pretty("0000 " + field.unit).c_str()).x;
+    ImGui::SetNextItemWidth(std::min(kSliderShare * row, (1 - kLabelShare) * row - widest_value - gap));
     const ImGuiSliderFlags flags = ImGuiSliderFlags_NoInput | (field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
     changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &field.slider_min, &field.slider_max, "", flags);
     tooltip(field.help);
@@ -203,6 +205,12 @@ bool ButtonRow::add(const char* text, const std::string& help, bool lit) {
   if (!first_) ImGui::SameLine();
   first_ = false;
   return button(text, help, width_, lit);
+}
+
+void keep_inside() {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize, at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const ImVec2 inside{std::clamp(at.x, 0.0f, std::max(0.0f, screen.x - size.x)), std::clamp(at.y, 0.0f, std::max(0.0f, screen.y - size.y))};
+  if (inside.x != at.x || inside.y != at.y) ImGui::SetWindowPos(inside);
 }
 
 bool checkbox(const char* text, bool& value, const std::string& help) {

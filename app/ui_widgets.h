@@ -80,6 +80,9 @@ class ButtonRow {
   bool first_ = true;
 };
 
+/// Brings the window that is being drawn back to where all of it is seen, as when the picture has become smaller.
+void keep_inside();
+
 /// True when it was changed.
 bool checkbox(const char* text, bool& value, const std::string& help);
 

@@ -204,11 +204,12 @@ void ViewWindow::build_panels(Requests& requests) {
   state_.recording = video_.running();
   state_.hands = mouse_.hands().all().size();
   draw_legend(*session_);
+  const Room room = room_beside_panels(state_);
   const bool shown_alone = video_.running() && !video_.settings().panels;  // the scene, in a video
-  if (!shown_alone) draw_notice(state_);
+  if (!shown_alone) draw_notice(state_, room);
   if (state_.show_panels) {
     draw_panels(tuned(), state_, requests);
-    if (steps_left_ < 0 && !shown_alone && !split_) draw_hints(hints_);  // where a comparison has its figures
+    if (steps_left_ < 0 && !shown_alone && !split_) draw_hints(hints_, room);  // where a comparison has its figures
   }
   if (state_.plots.shown) draw_plots(session_->simulation, state_, requests);
   if (session_->simulation.replaying()) draw_replay_badge(session_->simulation, state_, requests);
@@ -368,6 +369,7 @@ void ViewWindow::draw_scene(Framebuffer& picture, float scale, int left) {
   Session& session = *session_;
   const std::vector<HandMark> hands = marks();
   session.camera.middle.x() = static_cast<double>(left) / picture.width();
+  session.follow_range();
   session.draw(picture, arrows(hands));
   overlay_.draw_list(picture, scale, [&](ImDrawList& list) {
     const MarkArea area{list, 0, static_cast<float>(picture.width()) / scale, static_cast<float>(picture.height()) / scale};

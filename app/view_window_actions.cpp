@@ -118,7 +118,12 @@ void ViewWindow::press_key(int key, int mods, Requests& requests) {
     case GLFW_KEY_LEFT_BRACKET: mouse_.resize(1 / kResize, held(), state_.grab); break;
     case GLFW_KEY_RIGHT_BRACKET: mouse_.resize(kResize, held(), state_.grab); break;
     case GLFW_KEY_DELETE: mouse_.let_go(pointer_in_side(hand_in_b_), picture_of_hand(), held()); break;
-    case GLFW_KEY_ESCAPE: mouse_.let_go_staying(held()); break;
+    case GLFW_KEY_ESCAPE:
+      if (state_.show_help || state_.show_recording)
+        state_.show_help = state_.show_recording = false;
+      else
+        mouse_.let_go_staying(held());
+      break;
     case GLFW_KEY_F1: state_.show_help = !state_.show_help; break;
     case GLFW_KEY_F2: requests.gallery = true; break;
     case GLFW_KEY_F3:

@@ -108,6 +108,7 @@ void ViewWindow::draw_comparison(Framebuffer& picture, float scale, int left,
                                  const std::function<void(std::size_t, const Framebuffer&)>& drawn) {
   const SplitView::SideHands hands = split_->hands(*session_, diagnostics_of_a_, &mouse_.hands());
   session_->camera.middle.x() = 0;
+  session_->follow_range(&split_->b());
   split_->draw(*session_, picture, left, hands, drawn);
   overlay_.draw_list(picture, scale, [&](ImDrawList& list) {
     split_->draw_labels(list, *session_, picture.width(), picture.height(), left, scale, {diagnostics_of_a_, true, state_.editing_b, hands});

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <ostream>
+#include <string_view>
 
 namespace fascia {
 
@@ -13,6 +14,7 @@ std::string number(double value) {
 }
 
 std::string plural(std::size_t count, const char* noun) {
+  if (count != 1 && std::string_view(noun) == "vertex") return std::to_string(count) + " vertices";
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 

@@ -39,7 +39,7 @@ fascia_test(test_render SOURCES ${T}/render/test_render*.cpp ${T}/render/test_ca
             ${T}/render/test_framebuffer.cpp
             LIBS render)
 fascia_test(test_solver SOURCES ${T}/sim/gpu/*.cpp LIBS sim render)
-fascia_test(test_app SOURCES ${T}/app/test_*.cpp ${T}/app/window_fixture.cpp LIBS app nlohmann_json::nlohmann_json)
+fascia_test(test_app SOURCES ${T}/app/test_*.cpp ${T}/app/window_fixture.cpp LIBS app nlohmann_json::nlohmann_json PkgConfig::IMGUI)
 # The work groups of fused passes wait for each other: with more threads than most machines of CI have cores. And vectors of four, as
 # llvmpipe has them on processors without AVX2.
 set(threads_environment ${FASCIA_TEST_ENVIRONMENT})

@@ -86,6 +86,17 @@ TEST_CASE("info reports colors and their balance", "[cli]") {
   CHECK(result.out.find(" phantoms") != std::string::npos);
 }
 
+TEST_CASE("one of a thing is not many", "[cli]") {
+  const TemporaryFolder folder;
+  write_file(folder / "one.vtk", "# vtk DataFile Version 3.0\none\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 .1 0 0 0 .1 0 0 0 .1\n"
+                                 "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n");
+  const std::string mesh = (folder / "one.vtk").string();
+  const CommandResult info = run_fascia({"info", mesh}), run = run_fascia({"run", mesh, "--steps", "1", "--context", "osmesa"});
+  CAPTURE(info.out, run.err);
+  CHECK(info.out.find("plain: 1 color of 1 tet, 0 phantoms") != std::string::npos);
+  CHECK(run.err.find("fascia: 1 step, ") != std::string::npos);
+}
+
 TEST_CASE("help and version", "[cli]") {
   CHECK(run_fascia({"--version"}).out.rfind("fascia ", 0) == 0);
   for (const char* command : {"view", "render", "run", "info", "convert"}) {

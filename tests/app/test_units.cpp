@@ -12,6 +12,7 @@ TEST_CASE("numbers are shown with SI prefixes where their unit takes them") {
   CHECK(engineering(1.0 / 60, "s") == "16.7 ms");
   CHECK(engineering(-3.21, "N") == "-3.21 N");
   CHECK(engineering(2.5e-7, "J") == "250 nJ");
+  CHECK(engineering(1.5e-5, "m/s") == "15 \xc2\xb5m/s");
   CHECK(engineering(0, "N") == "0 N");
   CHECK(engineering(1060, "kg/m^3") == "1060 kg/m^3");
   CHECK(engineering(0.3, "") == "0.3");
@@ -28,6 +29,8 @@ TEST_CASE("what people type is understood") {
   CHECK(*parse_engineering("16.7ms", "s") == Approx(0.0167));
   CHECK(*parse_engineering("2 \xc2\xb5s", "s") == Approx(2e-6));
   CHECK(parse_engineering("-0.2", "") == -0.2);
+  CHECK(parse_engineering("2.5 m/s", "m/s") == 2.5);
+  CHECK(*parse_engineering("15 mm/s", "m/s") == Approx(0.015));
   for (const char* wrong : {"", "k", "12 kPaa", "1,5", "nan", "inf", "12 N", "0x10"}) {
     CAPTURE(wrong);
     CHECK_FALSE(parse_engineering(wrong, "Pa"));

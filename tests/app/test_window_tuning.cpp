@@ -212,3 +212,20 @@ TEST_CASE("a section plane that was dragged is taken back in one piece; a hand a
   REQUIRE(last);
   CHECK(last->empty());
 }
+
+TEST_CASE("Escape closes the panel Recording") {
+  const TemporaryFolder folder;
+  const VirtualDisplay display(kWidth, kHeight);
+  write_file(folder / "cube.json", cube_scene());
+  FasciaWindow window({(folder / "cube.json").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)}, folder.path());
+  const auto shown = [&] {
+    const Image image = window.screenshot().image;
+    const std::uint8_t* p = &image.rgba[4 * (262 * static_cast<std::size_t>(image.width) + 650)];  // beside its buttons
+    return p[0] < 80 && p[1] < 80 && p[2] < 80;
+  };
+  CHECK_FALSE(shown());
+  window.key("shift+v");
+  CHECK(eventually(shown));
+  window.key("Escape");
+  CHECK(eventually([&] { return !shown(); }));
+}
