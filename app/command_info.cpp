@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/file_provenance.h"
+#include "app/usage_error.h"
 #include "sim/coloring.h"
 #include "sim/file.h"
 #include "sim/locality.h"
@@ -64,7 +65,7 @@ int command_info(const InfoOptions& options) {
     const std::string ending = lower_ending(options.input);
     if (ending != ".vtu" && ending != ".msh") return exit_done;  // those are meshes, too
   }
-  const Scene scene = open_scene(options.input, options.sets);
+  const Scene scene = blaming_options([&] { return open_scene(options.input, options.sets); });
   for (const Body& body : scene.bodies) {
     const std::filesystem::path path = scene.resolve(body.mesh);
     std::cout << path.string() << '\n';

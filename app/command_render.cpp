@@ -45,10 +45,10 @@ int command_render(const RenderOptions& options) {
   Headless headless(options);
   opening.reset();
   std::vector<std::filesystem::path> inputs = input_files(headless.session().simulation.scene);
-  for (const std::string& golden : {options.compare, options.state}) {
-    if (std::error_code ec; !golden.empty() && !options.update && !std::filesystem::exists(golden, ec))
-      throw Error(golden, "no such golden", "expected one to compare with; --update writes it");
-    inputs.emplace_back(golden);
+  inputs.insert(inputs.end(), {options.compare, options.state});
+  if (const std::vector<std::string> missing = missing_goldens(options.goldens()); !options.update && !missing.empty()) {
+    for (const std::string& line : missing) std::cerr << "fascia: " << line << '\n';
+    return exit_failed;
   }
   require_outputs({{"--out", options.out, {".png"}}, {"--diff", options.difference, {".png"}}}, inputs);
   if (!options.video.empty() && headless.session().display().background == Background::transparent)

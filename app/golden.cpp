@@ -124,6 +124,19 @@ bool Comparison::passed() const {
   return std::all_of(findings.begin(), findings.end(), [](const Finding& finding) { return finding.passed; });
 }
 
+std::vector<std::string> missing_goldens(const GoldenFiles& goldens) {
+  std::vector<std::string> lines;
+  for (const fs::path& golden : {goldens.picture, goldens.state}) {
+    if (golden.empty()) continue;
+    try {
+      require_golden(golden);
+    } catch (const Error& error) {
+      lines.push_back(error.what());
+    }
+  }
+  return lines;
+}
+
 Comparison compare(const Outcome& outcome, const GoldenFiles& goldens, const GoldenLimits& limits) {
   Comparison comparison;
   if (!goldens.picture.empty())

@@ -36,6 +36,9 @@ struct Comparison {
   bool passed() const;
 };
 
+/// One line for each golden that is named and not there. To be asked before the work that would be compared with it.
+std::vector<std::string> missing_goldens(const GoldenFiles& goldens);
+
 /// Throws nothing for a golden that is missing, unreadable or of another size or mesh: that is a finding.
 Comparison compare(const Outcome& outcome, const GoldenFiles& goldens, const GoldenLimits& limits);
 

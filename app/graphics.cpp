@@ -28,7 +28,7 @@ std::size_t dispatches_of(Method method) {
 // kernel, of which colors make many; else they are woken and awaited in every dispatch, which takes as long as they save on some
 // thousands of tets. The rasteriser gains from every core, more than a step loses.
 void choose_software_threads(const Workload& workload) {
-  constexpr std::size_t kTetsFused = 2000, kTetsOfColors = 40'000, kTetsPerDispatch = 5000;
+  constexpr std::size_t kTetsFused = 2000, kTetsOfColors = 8'000, kTetsPerDispatch = 5000;
   const unsigned cores = std::clamp(std::thread::hardware_concurrency(), 1u, 16u);
   const std::size_t least = !workload.fused                           ? kTetsPerDispatch * dispatches_of(workload.method)
                             : workload.method == Method::gauss_seidel ? kTetsOfColors

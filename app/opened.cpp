@@ -45,7 +45,7 @@ Opened open_input(const CommonOptions& options, const std::vector<std::string>& 
   std::vector<std::string> overrides = sets;
   for (const std::string& grab : options.grabs) overrides.push_back("--grab " + grab);
   if (!options.replay.empty() && !options.input.empty()) throw UsageError("--replay", "has a scene of its own", "leave out " + options.input);
-  try {
+  return blaming_options([&] {
     Opened opened = !options.replay.empty() ? open_replay(options.replay, overrides)
                     : options.input.empty() ? open_file(default_scene(find_data_dir(options.data_dir)), overrides)
                                             : open_file(options.input, overrides);
@@ -55,10 +55,7 @@ Opened open_input(const CommonOptions& options, const std::vector<std::string>& 
     if (names("solver.method=") != names("solver.acceleration="))  // the other one may have changed with it
       opened.model.notes.push_back(std::string("solver: ") + name_of(opened.scene.solver.method) + " + " + name_of(opened.scene.solver.acceleration));
     return opened;
-  } catch (const Error& error) {
-    if (std::string(error.what()).starts_with("--")) throw UsageError(error.what());  // the option's fault, not the file's
-    throw;
-  }
+  });
 }
 
 long steps_to_run(const CommonOptions& options, const Simulation& simulation) {

@@ -1,7 +1,6 @@
 #include "app/soak.h"
 
 #include <cmath>
-#include <cstring>
 
 #include "app/breakdown.h"
 #include "app/process_memory.h"
@@ -15,19 +14,6 @@ using Eigen::Vector3d;
 constexpr long kPull = 60, kHold = 60, kPeriod = 600;  // steps: to the target, there, and of a grab with the rest after it
 constexpr int kDirections = 4;                         // grabs of a round
 constexpr double kReach = 0.2;                         // of the body's size
-
-std::uint64_t hash_of(const reference::State& state) {
-  std::uint64_t hash = 14695981039346656037ull;  // FNV-1a
-  for (const auto* vectors : {&state.displacement, &state.velocity})
-    for (const Vector3d& v : *vectors)
-      for (int k = 0; k < 3; ++k) {
-        const auto value = static_cast<float>(v[k]);
-        unsigned char bytes[sizeof value];
-        std::memcpy(bytes, &value, sizeof value);
-        for (const unsigned char byte : bytes) hash = (hash ^ byte) * 1099511628211ull;
-      }
-  return hash;
-}
 
 // The vertices farthest from the supports, as stiff together as their tissue under a disc.
 struct Patch {
@@ -93,7 +79,7 @@ SoakRun soak(Bench& bench, const Scene& scene, long steps) {
     run.memory_first = run.memory_last;
   }
   require_sound(simulation);
-  run.hash = hash_of(simulation.state());
+  run.hash = state_hash(simulation.state());
   return run;
 }
 

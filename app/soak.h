@@ -10,7 +10,7 @@
 namespace fascia {
 
 struct SoakRun {
-  std::uint64_t hash = 0;                  // of the last state's float32 displacements and velocities
+  std::uint64_t hash = 0;                  // of the last state (state_hash)
   double elastic_first = 0, elastic_last = 0;  // at rest, after the first round of grabs and after the last one [J]
   double kinetic_last = 0;                 // at rest [J]
   double strained = 0;                     // largest elastic energy seen while grabbed [J]

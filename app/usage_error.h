@@ -9,4 +9,15 @@ class UsageError : public Error {
   using Error::Error;
 };
 
+/// What `open` returns; an Error that begins with an option's name ("--set ...") is a UsageError: the option's fault, not the file's.
+template <class Open>
+auto blaming_options(Open&& open) {
+  try {
+    return open();
+  } catch (const Error& error) {
+    if (std::string(error.what()).starts_with("--")) throw UsageError(error.what());
+    throw;
+  }
+}
+
 }  // namespace fascia

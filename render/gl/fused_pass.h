@@ -21,7 +21,8 @@ class FusedPasses {
   /// copy first (ComputePass::copy_first) to stay as it is. What the passes refer to must outlive it. Throws Error.
   FusedPasses(ProgramCache& programs, const std::vector<ComputePass>& passes);
 
-  /// All of them, so many times.
+  /// All of them, so many times. Waits for the device after every fused dispatch, to know whether it came to its end: on llvmpipe that is
+  /// the processor itself. Throws Error.
   void run(std::uint32_t repeats = 1) const;
   /// Of `repeats` runs, unless the work is too much for a dispatch (fused.glsl).
   std::uint64_t dispatches(std::uint32_t repeats) const;

@@ -45,6 +45,37 @@ std::vector<vec4> make_shapes(const Model& model, const std::vector<Tet>& tets) 
   return shapes;
 }
 
+// Where the corners of pairs and single tets put their corrections: a counting sort of corners by vertex.
+struct Slots {
+  gl::Buffer correction, pair, fifth, begin;  // as in SimBuffers
+  std::uint32_t most = 0;                     // of a vertex
+
+  Slots(const std::vector<Tet>& tets, std::uint32_t pair_count, std::uint32_t vertex_count) {
+    const std::uint32_t count = static_cast<std::uint32_t>(tets.size()) - pair_count;
+    std::vector<Tet> corners(count);
+    std::vector<std::uint32_t> fifths(count, 0), begins(vertex_count + 1, 0);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const bool two = i < pair_count;
+      corners[i] = tets[two ? 2 * i : pair_count + i];
+      for (const std::uint32_t v : corners[i]) ++begins[v + 1];
+      if (!two) continue;
+      fifths[i] = tets[2 * i + 1][3];
+      ++begins[fifths[i] + 1];
+    }
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    for (std::uint32_t v = 0; v < vertex_count; ++v) most = std::max(most, begins[v + 1] - begins[v]);
+    begin = gl::Buffer("slot_begin", begins);
+    correction = gl::Buffer("correction", begins.back() * sizeof(vec4));
+    std::vector<std::uint32_t>& next = begins;  // of each vertex the next free slot
+    for (std::uint32_t i = 0; i < count; ++i) {
+      for (std::uint32_t& v : corners[i]) v = next[v]++;
+      if (i < pair_count) fifths[i] = next[fifths[i]]++;
+    }
+    pair = gl::Buffer("pair_slots", corners);
+    fifth = gl::Buffer("fifth_slot", fifths);
+  }
+};
+
 }  // namespace
 
 std::vector<Eigen::Vector3d> download_vectors(const gl::Buffer& buffer, std::size_t count) {
@@ -87,7 +118,6 @@ SimBuffers::SimBuffers(const Model& model)
 
 void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
   const std::vector<std::uint32_t>& order = pairing.order;
-  pair_count = pairing.pair_count;
   std::vector<Tet> tets;
   std::vector<std::uint32_t> material;
   tets.reserve(order.size());
@@ -95,42 +125,22 @@ void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
     tets.push_back(model.tets[t]);
     if (model.materials.size() > 1) material.push_back(model.tet_material[t]);
   }
-  for (std::size_t i = 0; i < pair_count; ++i) align_at_face(tets[2 * i], tets[2 * i + 1]);
-  tet_vertices = gl::Buffer("tet_vertices", tets);
-  tet_shape = gl::Buffer("tet_shape", make_shapes(model, tets));
+  for (std::size_t i = 0; i < pairing.pair_count; ++i) align_at_face(tets[2 * i], tets[2 * i + 1]);
   const std::vector<std::uint32_t> before = tets_before(tets, vertex_count);
+  Slots slots(tets, pairing.pair_count, vertex_count);
+  gl::Buffer vertices("tet_vertices", tets), shapes("tet_shape", make_shapes(model, tets)), begins("tet_begin", before);
+  if (!material.empty()) tet_material = gl::Buffer("tet_material", material);
+  tet_vertices = std::move(vertices);
+  tet_shape = std::move(shapes);
+  tet_begin = std::move(begins);
+  correction = std::move(slots.correction);
+  pair_slots = std::move(slots.pair);
+  fifth_slot = std::move(slots.fifth);
+  slot_begin = std::move(slots.begin);
+  pair_count = pairing.pair_count;
+  most_slots = slots.most;
   most_tets = 0;
   for (std::uint32_t v = 0; v < vertex_count; ++v) most_tets = std::max(most_tets, before[v + 1] - before[v]);
-  tet_begin = gl::Buffer("tet_begin", before);
-  make_slots(tets);
-  if (!material.empty()) tet_material = gl::Buffer("tet_material", material);
-}
-
-// A counting sort of corners by vertex.
-void SimBuffers::make_slots(const std::vector<Tet>& tets) {
-  const std::uint32_t count = pair_and_single_count();
-  std::vector<Tet> corners(count);
-  std::vector<std::uint32_t> fifth(count, 0), begin(vertex_count + 1, 0);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const bool two = i < pair_count;
-    corners[i] = tets[two ? 2 * i : pair_count + i];
-    for (const std::uint32_t v : corners[i]) ++begin[v + 1];
-    if (!two) continue;
-    fifth[i] = tets[2 * i + 1][3];
-    ++begin[fifth[i] + 1];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  most_slots = 0;
-  for (std::uint32_t v = 0; v < vertex_count; ++v) most_slots = std::max(most_slots, begin[v + 1] - begin[v]);
-  slot_begin = gl::Buffer("slot_begin", begin);
-  correction = gl::Buffer("correction", begin.back() * sizeof(vec4));
-  std::vector<std::uint32_t>& next = begin;  // of each vertex the next free slot
-  for (std::uint32_t i = 0; i < count; ++i) {
-    for (std::uint32_t& v : corners[i]) v = next[v]++;
-    if (i < pair_count) fifth[i] = next[fifth[i]]++;
-  }
-  pair_slots = gl::Buffer("pair_slots", corners);
-  fifth_slot = gl::Buffer("fifth_slot", fifth);
 }
 
 void SimBuffers::set_phantom_count(std::uint32_t count) {

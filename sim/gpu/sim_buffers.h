@@ -53,7 +53,8 @@ struct SimBuffers {
 
   gl::Buffer step;  // uniform block Step (shared::StepValues)
 
-  /// The tets in another order: all of solved_tets(). Needs passes and lists that count on the old one made anew.
+  /// The tets in another order: all of solved_tets(). Needs passes and lists that count on the old one made anew. Throws Error and
+  /// changes nothing where there is no room.
   void set_tet_order(const Model& model, const TetPairing& order);
   std::uint32_t pair_and_single_count() const { return tet_count - pair_count; }
   /// Room for `count` copies of vertices behind the displacements, which stay.
@@ -65,9 +66,6 @@ struct SimBuffers {
   void upload_materials(const Model& model);
   void upload_step(const Model& model, const SolverSettings& settings);
   bool material_per_tet() const { return static_cast<bool>(tet_material); }
-
- private:
-  void make_slots(const std::vector<Tet>& tets);
 };
 
 }  // namespace fascia

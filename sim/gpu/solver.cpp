@@ -32,7 +32,8 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
 void GpuSolver::make_method() {
   const GaussSeidelMethod* sweep = gauss_seidel();
   const bool colors_stay = sweep && settings_.method == Method::gauss_seidel && sweep->colors_asked() == settings_.colors;
-  const bool order_goes = sweep && settings_.method != Method::gauss_seidel;
+  // Not by the method that was: one that found no room for all of it may have left its order.
+  const bool order_goes = settings_.method != Method::gauss_seidel && buffers_.pair_count == 0;
   auto* two_level = dynamic_cast<TwoLevelMethod*>(method_.get());
   const bool levels_stay = two_level && settings_.method == Method::two_level;
   regions_.reset();

@@ -22,7 +22,12 @@ std::map<std::string, GpuSolver::KernelTime> GpuSolver::timed_step() {
   std::map<std::string, KernelTime> times;
   gl::Finish();
   times_ = &times;
-  step();
+  try {
+    step();
+  } catch (...) {
+    times_ = nullptr;
+    throw;
+  }
   times_ = nullptr;
   return times;
 }

@@ -47,6 +47,6 @@ TEST_CASE("a surface without an inside and one of several million tets are refus
     CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
   }
   const CommandResult result = run_fascia({"run", kidney, "--set", "resolution=300", "--steps", "1"});
-  CHECK(result.exit_code == 1);
+  CHECK(result.exit_code == 2);
   CHECK_THAT(result.err, Catch::Contains("2 to 256"));
 }
