@@ -1,4 +1,5 @@
 // Options that several commands have.
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -13,7 +14,9 @@ CLI::Validator at_least(double least) {
   return CLI::Validator(
       [least, expected = text.str()](std::string& value) {
         double number = 0;
-        const bool good = CLI::detail::lexical_cast(value, number) && std::isfinite(number) && number >= least;
+        const char* const end = value.data() + value.size();
+        const auto read = std::from_chars(value.data(), end, number);
+        const bool good = read.ec == std::errc{} && read.ptr == end && std::isfinite(number) && number >= least;
         return good ? std::string() : value + " is not " + expected;
       },
       "");

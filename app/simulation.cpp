@@ -182,30 +182,31 @@ double Simulation::time() const { return reference_ ? reference_state_.time : gp
 
 StaticReport Simulation::solve_static() {
   pull(with_hands_at_last(other_springs_, model.hands));
-  StaticReport report;
   const auto by_newton = [&](reference::State& state, double tolerance) {
     reference::NewtonSolver solver(model, scene.solver, interrupt_token());
     solver.set_springs(springs_);
-    const reference::NewtonReport newton = solver.solve_static(state, tolerance);
-    report.newton_iterations = newton.iterations;
-    if (newton.converged || reference_) report.relative_residual = newton.relative_residual;
-    report.converged = newton.converged;
-    if (gpu_ && (newton.converged || reference_)) gpu_->upload(state);
+    return solver.solve_static(state, tolerance);
   };
   if (reference_) {
-    by_newton(reference_state_, scene.solver.tolerance);
-    return report;
+    newton_report_ = by_newton(reference_state_, scene.solver.tolerance);
+    if (gpu_) gpu_->upload(reference_state_);
+    return {0, newton_report_.iterations, newton_report_.relative_residual, newton_report_.converged};
   }
   const double tolerance = scene.solver.tolerance > 0 ? scene.solver.tolerance : 1e-5;
   equilibrium_.emplace();
   const reference::NewtonReport march = march_to_equilibrium(*gpu_, model, tolerance, *equilibrium_, interrupt_token());
-  report = {march.iterations, 0, march.relative_residual, march.converged};
+  StaticReport report{march.iterations, 0, march.relative_residual, march.converged};
   constexpr double kNear = 1e-2;  // from farther away Newton's method finds no way, either, and takes long for it
   if (march.converged || march.relative_residual > kNear || model.tets.size() > reference::NewtonSolver::kMostTets || interrupted())
     return report;
   reference::State exact = *equilibrium_;
-  by_newton(exact, tolerance);
-  if (report.converged) equilibrium_ = std::move(exact);
+  const reference::NewtonReport newton = by_newton(exact, tolerance);
+  report.newton_iterations = newton.iterations;
+  if (!newton.converged) return report;
+  report.relative_residual = newton.relative_residual;
+  report.converged = true;
+  gpu_->upload(exact);
+  equilibrium_ = std::move(exact);
   return report;
 }
 

@@ -19,6 +19,20 @@ inline Model free_bar(double damping = 0) {
   return model;
 }
 
+// Two boxes of that many cells and that size [m] side by side, which share nothing, each clamped at its end.
+inline Model two_bars(int cells_along, double length, const Material& material) {
+  TetMesh mesh = make_box(cells_along, 4, 4, {length, 0.1, 0.1});
+  const TetMesh other = mesh;
+  const auto offset = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const Eigen::Vector3d& x : other.positions) mesh.positions.push_back(x + Eigen::Vector3d(0, 0.3, 0));
+  for (Tet tet : other.tets) {
+    for (std::uint32_t& v : tet) v += offset;
+    mesh.tets.push_back(tet);
+  }
+  mesh.regions.insert(mesh.regions.end(), other.regions.begin(), other.regions.end());
+  return make_model(mesh, material, [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
+}
+
 inline SolverSettings with(Method method) {
   SolverSettings settings;
   settings.method = method;
