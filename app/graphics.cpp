@@ -7,6 +7,7 @@
 
 #include "app/paths.h"
 #include "render/gl/debug.h"
+#include "sim/error.h"
 
 namespace fascia {
 namespace {
@@ -36,11 +37,17 @@ void choose_software_threads(const Workload& workload) {
   setenv("LP_NUM_THREADS", std::to_string(workload.drawn || workload.tets >= least ? cores : 0).c_str(), 0);
 }
 
-// Storage blocks on GPUs; texel fetches on llvmpipe, whose storage reads cost 8 to 12 times as much.
+// Storage blocks on GPUs; texel fetches on llvmpipe, whose storage reads cost 8 to 12 times as much, and where kernels may have fewer
+// blocks than they read and write buffers: OpenGL 4.3 promises eight.
 gl::LoadPath choose_loads(const std::string& name) {
+  const int blocks = gl::device().max_compute_storage_blocks;
+  const bool enough = blocks >= gl::kMostKernelBuffers;
+  if (name == "ssbo" && !enough)
+    throw Error("--loads ssbo", gl::device().renderer + " has " + std::to_string(blocks) + " storage blocks in a kernel",
+                "expected " + std::to_string(gl::kMostKernelBuffers) + ", or --loads texel");
   if (name == "ssbo") return gl::LoadPath::storage;
   if (name == "texel") return gl::LoadPath::texel;
-  return gl::device().software ? gl::LoadPath::texel : gl::LoadPath::storage;
+  return gl::device().software || !enough ? gl::LoadPath::texel : gl::LoadPath::storage;
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ bool TrueError::update(Simulation& simulation, bool continuously) {
     begin(simulation);
   }
   if (waiting_)
-    if (std::optional<SolvedStep> step = snapshot_.take(false)) {
+    if (std::optional<SolvedStep> step = snapshot_.take(simulation.gpu()->buffers(), false)) {
       running_ = std::async(std::launch::async, [problem = std::move(*waiting_), step = std::move(*step), stop = stop_.get_token()] {
         return compare(problem, step, stop);
       });
@@ -82,7 +82,7 @@ const StepError& TrueError::measure(Simulation& simulation) {
     result_->distance.resize(simulation.model.rest_positions.size());
   } else {
     begin(simulation);
-    result_ = compare(*waiting_, *snapshot_.take(true), stop_.get_token());
+    result_ = compare(*waiting_, *snapshot_.take(simulation.gpu()->buffers(), true), stop_.get_token());
     waiting_.reset();
   }
   return *result_;

@@ -24,14 +24,19 @@ class GlfwContext : public Context {
                   "expected a graphical session (DISPLAY or WAYLAND_DISPLAY); without one use render or "
                   "--context osmesa");
     // An older one than 4.3 only serves to say, in gl::load, what was found instead (macOS ends at 4.1).
-    for (const auto& [major, minor] : {std::pair{4, 3}, std::pair{3, 2}}) {
+    // Not every driver tells of a device that was reset.
+    struct Attempt {
+      int major, minor, robustness;
+    };
+    for (const auto& [major, minor, robustness] :
+         {Attempt{4, 3, GLFW_LOSE_CONTEXT_ON_RESET}, Attempt{4, 3, GLFW_NO_ROBUSTNESS}, Attempt{3, 2, GLFW_NO_ROBUSTNESS}}) {
       glfwDefaultWindowHints();
       glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
       glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
       glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
       glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
       glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, request.debug ? GLFW_TRUE : GLFW_FALSE);
-      glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
+      glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
       glfwWindowHint(GLFW_DEPTH_BITS, 0);  // everything is drawn into our own framebuffers
       glfwWindowHint(GLFW_STENCIL_BITS, 0);
       window_ = glfwCreateWindow(request.width, request.height, request.title.c_str(), nullptr, nullptr);

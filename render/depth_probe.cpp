@@ -21,7 +21,7 @@ void DepthProbe::request(const Framebuffer& framebuffer, int x, int y, const Eig
   left_ = std::clamp(x - kSize / 2, 0, width_ - kSize);
   bottom_ = std::clamp(height_ - 1 - y - kSize / 2, 0, height_ - kSize);
   from_clip_ = to_clip.inverse();
-  if (!staging_) staging_ = gl::Buffer("depth_probe", kSize * kSize * sizeof(float));
+  if (!staging_) staging_ = gl::Buffer::staging("depth_probe", kSize * kSize * sizeof(float));
   int read_left = left_, read_bottom = bottom_;
   gl::BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.draw_id());
   if (framebuffer.samples() > 1) {

@@ -56,15 +56,13 @@ std::size_t bytes_per_texel(GLenum internal_format) {
   }
 }
 
-Buffer::Buffer(std::string label, std::size_t bytes, const void* data)
+Buffer::Buffer(std::string label, std::size_t bytes, const void* data, GLenum usage)
     : bytes_(bytes), label_(std::move(label)) {
-  while (GetError() != GL_NO_ERROR) {
-  }
+  forget_errors();
   GenBuffers(1, &id_);
   BindBuffer(GL_COPY_WRITE_BUFFER, id_);
   const std::size_t size = std::max(bytes, kLeastBytes);
-  BufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(size), bytes == size ? data : nullptr,
-             GL_DYNAMIC_COPY);
+  BufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(size), bytes == size ? data : nullptr, usage);
   if (GetError() != GL_NO_ERROR) {
     DeleteBuffers(1, &id_);
     throw Error("buffer " + label_, "cannot have " + std::to_string(bytes) + " bytes",

@@ -14,7 +14,9 @@ class Buffer {
  public:
   Buffer() = default;
   /// Zero-filled when `data` is null. `label` shows in KHR_debug messages and in the statistics.
-  Buffer(std::string label, std::size_t bytes, const void* data = nullptr);
+  Buffer(std::string label, std::size_t bytes, const void* data = nullptr) : Buffer(std::move(label), bytes, data, GL_DYNAMIC_COPY) {}
+  /// For what is copied there to be read later: where the CPU can read it without a way through the GPU's queue.
+  static Buffer staging(std::string label, std::size_t bytes) { return {std::move(label), bytes, nullptr, GL_STREAM_READ}; }
   template <class T>
   Buffer(std::string label, const std::vector<T>& data)
       : Buffer(std::move(label), data.size() * sizeof(T), data.data()) {}
@@ -43,6 +45,7 @@ class Buffer {
   GLuint texel_view(GLenum internal_format) const;
 
  private:
+  Buffer(std::string label, std::size_t bytes, const void* data, GLenum usage);
   void release();
   GLuint id_ = 0;
   std::size_t bytes_ = 0;

@@ -93,6 +93,12 @@ void require_context() {
                     "expected a device with enough memory that answers in time");
 }
 
+void forget_errors() {
+  constexpr int kMost = 32;
+  for (int i = 0; i < kMost && GetError() != GL_NO_ERROR; ++i) {
+  }
+}
+
 const Device& device() {
   return current_device;
 }

@@ -60,6 +60,9 @@ class ContextLost : public Error {
   using Error::Error;
 };
 
+/// Takes the errors that were made so far out of OpenGL's list. A lost context may have no end of them.
+void forget_errors();
+
 /// What the current context is: filled by load().
 struct Device {
   std::string renderer;                     // GL_RENDERER

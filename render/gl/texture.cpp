@@ -21,8 +21,7 @@ Texture::Texture(std::string label, GLenum internal_format, int width, int heigh
   GLint most = 0;
   GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
   if (width < 1 || height < 1 || width > most || height > most) fail();
-  while (GetError() != GL_NO_ERROR) {
-  }
+  forget_errors();
   GenTextures(1, &id_);
   BindTexture(target_, id_);
   if (samples > 0) {

@@ -4,6 +4,7 @@
 // the iteration is a plain one.
 // After anderson_dots, before anderson_apply.
 #include "common/io.glsl"
+#include "common/finite.glsl"
 #include "sim/anderson_state.glsl"
 COMPUTE_1D
 INPUT_VEC4(DotPartials, dot_partials)  // [parts * window * partials]
@@ -29,7 +30,7 @@ void main() {
   uint newest = uint(anderson_state[ANDERSON_NEXT]);
   uint count = min(uint(anderson_state[ANDERSON_COUNT]) + 1u, window);
   float squared = dots[0].z;
-  bool misled = !(squared <= 4.0 * anderson_state[ANDERSON_SQUARED]) || squared < ROUNDING * ROUNDING * dots[0].w;
+  bool misled = !is_finite(squared) || squared > 4.0 * anderson_state[ANDERSON_SQUARED] || squared < ROUNDING * ROUNDING * dots[0].w;
   anderson_state[ANDERSON_SQUARED] = squared;
   if (misled) {
     anderson_state[ANDERSON_NEXT] = 0.0;
@@ -71,7 +72,7 @@ void main() {
     x[j] /= a[j][j];
     float weight = scale[j] * x[j];
     anderson_state[ANDERSON_WEIGHTS + j] = weight;
-    finite = finite && !isnan(weight) && !isinf(weight);
+    finite = finite && is_finite(weight);
   }
   if (!finite) {
     anderson_state[ANDERSON_NEXT] = 0.0;

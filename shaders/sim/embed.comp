@@ -6,6 +6,9 @@ INPUT_VEC4(EmbedPosition, embed_position)    // [count] X of the surface vertex 
 INPUT_UVEC4(EmbedVertices, embed_vertices)   // [count]
 INPUT_VEC4(EmbedWeights, embed_weights)      // [count] barycentric
 INPUT_VEC4(Displacement, displacement)       // [vertex_count] u [m]
+#if HEAT
+INPUT_UINT(PlacedVertex, placed_vertex)      // [vertex_count] where publish has put what lies at each place
+#endif
 INOUT(vec4, Position, position)              // [vertex_count + count]
 uniform uint vertex_count;
 
@@ -16,7 +19,8 @@ void main() {
   vec3 u = w.x * FETCH(displacement, v.x).xyz + w.y * FETCH(displacement, v.y).xyz + w.z * FETCH(displacement, v.z).xyz +
            w.w * FETCH(displacement, v.w).xyz;
 #if HEAT
-  float scalar = dot(w, vec4(position[v.x].w, position[v.y].w, position[v.z].w, position[v.w].w));
+#define SCALAR(place) position[FETCH1(placed_vertex, place)].w
+  float scalar = dot(w, vec4(SCALAR(v.x), SCALAR(v.y), SCALAR(v.z), SCALAR(v.w)));
 #else
   float scalar = 0.0;
 #endif

@@ -1,6 +1,7 @@
 // Ends the iterations of a substep once the relative residual (Diagnostics::residual) is at most the tolerance: the passes that are
 // left get no work groups, so nothing is read back. One work group, before an iteration. After stop_residual.
 #include "common/io.glsl"
+#include "common/finite.glsl"
 #include "common/step.glsl"
 COMPUTE_1D
 INPUT_VEC4(ResidualPartials, residual_partials)  // [2 * partials]
@@ -22,7 +23,7 @@ void main() {
     float scale = sqrt(sum.y) + sqrt(sum.z) + sqrt(sum.w);
     float rounding = 1e-6 * SUBSTEP * sqrt(motion);  // ten float32 roundings of M (u - u_n)
     // False where a sum is not a number or has overflown.
-    stopped = !isinf(sum.x) && (scale <= rounding || sqrt(sum.x) <= TOLERANCE * scale);
+    stopped = is_finite(sum.x) && (scale <= rounding || sqrt(sum.x) <= TOLERANCE * scale);
 #if FIRST_ITERATION
     uint done = 0u;
 #else

@@ -8,6 +8,7 @@
 // Unless the method remembers, and in the first iteration, the span is that of z_f and z_c.
 // After two_level_correct or subspace_dots, and subspace_curvature; before subspace_update.
 #include "common/io.glsl"
+#include "common/finite.glsl"
 #include "sim/subspace_state.glsl"
 COMPUTE_1D
 INPUT_VEC4(DotPartials, dot_partials)  // [3 * partials] of vertices; then [curvature_count] of pairs of tets
@@ -92,12 +93,12 @@ void main() {
     vec3 b = -slope * scale, x = vec3(0.0);
     for (int k = 0; k < 3; ++k) x += dot(v[k], b) / max(abs(a[k][k]), EIGENVALUE_FLOOR) * v[k];
     step = x * scale;
-    if (any(isnan(step)) || any(isinf(step))) step = vec3(0.0);
+    if (!is_finite(dot(step, step))) step = vec3(0.0);
     last = step;
   } else {
     float slope = sums[0].z - sums[2].z;  // where the step began
     float kept = slope < 0.0 ? min(0.5, pow(-0.25 * slope / (objective - before - slope), 1.0 / 3.0)) : 0.0;
-    if (!(kept >= 0.0)) kept = 0.0;
+    if (!is_finite(kept) || kept < 0.0) kept = 0.0;
     step = vec3(0.0, 0.0, kept - 1.0);
     last = vec3(0.0, 0.0, kept);
   }

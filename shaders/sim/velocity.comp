@@ -1,6 +1,7 @@
 // v = (u - u_n) / h. Last pass of a substep. A vertex that is no longer finite, or that the forces have thrown farther from its
 // prediction than anything can mean, is noted: the state is lost.
 #include "common/io.glsl"
+#include "common/finite.glsl"
 #include "common/step.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)                   // [vertex_count] u [m]
@@ -14,5 +15,6 @@ void main() {
   vec3 u = FETCH(displacement, i).xyz;
   vec4 predicted_i = FETCH(predicted, i);
   STORE3(velocity[i], (u - FETCH(previous_displacement, i).xyz) / SUBSTEP)
-  if (predicted_i.w > 0.0 && !(distance(u, predicted_i.xyz) < FARTHEST)) atomicMin(astray[0], i);
+  float thrown = distance(u, predicted_i.xyz);
+  if (predicted_i.w > 0.0 && (thrown >= FARTHEST || !is_finite(thrown))) atomicMin(astray[0], i);
 }

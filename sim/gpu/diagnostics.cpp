@@ -60,7 +60,7 @@ void DiagnosticsReader::request(const GrabSprings& grab, double substep, double 
   const std::size_t probe_bytes = probe_ ? sizeof(shared::vec4) : 0;
   const std::size_t bytes =
       tet_partials_.bytes() + vertex_partials_.bytes() + grab_bytes + probe_bytes + (stop_state ? stop_state->bytes() : 0);
-  if (p.staging.bytes() != bytes) p.staging = gl::Buffer("diagnostics_staging", bytes);
+  if (p.staging.bytes() != bytes) p.staging = gl::Buffer::staging("diagnostics_staging", bytes);
   gl::BindBuffer(GL_COPY_WRITE_BUFFER, p.staging.id());
   std::size_t offset = 0;
   const auto copy_part = [&](const gl::Buffer& from, std::size_t begin, std::size_t size) {

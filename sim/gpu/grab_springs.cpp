@@ -1,8 +1,23 @@
 #include "sim/gpu/grab_springs.h"
 
+#include <algorithm>
+
 namespace fascia {
 
 using shared::vec4;
+
+namespace {
+
+// values[i] to vertices[i] and zeros between them: a drag does so in every step, and an upload for each would be a copy on the GPU for each.
+void upload_span(gl::Buffer& to, const std::vector<std::uint32_t>& vertices, const std::vector<vec4>& values) {
+  if (vertices.empty()) return;
+  const auto [first, last] = std::minmax_element(vertices.begin(), vertices.end());
+  std::vector<vec4> span(*last - *first + 1);
+  for (std::size_t i = 0; i < vertices.size(); ++i) span[vertices[i] - *first] = values[i];
+  to.upload(*first * sizeof(vec4), span.size() * sizeof(vec4), span.data());
+}
+
+}  // namespace
 
 bool GrabSprings::set(const std::vector<GrabSpring>& springs) {
   hands_.springs = springs;
@@ -20,9 +35,7 @@ bool GrabSprings::set(const std::vector<GrabSpring>& springs) {
     spread();
     return false;
   }
-  constexpr vec4 kNone{};
-  if (vertex_spring_)
-    for (const std::uint32_t v : vertices_) vertex_spring_.upload(v * sizeof(vec4), sizeof(vec4), &kNone);
+  if (vertex_spring_) upload_span(vertex_spring_, vertices_, std::vector<vec4>(vertices_.size()));
   vertices_ = std::move(vertices);
   vertex_ = vertices_.empty() ? gl::Buffer() : gl::Buffer("grab_vertex", vertices_);
   target_ = springs_.empty() ? gl::Buffer() : gl::Buffer("grab_target", springs_);
@@ -45,8 +58,7 @@ void GrabSprings::spread() {
     return;
   }
   if (!vertex_spring_) vertex_spring_ = gl::Buffer("vertex_spring", vertex_count_ * sizeof(vec4));
-  for (std::size_t i = 0; i < vertices_.size(); ++i)
-    vertex_spring_.upload(vertices_[i] * sizeof(vec4), sizeof(vec4), &springs_[i]);
+  upload_span(vertex_spring_, vertices_, springs_);
 }
 
 gl::Defines GrabSprings::with_springs(gl::Defines defines, gl::ComputePass::Bindings& bindings) const {

@@ -65,6 +65,7 @@ Regions::Regions(gl::ProgramCache& programs, const SimBuffers& buffers)
   begin_ = gl::Buffer("region_begin", region_begin_);
   vertices_ = gl::Buffer("region_vertices", region_vertices_);
   motion_ = gl::Buffer("region_motion", 2 * sizeof(float) * region_count());
+  measured_ = gl::Buffer::staging("region_measured", motion_.bytes());
   for (const std::uint32_t accumulate : {0u, 1u})
     measure_.emplace_back(programs.compute("sim/region_motion.comp"),
                           gl::ComputePass::Bindings{{"displacement", &buffers.displacement},
@@ -83,11 +84,12 @@ bool Regions::begin_step(const SolverSettings& settings, const std::vector<GrabS
 
 void Regions::end_step() {
   if (phase_ < kWholeSteps) measure_[static_cast<std::size_t>(phase_)].run();
+  if (phase_ == kWholeSteps - 1) measured_.copy(motion_, motion_.bytes());
   phase_ = (phase_ + 1) % kRound;
 }
 
 bool Regions::list(const SolverSettings& settings, const std::vector<GrabSpring>& springs) {
-  const auto motion = motion_.read<float>();
+  const auto motion = measured_.read<float>();
   const double h = settings.substep();
   std::vector<char> stirred(region_count()), moving(region_count());
   for (std::uint32_t r = 0; r < region_count(); ++r) {

@@ -38,7 +38,7 @@ class Regions {
   std::vector<std::vector<std::uint32_t>> neighbors_;  // [region_count]
   std::vector<char> listed_;                           // [region_count] moving when the lists were made; empty: there are none
   ActiveSet active_;
-  gl::Buffer begin_, vertices_, motion_;
+  gl::Buffer begin_, vertices_, motion_, measured_;
   std::vector<gl::ComputePass> measure_;  // after the first step of a round, after the second
   int phase_ = 0;                         // steps since the round began
   bool partial_ = false;

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "sim/locality.h"
-
 namespace fascia {
 namespace {
 
@@ -78,19 +76,11 @@ struct Slots {
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> download_vectors(const gl::Buffer& buffer, std::size_t count) {
-  std::vector<vec4> values(count);
-  buffer.download(0, count * sizeof(vec4), values.data());
-  std::vector<Eigen::Vector3d> vectors;
-  vectors.reserve(count);
-  for (const vec4& v : values) vectors.emplace_back(v.x, v.y, v.z);
-  return vectors;
-}
-
-SimBuffers::SimBuffers(const Model& model)
-    : vertex_count(static_cast<std::uint32_t>(model.rest_positions.size())) {
-  const TetPairing pairing = paired_tets(model);
-  tet_count = static_cast<std::uint32_t>(pairing.order.size());
+SimBuffers::SimBuffers(const Model& model, Placement places)
+    : vertex_count(static_cast<std::uint32_t>(model.rest_positions.size())),
+      placement(std::move(places)),
+      placed_vertex("placed_vertex", placement.vertex) {
+  tet_count = static_cast<std::uint32_t>(placement.tets.order.size());
   const std::size_t vertex_bytes = vertex_count * sizeof(vec4);
   displacement = gl::Buffer("displacement", vertex_bytes);
   velocity = gl::Buffer("velocity", vertex_bytes);
@@ -98,7 +88,7 @@ SimBuffers::SimBuffers(const Model& model)
   predicted = gl::Buffer("predicted", vertex_bytes);
   rest_position = gl::Buffer("rest_position", vertex_bytes);
   mass = gl::Buffer("mass", vertex_count * sizeof(float));
-  set_tet_order(model, pairing);
+  set_tet_order(model, placement.tets);
   for (const Tet& tet : model.tets) {
     const std::vector<Eigen::Vector3d>& x = model.rest_positions;
     volume += (x[tet[1]] - x[tet[0]]).cross(x[tet[2]] - x[tet[0]]).dot(x[tet[3]] - x[tet[0]]) / 6;
@@ -113,7 +103,6 @@ SimBuffers::SimBuffers(const Model& model)
   astray = gl::Buffer("astray", sizeof(std::uint32_t));
   step = gl::Buffer("step", sizeof(shared::StepValues));
   upload_materials(model);
-  upload_state(model, reference::initial_state(model));
 }
 
 void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
@@ -153,26 +142,35 @@ void SimBuffers::set_phantom_count(std::uint32_t count) {
 
 void SimBuffers::upload_state(const Model& model, const reference::State& state) {
   std::vector<vec4> values(vertex_count);
-  for (std::size_t i = 0; i < vertex_count; ++i) values[i] = to_vec4(state.displacement[i], 0);
+  for (std::size_t i = 0; i < vertex_count; ++i) values[i] = to_vec4(state.displacement[placement.vertex[i]], 0);
   displacement.upload(0, values.size() * sizeof(vec4), values.data());
   if (displacement_low) {
     for (std::size_t i = 0; i < vertex_count; ++i)
-      values[i] = to_vec4(state.displacement[i] - Eigen::Vector3d(values[i].x, values[i].y, values[i].z), 0);
+      values[i] = to_vec4(state.displacement[placement.vertex[i]] - Eigen::Vector3d(values[i].x, values[i].y, values[i].z), 0);
     displacement_low.upload(0, values.size() * sizeof(vec4), values.data());
   }
   const std::vector<char> held = model.held();
   for (std::size_t i = 0; i < vertex_count; ++i)
-    values[i] = to_vec4(held[i] ? Eigen::Vector3d(0, 0, 0) : state.velocity[i], 0);
+    values[i] = to_vec4(held[i] ? Eigen::Vector3d(0, 0, 0) : state.velocity[placement.vertex[i]], 0);
   velocity.upload(0, values.size() * sizeof(vec4), values.data());
 }
 
 reference::State SimBuffers::download_state(double time) const {
-  reference::State state{download_vectors(displacement, vertex_count), download_vectors(velocity, vertex_count), time};
+  reference::State state{download_vectors(displacement), download_vectors(velocity), time};
   if (displacement_low) {
-    const std::vector<Eigen::Vector3d> low = download_vectors(displacement_low, vertex_count);
+    const std::vector<Eigen::Vector3d> low = download_vectors(displacement_low);
     for (std::size_t i = 0; i < vertex_count; ++i) state.displacement[i] += low[i];
   }
   return state;
+}
+
+std::vector<Eigen::Vector3d> SimBuffers::download_vectors(const gl::Buffer& buffer) const {
+  std::vector<vec4> values(vertex_count);
+  buffer.download(0, values.size() * sizeof(vec4), values.data());
+  std::vector<Eigen::Vector3d> vectors;
+  vectors.reserve(vertex_count);
+  for (const std::uint32_t place : placement.place) vectors.emplace_back(values[place].x, values[place].y, values[place].z);
+  return vectors;
 }
 
 void SimBuffers::upload_materials(const Model& model) {

@@ -6,18 +6,16 @@
 
 #include "render/gl/buffer.h"
 #include "shaders/shared/types.h"
-#include "sim/model.h"
 #include "sim/reference/newton.h"
+#include "sim/placement.h"
 #include "sim/settings.h"
-#include "sim/tet_pairing.h"
 
 namespace fascia {
 
-/// The first `count` vec4 of a buffer, without their w. Waits for the GPU.
-std::vector<Eigen::Vector3d> download_vectors(const gl::Buffer& buffer, std::size_t count);
-
 struct SimBuffers {
-  explicit SimBuffers(const Model& model);
+  /// `model`: placed() so. States come and go as the model outside counts its vertices, all else goes by places.
+  SimBuffers(const Model& model, Placement placement);
+  explicit SimBuffers(const Model& model) : SimBuffers(model, unmoved(model)) {}
 
   std::uint32_t vertex_count = 0;
   std::uint32_t tet_count = 0;  // of solved_tets(), which are here
@@ -33,6 +31,9 @@ struct SimBuffers {
   gl::Buffer velocity;               // xyz v [m/s]
   gl::Buffer previous_displacement;  // u at the start of the substep
   gl::Buffer predicted;              // u~, where inertia and gravity alone would lead
+
+  Placement placement;
+  gl::Buffer placed_vertex;  // uint [vertex_count] placement.vertex
 
   // Constants of the model.
   gl::Buffer rest_position;  // vec4 [vertex_count] X [m], w inverse mass [1/kg], 0 where held
@@ -62,6 +63,8 @@ struct SimBuffers {
 
   void upload_state(const Model& model, const reference::State& state);
   reference::State download_state(double time) const;
+  /// The xyz of a buffer, vec4 [vertex_count or more], as the model counts its vertices. Waits for the GPU.
+  std::vector<Eigen::Vector3d> download_vectors(const gl::Buffer& buffer) const;
   /// Masses follow density; call after any material change.
   void upload_materials(const Model& model);
   void upload_step(const Model& model, const SolverSettings& settings);

@@ -6,23 +6,28 @@
 #include "sim/gpu/jacobi.h"
 #include "sim/gpu/two_level.h"
 #include "sim/gpu/vertex_descent.h"
-#include "sim/locality.h"
 
 namespace fascia {
 
-GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
-                     const EmbeddedPoints& drawn, const Progress& progress)
+GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings, const EmbeddedPoints& drawn,
+                     const Progress& progress)
+    : GpuSolver(programs, model, settings, drawn, progress, placement_of(model)) {}
+
+GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings, const EmbeddedPoints& drawn,
+                     const Progress& progress, Placement placement)
     : programs_(programs),
-      model_(model),
+      given_(model),
+      model_(placed(model, placement)),
       settings_(settings),
       features_(features_of(model)),
-      buffers_(model),
-      motions_(model),
+      buffers_(model_, std::move(placement)),
+      motions_(model_),
       diagnostics_(buffers_),
       guard_(programs, buffers_),
       surface_(buffers_, drawn) {
-  require_carried(settings_.method, model_.materials, "solver.method");
+  require_carried(settings_.method, model.materials, "solver.method");
   buffers_.upload_step(model_, settings_);
+  reset();
   report(progress, 0.4, "Preparing the solver");
   make_method();
   report(progress, 0.9, "Compiling kernels");
@@ -37,9 +42,10 @@ void GpuSolver::make_method() {
   auto* two_level = dynamic_cast<TwoLevelMethod*>(method_.get());
   const bool levels_stay = two_level && settings_.method == Method::two_level;
   regions_.reset();
+  tiles_.reset();
   if (!colors_stay && !levels_stay) method_.reset();  // before the next one is made: both may not fit
   if (order_goes) {
-    buffers_.set_tet_order(model_, paired_tets(model_));
+    buffers_.set_tet_order(model_, buffers_.placement.tets);
     buffers_.set_phantom_count(0);
   }
   const bool joint = settings_.acceleration == Acceleration::anderson && settings_.method != Method::two_level;  // which does its own
@@ -104,7 +110,12 @@ void GpuSolver::record() {
   // A GPU jumps over a branch that none of a few neighbors takes, and to a small mesh each dispatch counts. The number is a guess.
   constexpr std::uint32_t kManyTets = 50'000;
   const bool branches_skip = programs_.load_path() == gl::LoadPath::storage;
-  const Deferral most_deferred = method_->most_deferred(buffers_, fuses_);
+  Deferral most_deferred = method_->most_deferred(buffers_, fuses_);
+  constexpr std::uint32_t kLeastTiles = 4;  // what is smaller stays in the cache as a whole
+  const bool tiled = fuses_ && method_->gathers() && buffers_.pair_and_single_count() >= kLeastTiles * Tiles::kLeastPairs;
+  if (!tiled) tiles_.reset();
+  if (tiled && !tiles_) tiles_.emplace(buffers_);
+  if (tiles_) most_deferred.lists = std::max(most_deferred.lists, tiles_->count());
   const bool may_defer = features_.signed_st_venant_kirchhoff && most_deferred.items > 0 && !(branches_skip && buffers_.tet_count < kManyTets);
   if (!may_defer) deferred_.reset();
   if (may_defer && (!deferred_ || deferred_->most != most_deferred)) deferred_.emplace(most_deferred);
@@ -131,7 +142,7 @@ std::optional<GpuSolver::FusedStep> GpuSolver::fuse(const StepPasses& passes) {
 }
 
 Recording GpuSolver::recording(const ActiveSet* active) {
-  return {programs_, buffers_, features_, previous_strain_, grab_, deferred_ ? &*deferred_ : nullptr, active};
+  return {programs_, buffers_, features_, previous_strain_, grab_, deferred_ ? &*deferred_ : nullptr, active, tiles_ ? &*tiles_ : nullptr};
 }
 
 GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
@@ -184,7 +195,7 @@ Passes GpuSolver::iteration(const Recording& r, bool first) {
   return passes;
 }
 
-void GpuSolver::reset() { upload(reference::initial_state(model_)); }
+void GpuSolver::reset() { upload(reference::initial_state(given_)); }
 
 void GpuSolver::upload(const reference::State& state) {
   buffers_.upload_state(model_, state);
@@ -209,13 +220,24 @@ void GpuSolver::request_check() {
   if (regions_) regions_->restart();  // so that steps from this state on are repeated to the bit
 }
 
+std::optional<StateGuard::Verdict> GpuSolver::take_check(bool wait) {
+  std::optional<StateGuard::Verdict> verdict = guard_.take(wait);
+  if (verdict && verdict->astray) verdict->astray = buffers_.placement.vertex[*verdict->astray];
+  return verdict;
+}
+
+void GpuSolver::set_probe(std::optional<std::uint32_t> vertex) {
+  if (vertex) vertex = buffers_.placement.place[*vertex];
+  diagnostics_.set_probe(vertex);
+}
+
 void GpuSolver::solve_everything() {
   always_whole_ = true;
   record();
 }
 
 void GpuSolver::set_settings(const SolverSettings& settings) {
-  require_carried(settings.method, model_.materials, "solver.method");
+  require_carried(settings.method, given_.materials, "solver.method");
   const auto needs = [](const SolverSettings& s) { return std::tuple(s.method, s.acceleration, s.colors, s.window, s.tolerance > 0, s.rest_speed > 0); };
   const bool same_passes = needs(settings) == needs(settings_);
   SolverSettings before = settings_;
@@ -249,6 +271,8 @@ void GpuSolver::settings_changed() {
 
 void GpuSolver::materials_changed() {
   ++materials_version_;
+  model_.materials = given_.materials;
+  model_.gravity = given_.gravity;
   buffers_.upload_materials(model_);
   settings_changed();
   if (const Features features = features_of(model_); features != features_) {
@@ -260,7 +284,9 @@ void GpuSolver::materials_changed() {
 void GpuSolver::set_grab(const std::vector<GrabSpring>& springs) {
   springs_ = springs;
   has_step_ = false;
-  const bool others = grab_.set(springs);
+  std::vector<GrabSpring> placed_springs = springs;
+  for (GrabSpring& spring : placed_springs) spring.vertex = buffers_.placement.place[spring.vertex];
+  const bool others = grab_.set(placed_springs);
   method_->set_springs(grab_.hands().joined);
   if (!others) return;
   record();

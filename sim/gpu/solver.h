@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/gl/fused_pass.h"
+#include "render/gl/stopwatch.h"
 #include "sim/gpu/anderson.h"
 #include "sim/gpu/chebyshev.h"
 #include "sim/gpu/diagnostics.h"
@@ -37,7 +38,8 @@ class GpuSolver {
     double ms = 0;  // of all runs
     int runs = 0;
   };
-  /// A step whose passes are waited for one by one: by the names of their kernels.
+  /// A step whose passes are timed one by one: by the names of their kernels. What goes by between passes, uploads for one, counts as the
+  /// next one's.
   std::map<std::string, KernelTime> timed_step();
   void reset();  // to the initial state
   double time() const { return time_; }  // [s]
@@ -61,13 +63,13 @@ class GpuSolver {
   std::vector<Diagnostics> traced_substep();
 
   void request_diagnostics();
-  void set_probe(std::optional<std::uint32_t> vertex) { diagnostics_.set_probe(vertex); }  // Diagnostics::probe; below vertex_count
+  void set_probe(std::optional<std::uint32_t> vertex);  // Diagnostics::probe; below vertex_count
   bool diagnosing() const { return diagnostics_.pending(); }  // a request was not taken yet
   std::optional<Diagnostics> take_diagnostics(bool wait) { return diagnostics_.take(wait); }
 
   /// Asks whether the state of now is sound, and takes the answer when it is there. Sound states are kept to go back to.
   void request_check();
-  std::optional<StateGuard::Verdict> take_check(bool wait) { return guard_.take(wait); }
+  std::optional<StateGuard::Verdict> take_check(bool wait);
   /// A step in which nothing moves: the state, which has just been found sound, stays as it is.
   void rest();
   /// To the last state that was found sound, or was put there. With `at_rest` without its velocities.
@@ -85,7 +87,7 @@ class GpuSolver {
   void solve_everything();  // from now on, in every step
 
   reference::State download() const { return buffers_.download_state(time_); }
-  reference::State download_sound() const { return guard_.download(); }  // the state of restore_sound()
+  reference::State download_sound() const { return guard_.download(buffers_); }  // the state of restore_sound()
   void upload(const reference::State& state);
   /// Displacements in two floats each, for static equilibria: methods that descend the energy then sum up what float32 would lose.
   void set_compensated(bool compensated);
@@ -112,6 +114,8 @@ class GpuSolver {
   const SimBuffers& buffers() const { return buffers_; }
 
  private:
+  GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings, const EmbeddedPoints& drawn,
+            const Progress& progress, Placement placement);
   void make_method();  // what the pair needs, and nothing else
   void record();
   void run(const Passes& passes);
@@ -139,7 +143,8 @@ class GpuSolver {
   void state_changed();
 
   gl::ProgramCache& programs_;
-  const Model& model_;
+  const Model& given_;
+  Model model_;  // given_ placed(), as all below sees it; materials and gravity follow
   SolverSettings settings_;
   Features features_;
   ColorBy color_ = ColorBy::none;
@@ -151,11 +156,12 @@ class GpuSolver {
   gl::Buffer multiplier_weight_;  // float [2 * tet_count], with Anderson acceleration of multipliers
   std::optional<StopRule> stop_;  // with solver.tolerance
   MotionTargets motions_;
-  std::vector<GrabSpring> springs_;
+  std::vector<GrabSpring> springs_;  // at vertices of given_
   GrabSprings grab_;
   DiagnosticsReader diagnostics_;
   StateGuard guard_;
   SurfacePositions surface_;
+  std::optional<Tiles> tiles_;            // of large meshes, where passes are fused
   std::optional<DeferredTets> deferred_;  // with materials that have such
   std::optional<Regions> regions_;  // where some may rest while others move
   StepPasses whole_, partial_;      // for all tets; for those of a step in which regions rest, recorded when there first is one
@@ -164,7 +170,7 @@ class GpuSolver {
   bool always_whole_ = false;
   bool fuses_ = false;
   int before_every_ = 1;  // iterations from one run of `before` to the next
-  std::map<std::string, KernelTime>* times_ = nullptr;  // of a timed step
+  gl::Stopwatch* times_ = nullptr;  // of a timed step
   bool background_held_ = false;
   int background_taken_ = 0;
   double time_ = 0;

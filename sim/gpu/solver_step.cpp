@@ -1,27 +1,18 @@
 // How the solver runs what it has recorded: a step, and steps that are timed or looked into.
-#include <chrono>
-
 #include "sim/gpu/solver.h"
 
 namespace fascia {
 
 void GpuSolver::run(const Passes& passes) {
-  using Clock = std::chrono::steady_clock;
   for (const gl::ComputePass& pass : passes) {
-    const Clock::time_point start = times_ ? Clock::now() : Clock::time_point();
     pass.run();
-    if (!times_) continue;
-    gl::Finish();
-    KernelTime& time = (*times_)[pass.program().label()];
-    time.ms += std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    ++time.runs;
+    if (times_) times_->mark(pass.program().label());
   }
 }
 
 std::map<std::string, GpuSolver::KernelTime> GpuSolver::timed_step() {
-  std::map<std::string, KernelTime> times;
-  gl::Finish();
-  times_ = &times;
+  gl::Stopwatch stopwatch;
+  times_ = &stopwatch;
   try {
     step();
   } catch (...) {
@@ -29,6 +20,11 @@ std::map<std::string, GpuSolver::KernelTime> GpuSolver::timed_step() {
     throw;
   }
   times_ = nullptr;
+  std::map<std::string, KernelTime> times;
+  for (const auto& [kernel, ms] : stopwatch.laps()) {
+    times[kernel].ms += ms;
+    ++times[kernel].runs;
+  }
   return times;
 }
 
@@ -93,7 +89,7 @@ void GpuSolver::choose_passes() {
   passes_ = &whole_;
   if (regions_) {
     if (time_ < model_.end_of_motions()) regions_->restart();
-    if (regions_->begin_step(settings_, springs_)) passes_ = &partial_;
+    if (regions_->begin_step(settings_, grab_.hands().springs)) passes_ = &partial_;
   }
   if (passes_ == &partial_ && partial_.begin.empty()) {
     partial_ = record_step(&regions_->active());

@@ -34,7 +34,7 @@ void StateGuard::request(const SimBuffers& buffers, double time) {
   if (fence_.is_set()) return;
   if (!measure_) {
     motion_ = gl::Buffer("motion", 3 * kWord);
-    note_ = gl::Buffer("guard_note", 4 * kWord);
+    note_ = gl::Buffer::staging("guard_note", 4 * kWord);
     measure_.emplace(programs_.compute("sim/motion.comp"),
                      gl::ComputePass::Bindings{{"displacement", &buffers.displacement},
                                                {"velocity", &buffers.velocity},
@@ -67,9 +67,8 @@ void StateGuard::clear(SimBuffers& buffers) {
   buffers.astray.upload(0, sizeof kNone, &kNone);
 }
 
-reference::State StateGuard::download() const {
-  const std::size_t count = good_.displacement.bytes() / sizeof(shared::vec4);
-  return {download_vectors(good_.displacement, count), download_vectors(good_.velocity, count), good_.time};
+reference::State StateGuard::download(const SimBuffers& buffers) const {
+  return {buffers.download_vectors(good_.displacement), buffers.download_vectors(good_.velocity), good_.time};
 }
 
 double StateGuard::restore(SimBuffers& buffers) {

@@ -16,7 +16,7 @@ namespace fascia {
 class StateGuard {
  public:
   struct Verdict {
-    std::optional<std::uint32_t> astray;  // a vertex that is lost; none: the state is kept as the last good one
+    std::optional<std::uint32_t> astray;  // the place of a vertex that is lost; none: the state is kept as the last good one
     Movement movement;                    // since the good one before it
   };
 
@@ -34,7 +34,7 @@ class StateGuard {
   std::optional<Verdict> take(bool wait);
   /// Back to the last sound state. Returns its time [s].
   double restore(SimBuffers& buffers);
-  reference::State download() const;  // of it; waits for the GPU
+  reference::State download(const SimBuffers& buffers) const;  // of it; waits for the GPU
 
  private:
   void clear(SimBuffers& buffers);

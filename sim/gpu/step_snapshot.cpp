@@ -4,7 +4,7 @@ namespace fascia {
 void StepSnapshot::request(const SimBuffers& buffers) {
   const std::size_t bytes = sizeof(shared::vec4) * buffers.vertex_count;
   const auto copy = [&](gl::Buffer& to, const char* label, const gl::Buffer& from) {
-    if (!to) to = gl::Buffer(label, bytes);
+    if (!to) to = gl::Buffer::staging(label, bytes);
     to.copy(from, bytes);
   };
   copy(previous_, "snapshot_previous", buffers.previous_displacement);
@@ -13,10 +13,9 @@ void StepSnapshot::request(const SimBuffers& buffers) {
   fence_.set();
 }
 
-std::optional<SolvedStep> StepSnapshot::take(bool wait) {
+std::optional<SolvedStep> StepSnapshot::take(const SimBuffers& buffers, bool wait) {
   if (!fence_.take(wait)) return std::nullopt;
-  const auto vectors_of = [](const gl::Buffer& buffer) { return download_vectors(buffer, buffer.bytes() / sizeof(shared::vec4)); };
-  return SolvedStep{vectors_of(previous_), vectors_of(predicted_), vectors_of(solution_)};
+  return SolvedStep{buffers.download_vectors(previous_), buffers.download_vectors(predicted_), buffers.download_vectors(solution_)};
 }
 
 }  // namespace fascia

@@ -22,8 +22,8 @@ class StepSnapshot {
 
   /// Queues copies of what the last substep left. Needs a current context, as does take().
   void request(const SimBuffers& buffers);
-  /// Once for every request, when the copies are made; with `wait`, waits for them.
-  std::optional<SolvedStep> take(bool wait);
+  /// Once for every request, when the copies are made; with `wait`, waits for them. `buffers`: those that were asked.
+  std::optional<SolvedStep> take(const SimBuffers& buffers, bool wait);
 
  private:
   gl::Buffer previous_, predicted_, solution_;

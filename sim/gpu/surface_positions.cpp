@@ -15,7 +15,9 @@ SurfacePositions::SurfacePositions(const SimBuffers& buffers, const EmbeddedPoin
     rest.push_back({to_float(p.x()), to_float(p.y()), to_float(p.z()), 0});
     const auto& w = embedded.ties[i].weights;
     weights.push_back({to_float(w[0]), to_float(w[1]), to_float(w[2]), to_float(w[3])});
-    vertices.push_back(embedded.ties[i].vertices);
+    Tet corners = embedded.ties[i].vertices;
+    for (std::uint32_t& v : corners) v = buffers.placement.place[v];
+    vertices.push_back(corners);
   }
   embed_position_ = gl::Buffer("embed_position", rest);
   embed_vertices_ = gl::Buffer("embed_vertices", vertices);
@@ -26,7 +28,8 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
                               ColorBy color) {
   passes_.clear();
   const auto flag = [](bool on) { return on ? "1" : "0"; };
-  gl::ComputePass::Bindings publish{{"rest_position", &buffers.rest_position},
+  gl::ComputePass::Bindings publish{{"placed_vertex", &buffers.placed_vertex},
+                                    {"rest_position", &buffers.rest_position},
                                     {"displacement", &buffers.displacement},
                                     {"position", &positions_}};
   const bool heat = is_heat_map(color), by_vertex = color == ColorBy::error;
@@ -65,13 +68,14 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
   if (!heat) range_.reset();
   if (heat && !range_) range_.emplace(programs, positions_, vertex_count_);
   if (embedded_count_ == 0) return;
-  passes_.emplace_back(programs.compute("sim/embed.comp", {{"HEAT", heat ? "1" : "0"}}),
-                       gl::ComputePass::Bindings{{"embed_position", &embed_position_},
-                                                 {"embed_vertices", &embed_vertices_},
-                                                 {"embed_weights", &embed_weights_},
-                                                 {"displacement", &buffers.displacement},
-                                                 {"position", &positions_}},
-                       embedded_count_, gl::ComputePass::Constants{{"vertex_count", vertex_count_}});
+  gl::ComputePass::Bindings embed{{"embed_position", &embed_position_},
+                                  {"embed_vertices", &embed_vertices_},
+                                  {"embed_weights", &embed_weights_},
+                                  {"displacement", &buffers.displacement},
+                                  {"position", &positions_}};
+  if (heat) embed.emplace_back("placed_vertex", &buffers.placed_vertex);
+  passes_.emplace_back(programs.compute("sim/embed.comp", {{"HEAT", heat ? "1" : "0"}}), std::move(embed), embedded_count_,
+                       gl::ComputePass::Constants{{"vertex_count", vertex_count_}});
 }
 
 void SurfacePositions::set_vertex_errors(const std::vector<float>& errors) {

@@ -1,0 +1,58 @@
+#include "sim/placement.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "sim/locality.h"
+
+namespace fascia {
+
+Placement placement_of(const Model& model) {
+  constexpr std::uint32_t kNone = ~0u;
+  const std::size_t count = model.rest_positions.size();
+  Placement placement{paired_tets(model), {}, std::vector<std::uint32_t>(count, kNone)};
+  placement.vertex.reserve(count);
+  const auto meet = [&](std::uint32_t v) {
+    if (placement.place[v] != kNone) return;
+    placement.place[v] = static_cast<std::uint32_t>(placement.vertex.size());
+    placement.vertex.push_back(v);
+  };
+  for (const std::uint32_t t : placement.tets.order)
+    for (const std::uint32_t v : model.tets[t]) meet(v);
+  for (std::uint32_t v = 0; v < count; ++v) meet(v);
+  return placement;
+}
+
+Placement unmoved(const Model& model) {
+  std::vector<std::uint32_t> all(model.rest_positions.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return {paired_tets(model), all, all};
+}
+
+Model placed(const Model& model, const Placement& placement) {
+  const auto by_place = [&](const std::vector<Eigen::Vector3d>& values) {
+    std::vector<Eigen::Vector3d> moved;
+    moved.reserve(values.size());
+    for (const std::uint32_t v : placement.vertex) moved.push_back(values[v]);
+    return moved;
+  };
+  const auto to_places = [&](auto& vertices) {
+    for (std::uint32_t& v : vertices) v = placement.place[v];
+  };
+  Model result;
+  result.rest_positions = by_place(model.rest_positions);
+  result.tets = model.tets;
+  for (Tet& tet : result.tets) to_places(tet);
+  result.tet_material = model.tet_material;
+  result.materials = model.materials;
+  result.fixed = model.fixed;
+  to_places(result.fixed);
+  std::sort(result.fixed.begin(), result.fixed.end());
+  result.motions = model.motions;
+  for (Motion& motion : result.motions) to_places(motion.vertices);
+  result.initial_velocity = by_place(model.initial_velocity);
+  result.gravity = model.gravity;
+  return result;
+}
+
+}  // namespace fascia
