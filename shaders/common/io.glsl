@@ -66,13 +66,6 @@ INPUT_UINT(ItemList, item_list)  // [number of items]
 #else
 #define LISTED_ITEM(k) (k)
 #endif
-// With TILED it goes through a part of its items, which begins at first_item (sim/gpu/tiles.h).
-#ifdef TILED
-uniform uint first_item;
-#define ITEM_OF_PART(k) LISTED_ITEM(first_item + (k))
-#else
-#define ITEM_OF_PART(k) LISTED_ITEM(k)
-#endif
 // Branches skip nothing where invocations run in lockstep, so what few items need is deferred: with DEFERS a kernel puts such an item on
 // a list and returns, and the same kernel with DEFERRED, dispatched by the list's count, goes through it (sim/gpu/deferred_tets.h).
 #if defined(DEFERS) || defined(DEFERRED)
@@ -91,7 +84,7 @@ INPUT_UINT(DeferredItems, deferred_items)  // the same
 #define ITEM_OR_RETURN(i) \
   if (INVOCATION >= FETCH1(deferred_items, deferred_list + 3u)) return; uint i = FETCH1(deferred_items, deferred_begin + INVOCATION);
 #else
-#define ITEM_OR_RETURN(i) if (INVOCATION >= invocations) return; uint i = ITEM_OF_PART(INVOCATION);
+#define ITEM_OR_RETURN(i) if (INVOCATION >= invocations) return; uint i = LISTED_ITEM(INVOCATION);
 #endif
 // For sums: lane i of `lanes` goes through its share of `count` items, LISTED_ITEM(k). On GPUs all lanes go over the items side by side;
 // on software renderers, whose vectors hold eight invocations, those have a stretch of their own, for items beside each other share

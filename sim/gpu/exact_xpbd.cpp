@@ -28,6 +28,7 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
                                   {"displacement", &r.buffers.displacement},
                                   {"multiplier", &multiplier_}};
   force = with_material(with_slots(std::move(force), r.buffers), r.features, r.buffers);
+  Passes passes = r.over_pairs_deferring("sim/exact_tet.comp", defines_of(r.features), force);
   gl::ComputePass::Bindings vertex{{"step", &r.buffers.step},
                                    {"predicted", &r.buffers.predicted},
                                    {"mass", &r.buffers.mass},
@@ -39,8 +40,7 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
                                    {"primal_step", &primal_step_},
                                    {"raised_mass", &raised_mass_}};
   const gl::Defines vertex_defines = r.grab.with_springs({}, vertex);
-  Passes passes = r.over_pairs_to_vertices({"sim/exact_tet.comp", defines_of(r.features), std::move(force)},
-                                           {"sim/exact_vertex.comp", vertex_defines, std::move(vertex)});
+  passes.emplace_back(r.programs.compute("sim/exact_vertex.comp", vertex_defines), std::move(vertex), r.buffers.vertex_count).loops(r.loops_of_slots());
 
   gl::Defines defines = defines_of(r.features);
   defines.emplace_back("FIRST_ITERATION", "0");
@@ -53,15 +53,16 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
                                 {"lambda", &multiplier_},
                                 {"multiplier", &multiplier_}};
   tet = with_damping(with_material(with_slots(std::move(tet), r.buffers), r.features, r.buffers), r.features, r.previous_strain);
-  append(passes, r.over_pairs_to_vertices({"sim/jacobi_tet.comp", defines, std::move(tet)},
-                                          {"sim/jacobi_vertex.comp",
-                                           {{"EXACT", "1"}},
-                                           {{"slot_begin", &r.buffers.slot_begin},
-                                            {"copy_begin", &r.buffers.tet_begin},
-                                            {"correction", &r.buffers.correction},
-                                            {"primal_step", &primal_step_},
-                                            {"iterate", &r.buffers.displacement},
-                                            {"displacement", &r.buffers.displacement}}}));
+  append(passes, r.over_pairs_deferring("sim/jacobi_tet.comp", defines, tet));
+  passes.emplace_back(r.programs.compute("sim/jacobi_vertex.comp", {{"EXACT", "1"}}),
+                      gl::ComputePass::Bindings{{"slot_begin", &r.buffers.slot_begin},
+                                                {"copy_begin", &r.buffers.tet_begin},
+                                                {"correction", &r.buffers.correction},
+                                                {"primal_step", &primal_step_},
+                                                {"iterate", &r.buffers.displacement},
+                                                {"displacement", &r.buffers.displacement}},
+                      r.buffers.vertex_count)
+      .loops(r.loops_of_slots());
   return passes;
 }
 

@@ -17,7 +17,6 @@ class ExactXpbdMethod : public StepMethod {
   const gl::Buffer& raised_mass() const { return raised_mass_; }  // float [vertex_count] m^ [kg]
   /// The multipliers start in balance with the stress at the prediction: from zero, accelerated iterations stall.
   Passes begin(const Recording& recording) const override;
-  bool gathers() const override { return true; }
   Deferral most_deferred(const SimBuffers& buffers, bool) const override { return {1, buffers.pair_and_single_count()}; }
   Passes iteration(const Recording& recording, bool first) const override;
 

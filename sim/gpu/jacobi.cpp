@@ -17,14 +17,15 @@ Passes JacobiMethod::iteration(const Recording& r, bool first) const {
                                 {"lambda", &multiplier_},
                                 {"multiplier", &multiplier_}};
   tet = with_damping(with_material(with_slots(std::move(tet), r.buffers), r.features, r.buffers), r.features, r.previous_strain);
-  Passes passes = r.over_pairs_to_vertices({"sim/jacobi_tet.comp", defines, tet},
-                                           {"sim/jacobi_vertex.comp",
-                                            {{"EXACT", "0"}},
-                                            {{"slot_begin", &r.buffers.slot_begin},
-                                             {"copy_begin", &r.buffers.tet_begin},
-                                             {"correction", &r.buffers.correction},
-                                             {"iterate", &r.buffers.displacement},
-                                             {"displacement", &r.buffers.displacement}}});
+  Passes passes = r.over_pairs_deferring("sim/jacobi_tet.comp", defines, tet);
+  passes.emplace_back(r.programs.compute("sim/jacobi_vertex.comp", {{"EXACT", "0"}}),
+                      gl::ComputePass::Bindings{{"slot_begin", &r.buffers.slot_begin},
+                                                {"copy_begin", &r.buffers.tet_begin},
+                                                {"correction", &r.buffers.correction},
+                                                {"iterate", &r.buffers.displacement},
+                                                {"displacement", &r.buffers.displacement}},
+                      r.buffers.vertex_count)
+      .loops(r.loops_of_slots());
   if (!r.grab.empty()) passes.push_back(r.grab.pull(r.programs, r.buffers, first));
   return passes;
 }

@@ -11,7 +11,6 @@ class JacobiMethod : public StepMethod {
   /// `split_masses`: every tet sees its share of a vertex's mass (method "mass_splitting").
   JacobiMethod(const SimBuffers& buffers, bool split_masses);
   const gl::Buffer* copy_begin() const override { return copy_begin_; }
-  bool gathers() const override { return true; }
   Deferral most_deferred(const SimBuffers& buffers, bool) const override { return {1, buffers.pair_and_single_count()}; }
   Passes iteration(const Recording& recording, bool first) const override;
 

@@ -1,7 +1,5 @@
 #include "sim/gpu/method.h"
 
-#include <tuple>
-
 namespace fascia {
 namespace {
 
@@ -47,51 +45,15 @@ Passes Recording::over_pairs_deferring(const char* kernel, const gl::Defines& de
   Passes passes{over_pairs(kernel, std::move(first_defines), std::move(first_bindings), list_constants(deferred->most, 0, 0))};
   passes.back().loops(0);
   passes.back().copy_first(deferred->none, deferred->lists);
-  passes.push_back(over_deferred_of(kernel, defines, bindings, 0, 0, buffers.pair_and_single_count()));
+  passes.push_back(over_deferred(kernel, defines, bindings));
   return passes;
 }
 
-Passes Recording::over_pairs_to_vertices(const Kernel& pairs, Kernel vertices) const {
-  if (!tiles || active) {
-    Passes passes = over_pairs_deferring(pairs.file, pairs.defines, pairs.bindings);
-    passes.push_back(over_vertices(vertices.file, std::move(vertices.defines), std::move(vertices.bindings)));
-    passes.back().loops(loops_of_slots());
-    return passes;
-  }
-  gl::Defines defines = pairs.defines;
-  gl::ComputePass::Bindings bindings = pairs.bindings;
-  if (deferred) std::tie(defines, bindings) = deferring(std::move(defines), std::move(bindings));
-  list(vertices.defines, vertices.bindings, tiles->vertices);
-  for (gl::Defines* of : {&defines, &vertices.defines}) of->emplace_back("TILED", "1");
-  Passes passes;
-  for (std::uint32_t k = 0; k < tiles->count(); ++k) {
-    const std::uint32_t begin = tiles->pair_begin[k], count = tiles->pair_begin[k + 1] - begin;
-    gl::ComputePass::Constants constants{{"pair_count", buffers.pair_count}, {"first_item", begin}};
-    if (deferred)
-      for (auto& constant : list_constants(deferred->most, k, begin)) constants.push_back(std::move(constant));
-    passes.emplace_back(programs.compute(pairs.file, defines), bindings, count, std::move(constants)).loops(deferred ? 0 : loops_of_pair());
-    if (deferred && k == 0) passes.back().copy_first(deferred->none, deferred->lists);
-    if (deferred) passes.push_back(over_deferred_of(pairs.file, pairs.defines, pairs.bindings, k, begin, count));
-    passes.emplace_back(programs.compute(vertices.file, vertices.defines), vertices.bindings, tiles->vertex_begin[k + 1] - tiles->vertex_begin[k],
-                        gl::ComputePass::Constants{{"first_item", tiles->vertex_begin[k]}})
-        .loops(loops_of_slots());
-  }
-  return passes;
-}
-
-Passes Recording::over_deferred(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings) const {
-  if (!tiles || active) return {over_deferred_of(kernel, defines, bindings, 0, 0, buffers.pair_and_single_count())};
-  Passes passes;
-  for (std::uint32_t k = 0; k < tiles->count(); ++k)
-    passes.push_back(over_deferred_of(kernel, defines, bindings, k, tiles->pair_begin[k], tiles->pair_begin[k + 1] - tiles->pair_begin[k]));
-  return passes;
-}
-
-gl::ComputePass Recording::over_deferred_of(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, std::uint32_t list,
-                                            std::uint32_t first_pair, std::uint32_t most) const {
-  gl::ComputePass::Constants constants = list_constants(deferred->most, list, first_pair);
+gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
+  gl::ComputePass::Constants constants = list_constants(deferred->most, 0, 0);
   constants.emplace_back("pair_count", buffers.pair_count);
-  gl::ComputePass pass = over_list(kernel, std::move(defines), std::move(bindings), list, most, std::move(constants));
+  gl::ComputePass pass =
+      over_deferred(kernel, std::move(defines), std::move(bindings), 0, buffers.pair_and_single_count(), std::move(constants));
   pass.loops(loops_of_pair());
   return pass;
 }
@@ -111,7 +73,7 @@ Passes Recording::over_ranges_deferring(const char* kernel, const gl::Defines& d
     for (auto& constant : list_constants(deferred->most, k, begin[k])) constants.push_back(std::move(constant));
     passes.emplace_back(programs.compute(kernel, first_defines), std::move(first_bindings), count, constants).loops(loops);
     if (k == 0) passes.back().copy_first(deferred->none, deferred->lists);
-    passes.push_back(over_list(kernel, defines, bindings, k, count, std::move(constants)));
+    passes.push_back(over_deferred(kernel, defines, bindings, k, count, std::move(constants)));
     passes.back().loops(loops_decomposing);
   }
   return passes;
@@ -123,8 +85,8 @@ std::pair<gl::Defines, gl::ComputePass::Bindings> Recording::deferring(gl::Defin
   return {std::move(defines), std::move(bindings)};
 }
 
-gl::ComputePass Recording::over_list(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, std::uint32_t list,
-                                     std::uint32_t most, gl::ComputePass::Constants constants) const {
+gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, std::uint32_t list,
+                                         std::uint32_t most, gl::ComputePass::Constants constants) const {
   defines.emplace_back("DEFERRED", "1");
   bindings.emplace_back("deferred_items", &deferred->lists);
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), most, std::move(constants));

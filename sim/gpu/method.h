@@ -11,7 +11,6 @@
 #include "sim/gpu/grab_springs.h"
 #include "sim/gpu/reduction.h"
 #include "sim/gpu/sim_buffers.h"
-#include "sim/gpu/tiles.h"
 
 namespace fascia {
 
@@ -28,7 +27,6 @@ struct Recording {
   const GrabSprings& grab;
   DeferredTets* deferred = nullptr;  // null: no material defers tets
   const ActiveSet* active = nullptr;       // what the passes go through; null: everything
-  const Tiles* tiles = nullptr;            // in which pairs and vertices take turns; null: one after the other
 
   // ComputePass::loops(): of kernels that go through the slots or the tets of a vertex; of those that decompose a tet's or a pair's
   // deformation, if a material wants it, twice at most; of sums over so many items, in each of which there are `inner`.
@@ -47,16 +45,8 @@ struct Recording {
                              gl::ComputePass::Constants constants = {}) const;
   /// The same and, with materials that have them, one over the pairs that it deferred.
   Passes over_pairs_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings) const;
-  struct Kernel {
-    const char* file;
-    gl::Defines defines;
-    gl::ComputePass::Bindings bindings;
-  };
-  /// What pairs leave in the slots, those deferred included, and the vertices that gather it; tile by tile where there are tiles. A vertex
-  /// may be changed although pairs are still to come: none of them has it. Of no other vertex may its kernel read what it writes.
-  Passes over_pairs_to_vertices(const Kernel& pairs, Kernel vertices) const;
   /// For the pairs that were deferred last.
-  Passes over_deferred(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings) const;
+  gl::ComputePass over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
   /// For each of the ranges, from begin[k] to begin[k + 1], one of an invocation per item, which begins at the kernel's constant
   /// first_item, and one over the items that it deferred.
   /// `loops`: ComputePass::loops() without decompositions, and how many tets an item may decompose.
@@ -70,10 +60,8 @@ struct Recording {
 
  private:
   std::pair<gl::Defines, gl::ComputePass::Bindings> deferring(gl::Defines defines, gl::ComputePass::Bindings bindings) const;
-  gl::ComputePass over_deferred_of(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, std::uint32_t list,
-                                   std::uint32_t first_pair, std::uint32_t most) const;
-  gl::ComputePass over_list(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, std::uint32_t list,
-                            std::uint32_t most, gl::ComputePass::Constants constants) const;
+  gl::ComputePass over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, std::uint32_t list,
+                                std::uint32_t most, gl::ComputePass::Constants constants) const;
 };
 
 class StepGradient;
@@ -104,8 +92,6 @@ class StepMethod {
   /// One iteration, the grab's springs included. The first one of a substep finds no history.
   virtual Passes iteration(const Recording& recording, bool first) const = 0;
   virtual Passes end(const Recording&) const { return {}; }  // after the last iteration of a substep, unless a stop rule ended them
-  /// Whether what pairs leave in the slots is gathered by vertices: Recording::over_pairs_to_vertices.
-  virtual bool gathers() const { return false; }
   /// What the passes of an iteration may put off (deferred_tets.h). `fused`: whether passes are (render/gl/fused_pass.h).
   virtual Deferral most_deferred(const SimBuffers&, bool fused) const { return static_cast<void>(fused), Deferral{}; }
   /// Before passes are recorded, with what they will be recorded from.

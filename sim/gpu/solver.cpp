@@ -42,7 +42,6 @@ void GpuSolver::make_method() {
   auto* two_level = dynamic_cast<TwoLevelMethod*>(method_.get());
   const bool levels_stay = two_level && settings_.method == Method::two_level;
   regions_.reset();
-  tiles_.reset();
   if (!colors_stay && !levels_stay) method_.reset();  // before the next one is made: both may not fit
   if (order_goes) {
     buffers_.set_tet_order(model_, buffers_.placement.tets);
@@ -110,12 +109,7 @@ void GpuSolver::record() {
   // A GPU jumps over a branch that none of a few neighbors takes, and to a small mesh each dispatch counts. The number is a guess.
   constexpr std::uint32_t kManyTets = 50'000;
   const bool branches_skip = programs_.load_path() == gl::LoadPath::storage;
-  Deferral most_deferred = method_->most_deferred(buffers_, fuses_);
-  constexpr std::uint32_t kLeastTiles = 4;  // what is smaller stays in the cache as a whole
-  const bool tiled = fuses_ && method_->gathers() && buffers_.pair_and_single_count() >= kLeastTiles * Tiles::kLeastPairs;
-  if (!tiled) tiles_.reset();
-  if (tiled && !tiles_) tiles_.emplace(buffers_);
-  if (tiles_) most_deferred.lists = std::max(most_deferred.lists, tiles_->count());
+  const Deferral most_deferred = method_->most_deferred(buffers_, fuses_);
   const bool may_defer = features_.signed_st_venant_kirchhoff && most_deferred.items > 0 && !(branches_skip && buffers_.tet_count < kManyTets);
   if (!may_defer) deferred_.reset();
   if (may_defer && (!deferred_ || deferred_->most != most_deferred)) deferred_.emplace(most_deferred);
@@ -142,7 +136,7 @@ std::optional<GpuSolver::FusedStep> GpuSolver::fuse(const StepPasses& passes) {
 }
 
 Recording GpuSolver::recording(const ActiveSet* active) {
-  return {programs_, buffers_, features_, previous_strain_, grab_, deferred_ ? &*deferred_ : nullptr, active, tiles_ ? &*tiles_ : nullptr};
+  return {programs_, buffers_, features_, previous_strain_, grab_, deferred_ ? &*deferred_ : nullptr, active};
 }
 
 GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {

@@ -161,7 +161,6 @@ class GpuSolver {
   DiagnosticsReader diagnostics_;
   StateGuard guard_;
   SurfacePositions surface_;
-  std::optional<Tiles> tiles_;            // of large meshes, where passes are fused
   std::optional<DeferredTets> deferred_;  // with materials that have such
   std::optional<Regions> regions_;  // where some may rest while others move
   StepPasses whole_, partial_;      // for all tets; for those of a step in which regions rest, recorded when there first is one

@@ -82,13 +82,14 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
     }
   }
   reference::State best = state;
-  report.relative_residual = reference::static_residual(model, state, springs);
+  const reference::StaticResidual residual_of(model);
+  report.relative_residual = residual_of(state, springs);
   double last = report.relative_residual;
   for (int steps = 0, idle = 0; steps < kMostSteps && idle < kPatience && report.relative_residual > tolerance; ++steps) {
     if (stop.stop_requested()) break;
     const reference::State before = state;
     step_to(end);
-    const double residual = reference::static_residual(model, state, springs);
+    const double residual = residual_of(state, springs);
     idle = farthest_way(before, state) > kStill * solver.buffers().size ? 0 : idle + 1;
     if (residual < report.relative_residual) {
       if (residual < 0.9 * report.relative_residual) idle = 0;

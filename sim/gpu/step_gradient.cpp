@@ -22,7 +22,11 @@ Passes StepGradient::passes(const Recording& r) const {
                                    {"correction", &r.buffers.correction},
                                    {"gradient", &gradient_}};
   const gl::Defines vertex_defines = r.grab.with_springs({}, vertex);
-  return r.over_pairs_to_vertices({"sim/elastic_force.comp", tet_defines, std::move(tet)}, {"sim/gradient.comp", vertex_defines, std::move(vertex)});
+  Passes passes;
+  append(passes, r.over_pairs_deferring("sim/elastic_force.comp", tet_defines, tet));
+  passes.push_back(r.over_vertices("sim/gradient.comp", vertex_defines, std::move(vertex)));
+  passes.back().loops(r.loops_of_slots());
+  return passes;
 }
 
 gl::Buffer make_vertex_tets(const SimBuffers& buffers) {

@@ -161,12 +161,12 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
     sums.emplace_back("curvature_partials", &partials_);
     if (r.deferred) {
       curvature.emplace_back("guarded_curvature", &guarded_curvature_);
-      append(passes, r.over_deferred("sim/subspace_curvature.comp", curvature_defines, curvature));
+      passes.push_back(r.over_deferred("sim/subspace_curvature.comp", curvature_defines, std::move(curvature)));
       sums.emplace_back("guarded_terms", &guarded_curvature_);
       sum_defines.emplace_back("GUARDED_ELSEWHERE", "1");
     }
     passes.push_back(r.sum_over_pairs("sim/subspace_curvature.comp", sum_defines, std::move(sums), pairs_, {{"first_partial", 3 * vertices_.partials}}));
-    if (r.deferred) append(passes, r.over_deferred("sim/guarded_curvature_clear.comp", {}, {{"guarded_curvature", &guarded_curvature_}}));
+    if (r.deferred) passes.push_back(r.over_deferred("sim/guarded_curvature_clear.comp", {}, {{"guarded_curvature", &guarded_curvature_}}));
   }
   gl::ComputePass::Bindings solve{{"dot_partials", &partials_}, {"subspace_state", &state_}};
   gl::ComputePass::Constants constants{{"partials", vertices_.partials}};

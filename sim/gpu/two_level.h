@@ -26,7 +26,6 @@ class TwoLevelMethod : public StepMethod {
   void prepare(const Recording& recording) override;
   Passes begin(const Recording& recording) const override;
   Passes refresh(const Recording& recording) const override;
-  bool gathers() const override { return true; }
   Deferral most_deferred(const SimBuffers& buffers, bool) const override { return {1, buffers.pair_and_single_count()}; }
   Passes iteration(const Recording& recording, bool first) const override;
   Passes end(const Recording& recording) const override;

@@ -1,11 +1,21 @@
 // How far a state is from static equilibrium, in double precision whatever computed it.
 #pragma once
+#include "sim/reference/elastic_system.h"
 #include "sim/reference/newton.h"
 
 namespace fascia::reference {
 
-/// Norm over the free vertices of the elastic energy's gradient minus the weight and the springs' forces, over the larger norm, of the weight or of the
-/// gradient at all vertices, which at held ones is the reaction. 0 without any forces.
-double static_residual(const Model& model, const State& state, const std::vector<GrabSpring>& springs = {});
+class StaticResidual {
+ public:
+  /// `model` must outlive it, and its gravity and materials stay.
+  explicit StaticResidual(const Model& model);
+  /// Norm over the free vertices of the elastic energy's gradient minus the weight and the springs' forces, over the larger norm, of the
+  /// weight or of the gradient at all vertices, which at held ones is the reaction. 0 without any forces.
+  double operator()(const State& state, const std::vector<GrabSpring>& springs = {}) const;
+
+ private:
+  ElasticSystem system_;
+  Eigen::VectorXd weight_;  // [3 * vertex_count] [N]
+};
 
 }  // namespace fascia::reference

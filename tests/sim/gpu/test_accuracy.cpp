@@ -231,6 +231,6 @@ TEST_CASE("static equilibria of the reference cases on the GPU with the default 
   CAPTURE(name, report.iterations, report.relative_residual, error);
   CHECK(report.converged);
   CHECK(report.relative_residual <= 1e-5);
-  CHECK(reference::static_residual(model, state) == report.relative_residual);
+  CHECK(reference::StaticResidual(model)(state) == report.relative_residual);
   CHECK(error < 1e-5);
 }

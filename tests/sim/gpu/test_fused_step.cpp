@@ -107,50 +107,6 @@ TEST_CASE("fused steps of larger meshes are those of passes one by one", "[gpu][
   CHECK(c.differences() == 0);
 }
 
-TEST_CASE("tiles hold every pair and every vertex once, no vertex before its last pair", "[gpu]") {
-  Gpu gpu;
-  const Model model = crushed(400, 0);
-  const SimBuffers buffers(model);
-  const Tiles tiles(buffers);
-  REQUIRE(tiles.count() > 1);
-  const auto tets = buffers.tet_vertices.read<Tet>();
-  const auto vertices = tiles.vertices.read<std::uint32_t>();
-  CHECK(tiles.pair_begin.front() == 0);
-  CHECK(tiles.pair_begin.back() == buffers.pair_and_single_count());
-  CHECK(tiles.vertex_begin.back() == buffers.vertex_count);
-  std::vector<std::uint32_t> tile_of(buffers.vertex_count, tiles.count());
-  for (std::uint32_t k = 0; k < tiles.count(); ++k) {
-    CHECK(tiles.pair_begin[k + 1] - tiles.pair_begin[k] >= Tiles::kLeastPairs);
-    for (std::uint32_t i = tiles.vertex_begin[k]; i < tiles.vertex_begin[k + 1]; ++i) tile_of[vertices[i]] = k;
-  }
-  std::vector<std::uint32_t> last(buffers.vertex_count, 0);
-  for (std::uint32_t t = 0; t < tets.size(); ++t) {
-    const std::uint32_t pair = t < 2 * buffers.pair_count ? t / 2 : t - buffers.pair_count;
-    const auto behind = std::upper_bound(tiles.pair_begin.begin(), tiles.pair_begin.end(), pair);
-    for (const std::uint32_t v : tets[t]) last[v] = std::max(last[v], static_cast<std::uint32_t>(behind - tiles.pair_begin.begin() - 1));
-  }
-  CHECK(tile_of == last);
-}
-
-TEST_CASE("steps in tiles are those of passes over all", "[gpu][.threads]") {
-  const Pair pair = GENERATE(Pair{Method::jacobi, Acceleration::none}, Pair{Method::exact_xpbd, Acceleration::anderson},
-                             Pair{Method::two_level, Acceleration::subspace});
-  const double damping = pair.method == Method::jacobi ? 0.01 : 0;
-  CAPTURE(name_of(pair.method));
-  SolverSettings settings = with(pair);
-  settings.iterations = 3;
-  Compared c(crushed(720, damping), settings);
-  REQUIRE(c.model.tets.size() > 8 * Tiles::kLeastPairs);
-  c.step();
-  c.step();
-  CHECK(c.differences() == 0);
-  const std::vector<GrabSpring> hand{{3, {0.02, 0.01, 0}, 50}, {static_cast<std::uint32_t>(c.model.rest_positions.size() - 1), {0.3, 0.05, 0.02}, 50}};
-  c.alone.set_grab(hand);
-  c.fused.set_grab(hand);
-  c.step();
-  CHECK(c.differences() == 0);
-}
-
 TEST_CASE("fused steps leave the same regions at rest", "[gpu][.threads]") {
   // Two beams of which one is pulled at.
   Model model = two_bars(16, 0.4, {2e6, 0.4, 1000, 0.1, MaterialModel::signed_st_venant_kirchhoff});

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/solver.h"
+#include "sim/placement.h"
 #include "tests/sim/gpu/gpu_fixture.h"
 #include "tests/support/models.h"
 
@@ -26,7 +27,8 @@ TEST_CASE("vertices that are deferred move as they do in place", "[gpu]") {
   settings.method = Method::vertex_descent;
   const double amplitude = GENERATE(0.0, 0.004, 0.02);  // [m] the last turns many tets inside out
   const reference::State state = random_state(model, amplitude, 5);
-  const VertexColoring coloring = color_vertices(model.tets, model.held());
+  const Model in_place = placed(model, placement_of(model));  // as the solver colors it
+  const VertexColoring coloring = color_vertices(in_place.tets, in_place.held());
   const auto colors = static_cast<std::uint32_t>(coloring.color_count()), vertices = static_cast<std::uint32_t>(coloring.order.size());
   const auto descend = [&](DeferredTets* deferred) {
     SimBuffers buffers(model);
@@ -61,7 +63,8 @@ TEST_CASE("a change of method makes room for what the new one defers", "[gpu]") 
   SolverSettings settings;
   GpuSolver solver(gpu.programs, model, settings);
   CHECK(gl::bytes_by_buffer().at("deferred_items") == 4 * (4 + solver.buffers().pair_and_single_count()));
-  const VertexColoring coloring = color_vertices(model.tets, model.held());
+  const Model in_place = placed(model, placement_of(model));  // as the solver colors it
+  const VertexColoring coloring = color_vertices(in_place.tets, in_place.held());
   settings.method = Method::vertex_descent;
   settings.acceleration = Acceleration::none;
   solver.set_settings(settings);
