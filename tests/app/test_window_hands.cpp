@@ -1,6 +1,9 @@
-// Several hands in the real window: one that stays, a second one moved by mouse and wheel, and the first let go of by its mark.
+// Hands in the real window: one that stays, a second one moved by mouse and wheel, the first let go of by its mark; and one that has to
+// wait for its kernels.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -14,6 +17,15 @@ using namespace fascia::test;
 namespace {
 
 constexpr int kWidth = 1000, kHeight = 700, kPanels = 340, kMiddle = (kPanels + kWidth) / 2;  // of what the panels leave
+
+// A variable of the environment, as long as it lives.
+struct Variable {
+  const char* name;
+  Variable(const char* n, const std::string& value) : name(n) { setenv(name, value.c_str(), 1); }
+  ~Variable() { unsetenv(name); }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+};
 
 double changed_share(const Screenshot& a, const Screenshot& b) {
   return difference(right_part(a.image, kPanels), right_part(b.image, kPanels)).share;
@@ -136,4 +148,43 @@ TEST_CASE("hands that stay hold on through a comparison, whose sides both take m
   const CommandResult again = run_fascia({"run", "--replay", session.string()}, folder.path());
   CAPTURE(again.err);
   CHECK(again.err.find("fascia: to the bit what was recorded") != std::string::npos);
+}
+
+TEST_CASE("a hand that takes hold before its kernels are compiled pulls when they are, and the session is replayed to the bit") {
+  const TemporaryFolder folder, cache;
+  const VirtualDisplay display(kWidth, kHeight);
+  const bool kept = GENERATE(true, false);
+  CAPTURE(kept);
+  const Variable driver = kept ? Variable("MESA_SHADER_CACHE_DIR", cache.path().string()) : Variable("MESA_SHADER_CACHE_DISABLE", "true");
+  write_file(folder / "cube.json",
+             nlohmann::json{{"fascia_scene", 1},
+                            {"bodies", {{{"mesh", (source_dir() / "assets/meshes/cube.msh").string()}, {"fixed", {{{"lowest", 0.02}}}}}}},
+                            {"camera", {{"eye", {0, 0.05, 0.4}}, {"target", {0, 0.05, 0}}, {"fov_deg", 30}}}}
+                 .dump());
+  std::filesystem::path session;
+  {
+    FasciaWindow window({(folder / "cube.json").string(), "--size", "1000x700"}, folder.path());
+    const Screenshot first = window.screenshot();
+    window.move(kMiddle, kHeight / 2);
+    window.press();
+    window.move(kMiddle + 20, kHeight / 2 - 60);
+    CHECK(eventually([&] { return changed_share(first, window.screenshot()) > 0.01; }));
+    window.release();
+    window.screenshot();
+    window.key("ctrl+q");
+    CHECK(window.wait() == 0);
+    for (const auto& entry : std::filesystem::directory_iterator(display.state() / "sessions")) session = entry.path();
+  }
+  const Replay replay = read_replay(session);
+  CHECK(std::any_of(replay.inputs.begin(), replay.inputs.end(), [](const Input& input) { return std::holds_alternative<GrabInput>(input.change); }));
+  const CommandResult again = run_fascia({"run", "--replay", session.string()}, folder.path());
+  CAPTURE(again.err);
+  CHECK(again.err.find("fascia: to the bit what was recorded") != std::string::npos);
+
+  INFO("and a window that is closed while kernels are compiled ends");
+  const TemporaryFolder empty;
+  const Variable cold("MESA_SHADER_CACHE_DIR", empty.path().string());
+  FasciaWindow window({(folder / "cube.json").string(), "--size", "1000x700"}, folder.path());
+  window.key("ctrl+q");
+  CHECK(window.wait() == 0);
 }
