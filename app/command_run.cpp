@@ -103,7 +103,7 @@ int command_run(const RunOptions& options) {
 
   const Clock::time_point start = Clock::now();
   if (options.static_equilibrium) {
-    const StaticReport report = simulation.solve_static();
+    const StaticReport report = simulation.solve_static(static_news(options.quiet));
     if (interrupted()) return exit_interrupted;
     require_equilibrium(simulation, report);
     stats.solve_ms.push_back(milliseconds_since(start));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iostream>
 #include <sstream>
 #include <tuple>
 
@@ -180,7 +181,7 @@ reference::State Simulation::go_on_as_replay() {
 
 double Simulation::time() const { return reference_ ? reference_state_.time : gpu_->time(); }
 
-StaticReport Simulation::solve_static() {
+StaticReport Simulation::solve_static(const std::function<void(const StaticReport&)>& news) {
   pull(with_hands_at_last(other_springs_, model.hands));
   const auto by_newton = [&](reference::State& state, double tolerance) {
     reference::NewtonSolver solver(model, scene.solver, interrupt_token());
@@ -194,11 +195,15 @@ StaticReport Simulation::solve_static() {
   }
   const double tolerance = scene.solver.tolerance > 0 ? scene.solver.tolerance : 1e-5;
   equilibrium_.emplace();
-  const reference::NewtonReport march = march_to_equilibrium(*gpu_, model, tolerance, *equilibrium_, interrupt_token());
+  const auto tell_news = [&](const reference::NewtonReport& report) {
+    if (news) news({report.iterations, 0, report.relative_residual, false});
+  };
+  const reference::NewtonReport march = march_to_equilibrium(*gpu_, model, tolerance, *equilibrium_, interrupt_token(), tell_news);
   StaticReport report{march.iterations, 0, march.relative_residual, march.converged};
   constexpr double kNear = 1e-2;  // from farther away Newton's method finds no way, either, and takes long for it
   if (march.converged || march.relative_residual > kNear || model.tets.size() > reference::NewtonSolver::kMostTets || interrupted())
     return report;
+  if (news) news({march.iterations, 1, march.relative_residual, false});
   reference::State exact = *equilibrium_;
   const reference::NewtonReport newton = by_newton(exact, tolerance);
   report.newton_iterations = newton.iterations;
@@ -320,6 +325,20 @@ std::string describe(const StaticReport& report) {
   if (report.newton_iterations > 0) text << report.newton_iterations << " Newton ";
   text << (report.iterations + report.newton_iterations == 1 ? "iteration" : "iterations") << ", relative residual " << report.relative_residual;
   return text.str();
+}
+
+std::function<void(const StaticReport&)> static_news(bool quiet) {
+  if (quiet) return {};
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto kInterval = std::chrono::seconds(5);
+  return [last = Clock::now(), begin = Clock::now()](const StaticReport& report) mutable {
+    const bool newton = report.newton_iterations > 0 && Clock::now() - begin > kInterval;
+    if (Clock::now() - last < kInterval && !newton) return;
+    last = Clock::now();
+    std::cerr << "fascia: static equilibrium: " << report.iterations << " iterations";
+    if (report.relative_residual > 0) std::cerr << ", relative residual " << report.relative_residual;
+    std::cerr << (newton ? ", now by Newton's method in double precision" : "") << std::endl;
+  };
 }
 
 void require_equilibrium(const Simulation& simulation, const StaticReport& report) {

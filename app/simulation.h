@@ -58,7 +58,8 @@ class Simulation {
   /// Static equilibrium, by the reference solver to 1e-10 or by the GPU to 1e-5, or to solver.tolerance if that is given. Where float32
   /// does not go so far, Newton's method in double precision goes on from there, with meshes that are not too large for it. The report
   /// tells how far it got; Ctrl-C ends it unconverged.
-  StaticReport solve_static();
+  /// `news`: hears of every step how far it is, and at last, with a Newton iteration, when Newton's method begins.
+  StaticReport solve_static(const std::function<void(const StaticReport&)>& news = {});
 
   void set_settings(const SolverSettings& settings);
   void set_material(std::size_t index, const Material& material);  // of model.materials
@@ -154,6 +155,8 @@ class Simulation {
 /// "static equilibrium after 12 Newton iterations, relative residual 1e-11"
 /// One line.
 std::string describe(const StaticReport& report);
+/// Says on stderr how far a long solve is, every few seconds.
+std::function<void(const StaticReport&)> static_news(bool quiet);
 /// Throws Error where it is no equilibrium: neither to the tolerance nor, with a mesh too large for Newton's method, as far as float32 goes.
 void require_equilibrium(const Simulation& simulation, const StaticReport& report);
 

@@ -46,7 +46,8 @@ double farthest_way(const reference::State& from, const reference::State& to) {
 }  // namespace
 
 reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance, reference::State& equilibrium,
-                                             const std::stop_token& stop) {
+                                             const std::stop_token& stop,
+                                             const std::function<void(const reference::NewtonReport&)>& news) {
   reference::require_supports(model);
   const SolverSettings settings = solver.settings();
   SolverSettings marching = settings;
@@ -68,6 +69,7 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
     solver.step();
     state = solver.download();
     report.iterations += kIterations;
+    if (news) news(report);
   };
 
   const std::vector<GrabSpring> springs = solver.springs();

@@ -2,6 +2,7 @@
 // steps in time that grow until inertia is nothing (the proximal point method; as pseudo-transient continuation, Kelley and Keyes
 // 1998). Prescribed motions are applied in increments first.
 #pragma once
+#include <functional>
 #include <stop_token>
 
 #include "sim/gpu/solver.h"
@@ -12,8 +13,9 @@ namespace fascia {
 /// `tolerance` (reference/static_residual.h) or as far as float32 goes: when a dozen steps gain nothing and move nothing any more. Its
 /// settings and materials are as before afterwards. `equilibrium` is what was found, to more digits than the solver's float32 holds.
 /// `iterations` of the report are the method's. Ends unconverged soon after `stop` is requested. Throws Error if gravity pulls at a part
-/// that nothing holds.
+/// that nothing holds. `news`: hears of every step, unconverged.
 reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance, reference::State& equilibrium,
-                                             const std::stop_token& stop = {});
+                                             const std::stop_token& stop = {},
+                                             const std::function<void(const reference::NewtonReport&)>& news = {});
 
 }  // namespace fascia

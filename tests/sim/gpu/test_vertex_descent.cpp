@@ -27,8 +27,7 @@ TEST_CASE("vertices that are deferred move as they do in place", "[gpu]") {
   settings.method = Method::vertex_descent;
   const double amplitude = GENERATE(0.0, 0.004, 0.02);  // [m] the last turns many tets inside out
   const reference::State state = random_state(model, amplitude, 5);
-  const Model in_place = placed(model, placement_of(model));  // as the solver colors it
-  const VertexColoring coloring = color_vertices(in_place.tets, in_place.held());
+  const VertexColoring coloring = color_vertices(model.tets, model.held());
   const auto colors = static_cast<std::uint32_t>(coloring.color_count()), vertices = static_cast<std::uint32_t>(coloring.order.size());
   const auto descend = [&](DeferredTets* deferred) {
     SimBuffers buffers(model);
