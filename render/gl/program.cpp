@@ -64,20 +64,27 @@ Program::~Program() {
 void Program::use() const {
   UseProgram(id_);
 }
+// Asked once: with drivers that work on a thread of their own, each question waits for it.
+GLint Program::location(const char* name) const {
+  const auto found = locations_.find(name);
+  if (found != locations_.end()) return found->second;
+  return locations_.emplace(name, GetUniformLocation(id_, name)).first->second;
+}
+
 void Program::set(const char* name, float value) const {
-  ProgramUniform1f(id_, GetUniformLocation(id_, name), value);
+  ProgramUniform1f(id_, location(name), value);
 }
 void Program::set(const char* name, int value) const {
-  ProgramUniform1i(id_, GetUniformLocation(id_, name), value);
+  ProgramUniform1i(id_, location(name), value);
 }
 void Program::set(const char* name, unsigned value) const {
-  ProgramUniform1ui(id_, GetUniformLocation(id_, name), value);
+  ProgramUniform1ui(id_, location(name), value);
 }
 void Program::set(const char* name, float x, float y, float z, float w) const {
-  ProgramUniform4f(id_, GetUniformLocation(id_, name), x, y, z, w);
+  ProgramUniform4f(id_, location(name), x, y, z, w);
 }
 void Program::set_matrix(const char* name, const float* column_major_4x4) const {
-  ProgramUniformMatrix4fv(id_, GetUniformLocation(id_, name), 1, GL_FALSE, column_major_4x4);
+  ProgramUniformMatrix4fv(id_, location(name), 1, GL_FALSE, column_major_4x4);
 }
 
 ProgramCache::ProgramCache(std::filesystem::path folder, LoadPath load_path)
@@ -171,6 +178,7 @@ void ProgramCache::link(const Entry& entry) const {
               program.label_.c_str());
   if (program.id_) DeleteProgram(program.id_);
   program.id_ = id;
+  program.locations_.clear();
   program.declared_ = std::move(declared);
   program.output_types_ = std::move(output_types);
   ++program.generation_;

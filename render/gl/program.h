@@ -50,6 +50,8 @@ class Program {
 
  private:
   friend class ProgramCache;
+  GLint location(const char* name) const;
+  mutable std::map<std::string, GLint, std::less<>> locations_;  // of uniforms, -1 of those that it does not have
   ProgramCache* cache_ = nullptr;
   GLuint id_ = 0;
   unsigned generation_ = 0;
