@@ -27,12 +27,13 @@ KernelWarmer::~KernelWarmer() {
   if (thread_.joinable()) thread_.join();
 }
 
-Rehearsed KernelWarmer::compiled(const KernelUse& use) {
-  if (!context_) return Rehearsed::all;
+Rehearsed KernelWarmer::compiled(const SolverSettings& settings, const Model& model) {
+  if (!context_ || model.tets.size() > kMostTets) return Rehearsed::all;
+  const KernelUse use = kernel_use(settings, model);
   const std::lock_guard lock(mutex_);
   auto found = std::find_if(asked_.begin(), asked_.end(), [&](const Asked& asked) { return asked.use == use; });
   if (found == asked_.end()) {
-    found = asked_.insert(asked_.end(), {use, Rehearsed::nothing, {}});
+    found = asked_.insert(asked_.end(), {use, rehearsal_body(model), Rehearsed::nothing, {}});
     changed_.notify_one();
   }
   found->at = Clock::now();
@@ -69,12 +70,13 @@ void KernelWarmer::work() {
     try {
       gl::ProgramCache programs(shaders_, loads_);
       programs.set_fusing(fusing_);
-      rehearse(programs, asked.use, [&](Rehearsed done) { return go_on(asked, done); });
+      rehearse(programs, asked.use, asked.body, [&](Rehearsed done) { return go_on(asked, done); });
     } catch (const std::exception&) {  // where it is needed it will fail again, and be told
       failed = true;
     }
     if (failed) go_on(asked, Rehearsed::all);
     lock.lock();
+    if (asked.compiled == Rehearsed::all) asked.body = {};
   }
   lock.unlock();
   context_->leave();

@@ -23,17 +23,19 @@ class KernelWarmer {
   KernelWarmer(const KernelWarmer&) = delete;
   KernelWarmer& operator=(const KernelWarmer&) = delete;
 
-  /// How far the kernels of this use are compiled: all, where that cannot be. To be asked again and again; what is asked for anew comes
+  /// How far the kernels of a scene are compiled: all, where that cannot be. To be asked again and again; what is asked for anew comes
   /// first.
-  Rehearsed compiled(const KernelUse& use);
+  Rehearsed compiled(const SolverSettings& settings, const Model& model);
 
  private:
   using Clock = std::chrono::steady_clock;
   struct Asked {
     KernelUse use;
+    Model body;
     Rehearsed compiled = Rehearsed::nothing;
     Clock::time_point at;  // last
   };
+  static constexpr std::size_t kMostTets = 100'000;  // a solver beside the window's costs as much memory
   void work();
   Asked* next();  // to be compiled; null: nothing is
   bool go_on(Asked& asked, Rehearsed compiled);

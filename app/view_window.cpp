@@ -89,6 +89,7 @@ void ViewWindow::run() {
     require_device();
     attempt([&] { remember_now_and_then(); });
   }
+  if (warmer_) glfwHideWindow(window);  // a kernel that is being compiled may take some seconds more
   stats_.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   attempt([&] { remember(); });
   attempt([&] { autosave_.finish(); });

@@ -42,7 +42,7 @@ void ViewWindow::wait_for_events() {
 }
 
 bool ViewWindow::compiled(const Session& session, Rehearsed part) {
-  return !warmer_ || warmer_->compiled(kernel_use(session.simulation.scene.solver, session.simulation.model)) >= part;
+  return !warmer_ || warmer_->compiled(session.simulation.scene.solver, session.simulation.model) >= part;
 }
 
 bool ViewWindow::may_step() {

@@ -20,6 +20,16 @@ Placement placement_of(const Model& model) {
   for (const std::uint32_t t : placement.tets.order)
     for (const std::uint32_t v : model.tets[t]) meet(v);
   for (std::uint32_t v = 0; v < count; ++v) meet(v);
+  // A few invocations side by side take as long as the one with the most tets: among neighbors, those with as many are put side by side.
+  constexpr std::size_t kNeighbors = 128;
+  std::vector<std::uint32_t> tets(count, 0);
+  for (const std::uint32_t t : placement.tets.order)
+    for (const std::uint32_t v : model.tets[t]) ++tets[v];
+  for (std::size_t begin = 0; begin < count; begin += kNeighbors)
+    std::stable_sort(placement.vertex.begin() + static_cast<std::ptrdiff_t>(begin),
+                     placement.vertex.begin() + static_cast<std::ptrdiff_t>(std::min(begin + kNeighbors, count)),
+                     [&](std::uint32_t a, std::uint32_t b) { return tets[a] > tets[b]; });
+  for (std::uint32_t k = 0; k < count; ++k) placement.place[placement.vertex[k]] = k;
   return placement;
 }
 

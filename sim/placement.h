@@ -15,7 +15,7 @@ struct Placement {
   std::vector<std::uint32_t> place;   // [vertex_count] of each of the model's vertices
 };
 
-/// Vertices in the order in which the tets meet them; those that none meets come last.
+/// Vertices in the order in which the tets meet them, then, among neighbors, those with as many tets side by side; those with none come last.
 Placement placement_of(const Model& model);
 /// Vertices where they are in the model.
 Placement unmoved(const Model& model);
