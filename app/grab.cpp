@@ -58,15 +58,6 @@ bool Grab::grip(const Model& model, const GrabSettings& settings) {
   return true;
 }
 
-void Grab::hold_on(const Model& model, std::span<const Vector3d> positions) {
-  taken_.assign(positions.begin(), positions.begin() + static_cast<std::ptrdiff_t>(model.rest_positions.size()));
-  for (Grip& grip : patch_) grip.displacement = taken_[grip.vertex] - model.rest_positions[grip.vertex];
-  start_.setZero();
-  for (std::size_t k = 0; k < place_.vertices.size(); ++k) start_ += place_.weights[k] * taken_[place_.vertices[k]];
-  offset_.setZero();
-  force_.setZero();
-}
-
 void Grab::set_size(const Model& model, const GrabSettings& settings) {
   const Vector3d lead = force_ / stiffness_;
   grip(model, settings);

@@ -28,8 +28,6 @@ class Grab {
   bool take(const Model& model, const DrawnSurface& surface, std::span<const Eigen::Vector3d> positions, const Hit& hit,
             double scene_radius, const GrabSettings& settings);
   void release() { *this = Grab(); }
-  /// Holds the same patch where that is in `positions`, for a hand that has not pulled since it was taken; it is led where it was.
-  void hold_on(const Model& model, std::span<const Eigen::Vector3d> positions);
   bool holding() const { return !patch_.empty(); }
   /// The same hand with a larger or smaller patch, around the same point of the tissue as it was taken. It stays as it is where no free
   /// vertex is within the new one.

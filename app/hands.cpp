@@ -12,10 +12,6 @@ bool Hands::take(const Model& model, const DrawnSurface& surface, std::span<cons
   return true;
 }
 
-void Hands::hold_on(const Model& model, std::span<const Eigen::Vector3d> positions) {
-  for (Hand& hand : hands_) hand.grab.hold_on(model, positions);
-}
-
 void Hands::take_up(std::size_t index) {
   following_ = index;
   hands_[index].grab.plane_here();

@@ -17,7 +17,6 @@ class Hands {
   /// As Grab::take, with a hand that then follows the mouse.
   bool take(const Model& model, const DrawnSurface& surface, std::span<const Eigen::Vector3d> positions, const Hit& hit,
             double scene_radius, const GrabSettings& settings);
-  void hold_on(const Model& model, std::span<const Eigen::Vector3d> positions);  // Grab::hold_on of all
   Grab* following() { return following_ ? &hands_[*following_].grab : nullptr; }
   void stay() { following_.reset(); }  // the one that follows the mouse stays where it is
   void take_up(std::size_t index);     // it follows the mouse again

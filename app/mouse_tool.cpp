@@ -177,17 +177,10 @@ void MouseTool::cancel(Session& session) {
   session.simulation.set_grab({});
 }
 
-void MouseTool::hold(Session& session) {
-  if (!waits_) session.simulation.set_grab(hands_.springs(0));
-}
-
-void MouseTool::wait(bool waits, Session& session) {
-  if (waits_ && !waits && !hands_.empty()) hands_.hold_on(session.simulation.model, deformed_positions(session));
-  waits_ = waits;
-}
+void MouseTool::hold(Session& session) { session.simulation.set_grab(hands_.springs(0)); }
 
 void MouseTool::pull(Session& session) {
-  if (!hands_.empty() && !waits_) session.simulation.set_grab(hands_.springs(session.simulation.scene.solver.time_step));
+  if (!hands_.empty()) session.simulation.set_grab(hands_.springs(session.simulation.scene.solver.time_step));
 }
 
 }  // namespace fascia

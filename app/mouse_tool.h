@@ -42,9 +42,6 @@ class MouseTool {
   bool dragging() const { return tool_ != Tool::none; }
   bool orbiting() const { return tool_ == Tool::orbit || tool_ == Tool::pan; }  // or panning
   Hands& hands() { return hands_; }
-  /// While it waits nothing pulls: hands follow the mouse, and take hold of the tissue where it is by the end.
-  void wait(bool waits, Session& session);
-  bool waits() const { return waits_; }
   /// Springs of the next step, to the simulation.
   void pull(Session& session);
   /// Those of now: for what was let go of, which pulls no more although no step follows, and for a simulation that has to hold on.
@@ -55,7 +52,6 @@ class MouseTool {
 
   enum class Tool { none, grab, orbit, pan, section };
   Tool tool_ = Tool::none;
-  bool waits_ = false;
   Button button_ = Button::left;
   Eigen::Vector2d last_{0, 0};
   Hands hands_;

@@ -132,9 +132,7 @@ void draw_notice(const ViewState& state, const Room& room) {
   const float middle = fits ? room.middle() : 0.5f * (room.left + ImGui::GetIO().DisplaySize.x), top = ui::px(14);
   const double speed = state.statistics.speed;
   char text[96];
-  if (state.waits_for) {
-    ui::pill(state.waits_for, middle, top, ui::kText);
-  } else if (state.paused) {
+  if (state.paused) {
     ui::pill("Paused. Space goes on", middle, top, ui::kText);
   } else if (!state.statistics.keeps_pace) {
     std::snprintf(text, sizeof text, "Slower than real time: %.0f %%", std::max(1.0, 100 * speed));

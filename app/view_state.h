@@ -66,7 +66,6 @@ struct SceneFacts {
 enum class CompareAsk { nothing, open_or_close, edit_a, edit_b, copy_a, swap, keep_b };
 
 struct ViewState {
-  const char* waits_for = nullptr;  // what keeps the tissue or a hand waiting; null: nothing
   bool paused = false, show_panels = true, show_help = false, recording = false;
   bool show_convergence = false;  // measured only while it is shown
   Convergence convergence;

@@ -20,6 +20,9 @@
 namespace fascia {
 namespace {
 
+constexpr double kLongestWait = 1;      // [s] to look after signals and the device, which do not wake a window
+constexpr double kUnsettledWait = 1.0 / 30;  // [s] between frames while something is under way that no event will tell of
+constexpr int kFramesToSettle = 3;      // after an event: panels find their size and what they show over some frames
 constexpr double kShortestFrame = 0.004;  // [s] where the display does not set the pace
 
 }  // namespace
@@ -36,8 +39,6 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
       hints_(user_),
       samples_(options.samples > 0 ? options.samples : gl::device().software ? 1 : 4) {
   if (user_.now().light) ui::set_theme(ui::Theme::light);
-  const bool scripted = options.steps || options.time;
-  if (!scripted && !options.reference) warmer_.emplace(graphics, [] { glfwPostEmptyEvent(); });
   try {
     OpeningScreen screen(graphics_, overlay_, opened.scene.file.filename().string());
     session_ = make_session(opened, screen, 0);
@@ -89,7 +90,6 @@ void ViewWindow::run() {
     require_device();
     attempt([&] { remember_now_and_then(); });
   }
-  if (warmer_) glfwHideWindow(window);  // a kernel that is being compiled may take some seconds more
   stats_.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   attempt([&] { remember(); });
   attempt([&] { autosave_.finish(); });
@@ -100,6 +100,12 @@ void ViewWindow::run() {
   count_work(stats_, session_->simulation);
 }
 
+bool ViewWindow::still() const {
+  const Simulation& simulation = session_->simulation;
+  const bool asleep = simulation.asleep() && (!split_ || split_->asleep());
+  return state_.paused || (asleep && steps_left_ < 0 && !simulation.awaits_hands());
+}
+
 void ViewWindow::require_device() const {
   try {
     gl::require_context();
@@ -107,6 +113,25 @@ void ViewWindow::require_device() const {
     if (!remembered_) throw;
     throw gl::ContextLost(std::string(lost.what()) + ". The scene is kept in " + keep_replay(*remembered_).string());
   }
+}
+
+double ViewWindow::idle_time() const {
+  if (glfwGetWindowAttrib(graphics_.context->window(), GLFW_ICONIFIED)) return kLongestWait;
+  const bool under_way = video_.running() || session_->true_error.busy() || (split_ && split_->busy()) || session_->simulation.gpu()->diagnosing();
+  if (!still() || under_way || ImGui::IsAnyItemActive()) return 0;
+  if (!message_) return kLongestWait;
+  return std::clamp(std::chrono::duration<double>(message_->until - Clock::now()).count(), 0.0, kLongestWait);
+}
+
+void ViewWindow::wait_for_events() {
+  const double idle = frames_to_settle_ > 0 ? 0 : idle_time();
+  if (idle > 0)
+    glfwWaitEventsTimeout(idle);
+  else if (shown_ && ((still() && !mouse_.dragging()) || !session_->simulation.ready()))
+    glfwWaitEventsTimeout(kUnsettledWait);
+  else
+    glfwPollEvents();
+  if (input_.take_stir()) frames_to_settle_ = kFramesToSettle;
 }
 
 bool ViewWindow::attempt(const std::function<void()>& work) {
@@ -180,7 +205,6 @@ void ViewWindow::build_panels(Requests& requests) {
   state_.hands = mouse_.hands().all().size();
   draw_legend(*session_);
   const Room room = room_beside_panels(state_);
-  follow_kernels(requests.screenshot);
   const bool shown_alone = video_.running() && !video_.settings().panels;  // the scene, in a video
   if (!shown_alone) draw_notice(state_, room);
   if (state_.show_panels) {
@@ -224,14 +248,13 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
   Statistics& s = state_.statistics;
   const double time_step = session_->simulation.scene.solver.time_step;
   int steps = 0;
-  if (!state_.paused && may_step()) {
+  if (!state_.paused && session_->simulation.ready()) {
     const bool replaying = session_->simulation.replaying();
     steps = pacing_.advance(elapsed * (replaying ? state_.replay_speed : 1), time_step, s.step_ms / 1000);
     if (replaying) steps = static_cast<int>(std::min<long>(steps, session_->simulation.replay()->steps - session_->simulation.replayed_steps()));
   } else {
     pacing_.restart();
-    step_asked_ = state_.paused && (step_asked_ || requests.step);
-    if (step_asked_ && !waits_since_) steps = 1, step_asked_ = false;
+    steps = state_.paused && requests.step ? 1 : 0;
   }
   if (steps_left_ >= 0) steps = static_cast<int>(std::min<long>(steps, steps_left_));
   simulated_ = 0;

@@ -17,7 +17,6 @@
 #include "app/gallery.h"
 #include "app/hints.h"
 #include "app/hover.h"
-#include "app/kernel_warmer.h"
 #include "app/mouse_tool.h"
 #include "app/opened.h"
 #include "app/opening_screen.h"
@@ -70,9 +69,6 @@ class ViewWindow {
   void build_panels(Requests& requests);
   void simulate(double elapsed, const Requests& requests);
   void make_step();
-  void follow_kernels(bool keep_quiet);  // once a frame: what is compiled by now, and what has to wait for it
-  bool compiled(const Session& session, Rehearsed part);
-  bool may_step();
   void read_diagnostics();
   void follow(const Diagnostics& diagnostics);  // into the plots
   bool choose_probe(const Eigen::Vector2d& at);  // false: nothing was to be chosen
@@ -156,9 +152,6 @@ class ViewWindow {
   std::unique_ptr<Session> session_;
   std::unique_ptr<Framebuffer> framebuffer_;
   std::unique_ptr<SplitView> split_;
-  std::optional<KernelWarmer> warmer_;  // none: kernels are compiled where they are needed
-  std::optional<Clock::time_point> waits_since_;  // for kernels
-  bool step_asked_ = false;                       // of a paused window, which waits for them
   bool hand_in_b_ = false;
   MouseTool mouse_;
   Hover hover_;

@@ -211,7 +211,6 @@ Opened ViewWindow::read(const fs::path& path, OpeningScreen& screen) {
 }
 
 std::unique_ptr<Session> ViewWindow::make_session(Opened& opened, OpeningScreen& screen, double share_done) {
-  if (warmer_) warmer_->compiled(opened.scene.solver, opened.model);  // while the rest is made
   const Progress progress = [&](double share, const char* what) { screen.show(share_done + (1 - share_done) * share, what); };
   auto session = std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model), options_.reference, progress);
   if (opened.replay) session->simulation.play(std::move(*opened.replay));

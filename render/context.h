@@ -18,10 +18,6 @@ class Context {
   virtual void make_current() = 0;       // also points the gl:: functions at this context
   virtual std::string name() const = 0;  // "window", "egl", "osmesa"
   virtual GLFWwindow* window() const { return nullptr; }
-  /// Another one that nobody sees, of the same kind on the same device, for work on another thread: there it is made current and, before
-  /// it ends, left, while it is made and ends here. Current nowhere at first; gl:: functions serve both. Null where there is none.
-  virtual std::unique_ptr<Context> beside() const { return nullptr; }
-  virtual void leave() {}  // none is current on this thread any more
 };
 
 struct ContextRequest {

@@ -18,7 +18,7 @@ std::string glfw_error() {
 
 class GlfwContext : public Context {
  public:
-  explicit GlfwContext(const ContextRequest& request, bool hidden = false) : request_(request), hidden_(hidden) {
+  explicit GlfwContext(const ContextRequest& request) {
     if (!glfwInit())
       throw Error("window", "no display: " + glfw_error(),
                   "expected a graphical session (DISPLAY or WAYLAND_DISPLAY); without one use render or "
@@ -37,7 +37,6 @@ class GlfwContext : public Context {
       glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
       glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, request.debug ? GLFW_TRUE : GLFW_FALSE);
       glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
-      glfwWindowHint(GLFW_VISIBLE, hidden ? GLFW_FALSE : GLFW_TRUE);
       glfwWindowHint(GLFW_DEPTH_BITS, 0);  // everything is drawn into our own framebuffers
       glfwWindowHint(GLFW_STENCIL_BITS, 0);
       window_ = glfwCreateWindow(request.width, request.height, request.title.c_str(), nullptr, nullptr);
@@ -57,19 +56,10 @@ class GlfwContext : public Context {
     // current in between.
     glfwMakeContextCurrent(nullptr);
     glfwMakeContextCurrent(window_);
-    if (hidden_) return;  // they are loaded, and another thread uses them
     gl::load([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
-  }
-  void leave() override { glfwMakeContextCurrent(nullptr); }
-  std::unique_ptr<Context> beside() const override {
-    ContextRequest small = request_;
-    small.width = small.height = 16;
-    return std::make_unique<GlfwContext>(small, true);
   }
 
  private:
-  ContextRequest request_;
-  bool hidden_;
   GLFWwindow* window_ = nullptr;
 };
 

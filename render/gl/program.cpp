@@ -136,13 +136,6 @@ std::size_t ProgramCache::size() const {
   return static_cast<std::size_t>(std::count_if(programs_.begin(), programs_.end(), [](const auto& entry) { return entry.second.program->id() != 0; }));
 }
 
-std::vector<std::string> ProgramCache::labels() const {
-  std::vector<std::string> labels;
-  for (const auto& [label, entry] : programs_)
-    if (entry.program->id()) labels.push_back(label);
-  return labels;
-}
-
 const Program& ProgramCache::fused(const std::string& label, std::function<ShaderText(const std::filesystem::path&)> read) {
   const auto found = programs_.find(label);
   if (found != programs_.end()) return *found->second.program;

@@ -82,7 +82,6 @@ class ProgramCache {
   /// Compiles every cached program again from disk. One that fails keeps its old code; returns the messages.
   std::vector<std::string> reload();
   std::size_t size() const;  // of linked ones
-  std::vector<std::string> labels() const;  // of them, ascending
 
   /// While it lives compute() only reads a program's text: the program is linked when it is first used.
   class Postponed {

@@ -212,23 +212,3 @@ TEST_CASE("a mouse gone wild neither explodes the body nor detaches from it") {
   CHECK(d.grab_force.norm() == 0);
   CHECK(d.max_speed < kRadius);  // [m/s] calm after 10 s
 }
-
-TEST_CASE("a hand that had to wait takes hold of its patch where that is by then, and is led where it was") {
-  const Cantilever scene({1e5, 0.3, 1000, 0});
-  const Model& model = scene.model;
-  Grab grab;
-  REQUIRE(scene.take(grab, {0.21, 1, 0.05}));
-  const Vector3d to(0.24, 0.1, 0.05);
-  point_at(grab, to);
-  std::vector<Vector3d> sunk = model.rest_positions;
-  for (Vector3d& x : sunk) x.y() -= 0.02 * x.x() / 0.3;
-  grab.hold_on(model, sunk);
-  CHECK((grab.anchor() - Vector3d(0.21, 0.1 - 0.02 * 0.7, 0.05)).norm() < 1e-12);
-  CHECK((grab.pointer() - to).norm() < 1e-12);
-  for (const GrabSpring& spring : grab.springs(0)) CHECK(spring.target == sunk[spring.vertex] - model.rest_positions[spring.vertex]);
-  const Vector3d before = grab.target();
-  grab.springs(0.001);
-  const Vector3d way = grab.target() - before;
-  CHECK(way.norm() > 0);
-  CHECK(way.normalized().dot((to - before).normalized()) == Approx(1));
-}

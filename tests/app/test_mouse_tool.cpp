@@ -1,4 +1,4 @@
-// The mouse beside a replay: what the replay holds is not the mouse's to let go of. And hands that wait until they may pull.
+// The mouse beside a replay: what the replay holds is not the mouse's to let go of.
 #include <catch2/catch.hpp>
 
 #include "app/graphics.h"
@@ -45,45 +45,4 @@ TEST_CASE("a replay whose springs were let go of moves none that are not there")
   for (int i = 0; i < 3; ++i) simulation.step();
   CHECK(simulation.asked_springs().empty());
   CHECK(simulation.replaying());
-}
-
-TEST_CASE("hands that wait give the simulation nothing, and then pull the tissue from where it has moved to") {
-  Graphics graphics = open_graphics(headless(), false);
-  Session session(graphics, open_scene(source_dir() / "assets/scenes/cube.json"), false);
-  std::vector<Input> heard;
-  session.simulation.set_listener([&](const Input& input) { heard.push_back(input); });
-  const MouseTool::Picture picture{200, 200};
-  const auto step = [&](MouseTool& mouse) {
-    mouse.pull(session);
-    session.simulation.step();
-  };
-  MouseTool mouse;
-  const auto press = [&](const Eigen::Vector2d& at) { mouse.press(MouseTool::Button::left, {}, at, picture, session, {}); };
-  press({100, 100});
-  REQUIRE(mouse.hands().following());
-  mouse.wait(true, session);
-  mouse.move({120, 80}, picture, session);
-  for (int i = 0; i < 5; ++i) step(mouse);
-  mouse.stay();
-  press({100, 110});
-  mouse.release(MouseTool::Button::left, {}, session, {});
-  mouse.let_go_staying(session);
-  press({100, 100});
-  REQUIRE(mouse.hands().following());
-  const Vector3d taken = mouse.hands().following()->anchor();
-  mouse.move({120, 80}, picture, session);
-  for (int i = 0; i < 5; ++i) step(mouse);
-  CHECK(heard.empty());
-  CHECK(session.simulation.springs().empty());
-
-  const reference::State before = session.simulation.state();
-  mouse.wait(false, session);
-  CHECK(heard.empty());
-  CHECK((mouse.hands().following()->anchor() - taken).norm() > 1e-6);  // it has sunk under its weight
-  step(mouse);
-  REQUIRE(heard.size() == 1);
-  REQUIRE(!session.simulation.springs().empty());
-  const double stride = 0.1 * session.look.radius;  // Grab's, of a step
-  for (const GrabSpring& spring : session.simulation.springs())
-    CHECK((spring.target - before.displacement[spring.vertex]).norm() <= stride);
 }

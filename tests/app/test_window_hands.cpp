@@ -1,9 +1,6 @@
-// Hands in the real window: one that stays, a second one moved by mouse and wheel, the first let go of by its mark; and one that has to
-// wait for its kernels.
-#include <algorithm>
+// Several hands in the real window: one that stays, a second one moved by mouse and wheel, and the first let go of by its mark.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -17,15 +14,6 @@ using namespace fascia::test;
 namespace {
 
 constexpr int kWidth = 1000, kHeight = 700, kPanels = 340, kMiddle = (kPanels + kWidth) / 2;  // of what the panels leave
-
-// A variable of the environment, as long as it lives.
-struct Variable {
-  const char* name;
-  Variable(const char* n, const std::string& value) : name(n) { setenv(name, value.c_str(), 1); }
-  ~Variable() { unsetenv(name); }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-};
 
 double changed_share(const Screenshot& a, const Screenshot& b) {
   return difference(right_part(a.image, kPanels), right_part(b.image, kPanels)).share;
@@ -148,44 +136,4 @@ TEST_CASE("hands that stay hold on through a comparison, whose sides both take m
   const CommandResult again = run_fascia({"run", "--replay", session.string()}, folder.path());
   CAPTURE(again.err);
   CHECK(again.err.find("fascia: to the bit what was recorded") != std::string::npos);
-}
-
-TEST_CASE("a hand that takes hold before its kernels are compiled pulls when they are, and the session is replayed to the bit") {
-  const TemporaryFolder folder, cache;
-  const VirtualDisplay display(kWidth, kHeight);
-  const Variable driver("MESA_SHADER_CACHE_DIR", cache.path().string());
-  write_file(folder / "cube.json",
-             nlohmann::json{{"fascia_scene", 1},
-                            {"gravity", {0, 0, 0}},
-                            {"bodies", {{{"mesh", (source_dir() / "assets/meshes/cube.msh").string()}, {"fixed", {{{"lowest", 0.02}}}}}}},
-                            {"camera", {{"eye", {0, 0.05, 0.4}}, {"target", {0, 0.05, 0}}, {"fov_deg", 30}}}}
-                 .dump());
-  std::filesystem::path session;
-  const auto pulled = [&] {  // as the session's file has it so far
-    for (const auto& entry : std::filesystem::directory_iterator(display.state() / "sessions")) session = entry.path();
-    const std::vector<Input> inputs = session.empty() ? std::vector<Input>() : read_replay(session).inputs;
-    return std::any_of(inputs.begin(), inputs.end(), [](const Input& input) { return std::holds_alternative<GrabInput>(input.change); });
-  };
-  {
-    FasciaWindow window({(folder / "cube.json").string(), "--size", "1000x700"}, folder.path());
-    const Screenshot first = window.screenshot();
-    window.move(kMiddle + 50, kHeight / 2 - 40);
-    window.press();
-    window.move(kMiddle + 30, kHeight / 2 - 80);
-    CHECK(eventually(pulled));
-    CHECK(eventually([&] { return changed_share(first, window.screenshot()) > 0.01; }));
-    window.release();
-    window.screenshot();
-    window.key("ctrl+q");
-    CHECK(window.wait() == 0);
-  }
-  const CommandResult again = run_fascia({"run", "--replay", session.string()}, folder.path());
-  CAPTURE(again.err);
-  CHECK(again.err.find("fascia: to the bit what was recorded") != std::string::npos);
-
-  INFO("and a window that is closed while kernels are compiled ends");
-  std::filesystem::remove_all(cache.path());
-  FasciaWindow window({(folder / "cube.json").string(), "--size", "1000x700"}, folder.path());
-  window.key("ctrl+q");
-  CHECK(window.wait() == 0);
 }
