@@ -53,7 +53,7 @@ void add_size(CLI::App& command, int& width, int& height) {
 void add_graphics(CLI::App& command, CommonOptions& options) {
   add_choice(command, "--context", options.context, {"auto", "window", "egl", "osmesa"}, "where OpenGL comes from")->capture_default_str();
   add_choice(command, "--loads", options.loads, {"auto", "ssbo", "texel"},
-             "how kernels read buffers; auto: texel on software renderers, ssbo on GPUs")
+             "how kernels read buffers; auto: ssbo on GPUs with 14 storage blocks a kernel and more, else texel")
       ->capture_default_str();
   command.add_option("--data-dir", options.data_dir, "folder that holds shaders/ and assets/")->type_name("DIR");
   command.add_flag("--quiet", options.quiet, "say nothing but errors");

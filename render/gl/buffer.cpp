@@ -9,8 +9,8 @@
 namespace fascia::gl {
 namespace {
 
-thread_local std::size_t bytes_alive = 0;
-thread_local std::map<std::string, std::size_t> bytes_by_label;
+std::size_t bytes_alive = 0;
+std::map<std::string, std::size_t> bytes_by_label;
 
 void count_buffer(const std::string& label, std::size_t bytes, bool is_new) {
   count_bytes(is_new ? static_cast<std::ptrdiff_t>(bytes) : -static_cast<std::ptrdiff_t>(bytes));

@@ -53,9 +53,9 @@ class Buffer {
   mutable std::map<GLenum, GLuint> views_;
 };
 
-/// On this thread, which has one context: bytes of all living Buffers and Textures, and of what else was counted with count_bytes (renderbuffers).
+/// Bytes of all living Buffers and Textures, and of what else was counted with count_bytes (renderbuffers).
 std::size_t allocated_bytes();
-/// Bytes of all living Buffers by label, on this thread.
+/// Bytes of all living Buffers by label.
 const std::map<std::string, std::size_t>& bytes_by_buffer();
 void count_bytes(std::ptrdiff_t change);
 

@@ -8,7 +8,7 @@
 namespace fascia::gl {
 namespace {
 
-thread_local std::uint64_t dispatches = 0;
+std::uint64_t dispatches = 0;
 
 GLenum format_of(Texel texel) {
   switch (texel) {

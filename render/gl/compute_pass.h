@@ -81,7 +81,7 @@ class ComputePass {
   mutable unsigned generation_ = 0;
 };
 
-/// Dispatches of this thread since it started.
+/// Dispatches since the program started.
 std::uint64_t dispatch_count();
 
 }  // namespace fascia::gl

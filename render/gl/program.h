@@ -16,8 +16,6 @@ namespace fascia::gl {
 /// same buffer).
 enum class LoadPath { storage, texel };
 const char* name_of(LoadPath path);  // "ssbo", "texel"
-/// That any kernel reads or writes: with LoadPath::storage as many storage blocks.
-inline constexpr int kMostKernelBuffers = 14;
 
 class ProgramCache;
 

@@ -1,9 +1,8 @@
 #include "render/gl/timer.h"
 
-#include "render/gl/stopwatch.h"
-
 #include <thread>
 
+#include "render/gl/stopwatch.h"
 #include "tests/render/gl/gl_support.h"
 
 namespace fascia::gl {

@@ -2,6 +2,8 @@
 // model does.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -153,13 +155,13 @@ TEST_CASE("hands, lost vertices, kept states and snapshots go by the model's ver
   REQUIRE_FALSE(solver.take_check(true)->astray);
   CHECK(differences(solver.download_sound().displacement, pulled.displacement) == 0);
 
-  // A vertex without tets carries what is lost to no other.
+  // One iteration carries what is lost no farther than to the neighbors: a wrong number would name a vertex that is finite.
   reference::State lost = pulled;
   lost.displacement[held].y() = std::numeric_limits<double>::quiet_NaN();
   solver.set_grab({});
-  SolverSettings none = solver.settings();
-  none.iterations = 1;
-  solver.set_settings(none);
+  SolverSettings once = solver.settings();
+  once.iterations = 1;
+  solver.set_settings(once);
   solver.upload(lost);
   solver.step();
   solver.request_check();
