@@ -41,7 +41,7 @@ const TimeChart kCharts[] = {{"Energy", "J", false, kEnergy},
                              {"Residual", "", true, kResidual},
                              {"Iterations", "", false, kIterations},
                              {"Clock", "s", false, kClock}};
-const char* const kHelp[] = {"Kinetic, elastic, of gravity (0 at the rest positions) and their sum: what is lost is damped, by the tissue or by the time step",
+const char* const kChartHelp[] = {"Kinetic, elastic, of gravity (0 at the rest positions) and their sum: what is lost is damped, by the tissue or by the time step",
                              "Of all tissue, over its volume at rest",
                              "What the mouse pulls with, and what the supports hold with",
                              "Of the point that is marked in the picture: at first the one farthest from the supports",
@@ -49,7 +49,7 @@ const char* const kHelp[] = {"Kinetic, elastic, of gravity (0 at the rest positi
                              "Of each step, per substep",
                              "From picture to picture, and one time step on the GPU",
                              "The residual over the iterations of the next step"};
-static_assert(std::size(kCharts) + 1 == Plots::kCharts && std::size(kHelp) == Plots::kCharts);
+static_assert(std::size(kCharts) + 1 == Plots::kCharts && std::size(kChartHelp) == Plots::kCharts);
 constexpr std::size_t kConvergence = Plots::kCharts - 1;
 
 void choose_charts(Plots& plots) {
@@ -61,7 +61,7 @@ void choose_charts(Plots& plots) {
       if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
     }
     if (ui::button(name, width, plots.chosen[i])) plots.chosen[i] = !plots.chosen[i];
-    ui::tooltip(kHelp[i]);
+    ui::tooltip(kChartHelp[i]);
   }
 }
 

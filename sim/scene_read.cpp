@@ -10,8 +10,6 @@ namespace fascia {
 namespace {
 
 constexpr double kLargestAcceleration = 1e6;  // [m/s^2]
-constexpr double kFarthest = 1e9;             // [m]
-constexpr double kLongest = 1e9;              // [s]
 
 }  // namespace
 
@@ -19,9 +17,9 @@ CameraSettings read_camera(const Node& node) {
   CameraSettings camera;
   node.expect_object({"eye", "target", "up", "fov_deg"});
   camera.eye = node.at("eye", "a list of 3 numbers [m] (without a camera the view is framed on the bodies)")
-                   .vector(-kFarthest, kFarthest, "m");
-  node.read("target", camera.target, -kFarthest, kFarthest, "m");
-  node.read("up", camera.up, -kFarthest, kFarthest, "");
+                   .vector(-kFarthestLook, kFarthestLook, "m");
+  node.read("target", camera.target, -kFarthestLook, kFarthestLook, "m");
+  node.read("up", camera.up, -kFarthestLook, kFarthestLook, "");
   node.read("fov_deg", camera.fov_deg, 1, 170, "degrees");
   const Eigen::Vector3d view = camera.target - camera.eye;
   if (view.isZero(0)) node.fail("eye and target are the same point", "two different points");
@@ -76,7 +74,7 @@ Scene read_scene(const Node& root) {
   Scene scene;
   if (const auto title = root.find("title")) scene.title = title->text("a text");
   root.read("gravity", scene.gravity, -kLargestAcceleration, kLargestAcceleration, "m/s^2");
-  root.read("duration", scene.duration, 0, kLongest, "s");
+  root.read("duration", scene.duration, 0, kLongestTime, "s");
   const Node bodies = root.at("bodies", "a list of at least one body");
   for (const Node& body : bodies.elements("a list of at least one body"))
     scene.bodies.push_back(read_body(body));

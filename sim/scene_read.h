@@ -7,6 +7,11 @@
 
 namespace fascia {
 
+// Bounds of what scenes may say.
+inline constexpr double kFarthestLook = 1e9;    // [m] of cameras and planes
+inline constexpr double kFarthestTissue = 1e6;  // [m] of anything that moves: float32 resolves 0.06 m there
+inline constexpr double kLongestTime = 1e9;     // [s]
+
 /// All of the scene but `file`. Throws Error, as do the readers of its parts.
 Scene read_scene(const Node& root);
 SolverSettings read_solver(const Node& node);

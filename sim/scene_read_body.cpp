@@ -11,9 +11,7 @@ namespace fascia {
 namespace {
 
 constexpr double kAnywhere = 1e30;    // selections may reach as far as people like to write "infinite"
-constexpr double kFarthest = 1e6;     // [m] of anything that moves: float32 resolves 0.06 m there
 constexpr double kMostTurns = 36000;  // [degrees]
-constexpr double kLongest = 1e9;      // [s]
 constexpr double kFastest = 1e6;      // [m/s]
 
 MaterialModel read_model(const Node& node) {
@@ -100,8 +98,8 @@ Selection read_vertices(const Node& node) {
 PrescribedMotion read_motion(const Node& node) {
   node.expect_object({"select", "translate", "rotate_deg", "scale", "targets", "start", "duration"});
   PrescribedMotion motion;
-  node.read("start", motion.start, 0, kLongest, "s");
-  node.read("duration", motion.duration, 0, kLongest, "s");
+  node.read("start", motion.start, 0, kLongestTime, "s");
+  node.read("duration", motion.duration, 0, kLongestTime, "s");
   if (const auto select = node.find("select")) motion.select = read_selection(*select);
   if (const auto targets = node.find("targets")) {
     for (const char* key : {"translate", "rotate_deg", "scale"}) {
@@ -112,13 +110,13 @@ PrescribedMotion read_motion(const Node& node) {
     return motion;
   }
   if (!motion.select) node.fail("moves nothing", "a select, or targets");
-  node.read("translate", motion.translate, -kFarthest, kFarthest, "m");
+  node.read("translate", motion.translate, -kFarthestTissue, kFarthestTissue, "m");
   node.read("scale", motion.scale, 1e-3, 1e3, "");
   if (const auto rotate = node.find("rotate_deg")) {
     rotate->expect_object({"axis", "angle", "center"});
-    rotate->read("axis", motion.axis, -kFarthest, kFarthest, "");
+    rotate->read("axis", motion.axis, -kFarthestTissue, kFarthestTissue, "");
     rotate->read("angle", motion.angle_deg, -kMostTurns, kMostTurns, "degrees");
-    rotate->read("center", motion.center, -kFarthest, kFarthest, "m");
+    rotate->read("center", motion.center, -kFarthestTissue, kFarthestTissue, "m");
     if (motion.axis.norm() < 1e-6) rotate->fail("axis has no direction", "an axis of length 1e-06 or more");
   }
   return motion;
@@ -140,7 +138,7 @@ Transform read_transform(const Node& node) {
   node.expect_object({"scale", "rotate_deg", "translate"});
   node.read("scale", transform.scale, 1e-9, 1e9, "");
   node.read("rotate_deg", transform.rotate_deg, -kMostTurns, kMostTurns, "degrees");
-  node.read("translate", transform.translate, -kFarthest, kFarthest, "m");
+  node.read("translate", transform.translate, -kFarthestTissue, kFarthestTissue, "m");
   return transform;
 }
 

@@ -6,8 +6,6 @@
 namespace fascia {
 namespace {
 
-constexpr double kFarthest = 1e9;  // [m]
-
 template <class Choice>
 void read_choice(const Node& node, const char* key, const std::vector<Choice>& choices, Choice& chosen) {
   const auto value = node.find(key);
@@ -40,8 +38,8 @@ Eigen::Vector2d read_range(const Node& node) {
 SectionPlane read_section(const Node& node) {
   SectionPlane section;
   node.expect_object({"normal", "offset"});
-  node.read("normal", section.normal, -kFarthest, kFarthest, "");
-  node.read("offset", section.offset, -kFarthest, kFarthest, "m");
+  node.read("normal", section.normal, -kFarthestLook, kFarthestLook, "");
+  node.read("offset", section.offset, -kFarthestLook, kFarthestLook, "m");
   if (section.normal.norm() < 1e-9) node.fail("normal has no length", "a vector across the plane");
   return section;
 }

@@ -13,7 +13,7 @@ using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
 constexpr std::uint32_t kLeaf = 4;    // triangles
-constexpr double kFar = 2.5;          // radii from which a group of triangles counts as one dipole
+constexpr double kDipoleRadii = 2.5;  // radii from which a group of triangles counts as one dipole
 constexpr double kSameCrossing = 1e-9;  // shares of a segment
 constexpr std::size_t kDeepest = 64;  // halving 2^32 triangles
 
@@ -120,7 +120,7 @@ double TriangleTree::winding(const Vector3d& p) const {
     const Node& node = nodes_[at];
     const Vector3d to = node.center - p;
     const double distance2 = to.squaredNorm();
-    if (distance2 > kFar * kFar * node.radius * node.radius) {
+    if (distance2 > kDipoleRadii * kDipoleRadii * node.radius * node.radius) {
       angle += node.area.dot(to) / (distance2 * std::sqrt(distance2));
     } else if (node.right == 0) {
       for (std::uint32_t place = node.begin; place < node.end; ++place) {

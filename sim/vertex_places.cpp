@@ -7,7 +7,7 @@
 namespace fascia {
 namespace {
 
-constexpr double kFar = 1e4;  // of the length that holds the middle half of the vertices; graded meshes stay well below
+constexpr double kFarLengths = 1e4;  // of the length that holds the middle half of the vertices; graded meshes stay well below
 
 std::vector<char> vertices_of(const std::vector<Tet>& tets, std::size_t vertex_count) {
   std::vector<char> used(vertex_count, 0);
@@ -84,7 +84,7 @@ std::vector<std::uint32_t> far_vertices(const TetMesh& mesh) {
   }
   std::vector<std::uint32_t> far;
   for (std::uint32_t v = 0; length > 0 && v < used.size(); ++v)
-    if (used[v] && (mesh.positions[v] - middle).cwiseAbs().maxCoeff() > kFar * length) far.push_back(v);
+    if (used[v] && (mesh.positions[v] - middle).cwiseAbs().maxCoeff() > kFarLengths * length) far.push_back(v);
   return far;
 }
 

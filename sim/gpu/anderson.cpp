@@ -8,7 +8,6 @@
 namespace fascia {
 namespace {
 
-constexpr std::size_t kVector = sizeof(shared::vec4);
 constexpr std::size_t kStateBytes = (3 + kLargestWindow + kLargestWindow * kLargestWindow) * sizeof(float);
 
 Reduction reduction_of(const gl::ProgramCache& programs, const std::vector<AndersonPart>& parts) {
@@ -24,10 +23,10 @@ Anderson::Anderson(const gl::ProgramCache& programs, std::vector<AndersonPart> p
       window_(static_cast<std::uint32_t>(window)),
       lanes_(reduction_of(programs, parts_).lanes),
       partials_(reduction_of(programs, parts_).partials),
-      dot_partials_("anderson_dot_partials", kVector * partials_ * window_ * parts_.size()),
+      dot_partials_("anderson_dot_partials", sizeof(shared::vec4) * partials_ * window_ * parts_.size()),
       state_("anderson_state", kStateBytes) {
   for (const AndersonPart& part : parts_) {
-    const std::size_t bytes = kVector * part.count;
+    const std::size_t bytes = sizeof(shared::vec4) * part.count;
     histories_.push_back({gl::Buffer("anderson_iterate", bytes), gl::Buffer("anderson_residual", bytes),
                           gl::Buffer("anderson_image", bytes), gl::Buffer("anderson_residual_change", bytes * window_),
                           gl::Buffer("anderson_image_change", bytes * window_)});

@@ -5,7 +5,6 @@
 namespace fascia {
 namespace {
 
-constexpr std::size_t kVector = sizeof(shared::vec4);
 constexpr std::size_t kStateFloats = 6, kRadius = 1;  // as in chebyshev_state.glsl
 
 }  // namespace
@@ -14,9 +13,9 @@ Chebyshev::Chebyshev(const gl::ProgramCache& programs, std::uint32_t vertex_coun
     : vertex_count_(vertex_count),
       lanes_(Reduction(programs, vertex_count).lanes),
       partials_(Reduction(programs, vertex_count).partials),
-      iterate_("chebyshev_iterate", kVector * vertex_count),
-      before_("chebyshev_before", kVector * vertex_count),
-      square_partials_("chebyshev_square_partials", kVector * partials_),
+      iterate_("chebyshev_iterate", sizeof(shared::vec4) * vertex_count),
+      before_("chebyshev_before", sizeof(shared::vec4) * vertex_count),
+      square_partials_("chebyshev_square_partials", sizeof(shared::vec4) * partials_),
       state_("chebyshev_state", kStateFloats * sizeof(float)) {}
 
 std::vector<gl::ComputePass> Chebyshev::passes(gl::ProgramCache& programs, const gl::Buffer& step, const gl::Buffer& start,

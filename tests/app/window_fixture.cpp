@@ -83,7 +83,7 @@ VirtualDisplay::VirtualDisplay(int width, int height) {
   if (number.empty()) throw std::runtime_error("Xvfb did not start; is it installed?");
   setenv("DISPLAY", (":" + number).c_str(), 1);
   unsetenv("WAYLAND_DISPLAY");
-  for (const char* kind : {"config", "state", "cache"}) {
+  for (const char* kind : {"config", "state"}) {  // not the cache: the driver's kernels would be compiled anew for every window
     std::string variable = std::string("XDG_") + kind + "_HOME";
     for (char& c : variable) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     setenv(variable.c_str(), (home_ / kind).c_str(), 1);
@@ -101,7 +101,7 @@ VirtualDisplay::~VirtualDisplay() {
   kill(server_, SIGTERM);
   waitpid(server_, nullptr, 0);
   unsetenv("DISPLAY");
-  for (const char* variable : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"}) unsetenv(variable);
+  for (const char* variable : {"XDG_CONFIG_HOME", "XDG_STATE_HOME"}) unsetenv(variable);
 }
 
 FasciaWindow::FasciaWindow(std::vector<std::string> arguments, fs::path folder)
