@@ -12,7 +12,7 @@
 namespace fascia {
 namespace {
 
-const std::vector<std::string> kColumns{"scenario",     "tets",       "young_modulus", "poisson_ratio", "time_step", "substeps", "method",
+const std::vector<std::string> kResultColumns{"scenario",     "tets",       "young_modulus", "poisson_ratio", "time_step", "substeps", "method",
                                         "acceleration", "iterations", "error",         "ms_median",     "ms_min"};
 constexpr std::size_t kKeyCells = 8;  // columns that say which pair of which case
 
@@ -57,7 +57,7 @@ bool parse(const std::string& text, Number& number) {
 }
 
 bool parse(const std::vector<std::string>& cells, AccuracyPoint& point) {
-  return cells.size() == kColumns.size() && parse(cells[kKeyCells], point.iterations) && parse(cells[kKeyCells + 1], point.error) &&
+  return cells.size() == kResultColumns.size() && parse(cells[kKeyCells], point.iterations) && parse(cells[kKeyCells + 1], point.error) &&
          parse(cells[kKeyCells + 2], point.ms_median) && parse(cells[kKeyCells + 3], point.ms_min);
 }
 
@@ -83,8 +83,8 @@ PointsByKey read_points(const std::filesystem::path& path, const std::vector<std
       notes_read.push_back(line.substr(2));
     } else if (!header) {
       header = true;
-      if (line != line_of(kColumns, kColumns.size()))
-        throw Error(where, "has other columns", "expected " + line_of(kColumns, kColumns.size()) + "; --fresh starts over");
+      if (line != line_of(kResultColumns, kResultColumns.size()))
+        throw Error(where, "has other columns", "expected " + line_of(kResultColumns, kResultColumns.size()) + "; --fresh starts over");
     } else {
       const std::vector<std::string> cells = split(line);
       AccuracyPoint point;
@@ -110,7 +110,7 @@ AccuracyResults empty_results(const AccuracyGrid& grid) {
 }
 
 Table table_of(const AccuracyResults& results, const std::vector<std::string>& notes) {
-  Table table{notes, kColumns, {}};
+  Table table{notes, kResultColumns, {}};
   for (const CaseAccuracy& c : results)
     for (const PairAccuracy& p : c.pairs)
       for (const AccuracyPoint& point : p.points) {

@@ -13,15 +13,9 @@ std::string slashed(const std::vector<std::string>& path) {
   return text;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
-std::string action(const OptionEntry& option) {
+std::string bash_action(const OptionEntry& option) {
   switch (option.takes) {
-    case Takes::choice: return "_fascia_words '" + joined(option.choices) + "'";
+    case Takes::choice: return "_fascia_words '" + spaced(option.choices) + "'";
     case Takes::file: return "_fascia_files '" + option.ending + "'";
     case Takes::folder: return "_fascia_folders";
     case Takes::scene_value: return "_fascia_keys";
@@ -36,12 +30,12 @@ std::string branch(const CommandEntry& command) {
   std::vector<std::string> names, commands;
   for (const OptionEntry& option : command.options) {
     names.push_back(option.name);
-    if (option.takes != Takes::nothing) text += "        " + option.name + ") " + action(option) + "; return ;;\n";
+    if (option.takes != Takes::nothing) text += "        " + option.name + ") " + bash_action(option) + "; return ;;\n";
   }
-  text += "      esac\n      if [[ $cur == -* ]]; then _fascia_words '" + joined(names) + "'; return; fi\n";
+  text += "      esac\n      if [[ $cur == -* ]]; then _fascia_words '" + spaced(names) + "'; return; fi\n";
   for (const CommandEntry& child : command.commands) commands.push_back(child.path.back());
-  if (!commands.empty()) text += "      _fascia_words '" + joined(commands) + "'\n";
-  if (!command.positionals.empty()) text += "      " + action(command.positionals.front()) + "\n";
+  if (!commands.empty()) text += "      _fascia_words '" + spaced(commands) + "'\n";
+  if (!command.positionals.empty()) text += "      " + bash_action(command.positionals.front()) + "\n";
   return text + "      ;;\n";
 }
 
@@ -55,7 +49,7 @@ std::string bash_completion(const CommandEntry& program) {
   }
   for (const SceneKey& key : scene_keys()) {
     keys += (keys.empty() ? "" : " ") + key.name + "=";
-    if (!key.values.empty()) values += "    " + key.name + ") _fascia_words '" + joined(key.values) + "' ;;\n";
+    if (!key.values.empty()) values += "    " + key.name + ") _fascia_words '" + spaced(key.values) + "' ;;\n";
   }
   return "# Completion of fascia for bash, written by: fascia completion bash\n"
          "_fascia_words() { COMPREPLY+=($(compgen -W \"$1\" -- \"$cur\")); }\n"

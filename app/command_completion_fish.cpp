@@ -15,16 +15,10 @@ std::string in_quotes(const std::string& text) {
   return result + "'";
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 std::string names_of(const std::vector<CommandEntry>& commands) {
   std::vector<std::string> names;
   for (const CommandEntry& command : commands) names.push_back(command.path.back());
-  return joined(names);
+  return spaced(names);
 }
 
 // Where a command's own words may stand: it was typed, and none below it.
@@ -38,7 +32,7 @@ std::string condition(const CommandEntry& command) {
 std::string value(const OptionEntry& option) {
   switch (option.takes) {
     case Takes::nothing: return "";
-    case Takes::choice: return " -x -a " + in_quotes(joined(option.choices));
+    case Takes::choice: return " -x -a " + in_quotes(spaced(option.choices));
     case Takes::file: return option.ending.empty() ? " -r -F" : " -x -a " + in_quotes("(__fish_complete_suffix " + option.ending + ")");
     case Takes::folder: return " -x -a '(__fish_complete_directories)'";
     case Takes::scene_value: return " -x -a '(__fascia_keys)'";

@@ -26,12 +26,9 @@ std::string function_name(const CommandEntry& command) {
   return name;
 }
 
-std::string action(const OptionEntry& option) {
-  std::string words;
+std::string zsh_action(const OptionEntry& option) {
   switch (option.takes) {
-    case Takes::choice:
-      for (const std::string& word : option.choices) words += (words.empty() ? "" : " ") + word;
-      return "(" + words + ")";
+    case Takes::choice: return "(" + spaced(option.choices) + ")";
     case Takes::file: return option.ending.empty() ? "_files" : "_files -g \"*" + option.ending + "\"";
     case Takes::folder: return "_files -/";
     case Takes::scene_value: return "_fascia_keys";
@@ -43,7 +40,7 @@ std::string action(const OptionEntry& option) {
 
 std::string option_line(const OptionEntry& option) {
   std::string text = "    '" + std::string(option.many ? "*" : "") + option.name + "[" + quoted(option.help) + "]";
-  if (option.takes != Takes::nothing) text += ":" + quoted(option.value) + ":" + action(option);
+  if (option.takes != Takes::nothing) text += ":" + quoted(option.value) + ":" + zsh_action(option);
   return text + "' \\\n";
 }
 
@@ -53,7 +50,7 @@ std::string function(const CommandEntry& command) {
   for (const OptionEntry& option : command.options) options += option_line(option);
   if (command.commands.empty()) {
     std::string text = function_name(command) + "() {\n  _arguments \\\n" + options;
-    for (const OptionEntry& p : command.positionals) text += "    '" + std::string(p.many ? "*" : "") + ":" + quoted(p.name) + ":" + action(p) + "' \\\n";
+    for (const OptionEntry& p : command.positionals) text += "    '" + std::string(p.many ? "*" : "") + ":" + quoted(p.name) + ":" + zsh_action(p) + "' \\\n";
     return text + "    && return\n}\n";
   }
   std::string names, branches;

@@ -19,14 +19,14 @@ std::string plain(const std::string& text) {
   return result;
 }
 
-std::string joined(const std::vector<std::string>& words) {
+std::string typed(const std::vector<std::string>& words) {
   std::string text = "fascia";
   for (const std::string& word : words) text += " " + word;
   return text;
 }
 
 std::string synopsis(const CommandEntry& command) {
-  std::string text = ".B " + plain(joined(command.path)) + "\n[\\fIoptions\\fR]";
+  std::string text = ".B " + plain(typed(command.path)) + "\n[\\fIoptions\\fR]";
   for (const OptionEntry& p : command.positionals) {
     const std::string name = "\\fI" + plain(p.name) + "\\fR" + (p.many ? " ..." : "");
     text += p.required ? " " + name : " [" + name + "]";
@@ -43,7 +43,7 @@ std::string paragraph(const OptionEntry& option) {
 }
 
 std::string section(const CommandEntry& command) {
-  std::string text = ".SS " + plain(joined(command.path)) + "\n" + plain(command.help) + "\n.PP\n" + synopsis(command);
+  std::string text = ".SS " + plain(typed(command.path)) + "\n" + plain(command.help) + "\n.PP\n" + synopsis(command);
   for (const OptionEntry& p : command.positionals) text += paragraph(p);
   for (const OptionEntry& option : command.options) text += paragraph(option);
   if (!command.examples.empty()) text += ".PP\n.nf\n" + plain(command.examples) + "\n.fi\n";

@@ -73,6 +73,12 @@ std::vector<const CommandEntry*> all_commands(const CommandEntry& command) {
   return list;
 }
 
+std::string spaced(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
 std::string value_name(const CLI::Option& option) {
   const std::string name = option.get_type_name();
   return name.substr(0, name.find(':'));

@@ -29,6 +29,9 @@ CommandEntry describe(const CLI::App& program);
 /// The command and all below it, parents first.
 std::vector<const CommandEntry*> all_commands(const CommandEntry& command);
 
+/// With a space between them.
+std::string spaced(const std::vector<std::string>& words);
+
 /// "INT" of "INT:INT in [1 - 16]": what an option takes, without how it is checked.
 std::string value_name(const CLI::Option& option);
 

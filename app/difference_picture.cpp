@@ -14,7 +14,7 @@ struct Box {
   int left, top, right, bottom;  // of pixels, inclusive
 };
 
-constexpr int kGap = 4;  // [pixels] between the three pictures
+constexpr int kBetween = 4;  // [pixels] between the three pictures
 constexpr Pixel kPaper{255, 255, 255, 255}, kFrame{255, 0, 255, 255};
 
 auto at(auto& image, int x, int y) {
@@ -74,7 +74,7 @@ Image difference_picture(const Image& golden, const Image& now, double bound) {
       box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x), std::max(box.bottom, y)};
     }
   Image sheet;
-  sheet.width = 3 * golden.width + 2 * kGap;
+  sheet.width = 3 * golden.width + 2 * kBetween;
   sheet.height = golden.height;
   sheet.rgba.resize(std::size_t{4} * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height));
   for (int y = 0; y < sheet.height; ++y)
@@ -84,7 +84,7 @@ Image difference_picture(const Image& golden, const Image& now, double bound) {
     Image framed = *part;
     if (box.right >= 0) draw_frame(framed, box);
     paste(sheet, framed, left);
-    left += golden.width + kGap;
+    left += golden.width + kBetween;
   }
   return sheet;
 }

@@ -14,8 +14,8 @@ namespace fascia {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kTitle = "Examples";
-constexpr float kWidth = 224, kHeight = 126;  // of a picture [points]
+constexpr const char* kGalleryTitle = "Examples";
+constexpr float kPictureWidth = 224, kPictureHeight = 126;  // of a picture [points]
 
 }  // namespace
 
@@ -65,7 +65,7 @@ bool Gallery::draw(Requests& requests) {
   if (!open_) pictures_.clear();  // not in the frame that closes it, which still draws them
   if (start_) {
     load();
-    ImGui::OpenPopup(kTitle);
+    ImGui::OpenPopup(kGalleryTitle);
     open_ = true;
     start_ = false;
   }
@@ -73,8 +73,8 @@ bool Gallery::draw(Requests& requests) {
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({0, 0}, {screen.x, 0.94f * screen.y});
   bool stays = true;
-  if (ImGui::BeginPopupModal(kTitle, &stays, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove)) {
-    const ImVec2 size{ui::px(kWidth), ui::px(kHeight)};
+  if (ImGui::BeginPopupModal(kGalleryTitle, &stays, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove)) {
+    const ImVec2 size{ui::px(kPictureWidth), ui::px(kPictureHeight)};
     const int columns = std::clamp(static_cast<int>((screen.x - ui::px(60)) / (size.x + ui::px(28))), 1, 3);
     if (ImGui::BeginTable("examples", columns)) {
       for (std::size_t i = 0; i < examples_.size(); ++i) {
@@ -98,7 +98,7 @@ bool Gallery::draw(Requests& requests) {
     if (requests.open || !stays || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
-  const bool closed = open_ && !ImGui::IsPopupOpen(kTitle);
+  const bool closed = open_ && !ImGui::IsPopupOpen(kGalleryTitle);
   if (closed) open_ = false;
   return closed;
 }

@@ -30,7 +30,7 @@ constexpr TimeCurve kDisplacement[] = {{"x", [](const Sample& s) { return s.prob
                                        {"z", [](const Sample& s) { return s.probe.z(); }},
                                        {"length", [](const Sample& s) { return s.probe.norm(); }}};
 constexpr TimeCurve kResidual[] = {{"", [](const Sample& s) { return s.residual; }}};
-constexpr TimeCurve kIterations[] = {{"", [](const Sample& s) { return s.iterations; }}};
+constexpr TimeCurve kIterationCurves[] = {{"", [](const Sample& s) { return s.iterations; }}};
 constexpr TimeCurve kClock[] = {{"frame", [](const Sample& s) { return s.frame_ms / 1000; }},
                                 {"step", [](const Sample& s) { return s.step_ms / 1000; }}};
 
@@ -39,7 +39,7 @@ const TimeChart kCharts[] = {{"Energy", "J", false, kEnergy},
                              {"Force", "N", false, kForce},
                              {"Displacement", "m", false, kDisplacement},
                              {"Residual", "", true, kResidual},
-                             {"Iterations", "", false, kIterations},
+                             {"Iterations", "", false, kIterationCurves},
                              {"Clock", "s", false, kClock}};
 const char* const kChartHelp[] = {"Kinetic, elastic, of gravity (0 at the rest positions) and their sum: what is lost is damped, by the tissue or by the time step",
                              "Of all tissue, over its volume at rest",

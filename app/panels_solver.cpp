@@ -15,13 +15,13 @@
 namespace fascia {
 namespace {
 
-struct Extra {
+struct SolverSlider {
   const char* name;
   const char* label;
   double min, max;
   bool logarithmic;
 };
-constexpr Extra kExtras[] = {{"iterations", "Iterations", 1, 200, true},
+constexpr SolverSlider kSolverSliders[] = {{"iterations", "Iterations", 1, 200, true},
                              {"tolerance", "Tolerance", 0, 0.1, true},
                              {"time_step", "Time step", 1e-3, 0.1, true},
                              {"substeps", "Substeps", 1, 30, true},
@@ -105,7 +105,7 @@ void solver_panel(Session& session, ViewState& state) {
     if (!applies(name, settings.pair())) return;
     using Value = std::remove_reference_t<decltype(value)>;
     ui::NumberField field{name, unit, double(min), double(max), double(min), double(max), logarithmic, std::is_same_v<Value, int>, help};
-    for (const Extra& extra : kExtras) {
+    for (const SolverSlider& extra : kSolverSliders) {
       if (std::strcmp(extra.name, name) != 0) continue;
       field.label = extra.label;
       field.slider_min = extra.min;

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // ffmpeg's last words, one line, for the error message.
-std::string last_line(const fs::path& log) {
+std::string last_words(const fs::path& log) {
   std::string text;
   try {
     text = read_file(log);
@@ -149,7 +149,7 @@ void Recorder::fail(const std::string& what) {
   if (pipe_ >= 0) close(pipe_);
   pipe_ = -1;
   wait_for_child();
-  const std::string said = last_line(log_);
+  const std::string said = last_words(log_);
   remove_files();
   throw Error(path_.string(), what + " (" + said + ")", "expected a working ffmpeg and free disk space");
 }

@@ -18,7 +18,7 @@ namespace fascia {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t kKept = 10;  // sessions
+constexpr std::size_t kSessionsKept = 10;  // sessions
 constexpr auto kLongestUnwritten = std::chrono::seconds(1);
 
 // The oldest first: their names are dates.
@@ -47,7 +47,7 @@ fs::path session_file() {
   fs::create_directories(folder, ec);
   if (ec) throw Error(folder.string(), "cannot be made: " + ec.message(), "expected a folder for recorded sessions");
   std::vector<fs::path> files = sessions_in(folder);
-  for (std::size_t i = 0; i + kKept <= files.size(); ++i)
+  for (std::size_t i = 0; i + kSessionsKept <= files.size(); ++i)
     if (!still_recorded(files[i])) fs::remove(files[i], ignored);
   const std::time_t now = std::time(nullptr);
   std::tm local{};

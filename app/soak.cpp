@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 constexpr long kPull = 60, kHold = 60, kPeriod = 600;  // steps: to the target, there, and of a grab with the rest after it
 constexpr int kDirections = 4;                         // grabs of a round
-constexpr double kReach = 0.2;                         // of the body's size
+constexpr double kFarthestPull = 0.2;                         // of the body's size
 
 // The vertices farthest from the supports, as stiff together as their tissue under a disc.
 struct Patch {
@@ -59,7 +59,7 @@ SoakRun soak(Bench& bench, const Scene& scene, long steps) {
   for (long step = 0; step < steps; ++step) {
     const long grab = step / kPeriod, within = step % kPeriod;
     if (within < kPull)
-      simulation.set_grab(patch.springs(kReach * patch.size * static_cast<double>(within + 1) / kPull * directions[grab % kDirections]));
+      simulation.set_grab(patch.springs(kFarthestPull * patch.size * static_cast<double>(within + 1) / kPull * directions[grab % kDirections]));
     if (within == kPull + kHold) {
       run.strained = std::max(run.strained, reference::measure(simulation.model, simulation.state()).elastic);
       simulation.set_grab({});

@@ -16,11 +16,11 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
-constexpr double kLength = 0.4, kWidth = 0.2;  // of the beam [m]
-const double kSize = Vector3d(kLength, kWidth, kWidth).norm();
+constexpr double kBarLength = 0.4, kBarWidth = 0.2;  // of the beam [m]
+const double kBarSize = Vector3d(kBarLength, kBarWidth, kBarWidth).norm();
 constexpr double kNearFace = 1e-6;  // [m]
 
-std::string number(double value) {
+std::string in_short(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", value);
   return text;
@@ -36,9 +36,9 @@ struct Maker {
   bool quick;
   std::vector<StressCase> cases;
 
-  TetMesh beam(double length = kLength) const {
-    const int along = static_cast<int>(std::lround((quick ? 4 : 8) * length / kLength)), across = quick ? 2 : 4;
-    return make_box(along, across, across, {length, kWidth, kWidth});
+  TetMesh beam(double length = kBarLength) const {
+    const int along = static_cast<int>(std::lround((quick ? 4 : 8) * length / kBarLength)), across = quick ? 2 : 4;
+    return make_box(along, across, across, {length, kBarWidth, kBarWidth});
   }
 
   // A scene of one body: tissue of 1 MPa, clamped at x = 0 unless it is free, no gravity.
@@ -72,7 +72,7 @@ struct Maker {
   }
   std::optional<reference::State> bent(const Scene& scene) const {
     return start(scene, [](const Vector3d& x) -> Vector3d {
-      return x + Vector3d(-0.2 * x.x() * x.x() / kLength, 0.3 * x.x() * x.x() / kLength, 0);
+      return x + Vector3d(-0.2 * x.x() * x.x() / kBarLength, 0.3 * x.x() * x.x() / kBarLength, 0);
     });
   }
 
@@ -89,7 +89,7 @@ struct Maker {
       Scene s = beam_scene();
       s.bodies[0].material.young_modulus = young;
       const auto torture = [&](const std::string& name, const std::function<Vector3d(const Vector3d&)>& place) {
-        StressCase& made = add("start", name + " E=" + number(young), s, start(s, place), 150);
+        StressCase& made = add("start", name + " E=" + in_short(young), s, start(s, place), 150);
         made.criteria.recovers = true;
         made.criteria.farthest = 6;  // random places are two sizes away to begin with
       };
@@ -97,13 +97,13 @@ struct Maker {
       std::uniform_real_distribution<double> uniform(-1, 1);
       torture("random", [&](const Vector3d&) -> Vector3d {
         const double x = uniform(random), y = uniform(random), z = uniform(random);
-        return Vector3d(0.5 * kLength, 0.5 * kWidth, 0.5 * kWidth) + kLength * Vector3d(x, y, z);
+        return Vector3d(0.5 * kBarLength, 0.5 * kBarWidth, 0.5 * kBarWidth) + kBarLength * Vector3d(x, y, z);
       });
-      torture("flattened", [](const Vector3d& x) { return Vector3d(x.x(), 0.5 * kWidth, x.z()); });
-      torture("collapsed to a point", [](const Vector3d&) { return Vector3d(0.5 * kLength, 0.5 * kWidth, 0.5 * kWidth); });
+      torture("flattened", [](const Vector3d& x) { return Vector3d(x.x(), 0.5 * kBarWidth, x.z()); });
+      torture("collapsed to a point", [](const Vector3d&) { return Vector3d(0.5 * kBarLength, 0.5 * kBarWidth, 0.5 * kBarWidth); });
       torture("mirrored", [](const Vector3d& x) { return Vector3d(-x.x(), x.y(), x.z()); });
       torture("half mirrored", [](const Vector3d& x) {
-        return Vector3d(x.x() > 0.5 * kLength ? kLength - x.x() : x.x(), x.y(), x.z());
+        return Vector3d(x.x() > 0.5 * kBarLength ? kBarLength - x.x() : x.x(), x.y(), x.z());
       });
     }
   }
@@ -121,7 +121,7 @@ struct Maker {
     for (const double young : {1e2, 1e4, 1e6, 1e8, 1e10}) {
       Scene s = beam_scene();
       s.bodies[0].material.young_modulus = young;
-      StressCase& made = released("number", "E=" + number(young), s, 90);
+      StressCase& made = released("number", "E=" + in_short(young), s, 90);
       // Jelly of 100 Pa is no beam: its own weight tears it down by many times its length.
       if (young < 1e4) made.criteria.farthest = 100;
       made.criteria.keeps_upright = young >= 1e4;
@@ -129,7 +129,7 @@ struct Maker {
     for (const double ratio : {-0.9, 0.0, 0.3, 0.49, 0.499}) {
       Scene s = beam_scene();
       s.bodies[0].material.poisson_ratio = ratio;
-      released("number", "nu=" + number(ratio), s, 90);
+      released("number", "nu=" + in_short(ratio), s, 90);
     }
     for (const int rate : {15, 60, 250, 1000}) {
       Scene s = beam_scene();
@@ -147,7 +147,7 @@ struct Maker {
       for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
         Vector3d center = Vector3d::Zero();
         for (const std::uint32_t v : mesh.tets[t]) center += 0.25 * mesh.positions[v];
-        if (std::fmod(center.x() / kLength, 0.5) > 0.25) mesh.regions[t] = 2;
+        if (std::fmod(center.x() / kBarLength, 0.5) > 0.25) mesh.regions[t] = 2;
       }
       Scene s = scene("layers", mesh);
       change(s.bodies[0], s.bodies[0].region_materials.emplace_back("2", MaterialOverride{}).second);
@@ -227,7 +227,7 @@ struct Maker {
     // Every second layer of cells squashed until its tets have dihedral angles of 0.1 degrees.
     TetMesh slivers = beam();
     const int along = quick ? 4 : 8;
-    const double cell = kLength / along, thin = (kWidth / (quick ? 2 : 4)) * std::tan(0.1 * std::numbers::pi / 180);
+    const double cell = kBarLength / along, thin = (kBarWidth / (quick ? 2 : 4)) * std::tan(0.1 * std::numbers::pi / 180);
     deform(slivers, [&](const Vector3d& x) -> Vector3d {
       const int layer = static_cast<int>(std::lround(x.x() / cell));
       const int pairs = layer / 2;
@@ -247,9 +247,9 @@ struct Maker {
       parts.regions.resize(parts.tets.size(), 0);
     }
     shape("disconnected parts", parts, true).criteria.recovers = true;
-    shape("1 mm", beam(), true, 1e-3 / kLength).criteria.recovers = true;
+    shape("1 mm", beam(), true, 1e-3 / kBarLength).criteria.recovers = true;
     // As stiff for its weight as the small ones, so that it comes to rest within the time.
-    StressCase& large = shape("100 m", beam(), true, 100 / kLength);
+    StressCase& large = shape("100 m", beam(), true, 100 / kBarLength);
     large.replay.scene.bodies[0].material.young_modulus = 1e10;
     large.criteria.recovers = true;
   }
@@ -257,9 +257,9 @@ struct Maker {
   // Springs on the vertices near the free end, as the hand makes them: as stiff together as tissue indented by a disc.
   GrabInput grip(const Model& built, const Vector3d& offset) const {
     GrabInput springs;
-    const double stiffness = 3 * 1e6 * 0.08 * 0.5 * kSize;
+    const double stiffness = 3 * 1e6 * 0.08 * 0.5 * kBarSize;
     for (std::uint32_t v = 0; v < built.rest_positions.size(); ++v)
-      if (built.rest_positions[v].x() > 0.99 * kLength) springs.push_back({v, offset, 0});
+      if (built.rest_positions[v].x() > 0.99 * kBarLength) springs.push_back({v, offset, 0});
     for (GrabSpring& spring : springs) spring.stiffness = stiffness / static_cast<double>(springs.size());
     return springs;
   }
@@ -281,13 +281,13 @@ struct Maker {
   void handling() {
     handled("grab pulled 10 sizes away", 12, [&](long step, const Model& built, std::vector<Input>& inputs) {
       const double way = std::min(1.0, step / 30.0);
-      inputs.push_back({step, grip(built, 10 * kSize * way * Vector3d(0.8, 0.6, 0))});
+      inputs.push_back({step, grip(built, 10 * kBarSize * way * Vector3d(0.8, 0.6, 0))});
     });
     handled("grab shaken at 30 Hz", 12, [&](long step, const Model& built, std::vector<Input>& inputs) {
-      inputs.push_back({step, grip(built, (step % 2 ? 1 : -1) * kSize * Vector3d(0.3, 1, 0.5))});
+      inputs.push_back({step, grip(built, (step % 2 ? 1 : -1) * kBarSize * Vector3d(0.3, 1, 0.5))});
     });
     handled("grab through the body", 3, [&](long step, const Model& built, std::vector<Input>& inputs) {
-      inputs.push_back({step, grip(built, std::min(1.0, step / 60.0) * Vector3d(-2 * kLength, 0, 0))});
+      inputs.push_back({step, grip(built, std::min(1.0, step / 60.0) * Vector3d(-2 * kBarLength, 0, 0))});
     });
     std::mt19937 random(5);
     handled("sliders scrubbed every frame", 100, [&](long step, const Model&, std::vector<Input>& inputs) {
@@ -336,7 +336,7 @@ struct Maker {
     PrescribedMotion twist;
     twist.select = BoxSelection{{kLong - kNearFace, -1, -1}, {kLong + kNearFace, 1, 1}};
     twist.angle_deg = 720;
-    twist.center = {0, 0.5 * kWidth, 0.5 * kWidth};
+    twist.center = {0, 0.5 * kBarWidth, 0.5 * kBarWidth};
     twist.duration = 3;
     s.bodies[0].prescribed.push_back(twist);
     add("handling", "twisted by 720 degrees", s, std::nullopt, 220);

@@ -67,7 +67,7 @@ class Ledger {
   reference::Measures first_;
 };
 
-bool is_finite(const reference::State& state) {
+bool all_finite(const reference::State& state) {
   const auto finite = [](const Vector3d& v) { return v.allFinite(); };
   return std::all_of(state.displacement.begin(), state.displacement.end(), finite) &&
          std::all_of(state.velocity.begin(), state.velocity.end(), finite);
@@ -91,7 +91,7 @@ StressResult run_stress_case(Simulation& simulation, const StressCriteria& crite
     ++result.steps;
     const bool astray = simulation.check_now().has_value();
     const reference::State state = simulation.state();
-    if (!is_finite(state)) {
+    if (!all_finite(state)) {
       fail("not finite after ", result.steps, " steps");
       return result;
     }

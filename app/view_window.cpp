@@ -10,6 +10,7 @@
 
 #include "app/breakdown.h"
 #include "app/color_bar.h"
+#include "app/compile_notice.h"
 #include "app/interrupt.h"
 #include "app/panels.h"
 #include "app/paths.h"
@@ -260,13 +261,16 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
   simulated_ = 0;
   const bool repeats = session_->simulation.repeating();
   if (steps > 0) {
+    const CompileNotice notice(graphics_, overlay_, *framebuffer_, panels_cover());
     solve_timer_.begin();
     for (int i = 0; i < steps; ++i) make_step();
     solve_timer_.end();
     if (const double ms = solve_timer_.milliseconds(); ms > 0) {
-      s.solve.add(ms);
       stats_.step_ms.push_back(ms / steps);
-      s.step_ms = s.step_ms > 0 ? 0.8 * s.step_ms + 0.2 * ms / steps : ms / steps;
+      if (notice.kernels() == 0) {  // what compiling took says nothing about the next steps
+        s.solve.add(ms);
+        s.step_ms = s.step_ms > 0 ? 0.8 * s.step_ms + 0.2 * ms / steps : ms / steps;
+      }
     }
   }
   if (repeats) accept_dials();

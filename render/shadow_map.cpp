@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kReach = 1.8;  // half the map's side in scene radii: room for a body that is pulled about
+constexpr double kHalfSide = 1.8;  // half the map's side in scene radii: room for a body that is pulled about
 constexpr double kDepthReach =
     4;  // half the map's depth in scene radii; what lies beyond is clamped, not lost
 constexpr double kLampSlope = 0.16;  // the lamp's size as the tangent of the angle that it fills
@@ -25,7 +25,7 @@ Eigen::Vector4f vec4(const Vector3d& xyz, double w) {
 
 gl::Defines ground_defines() {
   return {{"GROUND_SIZE", std::to_string(ShadowMap::kGroundSize) + ".0"},
-          {"PENUMBRA", std::to_string(kLampSlope * kDepthReach / kReach)}};
+          {"PENUMBRA", std::to_string(kLampSlope * kDepthReach / kHalfSide)}};
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ void ShadowMap::aim(const Look& look, FrameUniforms& frame) {
   const Vector3d right = standing.col(0), up = standing.col(1), front = standing.col(2);
   const Vector3d light = (up + 0.50 * front - 0.55 * right).normalized();
   const Vector3d across = up.cross(light).normalized(), along = light.cross(across);
-  const double side = 2 * kReach * look.radius, deep = 2 * kDepthReach * look.radius;
+  const double side = 2 * kHalfSide * look.radius, deep = 2 * kDepthReach * look.radius;
   Eigen::Matrix<double, 3, 3> rows;
   rows << across.transpose() / side, along.transpose() / side, -light.transpose() / deep;
   const Vector3d shift = Vector3d::Constant(0.5) - rows * look.center;

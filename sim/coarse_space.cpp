@@ -15,10 +15,10 @@ constexpr double kWeakNode = 0.1;        // of the mean mass
 constexpr double kLeastWeight = 1e-12;   // of a lattice corner that counts
 constexpr double kInner = 0.5;           // of the largest share that a tet has in a node's rotation
 constexpr double kEnough = 0.85;         // of the wanted nodes
-constexpr int kMostCells = 100;           // along an axis
+constexpr int kMostCoarseCells = 100;           // along an axis
 constexpr std::size_t kFewVertices = 24; // below: more lattice nodes than vertices, and nothing to gain
 
-struct Lattice {
+struct CoarseLattice {
   Vector3d low, extent;
   std::array<int, 3> cells{1, 1, 1};
 
@@ -115,8 +115,8 @@ std::vector<std::uint32_t> pieces(const std::vector<std::uint32_t>& members, con
 }
 
 /// Cells as near to cubes as the box allows, so many that about `target` lattice nodes have a vertex in reach.
-Lattice fit_lattice(const std::vector<Vector3d>& positions, const std::vector<std::uint32_t>& free, std::uint32_t target) {
-  Lattice lattice;
+CoarseLattice fit_lattice(const std::vector<Vector3d>& positions, const std::vector<std::uint32_t>& free, std::uint32_t target) {
+  CoarseLattice lattice;
   Vector3d high = positions[free.front()];
   lattice.low = high;
   for (const std::uint32_t v : free) {
@@ -126,28 +126,28 @@ Lattice fit_lattice(const std::vector<Vector3d>& positions, const std::vector<st
   lattice.extent = high - lattice.low;
   const double longest = lattice.extent.maxCoeff();
   const auto with_cell = [&](double size) {
-    Lattice l = lattice;
-    for (int k = 0; k < 3; ++k) l.cells[k] = std::clamp(static_cast<int>(std::lround(l.extent[k] / size)), 1, kMostCells);
+    CoarseLattice l = lattice;
+    for (int k = 0; k < 3; ++k) l.cells[k] = std::clamp(static_cast<int>(std::lround(l.extent[k] / size)), 1, kMostCoarseCells);
     return l;
   };
   std::vector<char> reached;
-  const auto nodes_of = [&](const Lattice& l) {
+  const auto nodes_of = [&](const CoarseLattice& l) {
     reached.assign(l.nodes(), 0);
     std::uint32_t count = 0;
     for (const std::uint32_t v : free)
-      for (const Lattice::Corner& c : l.corners(positions[v]))
+      for (const CoarseLattice::Corner& c : l.corners(positions[v]))
         if (c.weight > kLeastWeight && !reached[c.node]) {
           reached[c.node] = 1;
           ++count;
         }
     return static_cast<double>(count);
   };
-  double small = longest / kMostCells, large = 2 * longest;
-  Lattice tried = with_cell(large), best = tried;
+  double small = longest / kMostCoarseCells, large = 2 * longest;
+  CoarseLattice tried = with_cell(large), best = tried;
   double nodes = nodes_of(tried), best_miss = std::abs(nodes - target);
   for (int i = 0; i < 14; ++i) {
     const double size = std::sqrt(small * large);
-    if (const Lattice l = with_cell(size); l.cells != tried.cells) {
+    if (const CoarseLattice l = with_cell(size); l.cells != tried.cells) {
       tried = l;
       nodes = nodes_of(tried);
     }
@@ -166,7 +166,7 @@ CoarseSpace lattice_space(const Model& model, const std::vector<std::uint32_t>& 
                           std::uint32_t most, bool& complete) {
   const std::size_t vertex_count = model.rest_positions.size();
   const std::vector<double> masses = lumped_masses(model);
-  const Lattice lattice = fit_lattice(model.rest_positions, free, target);
+  const CoarseLattice lattice = fit_lattice(model.rest_positions, free, target);
   struct Reach {
     std::uint32_t node;  // of the lattice
     std::uint32_t vertex;
@@ -174,7 +174,7 @@ CoarseSpace lattice_space(const Model& model, const std::vector<std::uint32_t>& 
   };
   std::vector<Reach> reaches;
   for (const std::uint32_t v : free)
-    for (const Lattice::Corner& c : lattice.corners(model.rest_positions[v]))
+    for (const CoarseLattice::Corner& c : lattice.corners(model.rest_positions[v]))
       if (c.weight > kLeastWeight) reaches.push_back({c.node, v, c.weight});
   std::stable_sort(reaches.begin(), reaches.end(), [](const Reach& a, const Reach& b) { return a.node < b.node; });
 

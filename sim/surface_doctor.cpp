@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::uint32_t kNone = ~0u;
+constexpr std::uint32_t kNoTriangle = ~0u;
 constexpr std::size_t kSamples = 9;  // vertices of a shell that are asked whether they lie in another one
 
 double area_of(const Vector3d& a, const Vector3d& b, const Vector3d& c) { return (b - a).cross(c - a).norm() / 2; }
@@ -86,7 +86,7 @@ class Repairer {
     std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
       return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.place < b.place;
     });
-    beyond_.assign(edges.size(), kNone);
+    beyond_.assign(edges.size(), kNoTriangle);
     for (std::size_t begin = 0, end; begin < edges.size(); begin = end) {
       for (end = begin + 1; end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high;) ++end;
       const Vector3d middle = (x_[edges[begin].low] + x_[edges[begin].high]) / 2;
@@ -104,11 +104,11 @@ class Repairer {
 
   /// Numbers the shells and turns the triangles that disagree with most of their shell.
   void orient() {
-    shell_.assign(triangles_.size(), kNone);
+    shell_.assign(triangles_.size(), kNoTriangle);
     std::vector<char> turn(triangles_.size(), 0);
     std::vector<std::uint32_t> queue;
     for (std::uint32_t start = 0; start < triangles_.size(); ++start) {
-      if (shell_[start] != kNone) continue;
+      if (shell_[start] != kNoTriangle) continue;
       const auto number = static_cast<std::uint32_t>(report_.shells.size());
       report_.shells.emplace_back();
       queue.assign(1, start);
@@ -116,11 +116,11 @@ class Repairer {
       for (std::size_t i = 0; i < queue.size(); ++i) {
         const std::uint32_t t = queue[i];
         for (std::uint32_t place = 3 * t; place < 3 * t + 3; ++place) {
-          if (beyond_[place] == kNone) continue;
+          if (beyond_[place] == kNoTriangle) continue;
           const std::uint32_t other = beyond_[place] / 3;
           const bool opposed = ends(place)[0] == ends(beyond_[place])[0];  // both lead the same way along their edge
           const char wanted = static_cast<char>(turn[t] ^ static_cast<char>(opposed));
-          if (shell_[other] == kNone) {
+          if (shell_[other] == kNoTriangle) {
             shell_[other] = number;
             turn[other] = wanted;
             queue.push_back(other);

@@ -209,6 +209,7 @@ std::size_t ComputePass::bytes() const {
 }
 
 void ComputePass::run() const {
+  program_->begin_run();
   prepare();
   std::uint32_t groups = groups_;
   for (const auto& [name, value] : followed_)
@@ -236,6 +237,7 @@ void ComputePass::run() const {
   MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT |
                 GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                 GL_BUFFER_UPDATE_BARRIER_BIT);
+  program_->end_run();
   ++dispatches;
 }
 

@@ -132,6 +132,11 @@ void Program::require() const {
   if (!id_ && cache_) cache_->link(cache_->programs_.at(label_));
 }
 
+void Program::begin_run() const {
+  const bool has_run = id_ && run_generation_ == generation_;
+  if (!has_run && cache_ && cache_->tell_first_run_) cache_->tell_first_run_();
+}
+
 std::size_t ProgramCache::size() const {
   return static_cast<std::size_t>(std::count_if(programs_.begin(), programs_.end(), [](const auto& entry) { return entry.second.program->id() != 0; }));
 }
@@ -141,6 +146,7 @@ const Program& ProgramCache::fused(const std::string& label, std::function<Shade
   if (found != programs_.end()) return *found->second.program;
   Entry entry{{{GL_COMPUTE_SHADER, [this, read = std::move(read)] { return read(folder_); }}}, std::make_unique<Program>()};
   entry.program->label_ = label;
+  entry.program->cache_ = this;
   link(entry);
   return *programs_.emplace(label, std::move(entry)).first->second.program;
 }

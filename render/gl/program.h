@@ -37,6 +37,9 @@ class Program {
   bool fused() const { return file_.empty(); }
   /// Links it, if that was postponed. Throws Error.
   void require() const;
+  /// Before and after it is run; the cache's FirstRuns hear of code that has not been run.
+  void begin_run() const;
+  void end_run() const { run_generation_ = generation_; }
   const Defines& defines() const { return defines_; }
   // Uniforms by name, kept by the program until it is reloaded; it need not be in use. Setting one that the
   // program does not have does nothing (the driver may have optimised it away).
@@ -53,6 +56,7 @@ class Program {
   ProgramCache* cache_ = nullptr;
   GLuint id_ = 0;
   unsigned generation_ = 0;
+  mutable unsigned run_generation_ = 0;  // what was last run
   std::string label_;
   std::string file_;
   Defines defines_;
@@ -93,6 +97,19 @@ class ProgramCache {
     ProgramCache& cache_;
   };
 
+  /// While it lives `tell` is called before a compute program is run for the first time: many drivers translate it only then. `tell` may
+  /// draw, but not run compute programs. One at a time.
+  class FirstRuns {
+   public:
+    FirstRuns(ProgramCache& cache, std::function<void()> tell) : cache_(cache) { cache_.tell_first_run_ = std::move(tell); }
+    ~FirstRuns() { cache_.tell_first_run_ = nullptr; }
+    FirstRuns(const FirstRuns&) = delete;
+    FirstRuns& operator=(const FirstRuns&) = delete;
+
+   private:
+    ProgramCache& cache_;
+  };
+
  private:
   struct Entry {
     std::vector<std::pair<GLenum, std::function<ShaderText()>>> stages;
@@ -106,6 +123,7 @@ class ProgramCache {
   LoadPath load_path_;
   bool fusing_ = false;
   int postponed_ = 0;
+  std::function<void()> tell_first_run_;
   std::map<std::string, Entry> programs_;
 };
 

@@ -4,7 +4,7 @@ namespace fascia {
 namespace {
 
 using shared::vec4;
-constexpr std::size_t kStateFloats = 8;  // shaders/sim/subspace_state.glsl
+constexpr std::size_t kSubspaceFloats = 8;  // shaders/sim/subspace_state.glsl
 
 }  // namespace
 
@@ -20,7 +20,7 @@ TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& mo
       last_step_("last_step", gradient_.gradient().bytes()),
       previous_gradient_("previous_gradient", gradient_.gradient().bytes()),
       partials_("subspace_partials", sizeof(vec4) * (3 * vertices_.partials + pairs_.partials)),
-      state_("subspace_state", kStateFloats * sizeof(float)) {
+      state_("subspace_state", kSubspaceFloats * sizeof(float)) {
   set_acceleration(programs, buffers, settings);
 }
 

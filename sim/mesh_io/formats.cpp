@@ -7,7 +7,7 @@
 namespace fascia {
 namespace {
 
-std::string plural(std::size_t count, const char* one, const char* many) {
+std::string counted(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
@@ -88,16 +88,16 @@ void finish_mesh(MeshFile& file, const std::string& where) {
   TetMesh& mesh = file.mesh;
   const auto& ignored = file.ignored;
   if (mesh.tets.empty()) {
-    const std::string triangles = plural(ignored.triangles, "triangle", "triangles");
+    const std::string triangles = counted(ignored.triangles, "triangle", "triangles");
     if (ignored.triangles > 0 && ignored.others == 0) {
       throw Error(
           where, "holds " + triangles + " but no tets",
           "expected a tetrahedral mesh: a tet mesher such as gmsh or tetgen can fill a closed surface");
     }
     throw Error(where,
-                "holds no tets (" + plural(mesh.positions.size(), "vertex", "vertices") + ", " +
-                    plural(ignored.lines, "line", "lines") + ", " + triangles + ", " +
-                    plural(ignored.others, "other cell", "other cells") + ")",
+                "holds no tets (" + counted(mesh.positions.size(), "vertex", "vertices") + ", " +
+                    counted(ignored.lines, "line", "lines") + ", " + triangles + ", " +
+                    counted(ignored.others, "other cell", "other cells") + ")",
                 "expected at least one");
   }
   mesh.regions.resize(mesh.tets.size(), 0);

@@ -12,7 +12,7 @@ constexpr int deepest = 32;  // nesting; VTK needs 6
 bool is_name(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == ':' || c == '.';
 }
-bool is_space(char c) {
+bool is_white(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
@@ -39,7 +39,7 @@ class Parser {
 
   bool starts(std::string_view with) const { return text_.substr(pos_).starts_with(with); }
   void skip_spaces() {
-    while (pos_ < text_.size() && is_space(text_[pos_])) ++pos_;
+    while (pos_ < text_.size() && is_white(text_[pos_])) ++pos_;
   }
   void skip_to(std::string_view end) {
     const std::size_t found = text_.find(end, pos_);

@@ -92,6 +92,34 @@ TEST_CASE("a kernel gives equal bits through both load paths") {
   CHECK(GetError() == GL_NO_ERROR);
 }
 
+TEST_CASE("who waits for kernels hears of each before it is first run, postponed and reloaded ones too") {
+  const auto context = test::each_context();
+  ShaderFolder folder;
+  folder.write("scale.comp", kScale);
+  ProgramCache programs(folder.path(), LoadPath::texel);
+  Inputs in;
+  const ComputePass before(programs.compute("scale.comp", {{"VARIANT", "0"}}), in.bindings(), Inputs::kCount);
+  before.run();  // nobody listens yet
+  const auto pass_of = [&](const char* variant) {
+    const ProgramCache::Postponed postponed(programs);
+    return ComputePass(programs.compute("scale.comp", {{"VARIANT", variant}}), in.bindings(), Inputs::kCount);
+  };
+  const ComputePass one = pass_of("1"), same = pass_of("1"), other = pass_of("2");
+  std::vector<std::size_t> linked;
+  {
+    const ProgramCache::FirstRuns first_runs(programs, [&] { linked.push_back(programs.size()); });
+    before.run();
+    CHECK(linked.empty());
+    for (const ComputePass* pass : {&one, &one, &same, &other, &one}) pass->run();
+    CHECK(linked == std::vector<std::size_t>{1, 2});  // told before a postponed program is linked
+    CHECK(programs.reload().empty());
+    for (const ComputePass* pass : {&one, &same, &before, &before}) pass->run();
+    CHECK(linked == std::vector<std::size_t>{1, 2, 3, 3});
+  }
+  other.run();
+  CHECK(linked.size() == 4);
+}
+
 TEST_CASE("bindings that do not fit the kernel are errors that name it") {
   const auto context = test::each_context();
   const LoadPath path = GENERATE(LoadPath::storage, LoadPath::texel);

@@ -1,0 +1,69 @@
+// A window on a machine whose driver has none of its kernels yet.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "sim/file.h"
+#include "tests/app/window_fixture.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+constexpr int kWidth = 1000, kHeight = 700, kPanels = 338;
+
+struct NoKernels {
+  NoKernels() { setenv("MESA_SHADER_CACHE_DISABLE", "true", 1); }
+  ~NoKernels() { unsetenv("MESA_SHADER_CACHE_DISABLE"); }
+  NoKernels(const NoKernels&) = delete;
+  NoKernels& operator=(const NoKernels&) = delete;
+};
+
+// What the display shows, window and all.
+std::vector<Image> watch(const std::filesystem::path& folder, int frames) {
+  const std::string size = std::to_string(kWidth) + "x" + std::to_string(kHeight);
+  const CommandResult grabbed = run_command({"ffmpeg", "-nostdin", "-v", "error", "-y", "-f", "x11grab", "-draw_mouse", "0", "-framerate", "10",
+                                             "-video_size", size, "-i", std::getenv("DISPLAY"), "-frames:v", std::to_string(frames),
+                                             (folder / "seen%02d.png").string()});
+  CAPTURE(grabbed.err);
+  REQUIRE(grabbed.exit_code == 0);
+  std::vector<Image> images;
+  for (int i = 1; i <= frames; ++i) images.push_back(read_png(folder / ((i < 10 ? "seen0" : "seen") + std::to_string(i) + ".png")));
+  return images;
+}
+
+// Whether the sky, in the middle over the scene, is behind the dark pill of a notice.
+bool shows_notice(const Image& image) {
+  constexpr int kX = (kPanels + kWidth) / 2, kY = 30;
+  const auto red = [&](int x, int y) { return static_cast<int>(image.rgba[4 * (static_cast<std::size_t>(y) * image.width + x)]); };
+  return red(kPanels + 20, kY) > 120 && red(kX - 100, kY - 3) < 90 && red(kX + 100, kY - 3) < 90;
+}
+
+}  // namespace
+
+TEST_CASE("a window says that it compiles kernels, then goes on with what was done meanwhile") {
+  const TemporaryFolder folder;
+  const VirtualDisplay display(kWidth, kHeight);
+  write_file(folder / "cube.json", nlohmann::json{{"fascia_scene", 1},
+                                                  {"gravity", {0, 0, 0}},
+                                                  {"bodies",
+                                                   {{{"mesh", (source_dir() / "assets/meshes/cube.msh").string()},
+                                                     {"materials", {{"default", {{"young_modulus", 2e4}, {"damping", 0.1}}}}},
+                                                     {"fixed", {{{"lowest", 0.02}}}}}}}}
+                                       .dump());
+  const NoKernels no_kernels;
+  FasciaWindow window({(folder / "cube.json").string(), "--stats", "stats.json", "--size", "1000x700"}, folder.path());
+  std::vector<Image> seen;
+  CHECK(eventually([&] { return std::ranges::any_of(seen = watch(folder.path(), 8), shows_notice); }));
+  CHECK(eventually([&] { return std::ranges::none_of(seen = watch(folder.path(), 8), shows_notice); }));
+
+  const Image rest = right_part(window.screenshot().image, kPanels);
+  window.move((kPanels + kWidth) / 2, kHeight / 2);
+  window.press();
+  window.move((kPanels + kWidth) / 2 + 160, kHeight / 2 - 60);  // while what a hand needs is compiled
+  CHECK(eventually([&] { return difference(rest, right_part(window.screenshot().image, kPanels)).share > 0.02; }));
+  window.key("ctrl+q");
+  CHECK(window.wait() == 0);
+}
