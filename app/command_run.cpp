@@ -14,6 +14,7 @@
 #include "app/true_error.h"
 #include "app/usage_error.h"
 #include "sim/error.h"
+#include "sim/reference/newton.h"
 #include "sim/report_text.h"
 #include "sim/state_export.h"
 
@@ -135,9 +136,11 @@ int command_run(const RunOptions& options) {
   if (!options.static_equilibrium) require_sound(simulation);
 
   const reference::State last = simulation.state();
+  int inverted = 0;
   if (GpuSolver* gpu = simulation.gpu()) {
     gpu->request_diagnostics();
     const auto diagnostics = gpu->take_diagnostics(true);
+    if (diagnostics) inverted = diagnostics->inverted;
     if (diagnostics && !options.static_equilibrium) {
       stats.residual = diagnostics->residual;
       double mass = 0;
@@ -145,8 +148,9 @@ int command_run(const RunOptions& options) {
       stats.imbalance = diagnostics->imbalance(mass * simulation.model.gravity);
     }
     count_work(stats, simulation);
-  } else if (!options.static_equilibrium) {
-    stats.residual = simulation.newton_report().relative_residual;
+  } else {
+    if (!options.static_equilibrium) stats.residual = simulation.newton_report().relative_residual;
+    inverted = reference::measure(simulation.model, last).inverted;
   }
   if (options.error) {
     TrueError measured;
@@ -169,6 +173,9 @@ int command_run(const RunOptions& options) {
                                         : "not to the bit what was recorded: another device, program or mesh\n");
   if (!series && !options.export_path.empty())
     write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last), stats.provenance);
+  if (inverted > 0 && !options.quiet)
+    std::cerr << "fascia: " << inverted << " of " << plural(simulation.model.tets.size(), "tet") << (inverted == 1 ? " is" : " are")
+              << " inside out at the end\n";
   if (!options.quiet)
     std::cerr << "fascia: " << plural(static_cast<std::size_t>(stats.steps), "step") << ", " << last.time << " s simulated in " << stats.wall_s << " s, median "
               << percentiles(stats.solve_ms).median << " ms a step\n";

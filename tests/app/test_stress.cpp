@@ -134,6 +134,7 @@ TEST_CASE("a failure leaves a table, a summary, a picture and a replay that repe
   const CommandResult again = run_fascia({"run", "--replay", replay.string(), "--context", "osmesa", "--stats", "stats.json"}, folder.path());
   CAPTURE(again.err);
   CHECK(again.exit_code == 0);
+  CHECK_THAT(again.err, Catch::Contains(" inside out at the end\n"));
   CHECK_THAT(read_file(folder / "stats.json"), Catch::Contains("\"steps\": 150") && !Catch::Contains("\"inverted\": 0,"));
 
   const CommandResult none = stress({"--only", "no such case"});
