@@ -24,7 +24,7 @@ void CompileNotice::tell() {
   glfwPollEvents();  // or the desktop takes the program for dead; what they ask for waits for the next frame
   overlay_.draw_list(picture_, 1, [&](ImDrawList& list) {
     ui::pill(list, "Compiling kernels for this graphics driver, the first time only", static_cast<float>(left_ + picture_.width()) / 2,
-             ui::px(24), ui::kText);
+             ui::px(52), ui::kText);  // below what the window says at the top
   });
   picture_.present(picture_.width(), picture_.height());
   glfwSwapBuffers(graphics_.context->window());

@@ -1,7 +1,6 @@
 #include "sim/reference/elastic_system.h"
 
 #include <Eigen/LU>
-#include <Eigen/OrderingMethods>
 #include <algorithm>
 #include <limits>
 
@@ -12,32 +11,36 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Minimum-degree order of the free vertices' graph: [vertex_count] place in the order, -1 where not free.
-std::vector<int> elimination_order(const Model& model) {
+struct FreeVertices {
+  std::vector<int> place;  // [vertex_count] in the order of elimination, -1 where not free or in no tet
+  EliminationTree tree;
+};
+
+FreeVertices free_vertices(const Model& model) {
   const std::vector<char> held = model.held();
-  std::vector<int> compact(model.rest_positions.size(), -1);
-  std::vector<std::uint32_t> vertices;
+  FreeVertices result;
+  std::vector<int>& place = result.place;  // first their numbers
+  place.assign(model.rest_positions.size(), -1);
+  std::vector<Vector3d> positions;
   for (const Tet& tet : model.tets)
     for (const std::uint32_t v : tet)
-      if (!held[v] && compact[v] < 0) {
-        compact[v] = static_cast<int>(vertices.size());
-        vertices.push_back(v);
+      if (!held[v] && place[v] < 0) {
+        place[v] = static_cast<int>(positions.size());
+        positions.push_back(model.rest_positions[v]);
       }
-
-  const int n = static_cast<int>(vertices.size());
-  if (n == 0) return compact;
-  std::vector<Eigen::Triplet<double>> edges;
+  std::vector<std::vector<int>> neighbors(positions.size());
   for (const Tet& tet : model.tets)
     for (const std::uint32_t v : tet)
       for (const std::uint32_t w : tet)
-        if (compact[v] >= 0 && compact[w] >= 0) edges.emplace_back(compact[v], compact[w], 1.0);
-  SparseMatrix graph(n, n);
-  graph.setFromTriplets(edges.begin(), edges.end());
-
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(n);
-  Eigen::AMDOrdering<int>()(graph, permutation);
-  for (int place = 0; place < n; ++place) compact[vertices[permutation.indices()[place]]] = place;
-  return compact;
+        if (v != w && place[v] >= 0 && place[w] >= 0) neighbors[place[v]].push_back(place[w]);
+  for (std::vector<int>& list : neighbors) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  result.tree = nested_dissection(neighbors, positions);
+  for (int& p : place)
+    if (p >= 0) p = result.tree.place[p];
+  return result;
 }
 
 }  // namespace
@@ -48,8 +51,10 @@ ElasticSystem::ElasticSystem(const Model& model) : model_(model) {
     const auto& x = model.rest_positions;
     rest_.emplace_back(Corners{x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]});
   }
-  const std::vector<int> order = elimination_order(model);
-  const int free_count = order.empty() ? 0 : *std::max_element(order.begin(), order.end()) + 1;
+  FreeVertices free = free_vertices(model);
+  const std::vector<int>& order = free.place;
+  tree_ = std::move(free.tree);
+  const int free_count = static_cast<int>(tree_.place.size());
   dof_count_ = 3 * free_count;
   first_dof_.resize(order.size());
   std::transform(order.begin(), order.end(), first_dof_.begin(),

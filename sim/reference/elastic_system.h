@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "sim/model.h"
+#include "sim/reference/cholesky.h"
 #include "sim/reference/elasticity.h"
 
 namespace fascia::reference {
-
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 /// Viscous part of an implicit Euler step (elasticity.h). Empty: purely elastic.
 struct ViscousStep {
@@ -44,6 +43,7 @@ class ElasticSystem {
   Eigen::VectorXd hessian_times(const Eigen::VectorXd& u, const ViscousStep& viscous,
                                 const Eigen::VectorXd& direction) const;
   const SparseMatrix& empty_hessian() const { return pattern_; }
+  const EliminationTree& elimination_tree() const { return tree_; }  // of the free vertices, three unknowns each
 
   bool viscous() const;                                                  // some material has damping
   std::vector<Eigen::Matrix3d> strains(const Eigen::VectorXd& u) const;  // [tet_count] Green strain
@@ -59,6 +59,7 @@ class ElasticSystem {
   std::vector<RestTet> rest_;
   std::vector<int> first_dof_;
   int dof_count_ = 0;
+  EliminationTree tree_;
   SparseMatrix pattern_;  // zeros
   // Where tets add, [tet_count] [4 * row corner + column corner]: the three columns of a block column hold
   // their blocks in the same order, so one rank says where the 3x3 block begins in each of them. -1: not

@@ -17,9 +17,8 @@ constexpr double reuse_below = 0.1;
 
 }  // namespace
 
-Minimizer::Minimizer(const ElasticSystem& system) : system_(system), hessian_(system.empty_hessian()) {
-  if (system.dof_count() > 0) cholesky_.analyzePattern(hessian_);
-}
+Minimizer::Minimizer(const ElasticSystem& system)
+    : system_(system), hessian_(system.empty_hessian()), cholesky_(hessian_, system.elimination_tree()) {}
 
 Minimizer::Value Minimizer::evaluate(const Potential& potential, const VectorXd& u) const {
   Value value;
@@ -56,18 +55,12 @@ void Minimizer::factorize(const Potential& potential, const VectorXd& u) {
                potential.force.cwiseAbs();
       rounding_ = epsilon * system_.free_part(scale).norm();
     }
-    cholesky_.factorize(hessian_);
-    if (cholesky_.info() == Eigen::Success) return;
+    if (cholesky_.factorize(hessian_)) return;
   }
   // Still singular: a body that nothing holds. A growing multiple of the identity makes a step of it.
   const double largest = hessian_.diagonal().maxCoeff();
-  double shift = 0;
-  while (cholesky_.info() != Eigen::Success) {
-    shift = std::max(1e-10 * std::max(largest, std::numeric_limits<double>::min()), 100 * shift);
-    cholesky_.setShift(shift);
-    cholesky_.factorize(hessian_);
-  }
-  cholesky_.setShift(0);
+  double shift = 1e-10 * std::max(largest, std::numeric_limits<double>::min());
+  while (!cholesky_.factorize(hessian_, shift)) shift *= 100;
 }
 
 bool Minimizer::line_search(const Potential& potential, const VectorXd& direction, VectorXd& u, Value& value,

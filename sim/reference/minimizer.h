@@ -3,7 +3,6 @@
 //   minimise over the free u:  sum_e V_e Psi_e(u) + 1/2 (u - target)^T diag(inertia) (u - target) - force . u
 #pragma once
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
 #include <stop_token>
 
 #include "sim/reference/elastic_system.h"
@@ -52,7 +51,7 @@ class Minimizer {
 
   const ElasticSystem& system_;
   SparseMatrix hessian_;
-  Eigen::SimplicialLLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>> cholesky_;
+  Cholesky cholesky_;
   double rounding_ = 0;  // [N] bound on the rounding of the gradient at the last factorisation
 };
 

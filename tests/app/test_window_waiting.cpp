@@ -34,9 +34,9 @@ std::vector<Image> watch(const std::filesystem::path& folder, int frames) {
   return images;
 }
 
-// Whether the sky, in the middle over the scene, is behind the dark pill of a notice.
+// Whether the sky, in the middle over the scene, is behind the dark pill of the notice.
 bool shows_notice(const Image& image) {
-  constexpr int kX = (kPanels + kWidth) / 2, kY = 30;
+  constexpr int kX = (kPanels + kWidth) / 2, kY = 58;
   const auto red = [&](int x, int y) { return static_cast<int>(image.rgba[4 * (static_cast<std::size_t>(y) * image.width + x)]); };
   return red(kPanels + 20, kY) > 120 && red(kX - 100, kY - 3) < 90 && red(kX + 100, kY - 3) < 90;
 }

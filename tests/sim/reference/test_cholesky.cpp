@@ -1,0 +1,133 @@
+#include "sim/reference/cholesky.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "sim/reference/elastic_system.h"
+#include "tests/sim/reference/box_model.h"
+
+namespace fascia::reference {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+struct Hessian {
+  SparseMatrix upper;
+  MatrixXd whole;
+};
+
+// At rest: positive semidefinite, singular where nothing is held.
+Hessian hessian_of(const ElasticSystem& system, const Model& model) {
+  Hessian h{system.empty_hessian(), {}};
+  VectorXd scale = VectorXd::Zero(static_cast<Eigen::Index>(3 * model.rest_positions.size()));
+  system.assemble(VectorXd::Zero(scale.size()), {}, false, h.upper, scale);
+  h.whole = MatrixXd(h.upper).selfadjointView<Eigen::Upper>();
+  return h;
+}
+
+// Two boxes, one of them free in space, the other one held at an end.
+Model two_boxes() {
+  Model model = test::box_model(9, 4, 4, {0.9, 0.4, 0.4}, test::soft(1e5), [](const Vector3d& x) { return x.x() < 1e-9; });
+  const Model other = test::box_model(3, 4, 5, {0.3, 0.4, 0.5}, test::soft(1e5), [](const Vector3d&) { return false; });
+  const auto first = static_cast<std::uint32_t>(model.rest_positions.size());
+  for (const Vector3d& x : other.rest_positions) model.rest_positions.push_back(x + Vector3d(2, 0, 0));
+  for (const Tet& tet : other.tets) model.tets.push_back({tet[0] + first, tet[1] + first, tet[2] + first, tet[3] + first});
+  model.tet_material.resize(model.tets.size(), 0);
+  model.initial_velocity.resize(model.rest_positions.size(), Vector3d::Zero());
+  return model;
+}
+
+void check_solution(const Hessian& h, const Cholesky& cholesky, double shift) {
+  const MatrixXd whole = h.whole + shift * MatrixXd::Identity(h.whole.rows(), h.whole.cols());
+  test::Random random(7);
+  VectorXd expected(whole.rows());
+  for (double& x : expected) x = random();
+  const VectorXd right = whole * expected, found = cholesky.solve(right);
+  CAPTURE((whole * found - right).norm() / right.norm());
+  CHECK((whole * found - right).norm() <= 1e-13 * right.norm());  // backward stable: some hundred roundings
+}
+
+TEST_CASE("the factor solves what the matrix says, of one tet, a beam, a block and two bodies", "[cholesky]") {
+  const auto end = [](const Vector3d& x) { return x.x() < 1e-9; };
+  const Model model = GENERATE_COPY(
+      test::box_model(1, 1, 1, {0.1, 0.1, 0.1}, test::soft(1e5), end), test::box_model(60, 2, 2, {3, 0.1, 0.1}, test::soft(1e5), end),
+      test::box_model(7, 7, 7, {0.3, 0.3, 0.3}, test::soft(1e5, 0.45), end), two_boxes());
+  const ElasticSystem system(model);
+  const Hessian h = hessian_of(system, model);
+  CAPTURE(system.dof_count());
+  Cholesky cholesky(system.empty_hessian(), system.elimination_tree());
+  const double shift = 1e-3 * h.whole.diagonal().maxCoeff();
+  REQUIRE(cholesky.factorize(h.upper, shift));
+  check_solution(h, cholesky, shift);
+  REQUIRE(cholesky.factorize(h.upper, 2 * shift));  // again, with other values
+  check_solution(h, cholesky, 2 * shift);
+}
+
+TEST_CASE("what is not positive definite has no factor", "[cholesky]") {
+  const Model model = two_boxes();
+  const ElasticSystem system(model);
+  Hessian h = hessian_of(system, model);
+  Cholesky cholesky(system.empty_hessian(), system.elimination_tree());
+  const double largest = h.whole.diagonal().maxCoeff();
+  CHECK_FALSE(cholesky.factorize(h.upper, -0.1 * largest));
+  CHECK(cholesky.factorize(h.upper, 1e-6 * largest));
+  for (const int place : {0, system.dof_count() / 2, system.dof_count() - 1}) {  // one bad pivot, wherever it is
+    SparseMatrix spoiled = h.upper;
+    spoiled.coeffRef(place, place) = -1;
+    CAPTURE(place);
+    CHECK_FALSE(cholesky.factorize(spoiled, 1e-6 * largest));
+  }
+}
+
+TEST_CASE("a vertex's neighbors are in its own node, above or below, whatever the shape", "[cholesky]") {
+  const auto shape = GENERATE(0, 1, 2, 3);
+  Model model = shape == 1 ? test::box_model(40, 3, 3, {4, 0.3, 0.3}, test::soft(1e5), [](const Vector3d&) { return false; }) : two_boxes();
+  std::vector<std::vector<int>> neighbors(model.rest_positions.size());
+  for (const Tet& tet : model.tets)
+    for (const std::uint32_t v : tet)
+      for (const std::uint32_t w : tet)
+        if (v != w) neighbors[v].push_back(static_cast<int>(w));
+  if (shape == 2) std::fill(model.rest_positions.begin(), model.rest_positions.end(), Vector3d(1, 2, 3));  // all at one place
+  if (shape == 3)
+    for (Vector3d& x : model.rest_positions) x.z() = x.y() = 0;  // on a line
+  const EliminationTree tree = nested_dissection(neighbors, model.rest_positions);
+
+  std::vector<int> node_of(neighbors.size(), -1);
+  int next = 0;
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+    REQUIRE(tree.nodes[n].begin == next);
+    next = tree.nodes[n].end;
+    REQUIRE((tree.nodes[n].parent == -1 || tree.nodes[n].parent > static_cast<int>(n)));
+    for (int place = tree.nodes[n].begin; place < next; ++place) node_of[place] = static_cast<int>(n);
+  }
+  REQUIRE(next == static_cast<int>(neighbors.size()));
+  CHECK(std::set<int>(tree.place.begin(), tree.place.end()).size() == neighbors.size());
+  const auto is_above = [&](int node, int other) {
+    while (node >= 0 && node != other) node = tree.nodes[node].parent;
+    return node == other;
+  };
+  int strangers = 0;
+  for (std::size_t v = 0; v < neighbors.size(); ++v)
+    for (const int w : neighbors[v]) {
+      const int a = node_of[tree.place[v]], b = node_of[tree.place[w]];
+      strangers += !is_above(a, b) && !is_above(b, a);
+    }
+  CHECK(strangers == 0);
+  if (shape == 1) {  // a beam is cut across
+    REQUIRE(tree.nodes.back().parent == -1);
+    CHECK(tree.nodes.back().end - tree.nodes.back().begin == 16);
+  }
+}
+
+TEST_CASE("nothing to eliminate, nothing to solve", "[cholesky]") {
+  Cholesky nothing(SparseMatrix(), nested_dissection({}, {}));
+  CHECK(nothing.factorize(SparseMatrix()));
+  CHECK(nothing.solve(VectorXd()).size() == 0);
+}
+
+}  // namespace
+}  // namespace fascia::reference
