@@ -16,7 +16,7 @@ Cholesky::Cholesky(const SparseMatrix& pattern, const EliminationTree& tree) {
       if (const int i = static_cast<int>(entry.row()) / 3; i < j && entry.row() % 3 == 0) later[i].push_back(j);
 
   fronts_.resize(tree.nodes.size());
-  std::vector<int> seen(vertex_count, -1), node_of(vertex_count), local(vertex_count);
+  std::vector<int> seen(vertex_count, -1), local(vertex_count);
   for (std::size_t n = 0; n < fronts_.size(); ++n) {
     const EliminationTree::Node& node = tree.nodes[n];
     Front& front = fronts_[n];
@@ -27,26 +27,26 @@ Cholesky::Cholesky(const SparseMatrix& pattern, const EliminationTree& tree) {
       seen[v] = static_cast<int>(n);
       front.boundary.push_back(v);
     };
-    for (int v = node.begin; v < node.end; ++v) {
-      node_of[v] = static_cast<int>(n);
-      std::for_each(later[v].begin(), later[v].end(), pass_on);
-    }
+    for (int v = node.begin; v < node.end; ++v) std::for_each(later[v].begin(), later[v].end(), pass_on);
     for (const int child : front.children) std::for_each(fronts_[child].boundary.begin(), fronts_[child].boundary.end(), pass_on);
     std::sort(front.boundary.begin(), front.boundary.end());
     if (node.parent >= 0) fronts_[node.parent].children.push_back(static_cast<int>(n));
   }
 
-  std::vector<std::vector<Entry>> of_rows(vertex_count);  // row: column of the front, until the front numbers it
-  for (int column = 0; column < pattern.cols(); ++column)
-    for (int value = pattern.outerIndexPtr()[column]; value < pattern.outerIndexPtr()[column + 1]; ++value)
-      of_rows[pattern.innerIndexPtr()[value] / 3].push_back({value, column, pattern.innerIndexPtr()[value]});
+  // Of the lower triangle, by the vertex whose front eliminates them, in the matrix's numbers at first.
+  std::vector<std::vector<Entry>> entries(vertex_count);
+  for (int j = 0; j < pattern.cols(); ++j)
+    for (int value = pattern.outerIndexPtr()[j]; value < pattern.outerIndexPtr()[j + 1]; ++value) {
+      const int i = pattern.innerIndexPtr()[value];
+      entries[i / 3].push_back({value, j, i});
+    }
   for (std::size_t n = 0; n < fronts_.size(); ++n) {
     Front& front = fronts_[n];
     const int own = front.pivots / 3, first = front.begin / 3;
     for (int v = 0; v < own; ++v) local[first + v] = v;
     for (std::size_t b = 0; b < front.boundary.size(); ++b) local[front.boundary[b]] = own + static_cast<int>(b);
     for (int v = first; v < first + own; ++v)
-      for (const Entry& e : of_rows[v]) front.entries.push_back({e.value, 3 * local[e.row / 3] + e.row % 3, e.column - front.begin});
+      for (const Entry& e : entries[v]) front.entries.push_back({e.value, 3 * local[e.row / 3] + e.row % 3, e.column - front.begin});
     for (const int child : front.children)
       for (const int v : fronts_[child].boundary) fronts_[child].into_parent.push_back(local[v]);
   }
