@@ -13,7 +13,7 @@ namespace fascia {
 namespace {
 
 const std::vector<std::string> kResultColumns{"scenario",     "tets",       "young_modulus", "poisson_ratio", "time_step", "substeps", "method",
-                                        "acceleration", "iterations", "error",         "ms_median",     "ms_min"};
+                                               "acceleration", "iterations", "error",         "ms_median",     "ms_min"};
 constexpr std::size_t kKeyCells = 8;  // columns that say which pair of which case
 
 std::vector<Cell> key_cells(const AccuracyCase& measured, const Pair& pair) {

@@ -8,16 +8,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNoHit = std::numeric_limits<double>::infinity();
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 // Distance along the ray, infinite for a miss (Moeller, Trumbore 1997, without culling).
 double distance_to(const Ray& ray, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const Vector3d ab = b - a, ac = c - a, p = ray.direction.cross(ac);
   const double det = ab.dot(p);
-  if (det == 0) return kNoHit;
+  if (det == 0) return kEndless;
   const Vector3d s = ray.origin - a, q = s.cross(ab);
   const double u = s.dot(p) / det, v = ray.direction.dot(q) / det, t = ac.dot(q) / det;
-  return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : kNoHit;
+  return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : kEndless;
 }
 
 // The point of segment ab nearest to the line of the ray.
@@ -32,13 +32,13 @@ double beyond(const SectionCut& cut, const Vector3d& p) { return cut.normal.cast
 
 // The part of the ray [m] on which there is something; empty if low > high.
 struct Reach {
-  double low = 0, high = kNoHit;
+  double low = 0, high = kEndless;
 };
 
 Reach reach_of(const Ray& ray, const Cut& cut) {
   if (!cut) return {};
   const double away = beyond(*cut, ray.origin), slope = cut->normal.cast<double>().dot(ray.direction), crossing = -away / slope;
-  if (away > 0) return slope < 0 ? Reach{crossing, kNoHit} : Reach{kNoHit, 0};
+  if (away > 0) return slope < 0 ? Reach{crossing, kEndless} : Reach{kEndless, 0};
   return slope > 0 ? Reach{0, crossing} : Reach{};
 }
 
@@ -51,7 +51,7 @@ Vector3d normal_of(const Triangle& t, std::span<const Vector3d> positions) {
 std::optional<Hit> pick(const Ray& ray, std::span<const Triangle> triangles, std::span<const Vector3d> positions, const Cut& cut) {
   const Reach reach = reach_of(ray, cut);
   std::optional<std::size_t> first;
-  double nearest = kNoHit;
+  double nearest = kEndless;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Triangle& t = triangles[i];
     const double distance = distance_to(ray, positions[t[0]], positions[t[1]], positions[t[2]]);
@@ -71,7 +71,7 @@ std::optional<Hit> pick_nearest(const Ray& ray, std::span<const Triangle> triang
                                 const Cut& cut) {
   if (auto hit = pick(ray, triangles, positions, cut)) return hit;
   std::optional<Hit> hit;
-  double nearest = kNoHit;
+  double nearest = kEndless;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
       const Vector3d point = nearest_on_segment(ray, positions[triangles[i][k]], positions[triangles[i][(k + 1) % 3]]);

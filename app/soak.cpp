@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 constexpr long kPull = 60, kHold = 60, kPeriod = 600;  // steps: to the target, there, and of a grab with the rest after it
 constexpr int kDirections = 4;                         // grabs of a round
-constexpr double kFarthestPull = 0.2;                         // of the body's size
+constexpr double kFarthestPull = 0.2;                  // of the body's size
 
 // The vertices farthest from the supports, as stiff together as their tissue under a disc.
 struct Patch {

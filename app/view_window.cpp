@@ -310,32 +310,6 @@ void ViewWindow::go_back(std::uint32_t lost) {
   say(text + keep_replay(breakdown.replay).string() + " repeats it", true);
 }
 
-void ViewWindow::read_diagnostics() {
-  Statistics& s = state_.statistics;
-  if (split_) {
-    if (diagnose_) split_->request_diagnostics();
-    const bool news = split_->take_diagnostics(false);
-    if (news && hand_in_b_) mouse_.hands().observe(split_->diagnostics()->hand_forces);
-    if (state_.editing_b) s.diagnostics = split_->diagnostics();
-  }
-  GpuSolver& solver = *session_->simulation.gpu();
-  Plots& plots = state_.plots;
-  if (plots.shown && !plots.probe) plots.probe = tip_vertex(session_->simulation.model);
-  solver.set_probe(plots.shown ? plots.probe : std::nullopt);
-  if (diagnose_) {
-    solver.request_diagnostics();
-    diagnosed_ = {diagnosed_[1], Moment{solver.time(), s.steps}};
-  }
-  diagnose_ = false;
-  const std::optional<Diagnostics> d = solver.take_diagnostics(false);
-  if (!d) return;
-  diagnostics_of_a_ = d;
-  if (!hand_in_b_) mouse_.hands().observe(d->hand_forces);
-  stats_.residual = d->residual;
-  follow(*d);
-  if (!state_.editing_b) s.diagnostics = d;
-}
-
 void ViewWindow::remember_now_and_then() {
   if (!remembered_ || autosave_.due()) remember();
 }

@@ -1,10 +1,36 @@
-// What the window does for the plots: feeds them, chooses their point, writes them to files.
+// What the window measures of the tissue: asks for it and shares it out, feeds the plots, chooses their point, writes them to files.
 #include <algorithm>
 
 #include "app/view_window.h"
 #include "shaders/shared/types.h"
 
 namespace fascia {
+
+void ViewWindow::read_diagnostics() {
+  Statistics& s = state_.statistics;
+  if (split_) {
+    if (diagnose_) split_->request_diagnostics();
+    const bool news = split_->take_diagnostics(false);
+    if (news && hand_in_b_) mouse_.hands().observe(split_->diagnostics()->hand_forces);
+    if (state_.editing_b) s.diagnostics = split_->diagnostics();
+  }
+  GpuSolver& solver = *session_->simulation.gpu();
+  Plots& plots = state_.plots;
+  if (plots.shown && !plots.probe) plots.probe = tip_vertex(session_->simulation.model);
+  solver.set_probe(plots.shown ? plots.probe : std::nullopt);
+  if (diagnose_) {
+    solver.request_diagnostics();
+    diagnosed_ = {diagnosed_[1], Moment{solver.time(), s.steps}};
+  }
+  diagnose_ = false;
+  const std::optional<Diagnostics> d = solver.take_diagnostics(false);
+  if (!d) return;
+  diagnostics_of_a_ = d;
+  if (!hand_in_b_) mouse_.hands().observe(d->hand_forces);
+  stats_.residual = d->residual;
+  follow(*d);
+  if (!state_.editing_b) s.diagnostics = d;
+}
 
 void ViewWindow::follow(const Diagnostics& diagnostics) {
   Plots& plots = state_.plots;

@@ -15,7 +15,7 @@ constexpr double kWeakNode = 0.1;        // of the mean mass
 constexpr double kLeastWeight = 1e-12;   // of a lattice corner that counts
 constexpr double kInner = 0.5;           // of the largest share that a tet has in a node's rotation
 constexpr double kEnough = 0.85;         // of the wanted nodes
-constexpr int kMostCoarseCells = 100;           // along an axis
+constexpr int kMostCoarseCells = 100;     // along an axis
 constexpr std::size_t kFewVertices = 24; // below: more lattice nodes than vertices, and nothing to gain
 
 struct CoarseLattice {

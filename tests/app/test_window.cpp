@@ -23,21 +23,6 @@ constexpr int kWidth = 1000, kHeight = 700;
 constexpr int kPanels = 340;  // a little more than the column of panels is wide
 constexpr int kMiddle = (kPanels + kWidth) / 2;  // of what they leave
 
-// A cube of soft tissue on its clamped base, without gravity: nothing moves unless a hand moves it. It stands in the middle of
-// what the panels leave.
-std::string cube_scene(const std::string& title, double young_modulus) {
-  return nlohmann::json{
-      {"fascia_scene", 1},
-      {"title", title},
-      {"gravity", {0, 0, 0}},
-      {"bodies",
-       {{{"name", "cube"},
-         {"mesh", (source_dir() / "assets/meshes/cube.msh").string()},
-         {"materials", {{"default", {{"young_modulus", young_modulus}, {"damping", 0.1}}}}},
-         {"fixed", {{{"lowest", 0.02}}}}}}}}
-      .dump(2);
-}
-
 struct Desk {
   TemporaryFolder folder;
   VirtualDisplay display{kWidth, kHeight};
@@ -77,9 +62,7 @@ Screenshot undisturbed(FasciaWindow& window) {
 }
 
 // Middle of the first slider's knob in the panels: the accent color (see ui_style.cpp), in the uppermost rows where it is.
-struct Place {
-  int x = 0, y = 0;
-};
+struct Place { int x = 0, y = 0; };
 Place first_slider(const Image& image) {
   const auto is_knob = [&](int x, int y) {
     const std::uint8_t* p = &image.rgba[4 * (static_cast<std::size_t>(y) * image.width + x)];

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 
 #include "sim/file.h"
 #include "tests/app/window_fixture.h"
@@ -46,13 +45,7 @@ bool shows_notice(const Image& image) {
 TEST_CASE("a window says that it compiles kernels, then goes on with what was done meanwhile") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
-  write_file(folder / "cube.json", nlohmann::json{{"fascia_scene", 1},
-                                                  {"gravity", {0, 0, 0}},
-                                                  {"bodies",
-                                                   {{{"mesh", (source_dir() / "assets/meshes/cube.msh").string()},
-                                                     {"materials", {{"default", {{"young_modulus", 2e4}, {"damping", 0.1}}}}},
-                                                     {"fixed", {{{"lowest", 0.02}}}}}}}}
-                                       .dump());
+  write_file(folder / "cube.json", cube_scene("Test cube", 2e4));
   const NoKernels no_kernels;
   FasciaWindow window({(folder / "cube.json").string(), "--stats", "stats.json", "--size", "1000x700"}, folder.path());
   std::vector<Image> seen;

@@ -217,6 +217,19 @@ Screenshot FasciaWindow::screenshot() {
   return shot;
 }
 
+std::string cube_scene(const std::string& title, double young_modulus) {
+  return nlohmann::json{
+      {"fascia_scene", 1},
+      {"title", title},
+      {"gravity", {0, 0, 0}},
+      {"bodies",
+       {{{"name", "cube"},
+         {"mesh", (source_dir() / "assets/meshes/cube.msh").string()},
+         {"materials", {{"default", {{"young_modulus", young_modulus}, {"damping", 0.1}}}}},
+         {"fixed", {{{"lowest", 0.02}}}}}}}}
+      .dump(2);
+}
+
 Image right_part(const Image& image, int left) {
   Image part{image.width - left, image.height, {}};
   for (int y = 0; y < image.height; ++y) {

@@ -29,6 +29,10 @@ class VirtualDisplay {
   TemporaryFolder home_;
 };
 
+/// A scene file: a cube of soft tissue on its clamped base, without gravity, in the middle of what the panels leave. Nothing moves unless
+/// a hand moves it.
+std::string cube_scene(const std::string& title, double young_modulus);
+
 struct Screenshot {
   Image image;
   std::string title, moment;
