@@ -151,7 +151,7 @@ std::vector<SpeedRow> bench_speed(Bench& bench) {
                       std::to_string(bench.options.width) + "x" + std::to_string(bench.options.height) + " pixels"};
   meshes.columns = {"tets", "vertices", "file_bytes", "read_ms", "open_ms", "first_ms", "step_ms", "draw_ms", "gpu_bytes", "resident_bytes"};
   kernels.notes = {"one step with " + name_of(legal_pairs().front()) + "; ms: of all runs of the step, median; " +
-                   (gl::device().software ? "every pass waited for" : "between timestamps of the device")};
+                   (gl::device().timestamp_bits == 0 ? "every pass waited for" : "between timestamps of the device")};
   kernels.columns = {"tets", "kernel", "runs", "ms", "ns_per_tet_run"};
   std::vector<SpeedRow> rows;
   bench.say("speed: the device");

@@ -128,12 +128,15 @@ void draw_left_behind(const std::string& scene, Requests& requests) {
 }
 
 void draw_notice(const ViewState& state, const Room& room) {
+  constexpr double kUnnoticed = 0.3;  // [s]
   const bool fits = room.width() > ui::px(230);
   const float middle = fits ? room.middle() : 0.5f * (room.left + ImGui::GetIO().DisplaySize.x), top = ui::px(14);
   const double speed = state.statistics.speed;
   char text[96];
   if (state.paused) {
     ui::pill("Paused. Space goes on", middle, top, ui::kText);
+  } else if (state.statistics.waits > kUnnoticed) {
+    ui::pill("Getting the solver ready", middle, top, ui::kText);
   } else if (!state.statistics.keeps_pace) {
     std::snprintf(text, sizeof text, "Slower than real time: %.0f %%", std::max(1.0, 100 * speed));
     ui::pill(text, middle, top, ui::kWarning);

@@ -129,7 +129,7 @@ void SplitView::make_step(Session& session, Side& side) {
   side.timer.begin();
   session.simulation.step();
   side.timer.end();
-  if (const double ms = side.timer.milliseconds(); ms > 0) side.step_ms = side.step_ms > 0 ? 0.9 * side.step_ms + 0.1 * ms : ms;
+  while (const auto took = side.timer.take()) side.step_ms = side.step_ms > 0 ? 0.9 * side.step_ms + 0.1 * took->milliseconds : took->milliseconds;
 }
 
 void SplitView::follow(Session& a, const std::function<void()>& change_a) {

@@ -37,6 +37,7 @@ struct Statistics {
   double step_ms = 0;            // one step, averaged
   double speed = 1;              // simulated over real time
   bool keeps_pace = true;
+  double waits = 0;  // for a solver that cannot step yet [s]
   long steps = 0;
   std::optional<Diagnostics> diagnostics;
 };

@@ -249,7 +249,9 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
   Statistics& s = state_.statistics;
   const double time_step = session_->simulation.scene.solver.time_step;
   int steps = 0;
-  if (!state_.paused && session_->simulation.ready()) {
+  const bool ready = session_->simulation.ready();
+  s.waits = ready ? 0 : s.waits + elapsed;
+  if (!state_.paused && ready) {
     const bool replaying = session_->simulation.replaying();
     steps = pacing_.advance(elapsed * (replaying ? state_.replay_speed : 1), time_step, s.step_ms / 1000);
     if (replaying) steps = static_cast<int>(std::min<long>(steps, session_->simulation.replay()->steps - session_->simulation.replayed_steps()));
@@ -264,14 +266,14 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
     const CompileNotice notice(graphics_, overlay_, *framebuffer_, panels_cover());
     solve_timer_.begin();
     for (int i = 0; i < steps; ++i) make_step();
-    solve_timer_.end();
-    if (const double ms = solve_timer_.milliseconds(); ms > 0) {
-      stats_.step_ms.push_back(ms / steps);
-      if (notice.kernels() == 0) {  // what compiling took says nothing about the next steps
-        s.solve.add(ms);
-        s.step_ms = s.step_ms > 0 ? 0.8 * s.step_ms + 0.2 * ms / steps : ms / steps;
-      }
-    }
+    solve_timer_.end(steps, notice.kernels() > 0);
+  }
+  while (const auto took = solve_timer_.take()) {
+    const double step_ms = took->milliseconds / took->steps;
+    stats_.step_ms.push_back(step_ms);
+    if (took->compiled) continue;  // says nothing about the next steps
+    s.solve.add(took->milliseconds);
+    s.step_ms = s.step_ms > 0 ? 0.8 * s.step_ms + 0.2 * step_ms : step_ms;
   }
   if (repeats) accept_dials();
   if (const auto lost = session_->simulation.astray()) go_back(*lost);
@@ -371,7 +373,7 @@ void ViewWindow::draw() {
     hover_.look(*framebuffer_, *session_, aims ? std::optional(pointer_) : std::nullopt);
   }
   render_timer_.end();
-  if (const double ms = render_timer_.milliseconds(); ms > 0) state_.statistics.render.add(ms);
+  while (const auto took = render_timer_.take()) state_.statistics.render.add(took->milliseconds);
 }
 
 }  // namespace fascia

@@ -104,7 +104,7 @@ struct Composition {
   const Program& program(ProgramCache& programs, const std::vector<FusedLoop>& loops) const {
     return programs.fused(label(loops), [lines = declarations.lines(), kernels = kernels, loops, step = step != nullptr,
                                          declared = declarations.declared()](const std::filesystem::path& folder) {
-      Defines defines{{"READ_TEXELS", "1"}};
+      Defines defines{{"READ_TEXELS", "1"}, {"TEXELS_IN_ORDER", "1"}};
       for (const auto& [name, value] : {std::pair("GROUP_SIZE", group_size()), std::pair("KERNEL_SHIFT", kKernelShift),
                                         std::pair("NO_KERNEL", kNoKernel), std::pair("FIRST_COUNTER", kFirstCounter),
                                         std::pair("MOST_LOOPS", kMostLoops), std::pair("LOOPS_OF_A_KERNEL", kLoopsOfAKernel)})

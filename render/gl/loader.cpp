@@ -1,5 +1,6 @@
 #include "render/gl/loader.h"
 
+#include <cctype>
 #include <cstdio>
 
 namespace fascia::gl {
@@ -24,9 +25,16 @@ int integer_of(GLenum name) {
   return value;
 }
 
-bool is_software(const std::string& renderer) {
-  for (const char* word : {"llvmpipe", "softpipe", "swrast", "Software Rasterizer"})
+bool is_software(std::string renderer) {
+  for (char& c : renderer) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));  // "virgl (LLVMPIPE ...)"
+  for (const char* word : {"llvmpipe", "softpipe", "swrast", "software rasterizer", "basic render"})
     if (renderer.find(word) != std::string::npos) return true;
+  return false;
+}
+
+bool has_extension(const std::string& name) {
+  for (GLuint i = 0; i < static_cast<GLuint>(integer_of(GL_NUM_EXTENSIONS)); ++i)
+    if (name == reinterpret_cast<const char*>(GetStringi(GL_EXTENSIONS, i))) return true;
   return false;
 }
 
@@ -78,6 +86,8 @@ void load(GetProc get_proc) {
     GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block_size);
     now.max_storage_block_size = block_size;
     GetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &now.max_compute_groups);
+    if (!now.software) GetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &now.timestamp_bits);
+    now.links_beside = has_extension("GL_KHR_parallel_shader_compile") || has_extension("GL_ARB_parallel_shader_compile");
   }
   if (const std::string message = refusal(found); !message.empty()) throw Error(message);
   current_device = now;

@@ -30,8 +30,8 @@ namespace fascia::gl {
   X(GenTextures) X(GenVertexArrays) X(GetBufferSubData) X(GetError) X(GetInteger64v) X(GetIntegeri_v) \
   X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramInterfaceiv) X(GetProgramResourceIndex) \
   X(GetProgramResourceName) X(GetProgramResourceiv) X(GetProgramiv) X(GetQueryObjectiv) \
-  X(GetQueryObjectui64v) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetUniformLocation) \
-  X(IsEnabled) X(LinkProgram) X(MemoryBarrier) X(ObjectLabel) X(PixelStorei) X(ProgramUniform1f) \
+  X(GetQueryObjectui64v) X(GetQueryiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi) \
+  X(GetUniformLocation) X(IsEnabled) X(LinkProgram) X(MemoryBarrier) X(ObjectLabel) X(PixelStorei) X(ProgramUniform1f) \
   X(ProgramUniform1i) X(ProgramUniform1ui) X(ProgramUniform4f) X(ProgramUniformMatrix4fv) \
   X(QueryCounter) X(ReadBuffer) X(ReadPixels) X(RenderbufferStorageMultisample) X(Scissor) \
   X(ShaderSource) X(ShaderStorageBlockBinding) X(StencilFunc) X(StencilOp) X(StencilOpSeparate) \
@@ -67,13 +67,15 @@ void forget_errors();
 struct Device {
   std::string renderer;                     // GL_RENDERER
   std::string version;                      // GL_VERSION
-  bool software = false;                    // llvmpipe, softpipe or swrast
+  bool software = false;                    // computed by the CPU: llvmpipe, softpipe, ...
   int max_texture_buffer_size = 0;          // texels
   int max_compute_storage_blocks = 0;       // SSBO blocks in one compute kernel
   int max_compute_textures = 0;             // buffer textures in one compute kernel
   int vector_width = 0;                     // of llvmpipe: invocations that it computes at once; 0 for others
   std::int64_t max_storage_block_size = 0;  // [bytes]
   int max_compute_groups = 0;               // work groups along x in one dispatch
+  int timestamp_bits = 0;                   // that GL_TIMESTAMP counts with; 0 where it says nothing: on software renderers
+  bool links_beside = false;                // tells whether a program is linked yet (KHR_parallel_shader_compile)
 };
 const Device& device();
 

@@ -1,6 +1,7 @@
 #include "render/gl/program.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/error.h"
 
@@ -31,25 +32,7 @@ std::string log_of(GLuint id, GetInteger get_integer, GetLog get_log) {
   return log;
 }
 
-struct Shader {
-  explicit Shader(GLenum stage) : id(CreateShader(stage)) {}
-  ~Shader() { DeleteShader(id); }
-  Shader(const Shader&) = delete;
-  Shader& operator=(const Shader&) = delete;
-  const GLuint id;
-};
-
-void compile(const Shader& shader, const ShaderText& source, const std::string& label) {
-  const char* text = source.text.c_str();
-  ShaderSource(shader.id, 1, &text, nullptr);
-  CompileShader(shader.id);
-  GLint done = 0;
-  GetShaderiv(shader.id, GL_COMPILE_STATUS, &done);
-  if (done) return;
-  const std::string log = one_line(map_log(source, log_of(shader.id, GetShaderiv, GetShaderInfoLog)));
-  throw Error((log.empty() ? "shaders/" + source.lines.front().file + ": does not compile" : log) + "; in " +
-              label);
-}
+constexpr GLenum kCompletionStatus = 0x91B1;  // of KHR_parallel_shader_compile
 
 }  // namespace
 
@@ -57,6 +40,47 @@ const char* name_of(LoadPath path) {
   return path == LoadPath::storage ? "ssbo" : "texel";
 }
 
+// Drivers that link on threads of their own wait for them when they are asked how it went.
+struct Program::Link {
+  struct Stage {
+    GLuint shader;
+    ShaderText source;
+  };
+  Link() : id(CreateProgram()) {}
+  ~Link() {
+    for (const Stage& stage : stages) DeleteShader(stage.shader);
+    if (id) DeleteProgram(id);
+  }
+  Link(const Link&) = delete;
+  Link& operator=(const Link&) = delete;
+
+  void compile(GLenum kind, ShaderText source) {
+    const Stage& stage = stages.emplace_back(CreateShader(kind), std::move(source));
+    const char* text = stage.source.text.c_str();
+    ShaderSource(stage.shader, 1, &text, nullptr);
+    CompileShader(stage.shader);
+    AttachShader(id, stage.shader);
+  }
+  /// Throws Error with what the driver says of the first stage that it refuses.
+  void require(const std::string& label) const {
+    for (const Stage& stage : stages) {
+      GLint done = 0;
+      GetShaderiv(stage.shader, GL_COMPILE_STATUS, &done);
+      if (done) continue;
+      const std::string log = one_line(map_log(stage.source, log_of(stage.shader, GetShaderiv, GetShaderInfoLog)));
+      throw Error((log.empty() ? "shaders/" + stage.source.lines.front().file + ": does not compile" : log) + "; in " + label);
+    }
+    GLint done = 0;
+    GetProgramiv(id, GL_LINK_STATUS, &done);
+    if (!done) throw Error("shaders/" + label + ": does not link: " + one_line(log_of(id, GetProgramiv, GetProgramInfoLog)));
+    for (const Stage& stage : stages) DetachShader(id, stage.shader);
+  }
+
+  GLuint id;
+  std::vector<Stage> stages;
+};
+
+Program::Program() = default;
 Program::~Program() {
   if (id_) DeleteProgram(id_);
 }
@@ -115,6 +139,7 @@ const Program& ProgramCache::get(const std::string& name, const std::vector<std:
   entry.program->file_ = name;
   entry.program->defines_ = defines;
   defines.emplace_back("READ_TEXELS", load_path_ == LoadPath::texel ? "1" : "0");
+  defines.emplace_back("TEXELS_IN_ORDER", device().vector_width > 0 ? "1" : "0");
   for (const auto& [stage, file] : stages)
     entry.stages.emplace_back(stage, [this, file = file, defines] { return read_shader(folder_, file, defines); });
   entry.program->cache_ = this;
@@ -123,13 +148,25 @@ const Program& ProgramCache::get(const std::string& name, const std::vector<std:
     entry.program->declared_ = text.declared;
     entry.program->output_types_ = text.output_types;
   } else {
-    link(entry);
+    finish(*entry.program, begin_link(entry));
   }
   return *programs_.emplace(label, std::move(entry)).first->second.program;
 }
 
+void Program::begin_link() const {
+  if (!id_ && !link_ && cache_) link_ = cache_->begin_link(cache_->programs_.at(label_));
+}
+
+bool Program::idle() const {
+  if (!link_ || !device().links_beside) return true;
+  GLint done = 0;
+  GetProgramiv(link_->id, kCompletionStatus, &done);
+  return done;
+}
+
 void Program::require() const {
-  if (!id_ && cache_) cache_->link(cache_->programs_.at(label_));
+  begin_link();
+  if (link_) cache_->finish(*cache_->programs_.at(label_).program, std::move(link_));
 }
 
 void Program::begin_run() const {
@@ -147,39 +184,29 @@ const Program& ProgramCache::fused(const std::string& label, std::function<Shade
   Entry entry{{{GL_COMPUTE_SHADER, [this, read = std::move(read)] { return read(folder_); }}}, std::make_unique<Program>()};
   entry.program->label_ = label;
   entry.program->cache_ = this;
-  link(entry);
+  finish(*entry.program, begin_link(entry));
   return *programs_.emplace(label, std::move(entry)).first->second.program;
 }
 
-void ProgramCache::link(const Entry& entry) const {
-  Program& program = *entry.program;
-  std::map<std::string, Texel> declared;
-  std::map<std::string, std::string> output_types;
-  std::vector<std::unique_ptr<Shader>> shaders;
-  for (const auto& [stage, read] : entry.stages) {
-    const ShaderText source = read();
-    compile(*shaders.emplace_back(std::make_unique<Shader>(stage)), source, program.label_);
-    declared.insert(source.declared.begin(), source.declared.end());
-    output_types.insert(source.output_types.begin(), source.output_types.end());
-  }
-  const GLuint id = CreateProgram();
-  for (const auto& shader : shaders) AttachShader(id, shader->id);
-  LinkProgram(id);
-  for (const auto& shader : shaders) DetachShader(id, shader->id);
-  GLint done = 0;
-  GetProgramiv(id, GL_LINK_STATUS, &done);
-  if (!done) {
-    const std::string log = one_line(log_of(id, GetProgramiv, GetProgramInfoLog));
-    DeleteProgram(id);
-    throw Error("shaders/" + program.label_ + ": does not link: " + log);
-  }
-  ObjectLabel(GL_PROGRAM, id, static_cast<GLsizei>(std::min<std::size_t>(program.label_.size(), 100)),
-              program.label_.c_str());
+std::unique_ptr<Program::Link> ProgramCache::begin_link(const Entry& entry) const {
+  auto link = std::make_unique<Program::Link>();
+  for (const auto& [stage, read] : entry.stages) link->compile(stage, read());
+  LinkProgram(link->id);
+  return link;
+}
+
+void ProgramCache::finish(Program& program, std::unique_ptr<Program::Link> link) const {
+  link->require(program.label_);
   if (program.id_) DeleteProgram(program.id_);
-  program.id_ = id;
+  program.id_ = std::exchange(link->id, 0);
+  ObjectLabel(GL_PROGRAM, program.id_, static_cast<GLsizei>(std::min<std::size_t>(program.label_.size(), 100)), program.label_.c_str());
   program.locations_.clear();
-  program.declared_ = std::move(declared);
-  program.output_types_ = std::move(output_types);
+  program.declared_.clear();
+  program.output_types_.clear();
+  for (Program::Link::Stage& stage : link->stages) {
+    program.declared_.merge(stage.source.declared);
+    program.output_types_.merge(stage.source.output_types);
+  }
   ++program.generation_;
 }
 
@@ -188,7 +215,7 @@ std::vector<std::string> ProgramCache::reload() {
   for (const auto& [label, entry] : programs_) {
     if (!entry.program->id()) continue;  // read when it is first used
     try {
-      link(entry);
+      finish(*entry.program, begin_link(entry));
     } catch (const Error& error) {
       messages.push_back(error.what());
     }

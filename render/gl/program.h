@@ -21,7 +21,7 @@ class ProgramCache;
 
 class Program {
  public:
-  Program() = default;
+  Program();
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -35,7 +35,12 @@ class Program {
   const std::map<std::string, std::string>& output_types() const { return output_types_; }
   const std::string& file() const { return file_; }  // of a compute program, with its defines
   bool fused() const { return file_.empty(); }
-  /// Links it, if that was postponed. Throws Error.
+  /// Starts linking it, if that was postponed: drivers may do so beside the program's own work, and several at once. Throws Error where
+  /// the text cannot be read.
+  void begin_link() const;
+  /// False while the driver says that it still links it, true of one whose linking has not begun.
+  bool idle() const;
+  /// Waits until it is linked; starts that, if it was postponed. Throws Error.
   void require() const;
   /// Before and after it is run; the cache's FirstRuns hear of code that has not been run.
   void begin_run() const;
@@ -55,6 +60,9 @@ class Program {
   mutable std::map<std::string, GLint, std::less<>> locations_;  // of uniforms, -1 of those that it does not have
   ProgramCache* cache_ = nullptr;
   GLuint id_ = 0;
+  /// Compiled and linked, not asked yet whether with success.
+  struct Link;
+  mutable std::unique_ptr<Link> link_;
   unsigned generation_ = 0;
   mutable unsigned run_generation_ = 0;  // what was last run
   std::string label_;
@@ -66,7 +74,8 @@ class Program {
 
 class ProgramCache {
  public:
-  /// `folder` is the shaders folder. `load_path` becomes READ_TEXELS 0 or 1 in every program.
+  /// `folder` is the shaders folder. `load_path` becomes READ_TEXELS 0 or 1 in every program, and TEXELS_IN_ORDER is 1 on llvmpipe, where
+  /// what an invocation fetches and stores happens in the order of its text.
   ProgramCache(std::filesystem::path folder, LoadPath load_path);
   LoadPath load_path() const { return load_path_; }
   /// Whether who records many passes should fuse them (fused_pass.h): it takes two to three times as long to compile. Not at first.
@@ -85,7 +94,7 @@ class ProgramCache {
   std::vector<std::string> reload();
   std::size_t size() const;  // of linked ones
 
-  /// While it lives compute() only reads a program's text: the program is linked when it is first used.
+  /// While it lives compute() only reads a program's text: the program is linked by begin_link(), or when it is first used.
   class Postponed {
    public:
     explicit Postponed(ProgramCache& cache) : cache_(cache) { ++cache_.postponed_; }
@@ -117,7 +126,8 @@ class ProgramCache {
   };
   const Program& get(const std::string& name, const std::vector<std::pair<GLenum, std::string>>& stages, Defines defines);
   friend class Program;
-  void link(const Entry& entry) const;  // into entry.program, which stays as it is when this throws
+  std::unique_ptr<Program::Link> begin_link(const Entry& entry) const;
+  void finish(Program& program, std::unique_ptr<Program::Link> link) const;  // the program stays as it is when this throws
 
   std::filesystem::path folder_;
   LoadPath load_path_;

@@ -1,5 +1,7 @@
 #include "render/gl/stopwatch.h"
 
+#include "render/gl/timestamps.h"
+
 namespace fascia::gl {
 
 Stopwatch::Stopwatch(bool timestamps) : timestamps_(timestamps) {
@@ -32,7 +34,7 @@ std::vector<std::pair<std::string, double>> Stopwatch::laps() const {
     return at;
   };
   for (std::size_t i = 0; i < names_.size(); ++i) {
-    const double ms = timestamps_ ? 1e-6 * static_cast<double>(nanoseconds_at(i + 1) - nanoseconds_at(i))
+    const double ms = timestamps_ ? milliseconds_between(nanoseconds_at(i), nanoseconds_at(i + 1))
                                   : std::chrono::duration<double, std::milli>(times_[i + 1] - times_[i]).count();
     laps.emplace_back(names_[i], ms);
   }

@@ -1,5 +1,5 @@
-// How long pieces of GPU work take that follow each other: by timestamps of the device, which nothing waits for; on software renderers,
-// whose timestamps are nonsense, every piece is waited for and the clock on the wall read.
+// How long pieces of GPU work take that follow each other: by timestamps of the device, which nothing waits for; where there are
+// none, as on software renderers, every piece is waited for and the clock on the wall read.
 #pragma once
 #include <chrono>
 #include <string>
@@ -13,7 +13,7 @@ namespace fascia::gl {
 class Stopwatch {
  public:
   /// Starts after all work that was asked for before. Needs a current context, as do the others and the destructor.
-  explicit Stopwatch(bool timestamps = !device().software);
+  explicit Stopwatch(bool timestamps = device().timestamp_bits > 0);
   ~Stopwatch();
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;

@@ -6,7 +6,8 @@
 //   INPUT_UINT(SlotBegin, slot_begin)        ->  uint b = FETCH1(slot_begin, i);
 //   OUTPUT(vec4, Correction, correction)     ->  correction[i] = ...;
 //   INOUT(vec4, Displacement, displacement)  ->  displacement[i] += ...;
-//   INPUT_VEC4_IN_PLACE(Corner, corner)      ->  an input that is the dispatch's own output under another name, for kernels where no
+//   INPUT_VEC4_IN_PLACE(Corner, corner)      ->  vec4 u = FETCH_IN_PLACE(corner, i);
+//                                                an input that is the dispatch's own output under another name, for kernels where no
 //                                                invocation reads what another one writes, and each reads before it writes
 // The application binds by the second name; the block name is the same word in PascalCase.
 // In a fused program (common/fused.glsl) the buffers of all kernels are declared before the first one.
@@ -32,7 +33,14 @@
 #define OUTPUT(type, Block, name) layout(std430) writeonly buffer Block { type name[]; };
 #define INOUT(type, Block, name) layout(std430) buffer Block { type name[]; };
 #endif
+// Nothing orders the fetch of a texel before a store to the same memory (TEXELS_IN_ORDER), but that llvmpipe does one after the other.
+#if READ_TEXELS && !TEXELS_IN_ORDER
+#define INPUT_VEC4_IN_PLACE(Block, name) layout(std430) readonly buffer Block { vec4 name[]; };
+#define FETCH_IN_PLACE(name, i) name[i]
+#else
 #define INPUT_VEC4_IN_PLACE(Block, name) INPUT_VEC4(Block, name)
+#define FETCH_IN_PLACE(name, i) FETCH(name, i)
+#endif
 #if READ_TEXELS
 #define FETCH(name, i) texelFetch(name, int(i))
 #define FETCH1(name, i) (texelFetch(name, int(i)).x)

@@ -10,7 +10,7 @@ void main() {
   uvec4 v = texelFetch(tet_vertices, gl_VertexID / 6);
   vec4 p[4] = vec4[4](texelFetch(positions, int(v.x)), texelFetch(positions, int(v.y)), texelFetch(positions, int(v.z)),
                       texelFetch(positions, int(v.w)));
-  float d[4];
+  precise float d[4];
   int beyond = 0;
   for (int i = 0; i < 4; ++i) {
     d[i] = dot(frame.section.xyz, p[i].xyz) - frame.section.w;
@@ -33,7 +33,8 @@ void main() {
     a = count == 1 ? lone : other;
     b = count == 1 ? other : lone;
   }
-  hand_on(mix(p[a], p[b], d[a] / (d[a] - d[b])), frame.section.xyz);
+  precise vec4 cut = mix(p[a], p[b], d[a] / (d[a] - d[b]));
+  hand_on(cut, frame.section.xyz);
 #if WIREFRAME
   barycentric = vec3(k % 3 == 0, k % 3 == 1, k % 3 == 2);
   // The line between the two triangles of a quadrangle is no edge of the tet.

@@ -6,6 +6,7 @@ out vec2 grid;  // place in fine lines
 #if SHADOW
 out vec2 shadow_position;
 #endif
+invariant gl_Position;  // the cells of both programs share edges
 const float kReach = 1.8;  // of the outer cells, in sides of the middle one: to where the ground has faded
 
 void main() {

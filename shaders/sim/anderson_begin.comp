@@ -13,7 +13,7 @@ OUTPUT(float, AndersonState, anderson_state)
 void main() {
   ITEM_OR_RETURN(i)
   vec3 g = FETCH(value, i).xyz;
-  residual[i] = vec4(g - FETCH(start, i).xyz, weight_of(i));
+  residual[i] = vec4(g - FETCH_IN_PLACE(start, i).xyz, weight_of(i));
   STORE3(iterate[i], g)
   STORE3(image[i], g)
   if (i == 0u) {

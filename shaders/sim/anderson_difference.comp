@@ -20,8 +20,8 @@ void main() {
   vec3 g = FETCH(value, i).xyz;
   vec3 f = g - FETCH(iterate, i).xyz;
   uint column = uint(FETCH1(anderson_state, ANDERSON_NEXT)) * invocations + i;
-  STORE3(residual_change[column], f - FETCH(residual_before, i).xyz)
-  STORE3(image_change[column], g - FETCH(image_before, i).xyz)
+  STORE3(residual_change[column], f - FETCH_IN_PLACE(residual_before, i).xyz)
+  STORE3(image_change[column], g - FETCH_IN_PLACE(image_before, i).xyz)
   residual[i] = vec4(f, weight_of(i));
   STORE3(image[i], g)
 }

@@ -15,6 +15,11 @@ uniform uint window, partials, parts;  // partials of one column of one part
 #define ROUNDING 3e-7  // relative, of a sweep in float32
 
 shared vec4 dots[LARGEST_WINDOW];
+// Arrays that are indexed by variables: an invocation's own lie in a GPU's slowest memory, shared ones in llvmpipe's.
+#define SYSTEM float a[LARGEST_WINDOW][LARGEST_WINDOW], x[LARGEST_WINDOW], scale[LARGEST_WINDOW];
+#if !READ_TEXELS
+shared SYSTEM
+#endif
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
@@ -41,7 +46,9 @@ void main() {
   anderson_state[ANDERSON_COUNT] = float(count);
 
   // Columns are used from slot 0 on, so the first `count` slots are filled.
-  float a[LARGEST_WINDOW][LARGEST_WINDOW], x[LARGEST_WINDOW], scale[LARGEST_WINDOW];
+#if READ_TEXELS
+  SYSTEM
+#endif
   for (uint j = 0u; j < count; ++j) {
     anderson_state[ANDERSON_GRAM + newest * window + j] = dots[j].x;
     anderson_state[ANDERSON_GRAM + j * window + newest] = dots[j].x;

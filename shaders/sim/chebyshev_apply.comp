@@ -13,9 +13,9 @@ OUTPUT(vec4, Before, before)              // [vertex_count] x_k
 void main() {
   ITEM_OR_RETURN(i)
   float omega = FETCH1(chebyshev_state, CHEBYSHEV_WEIGHT);
-  vec3 x = FETCH(swept, i).xyz, x_before = FETCH(earlier, i).xyz;
+  vec3 x = FETCH_IN_PLACE(swept, i).xyz, x_before = FETCH_IN_PLACE(earlier, i).xyz;
   if (omega != 1.0) x = omega * (x - x_before) + x_before;  // a weight of 1 changes no bit
   displacement[i].xyz = x;
-  STORE3(before[i], FETCH(current, i).xyz)
+  STORE3(before[i], FETCH_IN_PLACE(current, i).xyz)
   STORE3(iterate[i], x)
 }

@@ -21,7 +21,7 @@ void main() {
   for (uint k = begin; k < end; ++k) sum += FETCH(correction, k);
   vec4 predicted_i = FETCH(predicted, i);
   vec4 spring = spring_of(i);
-  vec3 u = FETCH(iterate, i).xyz;
+  vec3 u = FETCH_IN_PLACE(iterate, i).xyz;
   float m = FETCH1(mass, i), k = SUBSTEP * SUBSTEP * spring.w;
   float raised = m + sum.w + k;
   float inverse = predicted_i.w > 0.0 ? 1.0 / raised : 0.0;

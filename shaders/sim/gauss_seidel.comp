@@ -13,11 +13,11 @@ void main() {
   ITEM_OR_RETURN(i)
   uint t = first_item + i;
   Tet tet = load_tet(t);
-  vec4 u0 = FETCH(corner, tet.v.x), u1 = FETCH(corner, tet.v.y), u2 = FETCH(corner, tet.v.z), u3 = FETCH(corner, tet.v.w);
+  vec4 u0 = FETCH_IN_PLACE(corner, tet.v.x), u1 = FETCH_IN_PLACE(corner, tet.v.y), u2 = FETCH_IN_PLACE(corner, tet.v.z), u3 = FETCH_IN_PLACE(corner, tet.v.w);
 #if FIRST_ITERATION
   vec3 lambda_d = vec3(0.0), lambda_s = vec3(0.0);
 #else
-  vec3 lambda_d = FETCH(lambda, 2u * t).xyz, lambda_s = FETCH(lambda, 2u * t + 1u).xyz;
+  vec3 lambda_d = FETCH_IN_PLACE(lambda, 2u * t).xyz, lambda_s = FETCH_IN_PLACE(lambda, 2u * t + 1u).xyz;
 #endif
   mat3 h = displacement_gradient(tet, u0.xyz, u1.xyz, u2.xyz, u3.xyz);
 #ifdef DEFERS

@@ -12,6 +12,6 @@ void main() {
   ITEM_OR_RETURN(i)
   vec3 before = FETCH(previous_displacement, i).xyz;
   bool moves = FETCH(predicted, i).w > 0.0;
-  STORE3(last_step[i], moves ? FETCH(iterate, i).xyz - before : vec3(0.0))
+  STORE3(last_step[i], moves ? FETCH_IN_PLACE(iterate, i).xyz - before : vec3(0.0))
   if (moves) displacement[i].xyz = before;
 }

@@ -10,5 +10,5 @@ OUTPUT(vec4, Displacement, displacement)
 void main() {
   ITEM_OR_RETURN(i)
   STORE3(previous_gradient[i], FETCH(gradient, i).xyz)
-  displacement[i].xyz = FETCH(iterate, i).xyz + FETCH(last_step, i).xyz;
+  displacement[i].xyz = FETCH_IN_PLACE(iterate, i).xyz + FETCH(last_step, i).xyz;
 }

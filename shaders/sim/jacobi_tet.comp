@@ -21,7 +21,7 @@ Multiplier6 multiplier_of(uint t) {
 #if FIRST_ITERATION
   return Multiplier6(vec3(0.0), vec3(0.0));
 #else
-  return Multiplier6(FETCH(lambda, 2u * t).xyz, FETCH(lambda, 2u * t + 1u).xyz);
+  return Multiplier6(FETCH_IN_PLACE(lambda, 2u * t).xyz, FETCH_IN_PLACE(lambda, 2u * t + 1u).xyz);
 #endif
 }
 

@@ -20,5 +20,5 @@ void main() {
 #if EXACT
   step -= FETCH(primal_step, i).xyz;
 #endif
-  displacement[i].xyz = FETCH(iterate, i).xyz + step;
+  displacement[i].xyz = FETCH_IN_PLACE(iterate, i).xyz + step;
 }

@@ -27,7 +27,7 @@ uniform uint moving_count;  // of the list: the others rest and are held where t
 
 void main() {
   ITEM_OR_RETURN(i)
-  vec3 u = FETCH(iterate, i).xyz;
+  vec3 u = FETCH_IN_PLACE(iterate, i).xyz;
   float inv_mass = FETCH(rest_position, i).w;
 #ifdef LISTED
   if (INVOCATION >= moving_count) inv_mass = 0.0;

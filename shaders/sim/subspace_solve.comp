@@ -68,7 +68,7 @@ void main() {
   vec3 step = vec3(0.0), last = vec3(0.0);
   float objective = sums[0].w;
   float before = subspace_state[SUBSPACE_OBJECTIVE];
-  bool accepted = objective <= before + OBJECTIVE_ROUNDING * (abs(before) + abs(objective));  // false for NaN
+  bool accepted = is_finite(objective) && objective <= before + OBJECTIVE_ROUNDING * (abs(before) + abs(objective));
 #if FINAL
   if (!accepted) step = vec3(0.0, 0.0, -1.0);
 #else
@@ -97,7 +97,7 @@ void main() {
     last = step;
   } else {
     float slope = sums[0].z - sums[2].z;  // where the step began
-    float kept = slope < 0.0 ? min(0.5, pow(-0.25 * slope / (objective - before - slope), 1.0 / 3.0)) : 0.0;
+    float kept = slope < 0.0 && is_finite(objective) ? min(0.5, pow(-0.25 * slope / (objective - before - slope), 1.0 / 3.0)) : 0.0;
     if (!is_finite(kept) || kept < 0.0) kept = 0.0;
     step = vec3(0.0, 0.0, kept - 1.0);
     last = vec3(0.0, 0.0, kept);

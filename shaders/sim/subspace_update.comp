@@ -22,7 +22,7 @@ OUTPUT(vec4, DisplacementLow, displacement_low)
 
 void main() {
   ITEM_OR_RETURN(i)
-  vec3 p = FETCH(step_before, i).xyz;
+  vec3 p = FETCH_IN_PLACE(step_before, i).xyz;
   vec3 step = FETCH1(subspace_state, SUBSPACE_STEP + 2u) * p;
 #if !FINAL
   vec3 zf = FETCH(fine_direction, i).xyz;
@@ -38,12 +38,12 @@ void main() {
 #endif
 #if COMPENSATED
   // Knuth's sum of two: precise, so that no compiler simplifies the rounding away.
-  vec3 u = FETCH(iterate, i).xyz, low = FETCH(iterate_low, i).xyz + step;
+  vec3 u = FETCH_IN_PLACE(iterate, i).xyz, low = FETCH_IN_PLACE(iterate_low, i).xyz + step;
   precise vec3 sum = u + low, added = sum - u;
   precise vec3 lost = (u - (sum - added)) + (low - added);
   displacement[i].xyz = sum;
   STORE3(displacement_low[i], lost)
 #else
-  displacement[i].xyz = FETCH(iterate, i).xyz + step;
+  displacement[i].xyz = FETCH_IN_PLACE(iterate, i).xyz + step;
 #endif
 }

@@ -7,5 +7,5 @@ OUTPUT(vec4, FineDirection, fine_direction)  // [vertex_count] z [m]
 
 void main() {
   ITEM_OR_RETURN(i)
-  STORE3(fine_direction[i], FETCH(displacement, i).xyz - FETCH(proposed, i).xyz)
+  STORE3(fine_direction[i], FETCH(displacement, i).xyz - FETCH_IN_PLACE(proposed, i).xyz)
 }

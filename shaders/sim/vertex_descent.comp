@@ -1,7 +1,7 @@
 // Vertex block descent (Chen, Liu, Yang, Yuksel 2024): every vertex of one color minimises the quadratic model of the step's objective
 // in its own three coordinates. No two vertices of a color share a tet, so each sees what the colors before it did.
 #include "common/io.glsl"
-#define AT_VERTEX(v) FETCH(neighbor, v).xyz
+#define AT_VERTEX(v) FETCH_IN_PLACE(neighbor, v).xyz
 COMPUTE_1D
 INPUT_VEC4_IN_PLACE(Neighbor, neighbor)  // [vertex_count] displacement u [m]
 #include "sim/vertex_block.glsl"

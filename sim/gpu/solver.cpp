@@ -140,8 +140,7 @@ Recording GpuSolver::recording(const ActiveSet* active) {
 }
 
 GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
-  std::optional<gl::ProgramCache::Postponed> fused;  // kernels that are part of another program need no program of their own
-  if (fuses_) fused.emplace(programs_);
+  const gl::ProgramCache::Postponed postponed(programs_);  // kernels that are part of another program need no program of their own
   const Recording r = recording(active);
   StepPasses passes;
   passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), !method_->starts_without_gravity(), active));
@@ -178,7 +177,18 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
                                         {"predicted", &buffers_.predicted},
                                         {"velocity", &buffers_.velocity},
                                         {"astray", &buffers_.astray}}));
+  if (!fuses_)
+    for (const Passes* list : passes.lists())
+      for (const gl::ComputePass& pass : *list) pass.program().begin_link();
   return passes;
+}
+
+bool GpuSolver::ready() const {
+  const auto idle = [](const Passes* list) {
+    return std::all_of(list->begin(), list->end(), [](const gl::ComputePass& pass) { return pass.program().idle(); });
+  };
+  const auto lists = whole_.lists();
+  return method_->ready() && std::all_of(lists.begin(), lists.end(), idle);
 }
 
 Passes GpuSolver::iteration(const Recording& r, bool first) {

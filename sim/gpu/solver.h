@@ -1,6 +1,7 @@
 // The GPU solver: owns the state and runs recorded lists of passes. A method adds its passes between prediction and velocity
 // update; what a scene does not use is not in the lists. Needs a current context with gl loaded.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -96,8 +97,9 @@ class GpuSolver {
   int last_iterations() const;  // of the last substep; as mean_iterations()
   /// State, materials, gravity and grab of another solver of the same model; the state without a way through the CPU.
   void follow(const GpuSolver& leader);
-  /// Whether a step can begin without waiting for what is still computed since the method was made.
-  bool ready() const { return method_->ready(); }
+  /// Whether a step can begin without waiting for what is still computed since the method was made, or for kernels that the driver still
+  /// links.
+  bool ready() const;
   /// Waits for what is computed beside the frame (the coarse level's inverse after a change of materials or h) and takes it.
   void finish_background() { background_taken_ += method_->update(true); }
   /// It is taken at the first step that finds it ready, which depends on the moment. Held back, it waits for take_background().
@@ -128,6 +130,7 @@ class GpuSolver {
   void settings_changed();
   struct StepPasses {
     Passes begin, before_first, before, refresh, first_iteration, iteration, end;  // of one substep
+    std::array<const Passes*, 7> lists() const { return {&begin, &before_first, &before, &refresh, &first_iteration, &iteration, &end}; }
   };
   // The same in few dispatches, where passes can be fused. `first`: the first iteration with what comes before it.
   struct FusedStep {

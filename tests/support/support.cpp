@@ -22,6 +22,11 @@ std::string slurp(const std::filesystem::path& path) {
 std::filesystem::path test_dir() { return FASCIA_TEST_DIR; }
 std::filesystem::path source_dir() { return FASCIA_SOURCE_DIR; }
 
+std::vector<std::string> context_names() {
+  if (const char* only = std::getenv("FASCIA_TEST_CONTEXT")) return {only};
+  return {"osmesa", "egl"};
+}
+
 TemporaryFolder::TemporaryFolder() {
   std::string pattern = (std::filesystem::temp_directory_path() / "fascia-test-XXXXXX").string();
   if (!mkdtemp(pattern.data())) throw std::runtime_error("cannot make a temporary folder " + pattern);

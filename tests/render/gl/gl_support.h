@@ -7,18 +7,26 @@
 #include <string>
 
 #include "render/context.h"
+#include "render/gl/loader.h"
 #include "sim/error.h"
 #include "tests/support/support.h"
 
 namespace fascia::test {
 
-/// Runs the rest of the test case once on OSMesa and once on EGL.
+/// Runs the rest of the test case once on each of context_names().
 inline std::unique_ptr<Context> each_context() {
-  const auto name = GENERATE(as<std::string>(), "osmesa", "egl");
+  const auto name = GENERATE(from_range(context_names()));
   INFO(name);
-  auto context = name == "osmesa" ? make_osmesa_context({}) : make_egl_context({}, EglDevices::any);
+  auto context = make_context({.name = name, .title = ""});
   REQUIRE(context->name() == name);
   return context;
+}
+
+/// Whether the context that is current is one on which passes are fused (render/gl/fused_pass.h); says so if it is not.
+inline bool fuses_here() {
+  if (gl::device().vector_width > 0) return true;
+  WARN("passes are fused on llvmpipe only, not on " << gl::device().renderer);
+  return false;
 }
 
 /// With the project's common/io.glsl in it.

@@ -143,6 +143,7 @@ std::size_t differences(const std::vector<float>& a, const std::vector<float>& b
 
 TEST_CASE("fused passes do the same as one after another, in one dispatch", "[threads]") {
   const auto context = test::each_context();
+  if (!test::fuses_here()) return;
   Folder folder;
   constexpr std::uint32_t kRuns = 60;  // whoever comes late comes at another moment
   const std::vector<float> expected = run_alone(folder, 3, 2 + 3 * kRuns);
@@ -178,6 +179,7 @@ TEST_CASE("fused passes do the same as one after another, in one dispatch", "[th
 
 TEST_CASE("what is too much for the loops of one dispatch is done in several", "[threads]") {
   const auto context = test::each_context();
+  if (!test::fuses_here()) return;
   Folder folder;
   constexpr std::uint32_t kRounds = 1500;  // in the loops of 250 work groups each repeat; llvmpipe allows 65,535 to each member
   const std::vector<float> expected = run_alone(folder, kRounds, 4);
@@ -197,6 +199,7 @@ TEST_CASE("what is too much for the loops of one dispatch is done in several", "
 
 TEST_CASE("a pass that does not tell its loops, and one alone, are dispatched by themselves") {
   const auto context = test::each_context();
+  if (!test::fuses_here()) return;
   Folder folder;
   ProgramCache programs(folder.path(), LoadPath::texel);
   Values values;
@@ -223,6 +226,7 @@ TEST_CASE("a pass that does not tell its loops, and one alone, are dispatched by
 
 TEST_CASE("what is wrong with a fused kernel is told with its file and line") {
   const auto context = test::each_context();
+  if (!test::fuses_here()) return;
   Folder folder;
   folder.write("wrong.comp",
                "#include \"common/io.glsl\"\nOUTPUT(vec4, Value, value)\nCOMPUTE_1D\nvoid main() {\n  ITEM_OR_RETURN(i)\n"
@@ -240,6 +244,7 @@ TEST_CASE("what is wrong with a fused kernel is told with its file and line") {
 
 TEST_CASE("passes are fused on request, where inputs are texels of a software renderer") {
   const auto context = test::each_context();
+  if (!test::fuses_here()) return;
   Folder folder;
   ProgramCache texels(folder.path(), LoadPath::texel), storage(folder.path(), LoadPath::storage);
   CAPTURE(device().renderer, device().vector_width);

@@ -1,5 +1,7 @@
 #include "render/gl/program.h"
 
+#include <thread>
+
 #include "render/gl/buffer.h"
 #include "render/gl/compute_pass.h"
 #include "tests/render/gl/gl_support.h"
@@ -37,6 +39,31 @@ TEST_CASE("a compile error is mapped through an include and names the variant") 
   CHECK(programs.size() == 0);
   folder.write("value.glsl", "float value() { return 1.0; }\n");  // mended: the failure was not kept
   CHECK(filled(programs.compute("fill.comp", {{"SECOND", "2"}, {"FIRST", "1"}})) == 1.0f);
+}
+
+TEST_CASE("a program is linked beside other work, and tells what is wrong when it is needed") {
+  const auto context = test::each_context();
+  const test::ShaderFolder folder;
+  folder.write("fill.comp", kFill);
+  folder.write("value.glsl", "float value() { return float(VALUE); }\n");
+  ProgramCache programs(folder.path(), LoadPath::storage);
+  const auto postponed = [&](const char* value) -> const Program& {
+    const ProgramCache::Postponed postpones(programs);
+    return programs.compute("fill.comp", {{"VALUE", value}});
+  };
+  const Program &right = postponed("7"), &wrong = postponed("nothing");
+  CHECK((right.idle() && wrong.idle()));
+  right.begin_link();
+  wrong.begin_link();
+  CHECK(programs.size() == 0);
+  while (!right.idle() || !wrong.idle()) std::this_thread::yield();
+  const std::string message = error_of([&] { wrong.require(); });
+  CHECK_THAT(message, Contains("shaders/value.glsl:1: ") && Contains("nothing") && Contains("fill.comp [VALUE=nothing]"));
+  CHECK(filled(right) == 7);
+  CHECK(programs.size() == 1);
+  folder.write("value.glsl", "float value() { return 3.0; }\n");
+  CHECK(filled(wrong) == 3);
+  CHECK(GetError() == GL_NO_ERROR);
 }
 
 TEST_CASE("a link error names the program") {

@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "render/gl/stopwatch.h"
+#include "render/gl/timestamps.h"
 #include "tests/render/gl/gl_support.h"
 
 namespace fascia::gl {
@@ -10,15 +11,37 @@ namespace fascia::gl {
 TEST_CASE("a timer sees the time that passes") {
   const auto context = test::each_context();
   Timer timer;
-  CHECK(timer.milliseconds() == 0);
-  for (int i = 0; i < 6; ++i) {  // more often than measurements fit in the ring
+  CHECK_FALSE(timer.take().has_value());
+  const auto measure = [&](int steps, bool compiled) {
     timer.begin();
     if (device().software) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    timer.end();
+    timer.end(steps, compiled);
     Finish();
+  };
+  constexpr int kFit = 4;
+  for (int i = 0; i < kFit + 2; ++i) measure(i, i == 1);  // the last two go unmeasured
+  for (int i = 0; i < kFit; ++i) {
+    CAPTURE(i);
+    const auto taken = timer.take();
+    REQUIRE(taken.has_value());
+    CHECK(taken->milliseconds >= (device().software ? 2.0 : 0.0));
+    CHECK(taken->steps == i);
+    CHECK(taken->compiled == (i == 1));
   }
-  CHECK(timer.milliseconds() >= (device().software ? 2.0 : 0.0));
+  CHECK_FALSE(timer.take().has_value());
+  measure(9, false);
+  const auto taken = timer.take();
+  REQUIRE(taken.has_value());
+  CHECK(taken->steps == 9);
   CHECK(GetError() == GL_NO_ERROR);
+}
+
+TEST_CASE("the device's counter of time may begin anew") {
+  constexpr GLuint64 kLast = (GLuint64{1} << 36) - 1;
+  CHECK(milliseconds_between(1'000'000, 3'500'000, 64) == 2.5);
+  CHECK(milliseconds_between(1'000'000, 3'500'000, 36) == 2.5);
+  CHECK(milliseconds_between(kLast - 499'999, 1'500'000, 36) == 2);
+  CHECK(milliseconds_between(kLast - 499'999, 1'500'000, 64) == 0);  // it did not say that it has 36 bits
 }
 
 TEST_CASE("a stopwatch tells pieces by their names, in their order") {

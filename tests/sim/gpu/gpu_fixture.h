@@ -9,7 +9,7 @@
 namespace fascia::test {
 
 struct Gpu {
-  explicit Gpu(gl::LoadPath loads = gl::LoadPath::texel, const std::string& name = "osmesa")
+  explicit Gpu(gl::LoadPath loads = gl::LoadPath::texel, const std::string& name = context_names().front())
       : context(make_context({name})), programs(source_dir() / "shaders", loads) {}
   std::unique_ptr<Context> context;
   gl::ProgramCache programs;
