@@ -2,6 +2,8 @@
 #include <iostream>
 
 #include "app/commands.h"
+#include "app/output_files.h"
+#include "sim/file.h"
 #include "sim/report_text.h"
 #include "sim/surface_fill.h"
 #include "sim/vertex_places.h"
@@ -9,6 +11,13 @@
 namespace fascia {
 
 int command_convert(const ConvertOptions& options) {
+  const auto files_of = [](const std::string& path) {  // TetGen's are two
+    const std::string ending = lower_ending(path);
+    std::vector<std::filesystem::path> files{path};
+    if (ending == ".node" || ending == ".ele") files.push_back(std::filesystem::path(path).replace_extension(ending == ".node" ? ".ele" : ".node"));
+    return files;
+  };
+  for (const std::filesystem::path& out : files_of(options.out)) require_outputs({{"OUT", out.string(), {}}}, files_of(options.in));
   MeshFile file = read_mesh_or_fill(options.in);
   const std::size_t welded = options.weld ? weld(file.mesh) : 0;
   write_mesh(options.out, file.mesh);

@@ -24,7 +24,7 @@ void add_stress(CLI::App& program, Invocation& invocation) {
   add_size(command, options->width, options->height);
   add_graphics(command, *options);
   add_examples(command, {"fascia stress --quick --out stress",
-                         "fascia stress --only 'starts/*two_level' --out stress"},
+                         "fascia stress --only 'start/*two_level' --out stress"},
                "a case fails");
   command.callback([&invocation, options] {
     invocation.run = [options] { return command_stress(*options, options->only, *find_material_model(options->model)); };

@@ -14,6 +14,8 @@
 #include "app/true_error.h"
 #include "app/usage_error.h"
 #include "sim/error.h"
+#include "sim/file.h"
+#include "sim/provenance.h"
 #include "sim/reference/newton.h"
 #include "sim/report_text.h"
 #include "sim/state_export.h"
@@ -76,7 +78,11 @@ int command_run(const RunOptions& options) {
   require_steps_or_static(options);
   std::optional<EndAtOnce> opening(std::in_place);
   Opened opened = open_input(options, options.sets);
-  require_outputs({{"--export", options.export_path, state_endings}, {"--history", options.history, {}}, {"--stats", options.stats, {}}},
+  const bool has_file_beside = options.every == 0 && lower_ending(options.export_path) == ".csv";
+  require_outputs({{"--export", options.export_path, state_endings},
+                   {"what made --export", has_file_beside ? provenance_beside(options.export_path).string() : "", {}},
+                   {"--history", options.history, {}},
+                   {"--stats", options.stats, {}}},
                   input_files(opened.scene));
   Graphics graphics;
   if (!options.reference) graphics = open_graphics(options, false, 16, 16, workload_of(opened.scene, opened.model, false));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/advice.h"
 #include "app/paths.h"
 #include "app/replay_time.h"
 #include "app/usage_error.h"
@@ -32,7 +33,13 @@ void require_steps_or_static(const CommonOptions& options) {
 
 std::vector<std::filesystem::path> input_files(const Scene& scene) {
   std::vector<std::filesystem::path> files{scene.file};
-  for (const Body& body : scene.bodies) files.push_back(scene.resolve(body.mesh));
+  for (const Body& body : scene.bodies) {
+    files.push_back(scene.resolve(body.mesh));
+    if (!body.surface.empty()) files.push_back(scene.resolve(body.surface));
+    if (const auto* velocity = std::get_if<std::string>(&body.initial_velocity)) files.push_back(scene.resolve(*velocity));
+    for (const PrescribedMotion& motion : body.prescribed)
+      if (!motion.targets.empty()) files.push_back(scene.resolve(motion.targets));
+  }
   return files;
 }
 
@@ -49,6 +56,7 @@ Opened open_input(const CommonOptions& options, const std::vector<std::string>& 
     Opened opened = !options.replay.empty() ? open_replay(options.replay, overrides)
                     : options.input.empty() ? open_file(default_scene(find_data_dir(options.data_dir)), overrides)
                                             : open_file(options.input, overrides);
+    if (const auto unit = unit_hint(opened.model)) opened.model.notes.push_back(unit->hint.text + " " + unit->hint.help);
     const auto names = [&](const std::string& key) {
       return std::any_of(sets.begin(), sets.end(), [&](const std::string& set) { return set.starts_with(key); });
     };

@@ -7,11 +7,11 @@
 
 #include "app/field_labels.h"
 #include "app/advice.h"
-#include "app/log_plot.h"
 #include "app/panels.h"
 #include "app/ui_style.h"
 #include "app/ui_widgets.h"
 #include "app/units.h"
+#include "render/color_map.h"
 #include "sim/tissues.h"
 
 namespace fascia {
@@ -107,12 +107,13 @@ void material_sliders(Simulation& simulation, std::size_t index, HintBoard& hint
   if (changed) simulation.set_material(index, material);
 }
 
-// A patch of the material's color.
-void swatch(std::size_t index) {
+// A patch of the region's color in pictures.
+void swatch(std::size_t region) {
   const float size = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const Eigen::Vector3f color = region_color(static_cast<unsigned>(region));
   ImGui::GetWindowDrawList()->AddRectFilled({corner.x, corner.y + 0.15f * size}, {corner.x + 0.7f * size, corner.y + 0.85f * size},
-                                            ui::curve_color(index));
+                                            ImGui::GetColorU32(ImVec4(color.x(), color.y(), color.z(), 1)));
   ImGui::Dummy({0.7f * size, size});
   ImGui::SameLine();
 }
@@ -142,12 +143,12 @@ std::vector<MaterialEntries> with_region(const Simulation& simulation, const Sce
 }
 
 // One line: color, name, share of the volume; a click chooses the material. A region without a material of its own has a button for one.
-void region_row(const Simulation& simulation, const SceneFacts& facts, const SceneFacts::Region& region, std::size_t& chosen,
-                Requests& requests) {
+void region_row(const Simulation& simulation, const SceneFacts& facts, std::size_t index, std::size_t& chosen, Requests& requests) {
+  const SceneFacts::Region& region = facts.regions[index];
   const Model& model = simulation.model;
   const bool own = region.material != model.bodies[region.body].material_begin;
   const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x, button = ImGui::CalcTextSize("share").x + ui::px(12);
-  swatch(region.material);
+  swatch(index);
   if (ImGui::Selectable((region.label + "##region").c_str(), chosen == region.material, ImGuiSelectableFlags_AllowItemOverlap,
                         {ImGui::GetContentRegionAvail().x - button - ui::px(6), 0}))
     chosen = region.material;
@@ -179,7 +180,7 @@ void material_panel(Simulation& simulation, ViewState& state, Requests& requests
     if (scrolls) ImGui::BeginChild("regions", {0, kMostRows * ImGui::GetTextLineHeightWithSpacing()});
     for (std::size_t r = 0; r < facts.regions.size(); ++r) {
       ImGui::PushID(static_cast<int>(r));
-      region_row(simulation, facts, facts.regions[r], state.chosen_material, requests);
+      region_row(simulation, facts, r, state.chosen_material, requests);
       ImGui::PopID();
     }
     if (scrolls) ImGui::EndChild();

@@ -98,7 +98,8 @@ void draw_plots(const Simulation& simulation, ViewState& state, Requests& reques
     ImGui::SetNextWindowSize({dock[2], dock[3]});
   }
   ImGui::SetNextWindowSizeConstraints({least_width, least_height}, {std::max(least_width, screen.x), std::max(least_height, screen.y)});
-  if (ImGui::Begin("Plots", &plots.shown, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing)) {
+  const char* title = state.comparing ? "Plots of side A###Plots" : "Plots###Plots";
+  if (ImGui::Begin(title, &plots.shown, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing)) {
     ui::keep_inside();
     const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     const auto at = [](float is, float wanted) { return std::abs(is - wanted) < 2; };

@@ -43,8 +43,9 @@ bool pair_combos(SolverSettings& settings, const std::vector<Material>& material
     if (carried && std::find(able.begin(), able.end(), pair.method) == able.end()) able.push_back(pair.method);
   }
   bool changed = ui::choice("Method", able, settings.method, kLabelOf, kHelpOf);
-  // A method that cannot have the acceleration in use gets the best one that it can have.
-  const auto pair = find_pair(name_of(settings.method), name_of(settings.acceleration));
+  // Another method keeps the acceleration in use, if it can have it, or gets the best one; so it does after none.
+  const bool none = changed && settings.acceleration == Acceleration::none;
+  const auto pair = none ? std::nullopt : find_pair(name_of(settings.method), name_of(settings.acceleration));
   settings.acceleration = pair.value_or(*find_pair(name_of(settings.method), {})).acceleration;
   std::vector<Acceleration> accelerations;
   for (const Pair& legal : legal_pairs())

@@ -55,9 +55,9 @@ class Simulation {
   reference::State go_on_as_replay();
   double time() const;
   double simulated() const { return simulated_; }  // in all steps made [s]: goes on where time() goes back
-  /// Static equilibrium, by the reference solver to 1e-10 or by the GPU to 1e-5, or to solver.tolerance if that is given. Where float32
-  /// does not go so far, Newton's method in double precision goes on from there, with meshes that are not too large for it. The report
-  /// tells how far it got; Ctrl-C ends it unconverged.
+  /// Static equilibrium, by the reference solver to 1e-10 or by the GPU to 1e-5, or to solver.tolerance if that is given. Newton's method
+  /// in double precision goes on from there to 1e-10 where no tolerance is given and its factor is soon made, and, with meshes that are not
+  /// too large for it, where float32 does not go so far as was asked. The report tells how far it got; Ctrl-C ends it unconverged.
   /// `news`: hears of every step how far it is, and at last, with a Newton iteration, when Newton's method begins.
   StaticReport solve_static(const std::function<void(const StaticReport&)>& news = {});
 

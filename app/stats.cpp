@@ -27,6 +27,20 @@ Json grab_forces(const Simulation& simulation, const reference::State& last) {
   return {{"total", to_json(total)}, {"hands", hands}};
 }
 
+Json supports_of(const Model& model, const reference::State& last) {
+  Json supports = Json::array();
+  for (const reference::Support& support : reference::support_forces(model, last)) {
+    Json entry{{"body", model.bodies[support.body].name}};
+    if (support.motion)
+      entry["prescribed"] = *support.motion;
+    else
+      entry["fixed"] = true;
+    entry["force"] = to_json(support.force);
+    supports.push_back(std::move(entry));
+  }
+  return supports;
+}
+
 }  // namespace
 
 Percentiles percentiles(std::vector<double> values) {
@@ -74,7 +88,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
                   {"volume_ratio", measures.volume_ratio},
                   {"momentum", to_json(measures.momentum)},
                   {"angular_momentum", to_json(measures.angular_momentum)},
-                  {"reaction_N", {{"fixed", to_json(measures.fixed_reaction)}}},
+                  {"reaction_N", {{"fixed", to_json(measures.fixed_reaction)}, {"supports", supports_of(simulation.model, last)}}},
                   {"grab_N", grab_forces(simulation, last)},
                   {"dispatches_per_step", stats.dispatches_per_step},
                   {"kernels", stats.kernels},

@@ -156,6 +156,7 @@ void ViewWindow::say(const std::string& text, bool is_error) {
 void ViewWindow::frame(double elapsed) {
   if (!update_framebuffer()) {
     input_.take();
+    input_.end_frame();
     pacing_.restart();
     return;
   }
@@ -165,7 +166,9 @@ void ViewWindow::frame(double elapsed) {
   attempt([&] { handle_input(requests); });
   if (view.eye != session_->camera.eye || view.target != session_->camera.target) state_.replay_camera = false;
   attempt([&] { build_panels(requests); });
+  panels_take_escape_ = ImGui::IsAnyItemActive() || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   overlay_.end();
+  input_.end_frame();
   attempt([&] { carry_out(requests); });
   input_.take();  // what was pressed while something was being opened is not for the scene
   if (shown_ && !attempt([&] { simulate(elapsed, requests); })) state_.paused = true;

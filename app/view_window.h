@@ -182,6 +182,7 @@ class ViewWindow {
   std::array<Moment, 2> diagnosed_;  // the last that diagnostics were asked of; no more are under way
   int frames_to_settle_ = 3;  // to draw although nothing moves
   bool shown_ = false;        // this session, in a frame: steps come after the first picture
+  bool panels_take_escape_ = false;  // what was active or open when the last frame ended: ImGui closes it before a key is looked at here
   std::optional<CameraSettings> opened_camera_;  // as the session began with
   std::shared_ptr<const Replay> remembered_;  // the scene as it was a few seconds ago, in case that the device is lost
   std::string remembered_scene_;              // of it, as a file would say it

@@ -60,7 +60,7 @@ void ViewWindow::handle_input(Requests& requests) {
         break;
       case Kind::key:
         // With a visible cursor in the panels, keys belong to them; text always does.
-        if (!io.WantTextInput &&
+        if (!io.WantTextInput && !(panels_take_escape_ && event.code == GLFW_KEY_ESCAPE) &&
             !(io.NavVisible && (event.code == GLFW_KEY_SPACE || event.code == GLFW_KEY_ENTER || event.code == GLFW_KEY_ESCAPE)))
           press_key(event.code, event.mods, requests);
         break;

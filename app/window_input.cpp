@@ -32,7 +32,7 @@ void WindowInput::forward_key(const KeyChange& change) {
   ImGui_ImplGlfw_KeyCallback(window_, change.key, change.scancode, change.action, change.mods);
 }
 
-void WindowInput::forward_deferred() {
+void WindowInput::end_frame() {
   for (const KeyChange& change : deferred_)
     ImGui_ImplGlfw_KeyCallback(window_, change.key, change.scancode, change.action, change.mods);
   deferred_.clear();
@@ -100,9 +100,6 @@ WindowInput::~WindowInput() {
   glfwSetWindowCloseCallback(window_, nullptr);
 }
 
-std::vector<InputEvent> WindowInput::take() {
-  forward_deferred();
-  return std::exchange(events_, {});
-}
+std::vector<InputEvent> WindowInput::take() { return std::exchange(events_, {}); }
 
 }  // namespace fascia

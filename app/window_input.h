@@ -28,6 +28,8 @@ class WindowInput {
   WindowInput& operator=(const WindowInput&) = delete;
 
   std::vector<InputEvent> take();  // since the last call
+  /// After ImGui's frame: it looks at keys once a frame, and the release of one that was pressed in the same frame waits until then.
+  void end_frame();
   /// Whether anything at all has reached the window since the last call: input, or a reason to draw it anew.
   bool take_stir() { return std::exchange(stirred_, false); }
 
@@ -37,15 +39,13 @@ class WindowInput {
   };
   static WindowInput& of(GLFWwindow* window);
   void add(InputEvent event);
-  /// To ImGui, which looks at keys once a frame: the release of a key pressed in the same frame waits for the next one.
-  void forward_key(const KeyChange& change);
-  void forward_deferred();
+  void forward_key(const KeyChange& change);  // to ImGui
 
   GLFWwindow* window_;
   Eigen::Vector2d at_{0, 0};  // in GLFW's screen coordinates
   std::vector<InputEvent> events_;
   bool stirred_ = false;
-  std::vector<KeyChange> pressed_, deferred_;  // since the last take()
+  std::vector<KeyChange> pressed_, deferred_;  // since the last end_frame()
 };
 
 }  // namespace fascia

@@ -20,10 +20,11 @@ constexpr double kNear = 0.1;  // of the scene's radius, or of the patch: farthe
 
 std::size_t named_body(const std::string& name, const Model& model, const std::string& where) {
   std::vector<std::string> names;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    if (model.bodies[b].name == name) return b;
-    names.push_back(model.bodies[b].name);
-  }
+  for (const BodyPart& body : model.bodies) names.push_back(body.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (std::count(found, names.end(), name) > 1)
+    throw Error(where + ".body", "two bodies are called \"" + name + "\"", "expected a \"name\" of its own for each");
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   throw Error(where + ".body", "there is no body \"" + name + "\"" + perhaps(name, names), "expected one of " + join(names));
 }
 

@@ -39,6 +39,8 @@ std::string vtu(const TetMesh& rest, const StateFields& fields) {
   add(grid.cell_arrays, "von_mises", scalar, fields.von_mises);
   add(grid.cell_arrays, "J", scalar, fields.det_f);
   grid.cell_arrays.push_back({"region", "Int32", scalar, bytes_of(regions)});
+  const VtuNames names(rest);
+  names.add_to(grid);
   return vtu_text(grid);
 }
 

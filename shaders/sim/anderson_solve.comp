@@ -16,9 +16,8 @@ uniform uint window, partials, parts;  // partials of one column of one part
 
 shared vec4 dots[LARGEST_WINDOW];
 // Arrays that are indexed by variables: an invocation's own lie in a GPU's slowest memory, shared ones in llvmpipe's.
-#define SYSTEM float a[LARGEST_WINDOW][LARGEST_WINDOW], x[LARGEST_WINDOW], scale[LARGEST_WINDOW];
 #if !READ_TEXELS
-shared SYSTEM
+shared float factor[LARGEST_WINDOW][LARGEST_WINDOW], theta[LARGEST_WINDOW], scale[LARGEST_WINDOW];
 #endif
 
 void main() {
@@ -47,7 +46,7 @@ void main() {
 
   // Columns are used from slot 0 on, so the first `count` slots are filled.
 #if READ_TEXELS
-  SYSTEM
+  float factor[LARGEST_WINDOW][LARGEST_WINDOW], theta[LARGEST_WINDOW], scale[LARGEST_WINDOW];
 #endif
   for (uint j = 0u; j < count; ++j) {
     anderson_state[ANDERSON_GRAM + newest * window + j] = dots[j].x;
@@ -56,28 +55,28 @@ void main() {
   for (uint j = 0u; j < count; ++j) {
     float diagonal = anderson_state[ANDERSON_GRAM + j * window + j];
     scale[j] = diagonal > 0.0 ? inversesqrt(diagonal) : 0.0;
-    x[j] = scale[j] * dots[j].y;
+    theta[j] = scale[j] * dots[j].y;
   }
   for (uint j = 0u; j < count; ++j) {
-    for (uint k = 0u; k < j; ++k) a[j][k] = scale[j] * scale[k] * anderson_state[ANDERSON_GRAM + j * window + k];
-    a[j][j] = 1.0 + REGULARIZATION;
+    for (uint k = 0u; k < j; ++k) factor[j][k] = scale[j] * scale[k] * anderson_state[ANDERSON_GRAM + j * window + k];
+    factor[j][j] = 1.0 + REGULARIZATION;
   }
-  // Cholesky: a becomes L, then x the solution.
+  // Cholesky: factor becomes L, then theta the solution.
   for (uint j = 0u; j < count; ++j) {
     for (uint k = 0u; k < j; ++k) {
-      for (uint l = 0u; l < k; ++l) a[j][k] -= a[j][l] * a[k][l];
-      a[j][k] /= a[k][k];
-      a[j][j] -= a[j][k] * a[j][k];
+      for (uint l = 0u; l < k; ++l) factor[j][k] -= factor[j][l] * factor[k][l];
+      factor[j][k] /= factor[k][k];
+      factor[j][j] -= factor[j][k] * factor[j][k];
     }
-    a[j][j] = sqrt(max(a[j][j], REGULARIZATION));
-    for (uint k = 0u; k < j; ++k) x[j] -= a[j][k] * x[k];
-    x[j] /= a[j][j];
+    factor[j][j] = sqrt(max(factor[j][j], REGULARIZATION));
+    for (uint k = 0u; k < j; ++k) theta[j] -= factor[j][k] * theta[k];
+    theta[j] /= factor[j][j];
   }
   bool finite = true;
   for (uint j = count; j-- > 0u;) {
-    for (uint k = j + 1u; k < count; ++k) x[j] -= a[k][j] * x[k];
-    x[j] /= a[j][j];
-    float weight = scale[j] * x[j];
+    for (uint k = j + 1u; k < count; ++k) theta[j] -= factor[k][j] * theta[k];
+    theta[j] /= factor[j][j];
+    float weight = scale[j] * theta[j];
     anderson_state[ANDERSON_WEIGHTS + j] = weight;
     finite = finite && is_finite(weight);
   }

@@ -100,6 +100,7 @@ void finish_mesh(MeshFile& file, const std::string& where) {
                     counted(ignored.others, "other cell", "other cells") + ")",
                 "expected at least one");
   }
+  if (ignored.others > 0) file.notes.push_back(counted(ignored.others, "cell", "cells") + " of other kinds than tets left out.");
   mesh.regions.resize(mesh.tets.size(), 0);
   for (auto& [name, vertices] : region_groups(mesh)) {
     std::vector<std::uint32_t>& group = mesh.groups[name];

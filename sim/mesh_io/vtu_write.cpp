@@ -1,7 +1,6 @@
 #include "sim/mesh_io/vtu_write.h"
 
 #include <bit>
-#include <list>
 
 #include "sim/mesh_io/byte_text.h"
 #include "sim/mesh_io/formats.h"
@@ -87,6 +86,23 @@ std::string vtu_text(const VtuGrid& grid) {
   return out + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
+VtuNames::VtuNames(const TetMesh& mesh) {
+  for (const auto& [region, name] : mesh.region_names) regions_.emplace_back(name, std::vector<std::int32_t>{region});
+  for (const auto& [name, vertices] : groups_beyond_regions(mesh)) {
+    std::vector<std::uint8_t> members(mesh.positions.size(), 0);
+    for (const std::uint32_t v : *vertices) members[v] = 1;
+    groups_.emplace_back(name, std::move(members));
+  }
+}
+
+void VtuNames::add_to(VtuGrid& grid) const {
+  static const std::vector<std::string_view> scalar = {""};
+  for (const auto& [name, number] : regions_)
+    grid.field_arrays.push_back({std::string(vtk_region_name_prefix) + name, "Int32", scalar, bytes_of(number)});
+  for (const auto& [name, members] : groups_)
+    grid.point_arrays.push_back({std::string(vtk_group_prefix) + name, "UInt8", scalar, bytes_of(members)});
+}
+
 std::string vtu_text(const TetMesh& mesh) {
   static const std::vector<std::string_view> scalar = {""};
   VtuGrid grid{mesh.positions, mesh.tets, {}, {}, {}};
@@ -94,18 +110,8 @@ std::string vtu_text(const TetMesh& mesh) {
   regions.resize(mesh.tets.size(), 0);
   grid.cell_arrays.push_back({"region", "Int32", scalar, bytes_of(regions)});
 
-  std::list<std::vector<std::int32_t>> numbers;  // lists: their elements stay where the arrays point to
-  for (const auto& [region, name] : mesh.region_names) {
-    numbers.push_back({region});
-    grid.field_arrays.push_back(
-        {std::string(vtk_region_name_prefix) + name, "Int32", scalar, bytes_of(numbers.back())});
-  }
-  std::list<std::vector<std::uint8_t>> members;
-  for (const auto& [name, vertices] : groups_beyond_regions(mesh)) {
-    std::vector<std::uint8_t>& member = members.emplace_back(mesh.positions.size(), 0);
-    for (const std::uint32_t v : *vertices) member[v] = 1;
-    grid.point_arrays.push_back({std::string(vtk_group_prefix) + name, "UInt8", scalar, bytes_of(member)});
-  }
+  const VtuNames names(mesh);
+  names.add_to(grid);
   return vtu_text(grid);
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sim/tet_mesh.h"
@@ -29,6 +30,17 @@ struct VtuGrid {
   std::vector<VtuArray> field_arrays, point_arrays, cell_arrays;
 };
 std::string vtu_text(const VtuGrid& grid);
+
+/// The names of a mesh's regions, and its groups beyond them, as arrays that the reader of .vtu takes for them.
+class VtuNames {
+ public:
+  explicit VtuNames(const TetMesh& mesh);
+  void add_to(VtuGrid& grid) const;  // which must not outlive this
+
+ private:
+  std::vector<std::pair<std::string, std::vector<std::int32_t>>> regions_;
+  std::vector<std::pair<std::string, std::vector<std::uint8_t>>> groups_;  // [vertex] 1 where it belongs to it
+};
 
 /// Text fit for an attribute's value.
 std::string xml_escaped(std::string_view text);

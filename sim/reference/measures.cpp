@@ -62,6 +62,38 @@ Measures measure(const Model& model, const State& state) {
   return result;
 }
 
+std::vector<Support> support_forces(const Model& model, const State& state) {
+  constexpr std::size_t kFree = static_cast<std::size_t>(-1);
+  std::vector<Support> supports;
+  std::vector<std::size_t> support_of(model.rest_positions.size(), kFree);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyPart& body = model.bodies[b];
+    const auto is_inside = [&](std::uint32_t v) { return v >= body.vertex_begin && v < body.vertex_begin + body.vertex_count; };
+    const auto add = [&](const std::vector<std::uint32_t>& vertices, std::optional<std::size_t> motion) {
+      for (const std::uint32_t v : vertices)
+        if (is_inside(v)) support_of[v] = supports.size();
+      if (std::any_of(vertices.begin(), vertices.end(), is_inside)) supports.push_back({b, motion});
+    };
+    add(model.fixed, std::nullopt);
+    std::size_t motions = 0;
+    for (const Motion& motion : model.motions)
+      if (!motion.vertices.empty() && is_inside(motion.vertices.front())) add(motion.vertices, motions++);
+  }
+  if (supports.empty()) return supports;
+  const std::vector<double> mass = lumped_masses(model);
+  for (std::size_t v = 0; v < mass.size(); ++v)
+    if (support_of[v] != kFree) supports[support_of[v]].force -= mass[v] * model.gravity;
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const Tet& tet = model.tets[t];
+    if (std::all_of(tet.begin(), tet.end(), [&](std::uint32_t v) { return support_of[v] == kFree; })) continue;
+    const RestTet rest(gather(model.rest_positions, tet));
+    const Derivatives d = elastic(rest, gather(state.displacement, tet), model.materials[model.tet_material[t]], 0, Eigen::Matrix3d::Zero(), false, false);
+    for (int a = 0; a < 4; ++a)
+      if (support_of[tet[a]] != kFree) supports[support_of[tet[a]]].force += d.gradient.segment<3>(3 * a);
+  }
+  return supports;
+}
+
 StateFields export_fields(const Model& model, const State& state) {
   StateFields fields;
   fields.displacement = state.displacement;

@@ -8,6 +8,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -40,6 +41,16 @@ struct Measures {
   int inverted = 0;                     // tets with J <= 0
 };
 Measures measure(const Model& model, const State& state);
+
+/// What a body is held by: all of its fixed vertices, or those of one of its prescribed motions.
+struct Support {
+  std::size_t body;                  // in Model::bodies
+  std::optional<std::size_t> motion;  // which of the body's, from 0; none: the fixed vertices
+  Eigen::Vector3d force{0, 0, 0};     // on the body [N], as Measures::fixed_reaction, of which these are the parts
+};
+/// Body by body, the fixed vertices first; supports without vertices are left out.
+std::vector<Support> support_forces(const Model& model, const State& state);
+
 /// In file_mesh order; tets left out of the physics have zeros and J = 1.
 StateFields export_fields(const Model& model, const State& state);
 

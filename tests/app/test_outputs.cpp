@@ -78,6 +78,42 @@ TEST_CASE("run looks at all of its outputs before the first step", "[outputs]") 
   CHECK(content_of(mesh) == before);
 }
 
+TEST_CASE("nothing that a scene reads, or a mesh is converted from, is written over", "[outputs]") {
+  const TemporaryFolder folder;
+  const auto copy_of = [&](const char* asset, const char* name) {
+    fs::copy(test::source_dir() / asset, folder.path() / name, fs::copy_options::overwrite_existing);
+    return (folder.path() / name).string();
+  };
+  const std::string mesh = copy_of("assets/meshes/cube.msh", "cube.msh");
+  REQUIRE(run_fascia({"run", mesh, "--steps", "0", "--export", (folder.path() / "values.csv").string(), "--quiet"}).exit_code == 0);
+  REQUIRE(run_fascia({"run", mesh, "--steps", "0", "--export", (folder.path() / "skin.obj").string(), "--quiet"}).exit_code == 0);
+  const std::string body = "{\"fascia_scene\": 1, \"bodies\": [{\"mesh\": \"cube.msh\", ";
+  std::ofstream(folder / "velocity.json") << body << "\"initial_velocity\": \"values.csv\"}]}";
+  std::ofstream(folder / "targets.json") << body << "\"prescribed\": [{\"targets\": \"values.csv\"}]}]}";
+  std::ofstream(folder / "skin.json") << body << "\"surface\": \"skin.obj\"}]}";
+  for (const auto& [scene, file] : {std::pair("velocity.json", "values.csv"), std::pair("targets.json", "values.csv"), std::pair("skin.json", "skin.obj")}) {
+    const fs::path read = folder.path() / file;
+    const std::string before = content_of(read);
+    const CommandResult result = run_fascia({"run", (folder.path() / scene).string(), "--steps", "1", "--export", read.string()});
+    CAPTURE(scene, result.err);
+    CHECK(result.exit_code == 2);
+    CHECK_THAT(result.err, Contains("is a file that is read"));
+    CHECK(content_of(read) == before);
+  }
+
+  const std::string before = content_of(mesh);
+  CHECK(run_fascia({"convert", mesh, mesh}).exit_code == 2);
+  CHECK(content_of(mesh) == before);
+  const std::string node = (folder.path() / "cube.node").string(), ele = (folder.path() / "cube.ele").string();
+  REQUIRE(run_fascia({"convert", mesh, node}).exit_code == 0);
+  CHECK(run_fascia({"convert", node, ele}).exit_code == 2);
+
+  const std::string state = (folder.path() / "state.csv").string();
+  const CommandResult both = run_fascia({"run", mesh, "--steps", "1", "--export", state, "--stats", state + ".json"});
+  CAPTURE(both.err);
+  CHECK(both.exit_code == 2);
+}
+
 TEST_CASE("a picture is never written over the golden that it is compared with", "[outputs]") {
   const TemporaryFolder folder;
   const fs::path golden = folder.path() / "golden.png";

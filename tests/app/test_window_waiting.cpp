@@ -20,19 +20,6 @@ struct NoKernels {
   NoKernels& operator=(const NoKernels&) = delete;
 };
 
-// What the display shows, window and all.
-std::vector<Image> watch(const std::filesystem::path& folder, int frames) {
-  const std::string size = std::to_string(kWidth) + "x" + std::to_string(kHeight);
-  const CommandResult grabbed = run_command({"ffmpeg", "-nostdin", "-v", "error", "-y", "-f", "x11grab", "-draw_mouse", "0", "-framerate", "10",
-                                             "-video_size", size, "-i", std::getenv("DISPLAY"), "-frames:v", std::to_string(frames),
-                                             (folder / "seen%02d.png").string()});
-  CAPTURE(grabbed.err);
-  REQUIRE(grabbed.exit_code == 0);
-  std::vector<Image> images;
-  for (int i = 1; i <= frames; ++i) images.push_back(read_png(folder / ((i < 10 ? "seen0" : "seen") + std::to_string(i) + ".png")));
-  return images;
-}
-
 // Whether the sky, in the middle over the scene, is behind the dark pill of the notice.
 bool shows_notice(const Image& image) {
   constexpr int kX = (kPanels + kWidth) / 2, kY = 58;
@@ -49,8 +36,8 @@ TEST_CASE("a window says that it compiles kernels, then goes on with what was do
   const NoKernels no_kernels;
   FasciaWindow window({(folder / "cube.json").string(), "--stats", "stats.json", "--size", "1000x700"}, folder.path());
   std::vector<Image> seen;
-  CHECK(eventually([&] { return std::ranges::any_of(seen = watch(folder.path(), 8), shows_notice); }));
-  CHECK(eventually([&] { return std::ranges::none_of(seen = watch(folder.path(), 8), shows_notice); }));
+  CHECK(eventually([&] { return std::ranges::any_of(seen = display.watch(8), shows_notice); }));
+  CHECK(eventually([&] { return std::ranges::none_of(seen = display.watch(8), shows_notice); }));
 
   const Image rest = right_part(window.screenshot().image, kPanels);
   window.move((kPanels + kWidth) / 2, kHeight / 2);

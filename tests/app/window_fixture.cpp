@@ -63,10 +63,10 @@ bool eventually(const std::function<bool()>& condition) {
   return false;
 }
 
-VirtualDisplay::VirtualDisplay(int width, int height) {
+VirtualDisplay::VirtualDisplay(int width, int height) : size_(std::to_string(width) + "x" + std::to_string(height)) {
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("no pipe");
-  const std::string screen = std::to_string(width) + "x" + std::to_string(height) + "x24", fd = std::to_string(ends[1]);
+  const std::string screen = size_ + "x24", fd = std::to_string(ends[1]);
   server_ = fork();
   if (server_ == 0) {
     close(ends[0]);
@@ -95,6 +95,20 @@ VirtualDisplay::VirtualDisplay(int width, int height) {
   // Named is not yet answering, on a busy machine.
   if (!eventually([] { return run_command({"xdotool", "getdisplaygeometry"}).exit_code == 0; }))
     throw std::runtime_error("Xvfb does not answer");
+}
+
+std::vector<Image> VirtualDisplay::watch(int frames) const {
+  const TemporaryFolder folder;
+  const CommandResult grabbed = run_command({"ffmpeg", "-nostdin", "-v", "error", "-y", "-f", "x11grab", "-draw_mouse", "0", "-framerate", "10",
+                                             "-video_size", size_, "-i", std::getenv("DISPLAY"), "-frames:v", std::to_string(frames),
+                                             (folder / "%03d.png").string()});
+  if (grabbed.exit_code != 0) throw std::runtime_error("ffmpeg: " + grabbed.err);
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<Image> images;
+  for (const std::filesystem::path& file : files) images.push_back(read_png(file));
+  return images;
 }
 
 VirtualDisplay::~VirtualDisplay() {
@@ -167,6 +181,10 @@ std::string FasciaWindow::said() const {
 }
 
 void FasciaWindow::key(const std::string& name) { xdotool({"key", name}); }
+void FasciaWindow::keys_at_once(std::vector<std::string> names) {
+  names.insert(names.begin(), {"key", "--delay", "1"});
+  xdotool(std::move(names));
+}
 void FasciaWindow::type(const std::string& text) { xdotool({"type", "--delay", "30", text}); }
 void FasciaWindow::pause() { std::this_thread::sleep_for(std::chrono::milliseconds(700)); }
 void FasciaWindow::press() { xdotool({"mousedown", "1"}); }

@@ -21,11 +21,14 @@ class VirtualDisplay {
   ~VirtualDisplay();
   VirtualDisplay(const VirtualDisplay&) = delete;
   VirtualDisplay& operator=(const VirtualDisplay&) = delete;
+  /// What it shows, window and all: so many pictures in a row, ten in a second.
+  std::vector<Image> watch(int frames) const;
   std::filesystem::path settings() const { return home_ / "config/fascia/settings.json"; }
   std::filesystem::path state() const { return home_ / "state/fascia"; }
 
  private:
   pid_t server_ = -1;
+  std::string size_;  // "1000x700"
   TemporaryFolder home_;
 };
 
@@ -50,6 +53,7 @@ class FasciaWindow {
   FasciaWindow& operator=(const FasciaWindow&) = delete;
 
   void key(const std::string& name);  // as xdotool names it: "p", "ctrl+o"
+  void keys_at_once(std::vector<std::string> names);  // several of them in one frame
   void type(const std::string& text);
   void pause();                       // as long as a person would, which proves nothing
   void move(int x, int y);            // in small steps from where the mouse is

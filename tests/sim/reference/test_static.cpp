@@ -69,6 +69,27 @@ TEST_CASE("a surface turned once around and moved carries the body along unstrai
   CHECK(measure(model, state).elastic < 1e-12);
 }
 
+TEST_CASE("what a stretched bar is pulled with is told apart from what holds it", "[static]") {
+  const double young = 1e5, side = 0.1, length = 0.4, stretch = 1.3;
+  Model model = box_model(8, 2, 2, {length, side, side}, soft(young), left_end);
+  for (Material& material : model.materials) material.poisson_ratio = 0;
+  model.bodies = {{"bar", 0, static_cast<std::uint32_t>(model.rest_positions.size()), 0, static_cast<std::uint32_t>(model.tets.size()), 0, 1, {}}};
+  Motion motion;
+  motion.vertices = test::vertices_where(model, [&](const Vector3d& x) { return x.x() > length - 1e-9; });
+  motion.translate = {(stretch - 1) * length, 0, 0};
+  model.motions = {motion};
+  State state = initial_state(model);
+  REQUIRE(settle(model, state).converged);
+  const std::vector<Support> supports = support_forces(model, state);
+  REQUIRE(supports.size() == 2);
+  CHECK((supports[0].body == 0 && !supports[0].motion && supports[1].body == 0 && supports[1].motion == 0));
+  const Vector3d pull(young * stretch * (stretch * stretch - 1) / 2 * side * side, 0, 0);  // nominal stress F S of uniaxial Green strain
+  CAPTURE(supports[0].force.transpose(), supports[1].force.transpose(), pull.x());
+  CHECK((supports[1].force - pull).norm() < 1e-9 * pull.x());
+  CHECK((supports[0].force + pull).norm() < 1e-9 * pull.x());
+  CHECK((supports[0].force + supports[1].force - measure(model, state).fixed_reaction).norm() < 1e-9 * pull.x());
+}
+
 TEST_CASE("a full turn of one end is a twist, because the motion is followed along its path", "[static]") {
   for (const double duration : {0.0, 1.0}) {
     Model model = box_model(24, 2, 2, {1.2, 0.1, 0.1}, soft(1e5), left_end);
