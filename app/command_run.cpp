@@ -52,7 +52,7 @@ class HistoryFile {
     samples_.back().step_ms = step_ms;
   }
   void write() const {
-    write_samples(options_.history, samples_,
+    write_samples(options_.history, samples_, simulation_.model,
                   provenance_of(simulation_.scene, simulation_.model, renderer_, options_.command_line, simulation_.steps_made(), simulation_.time()),
                   probe_);
   }

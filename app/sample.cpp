@@ -104,22 +104,44 @@ Sample sample_now(Simulation& simulation, std::uint32_t probe) {
     s = sample_of(*simulation.gpu()->take_diagnostics(true));
     if (std::isnan(s.iterations)) s.iterations = simulation.iterations_granted();
   }
+  if (!simulation.model.motions.empty()) s.supports = reference::support_forces(simulation.model, simulation.state());
   s.step = simulation.steps_made();
   if (s.step == 0) s.residual = s.iterations = Sample::kUnknown;
   return s;
 }
 
-void write_samples(const std::filesystem::path& path, std::span<const Sample> samples, const Provenance& provenance, std::uint32_t probe) {
+void write_samples(const std::filesystem::path& path, std::span<const Sample> samples, const Model& model, const Provenance& provenance,
+                   std::uint32_t probe) {
   NumberText out;
   for (const auto& [keyword, text] : provenance) out.add("# ").add(keyword).add(": ").add(one_line(text)).add('\n');
   out.add("# Probe: vertex ").add(probe).add('\n');
+  const std::vector<reference::Support> supports = samples.empty() ? std::vector<reference::Support>{} : samples.front().supports;
+  for (std::size_t k = 0; k < supports.size(); ++k) {
+    out.add("# Support ").add(k).add(": ").add(one_line(model.bodies[supports[k].body].name));
+    if (const auto motion = supports[k].motion)
+      out.add(", prescribed ").add(*motion).add('\n');
+    else
+      out.add(", fixed\n");
+  }
   for (const Column& column : kColumns) out.add(&column == kColumns ? "" : ",").add(column.name);
+  for (std::size_t k = 0; k < supports.size(); ++k)
+    for (const char* axis : {"_x_N", "_y_N", "_z_N"}) out.add(",support_").add(k).add(axis);
   out.add('\n');
-  for (const Sample& sample : samples)
+  const auto add_cell = [&](double value) {
+    if (std::isfinite(value)) out.add(value);
+  };
+  for (const Sample& sample : samples) {
     for (const Column& column : kColumns) {
-      if (const double value = column.value(sample); std::isfinite(value)) out.add(value);
-      out.add(&column == std::end(kColumns) - 1 ? '\n' : ',');
+      if (&column != kColumns) out.add(',');
+      add_cell(column.value(sample));
     }
+    for (const reference::Support& support : sample.supports)
+      for (const double force : support.force) {
+        out.add(',');
+        add_cell(force);
+      }
+    out.add('\n');
+  }
   write_file(path, out.take());
 }
 

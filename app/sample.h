@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/provenance.h"
 #include "app/simulation.h"
@@ -21,6 +22,7 @@ struct Sample {
   double volume_ratio = 1;                             // over the volume at rest
   double min_det_f = 1, max_strain = 0, max_von_mises = 0;  // [-], [-], [Pa]
   Eigen::Vector3d momentum{0, 0, 0}, reaction{0, 0, 0}, grab{0, 0, 0};  // [kg m/s], [N], [N]; forces on the body
+  std::vector<reference::Support> supports;  // of scenes in which some are moved; `reaction` is the sum of their forces
   Eigen::Vector3d probe{kUnknown, kUnknown, kUnknown};  // displacement of the vertex that is followed [m]
   double residual = kUnknown, iterations = kUnknown;    // of the last step; iterations per substep
   double step_ms = kUnknown, frame_ms = kUnknown;       // of one step, of one picture
@@ -35,12 +37,13 @@ struct Column {
 std::span<const Column> sample_columns();
 
 Sample sample_of(const Diagnostics& diagnostics);
-/// Of the state of now; waits for the GPU. Without steps made, residual and iterations are unknown.
+/// Of the state of now, supports one by one; waits for the GPU. Without steps made, residual and iterations are unknown.
 Sample sample_now(Simulation& simulation, std::uint32_t probe);
 
 /// Notes in lines "# keyword: text", the names of the columns, a row per sample: shortest digits that read back to the same number, nothing
-/// for what is unknown. Throws Error.
-void write_samples(const std::filesystem::path& path, std::span<const Sample> samples, const Provenance& provenance, std::uint32_t probe);
+/// for what is unknown. All samples have the same supports. Throws Error.
+void write_samples(const std::filesystem::path& path, std::span<const Sample> samples, const Model& model, const Provenance& provenance,
+                   std::uint32_t probe);
 
 /// The free vertex that is farthest from the supports: of a cantilever, one at its tip.
 std::uint32_t tip_vertex(const Model& model);

@@ -72,7 +72,8 @@ void ViewWindow::write_plots(const Requests& requests) {
   const Plots& plots = state_.plots;
   if (requests.plot_table && plots.probe) {
     const std::filesystem::path path = dated_name(".csv");
-    write_samples(path, plots.history.between(plots.right_edge() - plots.span, plots.right_edge()), provenance(), *plots.probe);
+    write_samples(path, plots.history.between(plots.right_edge() - plots.span, plots.right_edge()), session_->simulation.model,
+                  provenance(), *plots.probe);
     say(path.string());
   }
   if (!requests.plot_picture) return;

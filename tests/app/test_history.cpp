@@ -123,6 +123,41 @@ TEST_CASE("history on the GPU equals that of the reference solver") {
     }
 }
 
+TEST_CASE("history of a stretched cube tells its supports apart, on the GPU and by the reference solver") {
+  const TemporaryFolder folder;
+  nlohmann::json cube = body("cube.msh", 2e4, {{{"group", "clamp"}}});
+  cube["prescribed"] = {{{"select", {{"box", {{-1, -1, -1}, {1, 1e-4, 1}}}}}, {"translate", {0, -0.02, 0}}, {"duration", 0.1}}};
+  write_file(folder / "cube.json",
+             nlohmann::json{{"fascia_scene", 1}, {"gravity", {0, 0, 0}}, {"bodies", {cube}}, {"solver", {{"iterations", 40}}}}.dump());
+  const bool reference = GENERATE(false, true);
+  CAPTURE(reference);
+  std::vector<std::string> arguments{"run", "cube.json", "--steps", "6", "--history", "h.csv", "--stats", "s.json"};
+  if (reference)
+    arguments.push_back("--reference");
+  else
+    arguments.insert(arguments.end(), {"--context", "osmesa"});
+  const CommandResult run = run_fascia(arguments, folder.path());
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  const Csv csv = read_csv(folder / "h.csv");
+  REQUIRE(csv.rows.size() == 7);
+  REQUIRE(csv.notes.size() >= 2);
+  CHECK(csv.notes[csv.notes.size() - 2].find("# Support 0: ") == 0);
+  CHECK_THAT(csv.notes.back(), Catch::Contains("# Support 1: ") && Catch::Contains(", prescribed 0"));
+  CHECK(csv.at(1, "support_1_y_N") < -1);
+  CHECK(csv.at(1, "support_0_y_N") > 1);
+  for (std::size_t i = 1; i < csv.rows.size(); ++i) {
+    const double held = csv.at(i, "support_0_y_N"), pulled = csv.at(i, "support_1_y_N");
+    CAPTURE(i, held, pulled, csv.at(i, "reaction_y_N"));
+    CHECK(held + pulled == Approx(csv.at(i, "reaction_y_N")).margin(1e-3 * (std::abs(held) + std::abs(pulled))));
+  }
+  const auto supports = nlohmann::json::parse(read_file(folder / "s.json")).at("reaction_N").at("supports");
+  REQUIRE(supports.size() == 2);
+  CHECK(supports[0].at("fixed") == true);
+  CHECK(supports[1].at("prescribed") == 0);
+  CHECK(supports[1].at("force")[1].get<double>() == Approx(csv.at(6, "support_1_y_N")));
+}
+
 TEST_CASE("the tip is the free vertex farthest from the supports") {
   const Material soft{2e4, 0.35, 1050, 0, MaterialModel::st_venant_kirchhoff};
   const TetMesh mesh = make_box(8, 2, 2, {0.4, 0.1, 0.1});

@@ -76,7 +76,7 @@ TEST_CASE("a table of samples has notes, names with units, and nothing where not
   const TemporaryFolder folder;
   Sample sample = at(0.1);
   sample.kinetic = 1.0 / 3;
-  write_samples(folder / "t.csv", std::vector<Sample>{sample}, {{"Title", "A\n  B"}}, 7);
+  write_samples(folder / "t.csv", std::vector<Sample>{sample}, Model(), {{"Title", "A\n  B"}}, 7);
   const std::string text = read_file(folder / "t.csv");
   CAPTURE(text);
   CHECK(text.rfind("# Title: AB\n# Probe: vertex 7\nstep,time_s,kinetic_J,", 0) == 0);
