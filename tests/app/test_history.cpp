@@ -56,6 +56,17 @@ nlohmann::json body(const char* mesh, double young_modulus, nlohmann::json fixed
           {"fixed", std::move(fixed)}};
 }
 
+// By the reference solver, or on the GPU.
+void run_in(const TemporaryFolder& folder, std::vector<std::string> arguments, bool reference) {
+  if (reference)
+    arguments.push_back("--reference");
+  else
+    arguments.insert(arguments.end(), {"--context", "osmesa"});
+  const CommandResult run = run_fascia(arguments, folder.path());
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+}
+
 }  // namespace
 
 TEST_CASE("history of a free fall: implicit Euler's energies and momentum in closed form") {
@@ -64,14 +75,7 @@ TEST_CASE("history of a free fall: implicit Euler's energies and momentum in clo
   write_file(folder / "fall.json", scene.dump());
   const bool reference = GENERATE(false, true);
   CAPTURE(reference);
-  std::vector<std::string> arguments{"run", "fall.json", "--steps", "20", "--history", "fall.csv", "--history-every", "5", "--probe", "3"};
-  if (reference)
-    arguments.push_back("--reference");
-  else
-    arguments.insert(arguments.end(), {"--context", "osmesa"});
-  const CommandResult run = run_fascia(arguments, folder.path());
-  CAPTURE(run.err);
-  REQUIRE(run.exit_code == 0);
+  run_in(folder, {"run", "fall.json", "--steps", "20", "--history", "fall.csv", "--history-every", "5", "--probe", "3"}, reference);
   const Csv csv = read_csv(folder / "fall.csv");
   REQUIRE(csv.rows.size() == 5);
   CHECK(csv.notes.back() == "# Probe: vertex 3");
@@ -102,16 +106,8 @@ TEST_CASE("history on the GPU equals that of the reference solver") {
   const TemporaryFolder folder;
   const nlohmann::json scene{{"fascia_scene", 1}, {"bodies", {body("cube.msh", 2e4, {{{"group", "clamp"}}})}}, {"solver", {{"iterations", 40}}}};
   write_file(folder / "cube.json", scene.dump());
-  for (const char* where : {"gpu", "cpu"}) {
-    std::vector<std::string> arguments{"run", "cube.json", "--steps", "6", "--history", std::string(where) + ".csv"};
-    if (where == std::string("cpu"))
-      arguments.push_back("--reference");
-    else
-      arguments.insert(arguments.end(), {"--context", "osmesa"});
-    const CommandResult run = run_fascia(arguments, folder.path());
-    CAPTURE(run.err);
-    REQUIRE(run.exit_code == 0);
-  }
+  for (const bool reference : {false, true})
+    run_in(folder, {"run", "cube.json", "--steps", "6", "--history", reference ? "cpu.csv" : "gpu.csv"}, reference);
   const Csv gpu = read_csv(folder / "gpu.csv"), cpu = read_csv(folder / "cpu.csv");
   REQUIRE(gpu.rows.size() == 7);
   REQUIRE(cpu.rows.size() == 7);
@@ -131,14 +127,7 @@ TEST_CASE("history of a stretched cube tells its supports apart, on the GPU and 
              nlohmann::json{{"fascia_scene", 1}, {"gravity", {0, 0, 0}}, {"bodies", {cube}}, {"solver", {{"iterations", 40}}}}.dump());
   const bool reference = GENERATE(false, true);
   CAPTURE(reference);
-  std::vector<std::string> arguments{"run", "cube.json", "--steps", "6", "--history", "h.csv", "--stats", "s.json"};
-  if (reference)
-    arguments.push_back("--reference");
-  else
-    arguments.insert(arguments.end(), {"--context", "osmesa"});
-  const CommandResult run = run_fascia(arguments, folder.path());
-  CAPTURE(run.err);
-  REQUIRE(run.exit_code == 0);
+  run_in(folder, {"run", "cube.json", "--steps", "6", "--history", "h.csv", "--stats", "s.json"}, reference);
   const Csv csv = read_csv(folder / "h.csv");
   REQUIRE(csv.rows.size() == 7);
   REQUIRE(csv.notes.size() >= 2);
