@@ -237,7 +237,8 @@ class FusedPasses::Dispatch {
     for (const Run& run : composition.runs) words_.insert(words_.end(), run.record.begin(), run.record.end());
     values_ = values();
     plan_ = Buffer("plan", values_);
-    crew_ = Buffer("crew", sizeof(std::uint32_t) * (kFirstCounter + most_repeats() * words_.front().value));
+    const std::uint32_t counters = (most_repeats() * words_.front().value + 15) / 16 * 16;  // of a stretch: fused.glsl
+    crew_ = Buffer("crew", sizeof(std::uint32_t) * (kFirstCounter + crew_size() * counters));
     ComputePass::Bindings bindings = composition.declarations.bindings();
     bindings.insert(bindings.end(), {{"crew", &crew_}, {"plan", &plan_}});
     if (composition.step) bindings.emplace_back("step", composition.step);

@@ -114,19 +114,15 @@ void append_call(Composer& out, const FusedKernel& kernel, std::size_t n, const 
   out.line("      cost = PLAN(at + 2u);");
   out.line("      at += " + std::to_string(record_size(kernel)) + "u;");
   // Loops whose condition comes last: llvmpipe goes once more through the others, with no invocation in them.
-  out.line("      left = groups;");
+  out.line("      begin_kernel();");
   out.line("      do {");
-  out.line("        share = clamp(left >> share_shift, 1u, most);");
-  out.line("        begin = take_groups(share, cost);");
-  out.line("        end = min(begin + share, groups);");
-  out.line("        left = groups - end;");
-  out.line("        group = begin;");
+  out.line("        take_part(groups, most, cost);");
   out.line("        do {");
   out.line("          fused_invocation = group * uint(GROUP_SIZE) + gl_LocalInvocationID.x;");
-  out.line("          if (group < groups) " + numbered("main", n) + "();");
+  out.line("          if (group < end_of_part) " + numbered("main", n) + "();");
   out.line("          ++group;");
-  out.line("        } while (group < end);");
-  out.line("      } while (begin + share < groups);");
+  out.line("        } while (group < end_of_part);");
+  out.line("      } while (stretches_left > 0u);");
   out.line("      wait_for_crew(" + next + ", at);");
 }
 
@@ -152,9 +148,7 @@ ShaderText read_fused(const std::filesystem::path& folder, const Defines& define
   out.line("  uint first = join_crew();");
   out.line("  uint last_repeat = first == NO_KERNEL ? 0u : repeats, repeat = first == NO_KERNEL ? 0u : first / PLAN(0u);");
   out.line("  kernel_number = repeat * PLAN(0u);");
-  out.line("  uint turn, at, groups, left, most, share, cost, begin, end, group;");
-  // What is left is taken in ever smaller parts (guided self-scheduling, Polychronopoulos, Kuck 1987), so that all end at about the same time.
-  out.line("  uint share_shift = uint(findMSB(gl_NumWorkGroups.x));");
+  out.line("  uint turn, at, groups, most, cost;");
   out.line("  do {");
   out.line("    at = " + std::to_string(1 + loops.size()) + "u;");
   for (std::size_t l = 0; l < loops.size(); ++l) {

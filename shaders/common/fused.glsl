@@ -9,8 +9,8 @@
 // dispatch.
 #define barrier()  // a work group is one vector, whose invocations go in step
 layout(local_size_x = GROUP_SIZE) in;
-// [0] number of the kernel that runs, members of the crew, members that wait; from [FIRST_COUNTER] on the work groups of every kernel that
-// were taken.
+// [0] number of the kernel that runs, members of the crew, members that wait; from [FIRST_COUNTER] on counters of what was taken: of every
+// stretch, and in it of every kernel.
 layout(std430) coherent buffer Crew { uint crew[]; };
 uniform usamplerBuffer plan;  // what there is to do: render/gl/fused_source.h
 uniform uint repeats;
@@ -47,18 +47,67 @@ uint join_crew() {
   return told;
 }
 
-// The first of the next `count` work groups of the kernel, in each of which an invocation goes through `cost` iterations at most.
-uint take_groups(uint count, uint cost) {
+// The work groups of a kernel lie in stretches of two members each: one goes through it from its beginning, the other from its end, and
+// where they meet depends on how fast they are. So everybody does about the same part of every kernel, and most of what it reads is what
+// it wrote: what another core wrote takes long to come. Who finds nothing left helps in the other stretches. Parts become ever smaller
+// (guided self-scheduling, Polychronopoulos, Kuck 1987), so that all end at about the same time.
+// A counter tells what was taken from the beginning and, times FROM_END, from the end of a stretch, in units of some work groups.
+#define FROM_END 0x10000u
+#define MOST_UNITS 8192u  // of a stretch: far from FROM_END, however many ask for more than is left
+bool from_end() { return (gl_WorkGroupID.x & 1u) != 0u; }
+uint stretch, stretches_left, units_left;  // units: at most
+uint group, end_of_part;                   // work groups that were taken
+
+void begin_kernel() {
+  stretch = gl_WorkGroupID.x / 2u;
+  stretches_left = (gl_NumWorkGroups.x + 1u) / 2u;
+  units_left = MOST_UNITS;
+}
+
+// Takes `count` units of the stretch, in each of which an invocation goes through `cost` iterations at most. Returns the counter before
+// that, or NONE where this group takes no more.
+uint take_units(uint size, uint count, uint cost) {
   if (gl_LocalInvocationID.x == 0u) {
     told = NONE;
     uint more = count * cost + 1u;  // and the loop that takes
     if (loops + more > MOST_LOOPS) leaves = true;
     if (helps() && !leaves) {
-      told = atomicAdd(crew[FIRST_COUNTER + kernel_number], count);
-      loops += more;
+      uint stride = (kernel_count + 15u) / 16u * 16u;  // stretches have cache lines of their own
+      uint counter = FIRST_COUNTER + stretch * stride + kernel_number, asked = from_end() ? count * FROM_END : count;
+      told = atomicAdd(crew[counter], asked);
+      bool some = told % FROM_END + told / FROM_END < size;
+      if (!some) atomicAdd(crew[counter], -asked);  // in many dispatches it would come to FROM_END
+      loops += some ? more : 2u;
     }
   }
   return told;
+}
+
+// Of a kernel's work groups, not more than `most`.
+void take_part(uint groups, uint most, uint cost) {
+  uint members = gl_NumWorkGroups.x;
+  uint first = groups * (2u * stretch) / members, last = groups * min(2u * stretch + 2u, members) / members;
+  uint unit = (last - first) / MOST_UNITS + 1u, size = (last - first + unit - 1u) / unit;
+  uint share = members == 1u ? size : max(min(units_left, size) / 4u, size / 64u);
+  uint count = clamp(share, 1u, max(1u, most / unit));
+  uint before = take_units(size, count, unit * cost);
+  uint taken_first = before % FROM_END, taken_last = before / FROM_END, taken = taken_first + taken_last;
+  if (before == NONE || taken >= size) {
+    units_left = 0u;
+    group = end_of_part = 0u;
+  } else {
+    uint part = min(count, size - taken), begin = from_end() ? size - taken_last - part : taken_first;
+    units_left = size - taken - part;
+    group = first + begin * unit;
+    end_of_part = min(group + part * unit, last);
+  }
+  if (before == NONE) {
+    stretches_left = 0u;
+  } else if (units_left == 0u) {
+    --stretches_left;
+    stretch = 2u * stretch + 2u < members ? stretch + 1u : 0u;
+    units_left = size / 2u;  // others have begun it
+  }
 }
 
 // Of the kernel that the generated text names so, with its record in the plan; 1 for 0: there may be something to do.

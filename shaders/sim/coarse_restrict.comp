@@ -26,9 +26,11 @@ vec4 nearest_rotation(mat3 m) {
   // the rotation the identity.
   float shift = 1e-6 + 1.7320508 * sqrt(dot(m[0], m[0]) + dot(m[1], m[1]) + dot(m[2], m[2]));
   k += mat4(shift);
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < 10; ++i) {  // symmetric, so half of the products will do
     k *= 1.0 / (k[0].x + k[1].y + k[2].z + k[3].w);
-    k = k * k;
+    float k01 = dot(k[0], k[1]), k02 = dot(k[0], k[2]), k03 = dot(k[0], k[3]), k12 = dot(k[1], k[2]), k13 = dot(k[1], k[3]), k23 = dot(k[2], k[3]);
+    k = mat4(vec4(dot(k[0], k[0]), k01, k02, k03), vec4(k01, dot(k[1], k[1]), k12, k13), vec4(k02, k12, dot(k[2], k[2]), k23),
+             vec4(k03, k13, k23, dot(k[3], k[3])));
   }
   // The longest column of what has become a projection.
   vec4 q = k[3];

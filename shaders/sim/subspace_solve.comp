@@ -21,9 +21,9 @@ uniform uint partials;
 #define EIGENVALUE_FLOOR 0.03
 #define OBJECTIVE_ROUNDING 2e-6  // of float32 sums of some thousand terms
 
-// Four sums are made at once, each on GPUs by several invocations.
+// Four sums are made at once, each by several invocations: the eight of one vector on software renderers.
 #if READ_TEXELS
-#define SLICES 1u
+#define SLICES 2u
 #else
 #define SLICES 16u
 #endif
@@ -49,16 +49,16 @@ shared vec4 slices[4u * SLICES];
 
 void main() {
   uint lane = gl_LocalInvocationID.x;
-  if (lane < 4u * SLICES) {
-    uint row = lane % 4u;
-    vec4 sum = vec4(0.0);
-    if (row < (FINAL == 1 ? 1u : 3u))
-      for (uint k = lane / 4u; k < partials; k += SLICES) sum += FETCH(dot_partials, row * partials + k);
-#if !FINAL
-    if (row == 3u)
-      for (uint k = lane / 4u; k < curvature_count; k += SLICES) sum += FETCH(dot_partials, 3u * partials + k);
+  for (uint slice = lane; slice < 4u * SLICES; slice += uint(GROUP_SIZE)) {
+    uint row = slice % 4u;
+#if FINAL
+    uint count = row == 0u ? partials : 0u;
+#else
+    uint count = row == 3u ? curvature_count : partials;
 #endif
-    slices[lane] = sum;
+    vec4 sum = vec4(0.0);
+    for (uint k = slice / 4u; k < count; k += SLICES) sum += FETCH(dot_partials, row * partials + k);
+    slices[slice] = sum;
   }
   barrier();
   if (lane != 0u) return;

@@ -6,6 +6,7 @@
 
 #include "sim/coarse_matrix.h"
 #include "sim/coarse_space.h"
+#include "sim/placement.h"
 #include "sim/reference/elastic_system.h"
 #include "tests/support/models.h"
 
@@ -121,6 +122,33 @@ TEST_CASE("the transpose of a coarse space has its entries") {
       CAPTURE(v, space.node[k]);
       REQUIRE(entries.at({v, space.node[k]}) == space.weight[k]);
     }
+}
+
+TEST_CASE("coarse nodes lie in the order of their vertices, those with as many side by side") {
+  const Model model = make_model(make_box(40, 8, 8, {1, 0.2, 0.2}), kTissue, [](const Vector3d& x) { return x.x() < 1e-9; });
+  const CoarseSpace space = make_coarse_space(placed(model, placement_of(model)), 250);
+  const CoarseTranspose columns = transpose(space);
+  REQUIRE(space.node_count > 200);
+  const auto entries = [&](std::uint32_t j) { return columns.begin[j + 1] - columns.begin[j]; };
+  std::size_t sum = 0, in_step = 0;  // of eight invocations each
+  for (std::uint32_t first = 0; first < space.node_count; first += 8) {
+    std::uint32_t most = 0;
+    for (std::uint32_t j = first; j < std::min(first + 8, space.node_count); ++j) {
+      sum += entries(j);
+      most = std::max(most, entries(j));
+    }
+    in_step += 8 * most;
+  }
+  CAPTURE(sum, in_step);
+  CHECK(in_step < 1.15 * static_cast<double>(sum));  // 1.56 in the order of the lattice
+
+  // Who has the first half of the nodes needs few vertices of the second half.
+  const auto half = static_cast<std::uint32_t>(space.begin.size() / 2);
+  std::size_t apart = 0;
+  for (std::uint32_t j = 0; j < space.node_count; ++j)
+    for (std::uint32_t k = columns.begin[j]; k < columns.begin[j + 1]; ++k) apart += (columns.vertex[k] < half) != (2 * j < space.node_count);
+  CAPTURE(apart);
+  CHECK(apart < 0.15 * static_cast<double>(sum));
 }
 
 TEST_CASE("the coarse matrix is the Hessian at rest seen from the coarse space, and its inverse inverts it") {

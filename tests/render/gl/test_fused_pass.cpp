@@ -1,6 +1,8 @@
 #include "render/gl/fused_pass.h"
 
+#include <cstdlib>
 #include <cstring>
+#include <optional>
 
 #include "tests/render/gl/gl_support.h"
 
@@ -133,6 +135,21 @@ std::vector<float> run_alone(const Folder& folder, std::uint32_t rounds, std::ui
   return values.value.read<float>();
 }
 
+// How many of them fused passes count on. The threads of the device stay.
+class Members {
+ public:
+  explicit Members(const char* count) {
+    if (const char* before = std::getenv("LP_NUM_THREADS")) before_ = before;
+    setenv("LP_NUM_THREADS", count, 1);
+  }
+  ~Members() { before_ ? setenv("LP_NUM_THREADS", before_->c_str(), 1) : unsetenv("LP_NUM_THREADS"); }
+  Members(const Members&) = delete;
+  Members& operator=(const Members&) = delete;
+
+ private:
+  std::optional<std::string> before_;
+};
+
 std::size_t differences(const std::vector<float>& a, const std::vector<float>& b) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.size(); ++i) count += std::memcmp(&a[i], &b[i], sizeof(float)) != 0;
@@ -195,6 +212,33 @@ TEST_CASE("what is too much for the loops of one dispatch is done in several", "
   CAPTURE(dispatches, differences(found, expected), found[0], expected[0]);
   CHECK(dispatches > 2);
   CHECK(differences(found, expected) == 0);
+}
+
+TEST_CASE("every work group is done once, however many members share them", "[threads]") {
+  const auto context = test::each_context();
+  if (!test::fuses_here()) return;
+  Folder folder;
+  folder.write("more.comp",
+               "#include \"common/io.glsl\"\nINPUT_VEC4_IN_PLACE(Before, before)\nOUTPUT(vec4, Value, value)\nCOMPUTE_1D\nuniform uint step;\n"
+               "void main() {\n  ITEM_OR_RETURN(i)\n  value[i] = FETCH(before, i) + vec4(float(step), 1.0, 0.0, 0.0);\n}\n");
+  const char* crew = GENERATE("1", "2", "3", "4", "5", "7", "16");
+  const std::uint32_t count = GENERATE(1u, 37u, 1000u, 200'001u);  // the last one in units of several work groups
+  const Members members(crew);
+  ProgramCache programs(folder.path(), LoadPath::texel);
+  const Buffer value("value", std::vector<float>(4 * std::size_t{count}, 0.0f));
+  std::vector<ComputePass> passes;
+  for (const std::uint32_t step : {1u, 10u, 100u})
+    passes.emplace_back(programs.compute("more.comp"), ComputePass::Bindings{{"before", &value}, {"value", &value}}, count,
+                        ComputePass::Constants{{"step", step}})
+        .loops(0);
+  const FusedPasses fused(programs, passes);
+  constexpr std::uint32_t kRepeats = 5;
+  fused.run(kRepeats);
+  const std::vector<float> found = value.read<float>();
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < found.size(); i += 4) wrong += found[i] != 111.0f * kRepeats || found[i + 1] != 3.0f * kRepeats;
+  CAPTURE(crew, count, found[0], found[1], wrong);
+  CHECK(wrong == 0);
 }
 
 TEST_CASE("a pass that does not tell its loops, and one alone, are dispatched by themselves") {
