@@ -50,6 +50,15 @@ std::vector<std::uint32_t> solved_tets(const Model& model) {
   return order;
 }
 
-TetPairing paired_tets(const Model& model) { return pair_tets(model.tets, solved_tets(model)); }
+TetPairing paired_tets(const Model& model) {
+  TetPairing pairing = pair_tets(model.tets, solved_tets(model));
+  const auto volume = [&](std::uint32_t t) {
+    const auto edge = [&](int k) -> Eigen::Vector3d { return model.rest_positions[model.tets[t][k]] - model.rest_positions[model.tets[t][0]]; };
+    return edge(1).cross(edge(2)).dot(edge(3));
+  };
+  for (std::size_t i = 0; i < pairing.pair_count; ++i)
+    if (std::uint32_t *pair = &pairing.order[2 * i]; volume(pair[0]) < volume(pair[1])) std::swap(pair[0], pair[1]);
+  return pairing;
+}
 
 }  // namespace fascia

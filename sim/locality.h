@@ -15,7 +15,8 @@ std::vector<std::uint32_t> curve_order(const std::vector<Eigen::Vector3d>& posit
 
 /// The tets that a solver needs, along the curve: all but those whose vertices are all fixed, which never strain.
 std::vector<std::uint32_t> solved_tets(const Model& model);
-/// The same in pairs.
+/// The same in pairs. Of a pair the larger tet, which is the higher one over their face, comes first: from its shape functions those of
+/// the other one are made without losing digits (shaders/common/tet_pair.glsl), however flat that one is.
 TetPairing paired_tets(const Model& model);
 
 }  // namespace fascia

@@ -1,4 +1,3 @@
 // Where the corners of a pair of tets (common/tet_pair.glsl) leave what vertices gather.
-INPUT_UVEC4(PairSlots, pair_slots)    // [pairs and single tets] slots of s0, s1, s2, x
-INPUT_UINT(FifthSlot, fifth_slot)     // [the same] of y; a single tet has none
+INPUT_UVEC4(PairSlots, pair_slots)    // [pairs and single tets] slots of s0, s1, s2, x; that of y is with the pair
 OUTPUT(vec4, Correction, correction)  // [slots]

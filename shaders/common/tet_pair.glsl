@@ -1,22 +1,32 @@
 // Two tets that share a face, or one by itself: what the two have in common is read and written once. Invocations go through the pairs
 // first and through the single tets after them.
-// The corners of a pair are s0, s1, s2 of the face, x of tet a = (s0, s1, s2, x) and y of tet b = (s0, s2, s1, y). Of a single tet b is
-// a copy of a whose shape functions are zero: it adds nothing to any force, and what it would write is left out.
+// The corners of a pair are s0, s1, s2 of the face, x of tet a = (s0, s1, s2, x) and y of tet b = (s0, s2, s1, y). Along the face the
+// gradients of both tets' shape functions agree, so that those of b differ from those of a by multiples of b_x, which is normal to it:
+//   b_y = -c b_x,   b_s1 of b = b_s1 of a + d1 b_x,   b_s2 of b = b_s2 of a + d2 b_x,   V_b = V_a / c,
+// and the gradients of a field by w b_x^T, w = d1 (s1 - s0) + d2 (s2 - s0) - (x - s0) - c (y - s0) of its values. Three numbers are read
+// for the second tet instead of ten.
+// Of a single tet b is a copy of a whose shape functions are zero: it adds nothing to any force, and what it would write is left out.
 #include "common/tet.glsl"
+INPUT_UVEC4(PairFifth, pair_fifth)  // [pairs and single tets] the vertex y and its slot, c and V_b [m^3] (float bits); of a single tet x, any, -1, V_a
 uniform uint pair_count;  // before the single tets
 
 struct TetPair {
   uint ta, tb;  // tb = ta of a single tet
   bool two;
   Tet a, b;
+  float c, d1, d2;
+  uint fifth_slot;
 };
 
 TetPair load_pair(uint i) {
   bool two = i < pair_count;
   uint ta = two ? 2u * i : pair_count + i, tb = two ? ta + 1u : ta;
-  Tet a = load_tet(ta), b = load_tet(tb);
-  float weight = two ? 1.0 : 0.0;
-  return TetPair(ta, tb, two, a, Tet(b.v, weight * b.b1, weight * b.b2, weight * b.b3, b.volume));
+  vec4 r1 = FETCH(tet_shape, 3u * ta), r2 = FETCH(tet_shape, 3u * ta + 1u), r3 = FETCH(tet_shape, 3u * ta + 2u);
+  uvec4 v = FETCH(tet_vertices, ta), fifth = FETCH(pair_fifth, i);
+  float c = uintBitsToFloat(fifth.z), weight = two ? 1.0 : 0.0;
+  Tet b = Tet(uvec4(v.xzy, fifth.x), weight * (r2.xyz + r3.w * r3.xyz), weight * (r1.xyz + r2.w * r3.xyz), -weight * c * r3.xyz,
+              uintBitsToFloat(fifth.w));
+  return TetPair(ta, tb, two, Tet(v, r1.xyz, r2.xyz, r3.xyz, r1.w), b, c, r2.w, r3.w, fifth.y);
 }
 
 // The gradients of a vector at the vertices in both tets.
@@ -25,7 +35,9 @@ struct PairGradient {
 };
 
 PairGradient gradients(TetPair pair, vec3 s0, vec3 s1, vec3 s2, vec3 x, vec3 y) {
-  return PairGradient(displacement_gradient(pair.a, s0, s1, s2, x), displacement_gradient(pair.b, s0, s2, s1, y));
+  mat3 a = displacement_gradient(pair.a, s0, s1, s2, x);
+  vec3 w = pair.d1 * (s1 - s0) + pair.d2 * (s2 - s0) - (x - s0) - pair.c * (y - s0), normal = pair.a.b3;
+  return PairGradient(a, mat3(a[0] + w * normal.x, a[1] + w * normal.y, a[2] + w * normal.z));
 }
 
 #define GRADIENTS(pair, field)                                                                                    \

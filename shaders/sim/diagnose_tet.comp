@@ -39,7 +39,7 @@ void main() {
     correction[slot.y] = vec4(s1, 0.0);
     correction[slot.z] = vec4(s2, 0.0);
     correction[slot.w] = vec4(x, 0.0);
-    if (pair.two) correction[FETCH1(fifth_slot, i)] = vec4(y, 0.0);
+    if (pair.two) correction[pair.fifth_slot] = vec4(y, 0.0);
   }
   tet_partials[lane] = partial;
 }

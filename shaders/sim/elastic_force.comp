@@ -31,5 +31,5 @@ void main() {
   STORE3(correction[slot.y], s1)
   STORE3(correction[slot.z], s2)
   STORE3(correction[slot.w], x)
-  if (pair.two) STORE3(correction[FETCH1(fifth_slot, i)], y)
+  if (pair.two) STORE3(correction[pair.fifth_slot], y)
 }

@@ -32,5 +32,5 @@ void main() {
   correction[slot.y] = at_corner(a, pair.a.b1) + at_corner(b, pair.b.b2);
   correction[slot.z] = at_corner(a, pair.a.b2) + at_corner(b, pair.b.b1);
   correction[slot.w] = at_corner(a, pair.a.b3);
-  if (pair.two) correction[FETCH1(fifth_slot, i)] = at_corner(b, pair.b.b3);
+  if (pair.two) correction[pair.fifth_slot] = at_corner(b, pair.b.b3);
 }

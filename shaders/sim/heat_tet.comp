@@ -41,5 +41,5 @@ void main() {
   correction[slot.y] = a + b;
   correction[slot.z] = a + b;
   correction[slot.w] = a;
-  if (pair.two) correction[FETCH1(fifth_slot, i)] = b;
+  if (pair.two) correction[pair.fifth_slot] = b;
 }

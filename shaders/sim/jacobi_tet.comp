@@ -56,5 +56,5 @@ void main() {
   STORE3(correction[slot.y], a.dx1 + b.dx2)
   STORE3(correction[slot.z], a.dx2 + b.dx1)
   STORE3(correction[slot.w], a.dx3)
-  if (pair.two) STORE3(correction[FETCH1(fifth_slot, i)], b.dx3)
+  if (pair.two) STORE3(correction[pair.fifth_slot], b.dx3)
 }

@@ -49,8 +49,8 @@ vec3 terms_of(uint i, out bool guard) {
 #else
   PairGradient coarse = fine;
 #endif
-  return SUBSTEP * SUBSTEP *
-         (terms_of(pair.ta, pair.a, h.a, fine.a, coarse.a) + terms_of(pair.tb, pair.b, h.b, fine.b, coarse.b));
+  vec3 a = terms_of(pair.ta, pair.a, h.a, fine.a, coarse.a), b = terms_of(pair.tb, pair.b, h.b, fine.b, coarse.b);
+  return SUBSTEP * SUBSTEP * (pair.two ? a + b : a);
 }
 
 #ifdef DEFERRED

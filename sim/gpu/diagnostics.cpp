@@ -29,8 +29,6 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
                                const gl::Buffer& previous_strain, const GrabSprings& grab) {
   passes_.clear();
   gl::ComputePass::Bindings tet{{"step", &buffers.step},
-                                {"tet_vertices", &buffers.tet_vertices},
-                                {"tet_shape", &buffers.tet_shape},
                                 {"displacement", &buffers.displacement},
                                 {"tet_partials", &tet_partials_}};
   tet = with_damping(with_material(with_slots(std::move(tet), buffers), features, buffers), features, previous_strain);

@@ -23,8 +23,6 @@ Passes ExactXpbdMethod::begin(const Recording& r) const {
 
 Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
   gl::ComputePass::Bindings force{{"step", &r.buffers.step},
-                                  {"tet_vertices", &r.buffers.tet_vertices},
-                                  {"tet_shape", &r.buffers.tet_shape},
                                   {"displacement", &r.buffers.displacement},
                                   {"multiplier", &multiplier_}};
   force = with_material(with_slots(std::move(force), r.buffers), r.features, r.buffers);
@@ -46,8 +44,6 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
   defines.emplace_back("FIRST_ITERATION", "0");
   defines.emplace_back("EXACT", "1");
   gl::ComputePass::Bindings tet{{"step", &r.buffers.step},
-                                {"tet_vertices", &r.buffers.tet_vertices},
-                                {"tet_shape", &r.buffers.tet_shape},
                                 {"displacement", &r.buffers.displacement},
                                 {"primal_step", &primal_step_},
                                 {"lambda", &multiplier_},

@@ -36,9 +36,15 @@ gl::ComputePass::Bindings with_damping(gl::ComputePass::Bindings bindings, const
   return bindings;
 }
 
-gl::ComputePass::Bindings with_slots(gl::ComputePass::Bindings bindings, const SimBuffers& buffers) {
-  bindings.insert(bindings.end(), {{"pair_slots", &buffers.pair_slots}, {"fifth_slot", &buffers.fifth_slot}, {"correction", &buffers.correction}});
+gl::ComputePass::Bindings with_pairs(gl::ComputePass::Bindings bindings, const SimBuffers& buffers) {
+  bindings.insert(bindings.end(),
+                  {{"tet_vertices", &buffers.tet_vertices}, {"tet_shape", &buffers.tet_shape}, {"pair_fifth", &buffers.pair_fifth}});
   return bindings;
+}
+
+gl::ComputePass::Bindings with_slots(gl::ComputePass::Bindings bindings, const SimBuffers& buffers) {
+  bindings.insert(bindings.end(), {{"pair_slots", &buffers.pair_slots}, {"correction", &buffers.correction}});
+  return with_pairs(std::move(bindings), buffers);
 }
 
 }  // namespace fascia

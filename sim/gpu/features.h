@@ -22,7 +22,9 @@ gl::ComputePass::Bindings with_material(gl::ComputePass::Bindings bindings, cons
 gl::ComputePass::Bindings with_damping(gl::ComputePass::Bindings bindings, const Features& features,
                                        const gl::Buffer& previous_strain);
 
-/// Adds what kernels need that leave something at the corners of pairs of tets (shaders/common/pair_slots.glsl).
+/// Adds what kernels need that go through pairs of tets (shaders/common/tet_pair.glsl).
+gl::ComputePass::Bindings with_pairs(gl::ComputePass::Bindings bindings, const SimBuffers& buffers);
+/// Adds that, and what those need that leave something at the corners of pairs of tets (shaders/common/pair_slots.glsl).
 gl::ComputePass::Bindings with_slots(gl::ComputePass::Bindings bindings, const SimBuffers& buffers);
 
 }  // namespace fascia

@@ -11,8 +11,6 @@ Passes JacobiMethod::iteration(const Recording& r, bool first) const {
   defines.emplace_back("FIRST_ITERATION", first ? "1" : "0");
   defines.emplace_back("EXACT", "0");
   gl::ComputePass::Bindings tet{{"step", &r.buffers.step},
-                                {"tet_vertices", &r.buffers.tet_vertices},
-                                {"tet_shape", &r.buffers.tet_shape},
                                 {"displacement", &r.buffers.displacement},
                                 {"lambda", &multiplier_},
                                 {"multiplier", &multiplier_}};

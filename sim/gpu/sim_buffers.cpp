@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 namespace fascia {
@@ -30,35 +31,59 @@ std::vector<std::uint32_t> tets_before(const std::vector<Tet>& tets, std::size_t
   return begin;
 }
 
-std::vector<vec4> make_shapes(const Model& model, const std::vector<Tet>& tets) {
-  std::vector<vec4> shapes(3 * tets.size());
-  for (std::size_t t = 0; t < tets.size(); ++t) {
-    const Tet& tet = tets[t];
+struct Shape {
+  Eigen::Matrix3d gradients;  // in rows, of the last three corners
+  double volume;
+
+  Shape(const Model& model, const Tet& tet) {
     Eigen::Matrix3d dm;
     for (int k = 0; k < 3; ++k) dm.col(k) = model.rest_positions[tet[k + 1]] - model.rest_positions[tet[0]];
-    const Eigen::Matrix3d inv_dm = dm.inverse();
-    for (int k = 0; k < 3; ++k)
-      shapes[3 * t + k] = to_vec4(inv_dm.row(k).transpose(), k == 0 ? dm.determinant() / 6 : 0);
+    gradients = dm.inverse();
+    volume = dm.determinant() / 6;
   }
-  return shapes;
-}
+};
+
+// The shapes of tets, of which the first 2 * pair_count are aligned pairs, and what shaders/common/tet_pair.glsl reads of their second
+// ones; the fifth corners' slots are left to others.
+struct Shapes {
+  std::vector<vec4> rows;
+  std::vector<Tet> fifth;
+
+  Shapes(const Model& model, const std::vector<Tet>& tets, std::uint32_t pair_count) : rows(3 * tets.size()), fifth(tets.size() - pair_count) {
+    const auto bits = [](double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); };
+    for (std::size_t t = 0; t < tets.size(); ++t) {
+      const Shape a(model, tets[t]);
+      Eigen::Vector3d beside(a.volume, 0, 0);  // the rows
+      if (t >= 2 * pair_count) {
+        fifth[t - pair_count] = {tets[t][3], 0, bits(-1), bits(a.volume)};
+      } else if (t % 2 == 0) {
+        const Shape b(model, tets[t + 1]);
+        const Eigen::RowVector3d bx = a.gradients.row(2);
+        const auto along = [&](const Eigen::RowVector3d& difference) { return difference.dot(bx) / bx.squaredNorm(); };
+        beside[1] = along(b.gradients.row(1) - a.gradients.row(0));
+        beside[2] = along(b.gradients.row(0) - a.gradients.row(1));
+        fifth[t / 2] = {tets[t + 1][3], 0, bits(-along(b.gradients.row(2))), bits(b.volume)};
+      }
+      for (int k = 0; k < 3; ++k) rows[3 * t + static_cast<std::size_t>(k)] = to_vec4(a.gradients.row(k).transpose(), beside[k]);
+    }
+  }
+};
 
 // Where the corners of pairs and single tets put their corrections: a counting sort of corners by vertex.
 struct Slots {
-  gl::Buffer correction, pair, fifth, begin;  // as in SimBuffers
-  std::uint32_t most = 0;                     // of a vertex
+  gl::Buffer correction, pair, begin;  // as in SimBuffers
+  std::uint32_t most = 0;              // of a vertex
 
-  Slots(const std::vector<Tet>& tets, std::uint32_t pair_count, std::uint32_t vertex_count) {
+  // Of the fifth corners the slots are put beside the vertices.
+  Slots(const std::vector<Tet>& tets, std::uint32_t pair_count, std::uint32_t vertex_count, std::vector<Tet>& fifth) {
     const std::uint32_t count = static_cast<std::uint32_t>(tets.size()) - pair_count;
     std::vector<Tet> corners(count);
-    std::vector<std::uint32_t> fifths(count, 0), begins(vertex_count + 1, 0);
+    std::vector<std::uint32_t> begins(vertex_count + 1, 0);
     for (std::uint32_t i = 0; i < count; ++i) {
       const bool two = i < pair_count;
       corners[i] = tets[two ? 2 * i : pair_count + i];
       for (const std::uint32_t v : corners[i]) ++begins[v + 1];
-      if (!two) continue;
-      fifths[i] = tets[2 * i + 1][3];
-      ++begins[fifths[i] + 1];
+      if (two) ++begins[fifth[i][0] + 1];
     }
     std::partial_sum(begins.begin(), begins.end(), begins.begin());
     for (std::uint32_t v = 0; v < vertex_count; ++v) most = std::max(most, begins[v + 1] - begins[v]);
@@ -67,10 +92,9 @@ struct Slots {
     std::vector<std::uint32_t>& next = begins;  // of each vertex the next free slot
     for (std::uint32_t i = 0; i < count; ++i) {
       for (std::uint32_t& v : corners[i]) v = next[v]++;
-      if (i < pair_count) fifths[i] = next[fifths[i]]++;
+      if (i < pair_count) fifth[i][1] = next[fifth[i][0]]++;
     }
     pair = gl::Buffer("pair_slots", corners);
-    fifth = gl::Buffer("fifth_slot", fifths);
   }
 };
 
@@ -116,15 +140,16 @@ void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
   }
   for (std::size_t i = 0; i < pairing.pair_count; ++i) align_at_face(tets[2 * i], tets[2 * i + 1]);
   const std::vector<std::uint32_t> before = tets_before(tets, vertex_count);
-  Slots slots(tets, pairing.pair_count, vertex_count);
-  gl::Buffer vertices("tet_vertices", tets), shapes("tet_shape", make_shapes(model, tets)), begins("tet_begin", before);
+  Shapes shapes(model, tets, pairing.pair_count);
+  Slots slots(tets, pairing.pair_count, vertex_count, shapes.fifth);
+  gl::Buffer vertices("tet_vertices", tets), rows("tet_shape", shapes.rows), fifth("pair_fifth", shapes.fifth), begins("tet_begin", before);
   if (!material.empty()) tet_material = gl::Buffer("tet_material", material);
   tet_vertices = std::move(vertices);
-  tet_shape = std::move(shapes);
+  tet_shape = std::move(rows);
+  pair_fifth = std::move(fifth);
   tet_begin = std::move(begins);
   correction = std::move(slots.correction);
   pair_slots = std::move(slots.pair);
-  fifth_slot = std::move(slots.fifth);
   slot_begin = std::move(slots.begin);
   pair_count = pairing.pair_count;
   most_slots = slots.most;

@@ -39,7 +39,8 @@ struct SimBuffers {
   gl::Buffer rest_position;  // vec4 [vertex_count] X [m], w inverse mass [1/kg], 0 where held
   gl::Buffer mass;           // float [vertex_count] [kg]
   gl::Buffer tet_vertices;   // uvec4 [tet_count]
-  gl::Buffer tet_shape;      // vec4 [3 * tet_count] rows of Dm^-1 [1/m], w of the first row: volume [m^3]
+  gl::Buffer tet_shape;      // vec4 [3 * tet_count] rows of Dm^-1 [1/m], w of the first row: volume [m^3]; of a pair's first tet others: d1, d2
+  gl::Buffer pair_fifth;     // uvec4 [pairs and single tets] what a second tet adds to the first one, d1 and d2 apart (shaders/common/tet_pair.glsl)
   gl::Buffer tet_begin;      // uint [vertex_count + 1] its differences are the numbers of tets around each vertex
   gl::Buffer tet_material;   // uint [tet_count]; not made for a single material
   gl::Buffer materials;      // vec4 [material_count]; not made for a single material
@@ -47,7 +48,6 @@ struct SimBuffers {
   // Scratch, vec4 [slots]: what each corner of a pair of tets, or of a single tet, adds to its vertex (shaders/common/pair_slots.glsl).
   gl::Buffer correction;
   gl::Buffer pair_slots;  // uvec4 [pairs and single tets] slots of all corners but the pair's fifth, sorted by vertex
-  gl::Buffer fifth_slot;  // uint [the same] the slot of that
   gl::Buffer slot_begin;  // uint [vertex_count + 1] first slot of each vertex
 
   gl::Buffer astray;  // uint [1] smallest index of a vertex that is lost (shaders/sim/velocity.comp), ~0 for none

@@ -147,10 +147,9 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
   if (!motions_.empty()) passes.begin.push_back(motions_.pass(programs_, buffers_));
   if (features_.damping)
     passes.begin.push_back(r.over_pairs("sim/previous_strain.comp", {},
-                                       {{"tet_vertices", &buffers_.tet_vertices},
-                                        {"tet_shape", &buffers_.tet_shape},
-                                        {"previous_displacement", &buffers_.previous_displacement},
-                                        {"previous_strain", &previous_strain_}}));
+                                       with_pairs({{"previous_displacement", &buffers_.previous_displacement},
+                                                   {"previous_strain", &previous_strain_}},
+                                                  buffers_)));
   append(passes.begin, method_->begin(r));
   if (const StepGradient* gradient = method_->gradient()) passes.before_first = passes.before = gradient->passes(r);
   passes.refresh = method_->refresh(r);

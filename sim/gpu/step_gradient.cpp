@@ -7,8 +7,6 @@ StepGradient::StepGradient(const SimBuffers& buffers)
 
 Passes StepGradient::passes(const Recording& r) const {
   gl::ComputePass::Bindings tet{{"step", &r.buffers.step},
-                                {"tet_vertices", &r.buffers.tet_vertices},
-                                {"tet_shape", &r.buffers.tet_shape},
                                 {"displacement", &r.buffers.displacement}};
   tet = with_damping(with_material(with_slots(std::move(tet), r.buffers), r.features, r.buffers), r.features, r.previous_strain);
   gl::Defines tet_defines = defines_of(r.features);

@@ -49,8 +49,6 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
     defines.emplace_back("HEAT_LARGEST_STRESS", flag(color == ColorBy::largest_stress));
     defines.emplace_back("HEAT_SMALLEST_STRESS", flag(color == ColorBy::smallest_stress));
     gl::ComputePass::Bindings tet{{"step", &buffers.step},
-                                  {"tet_vertices", &buffers.tet_vertices},
-                                  {"tet_shape", &buffers.tet_shape},
                                   {"displacement", &buffers.displacement}};
     passes_.emplace_back(programs.compute("sim/heat_tet.comp", defines),
                          with_material(with_slots(std::move(tet), buffers), features, buffers), buffers.pair_and_single_count(),

@@ -149,11 +149,9 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
     passes.push_back(objective_sum(r));
   } else {
     gl::ComputePass::Bindings curvature = with_coarse({{"step", &r.buffers.step},
-                                                       {"tet_vertices", &r.buffers.tet_vertices},
-                                                       {"tet_shape", &r.buffers.tet_shape},
                                                        {"displacement", &r.buffers.displacement},
                                                        {"fine_direction", &fine_direction_}});
-    curvature = with_damping(with_material(std::move(curvature), r.features, r.buffers), r.features, r.previous_strain);
+    curvature = with_damping(with_material(with_pairs(std::move(curvature), r.buffers), r.features, r.buffers), r.features, r.previous_strain);
     gl::Defines curvature_defines = defines_of(r.features);
     curvature_defines.emplace_back("SPLIT", splits_ ? "1" : "0");
     gl::ComputePass::Bindings sums = curvature;

@@ -100,10 +100,7 @@ TEST_CASE("previous strain is the Green strain of the start of the substep", "[g
   buffers.previous_displacement.upload(0, buffers.previous_displacement.bytes(), u.data());
   const gl::Buffer strain("strain", 2 * sizeof(vec4) * buffers.tet_count);
   gl::ComputePass(gpu.programs.compute("sim/previous_strain.comp"),
-                  {{"tet_vertices", &buffers.tet_vertices},
-                   {"tet_shape", &buffers.tet_shape},
-                   {"previous_displacement", &buffers.previous_displacement},
-                   {"previous_strain", &strain}},
+                  with_pairs({{"previous_displacement", &buffers.previous_displacement}, {"previous_strain", &strain}}, buffers),
                   buffers.pair_and_single_count(), {{"pair_count", buffers.pair_count}})
       .run();
   const DoubleXpbd exact(model, {});

@@ -66,7 +66,7 @@ TEST_CASE("features that are off cost no dispatch, no program and no byte", "[gp
   const std::size_t with_damping = gl::allocated_bytes();
   const auto bytes_of_slots = [&] {
     const auto& by_buffer = gl::bytes_by_buffer();
-    return by_buffer.at("pair_slots") + by_buffer.at("fifth_slot") + by_buffer.at("correction");
+    return by_buffer.at("pair_slots") + by_buffer.at("pair_fifth") + by_buffer.at("correction");
   };
   const std::size_t of_pairs = bytes_of_slots();
 
