@@ -1,6 +1,7 @@
 #include "render/gl/fused_pass.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 #include <functional>
 #include <optional>
@@ -238,7 +239,7 @@ class FusedPasses::Dispatch {
     values_ = values();
     plan_ = Buffer("plan", values_);
     const std::uint32_t counters = (most_repeats() * words_.front().value + 15) / 16 * 16;  // of a stretch: fused.glsl
-    crew_ = Buffer("crew", sizeof(std::uint32_t) * (kFirstCounter + crew_size() * counters));
+    crew_ = Buffer("crew", sizeof(std::uint32_t) * (kFirstCounter + std::bit_ceil((crew_size() + 1) / 2) * counters));
     ComputePass::Bindings bindings = composition.declarations.bindings();
     bindings.insert(bindings.end(), {{"crew", &crew_}, {"plan", &plan_}});
     if (composition.step) bindings.emplace_back("step", composition.step);

@@ -47,20 +47,21 @@ uint join_crew() {
   return told;
 }
 
-// The work groups of a kernel lie in stretches of two members each: one goes through it from its beginning, the other from its end, and
+// The work groups of a kernel lie in stretches for two members each: one goes through it from its beginning, the other from its end, and
 // where they meet depends on how fast they are. So everybody does about the same part of every kernel, and most of what it reads is what
 // it wrote: what another core wrote takes long to come. Who finds nothing left helps in the other stretches. Parts become ever smaller
 // (guided self-scheduling, Polychronopoulos, Kuck 1987), so that all end at about the same time.
 // A counter tells what was taken from the beginning and, times FROM_END, from the end of a stretch, in units of some work groups.
 #define FROM_END 0x10000u
 #define MOST_UNITS 8192u  // of a stretch: far from FROM_END, however many ask for more than is left
+#define STRETCHES_LOG2 uint(findMSB(gl_NumWorkGroups.x - 1u | 1u))  // divisions would make much code
 bool from_end() { return (gl_WorkGroupID.x & 1u) != 0u; }
 uint stretch, stretches_left, units_left;  // units: at most
 uint group, end_of_part;                   // work groups that were taken
 
 void begin_kernel() {
   stretch = gl_WorkGroupID.x / 2u;
-  stretches_left = (gl_NumWorkGroups.x + 1u) / 2u;
+  stretches_left = 1u << STRETCHES_LOG2;
   units_left = MOST_UNITS;
 }
 
@@ -85,12 +86,11 @@ uint take_units(uint size, uint count, uint cost) {
 
 // Of a kernel's work groups, not more than `most`.
 void take_part(uint groups, uint most, uint cost) {
-  uint members = gl_NumWorkGroups.x;
-  uint first = groups * (2u * stretch) / members, last = groups * min(2u * stretch + 2u, members) / members;
-  uint unit = (last - first) / MOST_UNITS + 1u, size = (last - first + unit - 1u) / unit;
-  uint share = members == 1u ? size : max(min(units_left, size) / 4u, size / 64u);
-  uint count = clamp(share, 1u, max(1u, most / unit));
-  uint before = take_units(size, count, unit * cost);
+  uint first = groups * stretch >> STRETCHES_LOG2, last = groups * (stretch + 1u) >> STRETCHES_LOG2;
+  uint unit_log2 = uint(max(findMSB(last - first) - 12, 0)), size = (last - first + (1u << unit_log2) - 1u) >> unit_log2;
+  uint share = gl_NumWorkGroups.x == 1u ? size : max(min(units_left, size) / 4u, size / 64u);
+  uint count = clamp(share, 1u, max(1u, most >> unit_log2));
+  uint before = take_units(size, count, cost << unit_log2);
   uint taken_first = before % FROM_END, taken_last = before / FROM_END, taken = taken_first + taken_last;
   if (before == NONE || taken >= size) {
     units_left = 0u;
@@ -98,14 +98,14 @@ void take_part(uint groups, uint most, uint cost) {
   } else {
     uint part = min(count, size - taken), begin = from_end() ? size - taken_last - part : taken_first;
     units_left = size - taken - part;
-    group = first + begin * unit;
-    end_of_part = min(group + part * unit, last);
+    group = first + (begin << unit_log2);
+    end_of_part = min(group + (part << unit_log2), last);
   }
   if (before == NONE) {
     stretches_left = 0u;
   } else if (units_left == 0u) {
     --stretches_left;
-    stretch = 2u * stretch + 2u < members ? stretch + 1u : 0u;
+    stretch = (stretch + 1u) & ((1u << STRETCHES_LOG2) - 1u);
     units_left = size / 2u;  // others have begun it
   }
 }
