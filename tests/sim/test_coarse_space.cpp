@@ -142,7 +142,7 @@ TEST_CASE("coarse nodes lie in the order of their vertices, those with as many s
   CAPTURE(sum, in_step);
   CHECK(in_step < 1.15 * static_cast<double>(sum));  // 1.56 in the order of the lattice
 
-  // Who has the first half of the nodes needs few vertices of the second half.
+  // Who has the first half of the nodes needs few vertices of the second half: half of them in no order, few in the lattice's, too.
   const auto half = static_cast<std::uint32_t>(space.begin.size() / 2);
   std::size_t apart = 0;
   for (std::uint32_t j = 0; j < space.node_count; ++j)
