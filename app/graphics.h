@@ -6,21 +6,11 @@
 #include <vector>
 
 #include "app/options.h"
+#include "app/software_threads.h"
 #include "render/context.h"
 #include "render/gl/program.h"
-#include "sim/model.h"
-#include "sim/scene.h"
 
 namespace fascia {
-
-/// What a software renderer will mostly do.
-struct Workload {
-  Method method = Method::jacobi;
-  std::size_t tets = 0;
-  bool drawn = true;
-  bool fused = true;  // whether the passes of a step are (render/gl/fused_pass.h): not with solver.tolerance
-};
-Workload workload_of(const Scene& scene, const Model& model, bool drawn = true);
 
 struct Graphics {
   std::filesystem::path data_dir;

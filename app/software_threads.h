@@ -1,0 +1,35 @@
+// The worker threads of the software renderer llvmpipe: how many there are, and on which cores they run.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "sim/model.h"
+#include "sim/scene.h"
+
+namespace fascia {
+
+/// What a software renderer will mostly do.
+struct Workload {
+  Method method = Method::jacobi;
+  std::size_t tets = 0;
+  bool drawn = true;
+  bool fused = true;  // whether the passes of a step are (render/gl/fused_pass.h): not with solver.tolerance
+};
+Workload workload_of(const Scene& scene, const Model& model, bool drawn = true);
+
+/// Made before a context, asked to spread what came with it afterwards.
+class SoftwareThreads {
+ public:
+  /// Chooses how many there will be (LP_NUM_THREADS, if the user did not set it); it cannot be changed later.
+  explicit SoftwareThreads(const Workload& workload);
+
+  /// Gives each of the threads that run kernels a core of its own, where there are as many of both. Left to itself Linux wakes two of
+  /// them on one core, and, because they sleep again after milliseconds, leaves them there for seconds: a kernel then takes as long as
+  /// with one thread. Without a word where it is no Linux or there are no such threads.
+  void spread() const;
+
+ private:
+  std::vector<int> before_;  // the threads that there were
+};
+
+}  // namespace fascia
