@@ -46,10 +46,16 @@ void add_render(CLI::App& program, Invocation& invocation) {
   add_common(command, *options);
   add_size(command, options->width, options->height);
   command.add_option("--out", options->out, "the picture after the last step")->type_name("FILE.png");
-  command.add_option("--video", options->video, "every frame: .mp4, .webm, or pictures by a pattern such as frames/%05d.png")->type_name("FILE");
-  command.add_option("--fps", options->fps, "frames per second of the video")->check(CLI::Range(1.0, 1000.0))->capture_default_str();
+  auto* video = command
+                    .add_option("--video", options->video, "every frame: .mp4, .webm, or pictures by a pattern such as frames/%05d.png")
+                    ->type_name("FILE");
+  command.add_option("--fps", options->fps, "frames per second of the video")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->needs(video)
+      ->capture_default_str();
   command.add_option("--slow", options->slow, "times slower than life: between steps the tissue moves on a smooth path through them")
       ->check(CLI::Range(0.01, 1000.0))
+      ->needs(video)
       ->capture_default_str();
   command.add_option("--samples", options->samples, "samples per pixel; more than the renderer has are averaged from several pictures")
       ->check(CLI::Range(1, 256))

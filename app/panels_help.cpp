@@ -67,10 +67,16 @@ constexpr ImGuiWindowFlags kPlain = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
 }  // namespace
 
 void draw_help(ViewState& state) {
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({(size.x + panel_width()) / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  // In the middle of what the panels leave; over them, and scrolled, where it does not fit.
+  const char* name = "Keys and mouse";
+  const ImVec2 size = ImGui::GetIO().DisplaySize, most{size.x - ui::px(16), size.y - ui::px(16)};
+  const ImGuiWindow* before = ImGui::FindWindowByName(name);
+  const float half = before ? before->Size.x / 2 : 0, right_most = size.x - ui::px(8) - half;
+  ImGui::SetNextWindowPos({std::min((size.x + panel_width()) / 2, right_most), size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, most);
   ImGui::SetNextWindowBgAlpha(0.98f);  // it may lie over plots
-  if (ImGui::Begin("Keys and mouse", &state.show_help, (kPlain & ~ImGuiWindowFlags_NoTitleBar) | ImGuiWindowFlags_NoCollapse)) {
+  constexpr ImGuiWindowFlags kFlags = (kPlain & ~ImGuiWindowFlags_NoTitleBar) | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_HorizontalScrollbar;
+  if (ImGui::Begin(name, &state.show_help, kFlags)) {
     const auto& columns = help_columns();
     for (std::size_t c = 0; c < columns.size(); ++c) {
       if (c > 0) ImGui::SameLine(0, ui::px(28));

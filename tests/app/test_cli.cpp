@@ -47,7 +47,8 @@ TEST_CASE("usage errors exit with 2", "[cli]") {
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
            {"render", "--no-such-option"}, {"run", "--steps", "-1"}, {"run", "--context", "vulkan"},
            {"render", "--size", "12by7"}, {"render", cube().string()}, {"run", "--static", "--error"},
-           {"run", "--reference", "--error"}, {"run", "--every", "2"}, {"view", "--context", "osmesa"}, {"run", "a.json", "--replay", "b.fascia"},
+           {"run", "--reference", "--error"}, {"run", "--every", "2"}, {"render", "--out", "x.png", "--fps", "30"},
+           {"render", "--out", "x.png", "--slow", "2"}, {"view", "--context", "osmesa"}, {"run", "a.json", "--replay", "b.fascia"},
            {"render", "--color", "blue", "--out", "x.png"}, {"info"}, {"convert", "one.msh"}, {"run", "--steps", "5", "--time", "1"}}) {
     const CommandResult result = run_fascia(arguments);
     CAPTURE(arguments, result.err);

@@ -1,6 +1,7 @@
 // Where panels stand: inside the picture whatever its size, beside what is written over it; and what their rows leave between each other.
 #include <catch2/catch.hpp>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "app/overlay.h"
 #include "app/panels.h"
@@ -65,6 +66,21 @@ TEST_CASE("the panel Plots keeps its place at the right when the window shrinks 
   desk.show_plots(640, 480);
   CHECK(desk.inside(640, 480));
   CHECK(desk.state.plots.width == 400);
+}
+
+TEST_CASE("the list of keys lies inside the picture, whatever its size, and is scrolled where it does not fit", "[panel_layout]") {
+  Desk desk;
+  desk.state.show_help = true;
+  for (const auto& [width, height] : {std::pair(1280, 720), {800, 600}, {480, 360}}) {
+    for (int frame = 0; frame < 3; ++frame) desk.frame(width, height, [&] { draw_help(desk.state); });
+    const ImGuiWindow& window = *ImGui::FindWindowByName("Keys and mouse");
+    CAPTURE(width, height, window.Pos.x, window.Pos.y, window.Size.x, window.Size.y);
+    CHECK(window.Pos.x >= 0);
+    CHECK(window.Pos.y >= 0);
+    CHECK(window.Pos.x + window.Size.x <= static_cast<float>(width));
+    CHECK(window.Pos.y + window.Size.y <= static_cast<float>(height));
+    CHECK(window.ScrollbarY == (height < 720));
+  }
 }
 
 TEST_CASE("what is written over the picture stands beside docked plots", "[panel_layout]") {
