@@ -56,8 +56,10 @@ TetPairing paired_tets(const Model& model) {
     const auto edge = [&](int k) -> Eigen::Vector3d { return model.rest_positions[model.tets[t][k]] - model.rest_positions[model.tets[t][0]]; };
     return edge(1).cross(edge(2)).dot(edge(3));
   };
-  for (std::size_t i = 0; i < pairing.pair_count; ++i)
-    if (std::uint32_t *pair = &pairing.order[2 * i]; volume(pair[0]) < volume(pair[1])) std::swap(pair[0], pair[1]);
+  for (std::size_t i = 0; i < pairing.pair_count; ++i) {
+    std::uint32_t &first = pairing.order[i], &second = pairing.order[pairing.second_begin() + i];
+    if (volume(first) < volume(second)) std::swap(first, second);
+  }
   return pairing;
 }
 

@@ -17,8 +17,12 @@ Placement placement_of(const Model& model) {
     placement.place[v] = static_cast<std::uint32_t>(placement.vertex.size());
     placement.vertex.push_back(v);
   };
-  for (const std::uint32_t t : placement.tets.order)
-    for (const std::uint32_t v : model.tets[t]) meet(v);
+  const TetPairing& tets_by_pair = placement.tets;
+  for (std::size_t i = 0; i < tets_by_pair.second_begin(); ++i) {
+    for (const std::uint32_t v : model.tets[tets_by_pair.order[i]]) meet(v);
+    if (i >= tets_by_pair.pair_count) continue;
+    for (const std::uint32_t v : model.tets[tets_by_pair.order[tets_by_pair.second_begin() + i]]) meet(v);
+  }
   for (std::uint32_t v = 0; v < count; ++v) meet(v);
   // A few invocations side by side take as long as the one with the most tets: among neighbors, those with as many are put side by side.
   constexpr std::size_t kNeighbors = 128;

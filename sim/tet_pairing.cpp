@@ -96,15 +96,17 @@ TetPairing pair_tets(const std::vector<Tet>& tets, const std::vector<std::uint32
   const Matching matching(ordered);
   TetPairing pairing;
   pairing.order.reserve(order.size());
-  std::vector<std::uint32_t> single;
+  std::vector<std::uint32_t> single, second;
   for (std::uint32_t t = 0; t < ordered.size(); ++t) {
     const std::uint32_t other = matching.partner(t);
     if (other == kNoTet) single.push_back(order[t]);
     if (other == kNoTet || other < t) continue;
-    pairing.order.insert(pairing.order.end(), {order[t], order[other]});
-    ++pairing.pair_count;
+    pairing.order.push_back(order[t]);
+    second.push_back(order[other]);
   }
+  pairing.pair_count = static_cast<std::uint32_t>(second.size());
   pairing.order.insert(pairing.order.end(), single.begin(), single.end());
+  pairing.order.insert(pairing.order.end(), second.begin(), second.end());
   return pairing;
 }
 

@@ -5,6 +5,7 @@ function(fascia_test name)
   if(NOT sources)
     return()
   endif()
+  set_property(GLOBAL APPEND PROPERTY FASCIA_TEST_SOURCES ${sources})
   add_executable(${name} ${sources})
   target_link_libraries(${name} PRIVATE test_support ${T_LIBS})
   target_precompile_headers(${name} REUSE_FROM test_support)
@@ -31,7 +32,7 @@ endif()
 set(T ${PROJECT_SOURCE_DIR}/tests)
 fascia_test(test_mesh SOURCES ${T}/sim/test_*mesh*.cpp ${T}/sim/test_surface.cpp LIBS sim_core)
 fascia_test(test_scene SOURCES ${T}/sim/test_scene*.cpp ${T}/sim/test_settings.cpp ${T}/sim/test_rest.cpp ${T}/sim/test_material.cpp
-            ${T}/sim/test_model*.cpp ${T}/sim/test_coarse*.cpp LIBS sim_core nlohmann_json::nlohmann_json)
+            ${T}/sim/test_model*.cpp ${T}/sim/test_coarse*.cpp ${T}/sim/test_tet_pairing.cpp LIBS sim_core nlohmann_json::nlohmann_json)
 fascia_test(test_fuzz SOURCES ${T}/fuzz/fuzz.cpp ${T}/fuzz/fuzz_*.cpp ${T}/fuzz/test_fuzz.cpp ${T}/fuzz/watched_new.cpp LIBS sim_core LABELS fuzz)
 fascia_test(test_reference SOURCES ${T}/sim/reference/test_*.cpp LIBS sim_core)
 fascia_test(test_gl SOURCES ${T}/render/gl/test_*.cpp ${T}/render/test_context*.cpp LIBS render)
@@ -40,6 +41,15 @@ fascia_test(test_render SOURCES ${T}/render/test_render*.cpp ${T}/render/test_ca
             LIBS render)
 fascia_test(test_solver SOURCES ${T}/sim/gpu/*.cpp LIBS sim render)
 fascia_test(test_app SOURCES ${T}/app/test_*.cpp ${T}/app/window_fixture.cpp LIBS app nlohmann_json::nlohmann_json PkgConfig::IMGUI)
+
+# A test that no program has would never fail.
+file(GLOB_RECURSE written CONFIGURE_DEPENDS ${T}/test_*.cpp)
+get_property(built GLOBAL PROPERTY FASCIA_TEST_SOURCES)
+list(REMOVE_ITEM written ${built})
+if(written)
+  message(FATAL_ERROR "no test program has ${written}: expected it among the SOURCES in tests/tests.cmake")
+endif()
+
 # The work groups of fused passes wait for each other: with more threads than most machines of CI have cores. And vectors of four, as
 # llvmpipe has them on processors without AVX2.
 set(threads_environment ${FASCIA_TEST_ENVIRONMENT})

@@ -1,5 +1,5 @@
 // Two tets that share a face, or one by itself: what the two have in common is read and written once. Invocations go through the pairs
-// first and through the single tets after them.
+// first and through the single tets after them; tets lie in that order, the second ones of pairs behind all others.
 // The corners of a pair are s0, s1, s2 of the face, x of tet a = (s0, s1, s2, x) and y of tet b = (s0, s2, s1, y). Along the face the
 // gradients of both tets' shape functions agree, so that those of b differ from those of a by multiples of b_x, which is normal to it:
 //   b_y = -c b_x,   b_s1 of b = b_s1 of a + d1 b_x,   b_s2 of b = b_s2 of a + d2 b_x,   V_b = V_a / c,
@@ -8,7 +8,8 @@
 // Of a single tet b is a copy of a whose shape functions are zero: it adds nothing to any force, and what it would write is left out.
 #include "common/tet.glsl"
 INPUT_UVEC4(PairFifth, pair_fifth)  // [pairs and single tets] the vertex y and its slot, c and V_b [m^3] (float bits); of a single tet x, any, -1, V_a
-uniform uint pair_count;  // before the single tets
+uniform uint pair_count;    // before the single tets
+uniform uint second_begin;  // of the pairs, the first one's second tet
 
 struct TetPair {
   uint ta, tb;  // tb = ta of a single tet
@@ -20,7 +21,7 @@ struct TetPair {
 
 TetPair load_pair(uint i) {
   bool two = i < pair_count;
-  uint ta = two ? 2u * i : pair_count + i, tb = two ? ta + 1u : ta;
+  uint ta = i, tb = two ? second_begin + i : ta;
   vec4 r1 = FETCH(tet_shape, 3u * ta), r2 = FETCH(tet_shape, 3u * ta + 1u), r3 = FETCH(tet_shape, 3u * ta + 2u);
   uvec4 v = FETCH(tet_vertices, ta), fifth = FETCH(pair_fifth, i);
   float c = uintBitsToFloat(fifth.z), weight = two ? 1.0 : 0.0;

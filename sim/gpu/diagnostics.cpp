@@ -32,8 +32,10 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
                                 {"displacement", &buffers.displacement},
                                 {"tet_partials", &tet_partials_}};
   tet = with_damping(with_material(with_slots(std::move(tet), buffers), features, buffers), features, previous_strain);
+  gl::ComputePass::Constants tet_constants = constants_of_pairs(buffers);
+  tet_constants.emplace_back("pair_and_single_count", buffers.pair_and_single_count());
   passes_.emplace_back(programs.compute("sim/diagnose_tet.comp", defines_of(features)), std::move(tet), tet_partial_count_,
-                       gl::ComputePass::Constants{{"pair_count", buffers.pair_count}, {"pair_and_single_count", buffers.pair_and_single_count()}});
+                       std::move(tet_constants));
   if (!grab.empty() && grab.at_vertices()) passes_.push_back(grab.measure(programs, buffers));
   if (!grab.empty()) passes_.push_back(grab.load(programs, buffers));
   passes_.emplace_back(programs.compute("sim/diagnose_vertex.comp"),

@@ -42,6 +42,10 @@ gl::ComputePass::Bindings with_pairs(gl::ComputePass::Bindings bindings, const S
   return bindings;
 }
 
+gl::ComputePass::Constants constants_of_pairs(const SimBuffers& buffers) {
+  return {{"pair_count", buffers.pair_count}, {"second_begin", buffers.pair_and_single_count()}};
+}
+
 gl::ComputePass::Bindings with_slots(gl::ComputePass::Bindings bindings, const SimBuffers& buffers) {
   bindings.insert(bindings.end(), {{"pair_slots", &buffers.pair_slots}, {"correction", &buffers.correction}});
   return with_pairs(std::move(bindings), buffers);

@@ -13,6 +13,10 @@ gl::ComputePass::Constants list_constants(const Deferral& most, std::uint32_t li
   return {{"deferred_list", 4 * list}, {"deferred_begin", 4 * most.lists + first_item}};
 }
 
+void append_pairs(gl::ComputePass::Constants& constants, const SimBuffers& buffers) {
+  for (auto& constant : constants_of_pairs(buffers)) constants.push_back(std::move(constant));
+}
+
 }  // namespace
 
 gl::ComputePass Recording::over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
@@ -32,7 +36,7 @@ gl::ComputePass Recording::over_tets(const char* kernel, gl::Defines defines, gl
 gl::ComputePass Recording::over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings,
                                       gl::ComputePass::Constants constants) const {
   if (active) list(defines, bindings, active->pairs);
-  constants.emplace_back("pair_count", buffers.pair_count);
+  append_pairs(constants, buffers);
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.pair_and_single_count(), std::move(constants));
   pass.loops(loops_of_pair());
   if (active) pass.follow("invocations", active->pair_count);
@@ -51,7 +55,7 @@ Passes Recording::over_pairs_deferring(const char* kernel, const gl::Defines& de
 
 gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
   gl::ComputePass::Constants constants = list_constants(deferred->most, 0, 0);
-  constants.emplace_back("pair_count", buffers.pair_count);
+  append_pairs(constants, buffers);
   gl::ComputePass pass =
       over_deferred(kernel, std::move(defines), std::move(bindings), 0, buffers.pair_and_single_count(), std::move(constants));
   pass.loops(loops_of_pair());
@@ -107,7 +111,8 @@ gl::ComputePass Recording::sum_over_vertices(const char* kernel, gl::Defines def
 gl::ComputePass Recording::sum_over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings,
                                          const Reduction& sum, gl::ComputePass::Constants constants) const {
   if (active) list(defines, bindings, active->pairs);
-  constants.insert(constants.end(), {{"pair_count", buffers.pair_count}, {"pair_and_single_count", buffers.pair_and_single_count()}});
+  append_pairs(constants, buffers);
+  constants.emplace_back("pair_and_single_count", buffers.pair_and_single_count());
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), sum.lanes, std::move(constants));
   pass.loops(loops_of_sum(buffers.pair_and_single_count(), sum, deferred ? 0 : loops_of_pair()));
   if (active) pass.follow("pair_and_single_count", active->pair_count);

@@ -106,13 +106,13 @@ bool Regions::list(const SolverSettings& settings, const std::vector<GrabSpring>
   const auto moves = [&](const Tet& tet) {
     return std::any_of(tet.begin(), tet.end(), [&](std::uint32_t v) { return moving[vertex_region_[v]] != 0; });
   };
-  for (std::uint32_t i = 0, t = 0; i < buffers_.pair_and_single_count(); ++i) {
-    const std::uint32_t end = t + (i < buffers_.pair_count ? 2 : 1);
-    if (std::any_of(tets_.begin() + t, tets_.begin() + end, moves)) {
-      pairs.push_back(i);
-      for (; t < end; ++t) tets.push_back(t);
-    }
-    t = end;
+  for (std::uint32_t i = 0; i < buffers_.pair_and_single_count(); ++i) {
+    const bool two = i < buffers_.pair_count;
+    const std::uint32_t second = buffers_.pair_and_single_count() + i;
+    if (!moves(tets_[i]) && !(two && moves(tets_[second]))) continue;
+    pairs.push_back(i);
+    tets.push_back(i);
+    if (two) tets.push_back(second);
   }
   active_.pair_count = static_cast<std::uint32_t>(pairs.size());
   active_.tet_count = static_cast<std::uint32_t>(tets.size());

@@ -43,8 +43,8 @@ struct Shape {
   }
 };
 
-// The shapes of tets, of which the first 2 * pair_count are aligned pairs, and what shaders/common/tet_pair.glsl reads of their second
-// ones; the fifth corners' slots are left to others.
+// The shapes of tets in the order of a TetPairing, its pairs aligned, and what shaders/common/tet_pair.glsl reads of their second ones; the
+// fifth corners' slots are left to others.
 struct Shapes {
   std::vector<vec4> rows;
   std::vector<Tet> fifth;
@@ -54,15 +54,16 @@ struct Shapes {
     for (std::size_t t = 0; t < tets.size(); ++t) {
       const Shape a(model, tets[t]);
       Eigen::Vector3d beside(a.volume, 0, 0);  // the rows
-      if (t >= 2 * pair_count) {
-        fifth[t - pair_count] = {tets[t][3], 0, bits(-1), bits(a.volume)};
-      } else if (t % 2 == 0) {
-        const Shape b(model, tets[t + 1]);
+      if (t < pair_count) {
+        const Tet& second = tets[fifth.size() + t];
+        const Shape b(model, second);
         const Eigen::RowVector3d bx = a.gradients.row(2);
         const auto along = [&](const Eigen::RowVector3d& difference) { return difference.dot(bx) / bx.squaredNorm(); };
         beside[1] = along(b.gradients.row(1) - a.gradients.row(0));
         beside[2] = along(b.gradients.row(0) - a.gradients.row(1));
-        fifth[t / 2] = {tets[t + 1][3], 0, bits(-along(b.gradients.row(2))), bits(b.volume)};
+        fifth[t] = {second[3], 0, bits(-along(b.gradients.row(2))), bits(b.volume)};
+      } else if (t < fifth.size()) {
+        fifth[t] = {tets[t][3], 0, bits(-1), bits(a.volume)};
       }
       for (int k = 0; k < 3; ++k) rows[3 * t + static_cast<std::size_t>(k)] = to_vec4(a.gradients.row(k).transpose(), beside[k]);
     }
@@ -77,13 +78,11 @@ struct Slots {
   // Of the fifth corners the slots are put beside the vertices.
   Slots(const std::vector<Tet>& tets, std::uint32_t pair_count, std::uint32_t vertex_count, std::vector<Tet>& fifth) {
     const std::uint32_t count = static_cast<std::uint32_t>(tets.size()) - pair_count;
-    std::vector<Tet> corners(count);
+    std::vector<Tet> corners(tets.begin(), tets.begin() + count);
     std::vector<std::uint32_t> begins(vertex_count + 1, 0);
     for (std::uint32_t i = 0; i < count; ++i) {
-      const bool two = i < pair_count;
-      corners[i] = tets[two ? 2 * i : pair_count + i];
       for (const std::uint32_t v : corners[i]) ++begins[v + 1];
-      if (two) ++begins[fifth[i][0] + 1];
+      if (i < pair_count) ++begins[fifth[i][0] + 1];
     }
     std::partial_sum(begins.begin(), begins.end(), begins.begin());
     for (std::uint32_t v = 0; v < vertex_count; ++v) most = std::max(most, begins[v + 1] - begins[v]);
@@ -138,7 +137,7 @@ void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
     tets.push_back(model.tets[t]);
     if (model.materials.size() > 1) material.push_back(model.tet_material[t]);
   }
-  for (std::size_t i = 0; i < pairing.pair_count; ++i) align_at_face(tets[2 * i], tets[2 * i + 1]);
+  for (std::size_t i = 0; i < pairing.pair_count; ++i) align_at_face(tets[i], tets[pairing.second_begin() + i]);
   const std::vector<std::uint32_t> before = tets_before(tets, vertex_count);
   Shapes shapes(model, tets, pairing.pair_count);
   Slots slots(tets, pairing.pair_count, vertex_count, shapes.fifth);

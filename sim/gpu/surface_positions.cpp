@@ -52,7 +52,7 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
                                   {"displacement", &buffers.displacement}};
     passes_.emplace_back(programs.compute("sim/heat_tet.comp", defines),
                          with_material(with_slots(std::move(tet), buffers), features, buffers), buffers.pair_and_single_count(),
-                         gl::ComputePass::Constants{{"pair_count", buffers.pair_count}});
+                         constants_of_pairs(buffers));
     publish.emplace_back("slot_begin", &buffers.slot_begin);
     publish.emplace_back("correction", &buffers.correction);
   }

@@ -101,7 +101,7 @@ TEST_CASE("previous strain is the Green strain of the start of the substep", "[g
   const gl::Buffer strain("strain", 2 * sizeof(vec4) * buffers.tet_count);
   gl::ComputePass(gpu.programs.compute("sim/previous_strain.comp"),
                   with_pairs({{"previous_displacement", &buffers.previous_displacement}, {"previous_strain", &strain}}, buffers),
-                  buffers.pair_and_single_count(), {{"pair_count", buffers.pair_count}})
+                  buffers.pair_and_single_count(), constants_of_pairs(buffers))
       .run();
   const DoubleXpbd exact(model, {});
   std::vector<Vector3d> expected;

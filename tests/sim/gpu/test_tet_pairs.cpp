@@ -35,10 +35,10 @@ std::size_t check_slots(const SimBuffers& buffers) {
   };
   for (std::uint32_t i = 0; i < slots.size(); ++i) {
     const bool two = i < buffers.pair_count;
-    const Tet& a = tets[two ? 2 * i : buffers.pair_count + i];
+    const Tet& a = tets[i];
     for (int k = 0; k < 4; ++k) use(a[k], slots[i][k]);
     if (!two) continue;
-    const Tet& b = tets[2 * i + 1];
+    const Tet& b = tets[slots.size() + i];
     REQUIRE((b[0] == a[0] && b[1] == a[2] && b[2] == a[1] && b[3] != a[3]));
     CHECK(fifth[i][0] == b[3]);
     use(b[3], fifth[i][1]);
@@ -86,7 +86,7 @@ TEST_CASE("a second tet's shape functions are made from the first one's, beside 
   const auto rows = buffers.tet_shape.read<shared::vec4>();
   const auto row = [&](std::size_t t, std::size_t k) { return Eigen::Vector3f(rows[3 * t + k].x, rows[3 * t + k].y, rows[3 * t + k].z); };
   for (std::size_t i = 0; i < buffers.pair_count; ++i) {
-    const std::size_t a = 2 * i, b = 2 * i + 1;
+    const std::size_t a = i, b = buffers.pair_and_single_count() + i;
     const float c = std::bit_cast<float>(fifth[i][2]), volume = std::bit_cast<float>(fifth[i][3]);
     const Eigen::Vector3f x = row(a, 2), made[3] = {row(a, 1) + rows[3 * a + 2].w * x, row(a, 0) + rows[3 * a + 1].w * x, -c * x};
     Eigen::Matrix3d edges;

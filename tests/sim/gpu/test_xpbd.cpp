@@ -28,14 +28,13 @@ std::vector<std::map<std::uint32_t, std::uint32_t>> slots_of_corners(const SimBu
   const auto tets = buffers.tet_vertices.read<Tet>();
   const auto slots = buffers.pair_slots.read<Tet>();
   const auto fifth = buffers.pair_fifth.read<Tet>();
-  std::vector<std::map<std::uint32_t, std::uint32_t>> result;
+  std::vector<std::map<std::uint32_t, std::uint32_t>> result(tets.size());
   for (std::uint32_t i = 0; i < buffers.pair_and_single_count(); ++i) {
-    const bool two = i < buffers.pair_count;
-    const Tet& corners = tets[result.size()];
-    std::map<std::uint32_t, std::uint32_t> slot_of;
-    for (int a = 0; a < 4; ++a) slot_of[corners[a]] = slots[i][a];
-    if (two) slot_of[tets[result.size() + 1][3]] = fifth[i][1];
-    result.insert(result.end(), two ? 2 : 1, slot_of);
+    for (int a = 0; a < 4; ++a) result[i][tets[i][a]] = slots[i][a];
+    if (i >= buffers.pair_count) continue;
+    const std::uint32_t second = buffers.pair_and_single_count() + i;
+    result[i][tets[second][3]] = fifth[i][1];
+    result[second] = result[i];
   }
   return result;
 }
@@ -70,7 +69,7 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
   if (features.damping)
     gl::ComputePass(gpu.programs.compute("sim/previous_strain.comp"),
                     with_pairs({{"previous_displacement", &buffers.previous_displacement}, {"previous_strain", &previous_strain}}, buffers),
-                    buffers.pair_and_single_count(), {{"pair_count", buffers.pair_count}})
+                    buffers.pair_and_single_count(), constants_of_pairs(buffers))
         .run();
   const reference::State moved = buffers.download_state(0);
 
