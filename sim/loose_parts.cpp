@@ -23,6 +23,7 @@ LooseParts loose_parts(const Model& model, const std::vector<char>& held) {
   for (std::uint32_t v = 0; v < parent.size(); ++v)
     if (held[v]) supported[root_of(v)] = 1;
   LooseParts loose;
+  loose.loose.assign(parent.size(), 0);
   for (std::uint32_t v = 0; v < parent.size(); ++v) {
     if (!used[v]) continue;
     const std::uint32_t root = root_of(v);
@@ -31,6 +32,7 @@ LooseParts loose_parts(const Model& model, const std::vector<char>& held) {
       continue;
     }
     if (loose.vertices++ == 0) loose.first = v;
+    loose.loose[v] = 1;
     loose.parts += v == root;
   }
   return loose;

@@ -13,6 +13,7 @@ struct LooseParts {
   std::size_t parts = 0, vertices = 0;
   std::uint32_t first = 0;     // the first of these vertices
   std::size_t held_parts = 0;  // the others
+  std::vector<std::uint32_t> loose;  // [vertex_count] 1 in these parts
 };
 /// `held` [vertex_count] 1 where something holds a vertex.
 LooseParts loose_parts(const Model& model, const std::vector<char>& held);

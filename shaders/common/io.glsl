@@ -94,7 +94,7 @@ INPUT_UINT(DeferredItems, deferred_items)  // the same
 #else
 #define ITEM_OR_RETURN(i) if (INVOCATION >= invocations) return; uint i = LISTED_ITEM(INVOCATION);
 #endif
-// For sums: lane i of `lanes` goes through its share of `count` items, LISTED_ITEM(k). On GPUs all lanes go over the items side by side;
+// For sums: lane i of `lanes`, a multiple of 8, goes through its share of `count` items, LISTED_ITEM(k). On GPUs all lanes go over the items side by side;
 // on software renderers, whose vectors hold eight invocations, those have a stretch of their own, for items beside each other share
 // what they read.
 #define LANE_OR_RETURN(i) uint i = INVOCATION; if (i >= invocations) return;

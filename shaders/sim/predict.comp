@@ -1,7 +1,8 @@
 // Inertial prediction u~ = u_n + h v_n + h^2 g of every vertex; the iterations start there.
 // Reads velocity and the inverse masses; writes previous_displacement, predicted, displacement (w: inverse mass).
 // First pass of a substep. Held vertices (inverse mass 0) stay where they are.
-// With START_WITHOUT_GRAVITY the iterations start at u_n + h v_n instead: a stiff body hardly follows gravity within a step.
+// With START_WITHOUT_GRAVITY the iterations start at u_n + h v_n instead: a stiff body that is held hardly follows gravity within a step.
+// LOOSE: but where parts of the mesh are that nothing holds, which fall as they are predicted.
 // With MASS_SPLITTING the w of displacement is what each of a vertex's n copies sees: a share m / n of its mass (Tonge, Benevolenski,
 // Voroshilov 2012). The mean of the n corrections is then their sum at full mass: positions get all that the multipliers got.
 // Copies: one per tet around the vertex (Jacobi), or the vertex and its phantoms (colors).
@@ -17,6 +18,9 @@ INPUT_UINT(CopyBegin, copy_begin)  // [vertex_count + 1] its differences are the
 float copies(uint i) { return float(FETCH1(copy_begin, i + 1u) - FETCH1(copy_begin, i)); }
 #else
 float copies(uint i) { return 1.0; }
+#endif
+#ifdef LOOSE
+INPUT_UINT(Loose, loose)  // [vertex_count] not 0: starts with gravity
 #endif
 OUTPUT(vec4, PreviousDisplacement, previous_displacement)
 OUTPUT(vec4, Predicted, predicted)
@@ -37,7 +41,11 @@ void main() {
   previous_displacement[i] = vec4(u, inv_mass);
   predicted[i] = vec4(u + (drift + fall), inv_mass);
 #if START_WITHOUT_GRAVITY
-  displacement[i] = vec4(u + drift, inv_mass);
+  vec3 start = drift;
+#ifdef LOOSE
+  if (FETCH1(loose, i) != 0u) start += fall;
+#endif
+  displacement[i] = vec4(u + start, inv_mass);
 #else
   displacement[i] = vec4(u + (drift + fall), copies(i) * inv_mass);
 #endif

@@ -6,8 +6,7 @@
 namespace fascia {
 namespace {
 
-// Few enough to read back cheaply, enough to fill a GPU.
-std::uint32_t partial_count(std::uint32_t items) { return std::clamp<std::uint32_t>(items / 16, 64, 4096); }
+constexpr std::uint32_t kMostPartials = 4096;
 
 }  // namespace
 
@@ -17,8 +16,8 @@ double Diagnostics::imbalance(const Eigen::Vector3d& weight) const {
 }
 
 DiagnosticsReader::DiagnosticsReader(const SimBuffers& buffers)
-    : tet_partial_count_(partial_count(buffers.pair_and_single_count())),
-      vertex_partial_count_(partial_count(buffers.vertex_count)),
+    : tet_partial_count_(lanes_read_back(buffers.pair_and_single_count(), kMostPartials)),
+      vertex_partial_count_(lanes_read_back(buffers.vertex_count, kMostPartials)),
       volume_(buffers.volume),
       mean_mass_(buffers.mean_mass),
       displacement_(buffers.displacement),

@@ -2,8 +2,8 @@
 
 namespace fascia {
 
-gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin,
-                           bool gravity_at_start, const ActiveSet* active) {
+gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin, const Start& start,
+                           const ActiveSet* active) {
   gl::ComputePass::Bindings bindings{{"step", &buffers.step},
                                      {"rest_position", &buffers.rest_position},
                                      {"velocity", &buffers.velocity},
@@ -12,7 +12,11 @@ gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers
                                      {"previous_displacement", &buffers.previous_displacement},
                                      {"predicted", &buffers.predicted}};
   if (copy_begin) bindings.emplace_back("copy_begin", copy_begin);
-  gl::Defines defines{{"MASS_SPLITTING", copy_begin ? "1" : "0"}, {"START_WITHOUT_GRAVITY", gravity_at_start ? "0" : "1"}};
+  gl::Defines defines{{"MASS_SPLITTING", copy_begin ? "1" : "0"}, {"START_WITHOUT_GRAVITY", start.gravity ? "0" : "1"}};
+  if (start.loose) {
+    defines.emplace_back("LOOSE", "1");
+    bindings.emplace_back("loose", start.loose);
+  }
   if (active) {
     defines.emplace_back("LISTED", "1");
     bindings.emplace_back("item_list", &active->vertices);

@@ -6,10 +6,15 @@
 
 namespace fascia {
 
+/// Where the iterations of a substep start: at u~, or at u~ without gravity's part of it.
+struct Start {
+  bool gravity = true;
+  const gl::Buffer* loose = nullptr;  // uint [vertex_count] not 0 where they start at u~ though `gravity` is false; null: nowhere
+};
+
 /// The first pass of every substep (shaders/sim/predict.comp). `copy_begin`: uint [vertex_count + 1], copies before each vertex, of
-/// methods that split a vertex's mass between copies; null for those that do not. `gravity_at_start`: the iterations start at u~. `active`:
-/// for those vertices only; null: for all.
-gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin,
-                           bool gravity_at_start = true, const ActiveSet* active = nullptr);
+/// methods that split a vertex's mass between copies; null for those that do not. `active`: for those vertices only; null: for all.
+gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin, const Start& start = {},
+                           const ActiveSet* active = nullptr);
 
 }  // namespace fascia

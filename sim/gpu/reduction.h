@@ -24,4 +24,9 @@ struct Reduction {
   }
 };
 
+/// Lanes of a sum whose partials, one of each lane, the CPU adds up: few enough to read back cheaply, enough to fill a GPU.
+inline std::uint32_t lanes_read_back(std::uint32_t items, std::uint32_t most) {
+  return (std::clamp(items / 16, Reduction::kGroup, most) + Reduction::kGroup - 1) / Reduction::kGroup * Reduction::kGroup;
+}
+
 }  // namespace fascia

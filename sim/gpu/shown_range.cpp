@@ -3,11 +3,12 @@
 #include <algorithm>
 
 #include "shaders/shared/types.h"
+#include "sim/gpu/reduction.h"
 
 namespace fascia {
 
 ShownRange::ShownRange(gl::ProgramCache& programs, const gl::Buffer& positions, std::uint32_t vertex_count)
-    : partial_count_(std::clamp<std::uint32_t>(vertex_count / 16, 64, 1024)),
+    : partial_count_(lanes_read_back(vertex_count, 1024)),
       partials_("range_partials", partial_count_ * sizeof(shared::vec4)),
       staging_(gl::Buffer::staging("range_staging", partials_.bytes())),
       pass_(programs.compute("sim/shown_range.comp"), {{"position", &positions}, {"range_partials", &partials_}}, partial_count_,

@@ -6,6 +6,7 @@
 #include "sim/gpu/jacobi.h"
 #include "sim/gpu/two_level.h"
 #include "sim/gpu/vertex_descent.h"
+#include "sim/loose_parts.h"
 
 namespace fascia {
 
@@ -135,6 +136,14 @@ std::optional<GpuSolver::FusedStep> GpuSolver::fuse(const StepPasses& passes) {
                    joined({&passes.before, &passes.iteration}), joined({&passes.end})};
 }
 
+Start GpuSolver::start() {
+  const LooseParts parts = loose_parts(model_, model_.held());
+  if (!method_->starts_without_gravity() || parts.held_parts == 0) return {};
+  if (parts.parts == 0) return {false};
+  if (!loose_) loose_ = gl::Buffer("loose", parts.loose);
+  return {false, &loose_};
+}
+
 Recording GpuSolver::recording(const ActiveSet* active) {
   return {programs_, buffers_, features_, previous_strain_, grab_, deferred_ ? &*deferred_ : nullptr, active};
 }
@@ -143,7 +152,7 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
   const gl::ProgramCache::Postponed postponed(programs_);  // kernels that are part of another program need no program of their own
   const Recording r = recording(active);
   StepPasses passes;
-  passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), !method_->starts_without_gravity(), active));
+  passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), start(), active));
   if (!motions_.empty()) passes.begin.push_back(motions_.pass(programs_, buffers_));
   if (features_.damping)
     passes.begin.push_back(r.over_pairs("sim/previous_strain.comp", {},

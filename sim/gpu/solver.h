@@ -138,6 +138,7 @@ class GpuSolver {
   };
   const FusedStep* fused_step() const;  // of passes_; null where they run by themselves
   std::optional<FusedStep> fuse(const StepPasses& passes);
+  Start start();
   Recording recording(const ActiveSet* active);
   StepPasses record_step(const ActiveSet* active);
   int refreshes() const;  // in a substep
@@ -153,6 +154,7 @@ class GpuSolver {
   ColorBy color_ = ColorBy::none;
   SimBuffers buffers_;
   gl::Buffer previous_strain_;  // vec4 [2 * tet_count]; made when a material is first damped
+  gl::Buffer loose_;            // uint [vertex_count] 1 in parts that nothing holds; made where others are held, if the method wants it
   std::unique_ptr<StepMethod> method_;
   std::optional<Chebyshev> chebyshev_;  // of these only what is in use exists
   std::optional<Anderson> anderson_;

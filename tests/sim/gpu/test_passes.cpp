@@ -113,6 +113,35 @@ TEST_CASE("previous strain is the Green strain of the start of the substep", "[g
   CHECK(relative_rms(unpack(strain), expected) < 1e-6);
 }
 
+TEST_CASE("diagnostics leave no pair of tets and no vertex out, however many there are", "[gpu]") {
+  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
+  Gpu gpu(loads);
+  for (const auto& [x, y, z] : {std::tuple(11, 8, 6), {12, 7, 5}, {12, 9, 7}, {17, 8, 8}}) {
+    const Model model = make_model(make_box(x, y, z, {0.1 * x, 0.1 * y, 0.1 * z}), {1e5, 0.3, 1000}, [](const Vector3d& at) { return at.x() < 1e-9; });
+    GpuSolver solver(gpu.programs, model, {});
+    const reference::State state = random_state(model, 0.004, 4);
+    solver.upload(state);
+    solver.set_color(ColorBy::displacement);
+    solver.publish();
+    solver.shown_range()->request();
+    solver.request_diagnostics();
+    const auto got = solver.take_diagnostics(true);
+    const auto shown = solver.shown_range()->take(true);
+    REQUIRE(got);
+    REQUIRE(shown);
+    const reference::Measures expected = reference::measure(model, state);
+    double farthest = 0;
+    for (const Vector3d& u : state.displacement) farthest = std::max(farthest, u.norm());
+    CAPTURE(gl::name_of(loads), x, y, z, got->elastic, expected.elastic, got->reaction.transpose(), expected.fixed_reaction.transpose());
+    CHECK(got->kinetic == Approx(expected.kinetic).epsilon(2e-6));
+    CHECK(got->elastic == Approx(expected.elastic).epsilon(5e-6));
+    CHECK((got->momentum - expected.momentum).norm() < 1e-5 * expected.momentum.norm());
+    CHECK((got->reaction - expected.fixed_reaction).norm() < 1e-5 * expected.fixed_reaction.norm());
+    CHECK(got->max_det_f == Approx(expected.max_det_f).epsilon(1e-5));
+    CHECK(shown->y() == Approx(farthest).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("diagnostics equal the reference measures", "[gpu]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   const bool two_materials = GENERATE(false, true);

@@ -61,7 +61,7 @@ struct Step {
     const reference::State more = random_state(model, noise, 9);
     for (std::size_t v = 0; v < state.displacement.size(); ++v) state.displacement[v] += more.displacement[v];
     buffers.upload_state(model, state);
-    prediction(gpu.programs, buffers, nullptr, false).run();
+    prediction(gpu.programs, buffers, nullptr, {false}).run();
   }
   Gpu gpu;
   Model model;

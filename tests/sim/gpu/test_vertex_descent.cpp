@@ -33,7 +33,7 @@ TEST_CASE("vertices that are deferred move as they do in place", "[gpu]") {
     SimBuffers buffers(model);
     buffers.upload_step(model, settings);
     buffers.upload_state(model, state);
-    prediction(gpu.programs, buffers, nullptr, false).run();
+    prediction(gpu.programs, buffers, nullptr, {false}).run();
     const Features features = features_of(model);
     const gl::Buffer no_strain;
     const GrabSprings no_grab;

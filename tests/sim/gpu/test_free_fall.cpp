@@ -1,0 +1,81 @@
+// Bodies that nothing holds fall as gravity says, however stiff and however small they are.
+#include <catch2/catch.hpp>
+
+#include "sim/gpu/solver.h"
+#include "tests/sim/gpu/gpu_fixture.h"
+#include "tests/support/models.h"
+
+using namespace fascia;
+using namespace fascia::test;
+using Eigen::Vector3d;
+
+namespace {
+
+// `count` boxes of cells beside each other, the first one held from below by `held`.
+Model boxes(int count, const Eigen::Vector3i& cells, bool held) {
+  TetMesh all;
+  for (int b = 0; b < count; ++b) {
+    const TetMesh box = make_box(cells.x(), cells.y(), cells.z(), 0.02 * cells.cast<double>());
+    const auto first = static_cast<std::uint32_t>(all.positions.size());
+    for (const Vector3d& x : box.positions) all.positions.push_back(x + Vector3d(0.1 * b, 0, 0));
+    for (Tet tet : box.tets) {
+      for (std::uint32_t& v : tet) v += first;
+      all.tets.push_back(tet);
+    }
+  }
+  return make_model(all, {1e6, 0.3, 1000}, [=](const Vector3d& x) { return held && x.x() < 0.05 && x.y() < 1e-9; });
+}
+
+Model one_tet() {
+  TetMesh mesh;
+  mesh.positions = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}};
+  mesh.tets = {{0, 1, 2, 3}};
+  return make_model(mesh, {1e6, 0.3, 1000}, [](const Vector3d&) { return false; });
+}
+
+}  // namespace
+
+TEST_CASE("what nothing holds falls freely, however stiff and however small", "[gpu]") {
+  const bool held = GENERATE(false, true);
+  const auto method = GENERATE(Method::two_level, Method::vertex_descent);
+  Gpu gpu;
+  std::vector<Model> models{boxes(2, {1, 1, 1}, held), boxes(2, {2, 2, 1}, held), boxes(60, {2, 1, 1}, held)};
+  if (!held) models.push_back(one_tet());
+  SolverSettings settings;
+  settings.method = method;
+  settings.acceleration = method == Method::two_level ? Acceleration::subspace : Acceleration::none;
+  constexpr int kSteps = 20;
+  for (const Model& model : models) {
+    GpuSolver solver(gpu.programs, model, settings);
+    for (int i = 0; i < kSteps; ++i) solver.step();
+    const reference::State state = solver.download();
+    const Vector3d fall = kSteps * (kSteps + 1) / 2 * settings.time_step * settings.time_step * model.gravity;  // by implicit Euler
+    double error = 0;
+    for (std::size_t v = 0; v < state.displacement.size(); ++v)
+      if (!held || model.rest_positions[v].x() > 0.05) error = std::max(error, (state.displacement[v] - fall).norm());
+    CAPTURE(name_of(method), held, model.tets.size(), error, fall.y());
+    CHECK(error < 1e-5 * fall.norm());
+  }
+}
+
+TEST_CASE("a small stiff body that a hand holds hangs from it", "[gpu]") {
+  Gpu gpu;
+  for (const bool single : {true, false}) {
+    const Model model = single ? one_tet() : boxes(1, {2, 1, 1}, false);
+    GpuSolver solver(gpu.programs, model, {});
+    const std::vector<double> masses = lumped_masses(model);
+    double mass = 0;
+    for (const double m : masses) mass += m;
+    std::vector<GrabSpring> springs;
+    const double stiffness = 1e4;
+    for (const std::uint32_t v : {0u, 1u, 2u}) springs.push_back({v, Vector3d::Zero(), stiffness});
+    solver.set_grab(springs);
+    for (int i = 0; i < 2000; ++i) solver.step();
+    solver.request_diagnostics();
+    const auto diagnostics = solver.take_diagnostics(true);
+    REQUIRE(diagnostics);
+    const Vector3d weight = mass * model.gravity;
+    CAPTURE(single, diagnostics->grab_force.transpose(), weight.transpose(), diagnostics->kinetic);
+    CHECK((diagnostics->grab_force + weight).norm() < 1e-3 * weight.norm());
+  }
+}
