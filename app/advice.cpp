@@ -21,13 +21,13 @@ std::optional<Hint> locking_hint(double poisson_ratio) {
               ""};
 }
 
-std::optional<UnitHint> unit_hint(const Model& model) {
+std::optional<UnitHint> unit_hint(const Scene& scene, const Model& model) {
   if (model.tets.empty()) return std::nullopt;
   Eigen::AlignedBox3d box;
   for (const Tet& tet : model.tets)
     for (const std::uint32_t v : tet) box.extend(model.rest_positions[v]);
   const double extent = box.sizes().maxCoeff();
-  const std::string advice = guess_unit(extent);
+  const std::string advice = guess_unit(extent, scene.bodies.front().transform.scale);
   const double scale = scale_to_metres(extent);
   if (advice.empty() || scale == 1) return std::nullopt;
   const std::string unit = scale == 1e-3 ? "millimetres" : scale == 1e-2 ? "centimetres" : scale == 1e-6 ? "micrometres" : "another unit";

@@ -28,7 +28,7 @@ struct UnitHint {
   Hint hint;
   double scale;
 };
-std::optional<UnitHint> unit_hint(const Model& model);
+std::optional<UnitHint> unit_hint(const Scene& scene, const Model& model);
 /// From the residual that the last step was left with.
 std::optional<Hint> iterations_hint(const SolverSettings& settings, const std::optional<Diagnostics>& diagnostics);
 std::optional<Hint> time_step_hint(const SolverSettings& settings);

@@ -54,10 +54,10 @@ class Repetition {
     pull();
     solver_->step();
     ++steps_;
-  }
-  std::optional<std::uint32_t> astray() {
-    solver_->request_check();
-    return solver_->take_check(true)->astray;
+    if (steps_ % Simulation::kCheckInterval == 0) {  // the first of the steps came after such a check, too
+      solver_->request_check();
+      solver_->take_check(true);
+    }
   }
   const GpuSolver& solver() const { return *solver_; }
 
@@ -113,7 +113,7 @@ Breakdown find_breakdown(Simulation& simulation, std::uint32_t lost) {
   Repetition repetition(programs, simulation, breakdown.replay);
   for (long step = 0; step < breakdown.replay.steps && !breakdown.found; ++step) {
     repetition.step();
-    if (const auto astray = repetition.astray()) {
+    if (const auto astray = repetition.solver().astray_now()) {
       breakdown.found = true;
       lost = *astray;
       breakdown.time = repetition.solver().time();

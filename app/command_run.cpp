@@ -85,7 +85,7 @@ int command_run(const RunOptions& options) {
                    {"--stats", options.stats, {}}},
                   input_files(opened.scene));
   Graphics graphics;
-  if (!options.reference) graphics = open_graphics(options, false, 16, 16, workload_of(opened.scene, opened.model, false));
+  if (!options.reference) graphics = open_graphics(options, false, 16, 16, workload_of(opened.scene, opened.model, options.static_equilibrium, false));
   Simulation simulation(std::move(opened.scene), std::move(opened.model), graphics.programs.get(), options.reference);
   opening.reset();
   if (opened.replay) simulation.play(std::move(*opened.replay));

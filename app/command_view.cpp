@@ -15,7 +15,7 @@ int command_view(const ViewOptions& options) {
   if (options.context != "auto" && options.context != "window")
     throw UsageError("--context " + options.context, "has no window", "expected window, or fascia render for a picture without one");
   Opened opened = open_input(options, options.sets);
-  Graphics graphics = open_graphics(options, true, options.width, options.height, workload_of(opened.scene, opened.model));
+  Graphics graphics = open_graphics(options, true, options.width, options.height, workload_of(opened.scene, opened.model, options.static_equilibrium));
   ViewWindow window(graphics, options, std::move(opened));
   if (!options.quiet)
     for (const std::string& note : window.simulation().model.notes) std::cerr << "fascia: " << note << '\n';

@@ -38,7 +38,7 @@ Headless::Headless(const RenderOptions& options) : Headless(options, open_with_d
 
 Headless::Headless(const RenderOptions& options, Opened opened)
     : options_(options),
-      graphics_(open_graphics(options, false, options.width, options.height, workload_of(opened.scene, opened.model))),
+      graphics_(open_graphics(options, false, options.width, options.height, workload_of(opened.scene, opened.model, options.static_equilibrium))),
       session_(graphics_, std::move(opened.scene), std::move(opened.model), options.reference),
       picture_(options.width, options.height, options.samples),
       camera_(options.camera, session_.simulation.scene, opened.replay ? &*opened.replay : nullptr),
@@ -107,9 +107,8 @@ Framebuffer& Headless::draw() {
 Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
   look(step);
   if (split_) split_->share(session_);
-  GpuSolver& solver = *session_.simulation.gpu();
-  solver.request_diagnostics();
-  const std::optional<Diagnostics> diagnostics = solver.take_diagnostics(true);
+  const bool tells = options_.panels || split_;
+  const std::optional<Diagnostics> diagnostics = tells ? diagnose() : diagnose_hands();
   if (session_.display().color == ColorBy::error) {
     session_.measure_error();
     if (split_) split_->b().measure_error();
@@ -133,10 +132,16 @@ Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
   return framebuffer;
 }
 
-void Headless::remember_hands() {
+std::optional<Diagnostics> Headless::diagnose() {
   GpuSolver& solver = *session_.simulation.gpu();
   solver.request_diagnostics();
-  remembered_hands_.push_back(marks_of(session_.simulation, solver.take_diagnostics(true)));
+  return solver.take_diagnostics(true);
+}
+
+std::optional<Diagnostics> Headless::diagnose_hands() { return session_.simulation.springs().empty() ? std::nullopt : diagnose(); }
+
+void Headless::remember_hands() {
+  remembered_hands_.push_back(marks_of(session_.simulation, diagnose_hands()));
   if (remembered_hands_.size() > Moments::kAhead + 2) remembered_hands_.pop_front();
 }
 

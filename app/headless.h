@@ -45,6 +45,8 @@ class Headless {
  private:
   Headless(const RenderOptions& options, Opened opened);
   void look(double step);
+  std::optional<Diagnostics> diagnose();
+  std::optional<Diagnostics> diagnose_hands();  // nothing where nobody holds anything
   Framebuffer& draw_split(const std::optional<Diagnostics>& diagnostics);
 
   const RenderOptions& options_;

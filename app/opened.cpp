@@ -56,7 +56,7 @@ Opened open_input(const CommonOptions& options, const std::vector<std::string>& 
     Opened opened = !options.replay.empty() ? open_replay(options.replay, overrides)
                     : options.input.empty() ? open_file(default_scene(find_data_dir(options.data_dir)), overrides)
                                             : open_file(options.input, overrides);
-    if (const auto unit = unit_hint(opened.model)) opened.model.notes.push_back(unit->hint.text + " " + unit->hint.help);
+    if (const auto unit = unit_hint(opened.scene, opened.model)) opened.model.notes.push_back(unit->hint.help);
     const auto names = [&](const std::string& key) {
       return std::any_of(sets.begin(), sets.end(), [&](const std::string& set) { return set.starts_with(key); });
     };
@@ -71,6 +71,9 @@ long steps_to_run(const CommonOptions& options, const Simulation& simulation) {
   const double time_step = simulation.scene.solver.time_step;
   if (options.time && simulation.replay()) return ReplayTime(*simulation.replay()).steps(*options.time);
   if (options.time) {
+    constexpr double kMostSteps = 1e15;
+    if (*options.time > kMostSteps * time_step)
+      throw UsageError("--time", "is more than " + std::to_string(static_cast<long>(kMostSteps)) + " steps", "expected less");
     const long steps = std::lround(*options.time / time_step);
     if (steps == 0 && *options.time > 0)
       throw UsageError("--time " + std::to_string(*options.time), "is less than half a step", "expected at least " + std::to_string(time_step) + " s, or 0");

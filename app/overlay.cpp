@@ -123,7 +123,7 @@ void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool pan
   io.DisplaySize = {static_cast<float>(framebuffer.width()), static_cast<float>(framebuffer.height())};
   io.DeltaTime = 1.0f / 60;
   ViewState state;
-  state.facts = SceneFacts(session.simulation.model);
+  state.facts = SceneFacts(session.simulation.scene, session.simulation.model);
   state.statistics.diagnostics = diagnostics;
   // Twice, since ImGui settles sizes of tables and of auto-sized windows on their second frame.
   for (int pass = 0; pass < 2; ++pass) {

@@ -78,7 +78,7 @@ void error_row(Session& session) {
     ui::fact("True error", "mesh too large", kHelp);
     return;
   }
-  std::string text = error.busy() ? "measuring ..." : "-";
+  std::string text = error.busy() ? "measuring ..." : error.requested() ? "waits for a step that moves" : "-";
   if (const auto& result = error.result()) {
     char percent[32];
     std::snprintf(percent, sizeof percent, "%.2g %%", 100 * result->relative);

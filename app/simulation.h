@@ -23,6 +23,8 @@ struct StaticReport {
 
 class Simulation {
  public:
+  static constexpr int kCheckInterval = 8;  // steps from one look for lost vertices to the next
+
   /// `built`: build_model(scene). `programs` null: no GPU at all, which only the reference solver can do without. Throws Error.
   Simulation(Scene scene, Model built, gl::ProgramCache* programs, bool use_reference, const Progress& progress = {});
   Simulation(Scene scene, gl::ProgramCache* programs, bool use_reference);
@@ -122,7 +124,6 @@ class Simulation {
   void pull(std::vector<GrabSpring> springs);
   void renew_reference();
   Tuning tuning() const;
-  static constexpr int kCheckInterval = 8;  // steps
 
   gl::ProgramCache* programs_;
   std::unique_ptr<GpuSolver> gpu_;

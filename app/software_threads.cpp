@@ -53,8 +53,8 @@ std::vector<int> cores_of_this_program() {
 
 }  // namespace
 
-Workload workload_of(const Scene& scene, const Model& model, bool drawn) {
-  return {scene.solver.method, model.tets.size(), drawn, scene.solver.tolerance == 0};
+Workload workload_of(const Scene& scene, const Model& model, bool static_equilibrium, bool drawn) {
+  return {scene.solver.method, model.tets.size(), drawn, static_equilibrium || scene.solver.tolerance == 0};
 }
 
 // llvmpipe's worker threads cost something where they wait for each other: in a step of fused passes (render/gl/fused_pass.h) after every

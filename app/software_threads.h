@@ -13,9 +13,9 @@ struct Workload {
   Method method = Method::jacobi;
   std::size_t tets = 0;
   bool drawn = true;
-  bool fused = true;  // whether the passes of a step are (render/gl/fused_pass.h): not with solver.tolerance
+  bool fused = true;  // whether the passes of a step are (render/gl/fused_pass.h): not with solver.tolerance, which --static has another way
 };
-Workload workload_of(const Scene& scene, const Model& model, bool drawn = true);
+Workload workload_of(const Scene& scene, const Model& model, bool static_equilibrium, bool drawn = true);
 
 /// Made before a context, asked to spread what came with it afterwards.
 class SoftwareThreads {

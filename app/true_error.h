@@ -29,7 +29,8 @@ class TrueError {
   ~TrueError();  // stops the thread and waits for it
 
   void request() { requested_ = true; }  // one, of the next step
-  bool busy() const { return requested_ || waiting_ || running_.valid(); }
+  bool requested() const { return requested_; }  // and not begun
+  bool busy() const { return waiting_ || running_.valid(); }
   const std::optional<StepError>& result() const { return result_; }
 
   /// Once a frame, after its steps: copies the last substep if a measurement is due, with `continuously` whenever none is under way and

@@ -90,7 +90,7 @@ bool section(const char* title, bool open_at_first) {
 }
 
 void tooltip(const std::string& text) {
-  if (text.empty() || !ImGui::IsItemHovered()) return;
+  if (text.empty() || !ImGui::IsItemHovered() || ImGui::IsItemActive()) return;  // it would cover the value that is being changed
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(px(300));
   ImGui::TextUnformatted(text.c_str());

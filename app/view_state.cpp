@@ -20,8 +20,9 @@ double History::mean() const {
   return n ? sum / n : 0;
 }
 
-SceneFacts::SceneFacts(const Model& model) : material_volume(model.materials.size(), 0.0), material_names(model.material_names) {
-  unit = unit_hint(model);
+SceneFacts::SceneFacts(const Scene& scene, const Model& model)
+    : material_volume(model.materials.size(), 0.0), material_names(model.material_names) {
+  unit = unit_hint(scene, model);
   const bool one_body = model.bodies.size() == 1;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyPart& part = model.bodies[b];

@@ -45,7 +45,7 @@ struct Statistics {
 /// What of a model does not change while it is simulated, for the panels.
 struct SceneFacts {
   SceneFacts() = default;
-  explicit SceneFacts(const Model& model);
+  SceneFacts(const Scene& scene, const Model& model);
   double mass(const Model& model) const;  // [kg], at the densities of now
 
   struct Region {

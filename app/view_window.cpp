@@ -92,6 +92,7 @@ void ViewWindow::run() {
     attempt([&] { remember_now_and_then(); });
   }
   stats_.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+  attempt([&] { find_last_residual(); });
   attempt([&] { remember(); });
   attempt([&] { autosave_.finish(); });
   attempt([&] { end_recording(); });
@@ -99,6 +100,12 @@ void ViewWindow::run() {
   stats_.provenance = provenance();
   stats_.solve_ms = stats_.step_ms;
   count_work(stats_, session_->simulation);
+}
+
+void ViewWindow::find_last_residual() {
+  GpuSolver& solver = *session_->simulation.gpu();
+  if (diagnose_) solver.request_diagnostics();
+  if (const auto last = solver.take_diagnostics(true)) stats_.residual = last->residual;
 }
 
 bool ViewWindow::still() const {

@@ -70,6 +70,7 @@ class ViewWindow {
   void simulate(double elapsed, const Requests& requests);
   void make_step();
   void read_diagnostics();
+  void find_last_residual();  // which nobody may have asked for
   void follow(const Diagnostics& diagnostics);  // into the plots
   bool choose_probe(const Eigen::Vector2d& at);  // false: nothing was to be chosen
   void write_plots(const Requests& requests);

@@ -233,7 +233,7 @@ void ViewWindow::session_began() {
   shown_ = false;
   remembered_.reset();
   came_apart_ = 0;
-  state_.facts = SceneFacts(session_->simulation.model);
+  state_.facts = SceneFacts(session_->simulation.scene, session_->simulation.model);
   state_.statistics = {};
   state_.statistics.measured = true;
   state_.history.restart(dials_of(*session_, state_.grab));

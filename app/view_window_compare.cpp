@@ -13,7 +13,7 @@ void ViewWindow::edit(bool b) {
   if (state_.editing_b == b) return;
   state_.editing_b = b;
   std::swap(state_.history, split_->history);
-  state_.facts = SceneFacts(tuned().simulation.model);
+  state_.facts = SceneFacts(tuned().simulation.scene, tuned().simulation.model);
   state_.history.accept(dials_of(tuned(), state_.grab));  // what both share may have changed at the other side
   state_.statistics.diagnostics.reset();
   state_.convergence.forget();
@@ -45,7 +45,7 @@ void ViewWindow::compare(CompareAsk ask) {
       GrabSettings grab = state_.grab;
       set_dials(split_->b(), grab, dials_of(*session_, grab));
       split_->restart_from(*session_);
-      state_.facts = SceneFacts(tuned().simulation.model);
+      state_.facts = SceneFacts(tuned().simulation.scene, tuned().simulation.model);
       break;
     }
     case CompareAsk::swap:
@@ -64,7 +64,7 @@ void ViewWindow::compare(CompareAsk ask) {
       break;
   }
   state_.comparing = split_ != nullptr;
-  state_.facts = SceneFacts(tuned().simulation.model);
+  state_.facts = SceneFacts(tuned().simulation.scene, tuned().simulation.model);
   state_.convergence.forget();
   pacing_.restart();
   diagnose_ = true;

@@ -8,8 +8,11 @@ namespace fascia {
 
 void ViewWindow::read_diagnostics() {
   Statistics& s = state_.statistics;
+  const bool told = state_.show_panels || state_.plots.shown || split_ || !session_->simulation.springs().empty();
+  const bool due = diagnose_ && told;
+  if (due) diagnose_ = false;
   if (split_) {
-    if (diagnose_) split_->request_diagnostics();
+    if (due) split_->request_diagnostics();
     const bool news = split_->take_diagnostics(false);
     if (news && hand_in_b_) mouse_.hands().observe(split_->diagnostics()->hand_forces);
     if (state_.editing_b) s.diagnostics = split_->diagnostics();
@@ -18,11 +21,10 @@ void ViewWindow::read_diagnostics() {
   Plots& plots = state_.plots;
   if (plots.shown && !plots.probe) plots.probe = tip_vertex(session_->simulation.model);
   solver.set_probe(plots.shown ? plots.probe : std::nullopt);
-  if (diagnose_) {
+  if (due) {
     solver.request_diagnostics();
     diagnosed_ = {diagnosed_[1], Moment{solver.time(), s.steps}};
   }
-  diagnose_ = false;
   const std::optional<Diagnostics> d = solver.take_diagnostics(false);
   if (!d) return;
   diagnostics_of_a_ = d;

@@ -44,7 +44,7 @@ void ViewWindow::set_material_entries(const std::vector<MaterialEntries>& entrie
 void ViewWindow::materials_changed() {
   tuned().true_error.forget();
   state_.convergence.forget();
-  state_.facts = SceneFacts(tuned().simulation.model);
+  state_.facts = SceneFacts(tuned().simulation.scene, tuned().simulation.model);
   pacing_.restart();
   diagnose_ = true;
   if (&tuned() != session_.get()) return;

@@ -55,9 +55,9 @@ struct MeshReport {
 };
 MeshReport examine(const TetMesh& mesh, const MeshRepair& repaired);
 
-/// Advice for a mesh whose largest extent [m] is no size of tissue, in words and as a --set; empty if it is
+/// Advice for a mesh whose largest extent [m], scaled by `scale` as it is, is no size of tissue, in words and as a --set; empty if it is
 /// plausible.
-std::string guess_unit(double extent);
+std::string guess_unit(double extent, double scale = 1);
 
 /// The scale that makes a mesh of this largest extent [m] the size of tissue, if its file was in another unit; 1 for none that would.
 double scale_to_metres(double extent);

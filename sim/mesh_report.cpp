@@ -121,13 +121,13 @@ std::vector<UnitGuess> unit_guesses(double extent) {
 
 }  // namespace
 
-std::string guess_unit(double extent) {
+std::string guess_unit(double extent, double scale) {
   if (extent == 0 || is_tissue(extent)) return "";
   std::string advice;
   for (const UnitGuess& guess : unit_guesses(extent))
     advice += std::string(advice.empty() ? "was the file " : "; or ") + guess.question +
-              " try --set bodies.0.transform.scale=" + number(guess.scale) + " (" + length(extent * guess.scale) + " wide)";
-  if (advice.empty()) advice = "for 10 cm, try --set bodies.0.transform.scale=" + number(0.1 / extent);
+              " try --set bodies.0.transform.scale=" + number(guess.scale * scale) + " (" + length(extent * guess.scale) + " wide)";
+  if (advice.empty()) advice = "for 10 cm, try --set bodies.0.transform.scale=" + number(0.1 / extent * scale);
   return length(extent) + " wide, too " + (extent > kLargestTissue ? "large" : "small") + " for tissue: " + advice;
 }
 

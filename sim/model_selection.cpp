@@ -60,7 +60,15 @@ struct Selector {
       bottom = std::min(bottom, mesh.positions[v].y());
       top = std::max(top, mesh.positions[v].y());
     }
-    const double limit = bottom + lowest.share * (top - bottom);
+    std::vector<double> heights;
+    for (std::size_t v = 0; v < used.size(); ++v)
+      if (used[v]) heights.push_back(mesh.positions[v].y());
+    // A tip or an edge is a hinge, around which a body turns over: as many vertices as the share says, at least.
+    double limit = bottom + lowest.share * (top - bottom);
+    if (const auto least = static_cast<std::size_t>(lowest.share * static_cast<double>(heights.size())); least > 0) {
+      std::nth_element(heights.begin(), heights.begin() + static_cast<std::ptrdiff_t>(least - 1), heights.end());
+      limit = std::max(limit, heights[least - 1]);
+    }
     return all_where([&](std::uint32_t v) { return used[v] && mesh.positions[v].y() <= limit; });
   }
 };

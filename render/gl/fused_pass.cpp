@@ -236,7 +236,10 @@ class FusedPasses::Dispatch {
     words_.push_back({static_cast<std::uint32_t>(composition.runs.size())});
     for (const std::uint32_t turns : schedule.turns) words_.push_back({turns});
     for (const Run& run : composition.runs) words_.insert(words_.end(), run.record.begin(), run.record.end());
-    values_ = values();
+    for (std::size_t k = 0; k < words_.size(); ++k) {
+      values_.push_back(value(k));
+      if (words_[k].followed) followed_.push_back(k);
+    }
     plan_ = Buffer("plan", values_);
     const std::uint32_t counters = (most_repeats() * words_.front().value + 15) / 16 * 16;  // of a stretch: fused.glsl
     crew_ = Buffer("crew", sizeof(std::uint32_t) * (kFirstCounter + std::bit_ceil((crew_size() + 1) / 2) * counters));
@@ -256,10 +259,12 @@ class FusedPasses::Dispatch {
       alone_->run();
       return;
     }
-    if (std::vector<std::uint32_t> now = values(); now != values_) {
-      plan_.upload(0, now.size() * sizeof(std::uint32_t), now.data());
-      values_ = std::move(now);
+    bool changed = false;
+    for (const std::size_t k : followed_) {
+      changed |= values_[k] != value(k);
+      values_[k] = value(k);
     }
+    if (changed) plan_.upload(0, values_.size() * sizeof(std::uint32_t), values_.data());
     repeats_ = repeats;
     crew_.clear();
     constexpr int kMostDispatches = 1 << 20;
@@ -273,17 +278,14 @@ class FusedPasses::Dispatch {
   }
 
  private:
-  std::vector<std::uint32_t> values() const {
-    std::vector<std::uint32_t> result;
-    for (const Word& word : words_) {
-      const std::uint32_t value = word.followed ? *word.followed : word.value;
-      result.push_back(word.groups ? groups_of(value) : value);
-    }
-    return result;
+  std::uint32_t value(std::size_t k) const {
+    const std::uint32_t value = words_[k].followed ? *words_[k].followed : words_[k].value;
+    return words_[k].groups ? groups_of(value) : value;
   }
 
   std::optional<ComputePass> alone_, together_;
   std::vector<Word> words_;                    // the plan
+  std::vector<std::size_t> followed_;          // those of its words that may change
   mutable std::vector<std::uint32_t> values_;  // of its words, as they are in plan_
   mutable Buffer plan_, crew_;                 // uint: see fused.glsl
   mutable std::uint32_t repeats_ = 1;

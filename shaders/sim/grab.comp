@@ -1,5 +1,6 @@
 // Springs of zero rest length that pull grabbed vertices to their targets, as XPBD constraints of compliance 1 / stiffness:
 //   (w + alpha~) dlambda = -(u - target) - alpha~ lambda,  u += w dlambda.   Force on the tissue: lambda / h^2.
+// Both sides times 1 / alpha~: a spring may have no stiffness.
 // One vertex per spring, so nothing collides. After every iteration of the method.
 #include "common/io.glsl"
 #include "common/step.glsl"
@@ -16,13 +17,13 @@ void main() {
   vec4 target = FETCH(grab_target, i);
   vec3 u = displacement[v].xyz;
   float inv_mass = FETCH(predicted, v).w;
-  float compliance = 1.0 / (target.w * SUBSTEP * SUBSTEP);
+  float stiffness = target.w * SUBSTEP * SUBSTEP;
 #if FIRST_ITERATION
   vec3 lambda = vec3(0.0);
 #else
   vec3 lambda = grab_multiplier[i].xyz;
 #endif
-  vec3 change = (target.xyz - u - compliance * lambda) / (inv_mass + compliance);
+  vec3 change = (stiffness * (target.xyz - u) - lambda) / (1.0 + stiffness * inv_mass);
   grab_multiplier[i] = vec4(lambda + change, 0.0);
   displacement[v].xyz = u + inv_mass * change;
 }

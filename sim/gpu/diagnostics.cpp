@@ -18,6 +18,7 @@ double Diagnostics::imbalance(const Eigen::Vector3d& weight) const {
 DiagnosticsReader::DiagnosticsReader(const SimBuffers& buffers)
     : tet_partial_count_(lanes_read_back(buffers.pair_and_single_count(), kMostPartials)),
       vertex_partial_count_(lanes_read_back(buffers.vertex_count, kMostPartials)),
+      leaves_out_(buffers.leaves_out),
       volume_(buffers.volume),
       mean_mass_(buffers.mean_mass),
       displacement_(buffers.displacement),
@@ -117,8 +118,8 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
     d.iterations = static_cast<int>(iterations);
   }
   double inverted = 0, growth = 0, residual = 0, inertia = 0, load = 0, motion = 0, grab = 0, speed2 = 0, strain2 = 0;
-  d.min_det_f = 3.4e38;
-  d.max_det_f = -3.4e38;
+  d.min_det_f = leaves_out_ ? 1 : 3.4e38;
+  d.max_det_f = leaves_out_ ? 1 : -3.4e38;
   for (const shared::TetPartial& t : tets) {
     d.min_det_f = std::min<double>(d.min_det_f, t.range.x);
     d.max_det_f = std::max<double>(d.max_det_f, t.range.y);

@@ -63,7 +63,8 @@ class DiagnosticsReader {
   Diagnostics sum_up(const Pending& pending) const;
 
   std::uint32_t tet_partial_count_, vertex_partial_count_;
-  double volume_;  // of all tets [m^3]
+  bool leaves_out_;  // tets, which are as they are at rest
+  double volume_;    // of all tets [m^3]
   const double& mean_mass_;  // [kg] follows the materials
   const gl::Buffer& displacement_;
   std::optional<std::uint32_t> probe_;

@@ -104,6 +104,7 @@ SimBuffers::SimBuffers(const Model& model, Placement places)
       placement(std::move(places)),
       placed_vertex("placed_vertex", placement.vertex) {
   tet_count = static_cast<std::uint32_t>(placement.tets.order.size());
+  leaves_out = tet_count < model.tets.size();
   const std::size_t vertex_bytes = vertex_count * sizeof(vec4);
   displacement = gl::Buffer("displacement", vertex_bytes);
   velocity = gl::Buffer("velocity", vertex_bytes);

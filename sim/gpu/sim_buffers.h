@@ -20,6 +20,7 @@ struct SimBuffers {
   std::uint32_t vertex_count = 0;
   std::uint32_t tet_count = 0;  // of solved_tets(), which are here
   std::uint32_t pair_count = 0;  // the tets lie as pair_tets() orders them
+  bool leaves_out = false;       // tets whose vertices are all fixed
   std::uint32_t most_tets = 0, most_slots = 0;  // of a vertex
   double volume = 0;     // of all tets at rest [m^3]
   double mean_mass = 0;  // of the vertices [kg]

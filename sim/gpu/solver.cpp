@@ -123,6 +123,7 @@ void GpuSolver::record() {
   partial_fused_.reset();
   diagnostics_.record(programs_, buffers_, features_, previous_strain_, grab_);
   surface_.record(programs_, buffers_, features_, color_);
+  published_ = false;
 }
 
 std::optional<GpuSolver::FusedStep> GpuSolver::fuse(const StepPasses& passes) {
@@ -154,11 +155,13 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
   StepPasses passes;
   passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), start(), active));
   if (!motions_.empty()) passes.begin.push_back(motions_.pass(programs_, buffers_));
-  if (features_.damping)
+  if (features_.damping) {
     passes.begin.push_back(r.over_pairs("sim/previous_strain.comp", {},
                                        with_pairs({{"previous_displacement", &buffers_.previous_displacement},
                                                    {"previous_strain", &previous_strain_}},
                                                   buffers_)));
+    passes.begin.back().loops(0);
+  }
   append(passes.begin, method_->begin(r));
   if (const StepGradient* gradient = method_->gradient()) passes.before_first = passes.before = gradient->passes(r);
   passes.refresh = method_->refresh(r);
@@ -169,6 +172,7 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
                                        {"multiplier_weight", &multiplier_weight_}};
     passes.begin.push_back(r.over_tets("sim/multiplier_weight.comp", defines_of(features_),
                                        with_material(std::move(bindings), features_, buffers_)));
+    passes.begin.back().loops(0);
   }
   if (anderson_) append(passes.begin, anderson_->begin(programs_));
   passes.first_iteration = iteration(r, true);
@@ -224,6 +228,7 @@ void GpuSolver::restore_sound(bool at_rest) {
 
 void GpuSolver::state_changed() {
   has_step_ = false;
+  published_ = false;
   if (regions_) regions_->restart();
 }
 
@@ -236,6 +241,11 @@ std::optional<StateGuard::Verdict> GpuSolver::take_check(bool wait) {
   std::optional<StateGuard::Verdict> verdict = guard_.take(wait);
   if (verdict && verdict->astray) verdict->astray = buffers_.placement.vertex[*verdict->astray];
   return verdict;
+}
+
+std::optional<std::uint32_t> GpuSolver::astray_now() const {
+  const std::uint32_t place = buffers_.astray.read<std::uint32_t>().front();
+  return place == ~0u ? std::nullopt : std::optional(buffers_.placement.vertex[place]);
 }
 
 void GpuSolver::set_probe(std::optional<std::uint32_t> vertex) {
@@ -275,6 +285,7 @@ void GpuSolver::set_settings(const SolverSettings& settings) {
 
 void GpuSolver::settings_changed() {
   has_step_ = false;
+  published_ = false;
   if (regions_) regions_->restart();
   buffers_.upload_step(model_, settings_);
   method_->values_changed(model_, settings_);
@@ -309,6 +320,17 @@ void GpuSolver::set_color(ColorBy color) {
   if (color == color_) return;
   color_ = color;
   surface_.record(programs_, buffers_, features_, color_);
+  published_ = false;
+}
+
+void GpuSolver::set_vertex_errors(const std::vector<float>& errors) {
+  surface_.set_vertex_errors(errors);
+  published_ = false;
+}
+
+void GpuSolver::publish() {
+  if (!published_) surface_.run();
+  published_ = true;
 }
 
 void GpuSolver::follow(const GpuSolver& leader) {

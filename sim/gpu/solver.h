@@ -52,10 +52,10 @@ class GpuSolver {
   void set_color(ColorBy color);
   ColorBy color() const { return color_; }
   /// What the heat map of ColorBy::error shows: float [vertex_count] [m]. Zero at first.
-  void set_vertex_errors(const std::vector<float>& errors) { surface_.set_vertex_errors(errors); }
+  void set_vertex_errors(const std::vector<float>& errors);
 
-  /// Brings positions() up to date with the state.
-  void publish() const { surface_.run(); }
+  /// Brings positions() up to date with the state, once for every state.
+  void publish();
   ShownRange* shown_range() { return surface_.range(); }  // of the heat map; null without one
   const gl::Buffer& positions() const { return surface_.positions(); }  // vec4 [vertex_count + points]
 
@@ -71,6 +71,8 @@ class GpuSolver {
   /// Asks whether the state of now is sound, and takes the answer when it is there. Sound states are kept to go back to.
   void request_check();
   std::optional<StateGuard::Verdict> take_check(bool wait);
+  /// The same at once, of a state that is not kept: waits for the GPU, and the steps that follow do not notice.
+  std::optional<std::uint32_t> astray_now() const;
   /// A step in which nothing moves: the state, which has just been found sound, stays as it is.
   void rest();
   /// To the last state that was found sound, or was put there. With `at_rest` without its velocities.
@@ -165,6 +167,7 @@ class GpuSolver {
   GrabSprings grab_;
   DiagnosticsReader diagnostics_;
   StateGuard guard_;
+  bool published_ = false;  // positions() are those of the state
   SurfacePositions surface_;
   std::optional<DeferredTets> deferred_;  // with materials that have such
   std::optional<Regions> regions_;  // where some may rest while others move

@@ -36,6 +36,7 @@ void GpuSolver::look_beside() {
 void GpuSolver::begin_substep() {
   time_ += settings_.substep();
   ++substeps_;
+  published_ = false;
   motions_.upload(model_, time_);
   if (const FusedStep* fused = fused_step())
     fused->begin.run();

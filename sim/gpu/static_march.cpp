@@ -43,14 +43,41 @@ double farthest_way(const reference::State& from, const reference::State& to) {
   return farthest;
 }
 
+// Settings and springs of a solver, put back at the end, whatever that is.
+class AsBefore {
+ public:
+  explicit AsBefore(GpuSolver& solver) : solver_(solver), settings_(solver.settings()), springs_(solver.springs()) {}
+  AsBefore(const AsBefore&) = delete;
+  AsBefore& operator=(const AsBefore&) = delete;
+  ~AsBefore() {
+    if (!restored_) try {
+        restore();
+      } catch (...) {  // of a lost context: what is thrown already says so
+      }
+  }
+  void restore() const {
+    restored_ = true;
+    solver_.set_settings(settings_);
+    solver_.set_compensated(false);
+    solver_.set_grab(springs_);
+    solver_.finish_background();
+  }
+
+ private:
+  GpuSolver& solver_;
+  SolverSettings settings_;
+  std::vector<GrabSpring> springs_;
+  mutable bool restored_ = false;
+};
+
 }  // namespace
 
 reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance, reference::State& equilibrium,
                                              const std::stop_token& stop,
                                              const std::function<void(const reference::NewtonReport&)>& news) {
   reference::require_supports(model);
-  const SolverSettings settings = solver.settings();
-  SolverSettings marching = settings;
+  const AsBefore as_before(solver);
+  SolverSettings marching = solver.settings();
   marching.substeps = 1;
   marching.iterations = kIterations;
   marching.time_step = kFirstStep;
@@ -109,9 +136,7 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
   report.converged = report.relative_residual <= tolerance;
   for (Eigen::Vector3d& v : best.velocity) v.setZero();
   best.time = end;
-  solver.set_settings(settings);
-  solver.set_compensated(false);
-  solver.finish_background();
+  as_before.restore();
   solver.upload(best);
   equilibrium = std::move(best);
   return report;

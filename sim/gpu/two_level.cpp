@@ -164,7 +164,10 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
       sum_defines.emplace_back("GUARDED_ELSEWHERE", "1");
     }
     passes.push_back(r.sum_over_pairs("sim/subspace_curvature.comp", sum_defines, std::move(sums), pairs_, {{"first_partial", 3 * vertices_.partials}}));
-    if (r.deferred) passes.push_back(r.over_deferred("sim/guarded_curvature_clear.comp", {}, {{"guarded_curvature", &guarded_curvature_}}));
+    if (r.deferred) {
+      passes.push_back(r.over_deferred("sim/guarded_curvature_clear.comp", {}, {{"guarded_curvature", &guarded_curvature_}}));
+      passes.back().loops(0);
+    }
   }
   gl::ComputePass::Bindings solve{{"dot_partials", &partials_}, {"subspace_state", &state_}};
   gl::ComputePass::Constants constants{{"partials", vertices_.partials}};

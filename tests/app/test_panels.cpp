@@ -43,7 +43,7 @@ TEST_CASE("every widget of every panel has a text that explains it", "[panels]")
     Session session(graphics, scene, false);
     session.simulation.gpu()->request_diagnostics();
     ViewState state;
-    state.facts = SceneFacts(session.simulation.model);
+    state.facts = SceneFacts(session.simulation.scene, session.simulation.model);
     state.statistics.diagnostics = session.simulation.gpu()->take_diagnostics(true);
     state.statistics.measured = true;
     state.history.restart(dials_of(session, state.grab));
@@ -90,12 +90,13 @@ TEST_CASE("hints come where they should", "[panels]") {
   settings.substeps = 10;
   CHECK_FALSE(time_step_hint(settings));
 
-  Model model = build_model(open_scene(source_dir() / "assets/scenes/cube.json"));
-  CHECK_FALSE(unit_hint(model));
+  const Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
+  Model model = build_model(scene);
+  CHECK_FALSE(unit_hint(scene, model));
   for (Eigen::Vector3d& x : model.rest_positions) x *= 1000;
-  REQUIRE(unit_hint(model));
-  CHECK(unit_hint(model)->scale == 1e-3);
+  REQUIRE(unit_hint(scene, model));
+  CHECK(unit_hint(scene, model)->scale == 1e-3);
   for (Eigen::Vector3d& x : model.rest_positions) x *= 1e-6;
-  REQUIRE(unit_hint(model));
-  CHECK(unit_hint(model)->scale == 1e3);
+  REQUIRE(unit_hint(scene, model));
+  CHECK(unit_hint(scene, model)->scale == 1e3);
 }

@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "app/software_threads.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/support.h"
 
@@ -56,6 +57,19 @@ std::string text_of(const Cores& cores) {
 }
 
 }  // namespace
+
+TEST_CASE("what a command works with decides for how many dispatches there are threads", "[cli]") {
+  using namespace fascia;
+  Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
+  const Model model = build_model(scene);
+  CHECK(workload_of(scene, model, false).tets == model.tets.size());
+  CHECK(workload_of(scene, model, false).fused);
+  CHECK(workload_of(scene, model, false).drawn);
+  CHECK_FALSE(workload_of(scene, model, false, false).drawn);
+  scene.solver.tolerance = 1e-4;
+  CHECK_FALSE(workload_of(scene, model, false).fused);
+  CHECK(workload_of(scene, model, true).fused);  // a march to equilibrium has a tolerance of its own
+}
 
 TEST_CASE("threads that run kernels have a core each where there are as many of both", "[cli]") {
   cpu_set_t allowed;

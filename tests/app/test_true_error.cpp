@@ -90,6 +90,20 @@ TEST_CASE("the true error is measured on a thread while steps go on") {
   CHECK_FALSE(thread.result());
 }
 
+TEST_CASE("a request that waits for a step is not under way: nothing needs to be drawn for it") {
+  Gpu gpu;
+  Simulation simulation(cantilever({}), &gpu.programs, false);
+  TrueError error;
+  error.request();
+  error.update(simulation, false);  // no step yet
+  CHECK(error.requested());
+  CHECK_FALSE(error.busy());
+  simulation.step();
+  error.update(simulation, false);
+  CHECK_FALSE(error.requested());
+  CHECK(error.busy());
+}
+
 TEST_CASE("a measurement under way can be let go") {
   Gpu gpu;
   Simulation simulation(cantilever({}), &gpu.programs, false);

@@ -105,9 +105,10 @@ TEST_CASE("vertices, groups and several selections unite, ascending and once eac
   CHECK(fixed_by(R"({"vertices": [3]}, {"group": "clamp"}, {"vertices": [0]})") == Indices{0, 1, 2, 3});
 }
 
-TEST_CASE("the lowest share is of the height of the tets, not of stray vertices") {
+TEST_CASE("the lowest share is of the height of the tets, not of stray vertices, or of the vertices where those are more") {
   CHECK(fixed_by(R"({"lowest": 0})") == Indices{0, 1, 3});
-  CHECK(fixed_by(R"({"lowest": 0.999})") == Indices{0, 1, 3});
+  CHECK(fixed_by(R"({"lowest": 0.7})") == Indices{0, 1, 3});  // 3 of 5
+  CHECK(fixed_by(R"({"lowest": 0.8})") == Indices{0, 1, 2, 3, 4});
   CHECK(fixed_by(R"({"lowest": 1})") == Indices{0, 1, 2, 3, 4});
 }
 

@@ -234,3 +234,30 @@ TEST_CASE("static equilibria of the reference cases on the GPU with the default 
   CHECK(reference::StaticResidual(model)(state) == report.relative_residual);
   CHECK(error < 1e-5);
 }
+
+TEST_CASE("a march to equilibrium that is cut short leaves settings and hands as they were", "[gpu]") {
+  Gpu gpu;
+  const Model model = make_model(make_box(6, 2, 2, {0.3, 0.1, 0.1}), {1e5, 0.3, 1000}, [](const Vector3d& x) { return x.x() < 1e-9; });
+  GpuSolver solver(gpu.programs, model, SolverSettings{});
+  const std::vector<GrabSpring> hand{{static_cast<std::uint32_t>(model.rest_positions.size() - 1), {0, 0.2, 0}, 1e4}};
+  solver.set_grab(hand);
+  const bool throws = GENERATE(false, true);
+  CAPTURE(throws);
+  std::stop_source stop;
+  reference::State state;
+  const auto march = [&] {
+    march_to_equilibrium(solver, model, 1e-5, state, stop.get_token(), [&](const reference::NewtonReport&) {
+      if (throws) throw std::runtime_error("enough");
+      stop.request_stop();
+    });
+  };
+  if (throws)
+    CHECK_THROWS_AS(march(), std::runtime_error);
+  else
+    march();
+  CHECK(solver.settings() == SolverSettings{});
+  CHECK(solver.springs() == hand);
+  CHECK_FALSE(solver.buffers().displacement_low);
+  solver.step();
+  CHECK(solver.download().displacement.front().allFinite());
+}

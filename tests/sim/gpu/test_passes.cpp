@@ -142,6 +142,44 @@ TEST_CASE("diagnostics leave no pair of tets and no vertex out, however many the
   }
 }
 
+TEST_CASE("tets that are left out of the solve count among the volume ratios, as they are at rest", "[gpu]") {
+  Gpu gpu;
+  const double held_up_to = GENERATE(0.05, 1.0);  // m: of tets one layer or all
+  Model model = make_model(make_box(5, 4, 3, {0.1, 0.08, 0.06}), soft, [&](const Vector3d& x) { return x.y() < held_up_to; });
+  reference::State state = reference::initial_state(model);
+  const std::vector<char> held = model.held();
+  for (std::size_t v = 0; v < held.size(); ++v)
+    if (!held[v]) state.displacement[v].y() = 0.02;  // all free tets grow
+  GpuSolver solver(gpu.programs, model, {});
+  solver.upload(state);
+  solver.request_diagnostics();
+  const auto got = solver.take_diagnostics(true);
+  REQUIRE(got);
+  const reference::Measures expected = reference::measure(model, state);
+  CAPTURE(held_up_to, got->min_det_f, got->max_det_f, expected.max_det_f);
+  CHECK(expected.min_det_f == Approx(1));
+  CHECK(got->min_det_f == Approx(expected.min_det_f));
+  CHECK(got->max_det_f == Approx(expected.max_det_f));
+}
+
+TEST_CASE("a hand without stiffness changes nothing", "[gpu]") {
+  Gpu gpu;
+  const Model model = block();
+  const auto method = GENERATE(Method::jacobi, Method::gauss_seidel, Method::exact_xpbd, Method::vertex_descent, Method::two_level);
+  SolverSettings settings;
+  settings.method = method;
+  settings.acceleration = method == Method::two_level ? Acceleration::subspace : Acceleration::none;
+  GpuSolver free(gpu.programs, model, settings), held(gpu.programs, model, settings);
+  held.set_grab({{static_cast<std::uint32_t>(model.rest_positions.size() - 1), {0.1, 0.1, 0}, 0}});
+  for (int i = 0; i < 5; ++i) {
+    free.step();
+    held.step();
+  }
+  const double distance = farthest(held.download(), free.download()), size = free.buffers().size;
+  CAPTURE(name_of(method), distance);
+  CHECK(distance < 1e-6 * size);
+}
+
 TEST_CASE("diagnostics equal the reference measures", "[gpu]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   const bool two_materials = GENERATE(false, true);
