@@ -45,7 +45,7 @@ const std::vector<std::vector<Theme>>& help_columns() {
          {"Ctrl+Z, Ctrl+Y", "take a change back, do it again"},
          {"B", "compare two settings side by side"},
          {"Ctrl+Tab, arrows, Enter", "the panels by keyboard; Esc leaves them"}}}},
-      {{"View", {{"F", "frame the scene"}, {"W", "wireframe"}, {"H", "hide the panels"}, {"F3", "plots over time"}}},
+      {{"View", {{"F", "frame the body as it is"}, {"W", "wireframe"}, {"H", "hide the panels"}, {"F3", "plots over time"}}},
        {"Files",
         {{"Ctrl+O", "open; or drop a file on the window"},
          {"Ctrl+Shift+O", "opened before"},

@@ -1,5 +1,6 @@
 #include "app/session.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "app/shown_look.h"
@@ -22,7 +23,7 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
     }
   look.center = 0.5 * (box_min_ + box_max_);
   look.radius = 0.5 * (box_max_ - box_min_).norm();
-  look.ground_height = box_min_.y() - 0.4 * look.radius;
+  lay_ground(box_min_.y());
   if (simulation.scene.camera)
     look_from(*simulation.scene.camera);
   else
@@ -31,6 +32,18 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
 }
 
 void Session::frame() { camera.frame(box_min_, box_max_); }
+
+void Session::lay_ground(double below) { look.ground_height = below - 0.4 * look.radius; }
+
+void Session::frame_bodies(double aspect, const Eigen::Vector2d& part) {
+  const reference::State state = simulation.state();
+  Eigen::AlignedBox3d box;
+  for (const Tet& tet : simulation.model.tets)
+    for (const std::uint32_t v : tet) box.extend(simulation.model.rest_positions[v] + state.displacement[v]);
+  if (box.isEmpty() || !box.diagonal().allFinite()) return;
+  camera.fit(box.min(), box.max(), aspect, part);
+  lay_ground(std::min(box_min_.y(), box.min().y()));
+}
 
 void Session::look_from(const CameraSettings& view) {
   camera.eye = view.eye;

@@ -48,10 +48,14 @@ class Session {
 
   const DrawnSurface& surface() const { return surface_; }
   const std::string& renderer_description() const { return description_; }
-  void frame();  // camera on the whole body, from the front
+  void frame();  // camera on the bodies at rest, from the front
+  /// On the bodies as they are, from where it looks: they fill this part of a picture of this shape, width over height. The ground lies
+  /// below them.
+  void frame_bodies(double aspect, const Eigen::Vector2d& part);
   void look_from(const CameraSettings& view);
 
  private:
+  void lay_ground(double below);  // [m] the lowest that there is
   void show_error();
   void show_grabbed();
   void follow_range(Session* beside, bool now);

@@ -160,7 +160,11 @@ void ViewWindow::carry_out(const Requests& requests) {
   if (requests.reset) reset();
   if (requests.step) state_.paused = true;
   if (requests.frame_view) {
-    session_->frame();
+    const double width = framebuffer_->width(), shown = std::max(0.1 * width, width - panels_cover()), aspect = 1.0 / framebuffer_->height();
+    if (split_)
+      session_->frame_bodies(0.5 * shown * aspect, {1, 1});
+    else
+      session_->frame_bodies(width * aspect, {shown / width, 1});
     state_.replay_camera = false;
   }
   if (requests.let_go) mouse_.let_go_staying(held());

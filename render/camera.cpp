@@ -67,10 +67,10 @@ void Camera::frame(const Vector3d& box_min, const Vector3d& box_max) {
   fit(box_min, box_max, 1.0);
 }
 
-void Camera::fit(const Vector3d& box_min, const Vector3d& box_max, double aspect) {
+void Camera::fit(const Vector3d& box_min, const Vector3d& box_max, double aspect, const Eigen::Vector2d& part) {
   const Vector3d center = (box_min + box_max) / 2;
   const Eigen::Matrix3d basis = axes();
-  const Eigen::Vector2d slope = kMargin * slopes(aspect);
+  const Eigen::Vector2d slope = kMargin * slopes(aspect).cwiseProduct(part);
   // In camera axes, with depth f along the line of sight, an eye (r, u, f) sees a corner (r_i, u_i, f_i) when
   // |r_i - r| <= slope (f_i - f), and the same for u. Per axis the tightest corner on either side bounds f.
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

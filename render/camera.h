@@ -23,9 +23,9 @@ class Camera {
   /// Looks at the whole box from the front, a little to the right and above, whatever the picture's shape
   /// (down to a square).
   void frame(const Eigen::Vector3d& box_min, const Eigen::Vector3d& box_max);
-  /// Keeps the direction of view and moves so that the box fills the picture, but for a margin. The target
-  /// becomes the point on the line of sight at the depth of the box's center.
-  void fit(const Eigen::Vector3d& box_min, const Eigen::Vector3d& box_max, double aspect);
+  /// Keeps the direction of view and moves so that the box fills this part of the picture's width and height, around `middle`, but for a
+  /// margin. The target becomes the point on the line of sight at the depth of the box's center.
+  void fit(const Eigen::Vector3d& box_min, const Eigen::Vector3d& box_max, double aspect, const Eigen::Vector2d& part = {1, 1});
   void orbit(double dx, double dy);  // radians about up and the right axis; never over the pole
   void pan(double dx, double dy);    // shares of the picture's shorter side at the target's depth
   void zoom(double factor);          // distance to the target times factor

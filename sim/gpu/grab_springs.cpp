@@ -1,6 +1,7 @@
 #include "sim/gpu/grab_springs.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace fascia {
 
@@ -8,13 +9,25 @@ using shared::vec4;
 
 namespace {
 
-// values[i] to vertices[i] and zeros between them: a drag does so in every step, and an upload for each would be a copy on the GPU for each.
-void upload_span(gl::Buffer& to, const std::vector<std::uint32_t>& vertices, const std::vector<vec4>& values) {
-  if (vertices.empty()) return;
-  const auto [first, last] = std::minmax_element(vertices.begin(), vertices.end());
-  std::vector<vec4> span(*last - *first + 1);
-  for (std::size_t i = 0; i < vertices.size(); ++i) span[vertices[i] - *first] = values[i];
-  to.upload(*first * sizeof(vec4), span.size() * sizeof(vec4), span.data());
+// values[i] to vertices[i] and zeros between near ones: a drag does so in every step, and an upload for each would be a copy on the GPU for
+// each.
+void upload_spans(gl::Buffer& to, const std::vector<std::uint32_t>& vertices, const std::vector<vec4>& values) {
+  constexpr std::uint32_t kNear = 1024;
+  std::vector<std::size_t> order(vertices.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return vertices[a] < vertices[b]; });
+  std::vector<vec4> span;
+  for (std::size_t k = 0; k < order.size();) {
+    const std::uint32_t first = vertices[order[k]];
+    std::uint32_t last = first;
+    span.clear();
+    for (; k < order.size() && vertices[order[k]] - last <= kNear; ++k) {
+      last = vertices[order[k]];
+      span.resize(last - first + 1);
+      span.back() = values[order[k]];
+    }
+    to.upload(first * sizeof(vec4), span.size() * sizeof(vec4), span.data());
+  }
 }
 
 }  // namespace
@@ -35,7 +48,7 @@ bool GrabSprings::set(const std::vector<GrabSpring>& springs) {
     spread();
     return false;
   }
-  if (vertex_spring_) upload_span(vertex_spring_, vertices_, std::vector<vec4>(vertices_.size()));
+  if (vertex_spring_) upload_spans(vertex_spring_, vertices_, std::vector<vec4>(vertices_.size()));
   vertices_ = std::move(vertices);
   vertex_ = vertices_.empty() ? gl::Buffer() : gl::Buffer("grab_vertex", vertices_);
   target_ = springs_.empty() ? gl::Buffer() : gl::Buffer("grab_target", springs_);
@@ -58,7 +71,7 @@ void GrabSprings::spread() {
     return;
   }
   if (!vertex_spring_) vertex_spring_ = gl::Buffer("vertex_spring", vertex_count_ * sizeof(vec4));
-  upload_span(vertex_spring_, vertices_, springs_);
+  upload_spans(vertex_spring_, vertices_, springs_);
 }
 
 gl::Defines GrabSprings::with_springs(gl::Defines defines, gl::ComputePass::Bindings& bindings) const {

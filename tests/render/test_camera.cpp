@@ -127,6 +127,24 @@ TEST_CASE("camera: the field of view is the shorter side's") {
   CHECK(project(camera, {0, 2, 0}, 0.5, 1).y() == Approx(0.5).epsilon(1e-6));
 }
 
+TEST_CASE("camera: fit fills a part of the picture around its middle") {
+  std::mt19937 random(12);
+  for (const double aspect : {0.6, 16.0 / 9}) {
+    Camera camera = random_camera(random, 1);
+    camera.middle = {0.4, 0};
+    camera.fit({0, 0, 0}, {1, 0.2, 0.5}, aspect, {0.6, 1});
+    Eigen::AlignedBox2d seen;
+    for (int corner = 0; corner < 8; ++corner)
+      seen.extend(Eigen::Vector2d(project(camera, {corner & 1 ? 1.0 : 0.0, corner & 2 ? 0.2 : 0.0, corner & 4 ? 0.5 : 0.0}, aspect, 1).head<2>()));
+    CAPTURE(aspect, seen.min().transpose(), seen.max().transpose());
+    CHECK(seen.min().x() > 0.4 - 0.6 * 0.8801);
+    CHECK(seen.max().x() < 0.4 + 0.6 * 0.8801);
+    CHECK(seen.min().y() > -0.8801);
+    CHECK(seen.max().y() < 0.8801);
+    CHECK(std::max(seen.sizes().x() / 0.6, seen.sizes().y()) == Approx(2 * 0.88).margin(1e-3));
+  }
+}
+
 TEST_CASE("camera: fit fills the picture and keeps the direction of view") {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(0.05, 1);

@@ -162,6 +162,30 @@ TEST_CASE("tets that are left out of the solve count among the volume ratios, as
   CHECK(got->max_det_f == Approx(expected.max_det_f));
 }
 
+TEST_CASE("springs lie at their vertices, however far these are from each other, and are gone after them", "[gpu]") {
+  Gpu gpu;
+  const Model model = make_model(make_box(19, 12, 11, {0.19, 0.12, 0.11}), soft, [](const Vector3d& x) { return x.y() < 1e-9; });  // 3,120 vertices
+  const SimBuffers buffers(model);
+  GrabSprings grab;
+  grab.set_use(false, true, buffers.vertex_count);
+  const auto check = [&](const std::vector<GrabSpring>& springs) {
+    grab.set(springs);
+    gl::ComputePass::Bindings bindings;
+    grab.with_springs({}, bindings);
+    REQUIRE(bindings.size() == 1);
+    std::vector<vec4> expected(buffers.vertex_count, vec4{});
+    for (const GrabSpring& s : springs) expected[s.vertex] = {static_cast<float>(s.target.x()), 0, 0, static_cast<float>(s.stiffness)};
+    const std::vector<vec4> got = bindings[0].second->read<vec4>();
+    for (std::size_t v = 0; v < got.size(); ++v) {
+      CAPTURE(v);
+      REQUIRE((got[v].x == expected[v].x && got[v].w == expected[v].w));
+    }
+  };
+  check({{3000, {1, 0, 0}, 5}, {7, {2, 0, 0}, 6}, {12, {3, 0, 0}, 7}, {1032, {4, 0, 0}, 8}});
+  check({{3000, {9, 0, 0}, 5}, {7, {8, 0, 0}, 6}, {12, {7, 0, 0}, 7}, {1032, {6, 0, 0}, 8}});
+  check({{2000, {1, 0, 0}, 3}});
+}
+
 TEST_CASE("a hand without stiffness changes nothing", "[gpu]") {
   Gpu gpu;
   const Model model = block();
