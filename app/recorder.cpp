@@ -72,7 +72,11 @@ Recorder::Recorder(fs::path path, const FrameFormat& format, const Provenance& p
     throw Error(path_.string(), "a video of " + std::to_string(width) + "x" + std::to_string(height),
                 "expected an even width and height");
 
-  write_file(metadata_, metadata_text(provenance));
+  try {
+    write_file(metadata_, metadata_text(provenance));
+  } catch (const Error&) {  // of a file that the user did not name
+    throw Error(path_.string(), "cannot be written", "expected a writable folder with free space");
+  }
   std::vector<std::string> arguments{"ffmpeg", "-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgba",
                                      "-s", std::to_string(width) + "x" + std::to_string(height), "-r", std::to_string(format.fps),
                                      "-i", "-", "-f", "ffmetadata", "-i", "file:" + metadata_.string(), "-map", "0:v", "-map_metadata", "1",

@@ -38,12 +38,13 @@ json list(const std::string& text) {
 }
 
 json value_of(const std::string& key, const std::string& text) {
+  if (key == "body") return text;  // which may be called 2
+  if (text.starts_with('{') || text.starts_with('[')) return parse_json(text, "--grab " + key);
   if (key == "path") {
     json keys = json::array();
     for (const std::string& part : parts_of(text, '/')) keys.push_back(list(part));
     return keys;
   }
-  if (key == "body") return text;  // which may be called 2
   return text.find(',') == std::string::npos ? scalar(text) : list(text);
 }
 
@@ -52,11 +53,11 @@ json value_of(const std::string& key, const std::string& text) {
 json grab_document(std::string_view text) {
   json document = json::object();
   for (const std::string& part : parts_of(text, ';')) {
-    if (part.empty()) continue;
-    const std::size_t equals = part.find('=');
-    if (equals == std::string::npos || equals == 0)
+    const std::size_t begin = part.find_first_not_of(' '), equals = part.find('=');
+    if (begin == std::string::npos) continue;
+    if (equals == std::string::npos || equals == begin)
       throw Error("--grab", on_one_line(part) + " is no KEY=VALUE", "expected such as at=0.1,0.05,0;translate=0,0.1,0");
-    const std::string key = part.substr(0, equals);
+    const std::string key = part.substr(begin, equals - begin);
     if (document.contains(key)) throw Error("--grab", on_one_line(key) + " is given twice", "expected each key once");
     document[key] = value_of(key, part.substr(equals + 1));
   }

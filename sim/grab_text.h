@@ -5,9 +5,9 @@
 
 namespace fascia {
 
-/// The same as an element of the scene's "grabs", for the strict reader to judge. Keys are those of the scene file but for select;
-/// numbers with commas are lists, and the keys of a path are separated by /: "path=0,0,0,0/0.5,0,0.1,0". Throws Error for a part
-/// that is no KEY=VALUE or a key given twice.
+/// The same as an element of the scene's "grabs", for the strict reader to judge. Keys are those of the scene file; numbers with commas
+/// are lists, the keys of a path are separated by /: "path=0,0,0,0/0.5,0,0.1,0", and what begins as JSON does is JSON:
+/// select={"group":"tip"}. Throws Error for a part that is no KEY=VALUE, a key given twice and JSON that is none.
 nlohmann::json grab_document(std::string_view text);
 
 }  // namespace fascia

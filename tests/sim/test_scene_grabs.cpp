@@ -92,8 +92,13 @@ TEST_CASE("a hand on the command line is one more of the scene's") {
   CHECK(scene.grabs[2].body == "cube");
   CHECK(file.open({"--grab at=0,0,0;body=2"}).grabs[1].body == "2");
   CHECK(file.open({"grabs.0.radius=0.5"}).grabs[0].radius == 0.5);
+  const Scene json = file.open({"--grab select={\"vertices\": [1, 2]}; translate=[0, 0.1, 0]", "--grab at=0,0,0;path=[[0, 0, 0, 0], [1, 0, 0.1, 0]]"});
+  CHECK(std::get<Selection>(json.grabs[1].where) == Selection(VertexSelection{{1, 2}}));
+  CHECK(json.grabs[1].translate == Vector3d(0, 0.1, 0));
+  CHECK(json.grabs[2].path == std::vector<ScriptedGrab::Key>{{0, {0, 0, 0}}, {1, {0, 0.1, 0}}});
 
   CHECK(file.open_error({"--grab at"}) == "--grab: at is no KEY=VALUE; expected such as at=0.1,0.05,0;translate=0,0.1,0");
+  CHECK(file.open_error({"--grab select={\"vertices\""}).starts_with("--grab select:1:12: "));
   CHECK(file.open_error({"--grab at=0,0,0;at=1,1,1"}) == "--grab: at is given twice; expected each key once");
   CHECK(file.open_error({"--grab at=0,zero,0"}) == "--grab: grabs[1].at[1]: is \"zero\"; expected a number, -1e+06 to 1e+06 m");
 }
