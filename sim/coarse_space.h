@@ -28,23 +28,4 @@ CoarseSpace make_coarse_space(const Model& model, std::uint32_t target);
 /// How many nodes a mesh deserves: dense products with the square of it must stay small beside a pass over the tets.
 std::uint32_t coarse_node_target(std::size_t tet_count);
 
-/// P^T in rows of nodes: entries begin[j] to begin[j + 1].
-struct CoarseTranspose {
-  std::vector<std::uint32_t> begin;  // [node_count + 1]
-  std::vector<std::uint32_t> vertex;
-  std::vector<double> weight;
-};
-CoarseTranspose transpose(const CoarseSpace& space);
-
-/// The mean deformation gradient around every coarse node as a weighted sum of displacements, M_j = I + sum_a u_a c_ja^T, which
-/// holds because F is linear in u. A tet counts by its volume, stiffness and the node's weight in it: beside stiff tissue soft tets may
-/// turn any way. Those whose stiffness times weight is below half the node's largest are left out, which saves most of the entries
-/// and turns stiff bodies no worse. Entries begin[j] to begin[j + 1].
-struct CoarseGather {
-  std::vector<std::uint32_t> begin;  // [node_count + 1]
-  std::vector<std::uint32_t> vertex;
-  std::vector<Eigen::Vector3d> gradient;  // c_ja [1/m]
-};
-CoarseGather make_coarse_gather(const Model& model, const CoarseSpace& space);
-
 }  // namespace fascia

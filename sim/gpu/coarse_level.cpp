@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "sim/coarse_gather.h"
 #include "sim/coarse_matrix.h"
 #include "sim/gpu/reduction.h"
 

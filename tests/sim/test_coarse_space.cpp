@@ -5,6 +5,7 @@
 #include <set>
 
 #include "sim/coarse_matrix.h"
+#include "sim/coarse_gather.h"
 #include "sim/coarse_space.h"
 #include "sim/placement.h"
 #include "sim/reference/elastic_system.h"

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "sim/coarse_gather.h"
 #include "sim/coarse_space.h"
 #include "sim/reference/elastic_system.h"
 #include "sim/settings.h"
