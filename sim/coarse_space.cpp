@@ -16,7 +16,7 @@ constexpr double kLeastWeight = 1e-12;   // of a lattice corner that counts
 constexpr double kEnough = 0.85;         // of the wanted nodes
 constexpr int kMostCoarseCells = 100;     // along an axis
 constexpr std::uint32_t kNeighbors = 64;  // nodes among which they are sorted by their entries
-constexpr std::size_t kFewVertices = 24; // below: more lattice nodes than vertices
+constexpr std::size_t kFewVertices = 24; // below: more lattice nodes than vertices, and nothing to gain
 
 struct CoarseLattice {
   Vector3d low, extent;
@@ -272,22 +272,6 @@ CoarseSpace lattice_space(const Model& model, const std::vector<std::uint32_t>& 
   return space;
 }
 
-/// A function for each part of the mesh, which moves it as a whole.
-CoarseSpace part_space(const Model& model, const std::vector<std::uint32_t>& free, const Edges& edges) {
-  std::vector<int> local(model.rest_positions.size(), -1);
-  CoarseSpace space;
-  const std::vector<std::uint32_t> part = pieces(free, edges, local, space.node_count);
-  std::size_t next = 0;
-  for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v) {
-    space.begin.push_back(static_cast<std::uint32_t>(space.node.size()));
-    if (next == free.size() || free[next] != v) continue;
-    space.node.push_back(part[next++]);
-    space.weight.push_back(1);
-  }
-  space.begin.push_back(static_cast<std::uint32_t>(space.node.size()));
-  return space;
-}
-
 }  // namespace
 
 std::uint32_t coarse_node_target(std::size_t tet_count) {
@@ -302,8 +286,7 @@ CoarseSpace make_coarse_space(const Model& model, std::uint32_t target) {
   std::vector<std::uint32_t> free;
   for (std::uint32_t v = 0; v < held.size(); ++v)
     if (!held[v] && masses[v] > 0) free.push_back(v);
-  if (free.empty()) return space;
-  if (free.size() < kFewVertices) return part_space(model, free, free_edges(model, held, false));
+  if (free.size() < kFewVertices) return space;
   target = std::min(target, static_cast<std::uint32_t>(free.size() / 3));
 
   // Many pieces make many functions: then a coarser lattice, or materials that share their functions.

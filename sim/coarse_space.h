@@ -21,8 +21,8 @@ struct CoarseSpace {
 };
 
 /// About `target` nodes, at most half as many more: of a mesh in very many pieces the lightest have none. Nodes that carry less than
-/// a tenth of the mean mass of their part of the mesh are left out: they would make the coarse problem nearly singular. A mesh with
-/// hardly more vertices than a lattice has one node for each of its parts.
+/// a tenth of the mean mass of their part of the mesh are left out: they would make the coarse problem nearly singular. No nodes at
+/// all where the mesh has too few vertices to need them.
 CoarseSpace make_coarse_space(const Model& model, std::uint32_t target);
 
 /// How many nodes a mesh deserves: dense products with the square of it must stay small beside a pass over the tets.

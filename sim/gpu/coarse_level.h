@@ -13,7 +13,7 @@ namespace fascia {
 class CoarseLevel {
  public:
   CoarseLevel(const gl::ProgramCache& programs, const Model& model, const SolverSettings& settings);
-  bool empty() const { return space_.node_count == 0; }  // nothing is free
+  bool empty() const { return space_.node_count == 0; }  // a mesh too small to need it
 
   /// Two passes from `gradient` (vec4 [vertex_count]) to correction().
   Passes passes(const Recording& recording, const gl::Buffer& gradient) const;
