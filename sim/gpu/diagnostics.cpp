@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/gpu/reduction.h"
+
 namespace fascia {
 namespace {
 
