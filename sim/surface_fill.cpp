@@ -61,9 +61,14 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
     double volume = 0;
     const auto& x = filled.file.mesh.positions;
     for (const Tet& t : filled.file.mesh.tets) volume += signed_volume6(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) / 6;
-    filled.file.notes.push_back("parts are thinner than the lattice's " + length(spacing) + ": " + plural(whole, "tet") +
-                                " kept whole there, the tets have " + number(volume / found.volume) +
-                                " times the volume of the surface; a resolution above " + std::to_string(filled.resolution) + " is finer");
+    // A sharp edge is thinner than any lattice: only what one would notice is told.
+    constexpr double kVolume = 0.02, kShare = 0.1;
+    const double share = static_cast<double>(whole) / static_cast<double>(filled.file.mesh.tets.size());
+    const bool notable = std::abs(volume / found.volume - 1) > kVolume || share > kShare;
+    if (notable)
+      filled.file.notes.push_back("parts are thinner than the lattice's " + length(spacing) + ": " + plural(whole, "tet") +
+                                  " kept whole there, the tets have " + number(volume / found.volume) +
+                                  " times the volume of the surface; a resolution above " + std::to_string(filled.resolution) + " is finer");
   }
   put_right(surface, filled.repaired);
   filled.surface = std::move(surface);

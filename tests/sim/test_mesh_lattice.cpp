@@ -114,6 +114,11 @@ TEST_CASE("a plate thinner than the lattice stays in one piece, is covered and s
   CHECK(drawn.farthest < 0.5 * f.spacing);
 }
 
+TEST_CASE("a few tets kept whole in a thin tip are no reason for a note", "[lattice]") {
+  const Filling f = fill(read_obj(std::filesystem::path(FASCIA_SOURCE_DIR) / "assets/meshes/kidney.obj"), 24);
+  CHECK_FALSE(has_note(f.filled, "thinner than the lattice"));
+}
+
 TEST_CASE("shells that overlap are one body, shells apart are several, a shell inside out in another one is a cavity", "[lattice]") {
   const SurfaceMesh ball = test::make_sphere(24, 48, 0.05), small = test::make_sphere(16, 32, 0.03);
   const double outer = test::enclosed_volume(ball), inner = test::enclosed_volume(small);
