@@ -11,7 +11,9 @@
 #include "sim/error.h"
 #include "sim/mesh_generate.h"
 #include "sim/mesh_io.h"
+#include "sim/reference/elasticity.h"
 #include "tests/app/headless.h"
+#include "tests/sim/gpu/bars.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -165,6 +167,40 @@ TEST_CASE("a replay that is cut within a breakdown says so") {
   CAPTURE(run.err);
   CHECK(run.exit_code == 1);
   CHECK_THAT(run.err, Catch::Contains("came apart at ") && Catch::Contains("the replay goes back to a sound state later"));
+}
+
+TEST_CASE("what came apart beside a body at rest is repeated with the same parts at rest") {
+  Graphics graphics = open_graphics(headless(), false);
+  Scene scene;
+  scene.file = "bars.json";
+  Model model = two_bars(24, 0.6, {2e6, 0.4, 1000, 0.1, MaterialModel::st_venant_kirchhoff});
+  model.gravity.setZero();
+  scene.gravity.setZero();
+  std::uint32_t tip = 0;
+  for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
+    if ((model.rest_positions[v] - Vector3d(0.6, 0.05, 0.05)).norm() < (model.rest_positions[tip] - Vector3d(0.6, 0.05, 0.05)).norm()) tip = v;
+  Simulation lived(scene, model, graphics.programs.get(), false);
+  std::map<long, reference::State> states;  // after so many steps
+  constexpr long kTorn = 61;
+  for (long step = 0; !lived.astray() && step < kTorn + 40; ++step) {
+    if (step <= kTorn) lived.set_grab({{tip, {0, step < kTorn ? 0.05 * std::sin(0.2 * static_cast<double>(step)) : 1e12, 0}, step < kTorn ? 500.0 : 1e12}});
+    lived.gpu()->finish_background();
+    lived.step();
+    states.emplace(lived.steps_made(), lived.gpu()->download());
+  }
+  REQUIRE(lived.astray());
+  CHECK(lived.gpu()->share_solved() < 0.8);  // the other bar rested
+  const Breakdown breakdown = find_breakdown(lived, *lived.astray());
+  REQUIRE(breakdown.found);
+  const long step = std::lround(breakdown.time / scene.solver.time_step);
+  CHECK(step == kTorn + 1);
+  reference::Corners rest, u;
+  for (std::size_t a = 0; a < 4; ++a) {
+    const std::uint32_t v = model.tets[breakdown.tet][a];
+    rest[a] = model.rest_positions[v];
+    u[a] = states.at(step - 1).displacement[v];
+  }
+  CHECK(breakdown.strain == reference::green_strain_matrix(reference::RestTet(rest), u).norm());  // to the bit
 }
 
 TEST_CASE("a replay that does not fit its mesh is refused") {
