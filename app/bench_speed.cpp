@@ -97,7 +97,8 @@ void measure_kernels(Bench& bench, const Model& model, Table& table) {
     solver.upload(start);
     if (const double ms = milliseconds_of([&] { solver.step(); }); turn > 0) whole.push_back(ms);
   }
-  times["the whole step, untimed"] = std::move(whole);  // on GPUs what the kernels do not add up to are gaps between them; fused passes are other programs
+  // On GPUs what the kernels do not add up to are gaps between them; fused passes are other programs.
+  times["the whole step, untimed"] = std::move(whole);
   last["the whole step, untimed"].runs = 1;
   for (auto& [kernel, values] : times) {
     const double ms = spread_of(std::move(values)).median;

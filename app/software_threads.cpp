@@ -10,6 +10,8 @@
 namespace fascia {
 namespace {
 
+constexpr std::size_t kMostThreads = 16;  // of llvmpipe 22
+
 // About how many dispatches that do something an iteration of a method has by itself.
 std::size_t dispatches_of(Method method) {
   switch (method) {
@@ -62,7 +64,7 @@ Workload workload_of(const Scene& scene, const Model& model, bool static_equilib
 // thousands of tets. The rasteriser gains from every core, more than a step loses.
 SoftwareThreads::SoftwareThreads(const Workload& workload) : before_(threads_of_this_program()) {
   constexpr std::size_t kTetsFused = 2000, kTetsOfColors = 8'000, kTetsPerDispatch = 5000;
-  const std::size_t cores = std::clamp<std::size_t>(cores_of_this_program().size(), 1, 16);
+  const std::size_t cores = std::clamp<std::size_t>(cores_of_this_program().size(), 1, kMostThreads);
   const std::size_t least = !workload.fused                           ? kTetsPerDispatch * dispatches_of(workload.method)
                             : workload.method == Method::gauss_seidel ? kTetsOfColors
                                                                       : kTetsFused;
@@ -71,7 +73,7 @@ SoftwareThreads::SoftwareThreads(const Workload& workload) : before_(threads_of_
 
 void SoftwareThreads::spread() const {
   const std::vector<int> cores = cores_of_this_program();
-  if (std::to_string(cores.size()) != std::getenv("LP_NUM_THREADS")) return;
+  if (cores.size() > kMostThreads || std::to_string(cores.size()) != std::getenv("LP_NUM_THREADS")) return;
   // Those that run kernels have no name of their own; the rasteriser's, and helpers, do.
   const std::string program = name_in("/proc/self");
   std::size_t worker = 0;

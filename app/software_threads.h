@@ -23,9 +23,8 @@ class SoftwareThreads {
   /// Chooses how many there will be (LP_NUM_THREADS, if the user did not set it); it cannot be changed later.
   explicit SoftwareThreads(const Workload& workload);
 
-  /// Gives each of the threads that run kernels a core of its own, where there are as many of both. Left to itself Linux wakes two of
-  /// them on one core, and, because they sleep again after milliseconds, leaves them there for seconds: a kernel then takes as long as
-  /// with one thread. Without a word where it is no Linux or there are no such threads.
+  /// Gives each of the threads that run kernels a core of its own, where there are as many of both: left to itself Linux at times runs
+  /// two of them on one (docs/solver.md has what it brings). Without a word where it is no Linux or there are no such threads.
   void spread() const;
 
  private:

@@ -6,7 +6,6 @@
 #include "sim/gpu/jacobi.h"
 #include "sim/gpu/two_level.h"
 #include "sim/gpu/vertex_descent.h"
-#include "sim/loose_parts.h"
 
 namespace fascia {
 
@@ -20,6 +19,7 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       given_(model),
       model_(placed(model, placement)),
       settings_(settings),
+      parts_(loose_parts(model_, model_.held())),
       features_(features_of(model)),
       buffers_(model_, std::move(placement)),
       motions_(model_),
@@ -138,10 +138,9 @@ std::optional<GpuSolver::FusedStep> GpuSolver::fuse(const StepPasses& passes) {
 }
 
 Start GpuSolver::start() {
-  const LooseParts parts = loose_parts(model_, model_.held());
-  if (!method_->starts_without_gravity() || parts.held_parts == 0) return {};
-  if (parts.parts == 0) return {false};
-  if (!loose_) loose_ = gl::Buffer("loose", parts.loose);
+  if (!method_->starts_without_gravity() || parts_.held_parts == 0) return {};
+  if (parts_.parts == 0) return {false};
+  if (!loose_) loose_ = gl::Buffer("loose", parts_.loose);
   return {false, &loose_};
 }
 

@@ -22,6 +22,7 @@
 #include "sim/gpu/step_snapshot.h"
 #include "sim/gpu/stop_rule.h"
 #include "sim/gpu/surface_positions.h"
+#include "sim/loose_parts.h"
 #include "sim/progress.h"
 
 namespace fascia {
@@ -152,6 +153,7 @@ class GpuSolver {
   const Model& given_;
   Model model_;  // given_ placed(), as all below sees it; materials and gravity follow
   SolverSettings settings_;
+  LooseParts parts_;
   Features features_;
   ColorBy color_ = ColorBy::none;
   SimBuffers buffers_;

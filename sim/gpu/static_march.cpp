@@ -55,7 +55,7 @@ class AsBefore {
       } catch (...) {  // of a lost context: what is thrown already says so
       }
   }
-  void restore() const {
+  void restore() {
     restored_ = true;
     solver_.set_settings(settings_);
     solver_.set_compensated(false);
@@ -67,7 +67,7 @@ class AsBefore {
   GpuSolver& solver_;
   SolverSettings settings_;
   std::vector<GrabSpring> springs_;
-  mutable bool restored_ = false;
+  bool restored_ = false;
 };
 
 }  // namespace
@@ -76,7 +76,7 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
                                              const std::stop_token& stop,
                                              const std::function<void(const reference::NewtonReport&)>& news) {
   reference::require_supports(model);
-  const AsBefore as_before(solver);
+  AsBefore as_before(solver);
   SolverSettings marching = solver.settings();
   marching.substeps = 1;
   marching.iterations = kIterations;

@@ -78,6 +78,10 @@ TEST_CASE("threads that run kernels have a core each where there are as many of 
   const std::string everywhere = first_word("/proc/self/status", "Cpus_allowed_list:");
   const Cores bound = cores_of_threads(count), free = cores_of_threads(count + 1);
   CAPTURE(count, text_of(bound), text_of(free));
+  if (count > 16) {  // more than llvmpipe has threads: nobody is bound
+    CHECK(bound.at("fascia").size() == 1);
+    return;
+  }
   for (const auto& [name, lists] : bound)
     if (name != "fascia") CHECK((lists.size() == 1 && lists.contains(everywhere)));
   std::map<std::string, int> lists = bound.at("fascia");

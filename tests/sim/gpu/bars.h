@@ -1,4 +1,4 @@
-// The bars and settings that tests of whole GPU steps share.
+// The bodies and settings that tests of GPU passes and steps share.
 #pragma once
 #include <catch2/catch.hpp>
 
@@ -6,6 +6,13 @@
 #include "tests/support/models.h"
 
 namespace fascia::test {
+
+const Material soft{2e4, 0.35, 1050, 0, MaterialModel::st_venant_kirchhoff};
+
+// Held from below.
+inline Model block() {
+  return make_model(make_box(5, 4, 3, {0.1, 0.08, 0.06}), soft, [](const Eigen::Vector3d& x) { return x.y() < 1e-9; });
+}
 
 inline Material tissue(double damping = 0) { return {2e4, 0.4, 1000, damping, MaterialModel::st_venant_kirchhoff}; }
 

@@ -2,23 +2,13 @@
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/solver.h"
+#include "tests/sim/gpu/bars.h"
 #include "tests/sim/gpu/gpu_fixture.h"
-#include "tests/support/models.h"
 
 using namespace fascia;
 using namespace fascia::test;
 using Eigen::Vector3d;
 using shared::vec4;
-
-namespace {
-
-const Material soft{2e4, 0.35, 1050, 0, MaterialModel::st_venant_kirchhoff};
-
-Model block() {
-  return make_model(make_box(5, 4, 3, {0.1, 0.08, 0.06}), soft, [](const Vector3d& x) { return x.y() < 1e-9; });
-}
-
-}  // namespace
 
 TEST_CASE("a grab spring alone obeys implicit Euler", "[gpu]") {
   // One tet so soft that only the spring acts: (m / h^2 + k) (u - target) = m / h^2 (u~ - target).

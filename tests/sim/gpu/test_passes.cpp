@@ -6,9 +6,9 @@
 #include "sim/locality.h"
 #include "sim/gpu/solver.h"
 #include "sim/reference/elasticity.h"
+#include "tests/sim/gpu/bars.h"
 #include "tests/sim/gpu/double_xpbd.h"
 #include "tests/sim/gpu/gpu_fixture.h"
-#include "tests/support/models.h"
 
 using namespace fascia;
 using namespace fascia::test;
@@ -16,12 +16,6 @@ using Eigen::Vector3d;
 using shared::vec4;
 
 namespace {
-
-const Material soft{2e4, 0.35, 1050, 0, MaterialModel::st_venant_kirchhoff};
-
-Model block() {
-  return make_model(make_box(5, 4, 3, {0.1, 0.08, 0.06}), soft, [](const Vector3d& x) { return x.y() < 1e-9; });
-}
 
 std::vector<Vector3d> unpack(const gl::Buffer& buffer) {
   std::vector<Vector3d> out;
