@@ -3,9 +3,11 @@
 #include <sched.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 namespace fascia {
 namespace {
@@ -33,6 +35,15 @@ std::vector<int> threads_of_this_program() {
     threads.push_back(std::atoi(entry.path().filename().c_str()));
   std::sort(threads.begin(), threads.end());
   return threads;
+}
+
+// Of those that a driver made: before it first waits it may not have run yet, and has no name.
+bool waits(int thread) {
+  std::ifstream file("/proc/self/task/" + std::to_string(thread) + "/stat");
+  std::string text;
+  std::getline(file, text);
+  const std::size_t name_end = text.rfind(") ");
+  return name_end == std::string::npos || text.compare(name_end + 2, 1, "S") == 0;
 }
 
 // "/proc/self" for the program's own, or "/proc/self/task/123".
@@ -74,12 +85,17 @@ SoftwareThreads::SoftwareThreads(const Workload& workload) : before_(threads_of_
 void SoftwareThreads::spread() const {
   const std::vector<int> cores = cores_of_this_program();
   if (cores.size() > kMostThreads || std::to_string(cores.size()) != std::getenv("LP_NUM_THREADS")) return;
+  std::vector<int> made;
+  for (const int thread : threads_of_this_program())
+    if (std::find(before_.begin(), before_.end(), thread) == before_.end()) made.push_back(thread);
+  constexpr int kPatience = 1000;  // ms, on a busy machine
+  for (int i = 0; i < kPatience && !std::all_of(made.begin(), made.end(), waits); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   // Those that run kernels have no name of their own; the rasteriser's, and helpers, do.
   const std::string program = name_in("/proc/self");
   std::size_t worker = 0;
-  for (const int thread : threads_of_this_program()) {
-    const bool new_one = std::find(before_.begin(), before_.end(), thread) == before_.end();
-    if (!new_one || name_in("/proc/self/task/" + std::to_string(thread)) != program) continue;
+  for (const int thread : made) {
+    if (name_in("/proc/self/task/" + std::to_string(thread)) != program) continue;
     cpu_set_t one;
     CPU_ZERO(&one);
     CPU_SET(cores[worker % cores.size()], &one);
