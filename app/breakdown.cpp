@@ -152,6 +152,7 @@ void require_sound(Simulation& simulation) {
   gl::require_context();
   const std::optional<std::uint32_t> lost = simulation.check_now();
   if (!lost) return;
+  simulation.require_device();
   const bool cut = !simulation.astray();
   const Breakdown breakdown = find_breakdown(simulation, *lost);
   throw Error(simulation.scene.file.string(), breakdown.text(simulation.model) + ", repeated by " + keep_replay(breakdown.replay).string(),

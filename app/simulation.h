@@ -8,6 +8,7 @@
 #include "app/input_log.h"
 #include "app/options.h"
 #include "app/scene_edits.h"
+#include "app/settling.h"
 #include "sim/gpu/solver.h"
 #include "sim/reference/newton.h"
 #include "sim/scene.h"
@@ -80,6 +81,8 @@ class Simulation {
   /// A vertex that is no longer finite or has run away, as far as is known: the GPU is asked every few steps, and nothing waits.
   /// Not while a replay knows that it will be led back.
   std::optional<std::uint32_t> astray() const { return astray_ && led_back_later() ? std::nullopt : astray_; }
+  /// Throws Error where the first look at the state found no number at all: not tissue that breaks but a device that does not compute.
+  void require_device() const;
   std::optional<std::uint32_t> check_now();  // as astray(), of the state of now: waits for the GPU
   /// The last sound state, at rest; settings, materials and grab stay as they are. Not recorded before begin_anew().
   void back_to_sound();
@@ -120,6 +123,8 @@ class Simulation {
   void go_back_to(bool rest);
   void look();
   void follow_check(bool wait);
+  bool settle();
+  void judge_device(const StateGuard::Verdict& first);
   void stir();
   void pull(std::vector<GrabSpring> springs);
   void renew_reference();
@@ -149,6 +154,10 @@ class Simulation {
   RestWatch rest_;
   std::vector<GrabSpring> other_springs_, springs_;  // without and with those of the scene's hands
   bool quiet_ = false, asleep_ = false;
+  bool unproven_ = true;  // nothing has been read back since this was made
+  bool lost_from_the_start_ = false;
+  Settling settling_;
+  double settles_after_ = 0;  // [s] at rest: longer after every search that ended far away
   long stirred_step_ = 0;  // the last change came before this step
   long steps_asleep_ = 0;
 };

@@ -316,6 +316,11 @@ void ViewWindow::go_back(std::uint32_t lost) {
   }
   state_.paused = true;
   came_apart_ = 0;
+  try {
+    simulation.require_device();
+  } catch (const Error& error) {
+    return say(error.what(), true);
+  }
   const Breakdown breakdown = find_breakdown(simulation, lost);
   const std::string text = breakdown.text(simulation.model) + ". Paused at the last sound state; R goes back to the start. ";
   say(text + "More iterations or substeps, or softer tissue, may help", true);

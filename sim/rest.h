@@ -20,11 +20,12 @@ class RestWatch {
  public:
   /// Whether it is at rest after this look. `size` of the scene [m].
   bool add(const Movement& motion, const SolverSettings& settings, double size);
+  double quiet() const { return quiet_; }  // [s] at rest without a break
   /// Something acts on it anew.
   void restart() { quiet_ = 0; looks_ = 0; }
 
  private:
-  double quiet_ = 0;  // [s] at rest without a break
+  double quiet_ = 0;
   int looks_ = 0;     // in that time
 };
 

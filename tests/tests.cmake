@@ -1,6 +1,6 @@
-# One executable per test folder or GPU need. fascia_test(name SOURCES... LIBS libs... LABELS labels...)
+# One executable per test folder or GPU need. fascia_test(name SOURCES... LIBS libs... LABELS labels... FILTER tests...)
 function(fascia_test name)
-  cmake_parse_arguments(T "" "" "SOURCES;LIBS;LABELS" ${ARGN})
+  cmake_parse_arguments(T "" "" "SOURCES;LIBS;LABELS;FILTER" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${T_SOURCES})
   if(NOT sources)
     return()
@@ -9,7 +9,7 @@ function(fascia_test name)
   add_executable(${name} ${sources})
   target_link_libraries(${name} PRIVATE test_support ${T_LIBS})
   target_precompile_headers(${name} REUSE_FROM test_support)
-  add_test(NAME ${name} COMMAND ${name})
+  add_test(NAME ${name} COMMAND ${name} ${T_FILTER})
   set_tests_properties(${name} PROPERTIES LABELS "${T_LABELS}" TIMEOUT ${FASCIA_TEST_TIMEOUT} ENVIRONMENT "${FASCIA_TEST_ENVIRONMENT}")
 endfunction()
 
@@ -39,7 +39,7 @@ fascia_test(test_gl SOURCES ${T}/render/gl/test_*.cpp ${T}/render/test_context*.
 fascia_test(test_render SOURCES ${T}/render/test_render*.cpp ${T}/render/test_camera.cpp ${T}/render/test_image.cpp
             ${T}/render/test_framebuffer.cpp
             LIBS render)
-fascia_test(test_solver SOURCES ${T}/sim/gpu/*.cpp LIBS sim render)
+fascia_test(test_solver SOURCES ${T}/sim/gpu/*.cpp LIBS sim render FILTER "~[slow]")
 fascia_test(test_app SOURCES ${T}/app/test_*.cpp ${T}/app/window_fixture.cpp LIBS app nlohmann_json::nlohmann_json PkgConfig::IMGUI)
 
 # A test that no program has would never fail.
@@ -63,6 +63,11 @@ foreach(name test_gl test_solver)
                          ENVIRONMENT "${threads_environment};LP_NATIVE_VECTOR_WIDTH=128")
   endif()
 endforeach()
+# Not among those that run without an argument: scripts/test.sh -L slow.
+if(TARGET test_solver)
+  add_test(NAME test_solver_slow COMMAND test_solver "[slow]")
+  set_tests_properties(test_solver_slow PROPERTIES LABELS slow TIMEOUT 12000 ENVIRONMENT "${FASCIA_TEST_ENVIRONMENT}")
+endif()
 if(TARGET test_app)
   add_dependencies(test_app fascia)
 endif()

@@ -2,9 +2,9 @@
 // diagonal, and its eigenvalues count by their absolute value, at least EIGENVALUE_FLOOR: a direction of negative curvature is
 // descended like one of positive, and one that the others can express adds nothing. At rest, where changes of the gradient are rounding,
 // small eigenvalues come about by accident, and long steps along them would kick the tissue; in motion the floor changes next to nothing.
-// Of a last step that raised the objective only a part is kept instead: where phi(t) = phi(0) + phi'(0) t + c t^4 has its
-// minimum, but no more than half, for the energy of strained tissue is of fourth order in the displacement. Nothing is kept of a step
-// that had no slope down (inertia's), nor with FINAL.
+// Of a last step that raised the objective only a part is kept instead: where phi(t) = phi(0) + phi'(0) t + c t^n has its minimum, but no
+// more than half. The exponent n follows from both values and both slopes, between 2 (a swing that brakes) and 4 (strained tissue, whose
+// energy is of fourth order in the displacement). Nothing is kept of a step that had no slope down, nor with FINAL.
 // Unless the method remembers, and in the first iteration, the span is that of z_f and z_c.
 // After two_level_correct or subspace_dots, and subspace_curvature; before subspace_update.
 #include "common/io.glsl"
@@ -21,13 +21,7 @@ uniform uint partials;
 #define EIGENVALUE_FLOOR 0.03
 #define OBJECTIVE_ROUNDING 2e-6  // of float32 sums of some thousand terms
 
-// Four sums are made at once, each by several invocations: the eight of one vector on software renderers.
-#if READ_TEXELS
-#define SLICES 2u
-#else
-#define SLICES 16u
-#endif
-shared vec4 slices[4u * SLICES];
+#include "sim/slice_sum.glsl"
 
 // One Jacobi rotation: makes a[p][q] zero. v collects the eigenvectors in its columns.
 #define ROTATE(p, q, r)                                                   \
@@ -56,19 +50,22 @@ void main() {
 #else
     uint count = row == 3u ? curvature_count : partials;
 #endif
-    vec4 sum = vec4(0.0);
-    for (uint k = slice / 4u; k < count; k += SLICES) sum += FETCH(dot_partials, row * partials + k);
-    slices[slice] = sum;
+    sum_slice(slice, 4u, row * partials, count);
   }
   barrier();
   if (lane != 0u) return;
-  vec4 sums[4] = vec4[4](slices[0], slices[1], slices[2], slices[3]);
-  for (uint k = 4u; k < 4u * SLICES; ++k) sums[k % 4u] += slices[k];
+  vec4 sums[4];
+  for (uint row = 0u; row < 4u; ++row) sums[row] = sum_of_slices(row, 4u);
 
   vec3 step = vec3(0.0), last = vec3(0.0);
   float objective = sums[0].w;
   float before = subspace_state[SUBSPACE_OBJECTIVE];
-  bool accepted = is_finite(objective) && objective <= before + OBJECTIVE_ROUNDING * (abs(before) + abs(objective));
+  // A start whose objective overflows is left by any step; a step of nothing raises nothing, whatever is rounded.
+  bool accepted = is_finite(objective) &&
+                  (!is_finite(before) || objective <= before + OBJECTIVE_ROUNDING * (abs(before) + abs(objective)));
+#if !FINAL
+  if (is_finite(objective) && sums[1].w == 0.0) accepted = true;
+#endif
 #if FINAL
   if (!accepted) step = vec3(0.0, 0.0, -1.0);
 #else
@@ -96,8 +93,10 @@ void main() {
     if (!is_finite(dot(step, step))) step = vec3(0.0);
     last = step;
   } else {
-    float slope = sums[0].z - sums[2].z;  // where the step began
-    float kept = slope < 0.0 && is_finite(objective) ? min(0.5, pow(-0.25 * slope / (objective - before - slope), 1.0 / 3.0)) : 0.0;
+    float slope_before = sums[0].z - sums[2].z, slope = sums[0].z;  // along p, where it began and here
+    float excess = objective - before - slope_before;
+    float exponent = clamp((slope - slope_before) / excess, 2.0, 4.0);
+    float kept = slope_before < 0.0 && is_finite(objective) ? min(0.5, pow(-slope_before / (exponent * excess), 1.0 / (exponent - 1.0))) : 0.0;
     if (!is_finite(kept) || kept < 0.0) kept = 0.0;
     step = vec3(0.0, 0.0, kept - 1.0);
     last = vec3(0.0, 0.0, kept);

@@ -32,11 +32,11 @@ std::vector<std::uint32_t> component_of(std::size_t vertex_count, const std::vec
 }  // namespace
 
 Regions::Regions(gl::ProgramCache& programs, const SimBuffers& buffers)
-    : buffers_(buffers), tets_(buffers.tet_vertices.read<Tet>()), vertex_region_(buffers.vertex_count) {
+    : buffers_(buffers), vertex_region_(buffers.vertex_count) {
   // Vertices in the order in which the curve meets them, body by body, cut into pieces.
-  const std::vector<std::uint32_t> component = component_of(buffers.vertex_count, tets_);
+  const std::vector<std::uint32_t> component = component_of(buffers.vertex_count, buffers.tets);
   std::vector<char> met(buffers.vertex_count, 0);
-  for (const Tet& tet : tets_)
+  for (const Tet& tet : buffers.tets)
     for (const std::uint32_t v : tet) {
       if (met[v]) continue;
       met[v] = 1;
@@ -52,7 +52,7 @@ Regions::Regions(gl::ProgramCache& programs, const SimBuffers& buffers)
   region_begin_.push_back(static_cast<std::uint32_t>(region_vertices_.size()));
 
   neighbors_.resize(region_count());
-  for (const Tet& tet : tets_)
+  for (const Tet& tet : buffers.tets)
     for (const std::uint32_t v : tet)
       for (const std::uint32_t w : tet) neighbors_[vertex_region_[v]].push_back(vertex_region_[w]);
   for (std::vector<std::uint32_t>& list : neighbors_) {
@@ -99,7 +99,7 @@ bool Regions::list(const SolverSettings& settings, const std::vector<GrabSpring>
   for (const GrabSpring& spring : springs) stirred[vertex_region_[spring.vertex]] = 1;
   for (std::uint32_t r = 0; r < region_count(); ++r)
     for (const std::uint32_t n : neighbors_[r]) moving[r] |= stirred[n];
-  if (moving == listed_) return active_.tet_count <= kMostShare * static_cast<double>(tets_.size());
+  if (moving == listed_) return active_.tet_count <= kMostShare * static_cast<double>(buffers_.tets.size());
   listed_ = moving;
 
   std::vector<std::uint32_t> pairs, tets, vertices;
@@ -109,17 +109,17 @@ bool Regions::list(const SolverSettings& settings, const std::vector<GrabSpring>
   for (std::uint32_t i = 0; i < buffers_.pair_and_single_count(); ++i) {
     const bool two = i < buffers_.pair_count;
     const std::uint32_t second = buffers_.pair_and_single_count() + i;
-    if (!moves(tets_[i]) && !(two && moves(tets_[second]))) continue;
+    if (!moves(buffers_.tets[i]) && !(two && moves(buffers_.tets[second]))) continue;
     pairs.push_back(i);
     tets.push_back(i);
     if (two) tets.push_back(second);
   }
   active_.pair_count = static_cast<std::uint32_t>(pairs.size());
   active_.tet_count = static_cast<std::uint32_t>(tets.size());
-  if (active_.tet_count > kMostShare * static_cast<double>(tets_.size())) return false;
+  if (active_.tet_count > kMostShare * static_cast<double>(buffers_.tets.size())) return false;
   std::vector<char> beside(buffers_.vertex_count, 0);
   for (const std::uint32_t t : tets)
-    for (const std::uint32_t v : tets_[t]) beside[v] = !moving[vertex_region_[v]];
+    for (const std::uint32_t v : buffers_.tets[t]) beside[v] = !moving[vertex_region_[v]];
   for (std::uint32_t r = 0; r < region_count(); ++r)
     if (moving[r]) vertices.insert(vertices.end(), region_vertices_.begin() + region_begin_[r], region_vertices_.begin() + region_begin_[r + 1]);
   active_.moving_count = static_cast<std::uint32_t>(vertices.size());

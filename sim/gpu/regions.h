@@ -32,7 +32,6 @@ class Regions {
   bool list(const SolverSettings& settings, const std::vector<GrabSpring>& springs);
 
   const SimBuffers& buffers_;
-  std::vector<Tet> tets_;                              // in the order of the buffers
   std::vector<std::uint32_t> vertex_region_;           // [vertex_count]
   std::vector<std::uint32_t> region_begin_, region_vertices_;  // vertices by region
   std::vector<std::vector<std::uint32_t>> neighbors_;  // [region_count]

@@ -131,18 +131,18 @@ SimBuffers::SimBuffers(const Model& model, Placement places)
 
 void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
   const std::vector<std::uint32_t>& order = pairing.order;
-  std::vector<Tet> tets;
+  std::vector<Tet> ordered;
   std::vector<std::uint32_t> material;
-  tets.reserve(order.size());
+  ordered.reserve(order.size());
   for (const std::uint32_t t : order) {
-    tets.push_back(model.tets[t]);
+    ordered.push_back(model.tets[t]);
     if (model.materials.size() > 1) material.push_back(model.tet_material[t]);
   }
-  for (std::size_t i = 0; i < pairing.pair_count; ++i) align_at_face(tets[i], tets[pairing.second_begin() + i]);
-  const std::vector<std::uint32_t> before = tets_before(tets, vertex_count);
-  Shapes shapes(model, tets, pairing.pair_count);
-  Slots slots(tets, pairing.pair_count, vertex_count, shapes.fifth);
-  gl::Buffer vertices("tet_vertices", tets), rows("tet_shape", shapes.rows), fifth("pair_fifth", shapes.fifth), begins("tet_begin", before);
+  for (std::size_t i = 0; i < pairing.pair_count; ++i) align_at_face(ordered[i], ordered[pairing.second_begin() + i]);
+  std::vector<std::uint32_t> before = tets_before(ordered, vertex_count);
+  Shapes shapes(model, ordered, pairing.pair_count);
+  Slots slots(ordered, pairing.pair_count, vertex_count, shapes.fifth);
+  gl::Buffer vertices("tet_vertices", ordered), rows("tet_shape", shapes.rows), fifth("pair_fifth", shapes.fifth), begins("tet_begin", before);
   if (!material.empty()) tet_material = gl::Buffer("tet_material", material);
   tet_vertices = std::move(vertices);
   tet_shape = std::move(rows);
@@ -155,6 +155,8 @@ void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
   most_slots = slots.most;
   most_tets = 0;
   for (std::uint32_t v = 0; v < vertex_count; ++v) most_tets = std::max(most_tets, before[v + 1] - before[v]);
+  tets = std::move(ordered);
+  tet_offsets = std::move(before);
 }
 
 void SimBuffers::set_phantom_count(std::uint32_t count) {

@@ -51,6 +51,10 @@ struct SimBuffers {
   gl::Buffer pair_slots;  // uvec4 [pairs and single tets] slots of all corners but the pair's fifth, sorted by vertex
   gl::Buffer slot_begin;  // uint [vertex_count + 1] first slot of each vertex
 
+  // The same on the CPU: what is read back from a device that fails must never be an index or a size.
+  std::vector<Tet> tets;                   // [tet_count] tet_vertices
+  std::vector<std::uint32_t> tet_offsets;  // [vertex_count + 1] tet_begin
+
   gl::Buffer astray;  // uint [1] smallest index of a vertex that is lost (shaders/sim/velocity.comp), ~0 for none
 
   gl::Buffer step;  // uniform block Step (shared::StepValues)

@@ -2,10 +2,12 @@
 
 #include <tuple>
 
+#include "sim/gpu/compute_probe.h"
 #include "sim/gpu/exact_xpbd.h"
 #include "sim/gpu/jacobi.h"
 #include "sim/gpu/two_level.h"
 #include "sim/gpu/vertex_descent.h"
+#include "sim/error.h"
 
 namespace fascia {
 
@@ -27,6 +29,7 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       guard_(programs, buffers_),
       surface_(buffers_, drawn) {
   require_carried(settings_.method, model.materials, "solver.method");
+  require_computing(programs);
   buffers_.upload_step(model_, settings_);
   reset();
   report(progress, 0.4, "Preparing the solver");
@@ -107,11 +110,10 @@ void GpuSolver::record() {
   if (!may_rest) regions_.reset();
   if (may_rest && !regions_) regions_.emplace(programs_, buffers_);
   fuses_ = !stop_ && gl::fuses(programs_);
-  // A GPU jumps over a branch that none of a few neighbors takes, and to a small mesh each dispatch counts. The number is a guess.
-  constexpr std::uint32_t kManyTets = 50'000;
+  // A GPU jumps over a branch that none of a few neighbors takes; a second dispatch and its copies would only cost.
   const bool branches_skip = programs_.load_path() == gl::LoadPath::storage;
   const Deferral most_deferred = method_->most_deferred(buffers_, fuses_);
-  const bool may_defer = features_.signed_st_venant_kirchhoff && most_deferred.items > 0 && !(branches_skip && buffers_.tet_count < kManyTets);
+  const bool may_defer = features_.signed_st_venant_kirchhoff && most_deferred.items > 0 && !branches_skip;
   if (!may_defer) deferred_.reset();
   if (may_defer && (!deferred_ || deferred_->most != most_deferred)) deferred_.emplace(most_deferred);
   method_->prepare(recording(nullptr));
@@ -238,13 +240,20 @@ void GpuSolver::request_check() {
 
 std::optional<StateGuard::Verdict> GpuSolver::take_check(bool wait) {
   std::optional<StateGuard::Verdict> verdict = guard_.take(wait);
-  if (verdict && verdict->astray) verdict->astray = buffers_.placement.vertex[*verdict->astray];
+  if (verdict && verdict->astray) verdict->astray = vertex_at(*verdict->astray);
   return verdict;
 }
 
 std::optional<std::uint32_t> GpuSolver::astray_now() const {
   const std::uint32_t place = buffers_.astray.read<std::uint32_t>().front();
-  return place == ~0u ? std::nullopt : std::optional(buffers_.placement.vertex[place]);
+  return place == ~0u ? std::nullopt : std::optional(vertex_at(place));
+}
+
+std::uint32_t GpuSolver::vertex_at(std::uint32_t place) const {
+  if (place >= buffers_.vertex_count)
+    throw Error(gl::device().renderer, "the number of a lost vertex was read back as " + std::to_string(place),
+                "expected one below " + std::to_string(buffers_.vertex_count));
+  return buffers_.placement.vertex[place];
 }
 
 void GpuSolver::set_probe(std::optional<std::uint32_t> vertex) {

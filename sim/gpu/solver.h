@@ -58,6 +58,8 @@ class GpuSolver {
   /// Brings positions() up to date with the state, once for every state.
   void publish();
   ShownRange* shown_range() { return surface_.range(); }  // of the heat map; null without one
+  /// Whether the method descends the objective of the step, so that a body comes to rest where its static equilibrium is.
+  bool descends() const { return method_->gradient() != nullptr; }
   const gl::Buffer& positions() const { return surface_.positions(); }  // vec4 [vertex_count + points]
 
   /// One substep that diagnoses the state after every iteration, and before the first: [iterations + 1]. For plots of convergence:
@@ -74,6 +76,8 @@ class GpuSolver {
   std::optional<StateGuard::Verdict> take_check(bool wait);
   /// The same at once, of a state that is not kept: waits for the GPU, and the steps that follow do not notice.
   std::optional<std::uint32_t> astray_now() const;
+  /// The state at rest `equilibrium`, with a step around it that has been solved, so that its diagnostics are those of a step. No time passes.
+  void settle(const reference::State& equilibrium);
   /// A step in which nothing moves: the state, which has just been found sound, stays as it is.
   void rest();
   /// To the last state that was found sound, or was put there. With `at_rest` without its velocities.
@@ -148,6 +152,7 @@ class GpuSolver {
   Passes iteration(const Recording& recording, bool first);
   void choose_passes();
   void state_changed();
+  std::uint32_t vertex_at(std::uint32_t place) const;  // place as it was read back
 
   gl::ProgramCache& programs_;
   const Model& given_;

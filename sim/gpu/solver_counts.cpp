@@ -1,4 +1,5 @@
 // What the solver's steps take, counted: iterations, dispatches, bytes.
+#include <algorithm>
 #include <set>
 
 #include "sim/gpu/solver.h"
@@ -6,7 +7,8 @@
 namespace fascia {
 
 int GpuSolver::last_iterations() const {
-  return stop_ && substeps_ > 0 ? static_cast<int>(stop_->state().read<std::uint32_t>().front()) : settings_.iterations;
+  if (!stop_ || substeps_ == 0) return settings_.iterations;
+  return static_cast<int>(std::min(stop_->state().read<std::uint32_t>().front(), static_cast<std::uint32_t>(settings_.iterations)));
 }
 
 double GpuSolver::mean_iterations() const {

@@ -113,6 +113,16 @@ void GpuSolver::step() {
   ++steps_solved_;
 }
 
+void GpuSolver::settle(const reference::State& equilibrium) {
+  const double time = time_;
+  upload(equilibrium);
+  step();
+  buffers_.upload_state(model_, equilibrium);
+  time_ = time;
+  published_ = false;
+  guard_.keep(buffers_, time_);
+}
+
 void GpuSolver::rest() {
   time_ += settings_.time_step;
   guard_.pass_time(settings_.time_step);

@@ -23,7 +23,7 @@ VertexColoring alike_together(VertexColoring coloring, const std::vector<std::ui
 }  // namespace
 
 VertexDescentMethod::VertexDescentMethod(const Model& model, const SimBuffers& buffers)
-    : coloring_(alike_together(color_vertices(model.tets, model.held()), buffers.tet_begin.read<std::uint32_t>())),
+    : coloring_(alike_together(color_vertices(model.tets, model.held()), buffers.tet_offsets)),
       vertex_tets_(make_vertex_tets(buffers)),
       color_vertex_("color_vertex", coloring_.order) {}
 

@@ -118,8 +118,9 @@ void DoubleTwoLevel::descend(Acceleration acceleration) {
   double objective = 0;
   const VectorXd g = gradient(u_, objective);
   if (objective > objective_) {
-    const double slope = last_step_.dot(previous_gradient_);
-    const double kept = slope < 0 ? std::min(0.5, std::cbrt(-0.25 * slope / (objective - objective_ - slope))) : 0;
+    const double slope_before = last_step_.dot(previous_gradient_), slope = last_step_.dot(g);
+    const double excess = objective - objective_ - slope_before, exponent = std::clamp((slope - slope_before) / excess, 2.0, 4.0);
+    const double kept = slope_before < 0 ? std::min(0.5, std::pow(-slope_before / (exponent * excess), 1 / (exponent - 1))) : 0;
     u_ -= (1 - kept) * last_step_;
     last_step_ *= kept;
     return;

@@ -1,0 +1,27 @@
+// Partial sums added up by one work group: each of SLICES invocations adds up a slice of them with Kahan's correction (1965), the first
+// one adds up the slices. The order is the same in every kernel that includes this, so that the objective of one state has the same bits
+// wherever it is summed: a difference of two orders would be taken for a step uphill. For kernels that have declared `dot_partials`.
+#if READ_TEXELS
+#define SLICES 2u  // four sums fill one vector of eight invocations on software renderers
+#else
+#define SLICES 16u
+#endif
+#define MOST_ROWS 4u
+shared vec4 slices[MOST_ROWS * SLICES];
+
+// Slice number `slice / rows` of the row `slice % rows`, whose `count` partials begin at `first`.
+void sum_slice(uint slice, uint rows, uint first, uint count) {
+  precise vec4 sum = vec4(0.0), lost = vec4(0.0);
+  for (uint k = slice / rows; k < count; k += SLICES) {
+    precise vec4 term = FETCH(dot_partials, first + k) - lost, next = sum + term;
+    lost = (next - sum) - term;
+    sum = next;
+  }
+  slices[slice] = sum;
+}
+
+vec4 sum_of_slices(uint row, uint rows) {
+  precise vec4 sum = slices[row];
+  for (uint k = row + rows; k < rows * SLICES; k += rows) sum += slices[k];
+  return sum;
+}
