@@ -109,7 +109,7 @@ bool Simulation::settle() {
 void Simulation::follow_check(bool wait) {
   const std::optional<StateGuard::Verdict> verdict = gpu_->take_check(wait);
   if (!verdict) return;
-  if (unproven_) judge_device(*verdict);
+  if (unproven_ && checked_step_ > 0) judge_device(*verdict);
   if (verdict->astray) {
     astray_ = verdict->astray;
     return;
