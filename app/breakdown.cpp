@@ -6,6 +6,7 @@
 #include "app/scene_edits.h"
 #include "sim/error.h"
 #include "sim/reference/elasticity.h"
+#include "sim/scene_carry.h"
 
 namespace fascia {
 namespace {
@@ -13,13 +14,14 @@ namespace {
 using Eigen::Vector3d;
 
 // The log, as a replay that begins with the sound state.
-Replay replay_of(const Simulation& simulation, reference::State start) {
+Replay replay_of(Simulation& simulation, reference::State start) {
   const InputLog& log = simulation.log();
   Replay replay{simulation.scene, std::move(start), log.inputs(), simulation.steps_made() - log.begin()};
   replay.scene.solver = log.tuning().solver;
   replay.scene.gravity = log.tuning().gravity;
   follow_materials(replay.scene, simulation.model, log.tuning().materials);
   for (Input& input : replay.inputs) input.step -= log.begin();
+  replay.scene = self_contained_if_possible(std::move(replay.scene), simulation.model.files);
   if (!log.tuning().springs.empty()) replay.inputs.insert(replay.inputs.begin(), Input{0, log.tuning().springs});
   return replay;
 }

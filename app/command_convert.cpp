@@ -1,16 +1,43 @@
-// fascia convert: between mesh formats, keeping vertex order, regions and names where the format can.
+// fascia convert: between mesh formats, keeping vertex order, regions and names where the format can; scenes and replays to such that carry
+// their meshes.
 #include <iostream>
 
 #include "app/commands.h"
+#include "app/opened.h"
 #include "app/output_files.h"
+#include "app/usage_error.h"
 #include "sim/file.h"
 #include "sim/report_text.h"
+#include "sim/scene_carry.h"
 #include "sim/surface_fill.h"
 #include "sim/vertex_places.h"
 
 namespace fascia {
 
+namespace {
+
+// What opens anywhere: a scene or a replay with its files in it.
+int write_self_contained(const ConvertOptions& options) {
+  const bool is_replay = lower_ending(options.in) == ".fascia";
+  Opened opened = open_file(options.in);
+  require_outputs({{"OUT", options.out, {is_replay ? ".fascia" : ".json"}}}, input_files(opened.scene));
+  const std::filesystem::path folder = std::filesystem::path(options.out).parent_path();
+  const Scene whole = self_contained(opened.scene, opened.model.files);
+  if (is_replay) opened.replay->scene = whole;
+  write_file(options.out, is_replay ? replay_to_json(*opened.replay, folder) : scene_to_json(whole, folder));
+  for (const std::string& note : opened.model.notes) std::cerr << "fascia: " << note << '\n';
+  std::cerr << "fascia: " << options.out << ": with ";
+  for (const KnownFile& file : whole.files) std::cerr << (&file == &whole.files.front() ? "" : ", ") << file.path;
+  std::cerr << '\n';
+  return exit_done;
+}
+
+}  // namespace
+
 int command_convert(const ConvertOptions& options) {
+  if (options.with_mesh) return write_self_contained(options);
+  if (const std::string ending = lower_ending(options.in); ending == ".json" || ending == ".fascia")
+    throw UsageError(options.in, ending == ".json" ? "is a scene" : "is a replay", "expected a mesh, or --with-mesh for a copy with its meshes in it");
   const auto files_of = [](const std::string& path) {  // TetGen's are two
     const std::string ending = lower_ending(path);
     std::vector<std::filesystem::path> files{path};

@@ -9,6 +9,7 @@
 #include "app/usage_error.h"
 #include "sim/coloring.h"
 #include "sim/file.h"
+#include "sim/file_reader.h"
 #include "sim/locality.h"
 #include "sim/mesh_doctor.h"
 #include "sim/model.h"
@@ -43,10 +44,9 @@ void print_colorings(const Model& model, int asked) {
 }
 
 /// The tets of a surface, after the report about it. That comes first: a surface that cannot be filled is described, too.
-MeshFile filled_mesh(const std::filesystem::path& path, const Body& body) {
-  SurfaceMesh surface = read_obj(path);
+MeshFile filled_mesh(SurfaceMesh surface, const std::string& where, const Body& body) {
   print_report(std::cout, surface, repair(surface));
-  FilledSurface filled = fill_surface(std::move(surface), path.string(), body.resolution);
+  FilledSurface filled = fill_surface(std::move(surface), where, body.resolution);
   std::cout << "\nfilled with tets, resolution " << filled.resolution << '\n';
   filled.file.notes.erase(filled.file.notes.begin(), filled.file.notes.begin() + filled.notes_of_surface);  // told already
   return std::move(filled.file);
@@ -66,10 +66,12 @@ int command_info(const InfoOptions& options) {
     if (ending != ".vtu" && ending != ".msh") return exit_done;  // those are meshes, too
   }
   const Scene scene = blaming_options([&] { return open_scene(options.input, options.sets); });
-  for (const Body& body : scene.bodies) {
-    const std::filesystem::path path = scene.resolve(body.mesh);
-    std::cout << path.string() << '\n';
-    const MeshFile file = is_surface_file(path) ? filled_mesh(path, body) : read_mesh(path);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Body& body = scene.bodies[b];
+    FileReader files(scene);
+    const FileReader::File found = files.read(body.mesh, "bodies[" + std::to_string(b) + "].mesh");
+    std::cout << found.place.string() << '\n';
+    const MeshFile file = is_surface_file(found.place) ? filled_mesh(files.surface(found), found.place.string(), body) : files.tets(found);
     const MeshRepair repaired = repair(file.mesh);
     print_report(std::cout, file, repaired, examine(file.mesh, repaired));
   }

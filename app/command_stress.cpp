@@ -9,6 +9,7 @@
 #include "app/stress.h"
 #include "sim/error.h"
 #include "sim/file.h"
+#include "sim/scene_carry.h"
 
 namespace fascia {
 namespace {
@@ -45,8 +46,9 @@ void keep_failure(Bench& bench, Row& row) {
   row.replay = fs::path("failures") / (name + ".fascia");
   std::error_code ec;
   fs::create_directories(bench.folder / "failures", ec);
-  write_replay(bench.folder / row.replay, replay);
   Session session(bench.graphics, replay.scene, false);
+  replay.scene = self_contained_if_possible(std::move(replay.scene), session.simulation.model.files);
+  write_replay(bench.folder / row.replay, replay);
   session.simulation.play(std::move(replay));
   for (long step = 0; step < row.result.steps; ++step) session.simulation.step();
   Framebuffer framebuffer(bench.options.width, bench.options.height, 1);

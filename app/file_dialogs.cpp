@@ -235,6 +235,10 @@ void FileDialogs::draw_write(const char* title, Writes what, Requests& requests)
       if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
     }
   }
+  if (what == Writes::scene) {
+    ImGui::Checkbox("Save with mesh", &with_mesh_);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The file carries its meshes and tables and opens anywhere.\nOtherwise it refers to them by their paths.");
+  }
   std::error_code ec;
   const bool exists = fs::exists(write_path_, ec);
   if (exists)
@@ -245,6 +249,7 @@ void FileDialogs::draw_write(const char* title, Writes what, Requests& requests)
   const bool cancel = ImGui::Button("Cancel", {ui::px(100), 0}) || escape_pressed();
   const bool done = write && !write_path_.empty();
   if (done) (what == Writes::scene ? requests.save : requests.export_state) = write_path_;
+  requests.save_with_mesh = done && with_mesh_;
   if (done || cancel) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }

@@ -43,6 +43,7 @@ class FileDialogs {
   bool scroll_ = false, focus_ = false;
   std::string typed_, listed_for_, write_path_;
   bool start_open_ = false, start_save_ = false, start_export_ = false, start_recent_ = false;
+  bool with_mesh_ = false;
 };
 
 }  // namespace fascia

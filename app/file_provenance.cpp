@@ -66,6 +66,10 @@ Provenance of_replay(const fs::path& path) {
   std::snprintf(text, sizeof text, "%ld steps, %.9g s, %zu inputs", replay.steps, ReplayTime(replay).seconds(replay.steps),
                 replay.inputs.size());
   provenance.emplace_back("Replay", text);
+  std::string carried;
+  for (const KnownFile& file : replay.scene.files)
+    if (file.deflated) carried += (carried.empty() ? "" : ", ") + file.path;
+  if (!carried.empty()) provenance.emplace_back("Carries", carried);
   if (replay.hash) provenance.emplace_back("State", hash_text(*replay.hash));
   if (!replay.note.empty()) provenance.emplace_back("Note", replay.note);
   return provenance;

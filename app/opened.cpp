@@ -7,7 +7,9 @@
 #include "app/paths.h"
 #include "app/replay_time.h"
 #include "app/usage_error.h"
+#include "sim/error.h"
 #include "sim/file.h"
+#include "sim/scene_paths.h"
 
 namespace fascia {
 namespace {
@@ -19,8 +21,10 @@ Opened open_replay(const std::filesystem::path& path, const std::vector<std::str
   const Replay& read = *opened.replay;
   if (!read.note.empty()) opened.model.notes.push_back(read.note);
   const auto mesh = std::find_if(read.made_by.begin(), read.made_by.end(), [](const auto& entry) { return entry.first == "Mesh hash"; });
-  if (mesh != read.made_by.end() && mesh->second != hash_text(mesh_hash(opened.model.file_mesh)))
-    opened.model.notes.push_back(path.string() + ": recorded with another mesh than its file holds now");
+  if (mesh == read.made_by.end() || mesh->second == hash_text(mesh_hash(opened.model.file_mesh)) || !read.scene.files.empty()) return opened;
+  // Without a note of its files, a replay shows only here that what was found by its name elsewhere is another mesh.
+  if (!read.scene.notes.empty()) throw Error(read.scene.notes.front(), "another mesh than that of the recording", "expected that one beside the replay");
+  opened.model.notes.push_back(path.string() + ": recorded with another mesh than its file holds now");
   return opened;
 }
 
@@ -33,13 +37,9 @@ void require_steps_or_static(const CommonOptions& options) {
 
 std::vector<std::filesystem::path> input_files(const Scene& scene) {
   std::vector<std::filesystem::path> files{scene.file};
-  for (const Body& body : scene.bodies) {
-    files.push_back(scene.resolve(body.mesh));
-    if (!body.surface.empty()) files.push_back(scene.resolve(body.surface));
-    if (const auto* velocity = std::get_if<std::string>(&body.initial_velocity)) files.push_back(scene.resolve(*velocity));
-    for (const PrescribedMotion& motion : body.prescribed)
-      if (!motion.targets.empty()) files.push_back(scene.resolve(motion.targets));
-  }
+  for_each_path(scene, [&](const std::string& path, const std::string&) {
+    if (!scene.carries(path)) files.push_back(scene.resolve(path));
+  });
   return files;
 }
 
@@ -49,6 +49,7 @@ Opened open_file(const std::filesystem::path& path, const std::vector<std::strin
 }
 
 Opened open_input(const CommonOptions& options, const std::vector<std::string>& sets) {
+  if (!options.data_dir.empty()) find_data_dir(options.data_dir);  // where "assets:" leads
   std::vector<std::string> overrides = sets;
   for (const std::string& grab : options.grabs) overrides.push_back("--grab " + grab);
   if (!options.replay.empty() && !options.input.empty()) throw UsageError("--replay", "has a scene of its own", "leave out " + options.input);

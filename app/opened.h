@@ -23,7 +23,7 @@ long steps_to_run(const CommonOptions& options, const Simulation& simulation);
 /// Throws UsageError for --static beside a number of steps.
 void require_steps_or_static(const CommonOptions& options);
 
-/// The scene's file and its meshes.
+/// The scene's file, and those on disk that it names.
 std::vector<std::filesystem::path> input_files(const Scene& scene);
 
 }  // namespace fascia

@@ -79,6 +79,7 @@ struct InfoOptions {
 struct ConvertOptions {
   std::string in, out;
   bool weld = false;
+  bool with_mesh = false;  // IN is a scene or a replay, OUT the same with its files in it
 };
 
 }  // namespace fascia

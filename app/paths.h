@@ -5,8 +5,8 @@
 
 namespace fascia {
 
-/// The folder that holds shaders/ and assets/: `data_dir` if given, else the environment's FASCIA_DATA_DIR, else the program's folder
-/// or one above it, else the source tree it was built from. Throws Error naming what was tried.
+/// The folder that holds shaders/ and assets/: `data_dir` if given, which is then also where "assets:" in scenes leads, else the first of
+/// data_folders() (sim/data_folder.h) that does. Throws Error naming what was tried.
 std::filesystem::path find_data_dir(const std::string& data_dir);
 
 std::filesystem::path default_scene(const std::filesystem::path& data_dir);

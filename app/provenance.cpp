@@ -14,7 +14,7 @@ Provenance provenance_of(const Scene& scene, const Model& model, const std::stri
           {"Renderer", renderer},
           {"Mesh hash", hash},
           {"Moment", moment},
-          {"Parameters", scene_to_json(scene, scene.file.parent_path())},
+          {"Parameters", parameters_to_json(scene, scene.file.parent_path())},
           {"Command line", command_line}};
 }
 

@@ -13,6 +13,7 @@
 #include "app/user_files.h"
 #include "sim/error.h"
 #include "sim/file.h"
+#include "sim/scene_carry.h"
 
 namespace fascia {
 namespace fs = std::filesystem;
@@ -128,6 +129,15 @@ void SessionRecording::flush() {
   if (out_) return;
   failed_ = true;
   throw Error(path_.string(), std::string("the session is no longer recorded: ") + std::strerror(errno), "expected free disk space");
+}
+
+bool SessionRecording::carry_files(std::vector<ReadFile>& read) {
+  const auto carried = [&] {
+    const std::vector<KnownFile>& files = beginning_.scene.files;
+    return !files.empty() && std::all_of(files.begin(), files.end(), [](const KnownFile& file) { return file.deflated != nullptr; });
+  };
+  if (!carried()) beginning_.scene = self_contained_if_possible(std::move(beginning_.scene), read);
+  return carried();
 }
 
 void SessionRecording::save_as(const fs::path& path) {

@@ -31,6 +31,8 @@ class SessionRecording {
   void breathe(long steps);
   /// The file ends here for now, with the hash of the state after so many steps. Throws Error, as breathe does.
   void note_state(long steps, std::uint64_t hash);
+  /// The scene of copies that are saved has its files in it from now on. False where that cannot be (self_contained_if_possible).
+  bool carry_files(std::vector<ReadFile>& read);
   /// A copy, with the paths of its scene as seen from there. Throws Error, also where the session is not recorded to its end.
   void save_as(const std::filesystem::path& path);
 

@@ -90,7 +90,7 @@ struct Requests {
   bool open_dialog = false, save_dialog = false, reset = false, step = false, frame_view = false, screenshot = false, video = false,
        reload_shaders = false, close = false, plot_table = false, plot_picture = false, recent = false, export_dialog = false,
        gallery = false, copy_command = false, resume_left_behind = false, forget_left_behind = false, let_go = false,
-       save_replay_dialog = false, end_replay = false;
+       save_replay_dialog = false, end_replay = false, save_with_mesh = false;
   std::optional<std::filesystem::path> open, save, export_state, save_replay, resume;  // resume: what a session left (autosave.h)
   CompareAsk compare = CompareAsk::nothing;
   std::optional<std::size_t> history;                    // so many of its entries shall be in force

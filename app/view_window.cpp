@@ -334,7 +334,7 @@ void ViewWindow::remember_now_and_then() {
 void ViewWindow::remember() {
   Simulation& simulation = session_->simulation;
   Scene scene = scene_now();
-  std::string text = scene_to_json(scene, {});
+  std::string text = parameters_to_json(scene, {});
   const long step = simulation.uses_reference() ? simulation.steps_made() : simulation.gpu()->steps_solved();
   const bool same = remembered_ && step == remembered_step_ && text == remembered_scene_;
   autosave_.wait_a_while();

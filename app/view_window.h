@@ -92,7 +92,7 @@ class ViewWindow {
   void export_state(const std::filesystem::path& path);
   void follow_hints();
   void session_began();  // what the window knows of the one that is open
-  void save(const std::filesystem::path& path);
+  void save(const std::filesystem::path& path, bool with_mesh);
   void set_title();
   void reset();
   void begin_recording();   // of the session that was opened

@@ -9,6 +9,7 @@
 #include "app/scene_edits.h"
 #include "app/view_window.h"
 #include "sim/file.h"
+#include "sim/scene_carry.h"
 #include "sim/scene_write.h"
 #include "sim/state_export.h"
 
@@ -147,7 +148,7 @@ void ViewWindow::carry_out(const Requests& requests) {
   }
   if (requests.save_dialog) dialogs_.ask_save(session_->simulation.scene.file);
   if (requests.open) open(*requests.open);
-  if (requests.save) save(*requests.save);
+  if (requests.save) save(*requests.save, requests.save_with_mesh);
   if (requests.export_state) export_state(*requests.export_state);
   if (requests.save_replay_dialog) replay_dialog_.ask();
   if (requests.save_replay) save_replay(*requests.save_replay);
@@ -263,8 +264,10 @@ Scene ViewWindow::scene_now() const {
   return scene;
 }
 
-void ViewWindow::save(const fs::path& path) {
-  write_file(path, scene_to_json(scene_now(), path.parent_path()));
+void ViewWindow::save(const fs::path& path, bool with_mesh) {
+  std::vector<ReadFile>& files = session_->simulation.model.files;
+  const Scene scene = with_mesh ? self_contained(scene_now(), files) : with_known_files(scene_now(), files);
+  write_file(path, scene_to_json(scene, path.parent_path()));
   dialogs_.opened(path);
   say("Saved " + path.string());
 }

@@ -3,10 +3,14 @@
 
 #include "app/view_window.h"
 #include "sim/error.h"
+#include "sim/scene_carry.h"
 
 namespace fascia {
 namespace fs = std::filesystem;
 namespace {
+
+// [bytes] of meshes that a session has in its file from its first moment: what takes longer waits until it is saved.
+constexpr std::uint64_t kCarriedFromTheStart = 32 << 20;
 
 CameraSettings settings_of(const Camera& camera) { return {camera.eye, camera.target, camera.up, camera.fov_deg}; }
 
@@ -21,7 +25,7 @@ void ViewWindow::begin_recording() {
   const fs::path path = session_file();
   if (path.empty()) return;
   recorded_from_ = simulation.steps_made();
-  Replay beginning{scene_now(), simulation.start(), {}, 0};
+  Replay beginning{self_contained_if_possible(scene_now(), simulation.model.files, kCarriedFromTheStart), simulation.start(), {}, 0};
   const bool gone_on_from = simulation.time() != (beginning.start ? beginning.start->time : 0);
   begins_at_start_ = recorded_from_ == 0 && !gone_on_from;
   if (!begins_at_start_) beginning.start = simulation.go_on_as_replay();
@@ -67,8 +71,9 @@ void ViewWindow::save_replay(const fs::path& path) {
     throw Error(path.string(), "this session is not recorded",
                 "expected neither --steps, --time nor --static, and a folder for the state of programs (XDG_STATE_HOME)");
   end_recording();
+  const bool whole = recording_->carry_files(session_->simulation.model.files);
   recording_->save_as(path);
-  say("Saved " + path.string() + ". fascia render --replay makes a video of it");
+  say("Saved " + path.string() + (whole ? "" : ", without its mesh, which has changed or is too large") + ". fascia render --replay makes a video of it");
 }
 
 void ViewWindow::begin_replay() {

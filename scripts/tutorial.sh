@@ -18,7 +18,6 @@ rm -rf "$folder"
 mkdir -p "$folder"
 cp assets/meshes/kidney.obj "$folder/"
 cp assets/check/cube_grab.fascia "$folder/session.fascia"
-sed -i "s|\.\./meshes/|$root/assets/meshes/|g" "$folder/session.fascia"
 awk '/^```sh$/ {inside = 1; next} /^```$/ {inside = 0} inside' docs/tutorial.md > "$folder/tutorial.sh"
 cd "$folder"
 fascia() {

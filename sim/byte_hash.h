@@ -2,7 +2,9 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <span>
+#include <string>
 
 namespace fascia {
 
@@ -16,5 +18,12 @@ class ByteHash {
  private:
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
+
+/// 16 hexadecimal digits.
+inline std::string hash_text(std::uint64_t hash) {
+  char text[24];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
 
 }  // namespace fascia

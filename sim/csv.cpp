@@ -122,9 +122,12 @@ VertexTable read_vertex_csv_content(const std::filesystem::path& path, std::stri
   return table;
 }
 
-std::vector<Eigen::Vector3d> read_complete_vertex_csv(const std::filesystem::path& path,
-                                                      std::size_t vertex_count) {
-  VertexTable table = read_vertex_csv(path, vertex_count);
+std::vector<Eigen::Vector3d> read_complete_vertex_csv(const std::filesystem::path& path, std::size_t vertex_count) {
+  return read_complete_vertex_csv(path, read_file(path), vertex_count);
+}
+
+std::vector<Eigen::Vector3d> read_complete_vertex_csv(const std::filesystem::path& path, std::string_view content, std::size_t vertex_count) {
+  VertexTable table = read_vertex_csv_content(path, content, vertex_count);
   if (table.vertices.size() == vertex_count) return std::move(table.values);
   std::size_t missing = 0;  // the first row that does not hold the vertex of its number
   while (missing < table.vertices.size() && table.vertices[missing] == missing) ++missing;

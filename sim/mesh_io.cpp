@@ -40,7 +40,7 @@ std::string likely_kind(std::string_view content, const std::string& ending) {
 
 }  // namespace
 
-MeshFile read_mesh_content(const fs::path& path, std::string_view content) {
+MeshFile read_mesh_content(const fs::path& path, std::string_view content, const ReadBeside& read_beside) {
   MeshFile file;
   if (content.empty()) throw Error(path.string(), "is empty", known_formats);
   Scanner in(path.string(), content);
@@ -58,7 +58,7 @@ MeshFile read_mesh_content(const fs::path& path, std::string_view content) {
   } else if (peek.peek_word().starts_with("MeshVersionFormatted")) {
     read_medit(in, file);
   } else if (const std::string ending = lower_ending(path); ending == ".node" || ending == ".ele") {
-    read_tetgen(path, content, file);
+    read_tetgen(path, content, file, read_beside);
   } else {
     refuse(path, text);
   }

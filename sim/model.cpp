@@ -3,9 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "sim/csv.h"
 #include "sim/error.h"
+#include "sim/file_reader.h"
 #include "sim/loose_parts.h"
 #include "sim/mesh_doctor.h"
 #include "sim/mesh_io.h"
@@ -26,29 +28,31 @@ constexpr double kNotedDistance = 0.4;
 
 /// One body on its way into the model.
 struct LoadedBody {
-  const Scene& scene;
+  FileReader& files;
   const Body& body;
-  std::string where;  // "scene.json: bodies[0]"
+  std::string key, where;  // "bodies[0]", "scene.json: bodies[0]"
   MeshFile file;
   SurfaceMesh surface;  // drawn instead of the boundary, if it has triangles
   MeshRepair repaired;
   std::vector<char> used;  // [vertex_count] 1 where a usable tet has the vertex
 };
 
-LoadedBody load(const Scene& scene, std::size_t index, const Progress& progress) {
+LoadedBody load(const Scene& scene, std::size_t index, FileReader& files, const Progress& progress) {
   const Body& body = scene.bodies[index];
-  const std::filesystem::path path = scene.resolve(body.mesh);
-  const std::string where = scene.file.string() + ": bodies[" + std::to_string(index) + "]";
-  LoadedBody loaded{scene, body, where, {}, {}, {}, {}};
+  const std::string key = "bodies[" + std::to_string(index) + "]";
+  LoadedBody loaded{files, body, key, scene.file.string() + ": " + key, {}, {}, {}, {}};
+  FileReader::File mesh = files.read(body.mesh, key + ".mesh");
+  const std::filesystem::path path = mesh.place;
   if (is_surface_file(path)) {
-    FilledSurface filled = fill_surface(read_obj(path), path.string(), body.resolution, progress);
+    SurfaceMesh surface = files.surface(std::exchange(mesh, {}));
+    FilledSurface filled = fill_surface(std::move(surface), path.string(), body.resolution, progress);
     loaded.file = std::move(filled.file);
     loaded.surface = std::move(filled.surface);
   } else {
-    loaded.file = read_mesh(path);
+    loaded.file = files.tets(std::exchange(mesh, {}));
   }
   if (!body.surface.empty()) {
-    loaded.surface = read_obj(scene.resolve(body.surface));
+    loaded.surface = files.surface(files.read(body.surface, key + ".surface"));
     put_right(loaded.surface, repair(loaded.surface));
     loaded.file.notes.insert(loaded.file.notes.end(), loaded.surface.notes.begin(), loaded.surface.notes.end());
   }
@@ -119,8 +123,8 @@ std::vector<char> add_constraints(const LoadedBody& loaded, std::uint32_t vertex
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::vector<std::size_t> motion_of(mesh.positions.size(), kNone);
   for (std::size_t m = 0; m < loaded.body.prescribed.size(); ++m) {
-    const std::string where = loaded.where + ".prescribed[" + std::to_string(m) + "]";
-    Motion motion = resolve_motion(loaded.body.prescribed[m], loaded.scene, mesh, loaded.used, where);
+    const std::string element = ".prescribed[" + std::to_string(m) + "]", where = loaded.where + element;
+    Motion motion = resolve_motion(loaded.body.prescribed[m], loaded.files, mesh, loaded.used, where, loaded.key + element);
     for (std::uint32_t& vertex : motion.vertices) {
       if (motion_of[vertex] != kNone) {
         throw Error(where,
@@ -148,10 +152,13 @@ std::vector<char> add_constraints(const LoadedBody& loaded, std::uint32_t vertex
 }
 
 void add_velocity(const LoadedBody& loaded, const std::vector<char>& held, Model& model) {
-  const auto* file = std::get_if<std::string>(&loaded.body.initial_velocity);
-  std::vector<Vector3d> velocity =
-      file ? read_complete_vertex_csv(loaded.scene.resolve(*file), held.size())
-           : std::vector<Vector3d>(held.size(), std::get<Vector3d>(loaded.body.initial_velocity));
+  std::vector<Vector3d> velocity;
+  if (const auto* path = std::get_if<std::string>(&loaded.body.initial_velocity)) {
+    const FileReader::File file = loaded.files.read(*path, loaded.key + ".initial_velocity");
+    velocity = read_complete_vertex_csv(file.place, file.content, held.size());
+  } else {
+    velocity.assign(held.size(), std::get<Vector3d>(loaded.body.initial_velocity));
+  }
   for (std::size_t v = 0; v < held.size(); ++v) {
     if (held[v]) velocity[v].setZero();
   }
@@ -223,7 +230,11 @@ void add_body(LoadedBody loaded, Model& model) {
 Model build_model(const Scene& scene, const Progress& progress) {
   Model model;
   model.gravity = scene.gravity;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(load(scene, b, progress), model);
+  model.notes = scene.notes;
+  FileReader files(scene);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(load(scene, b, files, progress), model);
+  model.notes.insert(model.notes.end(), files.notes.begin(), files.notes.end());
+  model.files = std::move(files.files);
   model.rest_positions = model.file_mesh.positions;
   for (std::size_t g = 0; g < scene.grabs.size(); ++g) model.hands.push_back(resolve_hand(scene, g, model));
   if (std::string note = note_of_loose_parts(model); !note.empty()) model.notes.push_back(std::move(note));

@@ -57,6 +57,7 @@ struct Model {
   TetMesh file_mesh;                      // every vertex and tet of the files (placed), for exports
   std::vector<std::uint32_t> tet_source;  // [tet_count] index of each tet in file_mesh.tets
   std::vector<std::string> notes;         // repairs and warnings for the user, one line each
+  std::vector<ReadFile> files;            // that were read for it
 
   std::vector<char> held() const;  // [vertex_count] 1 where fixed or prescribed
   double end_of_motions() const;   // [s] when the last prescribed vertex has arrived; 0 without any

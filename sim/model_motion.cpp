@@ -21,8 +21,8 @@ Vector3d Motion::position(std::size_t k, const Vector3d& rest, double t) const {
   return center + (1 + share * (scale - 1)) * (rotation * (rest - center)) + share * translate;
 }
 
-Motion resolve_motion(const PrescribedMotion& motion, const Scene& scene, const TetMesh& mesh,
-                      const std::vector<char>& used, const std::string& where) {
+Motion resolve_motion(const PrescribedMotion& motion, FileReader& files, const TetMesh& mesh, const std::vector<char>& used,
+                      const std::string& where, const std::string& key) {
   Motion result;
   result.start = motion.start;
   result.duration = motion.duration;
@@ -35,8 +35,8 @@ Motion resolve_motion(const PrescribedMotion& motion, const Scene& scene, const 
     result.scale = motion.scale;
     return result;
   }
-  const std::filesystem::path path = scene.resolve(motion.targets);
-  VertexTable table = read_vertex_csv(path, mesh.positions.size());
+  const FileReader::File file = files.read(motion.targets, key + ".targets");
+  VertexTable table = read_vertex_csv_content(file.place, file.content, mesh.positions.size());
   if (!motion.select) {
     result.vertices = std::move(table.vertices);
     result.targets = std::move(table.values);
@@ -46,7 +46,7 @@ Motion resolve_motion(const PrescribedMotion& motion, const Scene& scene, const 
     const auto row = std::lower_bound(table.vertices.begin(), table.vertices.end(), vertex);
     if (row == table.vertices.end() || *row != vertex) {
       throw Error(
-          path.string(), "misses vertex " + std::to_string(vertex) + ", which " + where + ".select selects",
+          file.place.string(), "misses vertex " + std::to_string(vertex) + ", which " + where + ".select selects",
           "expected a line for each of the " + std::to_string(result.vertices.size()) + " selected vertices");
     }
     result.targets.push_back(table.values[static_cast<std::size_t>(row - table.vertices.begin())]);

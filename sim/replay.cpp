@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
-#include <cstdio>
 
 #include "sim/byte_hash.h"
 #include "sim/file.h"
 #include "sim/scene_json.h"
 #include "sim/scene_overrides.h"
+#include "sim/scene_paths.h"
 #include "sim/scene_read.h"
 #include "sim/scene_write.h"
 
@@ -169,12 +168,7 @@ void read_line(const Node& line, Replay& replay) {
   replay.steps = steps->integer(static_cast<int>(replay.steps), kMostSteps);
   replay.hash.reset();
   const auto hash = line.find("hash");
-  if (!hash) return;
-  const std::string expected = "16 hexadecimal digits", text = hash->text(expected);
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
-  if (text.size() != 16 || error != std::errc{} || end != text.data() + text.size()) hash->refuse(expected);
-  replay.hash = value;
+  if (hash) replay.hash = read_hash(*hash);
 }
 
 Replay read_lines(nlohmann::json header, const std::string& file, std::string_view lines, const std::vector<std::string>& overrides) {
@@ -200,7 +194,9 @@ Replay read_lines(nlohmann::json header, const std::string& file, std::string_vi
 }  // namespace
 
 Replay read_replay(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  return read_replay_content(path, read_file(path), overrides);
+  Replay replay = read_replay_content(path, read_file(path), overrides);
+  find_moved_files(replay.scene);
+  return replay;
 }
 
 Replay read_replay_content(const std::filesystem::path& path, std::string_view content, const std::vector<std::string>& overrides) {
@@ -226,12 +222,6 @@ std::uint64_t state_hash(const reference::State& state) {
       for (const double coordinate : v) add(coordinate);
   add(state.time);
   return hash.value();
-}
-
-std::string hash_text(std::uint64_t hash) {
-  char text[24];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
 }
 
 }  // namespace fascia

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/byte_hash.h"
 #include "sim/grab_spring.h"
 #include "sim/grab_track.h"
 #include "sim/provenance.h"
@@ -76,13 +77,12 @@ void write_replay(const std::filesystem::path& path, const Replay& replay);
 Replay read_replay_content(const std::filesystem::path& path, std::string_view content, const std::vector<std::string>& overrides = {});
 std::string replay_to_json(const Replay& replay, const std::filesystem::path& folder);
 
-/// The lines of such a file, each with its end. The first one has paths relative to `folder`.
+/// The lines of such a file, each with its end. The first one has paths as seen from `folder` (sim/scene_paths.h).
 std::string replay_header(const Replay& replay, const std::filesystem::path& folder);
 std::string replay_line(const Input& input);
 std::string replay_steps_line(long steps, std::optional<std::uint64_t> hash = std::nullopt);
 
 /// Of displacements, velocities and time, to the bit (FNV-1a, 64 bits).
 std::uint64_t state_hash(const reference::State& state);
-std::string hash_text(std::uint64_t hash);  // 16 hexadecimal digits
 
 }  // namespace fascia

@@ -63,7 +63,7 @@ std::string replay_steps_line(long steps, std::optional<std::uint64_t> hash) {
 std::string replay_header(const Replay& replay, const std::filesystem::path& folder) {
   Json header{{"fascia_replay", 2}};
   for (const auto& [keyword, text] : replay.made_by) header["made_by"][keyword] = text;
-  header["scene"] = scene_document(replay.scene, folder);
+  header["scene"] = complete_document(replay.scene, folder);
   if (replay.start)
     header["start"] = {{"time", replay.start->time},
                        {"displacement", list_of(replay.start->displacement)},

@@ -1,13 +1,16 @@
 #include "sim/scene.h"
 
+#include <algorithm>
 #include <fstream>
 #include <numbers>
 #include <sstream>
 
+#include "sim/data_folder.h"
 #include "sim/error.h"
 #include "sim/file.h"
 #include "sim/scene_json.h"
 #include "sim/scene_overrides.h"
+#include "sim/scene_paths.h"
 #include "sim/scene_read.h"
 
 namespace fascia {
@@ -47,12 +50,27 @@ Scene read_document(nlohmann::json document, const std::filesystem::path& path, 
 
 }  // namespace
 
-std::filesystem::path Scene::resolve(const std::string& relative) const {
-  return file.parent_path() / relative;  // an absolute path replaces the folder
+std::filesystem::path Scene::resolve(const std::string& path) const {
+  if (const auto assets = asset_folder(); path.starts_with(kAssetPrefix) && !assets.empty()) return assets / path.substr(kAssetPrefix.size());
+  return file.parent_path() / path;  // an absolute path replaces the folder
+}
+
+const KnownFile* Scene::recorded(const std::string& path) const {
+  const auto found = std::find_if(files.begin(), files.end(), [&](const KnownFile& f) { return f.path == path; });
+  return found == files.end() ? nullptr : &*found;
+}
+
+bool Scene::carries(const std::string& path) const {
+  const KnownFile* found = recorded(path);
+  return found && found->deflated;
 }
 
 Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  if (is_scene(path)) return read_scene_content(path, read_file(path), overrides);
+  if (is_scene(path)) {
+    Scene scene = read_scene_content(path, read_file(path), overrides);
+    find_moved_files(scene);
+    return scene;
+  }
   nlohmann::json document;
   document["fascia_scene"] = 1;
   document["title"] = path.filename().string();

@@ -15,6 +15,7 @@
 
 #include "sim/display.h"
 #include "sim/material.h"
+#include "sim/known_file.h"
 #include "sim/scene_grab.h"
 #include "sim/scene_selection.h"
 #include "sim/settings.h"
@@ -52,7 +53,7 @@ struct MaterialOverride {
 
 struct Body {
   std::string name;
-  std::string mesh;  // as written; relative to the scene file; tets, or a closed surface (.obj) that is filled with tets
+  std::string mesh;  // as written (Scene::resolve); tets, or a closed surface (.obj) that is filled with tets
   std::optional<int> resolution;  // of that filling: cells along the longest side; absent: some thousand tets
   Transform transform;
   Material material;                                                       // "default"
@@ -81,9 +82,14 @@ struct Scene {
   std::optional<CameraSettings> camera;  // absent: framed on the bodies
   DisplaySettings display;
   double duration = 2;  // [s] of `run` and `--video` when neither --steps nor --time is given
+  std::vector<KnownFile> files;    // what is known of the files that the paths above name, or all of them
+  std::vector<std::string> notes;  // of the reader, one line each: files that it found elsewhere
   bool operator==(const Scene&) const = default;
 
-  std::filesystem::path resolve(const std::string& relative) const;  // against the scene file's folder
+  /// Of a path as it is written: against the scene file's folder, or with "assets:" against that of the shipped files.
+  std::filesystem::path resolve(const std::string& path) const;
+  const KnownFile* recorded(const std::string& path) const;  // of `files`; null if nothing is known
+  bool carries(const std::string& path) const;
 };
 
 /// Opens a scene (JSON) or a mesh alone (default material, lowest 2 percent fixed). `overrides` are --set
@@ -94,7 +100,9 @@ Scene open_scene(const std::filesystem::path& path, const std::vector<std::strin
 Scene read_scene_content(const std::filesystem::path& path, std::string_view content,
                          const std::vector<std::string>& overrides = {});
 
-/// The scene as JSON text that open_scene reads back to the same scene, with mesh paths relative to `folder`.
+/// The scene as JSON text that open_scene reads back to the same scene, with paths as seen from `folder` (sim/scene_paths.h).
 std::string scene_to_json(const Scene& scene, const std::filesystem::path& folder);
+/// The same without `files`: what says how the scene is, and not where it comes from.
+std::string parameters_to_json(const Scene& scene, const std::filesystem::path& folder);
 
 }  // namespace fascia

@@ -69,7 +69,7 @@ SolverSettings read_solver(const Node& node) {
 
 Scene read_scene(const Node& root) {
   root.expect_object(
-      {"fascia_scene", "title", "gravity", "bodies", "grabs", "solver", "camera", "display", "duration"});
+      {"fascia_scene", "title", "gravity", "bodies", "grabs", "solver", "camera", "display", "duration", "files"});
   root.at("fascia_scene", "1, the version of the format").number(1, 1, "");
   Scene scene;
   if (const auto title = root.find("title")) scene.title = title->text("a text");
@@ -97,6 +97,7 @@ Scene read_scene(const Node& root) {
   }
   if (const auto camera = root.find("camera")) scene.camera = read_camera(*camera);
   if (const auto display = root.find("display")) scene.display = read_display(*display);
+  if (const auto files = root.find("files")) scene.files = read_files(*files);
   return scene;
 }
 

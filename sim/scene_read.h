@@ -21,5 +21,7 @@ Selection read_selection(const Node& node);
 Material read_material(const Node& node);
 CameraSettings read_camera(const Node& node);
 DisplaySettings read_display(const Node& node);
+std::vector<KnownFile> read_files(const Node& node);
+std::uint64_t read_hash(const Node& node);  // hash_text
 
 }  // namespace fascia

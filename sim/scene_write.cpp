@@ -4,19 +4,15 @@
 #include <cmath>
 #include <cstdint>
 
+#include "sim/byte_hash.h"
+#include "sim/mesh_io/byte_text.h"
+#include "sim/scene_paths.h"
+
 namespace fascia {
 namespace {
 
 namespace fs = std::filesystem;
 using json = nlohmann::ordered_json;
-
-/// The same place as seen from `folder` (empty: the working folder); an absolute path stays.
-std::string path_from(const fs::path& folder, const Scene& scene, const std::string& relative) {
-  if (fs::path(relative).is_absolute()) return relative;
-  std::error_code ec;
-  const fs::path target = scene.resolve(relative), from_folder = fs::relative(target, folder.empty() ? "." : folder, ec);
-  return (from_folder.empty() ? fs::absolute(target, ec) : from_folder).string();
-}
 
 /// Whole numbers without ".0".
 json number(double value) {
@@ -74,12 +70,7 @@ json display(const DisplaySettings& display) {
 
 class SceneWriter {
  public:
-  SceneWriter(const Scene& scene, const fs::path& folder) : scene_(scene), folder_(folder) {
-    std::error_code ec;
-    const fs::path from = scene.file.parent_path();
-    same_folder_ =
-        from == folder || fs::equivalent(from.empty() ? "." : from, folder.empty() ? "." : folder, ec);
-  }
+  SceneWriter(const Scene& scene, const fs::path& folder) : scene_(scene), folder_(folder) {}
 
   json write() const {
     json object = {{"fascia_scene", 1}, {"title", scene_.title}, {"gravity", vector(scene_.gravity)}};
@@ -90,6 +81,15 @@ class SceneWriter {
     object["display"] = display_document(scene_.display);
     object["duration"] = number(scene_.duration);
     return object;
+  }
+
+  json files() const {
+    json list = json::array();
+    for (const KnownFile& file : scene_.files) {
+      list.push_back({{"path", path(file.path)}, {"size", file.size}, {"hash", hash_text(file.hash)}});
+      if (file.deflated) list.back()["deflated"] = base64_encoded(*file.deflated);
+    }
+    return list;
   }
 
  private:
@@ -156,13 +156,10 @@ class SceneWriter {
     return object;
   }
 
-  std::string path(const std::string& relative) const {
-    return same_folder_ ? relative : path_from(folder_, scene_, relative);
-  }
+  std::string path(const std::string& written) const { return path_from(folder_, scene_, written); }
 
   const Scene& scene_;
   fs::path folder_;
-  bool same_folder_ = false;
 };
 
 bool has_objects(const json& list) {
@@ -195,19 +192,21 @@ std::string text_of(const json& value, const std::string& indent, bool on_one_li
 }  // namespace
 
 void move_scene(Scene& scene, const fs::path& file) {
-  const auto follow = [&](std::string& path) {
-    if (!path.empty()) path = path_from(file.parent_path(), scene, path);
-  };
-  for (Body& body : scene.bodies) {
-    follow(body.mesh);
-    follow(body.surface);
-    for (PrescribedMotion& motion : body.prescribed) follow(motion.targets);
-    if (auto* path = std::get_if<std::string>(&body.initial_velocity)) follow(*path);
-  }
+  const Scene before = scene;
+  const auto follow = [&](std::string& path, const std::string&) { path = path_from(file.parent_path(), before, path); };
+  for_each_path(scene, follow);
+  for (KnownFile& known : scene.files) follow(known.path, {});
   scene.file = file;
 }
 
 json scene_document(const Scene& scene, const fs::path& folder) { return SceneWriter(scene, folder).write(); }
+
+json complete_document(const Scene& scene, const fs::path& folder) {
+  const SceneWriter writer(scene, folder);
+  json document = writer.write();
+  if (!scene.files.empty()) document["files"] = writer.files();
+  return document;
+}
 
 json solver_document(const SolverSettings& settings) {
   json solver = {{"method", name_of(settings.method)}, {"acceleration", name_of(settings.acceleration)}};
@@ -227,6 +226,8 @@ json vector_document(const Eigen::Vector3d& v) { return vector(v); }
 
 std::string text_of(const json& document) { return text_of(document, "", false) + "\n"; }
 
-std::string scene_to_json(const Scene& scene, const fs::path& folder) { return text_of(scene_document(scene, folder)); }
+std::string scene_to_json(const Scene& scene, const fs::path& folder) { return text_of(complete_document(scene, folder)); }
+
+std::string parameters_to_json(const Scene& scene, const fs::path& folder) { return text_of(scene_document(scene, folder)); }
 
 }  // namespace fascia

@@ -6,8 +6,10 @@
 
 namespace fascia {
 
-/// With paths relative to `folder`.
+/// With paths as seen from `folder` (sim/scene_paths.h). Without what is known of files.
 nlohmann::ordered_json scene_document(const Scene& scene, const std::filesystem::path& folder);
+/// And with it.
+nlohmann::ordered_json complete_document(const Scene& scene, const std::filesystem::path& folder);
 nlohmann::ordered_json solver_document(const SolverSettings& settings);
 nlohmann::ordered_json material_document(const Material& material);
 nlohmann::ordered_json camera_document(const CameraSettings& camera);

@@ -3,6 +3,7 @@
 #pragma once
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <map>
 #include <string>
@@ -18,14 +19,17 @@ void read_gmsh(Scanner& in, MeshFile& file);
 void read_vtk_legacy(Scanner& in, MeshFile& file);
 void read_vtu(Scanner& in, MeshFile& file);
 void read_medit(Scanner& in, MeshFile& file);
-/// `path` is the .node or the .ele file and `content` what is in it; the other one is read.
-void read_tetgen(const std::filesystem::path& path, std::string_view content, MeshFile& file);
+/// Gives the content of a file by its name, beside the one that is read. Throws Error.
+using ReadBeside = std::function<std::string(const std::string& name)>;
+
+/// `path` is the .node or the .ele file and `content` what is in it; the other one is read, on disk if `read_beside` is empty.
+void read_tetgen(const std::filesystem::path& path, std::string_view content, MeshFile& file, const ReadBeside& read_beside = {});
 /// As read_tetgen of two files with these contents.
 void read_tetgen_content(const std::filesystem::path& node_path, std::string_view node,
                          const std::filesystem::path& ele_path, std::string_view ele, MeshFile& file);
 
 /// As read_mesh of a file with this content.
-MeshFile read_mesh_content(const std::filesystem::path& path, std::string_view content);
+MeshFile read_mesh_content(const std::filesystem::path& path, std::string_view content, const ReadBeside& read_beside = {});
 
 /// `where` is the file's name for the Error about what a format cannot hold.
 std::string gmsh41_text(const std::string& where, const TetMesh& mesh);

@@ -118,11 +118,12 @@ void read_tetgen_content(const fs::path& node_path, std::string_view node, const
   finish_mesh(file, ele_path.string());
 }
 
-void read_tetgen(const fs::path& path, std::string_view content, MeshFile& file) {
+void read_tetgen(const fs::path& path, std::string_view content, MeshFile& file, const ReadBeside& read_beside) {
   const bool is_node = lower_ending(path) == ".node";
   const fs::path node = is_node ? path : partner(path, ".node", ".NODE");
   const fs::path ele = is_node ? partner(path, ".ele", ".ELE") : path;
-  const std::string other = read_partner(is_node ? ele : node, path);
+  const fs::path& partner_path = is_node ? ele : node;
+  const std::string other = read_beside ? read_beside(partner_path.filename().string()) : read_partner(partner_path, path);
   read_tetgen_content(node, is_node ? content : other, ele, is_node ? other : content, file);
 }
 

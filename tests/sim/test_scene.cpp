@@ -200,7 +200,7 @@ TEST_CASE("a scene written to another folder finds the same files") {
        scene.resolve(scene.bodies[0].prescribed[1].targets));
   same(copy.resolve(std::get<std::string>(copy.bodies[0].initial_velocity)),
        scene.resolve(std::get<std::string>(scene.bodies[0].initial_velocity)));
-  CHECK(copy.bodies[1].mesh == "../../cube.msh");
+  CHECK(std::filesystem::path(copy.bodies[1].mesh).is_absolute());  // not below the copy's folder
 }
 
 TEST_CASE("a written scene is readable: lists of numbers on one line, no needless digits") {
