@@ -51,7 +51,7 @@ MeshFile read_mesh_content(const fs::path& path, std::string_view content, const
   const std::string_view word = in.peek_word();
   if (text.starts_with("# vtk DataFile")) {
     read_vtk_legacy(in, file);
-  } else if (word.starts_with("$")) {
+  } else if (word.starts_with("$") || peek.peek_word().starts_with("$")) {
     read_gmsh(in, file);
   } else if (word.starts_with("<")) {
     read_vtu(in, file);

@@ -28,54 +28,63 @@ void GmshReader::read() {
   file_.format = "Gmsh 1.0 ASCII";
   while (!in_.at_end()) {
     in_.set_section("");
-    const std::string_view word = in_.word("a section");
-    if (word.size() < 2 || word[0] != '$')
-      in_.fail(in_quotes(word) + " stands between sections", "expected '$' and a section name");
+    const std::string_view word = in_.peek_word();
+    if (word.size() < 2 || word[0] != '$' || is_gmsh_end_tag(word)) {
+      skip_stray_line(word);
+      continue;
+    }
+    in_.word("a section");
     in_.set_section(word);
     read_section(word);
   }
-  in_.set_section("");
-  if (!has_nodes_) in_.fail("has no section of nodes", "expected $Nodes");
-  if (!has_elements_) in_.fail("has no section of elements", "expected $Elements");
+  require_complete();
   if (second_order_) file_.notes.push_back("Tets of higher order: kept the four corners of each.");
+  note_sections();
   name_groups();
   finish_mesh(file_, in_.where());
 }
 
+void GmshReader::require_complete() {
+  in_.set_section("");
+  if (!has_nodes_) in_.fail("has no section of nodes", major_ == 1 ? "expected $NOD" : "expected $Nodes");
+  if (!has_elements_) in_.fail("has no section of elements", major_ == 1 ? "expected $ELM" : "expected $Elements");
+}
+
 void GmshReader::read_section(std::string_view name) {
   if (name == "$MeshFormat") return read_format();
-  if (name == "$PhysicalNames") return read_physical_names();
-  if (name == "$NOD") return read_nodes_1_2("$ENDNOD");
+  if (name == "$PhysicalNames") return read_optional(name, &GmshReader::read_physical_names);
+  if (name == "$NOD") return read_nodes_1_2(name);
   if (name == "$ELM") return read_elements_1("$ENDELM");
-  if (major_ == 1) return skip_section(name);
-  if (name == "$Nodes") {
-    major_ == 2 ? read_nodes_1_2("$EndNodes") : read_nodes_4();
-  } else if (name == "$Elements") {
+  const bool nodes = name == "$Nodes" || (name == "$ParametricNodes" && major_ != 4), elements = name == "$Elements";
+  if ((nodes || elements) && !has_format_) in_.fail("stands before the format", "expected $MeshFormat first");
+  if (nodes) {
+    major_ == 2 ? read_nodes_1_2(name) : read_nodes_4();
+  } else if (elements) {
     major_ == 4 ? read_elements_4() : binary_ ? read_elements_2_binary() : read_elements_2_text();
   } else if (name == "$Entities" && major_ == 4) {
-    read_entities_4();
+    read_optional(name, &GmshReader::read_entities_4);
   } else if (name == "$PartitionedEntities" && major_ == 4) {
-    read_partitioned_entities_4();
+    read_optional(name, &GmshReader::read_partitioned_entities_4);
   } else {
     skip_section(name);
   }
 }
 
+/// The counts of a section say where it ends: its end tag may be missing.
 void GmshReader::end_section(std::string_view name) {
-  const std::string expected = "expected " + std::string(name);
   const std::string_view found = in_.peek_word();
-  if (found.empty()) in_.word(std::string(name).c_str());
-  if (found != name) in_.fail(in_quotes(found) + " follows the last entry", expected);
-  in_.word("the end of the section");
-}
-
-void GmshReader::skip_section(std::string_view name) {
-  const bool upper = std::none_of(name.begin(), name.end(), [](char c) { return c >= 'a' && c <= 'z'; });
-  const std::string end = (upper ? "$END" : "$End") + std::string(name.substr(1));
-  if (!in_.skip_past("\n" + end)) in_.fail("the section has no end", "expected " + in_quotes(end));
+  const bool missing = found.empty() || (found.size() > 1 && found[0] == '$' && !is_gmsh_end_tag(found));
+  if (missing) {
+    file_.notes.push_back(std::string(name) + " is missing; the file may be cut off.");
+  } else if (found != name) {
+    in_.fail(in_quotes(found) + " follows the last entry", "expected " + std::string(name));
+  } else {
+    in_.word("the end of the section");
+  }
 }
 
 void GmshReader::read_format() {
+  has_format_ = true;
   const std::string_view version = in_.word("the version");
   if (version.starts_with("2") && (version.size() == 1 || (version[1] == '.' && version <= "2.2"))) {
     major_ = 2;
@@ -127,6 +136,11 @@ void GmshReader::begin_nodes(std::size_t count) {
   nodes_at_ = in_.offset();
   check_vertex_count(in_, count);
   file_.mesh.positions.reserve(count);
+}
+
+void GmshReader::begin_elements() {
+  if (!has_nodes_) in_.fail("no section of nodes stands before it", major_ == 1 ? "expected $NOD" : "expected $Nodes");
+  has_elements_ = true;
 }
 
 void GmshReader::name_nodes(const std::vector<std::int64_t>& tags) {

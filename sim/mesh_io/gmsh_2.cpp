@@ -1,11 +1,13 @@
-// Gmsh .msh 1.0 and 2.x: one list of nodes, one list of elements that carry their physical tag.
+// Gmsh .msh 1.0 and 2.x: one list of nodes, one list of elements that carry their physical tag. A parametric node names its entity after
+// its coordinates, and its parameters there if that is a curve (one) or a surface (two).
 #include <array>
 
 #include "sim/mesh_io/gmsh.h"
 
 namespace fascia {
 
-void GmshReader::read_nodes_1_2(std::string_view end) {
+void GmshReader::read_nodes_1_2(std::string_view section) {
+  const bool parametric = section == "$ParametricNodes";
   const std::size_t count = in_.count("nodes", binary_ ? 28 : 8);
   begin_nodes(count);
   if (binary_) in_.end_line("the number of nodes");
@@ -15,19 +17,25 @@ void GmshReader::read_nodes_1_2(std::string_view end) {
     if (binary_) {
       tag = in_.binary<std::int32_t>("a node tag");
       for (int k = 0; k < 3; ++k) x[k] = in_.binary_coordinate("a node coordinate");
+      if (parametric) {
+        const auto dimension = in_.binary<std::int32_t>("the dimension of a node's entity");
+        in_.skip(sizeof(std::int32_t), "a node's entity");
+        if (dimension == 1 || dimension == 2) in_.skip(sizeof(double) * static_cast<std::uint64_t>(dimension), "a parametric coordinate");
+      }
     } else {
       tag = in_.number<std::int64_t>("a node tag");
       for (int k = 0; k < 3; ++k) x[k] = in_.coordinate_on_line("a node coordinate");
-      in_.end_line("the node coordinates");
+      if (parametric) in_.line();
+      else in_.end_line("the node coordinates");
     }
     file_.mesh.positions.push_back(x);
   }
-  end_section(end);
+  end_section(gmsh_end_tag(section));
   name_nodes(tags);
 }
 
 void GmshReader::read_elements_1(std::string_view end) {
-  has_elements_ = true;
+  begin_elements();
   const std::size_t count = in_.count("elements", 12);
   std::array<std::int64_t, gmsh_max_nodes> nodes{};
   for (std::size_t e = 0; e < count; ++e) {
@@ -52,7 +60,7 @@ void GmshReader::read_elements_1(std::string_view end) {
 }
 
 void GmshReader::read_elements_2_text() {
-  has_elements_ = true;
+  begin_elements();
   const std::size_t count = in_.count("elements", 8);
   std::array<std::int64_t, gmsh_max_nodes> nodes{};
   for (std::size_t e = 0; e < count; ++e) {
@@ -77,7 +85,7 @@ void GmshReader::read_elements_2_text() {
 }
 
 void GmshReader::read_elements_2_binary() {
-  has_elements_ = true;
+  begin_elements();
   const std::size_t count = in_.count("elements", 8);
   in_.end_line("the number of elements");
   std::array<std::int64_t, gmsh_max_nodes> nodes{};

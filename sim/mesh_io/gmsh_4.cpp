@@ -1,21 +1,24 @@
 // Gmsh .msh 4.1: nodes and elements in blocks by geometric entity, and the entities carry the physical tags.
 #include <array>
 
+#include "sim/error.h"
 #include "sim/mesh_io/gmsh.h"
 
 namespace fascia {
 
 std::int64_t GmshReader::integer(const char* what) {
-  return binary_ ? in_.binary<std::int32_t>(what) : in_.number<std::int64_t>(what);
+  if (binary_) return in_.binary<std::int32_t>(what);
+  return line_each_ ? in_.number_on_line<std::int64_t>(what) : in_.number<std::int64_t>(what);
 }
 
 std::uint64_t GmshReader::size(const char* what) {
-  if (!binary_) return in_.number<std::uint64_t>(what);
+  if (!binary_) return line_each_ ? in_.number_on_line<std::uint64_t>(what) : in_.number<std::uint64_t>(what);
   return size_bytes_ == 8 ? in_.binary<std::uint64_t>(what) : in_.binary<std::uint32_t>(what);
 }
 
 double GmshReader::real(const char* what) {
-  return binary_ ? in_.binary<double>(what) : in_.number<double>(what);
+  if (binary_) return in_.binary<double>(what);
+  return line_each_ ? in_.number_on_line<double>(what) : in_.number<double>(what);
 }
 
 double GmshReader::coordinate(const char* what) {
@@ -47,39 +50,72 @@ void GmshReader::read_entity_4(int dimension, bool partitioned) {
   if (!physicals.empty()) entity_physicals_[{dimension, tag}] = std::move(physicals);
 }
 
-void GmshReader::read_entities_4() {
-  if (binary_) in_.end_line("$Entities");
+void GmshReader::begin_entity_4() {
+  if (line_each_) in_.at_end();  // to the next line with anything on it
+}
+
+void GmshReader::end_entity_4() {
+  if (!line_each_) return;
+  has_surplus_ |= !in_.at_line_end();
+  in_.line();
+}
+
+void GmshReader::read_entities_4() { read_entity_lists_4(false); }
+void GmshReader::read_partitioned_entities_4() { read_entity_lists_4(true); }
+
+/// Some writers put more numbers behind an entity than belong there, and Gmsh reads by number, not by line: first line by line, where what
+/// is too much shows, else number by number.
+void GmshReader::read_entity_lists_4(bool partitioned) {
+  const Scanner before = in_;
+  const auto physicals = entity_physicals_;
+  for (const bool line_each : {!binary_, false}) {
+    in_ = before;
+    line_each_ = line_each;
+    has_surplus_ = false;
+    try {
+      read_entity_list_4(partitioned);
+      break;
+    } catch (const Error&) {
+      entity_physicals_ = physicals;
+      if (!line_each) throw;
+    }
+  }
+  line_each_ = false;
+  if (has_surplus_) file_.notes.push_back(std::string(partitioned ? "$PartitionedEntities" : "$Entities") + ": more numbers than an entity has, passed over.");
+}
+
+void GmshReader::read_entity_list_4(bool partitioned) {
+  if (binary_) in_.end_line(partitioned ? "$PartitionedEntities" : "$Entities");
+  if (partitioned) {
+    begin_entity_4();
+    size("the number of partitions");
+    end_entity_4();
+    begin_entity_4();
+    const std::uint64_t ghosts = size("the number of ghost entities");
+    end_entity_4();
+    in_.check_count(ghosts, "ghost entities", binary_ ? 8 : 4);
+    for (std::uint64_t i = 0; i < ghosts; ++i) {
+      begin_entity_4();
+      integer("a ghost entity");
+      integer("the partition of a ghost entity");
+      end_entity_4();
+    }
+  }
   std::array<std::uint64_t, 4> counts{};
+  begin_entity_4();
   for (std::uint64_t& count : counts) {
     count = size("a number of entities");
     in_.check_count(count, "entities", binary_ ? 32 : 8);
   }
+  end_entity_4();
   for (int dimension = 0; dimension < 4; ++dimension) {
-    for (std::uint64_t i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i)
-      read_entity_4(dimension, false);
+    for (std::uint64_t i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) {
+      begin_entity_4();
+      read_entity_4(dimension, partitioned);
+      end_entity_4();
+    }
   }
-  end_section("$EndEntities");
-}
-
-void GmshReader::read_partitioned_entities_4() {
-  if (binary_) in_.end_line("$PartitionedEntities");
-  size("the number of partitions");
-  const std::uint64_t ghosts = size("the number of ghost entities");
-  in_.check_count(ghosts, "ghost entities", binary_ ? 8 : 4);
-  for (std::uint64_t i = 0; i < ghosts; ++i) {
-    integer("a ghost entity");
-    integer("the partition of a ghost entity");
-  }
-  std::array<std::uint64_t, 4> counts{};
-  for (std::uint64_t& count : counts) {
-    count = size("a number of partitioned entities");
-    in_.check_count(count, "partitioned entities", binary_ ? 32 : 8);
-  }
-  for (int dimension = 0; dimension < 4; ++dimension) {
-    for (std::uint64_t i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i)
-      read_entity_4(dimension, true);
-  }
-  end_section("$EndPartitionedEntities");
+  end_section(partitioned ? "$EndPartitionedEntities" : "$EndEntities");
 }
 
 void GmshReader::read_nodes_4() {
@@ -120,7 +156,7 @@ void GmshReader::read_nodes_4() {
 }
 
 void GmshReader::read_elements_4() {
-  has_elements_ = true;
+  begin_elements();
   if (binary_) in_.end_line("$Elements");
   const std::uint64_t blocks = size("the number of element blocks");
   const std::uint64_t count = size("the number of elements");
