@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,13 +9,8 @@
 #include <cctype>
 #include <cerrno>
 #include <charconv>
-#include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <limits>
-#include <map>
-#include <mutex>
 #include <system_error>
 
 #include "sim/error.h"
@@ -57,28 +51,6 @@ std::string sync(const fs::path& path) {
   return error_number ? "writing failed" + reason(error_number) : "";
 }
 
-std::string gigabytes(std::uint64_t bytes) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f GB", static_cast<double>(bytes) / 1e9);
-  return text;
-}
-
-/// What the kernel can give without swapping, or what is left of the process's own limit (ulimit -v) [bytes].
-std::uint64_t free_memory() {
-  std::uint64_t free = std::numeric_limits<std::uint64_t>::max(), number = 0;
-  std::ifstream system("/proc/meminfo");
-  for (std::string word; system >> word;) {
-    if (word == "MemAvailable:" && system >> number) free = number * 1024;
-  }
-  rlimit limit{};
-  std::ifstream process("/proc/self/statm");
-  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && process >> number) {
-    const std::uint64_t used = number * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-    free = std::min<std::uint64_t>(free, limit.rlim_cur > used ? limit.rlim_cur - used : 0);
-  }
-  return free;
-}
-
 std::string temporary_prefix(const fs::path& path) {
   return "." + path.stem().string() + ".";
 }
@@ -103,49 +75,7 @@ void remove_stale(const fs::path& target) {
   }
 }
 
-std::string read_whole(const fs::path& path) {
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error(path.string(), "cannot be opened" + reason(errno), "expected a readable file");
-  std::string content;
-  std::error_code ec;
-  if (const auto size = fs::file_size(path, ec); !ec) {  // pipes have none
-    if (const std::uint64_t free = free_memory(); size > free) {
-      throw Error(path.string(), "needs more than " + gigabytes(size) + " of memory, " + gigabytes(free) + " are free",
-                  "expected a smaller file");
-    }
-    content.reserve(size);
-  }
-  char block[1 << 16];
-  while (in.read(block, sizeof block) || in.gcount() > 0)
-    content.append(block, static_cast<std::size_t>(in.gcount()));
-  if (in.bad()) throw Error(path.string(), "reading failed", "expected a readable file");
-  return content;
-}
-
-/// A pipe gives its bytes once, and files are read more than once: to see of what kind they are, for a report, for the model.
-std::string read_pipe(const fs::path& path) {
-  static std::mutex mutex;
-  static std::map<fs::path, std::string> contents;
-  const std::lock_guard lock(mutex);
-  auto content = contents.find(path);
-  if (content == contents.end()) content = contents.emplace(path, read_whole(path)).first;
-  return content->second;
-}
-
 }  // namespace
-
-std::string read_file(const fs::path& path) {
-  std::error_code ec;
-  const fs::file_status status = fs::status(path, ec);
-  if (status.type() == fs::file_type::none)
-    throw Error(path.string(), "cannot be opened: " + ec.message(), "expected a readable file");
-  if (!fs::exists(status)) throw Error(path.string(), "no such file", "expected a readable file");
-  if (fs::is_directory(status)) throw Error(path.string(), "is a directory", "expected a file");
-  if (fs::is_fifo(status)) return read_pipe(path);
-  if (!fs::is_regular_file(status)) throw Error(path.string(), "is a device", "expected a file");  // /dev/zero never ends
-  return read_whole(path);
-}
 
 fs::path temporary_name(const fs::path& path) {
   static std::atomic<unsigned> calls{0};  // threads may write the same target

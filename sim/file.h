@@ -7,11 +7,13 @@
 #include <string>
 #include <string_view>
 
+#include "sim/progress.h"
+
 namespace fascia {
 
-/// Throws Error for a missing file, a directory, a device, a file larger than the memory that is free, or a
-/// read that fails. A pipe is read once: whoever reads it again gets the same content.
-std::string read_file(const std::filesystem::path& path);
+/// Throws Error for a missing file, a directory, a device, a file that is mostly a hole or larger than the memory that is free, a pipe
+/// into which nothing writes, or a read that fails. A pipe is read once: whoever reads it again gets the same content.
+std::string read_file(const std::filesystem::path& path, const Progress& progress = {});
 
 /// Throws Error (missing folder, no permission, read-only file, disk full); the old file is untouched then. A
 /// symbolic link stays and its target is replaced; a device or a pipe (/dev/stdout) is written to directly.

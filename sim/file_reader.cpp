@@ -11,7 +11,7 @@
 namespace fascia {
 namespace fs = std::filesystem;
 
-FileReader::File FileReader::read(const std::string& path, const std::string& key) {
+FileReader::File FileReader::read(const std::string& path, const std::string& key, const Progress& progress) {
   const std::string named = where() + ": " + key + ": ";
   File file{path, key, scene_.file / path, {}};
   if (scene_.carries(path)) {
@@ -21,7 +21,7 @@ FileReader::File FileReader::read(const std::string& path, const std::string& ke
     if (!searched.found) throw Error(named + path, "no such file", "looked in " + searched.looked);
     file.place = *searched.found;
     try {
-      file.content = read_file(file.place);
+      file.content = read_file(file.place, progress);
     } catch (const Error& error) {
       throw Error(named + error.what());
     }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/mesh_io.h"
+#include "sim/progress.h"
 #include "sim/scene.h"
 #include "sim/surface_mesh.h"
 
@@ -20,7 +21,7 @@ class FileReader {
     std::string content;
   };
   /// Throws Error "scene.json: bodies[0].mesh: m.msh: ..." for a file that cannot be read.
-  File read(const std::string& path, const std::string& key);
+  File read(const std::string& path, const std::string& key, const Progress& progress = {});
   /// With its material libraries. Throws Error.
   SurfaceMesh surface(const File& file);
   /// With the other half of a TetGen mesh. Throws Error.

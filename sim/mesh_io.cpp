@@ -65,9 +65,9 @@ MeshFile read_mesh_content(const fs::path& path, std::string_view content, const
   return file;
 }
 
-MeshFile read_mesh(const fs::path& path) {
+MeshFile read_mesh(const fs::path& path, const Progress& progress) {
   try {
-    return read_mesh_content(path, read_file(path));
+    return read_mesh_content(path, read_file(path, progress));
   } catch (const std::bad_alloc&) {
     throw Error(path.string(), "needs more memory than there is", "expected a smaller mesh");
   }

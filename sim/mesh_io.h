@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/progress.h"
 #include "sim/tet_mesh.h"
 
 namespace fascia {
@@ -27,7 +28,7 @@ struct MeshFile {
 
 /// Throws Error "path:line: what; what was expected" on anything that is not a readable mesh with at least
 /// one tet. Counts in the file are never trusted for an allocation larger than the file could fill.
-MeshFile read_mesh(const std::filesystem::path& path);
+MeshFile read_mesh(const std::filesystem::path& path, const Progress& progress = {});
 
 /// Writes through a temporary name and renames. Throws Error for an unknown ending or a failed write.
 void write_mesh(const std::filesystem::path& path, const TetMesh& mesh);

@@ -41,19 +41,19 @@ LoadedBody load(const Scene& scene, std::size_t index, FileReader& files, const 
   const Body& body = scene.bodies[index];
   const std::string key = "bodies[" + std::to_string(index) + "]";
   LoadedBody loaded{files, body, key, scene.file.string() + ": " + key, {}, {}, {}, {}};
-  FileReader::File mesh = files.read(body.mesh, key + ".mesh");
+  FileReader::File mesh = files.read(body.mesh, key + ".mesh", part_of(progress, 0, 0.1));
   const std::filesystem::path path = mesh.place;
   if (is_surface_file(path)) {
     SurfaceMesh surface = files.surface(std::exchange(mesh, {}));
-    FilledSurface filled = fill_surface(std::move(surface), path.string(), body.resolution, progress);
+    FilledSurface filled = fill_surface(std::move(surface), path.string(), body.resolution, part_of(progress, 0.1, 0.9));
     loaded.file = std::move(filled.file);
     loaded.surface = std::move(filled.surface);
   } else {
     loaded.file = files.tets(std::exchange(mesh, {}));
   }
   if (!body.surface.empty()) {
-    loaded.surface = files.surface(files.read(body.surface, key + ".surface"));
-    put_right(loaded.surface, repair(loaded.surface));
+    loaded.surface = files.surface(files.read(body.surface, key + ".surface", part_of(progress, 0.9, 0.95)));
+    put_right(loaded.surface, repair(loaded.surface, part_of(progress, 0.95, 1)));
     loaded.file.notes.insert(loaded.file.notes.end(), loaded.surface.notes.begin(), loaded.surface.notes.end());
   }
   loaded.repaired = repair(loaded.file.mesh);
@@ -232,7 +232,8 @@ Model build_model(const Scene& scene, const Progress& progress) {
   model.gravity = scene.gravity;
   model.notes = scene.notes;
   FileReader files(scene);
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(load(scene, b, files, progress), model);
+  const auto share = [&](std::size_t bodies) { return static_cast<double>(bodies) / static_cast<double>(scene.bodies.size()); };
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(load(scene, b, files, part_of(progress, share(b), share(b + 1))), model);
   model.notes.insert(model.notes.end(), files.notes.begin(), files.notes.end());
   model.files = std::move(files.files);
   model.rest_positions = model.file_mesh.positions;

@@ -1,4 +1,4 @@
-// Tells somebody who waits how far something long has come.
+// How far long work has come. The callback may throw, which ends the work: that is how a user interrupts it.
 #pragma once
 #include <functional>
 
@@ -8,6 +8,12 @@ using Progress = std::function<void(double share, const char* what)>;  // share 
 
 inline void report(const Progress& progress, double share, const char* what) {
   if (progress) progress(share, what);
+}
+
+/// For work that is the part from `begin` to `end` of a longer one.
+inline Progress part_of(const Progress& progress, double begin, double end) {
+  if (!progress) return {};
+  return [progress, begin, end](double share, const char* what) { progress(begin + (end - begin) * share, what); };
 }
 
 }  // namespace fascia

@@ -153,8 +153,8 @@ void add_colors(const ObjContent& obj, const std::vector<int>& material, Surface
 
 bool is_surface_file(const std::filesystem::path& path) { return lower_ending(path) == ".obj"; }
 
-SurfaceMesh read_obj(const std::filesystem::path& path) {
-  return read_obj_content(path, read_file(path), [&](const std::string& name) { return read_file(path.parent_path() / name); });
+SurfaceMesh read_obj(const std::filesystem::path& path, const Progress& progress) {
+  return read_obj_content(path, read_file(path, progress), [&](const std::string& name) { return read_file(path.parent_path() / name); });
 }
 
 SurfaceMesh read_obj_content(const std::filesystem::path& path, std::string_view content, const ObjMaterials::Library& read_library) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/progress.h"
 #include "sim/tet_mesh.h"
 
 namespace fascia {
@@ -32,7 +33,7 @@ struct SurfaceMesh {
 bool is_surface_file(const std::filesystem::path& path);
 
 /// Wavefront .obj with its material libraries; normals and texture coordinates are passed over. Throws Error.
-SurfaceMesh read_obj(const std::filesystem::path& path);
+SurfaceMesh read_obj(const std::filesystem::path& path, const Progress& progress = {});
 /// As read_obj of a file with this content. `read_library` gives the content of a material library by its name; if it throws Error,
 /// that becomes a note.
 SurfaceMesh read_obj_content(const std::filesystem::path& path, std::string_view content,
