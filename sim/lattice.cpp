@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "sim/bcc_lattice.h"
+#include "sim/lattice_sides.h"
 #include "sim/surface.h"
 
 namespace fascia {
@@ -21,8 +22,8 @@ constexpr double kMissed = 0.25;   // spacings from the tets at which a piece of
 constexpr int kRounds = 4;         // of finding lost pieces
 constexpr int kBisections = 20;
 constexpr std::uint32_t kNone = ~0u;
-
-enum Side : std::int8_t { outside = -1, on_surface = 0, inside = 1 };
+constexpr std::size_t kTrianglesBetweenReports = 256;
+constexpr const char* kFilling = "Filling the surface";
 
 std::array<double, 4> barycentric(const Vector3d& p, const std::array<Vector3d, 4>& x) {
   const double volume = signed_volume6(x[0], x[1], x[2], x[3]);
@@ -32,22 +33,19 @@ std::array<double, 4> barycentric(const Vector3d& p, const std::array<Vector3d, 
 
 class Filler {
  public:
-  Filler(const TriangleTree& surface, bool closed, int cells, const Progress& progress)
-      : surface_(surface), lattice_(surface.box(), cells), progress_(progress) {
-    find_sides(closed);
-    report(progress_, 0.4, "Filling the surface");
+  Filler(const TriangleTree& surface, bool balanced, int cells, const Progress& progress)
+      : surface_(surface), lattice_(surface.box(), cells), progress_(progress), side_(find_sides(surface, lattice_, balanced, part_of(progress, 0, 0.4))) {
+    report(progress_, 0.4, kFilling);
     cut_edges();
   }
 
   LatticeFill fill() {
-    std::vector<Vector3d> samples;
     for (int round = 0;; ++round) {
-      report(progress_, 0.5 + 0.1 * round, "Filling the surface");
+      const double begin = 0.5 + 0.1 * round;
+      report(progress_, begin, kFilling);
       warp();
       emit();
-      if (round == kRounds) break;
-      if (round == 0) samples = sample();
-      if (!keep_missed(samples)) break;
+      if (round == kRounds || !keep_missed(part_of(progress_, begin, begin + 0.1))) break;
     }
     out_.spacing = lattice_.spacing;
     out_.whole = kept_.size();
@@ -60,51 +58,6 @@ class Filler {
     double share;           // of the way from `in`
     std::uint32_t vertex;   // of the result
   };
-
-  // Points that no cell with a piece of the surface touches have the sides of their neighbors: those regions are asked once.
-  void find_sides(bool closed) {
-    side_.assign(lattice_.point_count(), outside);
-    std::vector<char> known(lattice_.point_count(), 0);
-    if (closed) {
-      std::vector<char> done(lattice_.cell_count(), 0);  // cells that the surface may reach, and those already flooded
-      for (const Triangle& t : surface_.triangles()) {
-        Eigen::AlignedBox3d box;
-        for (const std::uint32_t v : t) box.extend(surface_.positions()[v]);
-        const Vector3d margin = Vector3d::Constant(1e-6 * lattice_.spacing);
-        lattice_.for_cells(lattice_.cell_at(box.min() - margin), lattice_.cell_at(box.max() + margin),
-                           [&](const Vector3i& c) { done[lattice_.cell(c)] = 1; });
-      }
-      std::vector<Vector3i> queue;
-      lattice_.for_cells(Vector3i::Zero(), lattice_.count.array() - 1, [&](const Vector3i& start) {
-        if (done[lattice_.cell(start)]) return;
-        const Side side = side_at(lattice_.center(start));
-        done[lattice_.cell(start)] = 1;
-        queue.assign(1, start);
-        while (!queue.empty()) {
-          const Vector3i c = queue.back();
-          queue.pop_back();
-          const auto set = [&](std::uint32_t point) {
-            side_[point] = side;
-            known[point] = 1;
-          };
-          set(lattice_.center(c));
-          lattice_.for_cells(c, c.array() + 1, [&](const Vector3i& corner) { set(lattice_.corner(corner)); });
-          for (int k = 0; k < 6; ++k) {
-            const Vector3i next = c + (k % 2 ? 1 : -1) * Vector3i::Unit(k / 2);
-            if ((next.array() < 0).any() || (next.array() >= lattice_.count.array()).any() || done[lattice_.cell(next)]) continue;
-            done[lattice_.cell(next)] = 1;
-            queue.push_back(next);
-          }
-        }
-      });
-    }
-    for (std::uint32_t point = 0; point < lattice_.point_count(); ++point) {
-      if (point % 4096 == 0) report(progress_, 0.4 * point / lattice_.point_count(), "Finding the inside of the surface");
-      if (!known[point]) side_[point] = side_at(point);
-    }
-  }
-
-  Side side_at(std::uint32_t point) const { return surface_.is_inside(lattice_.position(point)) ? inside : outside; }
 
   void cut_edges() {
     lattice_.for_tets([&](const Tet& tet, std::size_t) {
@@ -269,36 +222,46 @@ class Filler {
     tets.push_back(tet);
   }
 
-  /// Points all over the surface, less than half a spacing apart.
-  std::vector<Vector3d> sample() const {
-    std::vector<Vector3d> samples;
+  /// Calls f with points all over a triangle, less than half a spacing apart: rows that widen from the corner opposite to its shortest side.
+  template <class F>
+  void for_samples(const Triangle& t, F f) const {
     const auto& x = surface_.positions();
-    for (const auto& [a, b, c] : surface_.triangles()) {
-      const double longest = std::max({(x[b] - x[a]).norm(), (x[c] - x[b]).norm(), (x[a] - x[c]).norm()});
-      const int n = static_cast<int>(std::ceil(2 * longest / lattice_.spacing));
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; i + j < n; ++j)
-          samples.push_back(x[a] + (x[b] - x[a]) * ((i + 1.0 / 3) / n) + (x[c] - x[a]) * ((j + 1.0 / 3) / n));
+    const std::array<double, 3> sides{(x[t[2]] - x[t[1]]).norm(), (x[t[0]] - x[t[2]]).norm(), (x[t[1]] - x[t[0]]).norm()};
+    const auto [shortest, longest] = std::minmax_element(sides.begin(), sides.end());
+    const auto apex = static_cast<std::size_t>(shortest - sides.begin());
+    const Vector3d &a = x[t[apex]], ab = x[t[(apex + 1) % 3]] - a, ac = x[t[(apex + 2) % 3]] - a;
+    const int rows = static_cast<int>(std::ceil(2 * *longest / lattice_.spacing));
+    const double widening = std::min(1.0, 2 * *shortest / *longest);  // of a long triangle each row has few points, or one
+    for (int row = 0; row < rows; ++row) {
+      const int points = std::max(1, static_cast<int>(std::ceil(widening * (row + 1))));
+      for (int i = 0; i < points; ++i) {
+        const double along = (row + 2.0 / 3) / rows, share = (i + 1.0 / 3) / (points - 1.0 / 3);
+        f(Vector3d(a + ab * (along * (1 - share)) + ac * (along * share)));
+      }
     }
-    return samples;
   }
 
-  /// The tets that hold samples far from what was filled; true if there are new ones.
-  bool keep_missed(const std::vector<Vector3d>& samples) {
+  /// Keeps the tets that hold samples far from what was filled; true if there are new ones.
+  bool keep_missed(const Progress& progress) {
     std::optional<TriangleTree> boundary;
     const std::size_t before = kept_.size();
     std::vector<Tet> pieces;
-    for (const Vector3d& p : samples) {
+    const auto keep_at = [&](const Vector3d& p) {
       const auto found = tet_at(p);
-      if (!found || kept_.contains(found->second)) continue;
+      if (!found || kept_.contains(found->second)) return;
       const Tet& tet = found->first;
-      if (std::all_of(tet.begin(), tet.end(), [&](std::uint32_t point) { return now_[point] == inside; })) continue;
+      if (std::all_of(tet.begin(), tet.end(), [&](std::uint32_t point) { return now_[point] == inside; })) return;
       pieces.clear();
       emit(tet, found->second, pieces);
-      if (std::any_of(pieces.begin(), pieces.end(), [&](const Tet& piece) { return holds(piece, p); })) continue;
+      if (std::any_of(pieces.begin(), pieces.end(), [&](const Tet& piece) { return holds(piece, p); })) return;
       if (!boundary) boundary.emplace(out_.positions, boundary_triangles(out_.tets));
-      if (!boundary->triangles().empty() && boundary->nearest(p).distance < kMissed * lattice_.spacing) continue;
+      if (!boundary->triangles().empty() && boundary->nearest(p).distance < kMissed * lattice_.spacing) return;
       kept_.emplace(found->second, tet);
+    };
+    const std::vector<Triangle>& triangles = surface_.triangles();
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      if (t % kTrianglesBetweenReports == 0) report(progress, static_cast<double>(t) / static_cast<double>(triangles.size()), kFilling);
+      for_samples(triangles[t], keep_at);
     }
     return kept_.size() > before;
   }
@@ -344,8 +307,8 @@ class Filler {
 
 }  // namespace
 
-LatticeFill fill_inside(const TriangleTree& surface, bool closed, int cells, const Progress& progress) {
-  return Filler(surface, closed, cells, progress).fill();
+LatticeFill fill_inside(const TriangleTree& surface, bool balanced, int cells, const Progress& progress) {
+  return Filler(surface, balanced, cells, progress).fill();
 }
 
 }  // namespace fascia

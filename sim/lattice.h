@@ -21,8 +21,8 @@ struct LatticeFill {
 /// Degrees; what every filling keeps. Those of the tests are between 10.7 and 158.
 inline constexpr double kSmallestDihedral = 8, kLargestDihedral = 166;
 
-/// `surface` is wound outward, `closed` if it has no open edge (then regions that it does not reach are asked for their inside only
-/// once); `cells` lie along the longest side of its box.
-LatticeFill fill_inside(const TriangleTree& surface, bool closed, int cells, const Progress& progress = {});
+/// `surface` is wound outward; `balanced`: each of its edges is passed as often one way as the other, as in every closed surface without
+/// walls inside (then points between which it does not pass are on the same side); `cells` lie along the longest side of its box.
+LatticeFill fill_inside(const TriangleTree& surface, bool balanced, int cells, const Progress& progress = {});
 
 }  // namespace fascia

@@ -4,6 +4,8 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "sim/surface_mesh.h"
@@ -27,6 +29,9 @@ class ObjMaterials {
 
   std::vector<SurfaceMaterial> materials_;
   std::vector<char> described_;  // [materials_] by a library
+  std::unordered_map<std::string, std::size_t> number_of_;  // by name
+  std::unordered_set<std::string> libraries_;               // asked for
+  std::size_t missing_ = 0;                                 // libraries
   std::vector<std::string> notes_;
 };
 

@@ -1,6 +1,6 @@
 #include "sim/polygon.h"
 
-#include <limits>
+#include <array>
 
 namespace fascia {
 namespace {
@@ -23,54 +23,73 @@ std::vector<Vector2d> flattened(const std::vector<Vector3d>& positions, const st
   return flat;
 }
 
+/// Remembers of each corner whether it is an ear and, if not, a corner in its way: it is looked at again only when that one or a neighbor
+/// is gone.
 class EarClipper {
  public:
-  explicit EarClipper(std::vector<Vector2d> flat) : flat_(std::move(flat)) {
-    for (std::size_t i = 0; i < flat_.size(); ++i) left_.push_back(i);
+  explicit EarClipper(std::vector<Vector2d> flat) : flat_(std::move(flat)), corners_(flat_.size()) {
+    const std::size_t n = flat_.size();
+    for (std::size_t i = 0; i < n; ++i) corners_[i] = {(i + n - 1) % n, (i + 1) % n, 0, 0, kNone, false};
+    for (std::size_t i = 0; i < n; ++i) look_at(i);
   }
 
   /// The three corners of the next triangle; the middle one is cut off.
   std::array<std::size_t, 3> next() {
-    std::size_t best = 0;
-    double shortest = std::numeric_limits<double>::infinity(), sharpest = -shortest;
-    bool found = false;
-    for (std::size_t i = 0; i < left_.size(); ++i) {
-      const auto [a, b, c] = around(i);
-      const double turn = cross(flat_[b] - flat_[a], flat_[c] - flat_[b]);
-      if (turn > 0 && is_empty(a, b, c)) {
-        const double cut = (flat_[c] - flat_[a]).squaredNorm();
-        if (found && cut >= shortest) continue;
-        shortest = cut;
-        found = true;
-        best = i;
-      } else if (!found && turn > sharpest) {
-        sharpest = turn;
-        best = i;
-      }
-    }
-    const std::array<std::size_t, 3> ear = around(best);
-    left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(best));
+    std::size_t best = kNone;
+    for (std::size_t i = first_, count = 0; count < left(); i = corners_[i].next, ++count)
+      if (best == kNone || is_better(i, best)) best = i;
+    const std::array<std::size_t, 3> ear{corners_[best].previous, best, corners_[best].next};
+    corners_[ear[0]].next = ear[2];
+    corners_[ear[2]].previous = ear[0];
+    if (first_ == best) first_ = ear[2];
+    ++cut_off_;
+    look_at(ear[0]);
+    look_at(ear[2]);
+    for (std::size_t i = first_, count = 0; count < left(); i = corners_[i].next, ++count)
+      if (corners_[i].in_the_way == best) look_at(i);
     return ear;
   }
 
  private:
-  std::array<std::size_t, 3> around(std::size_t i) const {
-    const std::size_t n = left_.size();
-    return {left_[(i + n - 1) % n], left_[i], left_[(i + 1) % n]};
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  struct Corner {
+    std::size_t previous, next;
+    double turn, cut;        // convex if turn > 0; squared length of the cut
+    std::size_t in_the_way;  // a corner in its triangle
+    bool is_ear;
+  };
+
+  std::size_t left() const { return flat_.size() - cut_off_; }
+
+  /// The ear with the shortest cut, or where there is none the sharpest corner.
+  bool is_better(std::size_t i, std::size_t than) const {
+    const Corner &a = corners_[i], &b = corners_[than];
+    return a.is_ear != b.is_ear ? a.is_ear : a.is_ear ? a.cut < b.cut : a.turn > b.turn;
   }
-  bool is_empty(std::size_t a, std::size_t b, std::size_t c) const {
-    for (const std::size_t other : left_) {
+
+  void look_at(std::size_t i) {
+    Corner& corner = corners_[i];
+    const Vector2d &a = flat_[corner.previous], &b = flat_[i], &c = flat_[corner.next];
+    corner.turn = cross(b - a, c - b);
+    corner.cut = (c - a).squaredNorm();
+    corner.in_the_way = corner.turn > 0 ? in_triangle(corner.previous, i, corner.next) : kNone;
+    corner.is_ear = corner.turn > 0 && corner.in_the_way == kNone;
+  }
+
+  std::size_t in_triangle(std::size_t a, std::size_t b, std::size_t c) const {
+    for (std::size_t other = corners_[c].next; other != a; other = corners_[other].next) {
       const Vector2d& p = flat_[other];
-      if (other == a || other == b || other == c || p == flat_[a] || p == flat_[c]) continue;
+      if (p == flat_[a] || p == flat_[c]) continue;
       if (cross(flat_[b] - flat_[a], p - flat_[a]) >= 0 && cross(flat_[c] - flat_[b], p - flat_[b]) >= 0 &&
           cross(flat_[a] - flat_[c], p - flat_[c]) >= 0)
-        return false;
+        return other;
     }
-    return true;
+    return kNone;
   }
 
   std::vector<Vector2d> flat_;
-  std::vector<std::size_t> left_;  // corners not yet cut off
+  std::vector<Corner> corners_;  // a ring of those that are left
+  std::size_t first_ = 0, cut_off_ = 0;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "sim/surface_shells.h"
 #include "sim/vertex_places.h"
 
 namespace fascia {
@@ -13,20 +14,32 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::uint32_t kNoTriangle = ~0u;
+constexpr std::size_t kFewestTriangles = 4;  // of a shell that holds anything
+constexpr std::uint32_t kShellsBetweenReports = 64;
+constexpr const char* kExamining = "Examining the surface";
 constexpr std::size_t kSamples = 9;  // vertices of a shell that are asked whether they lie in another one
 
 double area_of(const Vector3d& a, const Vector3d& b, const Vector3d& c) { return (b - a).cross(c - a).norm() / 2; }
 
 class Repairer {
  public:
-  explicit Repairer(const SurfaceMesh& surface) : repaired_{surface.positions, {}, {}, {}, {}} {
+  /// What becomes of two triangles with the same vertices that are wound against each other.
+  enum class Opposites { keep_one, drop_both };
+
+  Repairer(const SurfaceMesh& surface, Opposites opposites, const Progress& progress)
+      : progress_(progress), opposites_(opposites), repaired_{surface.positions, {}, {}, {}, {}, false} {
     report_.vertices = surface.positions.size();
     report_.triangles = surface.triangles.size();
+    report(progress_, 0, kExamining);
     collect(surface);
+    report(progress_, 0.1, kExamining);
     connect();
+    report(progress_, 0.2, kExamining);
     orient();
     find_holes();
     place_shells();
+    repaired_.balanced = repaired_.closed() && is_balanced();
+    if (repaired_.balanced && !crowded_.empty()) report_.volume = enclosed_volume();  // its shells are not closed each
   }
   SurfaceRepair take() { return std::move(repaired_); }
 
@@ -57,12 +70,22 @@ class Repairer {
     }
     std::sort(entries.begin(), entries.end(),
               [](const Entry& a, const Entry& b) { return a.ascending != b.ascending ? a.ascending < b.ascending : a.index < b.index; });
-    std::vector<char> again(entries.size(), 0);
-    for (std::size_t i = 1; i < entries.size(); ++i) again[entries[i].index] = entries[i].ascending == entries[i - 1].ascending;
+    enum Fate : char { stays, is_duplicate, is_wall };
+    std::vector<Fate> fate(entries.size(), stays);
+    for (std::size_t begin = 0, end; begin < entries.size(); begin = end) {
+      int turns = 0;  // how often one way round, less how often the other way
+      for (end = begin; end < entries.size() && entries[end].ascending == entries[begin].ascending; ++end) turns += is_even(entries[end].triangle) ? 1 : -1;
+      bool kept = opposites_ == Opposites::drop_both && turns == 0;
+      for (std::size_t e = begin; e < end; ++e) {
+        const bool right_way = opposites_ == Opposites::keep_one || turns == 0 || is_even(entries[e].triangle) == (turns > 0);
+        if (!kept && right_way) kept = true;
+        else fate[entries[e].index] = opposites_ == Opposites::drop_both && (turns == 0 || !right_way) ? is_wall : is_duplicate;
+      }
+    }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.index < b.index; });
     for (const Entry& entry : entries) {
-      if (again[entry.index]) {
-        report_.duplicates.add(x_[entry.triangle[0]]);
+      if (fate[entry.index] != stays) {
+        (fate[entry.index] == is_wall ? report_.walls : report_.duplicates).add(x_[entry.triangle[0]]);
         continue;
       }
       triangles_.push_back(entry.triangle);
@@ -71,6 +94,9 @@ class Repairer {
       for (const std::uint32_t v : entry.triangle) report_.box.extend(x_[v]);
     }
   }
+
+  /// Whether the triangle leads round as its vertices in ascending order do.
+  static bool is_even(const Triangle& t) { return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2; }
 
   /// Who is beyond each edge of each triangle, over edges of exactly two.
   void connect() {
@@ -98,6 +124,7 @@ class Repairer {
         beyond_[edges[begin + 1].place] = edges[begin].place;
       } else {
         report_.crowded_edges.add(middle);
+        for (std::size_t e = begin; e < end; ++e) crowded_.push_back({edges[e].place / 3, edges[e].low, edges[e].high});
       }
     }
   }
@@ -147,16 +174,14 @@ class Repairer {
       while (parent.emplace(v, v).first->second != v) v = parent[v] = parent[parent[v]];
       return v;
     };
-    for (const OpenEdge& edge : open_) parent[root(edge.low)] = root(edge.high);
+    for (const TriangleEdge& edge : open_) parent[root(edge.low)] = root(edge.high);
     std::unordered_map<std::uint32_t, Vector3d> area;
     const Vector3d origin = report_.box.isEmpty() ? Vector3d::Zero() : Vector3d(report_.box.center());
-    for (const OpenEdge& edge : open_) {
+    for (const TriangleEdge& edge : open_) {
       const auto [entry, is_new] = area.emplace(root(edge.low), Vector3d::Zero());
       report_.holes += is_new;
-      const Triangle& t = triangles_[edge.triangle];
-      const bool ascends = t[(std::find(t.begin(), t.end(), edge.low) - t.begin() + 1) % 3] == edge.high;
       const Vector3d swept = (x_[edge.low] - origin).cross(x_[edge.high] - origin) / 2;
-      entry->second += ascends ? swept : Vector3d(-swept);
+      entry->second += ascends(edge) ? swept : Vector3d(-swept);
     }
     std::vector<double> areas;
     for (const auto& [vertex, vector] : area) areas.push_back(vector.norm());
@@ -185,7 +210,6 @@ class Repairer {
     std::vector<TriangleTree> trees;  // of shells that may hold others
     std::vector<std::size_t> tree_of(shells.size(), shells.size());
     const auto holds = [&](std::size_t outer, std::size_t inner) {
-      if (outer == inner || !boxes[outer].contains(boxes[inner])) return false;
       if (tree_of[outer] == shells.size()) {
         tree_of[outer] = trees.size();
         trees.push_back(tree_of_part(parts[outer]));
@@ -196,13 +220,18 @@ class Repairer {
       }
       return true;
     };
+    std::vector<ShellTree::Shell> holders;
+    for (std::uint32_t s = 0; s < shells.size(); ++s)
+      if (shells[s].triangles >= kFewestTriangles) holders.push_back({boxes[s], shells[s].area, s});
+    const ShellTree tree(std::move(holders));
     std::vector<char> turn(shells.size(), 0);
-    for (std::size_t s = 0; s < shells.size(); ++s) {
-      std::size_t outermost = s;
-      for (std::size_t other = 0; other < shells.size(); ++other)
-        if (shells[other].area > shells[outermost].area && holds(other, s)) outermost = other;
+    for (std::uint32_t s = 0; s < shells.size(); ++s) {
+      if (s % kShellsBetweenReports == 0) report(progress_, 0.3 + 0.7 * s / static_cast<double>(shells.size()), kExamining);
+      const std::uint32_t around = tree.largest_around(boxes[s], shells[s].area, [&](std::uint32_t outer) { return holds(outer, s); });
+      const std::uint32_t outermost = around == ShellTree::kNone ? s : around;
       turn[s] = shells[outermost].volume < -kFlat * std::pow(shells[outermost].area, 1.5);
       shells[s].inverted = turn[s];
+      shells[s].flat = std::abs(shells[s].volume) <= kFlat * std::pow(shells[s].area, 1.5);
       shells[s].cavity = outermost != s && (shells[s].volume < 0) != (shells[outermost].volume < 0);
     }
     for (std::size_t t = 0; t < triangles_.size(); ++t)
@@ -213,6 +242,25 @@ class Repairer {
       report_.volume += shell.volume;
     }
     std::stable_sort(shells.begin(), shells.end(), [](const SurfaceShell& a, const SurfaceShell& b) { return a.area > b.area; });
+  }
+
+  /// Whether the edges of more than two triangles are passed as often one way as the other.
+  bool is_balanced() const {
+    int sum = 0;
+    for (std::size_t e = 0; e < crowded_.size(); ++e) {
+      if (e > 0 && (crowded_[e].low != crowded_[e - 1].low || crowded_[e].high != crowded_[e - 1].high)) {
+        if (sum != 0) return false;
+      }
+      sum += ascends(crowded_[e]) ? 1 : -1;
+    }
+    return sum == 0;
+  }
+
+  double enclosed_volume() const {
+    const Vector3d origin = report_.box.center();
+    double volume = 0;
+    for (const auto& [a, b, c] : triangles_) volume += (x_[a] - origin).cross(x_[b] - origin).dot(x_[c] - origin) / 6;
+    return volume;
   }
 
   void turn_over(std::size_t t) {
@@ -233,37 +281,31 @@ class Repairer {
     return {std::move(positions), std::move(part)};
   }
 
+  struct TriangleEdge {
+    std::uint32_t triangle, low, high;
+  };
+  /// Whether the triangle passes its edge from the lower vertex to the higher one.
+  bool ascends(const TriangleEdge& edge) const {
+    const Triangle& t = triangles_[edge.triangle];
+    return t[(std::find(t.begin(), t.end(), edge.low) - t.begin() + 1) % 3] == edge.high;
+  }
+
   std::array<std::uint32_t, 2> ends(std::uint32_t place) const {
     const Triangle& t = triangles_[place / 3];
     return {t[place % 3], t[(place % 3 + 1) % 3]};
   }
 
+  const Progress& progress_;
+  const Opposites opposites_;
   SurfaceRepair repaired_;
   SurfaceReport& report_ = repaired_.report;
   std::vector<Vector3d>& x_ = repaired_.positions;
   std::vector<Triangle>& triangles_ = repaired_.triangles;
-  struct OpenEdge {
-    std::uint32_t triangle, low, high;
-  };
   std::vector<std::uint32_t> beyond_;  // [3 * triangle_count] place of the other triangle at each edge
   std::vector<std::uint32_t> shell_;   // [triangle_count]
   std::vector<std::uint32_t> source_;  // [triangle_count] number in the file
-  std::vector<OpenEdge> open_;
+  std::vector<TriangleEdge> open_, crowded_;  // edges of one triangle, and of more than two
 };
-
-bool cuts(const TriangleTree& tree, const Triangle& edge_of, const Triangle& other, Vector3d& where) {
-  const auto& x = tree.positions();
-  for (int k = 0; k < 3; ++k) {
-    const Vector3d &a = x[edge_of[k]], &b = x[edge_of[(k + 1) % 3]], &p = x[other[0]], &q = x[other[1]], &r = x[other[2]];
-    const double va = signed_volume6(p, q, r, a), vb = signed_volume6(p, q, r, b);
-    if (!(va * vb < 0)) continue;
-    const double s0 = signed_volume6(a, b, p, q), s1 = signed_volume6(a, b, q, r), s2 = signed_volume6(a, b, r, p);
-    if (!((s0 > 0 && s1 > 0 && s2 > 0) || (s0 < 0 && s1 < 0 && s2 < 0))) continue;
-    where = a + (b - a) * (va / (va - vb));
-    return true;
-  }
-  return false;
-}
 
 }  // namespace
 
@@ -271,7 +313,14 @@ void SurfaceFinding::add(const Vector3d& where) {
   if (count++ == 0) first = where;
 }
 
-SurfaceRepair repair(const SurfaceMesh& surface) { return Repairer(surface).take(); }
+SurfaceRepair repair(const SurfaceMesh& surface, const Progress& progress) {
+  using Opposites = Repairer::Opposites;
+  SurfaceRepair repaired = Repairer(surface, Opposites::keep_one, part_of(progress, 0, 0.5)).take();
+  if (!repaired.closed() || repaired.balanced || repaired.report.duplicates.count == 0) return repaired;
+  // Cells with all their faces: those between two cells are there twice, wound against each other, and part nothing.
+  SurfaceRepair hull = Repairer(surface, Opposites::drop_both, part_of(progress, 0.5, 1)).take();
+  return hull.balanced && hull.report.volume > 0 ? hull : repaired;
+}
 
 void put_right(SurfaceMesh& surface, const SurfaceRepair& repaired) {
   const bool colored = !surface.colors.empty();
@@ -289,23 +338,6 @@ void put_right(SurfaceMesh& surface, const SurfaceRepair& repaired) {
   surface.triangles.resize(kept);
   if (colored) surface.colors.resize(3 * kept);
   surface.closed = repaired.closed();
-}
-
-SurfaceFinding self_intersections(const TriangleTree& tree) {
-  SurfaceFinding finding;
-  const std::vector<Triangle>& triangles = tree.triangles();
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    Eigen::AlignedBox3d box;
-    for (const std::uint32_t v : triangles[t]) box.extend(tree.positions()[v]);
-    tree.for_triangles_in(box, [&](std::size_t other) {
-      if (other <= t) return;
-      for (const std::uint32_t v : triangles[t])
-        if (std::find(triangles[other].begin(), triangles[other].end(), v) != triangles[other].end()) return;
-      Vector3d where;
-      if (cuts(tree, triangles[t], triangles[other], where) || cuts(tree, triangles[other], triangles[t], where)) finding.add(where);
-    });
-  }
-  return finding;
 }
 
 }  // namespace fascia

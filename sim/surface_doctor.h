@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/progress.h"
 #include "sim/surface_mesh.h"
 #include "sim/triangle_tree.h"
 
@@ -24,6 +25,7 @@ struct SurfaceShell {
   double volume = 0;    // enclosed [m^3], as repaired; negative for a cavity
   bool inverted = false;  // turned, for its normals pointed inward
   bool cavity = false;    // bounds a hole inside another shell
+  bool flat = false;      // encloses nothing
 };
 
 struct SurfaceReport {
@@ -33,6 +35,7 @@ struct SurfaceReport {
   double area = 0, volume = 0;              // [m^2], [m^3]
   SurfaceFinding degenerate;                // triangles without area, left out
   SurfaceFinding duplicates;                // triangles with the vertices of an earlier one, left out
+  SurfaceFinding walls;                     // triangles there as often the one way round as the other, left out
   SurfaceFinding open_edges;                // of one triangle
   SurfaceFinding crowded_edges;             // of more than two
   SurfaceFinding turned;                    // triangles wound against the rest of their shell, turned
@@ -49,15 +52,20 @@ struct SurfaceRepair {
   std::vector<char> left_out;              // [triangle of the file] 1 where it has no area or is there already
   SurfaceReport report;
   bool closed() const { return report.open_edges.count == 0; }
+  bool balanced = false;  // closed, and each edge of several triangles is passed as often one way as the other
 };
 
-SurfaceRepair repair(const SurfaceMesh& surface);
+SurfaceRepair repair(const SurfaceMesh& surface, const Progress& progress = {});
 
 /// The surface as it is to be drawn: wound outward, each triangle once, and known to be closed or not. Its vertices stay as they are.
 void put_right(SurfaceMesh& surface, const SurfaceRepair& repaired);
 
-/// Pairs of triangles that cut each other, the first at one of the cuts. The tree's triangles share vertices where they touch.
-SurfaceFinding self_intersections(const TriangleTree& tree);
+struct SelfIntersections {
+  SurfaceFinding pairs;   // of triangles that cut each other, the first at one of the cuts
+  bool complete = true;   // false: so many boxes overlap that the search was given up
+};
+/// The tree's triangles share vertices where they touch.
+SelfIntersections self_intersections(const TriangleTree& tree, const Progress& progress = {});
 
 /// Throws Error, with `where` before it, if the surface encloses no inside that tets could fill.
 void require_fillable(const SurfaceRepair& repaired, const std::string& where);
@@ -66,6 +74,6 @@ void require_fillable(const SurfaceRepair& repaired, const std::string& where);
 std::vector<std::string> notes_of(const SurfaceReport& report);
 
 /// The text of `fascia info` about a surface.
-void print_report(std::ostream& out, const SurfaceMesh& surface, const SurfaceRepair& repaired);
+void print_report(std::ostream& out, const SurfaceMesh& surface, const SurfaceRepair& repaired, const Progress& progress = {});
 
 }  // namespace fascia

@@ -38,9 +38,8 @@ MeshFile as_mesh(LatticeFill fill) {
 }  // namespace
 
 FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::optional<int> resolution, const Progress& progress) {
-  report(progress, 0, "Examining the surface");
   FilledSurface filled;
-  filled.repaired = repair(surface);
+  filled.repaired = repair(surface, part_of(progress, 0, 0.2));
   require_fillable(filled.repaired, where);
   const SurfaceReport& found = filled.repaired.report;
   filled.resolution = resolution.value_or(resolution_for(found, kWantedTets));
@@ -48,8 +47,8 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
   if (expected > kMostTets)
     throw Error(where, "a resolution of " + std::to_string(filled.resolution) + " makes about " + number(expected / 1e6) + " million tets",
                 "expected at most " + std::to_string(resolution_for(found, kMostTets)) + " for this surface");
-  LatticeFill fill =
-      fill_inside(TriangleTree(filled.repaired.positions, filled.repaired.triangles), filled.repaired.closed(), filled.resolution, progress);
+  LatticeFill fill = fill_inside(TriangleTree(filled.repaired.positions, filled.repaired.triangles), filled.repaired.balanced, filled.resolution,
+                                 part_of(progress, 0.2, 1));
   if (fill.tets.empty()) throw Error(where, "holds no tet at a resolution of " + std::to_string(filled.resolution), "expected a higher one");
   const std::size_t whole = fill.whole;
   const double spacing = fill.spacing;
@@ -76,7 +75,8 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
 }
 
 MeshFile read_mesh_or_fill(const std::filesystem::path& path, std::optional<int> resolution, const Progress& progress) {
-  return is_surface_file(path) ? fill_surface(read_obj(path), path.string(), resolution, progress).file : read_mesh(path);
+  if (!is_surface_file(path)) return read_mesh(path, progress);
+  return fill_surface(read_obj(path, part_of(progress, 0, 0.1)), path.string(), resolution, part_of(progress, 0.1, 1)).file;
 }
 
 }  // namespace fascia

@@ -12,6 +12,8 @@ namespace {
 
 // A surface with larger holes has no inside that anybody would agree on. A tube that is open at both ends has 1/7 at 14 radii.
 constexpr double kLargestHoles = 0.2;  // of the area
+// And one that is mostly walls between cells, each there once, has an inside only for who knows the cells.
+constexpr double kLargestWalls = 0.5;  // of the area
 constexpr std::size_t kNamedShells = 8;
 constexpr const char* kExpected = "expected a closed surface, to be filled with tets";
 
@@ -34,6 +36,11 @@ void require_fillable(const SurfaceRepair& repaired, const std::string& where) {
   if (report.one_sided.count > 0)
     throw Error(where, "is one-sided: no turning of its triangles agrees at " + found(report.one_sided, "edge"),
                 "expected a surface with an inside, no Moebius strip or Klein bottle: take out or turn the triangles there");
+  double flat_area = 0;
+  for (const SurfaceShell& shell : report.shells) flat_area += shell.flat ? shell.area : 0;
+  if (repaired.closed() && !repaired.balanced && flat_area > kLargestWalls * report.area)
+    throw Error(where, "has walls inside: " + found(report.crowded_edges, "edge") + " of more than two triangles, " + percent(flat_area / report.area) + " of its area bounds nothing",
+                "expected a closed surface, without the faces between cells");
   if (report.hole_area > kLargestHoles * report.area)
     throw Error(where,
                 "is open: " + found(report.open_edges, "edge") + " of one triangle only, " + plural(report.holes, "hole") + " of " +
@@ -49,6 +56,7 @@ std::vector<std::string> notes_of(const SurfaceReport& report) {
   if (report.degenerate.count > 0) notes.push_back(found(report.degenerate, "triangle") + ", without area: left out");
   if (report.duplicates.count > 0)
     notes.push_back(found(report.duplicates, "triangle") + ", with the vertices of an earlier one: left out");
+  if (report.walls.count > 0) notes.push_back(found(report.walls, "triangle") + ", walls between two cells, there both ways round: left out");
   if (report.turned.count > 0) notes.push_back(found(report.turned, "triangle") + ", wound against the others: turned");
   if (const std::size_t count = count_shells(report, &SurfaceShell::inverted); count > 0)
     notes.push_back(count == report.shells.size() ? "normals pointed inward: turned"
@@ -61,7 +69,7 @@ std::vector<std::string> notes_of(const SurfaceReport& report) {
   return notes;
 }
 
-void print_report(std::ostream& out, const SurfaceMesh& surface, const SurfaceRepair& repaired) {
+void print_report(std::ostream& out, const SurfaceMesh& surface, const SurfaceRepair& repaired, const Progress& progress) {
   const SurfaceReport& report = repaired.report;
   line(out, "format") << "Wavefront OBJ surface\n";
   line(out, "vertices") << report.vertices;
@@ -87,8 +95,12 @@ void print_report(std::ostream& out, const SurfaceMesh& surface, const SurfaceRe
     }
     if (report.shells.size() > kNamedShells) line(out, "") << "and " << report.shells.size() - kNamedShells << " smaller ones\n";
   }
-  const SurfaceFinding cut = self_intersections(TriangleTree(repaired.positions, repaired.triangles));
-  line(out, "cuts itself") << (cut.count == 0 ? "nowhere" : "in " + found(cut, "pair") + " of triangles: harmless, filled by what lies inside") << "\n";
+  const SelfIntersections cuts = self_intersections(TriangleTree(repaired.positions, repaired.triangles), progress);
+  line(out, "cuts itself") << (cuts.pairs.count > 0 ? "in " + found(cuts.pairs, "pair") + " of triangles" + (cuts.complete ? "" : " and perhaps more") +
+                                                          ": harmless, filled by what lies inside"
+                               : cuts.complete      ? "nowhere"
+                                                    : "perhaps: too many triangles lie across each other to look at all pairs")
+                           << "\n";
   for (const SurfaceMaterial& material : surface.materials) {
     constexpr const char* kHex = "0123456789abcdef";
     std::string color = "#";

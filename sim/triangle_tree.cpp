@@ -16,6 +16,13 @@ constexpr std::uint32_t kLeaf = 4;    // triangles
 constexpr double kDipoleRadii = 2.5;  // radii from which a group of triangles counts as one dipole
 constexpr double kSameCrossing = 1e-9;  // shares of a segment
 constexpr std::size_t kDeepest = 64;  // halving 2^32 triangles
+constexpr std::uint32_t kNoVertex = ~0u;
+
+bool has(const Triangle& t, std::uint32_t v) { return t[0] == v || t[1] == v || t[2] == v; }
+
+bool share_vertex(const Triangle& a, const Triangle& b) {
+  return std::any_of(a.begin(), a.end(), [&](std::uint32_t v) { return v != kNoVertex && has(b, v); });
+}
 
 /// Of a triangle as seen from the origin [sr] (Van Oosterom, Strackee 1983).
 double solid_angle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
@@ -204,26 +211,56 @@ TriangleTree::Nearest TriangleTree::nearest(const Vector3d& p) const {
   return best;
 }
 
-void TriangleTree::for_triangles_in(const AlignedBox3d& box, const std::function<void(std::size_t)>& f) const {
-  if (nodes_.empty()) return;
-  std::array<std::uint32_t, kDeepest> stack;
-  std::size_t height = 0;
-  stack[height++] = 0;
-  while (height > 0) {
-    const std::uint32_t at = stack[--height];
+/// Vertices that all triangles of a leaf have; kNoVertex in the other places.
+Triangle TriangleTree::common_vertices(const Node& node) const {
+  Triangle common = triangles_[order_[node.begin]];
+  for (std::uint32_t place = node.begin + 1; place < node.end; ++place)
+    for (std::uint32_t& v : common)
+      if (!has(triangles_[order_[place]], v)) v = kNoVertex;
+  return common;
+}
+
+bool TriangleTree::for_touching_pairs(const std::function<void(std::size_t, std::size_t)>& f, const std::function<bool(std::size_t)>& go_on) const {
+  if (nodes_.empty()) return true;
+  // Around a vertex with thousands of triangles all boxes touch, and no pair counts: two nodes with a common vertex are passed over.
+  std::vector<Triangle> common(nodes_.size());
+  for (std::size_t at = nodes_.size(); at-- > 0;) {  // children follow their parents
     const Node& node = nodes_[at];
-    if (!node.box.intersects(box)) continue;
-    if (node.right != 0) {
-      stack[height++] = node.right;
-      stack[height++] = at + 1;
-      continue;
-    }
-    for (std::uint32_t place = node.begin; place < node.end; ++place) {
-      AlignedBox3d own;
-      for (const Vector3d& corner : corners(place)) own.extend(corner);
-      if (own.intersects(box)) f(order_[place]);
+    common[at] = node.right == 0 ? common_vertices(node) : common[at + 1];
+    if (node.right == 0) continue;
+    for (std::uint32_t& v : common[at])
+      if (!has(common[node.right], v)) v = kNoVertex;
+  }
+  std::vector<Eigen::AlignedBox3d> boxes(order_.size());
+  for (std::uint32_t place = 0; place < order_.size(); ++place)
+    for (const Vector3d& corner : corners(place)) boxes[place].extend(corner);
+  std::size_t compared = 0;
+  const auto compare = [&](std::uint32_t one, std::uint32_t other) {
+    ++compared;
+    if (!boxes[one].intersects(boxes[other])) return;
+    const std::size_t t = order_[one], u = order_[other];
+    if (!share_vertex(triangles_[t], triangles_[u])) f(std::min(t, u), std::max(t, u));
+  };
+  std::vector<std::array<std::uint32_t, 2>> stack{{0, 0}};
+  while (!stack.empty()) {
+    const auto [one, other] = stack.back();
+    stack.pop_back();
+    if (!go_on(compared)) return false;
+    ++compared;
+    const Node &a = nodes_[one], &b = nodes_[other];
+    if (share_vertex(common[one], common[other]) || !a.box.intersects(b.box)) continue;
+    if (a.right == 0 && b.right == 0) {
+      for (std::uint32_t i = a.begin; i < a.end; ++i)
+        for (std::uint32_t k = one == other ? i + 1 : b.begin; k < b.end; ++k) compare(i, k);
+    } else if (one == other) {
+      stack.insert(stack.end(), {{one + 1, one + 1}, {a.right, a.right}, {one + 1, a.right}});
+    } else if (b.right == 0 || (a.right != 0 && a.end - a.begin >= b.end - b.begin)) {
+      stack.insert(stack.end(), {{one + 1, other}, {a.right, other}});
+    } else {
+      stack.insert(stack.end(), {{one, other + 1}, {one, b.right}});
     }
   }
+  return true;
 }
 
 }  // namespace fascia

@@ -30,8 +30,9 @@ class TriangleTree {
   /// There must be a triangle.
   Nearest nearest(const Eigen::Vector3d& point) const;
 
-  /// Calls f with every triangle whose box touches the box.
-  void for_triangles_in(const Eigen::AlignedBox3d& box, const std::function<void(std::size_t)>& f) const;
+  /// Calls f(t, other), t < other, for every two triangles whose boxes touch and that share no vertex. Ends early, and returns false, where
+  /// go_on(pairs of boxes compared so far) does.
+  bool for_touching_pairs(const std::function<void(std::size_t, std::size_t)>& f, const std::function<bool(std::size_t)>& go_on) const;
 
   const std::vector<Eigen::Vector3d>& positions() const { return positions_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
@@ -47,6 +48,7 @@ class TriangleTree {
   };
   void build(std::uint32_t begin, std::uint32_t end, const std::vector<Eigen::Vector3d>& centers);
   std::array<Eigen::Vector3d, 3> corners(std::uint32_t place) const;
+  Triangle common_vertices(const Node& node) const;
 
   std::vector<Eigen::Vector3d> positions_;
   std::vector<Triangle> triangles_;

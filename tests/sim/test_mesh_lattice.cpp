@@ -231,9 +231,9 @@ TEST_CASE("a surface without an inside is refused with what, how often, where an
 TEST_CASE("surfaces that cut themselves are counted and filled", "[lattice]") {
   const SurfaceMesh two = test::joined(test::make_sphere(12, 24, 0.05), test::make_sphere(12, 24, 0.05, {0.05, 0.003, 0.001}));
   const SurfaceRepair repaired = repair(two);
-  CHECK(self_intersections(TriangleTree(repaired.positions, repaired.triangles)).count > 20);
+  CHECK(self_intersections(TriangleTree(repaired.positions, repaired.triangles)).pairs.count > 20);
   const SurfaceRepair ball = repair(test::make_sphere(12, 24, 0.05));
-  CHECK(self_intersections(TriangleTree(ball.positions, ball.triangles)).count == 0);
+  CHECK(self_intersections(TriangleTree(ball.positions, ball.triangles)).pairs.count == 0);
 }
 
 TEST_CASE("winding numbers: inside, outside, in a cavity, near a hole", "[lattice]") {
