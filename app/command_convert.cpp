@@ -1,9 +1,12 @@
 // fascia convert: between mesh formats, keeping vertex order, regions and names where the format can; scenes and replays to such that carry
 // their meshes.
 #include <iostream>
+#include <optional>
 
 #include "app/commands.h"
+#include "app/interrupt.h"
 #include "app/opened.h"
+#include "app/opening_progress.h"
 #include "app/output_files.h"
 #include "app/usage_error.h"
 #include "sim/file.h"
@@ -45,7 +48,9 @@ int command_convert(const ConvertOptions& options) {
     return files;
   };
   for (const std::filesystem::path& out : files_of(options.out)) require_outputs({{"OUT", out.string(), {}}}, files_of(options.in));
-  MeshFile file = read_mesh_or_fill(options.in);
+  std::optional<EndAtOnce> opening(std::in_place);
+  MeshFile file = read_mesh_or_fill(options.in, {}, opening_progress(options.in));
+  opening.reset();
   const std::size_t welded = options.weld ? weld(file.mesh) : 0;
   write_mesh(options.out, file.mesh);
   std::cerr << "fascia: " << options.out << ": " << plural(file.mesh.positions.size(), "vertex") << ", "

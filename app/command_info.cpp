@@ -6,6 +6,8 @@
 
 #include "app/commands.h"
 #include "app/file_provenance.h"
+#include "app/interrupt.h"
+#include "app/opening_progress.h"
 #include "app/usage_error.h"
 #include "sim/coloring.h"
 #include "sim/file.h"
@@ -44,9 +46,9 @@ void print_colorings(const Model& model, int asked) {
 }
 
 /// The tets of a surface, after the report about it. That comes first: a surface that cannot be filled is described, too.
-MeshFile filled_mesh(SurfaceMesh surface, const std::string& where, const Body& body) {
-  print_report(std::cout, surface, repair(surface));
-  FilledSurface filled = fill_surface(std::move(surface), where, body.resolution);
+MeshFile filled_mesh(SurfaceMesh surface, const std::string& where, const Body& body, const Progress& progress) {
+  print_report(std::cout, surface, repair(surface, part_of(progress, 0.1, 0.3)), part_of(progress, 0.3, 0.5));
+  FilledSurface filled = fill_surface(std::move(surface), where, body.resolution, part_of(progress, 0.5, 1));
   std::cout << "\nfilled with tets, resolution " << filled.resolution << '\n';
   filled.file.notes.erase(filled.file.notes.begin(), filled.file.notes.begin() + filled.notes_of_surface);  // told already
   return std::move(filled.file);
@@ -55,6 +57,7 @@ MeshFile filled_mesh(SurfaceMesh surface, const std::string& where, const Body& 
 }  // namespace
 
 int command_info(const InfoOptions& options) {
+  const EndAtOnce reading;  // nothing is written
   if (options.tissues) {
     print_tissues(std::cout);
     return exit_done;
@@ -68,14 +71,16 @@ int command_info(const InfoOptions& options) {
   const Scene scene = blaming_options([&] { return open_scene(options.input, options.sets); });
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
+    const Progress progress = opening_progress(body.mesh);
     FileReader files(scene);
-    const FileReader::File found = files.read(body.mesh, "bodies[" + std::to_string(b) + "].mesh");
+    const FileReader::File found = files.read(body.mesh, "bodies[" + std::to_string(b) + "].mesh", part_of(progress, 0, 0.1));
     std::cout << found.place.string() << '\n';
-    const MeshFile file = is_surface_file(found.place) ? filled_mesh(files.surface(found), found.place.string(), body) : files.tets(found);
+    const MeshFile file =
+        is_surface_file(found.place) ? filled_mesh(files.surface(found), found.place.string(), body, progress) : files.tets(found);
     const MeshRepair repaired = repair(file.mesh);
     print_report(std::cout, file, repaired, examine(file.mesh, repaired));
   }
-  const Model model = build_model(scene);
+  const Model model = build_model(scene, opening_progress(options.input));
   const std::vector<double> masses = lumped_masses(model);
   std::cout << "\nscene\n";
   std::cout << "  mass         " << std::accumulate(masses.begin(), masses.end(), 0.0) << " kg\n";

@@ -1,6 +1,10 @@
 #include "app/interrupt.h"
 
+#include <unistd.h>
+
 #include <csignal>
+
+#include "app/commands.h"
 
 namespace fascia {
 namespace {
@@ -13,7 +17,7 @@ std::stop_source source;  // requests are atomic operations as long as nobody re
 void catch_interrupts() {
   const auto remember = [](int signal) {
     std::signal(signal, SIG_DFL);
-    if (ends_at_once) std::raise(signal);
+    if (ends_at_once > 0) _exit(exit_interrupted);
     flag = 1;
     source.request_stop();
   };
@@ -27,7 +31,7 @@ bool interrupted() { return flag != 0; }
 
 std::stop_token interrupt_token() { return source.get_token(); }
 
-EndAtOnce::EndAtOnce() { ends_at_once = 1; }
-EndAtOnce::~EndAtOnce() { ends_at_once = 0; }
+EndAtOnce::EndAtOnce() { ends_at_once = ends_at_once + 1; }
+EndAtOnce::~EndAtOnce() { ends_at_once = ends_at_once - 1; }
 
 }  // namespace fascia

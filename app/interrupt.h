@@ -11,7 +11,8 @@ bool interrupted();
 /// Stop is requested when interrupted() becomes true. To be asked, not to hang callbacks on: these would run in the signal's handler.
 std::stop_token interrupt_token();
 
-/// While one lives the first signal ends the program at once, too: for work that does not look at the flag and leaves nothing half done.
+/// While one lives the first signal ends the program at once, too, with exit code 130: for work that does not look at the flag and leaves
+/// nothing half done.
 class EndAtOnce {
  public:
   EndAtOnce();

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "app/advice.h"
+#include "app/interrupt.h"
+#include "app/opening_progress.h"
 #include "app/paths.h"
 #include "app/replay_time.h"
 #include "app/usage_error.h"
@@ -14,10 +16,11 @@
 namespace fascia {
 namespace {
 
-Opened open_replay(const std::filesystem::path& path, const std::vector<std::string>& sets) {
+Opened open_replay(const std::filesystem::path& path, const std::vector<std::string>& sets, const Progress& progress) {
   Replay replay = read_replay(path, sets);
   Scene scene = replay.scene;
-  Opened opened{std::move(scene), std::move(replay)};
+  Model model = build_model(scene, progress);
+  Opened opened{std::move(scene), std::move(replay), std::move(model)};
   const Replay& read = *opened.replay;
   if (!read.note.empty()) opened.model.notes.push_back(read.note);
   const auto mesh = std::find_if(read.made_by.begin(), read.made_by.end(), [](const auto& entry) { return entry.first == "Mesh hash"; });
@@ -43,9 +46,11 @@ std::vector<std::filesystem::path> input_files(const Scene& scene) {
   return files;
 }
 
-Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets) {
-  if (lower_ending(path) == ".fascia") return open_replay(path, sets);
-  return {open_scene(path, sets), std::nullopt};
+Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets, const Progress& progress) {
+  if (lower_ending(path) == ".fascia") return open_replay(path, sets, progress);
+  Scene scene = open_scene(path, sets);
+  Model model = build_model(scene, progress);
+  return {std::move(scene), std::nullopt, std::move(model)};
 }
 
 Opened open_input(const CommonOptions& options, const std::vector<std::string>& sets) {
@@ -54,9 +59,12 @@ Opened open_input(const CommonOptions& options, const std::vector<std::string>& 
   for (const std::string& grab : options.grabs) overrides.push_back("--grab " + grab);
   if (!options.replay.empty() && !options.input.empty()) throw UsageError("--replay", "has a scene of its own", "leave out " + options.input);
   return blaming_options([&] {
-    Opened opened = !options.replay.empty() ? open_replay(options.replay, overrides)
-                    : options.input.empty() ? open_file(default_scene(find_data_dir(options.data_dir)), overrides)
-                                            : open_file(options.input, overrides);
+    const EndAtOnce opening;
+    const std::filesystem::path path = !options.replay.empty() ? std::filesystem::path(options.replay)
+                                       : options.input.empty() ? default_scene(find_data_dir(options.data_dir))
+                                                               : std::filesystem::path(options.input);
+    const Progress progress = options.quiet ? Progress() : opening_progress(path.string());
+    Opened opened = !options.replay.empty() ? open_replay(path, overrides, progress) : open_file(path, overrides, progress);
     if (const auto unit = unit_hint(opened.scene, opened.model)) opened.model.notes.push_back(unit->hint.help);
     const auto names = [&](const std::string& key) {
       return std::any_of(sets.begin(), sets.end(), [&](const std::string& set) { return set.starts_with(key); });

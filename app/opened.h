@@ -13,9 +13,11 @@ namespace fascia {
 struct Opened {
   Scene scene;
   std::optional<Replay> replay;
-  Model model = build_model(scene);
+  Model model;  // build_model(scene)
 };
-Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets = {});  // a replay by its ending .fascia
+/// A replay by its ending .fascia.
+Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets = {}, const Progress& progress = {});
+/// With a line on stderr now and then where it takes long, unless quiet. A signal ends the program at once meanwhile.
 Opened open_input(const CommonOptions& options, const std::vector<std::string>& sets);
 /// Steps that a command makes: --steps, else --time, else those of the replay, else the scene's duration.
 long steps_to_run(const CommonOptions& options, const Simulation& simulation);

@@ -3,8 +3,11 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <atomic>
 #include <cmath>
+#include <memory>
 
+#include "app/interrupt.h"
 #include "app/opening_screen.h"
 #include "app/scene_edits.h"
 #include "app/view_window.h"
@@ -197,17 +200,32 @@ void ViewWindow::resume(const fs::path& path) {
   remember();
 }
 
-// On another thread, so that the window answers and somebody may think better of it.
+// On another thread, so that the window answers and somebody may think better of it: then reading ends at its next report.
 Opened ViewWindow::read(const fs::path& path, OpeningScreen& screen) {
   constexpr auto kFrame = std::chrono::milliseconds(30);
   std::erase_if(given_up_, [](const std::future<Opened>& f) { return f.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
-  std::future<Opened> reading = std::async(std::launch::async, [path] { return open_file(path); });
+  struct Report {
+    std::atomic<bool> given_up{false};
+    std::atomic<double> share{0};
+    std::atomic<const char*> what{nullptr};
+  };
+  const auto report = std::make_shared<Report>();
+  const Progress progress = [report, name = path.filename().string()](double share, const char* what) {
+    if (report->given_up) throw Cancelled{name};
+    report->share = share;
+    report->what = what;
+  };
+  std::future<Opened> reading = std::async(std::launch::async, [path, progress] { return open_file(path, {}, progress); });
   const Clock::time_point start = Clock::now();
   while (reading.wait_for(kFrame) != std::future_status::ready) {
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    // How long parsing takes nobody knows: the bar goes on, ever slower.
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count(), guess = 1 - std::exp(-0.3 * seconds);
+    const char* const what = report->what;
     try {
-      screen.show(kReadShare * (1 - std::exp(-0.3 * seconds)), "Reading; Escape goes back");  // how long it takes nobody knows
+      if (interrupted()) throw Cancelled{path.filename().string()};
+      screen.show(kReadShare * std::max(0.5 * guess, report->share.load()), (std::string(what ? what : "Reading") + "; Escape goes back").c_str());
     } catch (const Cancelled&) {
+      report->given_up = true;
       given_up_.push_back(std::move(reading));
       throw;
     }
