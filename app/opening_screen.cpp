@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/ui_style.h"
+#include "app/window_input.h"
 #include "render/framebuffer.h"
 #include "render/gl/loader.h"
 
@@ -20,9 +21,14 @@ constexpr double kPatience = 0.2;  // [s]: shorter waits show nothing
 OpeningScreen::OpeningScreen(Graphics& graphics, Overlay& overlay, std::string name)
     : graphics_(graphics), overlay_(overlay), name_(std::move(name)) {}
 
+OpeningScreen::~OpeningScreen() {
+  if (shown_) WindowInput::of(graphics_.context->window()).discard();
+}
+
 void OpeningScreen::show(double share, const char* what) {
   if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() < kPatience) return;
   GLFWwindow* window = graphics_.context->window();
+  shown_ = true;
   glfwPollEvents();  // or the desktop takes the program for dead
   int width = 0, height = 0;
   glfwGetFramebufferSize(window, &width, &height);
@@ -32,6 +38,17 @@ void OpeningScreen::show(double share, const char* what) {
   gl::ClearColor(0.09f, 0.10f, 0.12f, 1);
   gl::Clear(GL_COLOR_BUFFER_BIT);
   framebuffer.resolve();
+  bool cancelled = false;
+  do
+    cancelled = draw(width, height, share, what);
+  while (!cancelled && WindowInput::of(window).waiting());
+  overlay_.draw(framebuffer);
+  framebuffer.present(width, height);
+  glfwSwapBuffers(window);
+  if (cancelled || glfwWindowShouldClose(window)) throw Cancelled{name_};
+}
+
+bool OpeningScreen::draw(int width, int height, double share, const char* what) {
   overlay_.begin(width, height);
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -43,14 +60,10 @@ void OpeningScreen::show(double share, const char* what) {
   ImGui::TextColored(ui::kDim, "%s", what);
   ImGui::Button("Cancel", {-1, 0});
   // Frames are rare here: the press counts, not the release.
-  const bool cancelled = (ImGui::IsItemHovered() && ImGui::IsMouseClicked(0)) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) ||
-                         glfwWindowShouldClose(window);
+  const bool cancelled = (ImGui::IsItemHovered() && ImGui::IsMouseClicked(0)) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   ImGui::End();
   overlay_.end();
-  overlay_.draw(framebuffer);
-  framebuffer.present(width, height);
-  glfwSwapBuffers(window);
-  if (cancelled) throw Cancelled{name_};
+  return cancelled;
 }
 
 }  // namespace fascia

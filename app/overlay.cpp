@@ -11,6 +11,7 @@
 #include "app/color_bar.h"
 #include "app/panels.h"
 #include "app/ui_style.h"
+#include "app/window_input.h"
 
 namespace fascia {
 
@@ -46,12 +47,8 @@ void Overlay::begin(int width, int height) {
   glfwGetWindowContentScale(window, &scale, &scale_y);
   set_scale(std::clamp(scale, 0.5f, 4.0f));
   ImGui_ImplGlfw_NewFrame();
-  // From GLFW's screen coordinates to pixels of the picture.
+  WindowInput::of(window).feed();  // in pixels of the picture
   ImGuiIO& io = ImGui::GetIO();
-  if (io.MousePos.x > -FLT_MAX) {
-    io.MousePos.x *= io.DisplayFramebufferScale.x;
-    io.MousePos.y *= io.DisplayFramebufferScale.y;
-  }
   io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
   io.DisplayFramebufferScale = {1, 1};
   ImGui::NewFrame();

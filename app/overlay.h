@@ -28,8 +28,8 @@ class Overlay {
   /// So that lengths in pixels are right before the first picture of this height.
   void scale_to(int height);
 
-  /// A window's frame: begin, then any ImGui calls, then end; then draw over the resolved framebuffer, first what belongs to the
-  /// picture, then what does not (ImGui's foreground layer).
+  /// A window's frame: begin, which gives ImGui the next input (WindowInput::feed), then any ImGui calls, then end; then draw over the
+  /// resolved framebuffer, first what belongs to the picture, then what does not (ImGui's foreground layer).
   void begin(int width, int height);
   void end();
   void draw(const Framebuffer& framebuffer);

@@ -17,20 +17,20 @@
 namespace fascia {
 namespace {
 
-// What the table does not say: the range that a slider is useful in, and what the choice costs.
+// What the table does not say: the range that a slider is useful in, the least that may be typed, and what the choice costs.
 struct Extra {
   const char* name;
-  double min, max;
+  double min, max, least;
   bool logarithmic;
   const char* cost;
 };
 constexpr Extra kExtras[] = {
-    {"young_modulus", 1e3, 1e10, true,
+    {"young_modulus", 1e3, 1e10, 1, true,
      "Fat and brain about 1 to 10 kPa, muscle 10 to 100 kPa, ligament 0.1 to 1 GPa. Costs nothing, but stiffer tissue "
      "needs more iterations to act as stiff as it is."},
-    {"poisson_ratio", -0.9, 0.499, false, "Most soft tissue is near 0.45. Costs nothing; above 0.45 linear tets lock and move too little."},
-    {"density", 100, 20000, true, "Water has 1000. Costs nothing; heavier tissue sags more and swings slower."},
-    {"damping", 0, 1, true, "0 leaves only the damping of the time step. Turning it on costs a few percent of a step."},
+    {"poisson_ratio", -0.9, 0.499, -1, false, "Most soft tissue is near 0.45. Costs nothing; above 0.45 linear tets lock and move too little."},
+    {"density", 100, 20000, 0, true, "Water has 1000. Costs nothing; heavier tissue sags more and swings slower."},
+    {"damping", 0, 1, 0, true, "0 leaves only the damping of the time step. Turning it on costs a few percent of a step."},
 };
 
 const char* label_of_model(MaterialModel model) {
@@ -92,7 +92,7 @@ void material_sliders(Simulation& simulation, std::size_t index, HintBoard& hint
                                 unit,
                                 extra ? extra->min : min,
                                 extra ? extra->max : max,
-                                min,
+                                extra ? std::max(min, extra->least) : min,
                                 max,
                                 extra ? extra->logarithmic : logarithmic,
                                 false,

@@ -23,11 +23,26 @@ struct Typing {
   bool fresh = false, wrong = false;
 } typing;
 
+// The slider that was pressed last, and its value before.
+struct PressedSlider {
+  ImGuiID id = 0;
+  double value = 0;
+} last_pressed;
+
 // Bare units read better with real superscripts.
 std::string pretty(std::string text) {
   if (const std::size_t at = text.find("^3"); at != std::string::npos) text.replace(at, 2, "\xc2\xb3");
   if (const std::size_t at = text.find("^2"); at != std::string::npos) text.replace(at, 2, "\xc2\xb2");
   return text;
+}
+
+// Below the last item, also while the mouse is elsewhere.
+void say_below(const std::string& text) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  ImGui::SetNextWindowPos({low.x, high.y + px(2)});
+  ImGui::BeginTooltip();
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::EndTooltip();
 }
 
 // The text field in place of the slider. True when a new value was entered.
@@ -38,7 +53,7 @@ bool typed_number(const NumberField& field, double& value) {
                                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   if (typing.wrong) {
     ImGui::PopStyleColor();
-    tooltip("expected a number such as " + engineering(field.slider_max, field.unit));
+    say_below("Expected a number from " + engineering(field.min, field.unit) + " to " + engineering(field.max, field.unit));
   }
   if (typing.fresh) {
     typing.fresh = false;
@@ -46,12 +61,14 @@ bool typed_number(const NumberField& field, double& value) {
   }
   if (!entered && !ImGui::IsItemDeactivated()) return false;
   const std::optional<double> parsed = parse_engineering(typing.text, field.unit);
-  if (entered && !parsed) {
+  const bool good = parsed && *parsed >= field.min && *parsed <= field.max;
+  const bool same = typing.text == typing.shown;  // which is rounded: leaving it leaves the value
+  if (entered && !good && !same) {
     typing.wrong = typing.fresh = true;
     return false;
   }
-  const bool changed = parsed && typing.text != typing.shown;  // the shown text is rounded: leaving it leaves the value
-  if (changed) value = std::clamp(*parsed, field.min, field.max);
+  const bool changed = good && !same;
+  if (changed) value = *parsed;
   typing = {};
   return changed;
 }
@@ -140,9 +157,17 @@ bool number(const NumberField& field, double& value) {
     const float gap = px(6), widest_value = ImGui::CalcTextSize(pretty("0000 " + field.unit).c_str()).x;
     ImGui::SetNextItemWidth(std::min(kSliderShare * row, (1 - kLabelShare) * row - widest_value - gap));
     const ImGuiSliderFlags flags = ImGuiSliderFlags_NoInput | (field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    const double before = value;
     changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &field.slider_min, &field.slider_max, "", flags);
     tooltip(field.help);
     const bool asked_at_slider = wants_to_type();
+    if (asked_at_slider) {  // the clicks that ask for it have moved the knob
+      const double restored = ImGui::IsMouseDoubleClicked(0) && last_pressed.id == id ? last_pressed.value : before;
+      changed = restored != before;
+      value = restored;
+    } else if (ImGui::IsItemActivated()) {
+      last_pressed = {id, before};
+    }
     ImGui::SameLine(0, 0);
     if (value_button(pretty(engineering(value, field.unit))) || asked_at_slider) {
       const std::string text = engineering(value, field.unit, 4);

@@ -99,3 +99,5 @@ struct Requests {
 };
 
 }  // namespace fascia
+  /// Some are carried out with the steps and the picture of a frame.
+  bool wait_for_picture() const { return step || screenshot || video || plot_table || plot_picture; }

@@ -48,7 +48,6 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
     opened = open_file(default_scene(graphics.data_dir));
     session_ = std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model), options_.reference);
   }
-  input_.take();  // what was pressed meanwhile is not for the scene
   if (options.static_equilibrium) {
     const StaticReport report = session_->simulation.solve_static();
     if (!options.quiet || !report.converged) std::cerr << "fascia: " << describe(report) << '\n';
@@ -162,22 +161,23 @@ void ViewWindow::say(const std::string& text, bool is_error) {
 
 void ViewWindow::frame(double elapsed) {
   if (!update_framebuffer()) {
-    input_.take();
-    input_.end_frame();
+    input_.discard();
     pacing_.restart();
     return;
   }
   Requests requests;
-  overlay_.begin(framebuffer_->width(), framebuffer_->height());
-  const Camera view = session_->camera;
-  attempt([&] { handle_input(requests); });
-  if (view.eye != session_->camera.eye || view.target != session_->camera.target) state_.replay_camera = false;
-  attempt([&] { build_panels(requests); });
-  panels_take_escape_ = ImGui::IsAnyItemActive() || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  overlay_.end();
-  input_.end_frame();
-  attempt([&] { carry_out(requests); });
-  input_.take();  // what was pressed while something was being opened is not for the scene
+  do {
+    requests = {};
+    if (message_ && message_->is_error && input_.take_key(GLFW_KEY_ESCAPE)) message_.reset();  // it lies in front of all else
+    overlay_.begin(framebuffer_->width(), framebuffer_->height());
+    const Camera view = session_->camera;
+    attempt([&] { handle_input(requests); });
+    if (view.eye != session_->camera.eye || view.target != session_->camera.target) state_.replay_camera = false;
+    attempt([&] { build_panels(requests); });
+    panels_take_escape_ = ImGui::IsAnyItemActive() || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    overlay_.end();
+    attempt([&] { carry_out(requests); });
+  } while (input_.waiting() && !requests.wait_for_picture());
   if (shown_ && !attempt([&] { simulate(elapsed, requests); })) state_.paused = true;
   attempt([&] { follow_replay(); });
   if (!attempt([&] { draw(); })) state_.paused = true;

@@ -59,8 +59,8 @@ void ViewWindow::handle_input(Requests& requests) {
       case Kind::release: mouse_.release(button_of(event.code), keys_of(event.mods), held(), state_.grab); break;
       case Kind::move: mouse_.move(event.at, picture, held()); break;
       case Kind::scroll:
-        if (!io.WantCaptureMouse && !mouse_.scroll(event.scroll, keys_of(event.mods), held(), state_.grab))
-          held().camera.zoom(std::pow(0.9, event.scroll));
+        if (!io.WantCaptureMouse && !mouse_.scroll(event.scroll.y(), keys_of(event.mods), held(), state_.grab))
+          held().camera.zoom(std::pow(0.9, event.scroll.y()));
         break;
       case Kind::key:
         // With a visible cursor in the panels, keys belong to them; text always does.
@@ -71,6 +71,8 @@ void ViewWindow::handle_input(Requests& requests) {
       case Kind::drop:
         if (!event.files.empty()) requests.open = event.files.front();
         break;
+      case Kind::key_up:
+      case Kind::text: break;
     }
     if (split_) after_mouse();
   }

@@ -3,69 +3,114 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <utility>
 
 namespace fascia {
+namespace {
 
 using Kind = InputEvent::Kind;
 
+constexpr int kSettlingFrames = 4;  // a dialog: asked for, opened, measured, shown with its field active
+
+// Of several in a row nothing is lost in one frame of ImGui.
+bool merges(Kind kind) { return kind == Kind::move || kind == Kind::scroll || kind == Kind::text || kind == Kind::key_up; }
+
+bool unsettles(Kind kind) { return kind == Kind::press || kind == Kind::release || kind == Kind::key; }
+
+}  // namespace
+
 WindowInput& WindowInput::of(GLFWwindow* window) { return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window)); }
 
-void WindowInput::add(InputEvent event) {
-  stirred_ = true;
+Eigen::Vector2d WindowInput::pixel(const Eigen::Vector2d& at) const {
   int window_width = 0, window_height = 0, width = 0, height = 0;
   glfwGetWindowSize(window_, &window_width, &window_height);
   glfwGetFramebufferSize(window_, &width, &height);
-  event.at = {at_.x() * width / std::max(1, window_width), at_.y() * height / std::max(1, window_height)};
-  events_.push_back(std::move(event));
+  return {at.x() * width / std::max(1, window_width), at.y() * height / std::max(1, window_height)};
 }
 
-void WindowInput::forward_key(const KeyChange& change) {
-  const auto same_key = [&](const KeyChange& other) { return other.key == change.key; };
-  if (change.action == GLFW_RELEASE && std::any_of(pressed_.begin(), pressed_.end(), same_key)) {
-    deferred_.push_back(change);
-    return;
+void WindowInput::add(InputEvent event) {
+  stirred_ = true;
+  event.at = pixel(at_);
+  waiting_.push_back(std::move(event));
+}
+
+void WindowInput::give(const InputEvent& event) {
+  given_at_ = event.at;
+  const auto button = static_cast<std::size_t>(event.code);
+  switch (event.kind) {
+    case Kind::press:
+    case Kind::release:
+      if (button < given_down_.size()) given_down_[button] = event.kind == Kind::press;
+      break;
+    case Kind::scroll: ImGui_ImplGlfw_ScrollCallback(window_, event.scroll.x(), event.scroll.y()); break;
+    case Kind::key: ImGui_ImplGlfw_KeyCallback(window_, event.code, 0, GLFW_PRESS, event.mods); break;
+    case Kind::key_up: ImGui_ImplGlfw_KeyCallback(window_, event.code, 0, GLFW_RELEASE, event.mods); break;
+    case Kind::text: ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned int>(event.code)); break;
+    case Kind::move:
+    case Kind::drop: break;
   }
-  if (change.action == GLFW_PRESS) pressed_.push_back(change);
-  ImGui_ImplGlfw_KeyCallback(window_, change.key, change.scancode, change.action, change.mods);
 }
 
-void WindowInput::end_frame() {
-  for (const KeyChange& change : deferred_)
-    ImGui_ImplGlfw_KeyCallback(window_, change.key, change.scancode, change.action, change.mods);
-  deferred_.clear();
-  pressed_.clear();
+void WindowInput::feed() {
+  ImGuiIO& io = ImGui::GetIO();
+  const bool inside = io.MousePos.x > -FLT_MAX || waiting();
+  if (settling_ > 0) {
+    --settling_;
+  } else if (waiting()) {
+    const Kind kind = waiting_.front().kind;
+    do {
+      give(waiting_.front());
+      given_.push_back(std::move(waiting_.front()));
+      waiting_.pop_front();
+    } while (waiting() && waiting_.front().kind == kind && merges(kind));
+    if (unsettles(kind)) settling_ = kSettlingFrames;
+  }
+  // Its own backend has asked for mouse and buttons as they are by now.
+  if (inside) io.MousePos = {static_cast<float>(given_at_.x()), static_cast<float>(given_at_.y())};
+  for (std::size_t i = 0; i < given_down_.size(); ++i) io.MouseDown[i] = given_down_[i];
+}
+
+std::vector<InputEvent> WindowInput::take() { return std::exchange(given_, {}); }
+
+bool WindowInput::take_key(int key) {
+  if (!waiting() || waiting_.front().kind != Kind::key || waiting_.front().code != key) return false;
+  waiting_.pop_front();
+  return true;
+}
+
+void WindowInput::discard() {
+  std::erase_if(waiting_, [](const InputEvent& event) { return event.kind != Kind::release && event.kind != Kind::key_up; });
+  given_.clear();
 }
 
 WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
   glfwSetWindowUserPointer(window, this);
+  glfwGetCursorPos(window, &at_.x(), &at_.y());
+  given_at_ = pixel(at_);
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
     of(w).at_ = {x, y};
     of(w).add({Kind::move});
   });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
-    ImGui_ImplGlfw_MouseButtonCallback(w, button, action, mods);
     of(w).add({action == GLFW_PRESS ? Kind::press : Kind::release, button, mods});
   });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
-    ImGui_ImplGlfw_ScrollCallback(w, x, y);
     InputEvent event{Kind::scroll};
-    event.scroll = y;
+    event.scroll = {x, y};
     for (const int key : {GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL})
       if (glfwGetKey(w, key) == GLFW_PRESS) event.mods |= GLFW_MOD_CONTROL;
     of(w).add(std::move(event));
   });
-  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) {
     of(w).stirred_ = true;
-    of(w).forward_key({key, scancode, action, mods});
-    if (action == GLFW_PRESS || (action == GLFW_REPEAT && key == GLFW_KEY_PERIOD)) of(w).add({Kind::key, key, mods});
+    // A key that is held repeats steps, as fast as they are made.
+    if (action == GLFW_REPEAT && (key != GLFW_KEY_PERIOD || of(w).waiting())) return;
+    of(w).add({action == GLFW_RELEASE ? Kind::key_up : Kind::key, key, mods});
   });
-  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int character) {
-    of(w).stirred_ = true;
-    ImGui_ImplGlfw_CharCallback(w, character);
-  });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int character) { of(w).add({Kind::text, static_cast<int>(character)}); });
   glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
     of(w).stirred_ = true;
     ImGui_ImplGlfw_WindowFocusCallback(w, focused);
@@ -99,7 +144,5 @@ WindowInput::~WindowInput() {
   glfwSetWindowIconifyCallback(window_, nullptr);
   glfwSetWindowCloseCallback(window_, nullptr);
 }
-
-std::vector<InputEvent> WindowInput::take() { return std::exchange(events_, {}); }
 
 }  // namespace fascia

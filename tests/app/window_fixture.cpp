@@ -135,6 +135,7 @@ FasciaWindow::FasciaWindow(std::vector<std::string> arguments, fs::path folder)
 
 FasciaWindow::~FasciaWindow() {
   if (!running()) return;
+  go_on();
   ::kill(child_, SIGTERM);
   const auto end = Clock::now() + std::chrono::seconds(20);
   while (running() && Clock::now() < end) std::this_thread::sleep_for(kPoll);
@@ -152,6 +153,9 @@ bool FasciaWindow::running() {
   exit_code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return false;
 }
+
+void FasciaWindow::hold() { ::kill(child_, SIGSTOP); }
+void FasciaWindow::go_on() { ::kill(child_, SIGCONT); }
 
 void FasciaWindow::kill_at_once() {
   ::kill(child_, SIGKILL);
@@ -185,12 +189,13 @@ void FasciaWindow::keys_at_once(std::vector<std::string> names) {
   names.insert(names.begin(), {"key", "--delay", "1"});
   xdotool(std::move(names));
 }
-void FasciaWindow::type(const std::string& text) { xdotool({"type", "--delay", "30", text}); }
+void FasciaWindow::type(const std::string& text) { xdotool({"type", "--delay", "30", "--", text}); }
 void FasciaWindow::pause() { std::this_thread::sleep_for(std::chrono::milliseconds(700)); }
 void FasciaWindow::press() { xdotool({"mousedown", "1"}); }
 void FasciaWindow::key_down(const std::string& name) { xdotool({"keydown", name}); }
 void FasciaWindow::key_up(const std::string& name) { xdotool({"keyup", name}); }
 void FasciaWindow::click(int button) { xdotool({"click", std::to_string(button)}); }
+void FasciaWindow::resize(int width, int height) { xdotool({"windowsize", window_, std::to_string(width), std::to_string(height)}); }
 void FasciaWindow::release() { xdotool({"mouseup", "1"}); }
 
 void FasciaWindow::move(int x, int y) {

@@ -62,7 +62,11 @@ class FasciaWindow {
   void key_down(const std::string& name);
   void key_up(const std::string& name);
   void click(int button);             // 3 right, 4 and 5 the wheel up and down
+  void resize(int width, int height); // as a window manager does
   Screenshot screenshot();            // through P
+  /// The program stands still until go_on(): all that hands do meanwhile comes between two of its pictures.
+  void hold();
+  void go_on();
   bool running();
   void kill_at_once();                // as the system does: no chance to clean up
   double processor_seconds() const;   // that the program has used so far
