@@ -21,13 +21,15 @@ std::string printed(const char* format, double a, double b = 0) {
 }
 
 void clock_rows(const Statistics& s) {
-  const auto milliseconds = [&](const History& history) { return s.measured ? printed("%.1f ms", history.mean()) : "-"; };
-  ui::fact("Frame", s.measured ? printed("%.1f ms, %.0f per second", s.frame.mean(), s.frame.mean() > 0 ? 1000 / s.frame.mean() : 0) : "-",
-           "From picture to picture, everything included; the line below shows the last 200");
+  const auto milliseconds = [&](const History& history) { return s.measured ? printed("%.1f ms", history.median()) : "-"; };
+  const double frame = s.frame.median();
+  ui::fact("Frame", s.measured ? printed("%.1f ms, %.0f per second", frame, frame > 0 ? 1000 / frame : 0) : "-",
+           "From picture to picture, everything included: the median of the last 30. The line below shows the last 200");
   if (s.measured) ui::plot("##frame", s.frame, 26);
-  ui::fact("Solve", milliseconds(s.solve), "The steps of a frame on the GPU");
+  ui::fact("Solve", milliseconds(s.solve),
+           "One time step on the GPU: the median of the last 30 steps. In stats.json solve_ms_per_step is the same of all steps");
   if (s.measured) ui::plot("##solve", s.solve, 26);
-  ui::fact("Render", milliseconds(s.render), "Surface, shadow and ground on the GPU");
+  ui::fact("Render", milliseconds(s.render), "Surface, shadow and ground on the GPU: the median of the last 30 pictures");
   if (s.measured) ui::plot("##render", s.render, 26);
   ui::fact("Real time", s.measured ? printed("%.0f %%", 100 * s.speed) : "-", "Simulated time over the time of your clock");
 }

@@ -17,7 +17,7 @@ struct RunStats {
   Provenance provenance;
   long steps = 0;
   double wall_s = 0;
-  std::vector<double> step_ms, solve_ms;   // [steps]; solve: without exports and other work between steps
+  std::vector<double> step_ms, solve_ms;   // [steps]; solve: without exports and other work between steps (docs/window.md)
   double residual = 0;                     // of the last step, relative
   std::optional<double> imbalance;         // of the forces in the last step of the GPU (Diagnostics::imbalance)
   std::optional<double> error;             // of the last step, as in StepError; where it was asked for
@@ -30,6 +30,7 @@ struct RunStats {
 /// What the GPU has and does for the simulation as it is now.
 void count_work(RunStats& stats, Simulation& simulation);
 
+/// How times are summed up, here and in the window: the median, so that one step that waited for something else does not count.
 struct Percentiles {
   double median = 0, p95 = 0, max = 0;
 };

@@ -1,7 +1,9 @@
 #include "app/view_state.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "app/stats.h"
 #include "sim/model_materials.h"
 #include "sim/tet_mesh.h"
 
@@ -13,11 +15,19 @@ void History::add(double value) {
   count_ = std::min(count_ + 1, values_.size());
 }
 
-double History::mean() const {
-  const int n = std::min(count(), 30);
-  double sum = 0;
-  for (int i = count() - n; i < count(); ++i) sum += at(i);
-  return n ? sum / n : 0;
+double History::median() const {
+  constexpr int kRecent = 30;
+  std::vector<double> recent;
+  for (int i = std::max(0, count() - kRecent); i < count(); ++i) recent.push_back(at(i));
+  return percentiles(std::move(recent)).median;
+}
+
+void Statistics::add_steps(double milliseconds, int count, bool compiled, std::vector<double>& all) {
+  const double one = milliseconds / count;
+  all.insert(all.end(), static_cast<std::size_t>(count), one);
+  if (compiled) return;
+  for (int i = 0; i < count; ++i) solve.add(one);
+  step_ms = step_ms > 0 ? 0.8 * step_ms + 0.2 * one : one;
 }
 
 SceneFacts::SceneFacts(const Scene& scene, const Model& model)

@@ -17,12 +17,12 @@
 
 namespace fascia {
 
-/// The latest values of something measured once a frame.
+/// The latest values of something measured again and again.
 class History {
  public:
   void add(double value);
   double latest() const { return count_ ? values_[(next_ + values_.size() - 1) % values_.size()] : 0; }
-  double mean() const;  // of the last half second or so
+  double median() const;  // of the last 30, as in stats.json (app/stats.h)
   int count() const { return static_cast<int>(count_); }
   float at(int i) const { return values_[(next_ + values_.size() - count_ + static_cast<std::size_t>(i)) % values_.size()]; }
 
@@ -33,8 +33,12 @@ class History {
 
 struct Statistics {
   bool measured = false;  // false: a headless picture, which must not depend on a clock
-  History frame, solve, render;  // [ms]; solve: the steps of a frame
-  double step_ms = 0;            // one step, averaged
+  /// Of so many steps, as the GPU measured them together [ms]; `compiled`: kernels, too, which says nothing about the next steps.
+  /// Adds the time of each to `all`, from which stats.json is made.
+  void add_steps(double milliseconds, int count, bool compiled, std::vector<double>& all);
+
+  History frame, solve, render;  // [ms]; solve: one time step
+  double step_ms = 0;            // one step, averaged with fading weights: what the next one may take
   double speed = 1;              // simulated over real time
   bool keeps_pace = true;
   double waits = 0;  // for a solver that cannot step yet [s]
@@ -96,8 +100,8 @@ struct Requests {
   std::optional<std::size_t> history;                    // so many of its entries shall be in force
   std::optional<std::vector<MaterialEntries>> materials;  // regions that get a material of their own, or lose it
   std::optional<double> rescale;                         // of all bodies, by this factor: the file was in another unit
+  /// Some are carried out with the steps and the picture of a frame.
+  bool wait_for_picture() const { return step || screenshot || video || plot_table || plot_picture; }
 };
 
 }  // namespace fascia
-  /// Some are carried out with the steps and the picture of a frame.
-  bool wait_for_picture() const { return step || screenshot || video || plot_table || plot_picture; }

@@ -278,13 +278,7 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
     for (int i = 0; i < steps; ++i) make_step();
     solve_timer_.end(steps, notice.kernels() > 0);
   }
-  while (const auto took = solve_timer_.take()) {
-    const double step_ms = took->milliseconds / took->steps;
-    stats_.step_ms.push_back(step_ms);
-    if (took->compiled) continue;  // says nothing about the next steps
-    s.solve.add(took->milliseconds);
-    s.step_ms = s.step_ms > 0 ? 0.8 * s.step_ms + 0.2 * step_ms : step_ms;
-  }
+  while (const auto took = solve_timer_.take()) s.add_steps(took->milliseconds, took->steps, took->compiled, stats_.step_ms);
   if (repeats) accept_dials();
   if (const auto lost = session_->simulation.astray()) go_back(*lost);
   read_diagnostics();
