@@ -49,7 +49,7 @@ void draw_recording_dot(double seconds, long dropped);
 void draw_replay_badge(const Simulation& simulation, ViewState& state, Requests& requests);
 void draw_recording_settings(ViewState& state, Requests& requests);
 
-/// A message at the top; true when it was closed.
+/// A message at the top, an error in front of all else; true when it was closed by its button.
 bool draw_message(const std::string& text, bool is_error);
 
 /// Width of the column at the left in pixels.

@@ -170,7 +170,11 @@ bool draw_message(const std::string& text, bool is_error) {
     ImGui::PushTextWrapPos(std::max(ui::px(180), 0.5f * size.x));
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
-    if (is_error) close = ImGui::Button("Close");
+    if (is_error) {
+      close = ImGui::Button("Close (Esc)");
+      close |= ImGui::IsMouseHoveringRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()) && ImGui::IsMouseClicked(0);  // past a dialog
+      ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+    }
   }
   ImGui::End();
   if (is_error) ImGui::PopStyleColor();
