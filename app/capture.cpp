@@ -21,12 +21,10 @@ fs::path dated_name(const std::string& ending) {
 }
 
 void VideoCapture::start(const VideoSettings& settings, const Framebuffer& window, const Provenance& provenance) {
-  // Encoders want even sizes; a window has any size.
-  width_ = (settings.width > 0 ? settings.width : window.width()) & ~1;
-  height_ = (settings.height > 0 ? settings.height : window.height()) & ~1;
+  size_ = settings.size_in({window.width(), window.height()});
   fs::path path = dated_name(settings.kind == VideoKind::mp4 ? ".mp4" : settings.kind == VideoKind::webm ? ".webm" : "");
   const fs::path target = settings.kind == VideoKind::pictures ? path / "%05d.png" : path;
-  queue_ = std::make_unique<FrameQueue>(open_frames(target, {width_, height_, settings.fps, true}, provenance));
+  queue_ = std::make_unique<FrameQueue>(open_frames(target, {size_.width, size_.height, settings.fps, true}, provenance));
   path_ = std::move(path);
   settings_ = settings;
   owed_ = 1;
@@ -46,19 +44,21 @@ bool VideoCapture::advance(double simulated) {
 }
 
 Framebuffer& VideoCapture::canvas(Framebuffer& window, bool shows_panels) {
-  const bool same_size = (window.width() & ~1) == width_ && (window.height() & ~1) == height_;
+  const VideoSettings::Size whole = settings_.size_in({window.width(), window.height()});
+  const bool same_size = settings_.width == 0 ? whole.width == size_.width && whole.height == size_.height
+                                              : window.width() == size_.width && window.height() == size_.height;
   if (same_size && (settings_.panels || !shows_panels)) return window;
-  if (!own_) own_ = std::make_unique<Framebuffer>(width_, height_, window.samples());
+  if (!own_) own_ = std::make_unique<Framebuffer>(size_.width, size_.height, window.samples());
   return *own_;
 }
 
 void VideoCapture::write(const Framebuffer& canvas) {
-  const std::size_t row = 4 * static_cast<std::size_t>(canvas.width()), even_row = 4 * static_cast<std::size_t>(width_);
+  const std::size_t row = 4 * static_cast<std::size_t>(canvas.width()), own_row = 4 * static_cast<std::size_t>(size_.width);
   pixels_.resize(row * static_cast<std::size_t>(canvas.height()));
   canvas.read_into(pixels_.data());
-  std::vector<std::uint8_t> frame(even_row * static_cast<std::size_t>(height_));
-  for (std::size_t y = 0; y < static_cast<std::size_t>(height_); ++y)
-    std::copy_n(pixels_.begin() + static_cast<std::ptrdiff_t>(y * row), even_row, frame.begin() + static_cast<std::ptrdiff_t>(y * even_row));
+  std::vector<std::uint8_t> frame(own_row * static_cast<std::size_t>(size_.height));
+  for (std::size_t y = 0; y < static_cast<std::size_t>(size_.height); ++y)
+    std::copy_n(pixels_.begin() + static_cast<std::ptrdiff_t>(y * row), own_row, frame.begin() + static_cast<std::ptrdiff_t>(y * own_row));
   const int count = static_cast<int>(std::floor(owed_ + 0.5));
   owed_ -= count;
   try {

@@ -36,7 +36,7 @@ class VideoCapture {
   std::unique_ptr<FrameQueue> queue_;
   std::unique_ptr<Framebuffer> own_;
   std::filesystem::path path_;
-  int width_ = 0, height_ = 0;
+  VideoSettings::Size size_{};
   double owed_ = 0;  // frames
   long frames_ = 0, dropped_ = 0;
   std::vector<std::uint8_t> pixels_;

@@ -1,6 +1,7 @@
 // What videos of the window are to be, and the session as a file.
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -18,12 +19,26 @@ struct Size {
 constexpr std::array<Size, 4> kSizes{{{"Window", 0, 0}, {"720p", 1280, 720}, {"1080p", 1920, 1080}, {"4K", 3840, 2160}}};
 constexpr std::array<std::pair<const char*, VideoKind>, 3> kKinds{
     {{"MP4", VideoKind::mp4}, {"WebM", VideoKind::webm}, {"PNGs", VideoKind::pictures}}};
+constexpr int kLeastPixels = 16, kMostPixels = 16384;  // as of --size
 constexpr std::array<double, 3> kRates{24, 30, 60};
 
 void label(const char* text) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextColored(ui::kDim, "%s", text);
   ImGui::SameLine(ui::px(84));
+}
+
+// The size that comes out, to be typed over.
+void size_fields(VideoSettings& video) {
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const VideoSettings::Size size = video.size_in({static_cast<int>(window.x), static_cast<int>(window.y)});
+  int shown[2] = {size.width, size.height};
+  ImGui::SetNextItemWidth(ui::px(140));
+  if (ImGui::InputInt2("##pixels", shown)) {
+    video.width = std::clamp(shown[0], kLeastPixels, kMostPixels);
+    video.height = std::clamp(shown[1], kLeastPixels, kMostPixels);
+  }
+  ui::tooltip("Width and height of videos and pictures, whatever the size of the window. Videos have even numbers");
 }
 
 }  // namespace
@@ -43,13 +58,15 @@ void draw_recording_settings(ViewState& state, Requests& requests) {
     ImGui::NewLine();
     label("Size");
     for (const Size& size : kSizes) {
-      if (ui::button(size.label, ui::px(66), video.width == size.width)) {
+      if (ui::button(size.label, ui::px(66), video.width == size.width && (video.height == size.height || size.width == 0))) {
         video.width = size.width;
         video.height = size.height;
       }
       ImGui::SameLine();
     }
     ImGui::NewLine();
+    label("Pixels");
+    size_fields(video);
     label("Frames/s");
     for (const double rate : kRates) {
       char text[8];

@@ -39,6 +39,8 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
       gallery_(graphics.data_dir),
       hints_(user_),
       samples_(options.samples > 0 ? options.samples : gl::device().software ? 1 : 4) {
+  state_.video.width = options.width;  // as asked for, whatever the window has got
+  state_.video.height = options.height;
   if (user_.now().light) ui::set_theme(ui::Theme::light);
   try {
     OpeningScreen screen(graphics_, overlay_, opened.scene.file.filename().string());
