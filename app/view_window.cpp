@@ -227,7 +227,6 @@ void ViewWindow::build_panels(Requests& requests) {
   if (state_.plots.shown) draw_plots(session_->simulation, state_, requests);
   if (session_->simulation.replaying()) draw_replay_badge(session_->simulation, state_, requests);
   if (state_.show_recording) draw_recording_settings(state_, requests);
-  replay_dialog_.draw(requests);
   if (state_.show_help) draw_help(state_);
   dialogs_.draw(requests);
   if (gallery_.draw(requests)) user_.change([](UserSettings& settings) { settings.welcomed = true; });

@@ -23,7 +23,6 @@
 #include "app/options.h"
 #include "app/overlay.h"
 #include "app/pacing.h"
-#include "app/replay_dialog.h"
 #include "app/replay_view.h"
 #include "app/session_recording.h"
 #include "app/split_view.h"
@@ -162,7 +161,6 @@ class ViewWindow {
   std::unique_ptr<SessionRecording> recording_;  // none: there is no place for it
   long recorded_from_ = 0;                       // steps made before it
   bool begins_at_start_ = true;                  // where R goes, not in mid-session
-  ReplayDialog replay_dialog_;
   ReplayView replay_view_;
   std::optional<DisplaySettings> replayed_display_;
   ViewState state_;

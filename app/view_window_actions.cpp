@@ -155,7 +155,7 @@ void ViewWindow::carry_out(const Requests& requests) {
   if (requests.open) open(*requests.open);
   if (requests.save) save(*requests.save, requests.save_with_mesh);
   if (requests.export_state) export_state(*requests.export_state);
-  if (requests.save_replay_dialog) replay_dialog_.ask();
+  if (requests.save_replay_dialog) dialogs_.ask_replay();
   if (requests.save_replay) save_replay(*requests.save_replay);
   if (requests.end_replay) end_replay("You took over from the replay");
   if (requests.compare != CompareAsk::nothing) compare(requests.compare);
