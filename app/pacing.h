@@ -11,6 +11,9 @@ class Pacing {
   /// After a pause, a reset or an opened scene: nothing is owed and the speed is measured anew.
   void restart();
 
+  /// While nothing has to be solved: the speed is measured anew from the next step on, and what is owed stays owed.
+  void forget_speed() { simulated_ = real_ = 0; }
+
   /// Simulated time over real time of about the last second; 1 when keeping pace.
   double speed() const { return real_ > 0 ? simulated_ / real_ : 1; }
   /// Also while too little has been seen to judge.

@@ -45,6 +45,20 @@ TEST_CASE("a step that costs more than it simulates slows the scene, and the spe
   CHECK(steps <= 61);
 }
 
+TEST_CASE("what was slow is forgotten while nothing is solved, and steps go on as before") {
+  Pacing pacing, other;
+  const double dt = 1.0 / 60, cost = 0.04;
+  for (int frame = 0; frame < 200; ++frame) pacing.advance(cost, dt, cost), other.advance(cost, dt, cost);
+  REQUIRE_FALSE(pacing.keeps_pace());
+  for (int frame = 0; frame < 100; ++frame) {
+    pacing.forget_speed();
+    CAPTURE(frame, pacing.speed());
+    CHECK(pacing.keeps_pace());
+    CHECK(pacing.speed() == 1);
+    CHECK(pacing.advance(dt / 4, dt, cost) == other.advance(dt / 4, dt, cost));  // also where frames are shorter than steps
+  }
+}
+
 TEST_CASE("small time steps get as many steps as the frame affords") {
   Pacing pacing;
   const double dt = 1e-4;
