@@ -73,18 +73,28 @@ MarkArea MarkArea::whole() {
   return {*ImGui::GetBackgroundDrawList(), 0, size.x, size.y};
 }
 
-void draw_hand_marks(const MarkArea& area, const Session& session, const std::vector<HandMark>& marks) {
+void draw_hand_marks(const MarkArea& area, const Session& session, const std::vector<HandMark>& marks, LabelPlaces& places) {
   ImDrawList& list = area.list;
   list.PushClipRect({area.x, 0}, {area.x + area.width, area.height}, true);
+  std::vector<std::optional<ImVec2>> hands;
   for (const HandMark& mark : marks) {
     const auto place = place_of(area, session, mark.arrow.to.cast<double>());
-    if (!place) continue;
+    const bool shown = place && place->x >= area.x && place->x < area.x + area.width && place->y >= 0 && place->y < area.height;
+    hands.push_back(shown ? place : std::nullopt);
+    if (!shown) continue;
+    const float reach = ui::px(8);
+    places.keep_clear({place->x - reach, place->y - reach, place->x + reach, place->y + reach});
     if (mark.stays) {
       const float radius = static_cast<float>(kMarkRadius) * area.height / 720;
       list.AddCircleFilled(*place, radius, ImGui::GetColorU32(ImVec4(ui::kAccent.x, ui::kAccent.y, ui::kAccent.z, 0.35f)));
       list.AddCircle(*place, radius, ImGui::GetColorU32({1, 1, 1, 0.95f}), 0, ui::px(2));
     }
-    ui::pill(list, engineering(mark.force.norm(), "N"), place->x + ui::px(44), place->y - ui::px(34), ui::kText);
+  }
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (!hands[i]) continue;
+    const std::string force = engineering(marks[i].force.norm(), "N");
+    const Box label = places.place(ui::pill_box(force, hands[i]->x + ui::px(44), hands[i]->y - ui::px(34)));
+    ui::pill(list, force, 0.5f * (label.left + label.right), label.top, ui::kText);
   }
   list.PopClipRect();
 }

@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "app/hands.h"
+#include "app/label_places.h"
 #include "app/session.h"
 
 struct ImDrawList;
 
 namespace fascia {
 
+inline constexpr float kLabelGap = 3;  // between labels [points]
 inline constexpr double kMarkRadius = 11;  // of the handle of a hand [1/720 of the picture's height]
 
 struct HandMark {
@@ -30,11 +32,12 @@ std::optional<Eigen::Vector2d> pixel_of(const Session& session, const Eigen::Vec
 struct MarkArea {
   ImDrawList& list;
   float x, width, height;
+  Box box() const { return {x, 0, x + width, height}; }
   static MarkArea whole();  // ImGui's background, between ImGui::NewFrame and ImGui::Render
 };
 
-/// Handles and forces in newtons.
-void draw_hand_marks(const MarkArea& area, const Session& session, const std::vector<HandMark>& marks);
+/// Handles and forces in newtons, these where `places` has room for them.
+void draw_hand_marks(const MarkArea& area, const Session& session, const std::vector<HandMark>& marks, LabelPlaces& places);
 
 /// A circle of the patch's radius [m] on the tissue at this place, square to `normal`.
 void draw_patch_ring(const MarkArea& area, const Session& session, const Eigen::Vector3d& place, const Eigen::Vector3d& normal, double radius);

@@ -44,6 +44,8 @@ Headless::Headless(const RenderOptions& options, Opened opened)
       camera_(options.camera, session_.simulation.scene, opened.replay ? &*opened.replay : nullptr),
       opened_(session_.display()),
       overlay_(graphics_) {
+  if (const auto camera = camera_.at(0)) session_.look_from(*camera);
+  session_.measure_extent();
   Simulation& simulation = session_.simulation;
   // What is chosen here for the display holds for all of a replay.
   const auto names_display = [](const std::string& set) { return set.starts_with("display."); };
@@ -121,15 +123,19 @@ Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
     const auto ago = static_cast<std::size_t>(step_ - static_cast<long>(std::floor(step + kRounding)));
     hands = remembered_hands_[remembered_hands_.size() - 1 - std::min(ago, remembered_hands_.size() - 1)];
   }
-  if (options_.panels) {
-    overlay_.scale_to(picture_.framebuffer().height());
-    session_.camera.middle.x() = static_cast<double>(panel_space()) / picture_.framebuffer().width();
-  }
+  const int width = picture_.framebuffer().width(), height = picture_.framebuffer().height();
+  if (options_.panels || has_legend(session_)) overlay_.scale_to(height);
+  frame_picture(session_.camera, session_.extent, {width, height, margins(height >= kLeastRows)});
   Framebuffer& framebuffer =
       picture_.draw(session_.camera, [&](Framebuffer& target) { session_.draw(target, arrows(hands), positions); });
   if (options_.panels || has_legend(session_) || !hands.empty())
     overlay_.draw_headless(session_, framebuffer, options_.panels, diagnostics, hands);
   return framebuffer;
+}
+
+Margins Headless::margins(bool bar) {
+  const Framebuffer& picture = picture_.framebuffer();
+  return {options_.panels ? panel_space() : 0, bar ? legend_space(session_, picture.width(), picture.height(), 1) : 0.0};
 }
 
 std::optional<Diagnostics> Headless::diagnose() {
@@ -147,16 +153,16 @@ void Headless::remember_hands() {
 
 Framebuffer& Headless::draw_split(const std::optional<Diagnostics>& diagnostics) {
   overlay_.scale_to(picture_.framebuffer().height());
-  const int left = options_.panels ? static_cast<int>(panel_space()) : 0;
+  const Margins edges = margins(true);
   split_->request_diagnostics();
   split_->take_diagnostics(true);
   const SplitView::SideHands hands = split_->hands(session_, diagnostics, nullptr);
   Framebuffer& framebuffer =
-      picture_.draw(session_.camera, [&](Framebuffer& target) { split_->draw(session_, target, left, hands); });
+      picture_.draw(session_.camera, [&](Framebuffer& target) { split_->draw(session_, target, edges, hands); });
   overlay_.draw_headless(session_, framebuffer, options_.panels, diagnostics, {},
                          [&] {
-                           split_->draw_labels(*ImGui::GetBackgroundDrawList(), session_, framebuffer.width(), framebuffer.height(), left, 1,
-                                               {diagnostics, false, false, hands});
+                           split_->draw_labels(*ImGui::GetBackgroundDrawList(), session_, framebuffer.width(), framebuffer.height(), edges, 1,
+                                               {diagnostics, false, false, hands, overlay_.covered()});
                          });
   return framebuffer;
 }

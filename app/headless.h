@@ -3,6 +3,7 @@
 #include <deque>
 #include <functional>
 
+#include "app/framing.h"
 #include "app/golden.h"
 #include "app/hand_marks.h"
 #include "app/opened.h"
@@ -47,6 +48,7 @@ class Headless {
   void look(double step);
   std::optional<Diagnostics> diagnose();
   std::optional<Diagnostics> diagnose_hands();  // nothing where nobody holds anything
+  Margins margins(bool bar);  // of the picture
   Framebuffer& draw_split(const std::optional<Diagnostics>& diagnostics);
 
   const RenderOptions& options_;

@@ -9,8 +9,10 @@
 #include <algorithm>
 
 #include "app/color_bar.h"
+#include "app/framing.h"
 #include "app/panels.h"
 #include "app/ui_style.h"
+#include "app/ui_widgets.h"
 #include "app/window_input.h"
 
 namespace fascia {
@@ -39,7 +41,14 @@ void Overlay::set_scale(float scale) {
   renderer_ = std::make_unique<ImguiRenderer>(*graphics_.programs);
 }
 
-void Overlay::scale_to(int height) { set_scale(std::clamp(static_cast<float>(height) / 720, 0.5f, 12.0f)); }
+void Overlay::scale_to(int height) {
+  const float scale = scale_;
+  set_scale(std::clamp(static_cast<float>(height) / 720, 0.5f, 12.0f));
+  if (scale == scale_) return;
+  ImGui::GetIO().DisplaySize = {static_cast<float>(height), static_cast<float>(height)};
+  ImGui::NewFrame();  // takes up the font
+  ImGui::EndFrame();
+}
 
 void Overlay::begin(int width, int height) {
   GLFWwindow* window = graphics_.context->window();
@@ -88,6 +97,16 @@ void Overlay::draw_onto(const Framebuffer& framebuffer, bool panels) {
   renderer_->draw(data);
 }
 
+std::vector<Box> Overlay::covered() const {
+  std::vector<Box> boxes = ui::background_pills();
+  for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+    if (window->Active && !window->Hidden && !window->IsFallbackWindow && !(window->Flags & ImGuiWindowFlags_ChildWindow)) {
+      const ImRect box = window->Rect();
+      boxes.push_back({box.Min.x, box.Min.y, box.Max.x, box.Max.y});
+    }
+  return boxes;
+}
+
 float Overlay::scale_onto(const Framebuffer& framebuffer) const {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   return std::min(static_cast<float>(framebuffer.width()) / size.x, static_cast<float>(framebuffer.height()) / size.y);
@@ -126,9 +145,14 @@ void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool pan
   for (int pass = 0; pass < 2; ++pass) {
     ImGui::NewFrame();
     Requests nobody_asks;
-    draw_hand_marks(MarkArea::whole(), session, hands);
     if (panels) draw_panels(session, state, nobody_asks);
-    draw_legend(session);
+    const MarkArea area = MarkArea::whole();
+    draw_legend(area, session);
+    constexpr float kFar = 1e6f;
+    LabelPlaces places(framebuffer.height() >= kLeastRows ? area.box() : Box{-kFar, -kFar, kFar, kFar}, ui::px(kLabelGap));
+    for (const Box& box : covered()) places.keep_clear(box);
+    if (const auto legend = legend_box(area.box(), session)) places.keep_clear(*legend);
+    draw_hand_marks(area, session, hands, places);
     if (more) more();
     ImGui::Render();
   }

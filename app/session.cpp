@@ -6,6 +6,20 @@
 #include "app/shown_look.h"
 
 namespace fascia {
+namespace {
+
+// Of the tets' vertices.
+std::vector<Eigen::Vector3d> places_of(const Model& model, const std::vector<Eigen::Vector3d>& displacement) {
+  std::vector<char> used(model.rest_positions.size());
+  for (const Tet& tet : model.tets)
+    for (const std::uint32_t v : tet) used[v] = 1;
+  std::vector<Eigen::Vector3d> places;
+  for (std::size_t v = 0; v < used.size(); ++v)
+    if (used[v]) places.push_back(displacement.empty() ? model.rest_positions[v] : Eigen::Vector3d(model.rest_positions[v] + displacement[v]));
+  return places;
+}
+
+}  // namespace
 
 Session::Session(Graphics& graphics, Scene scene, Model built, bool use_reference, const Progress& progress)
     : simulation(std::move(scene), std::move(built), graphics.programs.get(), use_reference, progress),
@@ -28,6 +42,7 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
     look_from(*simulation.scene.camera);
   else
     frame();
+  measure_extent();
   set_display(simulation.scene.display);
 }
 
@@ -35,13 +50,16 @@ void Session::frame() { camera.frame(box_min_, box_max_); }
 
 void Session::lay_ground(double below) { look.ground_height = below - 0.4 * look.radius; }
 
+void Session::measure_extent() { extent = camera.extent(places_of(simulation.model, {})); }
+
 void Session::frame_bodies(double aspect, const Eigen::Vector2d& part) {
-  const reference::State state = simulation.state();
+  const std::vector<Eigen::Vector3d> places = places_of(simulation.model, simulation.state().displacement);
   Eigen::AlignedBox3d box;
-  for (const Tet& tet : simulation.model.tets)
-    for (const std::uint32_t v : tet) box.extend(simulation.model.rest_positions[v] + state.displacement[v]);
+  for (const Eigen::Vector3d& place : places) box.extend(place);
   if (box.isEmpty() || !box.diagonal().allFinite()) return;
+  camera.reach = 1;
   camera.fit(box.min(), box.max(), aspect, part);
+  extent = camera.extent(places);
   lay_ground(std::min(box_min_.y(), box.min().y()));
 }
 
@@ -80,12 +98,13 @@ void Session::show_error() { simulation.gpu()->set_vertex_errors(true_error.resu
 std::optional<Eigen::Vector2d> Session::measure_shown(bool now) {
   GpuSolver& solver = *simulation.gpu();
   ShownRange& range = *solver.shown_range();
-  if (const auto shown = range.take(false); shown && !now) shown_ = shown;
-  if (now || !range.pending()) {
+  const bool wait = now || !shown_;  // a range of nothing would give the colors another meaning for some frames
+  if (const auto shown = range.take(false); shown && !wait) shown_ = shown;
+  if (wait || !range.pending()) {
     solver.publish();
     range.request();
   }
-  if (now) shown_ = range.take(true);
+  if (wait) shown_ = range.take(true);
   return shown_;
 }
 

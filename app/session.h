@@ -26,6 +26,7 @@ class Session {
   TrueError true_error;
   bool follow_true_error = false;  // one measurement after the other
   Camera camera;
+  Eigen::Vector2d extent{-1, 1};  // Camera::extent of the body as it was framed: at rest by the first camera, or by frame_bodies()
   Look look;
 
   const DisplaySettings& display() const { return simulation.scene.display; }
@@ -36,7 +37,7 @@ class Session {
   void draw(Framebuffer& framebuffer, std::span<const GrabMark> hands = {}, const gl::Buffer* positions = nullptr);
 
   /// Once before each picture: the heat map's range, where it is not fixed, covers what was shown a frame ago here and at `beside`,
-  /// which gets the same range.
+  /// which gets the same range. The first of a quantity waits for the GPU and covers what is shown now.
   void follow_range(Session* beside = nullptr) { follow_range(beside, false); }
   /// The same from the state of now, for a single picture.
   void settle_range(Session* beside = nullptr) { follow_range(beside, true); }
@@ -53,6 +54,7 @@ class Session {
   /// below them.
   void frame_bodies(double aspect, const Eigen::Vector2d& part);
   void look_from(const CameraSettings& view);
+  void measure_extent();  // of the body at rest, by the camera of now
 
  private:
   void lay_ground(double below);  // [m] the lowest that there is

@@ -79,6 +79,7 @@ SplitView::SplitView(Graphics& graphics, const Session& a, Scene scene, Model mo
   b_ = std::make_unique<Session>(graphics, std::move(scene), std::move(model), false);
   apply(shared_, *b_);
   b_->simulation.set_start(a.simulation.start());
+  b_->extent = a.extent;
   restart_from(a);
 }
 
@@ -177,9 +178,10 @@ MarkArea SplitView::area_of(ImDrawList& list, const Area& area, int height, floa
   return {list, static_cast<float>(area.x) / scale, static_cast<float>(area.width) / scale, static_cast<float>(height) / scale};
 }
 
-std::array<SplitView::Area, 2> SplitView::areas(int width, int left) {
-  const int each = std::max(1, (width - left - kDivider) / 2);
-  return {Area{left, each}, Area{left + each + kDivider, each}};
+std::array<SplitView::Area, 2> SplitView::areas(int width, const Margins& margins) {
+  const int left = static_cast<int>(margins.left), right = static_cast<int>(margins.right), each = std::max(1, (width - left - right - kDivider) / 2);
+  const int begin = left + each + kDivider;
+  return {Area{left, each}, Area{begin, right > 0 ? width - begin : each}};
 }
 
 Framebuffer& SplitView::picture_of(int width, int height, int samples) {
@@ -198,7 +200,7 @@ SplitView::SideHands SplitView::hands(const Session& a, const std::optional<Diag
   return {marks(a, of_a), marks(*b_, diagnostics_)};
 }
 
-void SplitView::draw(Session& a, Framebuffer& framebuffer, int left, const SideHands& hands,
+void SplitView::draw(Session& a, Framebuffer& framebuffer, const Margins& margins, const SideHands& hands,
                      const std::function<void(std::size_t, const Framebuffer&)>& drawn) {
   b_->camera = a.camera;
   b_->look = a.look;  // one scale for both sides
@@ -206,8 +208,10 @@ void SplitView::draw(Session& a, Framebuffer& framebuffer, int left, const SideH
   gl::Disable(GL_SCISSOR_TEST);
   gl::ClearColor(ui::kPanel.x, ui::kPanel.y, ui::kPanel.z, 1);
   gl::Clear(GL_COLOR_BUFFER_BIT);
-  const std::array<Area, 2> places = areas(framebuffer.width(), left);
+  const std::array<Area, 2> places = areas(framebuffer.width(), margins);
   for (std::size_t i = 0; i < 2; ++i) {
+    frame_picture(i == 0 ? a.camera : b_->camera, a.extent,
+                  {places[i].width, framebuffer.height(), {0, static_cast<double>(places[i].width - places[0].width)}, true});
     Framebuffer& picture = picture_of(places[i].width, framebuffer.height(), framebuffer.samples());
     (i == 0 ? a : *b_).draw(picture, arrows(hands[i]));
     if (drawn) drawn(i, picture);
@@ -215,20 +219,23 @@ void SplitView::draw(Session& a, Framebuffer& framebuffer, int left, const SideH
   }
 }
 
-void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int height, int left, float scale, const Labels& labels) const {
-  const std::array<Area, 2> places = areas(width, left);
+void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int height, const Margins& margins, float scale,
+                            const Labels& labels) const {
+  const std::array<Area, 2> places = areas(width, margins);
   const float bottom = static_cast<float>(height) / scale, line = static_cast<float>(places[1].x - kDivider) / scale;
   list.AddRectFilled({line, 0}, {static_cast<float>(places[1].x) / scale, bottom}, ImGui::GetColorU32(ui::kAccent));
   for (std::size_t i = 0; i < 2; ++i) {
     const Session &session = i == 0 ? a : *b_, &other = i == 0 ? *b_ : a;
-    const float middle = (static_cast<float>(places[i].x) + 0.5f * static_cast<float>(places[i].width)) / scale;
-    const float widest = static_cast<float>(places[i].width) / scale - ui::px(40);
-    draw_hand_marks(area_of(list, places[i], height, scale), session, labels.hands[i]);
+    const float left = static_cast<float>(places[i].x) / scale, room = static_cast<float>(places[0].width) / scale;
+    const float middle = left + 0.5f * room, widest = room - ui::px(40);
+    LabelPlaces free({left, 0, left + room, bottom}, ui::px(kLabelGap));
+    for (const Box& box : labels.covered) free.keep_clear(box);
     const bool edited = labels.measured && (i == 1) == labels.editing_b;  // without a clock there is nobody who edits
-    ui::pill(list, (i == 0 ? "A   " : "B   ") + side_text(session, other), middle, ui::px(46), edited ? ui::kAccent : ui::kText, widest);
+    free.keep_clear(ui::pill(list, (i == 0 ? "A   " : "B   ") + side_text(session, other), middle, ui::px(46), edited ? ui::kAccent : ui::kText, widest));
     std::string result = side_result(session, i == 0 ? labels.of_a : diagnostics_, sides_[i].step_ms, labels.measured);
     if (i == 1 && lost_ > 0) result += "  |  came apart " + std::to_string(lost_) + (lost_ == 1 ? " time" : " times");
-    if (!result.empty()) ui::pill(list, result, middle, bottom - ui::px(78), ui::kText, widest);
+    if (!result.empty()) free.keep_clear(ui::pill(list, result, middle, bottom - ui::px(78), ui::kText, widest));
+    draw_hand_marks(area_of(list, places[i], height, scale), session, labels.hands[i], free);
   }
 }
 

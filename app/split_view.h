@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/dial_history.h"
+#include "app/framing.h"
 #include "app/hand_marks.h"
 #include "app/session.h"
 #include "render/gl/timer.h"
@@ -51,25 +52,26 @@ class SplitView {
   struct Area {
     int x = 0, width = 0;  // [pixels] of the picture
   };
-  /// Where the sides are in a picture of this width whose first `left` pixels belong to the panels.
-  static std::array<Area, 2> areas(int width, int left);
+  /// Where the sides are in a picture of this width. B's has the color bar at its right, beside as much room as A has.
+  static std::array<Area, 2> areas(int width, const Margins& margins);
   /// Such an area in a list whose unit is `scale` pixels, of a picture of this height.
   static MarkArea area_of(ImDrawList& list, const Area& area, int height, float scale);
   using SideHands = std::array<std::vector<HandMark>, 2>;
   /// What pulls at A and at B; `of_user` null where there is none.
   SideHands hands(const Session& a, const std::optional<Diagnostics>& of_a, const Hands* of_user) const;
   /// `drawn`, if any, is called with each side's own picture, which has a depth.
-  void draw(Session& a, Framebuffer& framebuffer, int left, const SideHands& hands,
+  void draw(Session& a, Framebuffer& framebuffer, const Margins& margins, const SideHands& hands,
             const std::function<void(std::size_t, const Framebuffer&)>& drawn = {});
   struct Labels {
     const std::optional<Diagnostics>& of_a;
     bool measured;   // with times
     bool editing_b;  // which side the panels show
     const SideHands& hands;
+    std::vector<Box> covered;  // by windows and the like
   };
-  /// Over a picture of `width` x `height` pixels with the same `left`: what each side is, what it costs and reaches, and its hands. The
+  /// Over a picture of `width` x `height` pixels with the same margins: what each side is, what it costs and reaches, and its hands. The
   /// list's unit is `scale` pixels.
-  void draw_labels(ImDrawList& list, const Session& a, int width, int height, int left, float scale, const Labels& labels) const;
+  void draw_labels(ImDrawList& list, const Session& a, int width, int height, const Margins& margins, float scale, const Labels& labels) const;
 
  private:
   struct Side {

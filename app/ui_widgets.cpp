@@ -96,6 +96,16 @@ bool value_button(const std::string& text) {
   return pressed;
 }
 
+ImVec2 pill_pad() { return {px(10), px(5)}; }
+
+std::vector<Box>& pills_of_frame() {
+  static std::vector<Box> pills;
+  static int frame = -1;
+  if (frame != ImGui::GetFrameCount()) pills.clear();
+  frame = ImGui::GetFrameCount();
+  return pills;
+}
+
 }  // namespace
 
 bool section(const char* title, bool open_at_first) {
@@ -180,14 +190,25 @@ bool number(const NumberField& field, double& value) {
   return changed;
 }
 
-void pill(const std::string& text, float x, float y, const ImVec4& color) { pill(*ImGui::GetBackgroundDrawList(), text, x, y, color); }
-
-void pill(ImDrawList& list, const std::string& text, float x, float y, const ImVec4& color, float widest) {
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest > 0 ? widest : -1), pad{px(10), px(5)};
-  const ImVec2 low{std::floor(x - size.x / 2 - pad.x), std::floor(y)}, high{low.x + size.x + 2 * pad.x, low.y + size.y + 2 * pad.y};
-  list.AddRectFilled(low, high, ImGui::GetColorU32(ImVec4(kPanel.x, kPanel.y, kPanel.z, 0.78f)), px(7));
-  list.AddText(nullptr, 0, {low.x + pad.x, low.y + pad.y}, ImGui::GetColorU32(color), text.c_str(), nullptr, widest > 0 ? widest : 0);
+Box pill_box(const std::string& text, float x, float y, float widest) {
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest > 0 ? widest : -1);
+  const float left = std::floor(x - size.x / 2 - pill_pad().x), top = std::floor(y);
+  return {left, top, left + size.x + 2 * pill_pad().x, top + size.y + 2 * pill_pad().y};
 }
+
+Box pill(ImDrawList& list, const std::string& text, float x, float y, const ImVec4& color, float widest) {
+  const Box box = pill_box(text, x, y, widest);
+  list.AddRectFilled({box.left, box.top}, {box.right, box.bottom}, ImGui::GetColorU32(ImVec4(kPanel.x, kPanel.y, kPanel.z, 0.78f)), px(7));
+  list.AddText(nullptr, 0, {box.left + pill_pad().x, box.top + pill_pad().y}, ImGui::GetColorU32(color), text.c_str(), nullptr,
+               widest > 0 ? widest : 0);
+  return box;
+}
+
+void pill(const std::string& text, float x, float y, const ImVec4& color) {
+  pills_of_frame().push_back(pill(*ImGui::GetBackgroundDrawList(), text, x, y, color));
+}
+
+const std::vector<Box>& background_pills() { return pills_of_frame(); }
 
 void plot(const char* id, const History& history, float height) {
   const auto value_at = [](void* data, int i) { return static_cast<const History*>(data)->at(i); };

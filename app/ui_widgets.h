@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/label_places.h"
 #include "app/view_state.h"
 
 namespace fascia::ui {
@@ -56,8 +57,11 @@ bool choice(const char* name, const std::vector<Choice>& choices, Choice& chosen
 }
 
 /// Text on a dark pill, centered on x, wrapped where it is wider than `widest` (0: never); without a list in the background layer.
-void pill(ImDrawList& list, const std::string& text, float x, float y, const ImVec4& color, float widest = 0);
+/// Returns the pill.
+Box pill(ImDrawList& list, const std::string& text, float x, float y, const ImVec4& color, float widest = 0);
 void pill(const std::string& text, float x, float y, const ImVec4& color);
+Box pill_box(const std::string& text, float x, float y, float widest = 0);  // of such a pill
+const std::vector<Box>& background_pills();                                 // of this frame
 
 /// A line of the last values, from 0 to a little above the largest, `height` points high.
 void plot(const char* id, const History& history, float height);

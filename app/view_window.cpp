@@ -73,6 +73,10 @@ void ViewWindow::run() {
     wait_for_events();
     require_device();
     if (frames_to_settle_ == 0 && idle_time() > 0) {
+      if (!settled_) {
+        settle();
+        continue;
+      }
       attempt([&] { remember_now_and_then(); });
       attempt([&] { follow_recording(); });
       last = Clock::now();
@@ -86,7 +90,10 @@ void ViewWindow::run() {
       continue;
     }
     last = now;
-    if (frames_to_settle_ > 0) --frames_to_settle_;
+    if (frames_to_settle_ > 0)
+      --frames_to_settle_;
+    else
+      settled_ = false;
     state_.statistics.frame.add(1000 * elapsed);
     frame(elapsed);
     require_device();
@@ -109,10 +116,11 @@ void ViewWindow::find_last_residual() {
   if (const auto last = solver.take_diagnostics(true)) stats_.residual = last->residual;
 }
 
+bool ViewWindow::asleep() const { return session_->simulation.asleep() && (!split_ || split_->asleep()); }
+
 bool ViewWindow::still() const {
   const Simulation& simulation = session_->simulation;
-  const bool asleep = simulation.asleep() && (!split_ || split_->asleep());
-  return state_.paused || (asleep && steps_left_ < 0 && !simulation.awaits_hands());
+  return state_.paused || (asleep() && steps_left_ < 0 && !simulation.awaits_hands());
 }
 
 void ViewWindow::require_device() const {
@@ -140,7 +148,16 @@ void ViewWindow::wait_for_events() {
     glfwWaitEventsTimeout(kUnsettledWait);
   else
     glfwPollEvents();
-  if (input_.take_stir()) frames_to_settle_ = kFramesToSettle;
+  if (!input_.take_stir()) return;
+  frames_to_settle_ = kFramesToSettle;
+  settled_ = false;
+}
+
+// Before the window waits: numbers that the GPU gives back some frames late have come, and what is shown is drawn once more with them.
+void ViewWindow::settle() {
+  attempt([&] { session_->settle_range(split_ ? &split_->b() : nullptr); });
+  frames_to_settle_ = kFramesToSettle;
+  settled_ = true;
 }
 
 bool ViewWindow::attempt(const std::function<void()>& work) {
@@ -216,7 +233,6 @@ void ViewWindow::build_panels(Requests& requests) {
   s.keeps_pace = pacing_.keeps_pace();
   state_.recording = video_.running();
   state_.hands = mouse_.hands().all().size();
-  draw_legend(*session_);
   const Room room = room_beside_panels(state_);
   const bool shown_alone = video_.running() && !video_.settings().panels;  // the scene, in a video
   if (!shown_alone) draw_notice(state_, room);
@@ -245,15 +261,16 @@ void ViewWindow::build_panels(Requests& requests) {
 void ViewWindow::make_step() {
   mouse_.pull(held());
   if ((state_.show_panels && state_.show_convergence) || shows_convergence(state_.plots)) state_.convergence.measure(tuned().simulation, *graphics_.programs);
+  const bool slept = asleep();
   if (split_)
     split_->step(*session_, held());
   else
     session_->simulation.step();
   simulated_ += session_->simulation.scene.solver.time_step;
+  diagnose_ |= !slept || !asleep();  // also the step after which it sleeps
   ++state_.statistics.steps;
   ++stats_.steps;
   if (steps_left_ > 0) --steps_left_;
-  diagnose_ |= !session_->simulation.asleep() || split_;
 }
 
 void ViewWindow::simulate(double elapsed, const Requests& requests) {
@@ -280,6 +297,7 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
     solve_timer_.end(steps, notice.kernels() > 0);
   }
   while (const auto took = solve_timer_.take()) s.add_steps(took->milliseconds, took->steps, took->compiled, stats_.step_ms);
+  if (still()) pacing_.forget_speed();  // nothing is solved that could be slow
   if (repeats) accept_dials();
   if (const auto lost = session_->simulation.astray()) go_back(*lost);
   read_diagnostics();
@@ -340,50 +358,6 @@ void ViewWindow::remember() {
   remembered_scene_ = std::move(text);
   remembered_step_ = step;
   autosave_.keep(remembered_, name);
-}
-
-std::vector<HandMark> ViewWindow::marks() {
-  const auto& d = state_.statistics.diagnostics;
-  return hand_marks(session_->simulation, d ? d->hand_forces : std::vector<HandForce>(), &mouse_.hands());
-}
-
-// How much a hand holds, or would hold where the mouse is.
-void ViewWindow::draw_ring(const MarkArea& area, const Session& session) {
-  if (const Grab* grab = mouse_.hands().following())
-    draw_patch_ring(area, session, grab->anchor(), session.camera.forward(), grab->patch_radius());
-  else if (const auto& spot = hover_.spot(); spot && !mouse_.dragging() && !ImGui::GetIO().WantCaptureMouse)
-    draw_patch_ring(area, session, spot->point, spot->normal, state_.grab.radius * session.look.radius);
-}
-
-void ViewWindow::draw_scene(Framebuffer& picture, float scale, int left) {
-  Session& session = *session_;
-  const std::vector<HandMark> hands = marks();
-  session.camera.middle.x() = static_cast<double>(left) / picture.width();
-  session.follow_range();
-  session.draw(picture, arrows(hands));
-  overlay_.draw_list(picture, scale, [&](ImDrawList& list) {
-    const MarkArea area{list, 0, static_cast<float>(picture.width()) / scale, static_cast<float>(picture.height()) / scale};
-    draw_hand_marks(area, session, hands);
-    draw_ring(area, session);
-    const auto& d = state_.statistics.diagnostics;
-    if (state_.plots.shown && d && d->probe) draw_probe(area, session, session.simulation.model.rest_positions[*state_.plots.probe] + *d->probe);
-  });
-}
-
-void ViewWindow::draw() {
-  const bool aims = !mouse_.dragging() && !ImGui::GetIO().WantCaptureMouse;
-  render_timer_.begin();
-  if (split_) {
-    draw_comparison(*framebuffer_, 1, panels_cover(), [&](std::size_t side, const Framebuffer& picture) {
-      const bool b = side == 1;
-      if (b == points_at_b()) hover_.look(picture, b ? split_->b() : *session_, aims ? std::optional(pointer_in_side(b)) : std::nullopt);
-    });
-  } else {
-    draw_scene(*framebuffer_, 1, panels_cover());
-    hover_.look(*framebuffer_, *session_, aims ? std::optional(pointer_) : std::nullopt);
-  }
-  render_timer_.end();
-  while (const auto took = render_timer_.take()) state_.statistics.render.add(took->milliseconds);
 }
 
 }  // namespace fascia

@@ -59,6 +59,8 @@ class ViewWindow {
 
   void wait_for_events();
   void require_device() const;
+  void settle();
+  bool asleep() const;       // all tissue that is shown
   bool still() const;        // the tissue does not move
   double idle_time() const;  // [s] for which nothing changes unless somebody does something; 0 while things move
   void frame(double elapsed);
@@ -78,6 +80,7 @@ class ViewWindow {
   void remember_now_and_then();
   Scene scene_now() const;      // with the materials and the camera of now
   std::vector<HandMark> marks();
+  std::vector<Box> covered(const Framebuffer& picture) const;  // what else is drawn over it
   void draw_ring(const MarkArea& area, const Session& session);
   void draw();
   void capture(const Requests& requests);
@@ -113,6 +116,7 @@ class ViewWindow {
   Session& tuned() { return split_ && state_.editing_b ? split_->b() : *session_; }  // what the panels show
   Session& held() { return split_ && hand_in_b_ ? split_->b() : *session_; }         // what the mouse acts on
   int panels_cover() const;                                                          // of the picture's width [pixels]
+  Margins margins() const;                                                           // of the window's picture
   void compare(CompareAsk ask);
   void edit(bool b);
   MouseTool::Picture to_side(Eigen::Vector2d& at, bool press);  // of the comparison: which one, and where in it
@@ -180,6 +184,7 @@ class ViewWindow {
   };
   std::array<Moment, 2> diagnosed_;  // the last that diagnostics were asked of; no more are under way
   int frames_to_settle_ = 3;  // to draw although nothing moves
+  bool settled_ = false;      // nothing has happened since settle()
   bool shown_ = false;        // this session, in a frame: steps come after the first picture
   bool panels_take_escape_ = false;  // what was active or open when the last frame ended: ImGui closes it before a key is looked at here
   std::optional<CameraSettings> opened_camera_;  // as the session began with

@@ -166,7 +166,8 @@ void ViewWindow::carry_out(const Requests& requests) {
   if (requests.reset) reset();
   if (requests.step) state_.paused = true;
   if (requests.frame_view) {
-    const double width = framebuffer_->width(), shown = std::max(0.1 * width, width - panels_cover()), aspect = 1.0 / framebuffer_->height();
+    const Margins edges = margins();
+    const double width = framebuffer_->width(), shown = std::max(0.1 * width, width - edges.left - edges.right), aspect = 1.0 / framebuffer_->height();
     if (split_)
       session_->frame_bodies(0.5 * shown * aspect, {1, 1});
     else

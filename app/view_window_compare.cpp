@@ -1,12 +1,17 @@
 // The window while two settings are compared side by side: who is shown where, who is held, and what the buttons do.
 #include <algorithm>
 
+#include "app/color_bar.h"
 #include "app/panels.h"
 #include "app/view_window.h"
 
 namespace fascia {
 
 int ViewWindow::panels_cover() const { return state_.show_panels ? static_cast<int>(panel_space()) : 0; }
+
+Margins ViewWindow::margins() const { 
+  return {static_cast<double>(panels_cover()), legend_space(*session_, framebuffer_->width(), framebuffer_->height(), 1)};
+}
 
 // The panels show the other side: its facts, and its history.
 void ViewWindow::edit(bool b) {
@@ -78,16 +83,16 @@ void ViewWindow::let_go() {
 
 MouseTool::Picture ViewWindow::picture_of_hand() const {
   const int width = framebuffer_->width();
-  return {split_ ? SplitView::areas(width, panels_cover())[hand_in_b_ ? 1 : 0].width : width, framebuffer_->height()};
+  return {split_ ? SplitView::areas(width, margins())[hand_in_b_ ? 1 : 0].width : width, framebuffer_->height()};
 }
 
 bool ViewWindow::points_at_b() const {
-  return split_ && pointer_.x() >= SplitView::areas(framebuffer_->width(), panels_cover())[1].x;
+  return split_ && pointer_.x() >= SplitView::areas(framebuffer_->width(), margins())[1].x;
 }
 
 Eigen::Vector2d ViewWindow::pointer_in_side(bool b) const {
   if (!split_) return pointer_;
-  return pointer_ - Eigen::Vector2d(SplitView::areas(framebuffer_->width(), panels_cover())[b ? 1 : 0].x, 0);
+  return pointer_ - Eigen::Vector2d(SplitView::areas(framebuffer_->width(), margins())[b ? 1 : 0].x, 0);
 }
 
 // Hands that stay pull at both sides alike, so that the mouse may go on at either.
@@ -98,7 +103,7 @@ MouseTool::Picture ViewWindow::to_side(Eigen::Vector2d& at, bool press) {
 }
 
 void ViewWindow::after_mouse() {
-  (hand_in_b_ ? *session_ : split_->b()).camera = held().camera;
+  (hand_in_b_ ? *session_ : split_->b()).camera.look_as(held().camera);
   lead();
 }
 
@@ -107,13 +112,15 @@ void ViewWindow::lead() { split_->lead(*session_, held()); }
 void ViewWindow::draw_comparison(Framebuffer& picture, float scale, int left,
                                  const std::function<void(std::size_t, const Framebuffer&)>& drawn) {
   const SplitView::SideHands hands = split_->hands(*session_, diagnostics_of_a_, &mouse_.hands());
-  session_->camera.middle.x() = 0;
   session_->follow_range(&split_->b());
-  split_->draw(*session_, picture, left, hands, drawn);
+  const Margins edges{static_cast<double>(left), legend_space(*session_, picture.width(), picture.height(), scale)};
+  split_->draw(*session_, picture, edges, hands, drawn);
   overlay_.draw_list(picture, scale, [&](ImDrawList& list) {
-    split_->draw_labels(list, *session_, picture.width(), picture.height(), left, scale, {diagnostics_of_a_, true, state_.editing_b, hands});
+    draw_legend({list, 0, static_cast<float>(picture.width()) / scale, static_cast<float>(picture.height()) / scale}, *session_);
+    split_->draw_labels(list, *session_, picture.width(), picture.height(), edges, scale,
+                        {diagnostics_of_a_, true, state_.editing_b, hands, covered(picture)});
     const bool ring_in_b = mouse_.hands().following() ? hand_in_b_ : points_at_b();
-    const SplitView::Area area = SplitView::areas(picture.width(), left)[ring_in_b ? 1 : 0];
+    const SplitView::Area area = SplitView::areas(picture.width(), edges)[ring_in_b ? 1 : 0];
     draw_ring(SplitView::area_of(list, area, picture.height(), scale), ring_in_b ? split_->b() : *session_);
   });
 }

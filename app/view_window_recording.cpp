@@ -129,13 +129,13 @@ void ViewWindow::record_frame() {
     const bool panels = video_.settings().panels;
     const float scale = overlay_.scale_onto(canvas);
     const int left = panels ? static_cast<int>(scale * static_cast<float>(panels_cover())) : 0;
-    if (split_) {
+    const Camera in_window = session_->camera, in_window_b = split_ ? split_->b().camera : in_window;
+    if (split_)
       draw_comparison(canvas, scale, left);
-    } else {
-      const Camera in_window = session_->camera;
+    else
       draw_scene(canvas, scale, left);
-      session_->camera = in_window;
-    }
+    session_->camera = in_window;
+    if (split_) split_->b().camera = in_window_b;
     overlay_.draw_onto(canvas, panels);
   }
   video_.write(canvas);

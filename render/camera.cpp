@@ -39,7 +39,7 @@ Vector3d Camera::forward() const {
 }
 
 double Camera::slope() const {
-  return std::tan(fov_deg * kRadians / 2);
+  return reach * std::tan(fov_deg * kRadians / 2);
 }
 
 Eigen::Vector2d Camera::slopes(double aspect) const {
@@ -53,6 +53,13 @@ Eigen::Matrix3d Camera::axes() const {
   Eigen::Matrix3d result;
   result << right, right.cross(direction), -direction;
   return result;
+}
+
+void Camera::look_as(const Camera& other) {
+  eye = other.eye;
+  target = other.target;
+  up = other.up;
+  fov_deg = other.fov_deg;
 }
 
 void Camera::frame(const Vector3d& box_min, const Vector3d& box_max) {
@@ -140,6 +147,17 @@ Ray Camera::ray(double x, double y, int width, int height) const {
   const double per_pixel = 2 * slope() / std::min(width, height);
   const Vector3d in_view((x - (1 + middle.x()) * width / 2) * per_pixel, ((1 - middle.y()) * height / 2 - y) * per_pixel, -1);
   return {eye, (axes() * in_view).normalized()};
+}
+
+Eigen::Vector2d Camera::extent(std::span<const Vector3d> points) const {
+  const Eigen::Matrix3d basis = axes();
+  const double unit = slope() / reach;
+  Eigen::AlignedBox1d seen;
+  for (const Vector3d& point : points) {
+    const double right = basis.col(0).dot(point - eye), depth = -basis.col(2).dot(point - eye);
+    if (depth > 0) seen.extend(Eigen::Matrix<double, 1, 1>(right / (depth * unit)));
+  }
+  return seen.isEmpty() ? Eigen::Vector2d(-1, 1) : Eigen::Vector2d(seen.min()(0), seen.max()(0));
 }
 
 double Camera::pixel_size(const Vector3d& point, int width, int height) const {

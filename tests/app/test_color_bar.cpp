@@ -1,6 +1,8 @@
 // The color bar can be read whatever is behind it, and is left out where it would hide the picture.
 #include <catch2/catch.hpp>
+#include <cmath>
 
+#include "app/color_bar.h"
 #include "app/overlay.h"
 #include "tests/app/headless.h"
 #include "tests/support/support.h"
@@ -44,7 +46,7 @@ TEST_CASE("the color bar's numbers stand on a panel, dark on light or light on d
   const auto backdrop = GENERATE(Backdrop::gradient, Backdrop::white, Backdrop::black, Backdrop::transparent);
   const Image image = bar_over_tissue(backdrop, kWidth, kHeight);
   const std::uint8_t* padding = pixel(image, kWidth - 17, kHeight / 2);  // right of the numbers
-  const bool light = backdrop == Backdrop::white || backdrop == Backdrop::transparent;
+  const bool light = backdrop == Backdrop::white;  // a transparent picture may be laid upon anything
   for (int c = 0; c < 3; ++c) CHECK((light ? padding[c] > 200 : padding[c] < 75));
 }
 
@@ -65,6 +67,80 @@ TEST_CASE("the color bar's title stands clear of the number below it", "[color_b
   CHECK(skip(true) >= 8);   // the title
   CHECK(skip(false) >= 6);  // and nothing
   REQUIRE(y < kHeight);
+}
+
+TEST_CASE("on a transparent picture the bar can be read over white and over black, and is no light plate", "[color_bar]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Overlay overlay(graphics);
+  Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
+  scene.display.color = ColorBy::velocity;
+  scene.display.background = Background::transparent;
+  Session session(graphics, scene, false);
+  Framebuffer framebuffer(kWidth, kHeight, 1);
+  framebuffer.replace(std::vector<std::uint8_t>(4 * kWidth * kHeight, 0).data());
+  overlay.draw_headless(session, framebuffer, false, std::nullopt, {});
+  const Image image = framebuffer.read();
+  const auto box = legend_box({0, 0, kWidth, kHeight}, session);
+  REQUIRE(box);
+  for (const double paper : {255.0, 0.0}) {
+    const auto laid = [&](int x, int y) {
+      const std::uint8_t* p = pixel(image, x, y);
+      return p[3] / 255.0 * p[0] + (1 - p[3] / 255.0) * paper;
+    };
+    const int left = static_cast<int>(box->left), right = static_cast<int>(box->right), top = static_cast<int>(box->top);
+    const double plate = laid(right - 4, kHeight / 2);
+    double text = plate;  // the title's strongest pixel
+    for (int y = top + 10; y < top + 26; ++y)
+      for (int x = left + 8; x < right - 8; ++x)
+        if (std::abs(laid(x, y) - plate) > std::abs(text - plate)) text = laid(x, y);
+    CAPTURE(paper, plate, text);
+    CHECK(plate < 90);
+    CHECK(std::abs(text - plate) > 120);
+  }
+}
+
+TEST_CASE("a hand's force stands beside the color bar and inside the picture", "[color_bar]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Overlay overlay(graphics);
+  Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
+  scene.display.color = ColorBy::velocity;
+  Session session(graphics, scene, false);
+  const auto drawn = [&](const std::vector<HandMark>& hands) {
+    Framebuffer framebuffer(kWidth, kHeight, 1);
+    std::vector<std::uint8_t> tissue;
+    for (int i = 0; i < kWidth * kHeight; ++i) tissue.insert(tissue.end(), kTissue, kTissue + 4);
+    framebuffer.replace(tissue.data());
+    overlay.draw_headless(session, framebuffer, false, std::nullopt, hands);
+    return framebuffer.read();
+  };
+  const Image without = drawn({});
+  const auto box = legend_box({0, 0, kWidth, kHeight}, session);
+  REQUIRE(box);
+  // So many pixels of a label at a free place, but for fractions of pixels.
+  const auto label_pixels = [&](const Eigen::Vector2d& at, bool* in_bar) {
+    const Ray ray = session.camera.ray(at.x(), at.y(), kWidth, kHeight);
+    const Eigen::Vector3d place = ray.origin + 0.3 * ray.direction;
+    HandMark mark{{place.cast<float>(), place.cast<float>()}, Eigen::Vector3d(0, 1.25, 0)};
+    const Image with = drawn({mark});
+    int count = 0;
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        if (std::equal(pixel(with, x, y), pixel(with, x, y) + 3, pixel(without, x, y))) continue;
+        ++count;
+        *in_bar |= x >= box->left && x < box->right && y >= box->top && y < box->bottom;
+      }
+    return count;
+  };
+  bool in_bar = false;
+  const int usual = label_pixels({200, 300}, &in_bar);
+  REQUIRE(usual > 500);
+  for (const Eigen::Vector2d& at : {Eigen::Vector2d(kWidth - 90, kHeight / 2), {box->left - 30, kHeight / 2}, {kWidth - 5, kHeight / 2}, {kWidth - 5, 5},
+                                   {300, 3}, {5, kHeight - 5}, {kWidth - 5, kHeight - 5}}) {
+    const int count = label_pixels(at, &in_bar);
+    CAPTURE(at.transpose(), usual, count);
+    CHECK_FALSE(in_bar);
+    CHECK(count > 0.9 * usual);
+  }
 }
 
 TEST_CASE("a picture that is too small for a color bar has none", "[color_bar]") {

@@ -75,6 +75,23 @@ TEST_CASE("pictures of one state have one range, whatever was shown before", "[h
   CHECK(session.look.range == displacement);
 }
 
+TEST_CASE("the first picture of a quantity already has its range", "[heat_range]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Session session(graphics, cube(ColorBy::none), false);
+  pull(session, 50);
+  for (const ColorBy color : {ColorBy::von_mises, ColorBy::displacement, ColorBy::von_mises, ColorBy::strain}) {
+    DisplaySettings display = session.display();
+    display.color = color;
+    session.set_display(display);
+    session.follow_range();  // as before each picture of a window
+    const Eigen::Vector2f first = session.look.range;
+    session.settle_range();
+    CAPTURE(name_of(color), first.transpose(), session.look.range.transpose());
+    CHECK(first == session.look.range);
+    CHECK(first != Look().range);
+  }
+}
+
 TEST_CASE("a final picture is the same after a video", "[heat_range]") {
   const TemporaryFolder folder;
   const std::string scene = (source_dir() / "assets/scenes/cube.json").string();
@@ -112,7 +129,7 @@ TEST_CASE("both sides of a comparison are within the range that they share", "[h
   if (!now) a.settle_range(&split.b());
   CHECK(a.look.range.y() == own_b);
   Framebuffer framebuffer(64, 32, 1);
-  split.draw(a, framebuffer, 0, {});
+  split.draw(a, framebuffer, {}, {});
   CHECK(split.b().look.range == a.look.range);
   CHECK(a.look.range.y() == own_b);
 }
