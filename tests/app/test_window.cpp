@@ -62,8 +62,8 @@ Screenshot undisturbed(FasciaWindow& window) {
 }
 
 // Middle of the first slider's knob in the panels: the accent color (see ui_style.cpp), in the uppermost rows where it is.
-struct Place { int x = 0, y = 0; };
-Place first_slider(const Image& image) {
+struct Spot { int x = 0, y = 0; };
+Spot first_slider(const Image& image) {
   const auto is_knob = [&](int x, int y) {
     const std::uint8_t* p = &image.rgba[4 * (static_cast<std::size_t>(y) * image.width + x)];
     return p[0] > 180 && p[1] > 80 && p[1] < 140 && p[2] > 60 && p[2] < 120;
@@ -142,7 +142,7 @@ TEST_CASE("tissue is dragged, a slider moved and keys pressed in the window") {
   }));
 
   INFO("a slider changes the material of the running scene");
-  const Place knob = first_slider(rest.image);
+  const Spot knob = first_slider(rest.image);
   REQUIRE(knob.y > 0);
   window.move(knob.x, knob.y);
   window.press();
@@ -334,7 +334,7 @@ TEST_CASE("a session in the window is replayed to the bit, also one that was kil
   {
     FasciaWindow window(with_size({scene, "--export", "lived.csv"}), desk.folder.path());
     const Screenshot start = window.screenshot();
-    const Place slider = first_slider(start.image);
+    const Spot slider = first_slider(start.image);
     REQUIRE(slider.y > 0);
     window.move(kMiddle, kHeight / 2);
     window.press();
