@@ -98,6 +98,8 @@ std::string Node::text(const std::string& expected) const {
 }
 
 bool Node::boolean() const {
+  const std::string near = value_->is_string() ? nearest(value_->get<std::string>(), {"true", "false"}) : "";
+  if (!near.empty()) fail("is " + excerpt(*value_) + ", perhaps " + near, "true or false");
   if (!value_->is_boolean()) refuse("true or false");
   return value_->get<bool>();
 }

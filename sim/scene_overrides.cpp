@@ -9,6 +9,7 @@
 #include "sim/grab_text.h"
 #include "sim/scene.h"
 #include "sim/scene_json.h"
+#include "sim/suggest.h"
 #include "sim/surface_fill.h"
 
 namespace fascia {
@@ -58,6 +59,37 @@ std::vector<std::string> segments_of(const std::string& key) {
   if (template_document()["bodies"][0].contains(segments.front()))
     segments.insert(segments.begin(), {"bodies", "0"});
   return segments;
+}
+
+/// The keys of an object, and with `path` those of the objects in it: "solver.iterations".
+void collect_keys(const json& object, const std::string& path, std::vector<std::string>& keys) {
+  for (const auto& item : object.items()) {
+    keys.push_back(path + item.key());
+    if (!path.empty() && item.value().is_object()) collect_keys(item.value(), path + item.key() + ".", keys);
+  }
+}
+
+/// The known key that a first segment is nearest to: of a scene, of a body, or of what lies in them, which is then named with its path.
+std::string near_key(const std::string& segment, const std::vector<std::string>& first_keys) {
+  const json &scene = template_document(), &body = scene["bodies"][0];
+  std::vector<std::string> paths = first_keys, names;
+  for (const char* section : {"solver", "display", "camera"}) collect_keys(scene[section], std::string(section) + ".", paths);
+  collect_keys(body["materials"]["default"], "materials.default.", paths);
+  collect_keys(body["transform"], "transform.", paths);
+  for (const std::string& path : paths) names.push_back(path.substr(path.rfind('.') + 1));  // npos + 1 is 0
+  const std::string near = nearest(segment, names);
+  return near.empty() ? "" : paths[static_cast<std::size_t>(std::find(names.begin(), names.end(), near) - names.begin())];
+}
+
+/// Keys of bodies may begin a KEY, so the reader of the scene, which sees them at its top level only, would not suggest them.
+void require_known(const json& document, const std::string& key, const std::string& segment) {
+  if (!document.is_object() || document.contains(segment) || template_document().contains(segment)) return;
+  std::vector<std::string> known;
+  collect_keys(template_document(), "", known);
+  collect_keys(template_document()["bodies"][0], "", known);
+  const std::string near = near_key(segment, known);
+  throw Error(option_of(key), "unknown key " + excerpt(segment) + (near.empty() ? "" : ", perhaps \"" + near + "\""),
+              "expected one of " + join(known));
 }
 
 const json* child(const json* parent, const std::string& segment) {
@@ -158,6 +190,7 @@ void apply_overrides(json& document, const std::vector<std::string>& overrides, 
       throw Error("--set " + on_one_line(key), "leads deeper than " + std::to_string(kDeepestNesting) + " levels",
                   "expected a key of a scene");
     }
+    require_known(document, key, segments.front());
     apply(document, key, segments, value_of(text.substr(equals + 1)), origin);
     clear_preset_values(document, segments, origin);
   }

@@ -2,8 +2,26 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace fascia {
+namespace {
+
+bool is_separator(char c) { return c == '_' || c == '-' || c == ' ' || c == '\t'; }
+
+/// Small letters, and one separator for all.
+std::string folded(std::string_view word) {
+  std::string text(word);
+  for (char& c : text) c = is_separator(c) ? '_' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+std::string without_separators(std::string text) {
+  std::erase_if(text, is_separator);
+  return text;
+}
+
+}  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);  // distances of the first i characters of a to each prefix of b
@@ -21,18 +39,19 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
-  constexpr std::size_t kLongestWord =
-      64;  // longer ones are no typing mistakes, and the distance costs its square
+  constexpr std::size_t kLongestWord = 64;  // longer ones are no typing mistakes, and the distance costs its square
   if (word.size() > kLongestWord) return "";
+  const std::string text = folded(word), letters = without_separators(text);
   std::string best;
-  std::size_t best_distance = 0;
+  std::pair<std::size_t, std::size_t> best_distance;  // without separators; of the words as they are, among equals
   for (const std::string& candidate : candidates) {
-    const std::size_t distance = edit_distance(word, candidate);
-    if (2 * distance > std::max(word.size(), candidate.size())) continue;
-    if (best.empty() || distance < best_distance) {
-      best = candidate;
-      best_distance = distance;
-    }
+    const std::string other_text = folded(candidate), other_letters = without_separators(other_text);
+    const std::pair distance{edit_distance(letters, other_letters), edit_distance(word, candidate)};
+    const bool is_near = 2 * edit_distance(text, other_text) <= std::max(text.size(), other_text.size()) ||
+                         2 * distance.first < std::max(letters.size(), other_letters.size());
+    if (!is_near || (!best.empty() && !(distance < best_distance))) continue;
+    best = candidate;
+    best_distance = distance;
   }
   return best;
 }

@@ -142,6 +142,25 @@ TEST_CASE("the mistake of an override names the override, that of the file the f
         "--set solver.iterations: is -1; expected a whole number, 1 to 10000");
 }
 
+TEST_CASE("an unknown key at the beginning of an override suggests keys of scenes, of bodies, and what lies in them") {
+  const std::string known = "; expected one of bodies, camera, display, duration, fascia_scene, grabs, gravity, solver, title, fixed, "
+                            "initial_velocity, materials, mesh, name, prescribed, resolution, surface, transform";
+  const auto unknown = [&](const std::string& key, const std::string& word, const std::string& near) {
+    CHECK(error_with({key + "=1"}) == "--set " + key + ": unknown key \"" + word + "\"" + (near.empty() ? "" : ", perhaps \"" + near + "\"") + known);
+  };
+  unknown("Gravity", "Gravity", "gravity");
+  unknown("solvr.iterations", "solvr", "solver");
+  unknown("material.default.density", "material", "materials");
+  unknown("Materials.default.density", "Materials", "materials");
+  unknown("initialVelocity", "initialVelocity", "initial_velocity");
+  unknown("iterations", "iterations", "solver.iterations");
+  unknown("young-modulus", "young-modulus", "materials.default.young_modulus");
+  unknown("color", "color", "display.color");
+  unknown("qqq", "qqq", "");
+  // A key that the file has is its own mistake.
+  CHECK(error_with({"strange=1"}, scene_text("", R"("strange": 2)")).find("--set strange: unknown key") == 0);
+}
+
 TEST_CASE("texts that are no override, and paths that lead nowhere") {
   const std::string expected = "; expected KEY=VALUE such as solver.iterations=40";
   CHECK(error_with({"foo"}) == "--set foo: has no =" + expected);

@@ -29,6 +29,20 @@ TEST_CASE("the nearest word, unless more than half of it differs") {
   CHECK(perhaps("xyz", words).empty());
 }
 
+TEST_CASE("case, underscores, hyphens and blanks make no difference") {
+  const std::vector<std::string> words = {"von_mises", "volume_ratio", "none", "solver.method", "--data-dir"};
+  for (const char* word : {"vonmises", "von mises", "Von-Mises", "VONMISES", "von__mises", "v o n m i s e s", "VonMisses"}) {
+    CAPTURE(word);
+    CHECK(nearest(word, words) == "von_mises");
+  }
+  CHECK(nearest("--DataDir", words) == "--data-dir");
+  CHECK(nearest("NONE", words) == "none");
+  CHECK(nearest("___", words).empty());
+  CHECK(nearest("stress", words).empty());
+  CHECK(nearest("left", {"Left", "left"}) == "left");  // as it is written goes before
+  CHECK(nearest("Left", {"left", "Left"}) == "Left");
+}
+
 TEST_CASE("a list names twenty words") {
   CHECK(join({}).empty());
   CHECK(join({"a", "b"}) == "a, b");
