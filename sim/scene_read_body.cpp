@@ -1,4 +1,5 @@
 // One body of a scene file: its mesh, materials, selections and motions.
+#include <charconv>
 #include <limits>
 
 #include "sim/scene_json.h"
@@ -68,13 +69,24 @@ void read_materials(const Node& node, Body& body) {
   }
 }
 
+std::string shortest(double number) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
+
 Selection read_box(const Node& node) {
   const std::string expected = "a list of two corners, [[xmin, ymin, zmin], [xmax, ymax, zmax]] [m]";
   const std::vector<Node> corners = node.elements(expected);
   if (corners.size() != 2) node.refuse(expected);
   const BoxSelection box{corners[0].vector(-kAnywhere, kAnywhere, "m"),
                          corners[1].vector(-kAnywhere, kAnywhere, "m")};
-  if (!(box.min.array() <= box.max.array()).all()) node.refuse(expected);
+  std::string swapped;
+  for (const int axis : {0, 1, 2}) {
+    if (box.min[axis] <= box.max[axis]) continue;
+    swapped += (swapped.empty() ? " along " : " and along ") + std::string(1, "xyz"[axis]) + " (first corner " + shortest(box.min[axis]) +
+               ", second corner " + shortest(box.max[axis]) + ")";
+  }
+  if (!swapped.empty()) node.fail("has min > max" + swapped, expected);
   return box;
 }
 

@@ -239,7 +239,10 @@ TEST_CASE("selections") {
   CHECK(body_error(R"("fixed": [{"box": [[0, 0, 0]]}])") ==
         "s.json: bodies[0].fixed[0].box: is [[0,0,0]]" + corners);
   CHECK(body_error(R"("fixed": [{"box": [[0, 0, 1], [1, 1, 0]]}])") ==
-        "s.json: bodies[0].fixed[0].box: is [[0,0,1],[1,1,0]]" + corners);
+        "s.json: bodies[0].fixed[0].box: has min > max along z (first corner 1, second corner 0)" + corners);
+  CHECK(body_error(R"("fixed": [{"box": [[0.25, 0, 1e-3], [0.125, 1, -2]]}])") ==
+        "s.json: bodies[0].fixed[0].box: has min > max along x (first corner 0.25, second corner 0.125) and along z (first corner 0.001, "
+        "second corner -2)" + corners);
   CHECK(body_error(R"("fixed": [{"vertices": []}])") ==
         "s.json: bodies[0].fixed[0].vertices: is []; expected at least one vertex index");
   CHECK(body_error(R"("fixed": [{"vertices": [0, -1]}])") ==
