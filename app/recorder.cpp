@@ -65,9 +65,7 @@ Recorder::Recorder(fs::path path, const FrameFormat& format, const Provenance& p
   log_ += ".log";
   metadata_ = temporary_;
   metadata_ += ".txt";
-  const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
-  std::error_code ec;
-  if (!fs::is_directory(folder, ec)) throw Error(path_.string(), "no such folder " + folder.string(), "expected an existing folder");
+  require_writable(path_);
   if (width % 2 || height % 2)
     throw Error(path_.string(), "a video of " + std::to_string(width) + "x" + std::to_string(height),
                 "expected an even width and height");

@@ -11,6 +11,8 @@
 #include <charconv>
 #include <cstring>
 #include <fstream>
+#include <iostream>
+#include <iterator>
 #include <system_error>
 
 #include "sim/error.h"
@@ -75,22 +77,50 @@ void remove_stale(const fs::path& target) {
   }
 }
 
+bool is_special(const fs::file_status& status) { return fs::exists(status) && !fs::is_regular_file(status); }
+
+void write_standard_output(const std::function<void(std::ostream&)>& writer) {
+  errno = 0;
+  writer(std::cout);
+  if (!std::cout.flush()) throw Error("standard output", "writing failed" + reason(errno), "expected a device that takes data");
+}
+
 }  // namespace
+
+const std::string& read_standard_input() {
+  static const std::string content{std::istreambuf_iterator<char>(std::cin), {}};
+  return content;
+}
+
+fs::path link_target(const fs::path& path) {
+  constexpr int kMostLinks = 40;  // as Linux follows
+  fs::path target = path;
+  std::error_code ec;
+  for (int links = 0; fs::is_symlink(fs::symlink_status(target, ec)); ++links) {
+    if (links == kMostLinks) throw Error(path.string(), "is a symbolic link that leads in a circle", "expected a file name");
+    const fs::path next = fs::read_symlink(target, ec);
+    if (ec) throw Error(path.string(), "is a symbolic link that cannot be read: " + ec.message(), "expected a file name");
+    target = target.parent_path() / next;  // an absolute path replaces the folder
+  }
+  return target;
+}
 
 fs::path temporary_name(const fs::path& path) {
   static std::atomic<unsigned> calls{0};  // threads may write the same target
-  fs::path name = path.parent_path() /
-                  (temporary_prefix(path) + std::to_string(getpid()) + "-" + std::to_string(++calls) + ".part");
+  const fs::path target = link_target(path);
+  fs::path name = target.parent_path() /
+                  (temporary_prefix(target) + std::to_string(getpid()) + "-" + std::to_string(++calls) + ".part");
   name += path.extension();
   return name;
 }
 
-void replace_file(const fs::path& temporary, const fs::path& target) {
+void replace_file(const fs::path& temporary, const fs::path& path) {
   std::error_code ec, ignored;
+  const fs::path target = link_target(path);
   fs::rename(temporary, target, ec);
   if (ec) {
     fs::remove(temporary, ignored);
-    throw Error(target.string(), "cannot be replaced: " + ec.message(), writable);
+    throw Error(path.string(), "cannot be replaced: " + ec.message(), writable);
   }
   remove_stale(target);
 }
@@ -103,14 +133,16 @@ std::string lower_ending(const fs::path& path) {
 }
 
 void require_writable(const fs::path& path) {
+  if (path == kStandardOutput) return;
   std::error_code ec;
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, ec)) {
-    throw Error(path.string(), "no such folder " + folder.string(), "expected an existing folder");
-  }
   const fs::file_status status = fs::status(path, ec);
   if (fs::is_directory(status)) throw Error(path.string(), "is a directory", "expected a file name");
-  if (fs::exists(status) && !fs::is_regular_file(status)) return;
+  if (is_special(status)) return;
+  const fs::path target = link_target(path), folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, ec)) {
+    const std::string link = target == path ? "" : "links to " + target.string() + ": ";
+    throw Error(path.string(), link + "no such folder " + folder.string(), "expected an existing folder");
+  }
   // A rename would replace a read-only file too; whoever made it so wants to keep it.
   if (fs::exists(status) && access(path.c_str(), W_OK) != 0) {
     throw Error(path.string(), "cannot be written" + reason(errno), "expected a file that may be changed");
@@ -122,18 +154,18 @@ void require_writable(const fs::path& path) {
 }
 
 void write_file(const fs::path& path, const std::function<void(std::ostream&)>& writer) {
+  if (path == kStandardOutput) return write_standard_output(writer);
   require_writable(path);
   std::error_code ec;
   const fs::file_status status = fs::status(path, ec);
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
+  if (is_special(status)) {
     if (const std::string problem = write_stream(path, writer); !problem.empty()) {
       throw Error(path.string(), problem, "expected a device that takes data");
     }
     return;
   }
 
-  const fs::path target = fs::is_symlink(path, ec) ? fs::weakly_canonical(path, ec) : path;
-  const fs::path temporary = temporary_name(target);
+  const fs::path temporary = temporary_name(path);
   std::string problem;
   try {
     problem = write_stream(temporary, writer);
@@ -147,7 +179,7 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
     throw Error(path.string(), problem, writable);
   }
   if (fs::exists(status)) fs::permissions(temporary, status.permissions(), ec);
-  replace_file(temporary, target);
+  replace_file(temporary, path);
 }
 
 void write_file(const fs::path& path, std::string_view content) {
