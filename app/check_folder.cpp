@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/tolerance.h"
+#include "render/supersampler.h"
 #include "sim/error.h"
 #include "sim/file.h"
 #include "sim/scene_json.h"
@@ -46,7 +47,7 @@ void read_settings(const Node& node, CheckSettings& settings) {
     options.width = sides[0].integer(16, 16384);
     options.height = sides[1].integer(16, 16384);
   }
-  node.read("samples", options.samples, 1, 16);
+  node.read("samples", options.samples, 1, kMostSamples);
   const auto steps = node.find("steps"), time = node.find("time");
   if (steps && time) time->fail("steps are given, too", "one of them");
   if (steps) options.time.reset(), options.steps = steps->integer(0, 1000000000);

@@ -16,6 +16,7 @@
 #include "app/paths.h"
 #include "app/ui_style.h"
 #include "app/user_files.h"
+#include "render/supersampler.h"
 #include "sim/error.h"
 
 namespace fascia {
@@ -38,7 +39,7 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
       dialogs_(graphics.data_dir, user_),
       gallery_(graphics.data_dir),
       hints_(user_),
-      samples_(options.samples > 0 ? options.samples : gl::device().software ? 1 : 4) {
+      samples_(options.samples > 0 ? std::min(options.samples, samples_of_renderer()) : gl::device().software ? 1 : 4) {
   state_.video.width = options.width;  // as asked for, whatever the window has got
   state_.video.height = options.height;
   if (user_.now().light) ui::set_theme(ui::Theme::light);

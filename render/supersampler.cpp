@@ -6,12 +6,6 @@
 namespace fascia {
 namespace {
 
-int samples_of_renderer() {
-  GLint most = 1;
-  gl::GetIntegerv(GL_MAX_SAMPLES, &most);
-  return std::max(most, 1);
-}
-
 // The numbers 1, 2, 3... with their digits mirrored at the point: they fill 0 to 1 evenly (van der Corput 1935; Halton 1964).
 double mirrored(int number, int base) {
   double value = 0, digit = 1.0 / base;
@@ -20,6 +14,12 @@ double mirrored(int number, int base) {
 }
 
 }  // namespace
+
+int samples_of_renderer() {
+  GLint most = 1;
+  gl::GetIntegerv(GL_MAX_SAMPLES, &most);
+  return std::max(most, 1);
+}
 
 Supersampler::Supersampler(int width, int height, int samples)
     : framebuffer_(width, height, std::min(samples, samples_of_renderer())),

@@ -9,9 +9,14 @@
 
 namespace fascia {
 
+inline constexpr int kMostSamples = 256;  // per pixel: so many sums of bytes fit into 16 bits
+
+/// Samples per pixel that one picture has at most. Needs a current context.
+int samples_of_renderer();
+
 class Supersampler {
  public:
-  /// At least so many samples per pixel. Throws Error.
+  /// At least so many samples per pixel, up to kMostSamples. Throws Error.
   Supersampler(int width, int height, int samples);
 
   /// `draw_scene` draws into the framebuffer and resolves it. The result is its resolved picture, for panels to be drawn over.
