@@ -9,6 +9,7 @@
 #include "app/interrupt.h"
 #include "app/junit.h"
 #include "app/name_pattern.h"
+#include "app/output_files.h"
 #include "app/tolerance.h"
 #include "sim/error.h"
 #include "sim/file.h"
@@ -83,6 +84,7 @@ std::vector<CheckCase> chosen_cases(const CheckOptions& options) {
 }  // namespace
 
 int command_check(const CheckOptions& options) {
+  require_outputs({{"--junit", options.junit, {".xml"}, OutputFile::Takes::all_but_foreign}});
   const std::vector<CheckCase> cases = chosen_cases(options);
   if (!options.out.empty()) {
     std::error_code ec;

@@ -47,7 +47,7 @@ int command_convert(const ConvertOptions& options) {
     if (ending == ".node" || ending == ".ele") files.push_back(std::filesystem::path(path).replace_extension(ending == ".node" ? ".ele" : ".node"));
     return files;
   };
-  for (const std::filesystem::path& out : files_of(options.out)) require_outputs({{"OUT", out.string(), {}}}, files_of(options.in));
+  for (const std::filesystem::path& out : files_of(options.out)) require_outputs({{"OUT", out.string(), mesh_endings}}, files_of(options.in));
   std::optional<EndAtOnce> opening(std::in_place);
   MeshFile file = read_mesh_or_fill(options.in, {}, opening_progress(options.in));
   opening.reset();

@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/file_provenance.h"
 #include "app/interrupt.h"
+#include "app/opened.h"
 #include "app/opening_progress.h"
 #include "app/usage_error.h"
 #include "sim/coloring.h"
@@ -68,7 +69,7 @@ int command_info(const InfoOptions& options) {
     const std::string ending = lower_ending(options.input);
     if (ending != ".vtu" && ending != ".msh") return exit_done;  // those are meshes, too
   }
-  const Scene scene = blaming_options([&] { return open_scene(options.input, options.sets); });
+  const Scene scene = blaming_options([&] { return open_scene_or_input(options.input, options.sets); });
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     const Progress progress = opening_progress(body.mesh);

@@ -36,6 +36,9 @@ void add_size(CLI::App& command, int& width, int& height);
 void add_graphics(CLI::App& command, CommonOptions& options);
 void add_common(CLI::App& command, CommonOptions& options);  // add_graphics() and what opens and steps a scene
 
+/// Ends the name of a value, as in "FILE.csv or -", where "-" is standard input or output; elsewhere "-" is refused.
+inline constexpr const char* kOrDash = " or -";
+
 /// For options that are finite numbers.
 CLI::Validator at_least(double least);
 
@@ -46,7 +49,12 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string&
 /// Ends the command's help: command lines that do something useful, and exit codes where 1 means more than that the work failed.
 void add_examples(CLI::App& command, const std::vector<std::string>& lines, const std::string& failed = "the work failed");
 
-/// What a wrong command line is answered with: the error and, where a word is nearly one that is known, that word.
+/// Whether a scene's name could be meant as that of a command: no file, and neither ending nor folder.
+bool may_be_command(const std::string& word);
+/// Throws CLI::ValidationError where the scene is none, and nearly the name of a command.
+void refuse_mistyped_command(const CLI::App& program, const std::string& scene);
+
+/// What a wrong command line is answered with, in one line: the error and, where a word is nearly one that is known, that word.
 std::string usage_message(const CLI::App& program, const CLI::ParseError& error);
 
 }  // namespace fascia

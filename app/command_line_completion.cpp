@@ -24,8 +24,8 @@ void add_completion(CLI::App& program, Invocation& invocation) {
 }
 
 void add_man(CLI::App& program, Invocation& invocation) {
-  CLI::App& command = *program.add_subcommand("man", "the manual page, on stdout");
-  command.group("");  // for the build, which installs it
+  CLI::App& command = *program.add_subcommand("man", "the manual page, on stdout; once fascia is installed: man fascia");
+  add_examples(command, {"fascia man | man -l -"});
   command.callback([&program, &invocation] {
     invocation.run = [&program] {
       std::cout << manual_page(describe(program));

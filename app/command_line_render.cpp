@@ -2,6 +2,7 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/tolerance.h"
+#include "render/supersampler.h"
 #include "sim/error.h"
 #include "sim/scene.h"
 
@@ -47,7 +48,8 @@ void add_render(CLI::App& program, Invocation& invocation) {
   add_size(command, options->width, options->height);
   command.add_option("--out", options->out, "the picture after the last step")->type_name("FILE.png");
   auto* video = command
-                    .add_option("--video", options->video, "every frame: .mp4, .webm, or pictures by a pattern such as frames/%05d.png")
+                    .add_option("--video", options->video, "every frame: .mp4, .webm, .gif and what else ffmpeg writes, or pictures by a pattern such as frames/%05d.png; "
+                                "GIF counts in hundredths of a second: take --fps 50, 25 or 20")
                     ->type_name("FILE");
   command.add_option("--fps", options->fps, "frames per second of the video")
       ->check(CLI::Range(1.0, 1000.0))
@@ -58,7 +60,7 @@ void add_render(CLI::App& program, Invocation& invocation) {
       ->needs(video)
       ->capture_default_str();
   command.add_option("--samples", options->samples, "samples per pixel; more than the renderer has are averaged from several pictures")
-      ->check(CLI::Range(1, 256))
+      ->check(CLI::Range(1, kMostSamples))
       ->capture_default_str();
   command
       .add_option("--camera", options->camera,

@@ -1,10 +1,12 @@
 // Options that several commands have.
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
 
 #include "app/command_line.h"
+#include "sim/suggest.h"
 
 namespace fascia {
 
@@ -17,7 +19,7 @@ CLI::Validator at_least(double least) {
         const char* const end = value.data() + value.size();
         const auto read = std::from_chars(value.data(), end, number);
         const bool good = read.ec == std::errc{} && read.ptr == end && std::isfinite(number) && number >= least;
-        return good ? std::string() : value + " is not " + expected;
+        return good ? std::string() : "is " + value + "; expected " + expected;
       },
       "");
 }
@@ -26,7 +28,13 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string&
                         const std::string& help) {
   std::string names;
   for (const std::string& choice : choices) names += (names.empty() ? "" : "|") + choice;
-  return command.add_option(name, field, help)->check(CLI::IsMember(choices).description(""))->type_name(names);
+  const CLI::Validator is_choice(
+      [choices](std::string& value) {
+        if (std::find(choices.begin(), choices.end(), value) != choices.end()) return std::string();
+        return "is \"" + value + "\"" + perhaps(value, choices) + "; expected one of " + join(choices);
+      },
+      "");
+  return command.add_option(name, field, help)->check(is_choice)->type_name(names);
 }
 
 void add_examples(CLI::App& command, const std::vector<std::string>& lines, const std::string& failed) {
@@ -60,7 +68,8 @@ void add_graphics(CLI::App& command, CommonOptions& options) {
 }
 
 void add_common(CLI::App& command, CommonOptions& options) {
-  command.add_option("scene", options.input, "scene (.json), tetrahedral mesh, surface (.obj) or replay (.fascia); default: the shipped liver")->type_name("FILE");
+  command.add_option("scene", options.input, "scene (.json), tetrahedral mesh, surface (.obj) or replay (.fascia); - is a scene on standard input, with paths from the working folder; default: the shipped liver")
+      ->type_name(std::string("FILE") + kOrDash);
   command.add_option("--set", options.sets, "override a scene value, e.g. solver.iterations=40")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);

@@ -1,29 +1,25 @@
 // The options of fascia view, which are also those of fascia without a command.
-#include <filesystem>
-
 #include "app/command_line.h"
 #include "app/commands.h"
-#include "sim/suggest.h"
+#include "render/supersampler.h"
 
 namespace fascia {
 namespace {
 
 void add_view_options(CLI::App& command, ViewOptions& options) {
   add_common(command, options);
+  command.get_option("scene")  // not from standard input: a window reads its scene again
+      ->type_name("FILE")
+      ->description("scene (.json), tetrahedral mesh, surface (.obj) or replay (.fascia); default: the shipped liver");
+  command.get_option("--steps")->description("steps after which the window closes by itself; it then keeps no settings, no session and no recent files. Default: it stays open");
+  command.get_option("--time")->description("simulated seconds after which the window closes by itself, as with --steps");
   add_size(command, options.width, options.height);
-  command.add_option("--samples", options.samples, "samples per pixel")->check(CLI::Range(1, 16))->default_str("4, on software renderers 1");
-  command.add_option("--export", options.export_path, "the state when the window closes: .vtu, .csv, .msh or .obj")->type_name("FILE");
-  command.add_option("--stats", options.stats, "numbers about the run, when the window closes")->type_name("FILE.json");
-}
-
-// "fascia rendr": a scene by that name, unless there is none and a command is called nearly so.
-void refuse_mistyped_command(const CLI::App& program, const std::string& input) {
-  std::error_code ec;
-  if (input.empty() || input.find_first_of("./") != std::string::npos || std::filesystem::exists(input, ec)) return;
-  std::vector<std::string> names;
-  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
-  const std::string near = nearest(input, names);
-  if (!near.empty()) throw CLI::ValidationError(input + ": neither a file nor a command; perhaps you meant " + near);
+  command.add_option("--samples", options.samples, "samples per pixel; the window takes as many of them as the renderer has")
+      ->check(CLI::Range(1, kMostSamples))
+      ->default_str("4, on software renderers 1");
+  command.add_option("--export", options.export_path, "the state when the window closes: .vtu, .csv, .msh or .obj; to standard output as CSV")
+      ->type_name(std::string("FILE") + kOrDash);
+  command.add_option("--stats", options.stats, "numbers about the run, when the window closes")->type_name(std::string("FILE.json") + kOrDash);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "app/breakdown.h"
 #include "app/commands.h"
+#include "app/frame_sink.h"
 #include "app/headless.h"
 #include "app/interrupt.h"
 #include "app/opened.h"
@@ -11,9 +12,16 @@
 #include "app/usage_error.h"
 #include "app/video_render.h"
 #include "sim/error.h"
+#include "sim/file.h"
 
 namespace fascia {
 namespace {
+
+std::vector<OutputFile> outputs_of(const RenderOptions& options) {
+  if (!options.video.empty()) require_frames("--video", options.video);
+  const bool pictures = lower_ending(options.video) == ".png";
+  return {{"--out", options.out, {".png"}}, {"--diff", options.difference, {".png"}}, {"--video", pictures ? "" : options.video, {}}};
+}
 
 // The exit code.
 int judge(const RenderOptions& options, const Outcome& outcome) {
@@ -41,6 +49,10 @@ int command_render(const RenderOptions& options) {
   if (options.static_equilibrium && !options.video.empty())
     throw UsageError("--static", "has no motion to put into " + options.video, "leave out --video");
   require_steps_or_static(options);
+  const std::vector<OutputFile> outputs = outputs_of(options);
+  require_outputs(outputs);
+  if (options.update)
+    require_outputs({{"--compare", options.compare, {".png"}, OutputFile::Takes::all_but_foreign}, {"--state", options.state, {".csv"}}});
   std::optional<EndAtOnce> opening(std::in_place);
   Headless headless(options);
   opening.reset();
@@ -50,7 +62,7 @@ int command_render(const RenderOptions& options) {
     for (const std::string& line : missing) std::cerr << "fascia: " << line << '\n';
     return exit_failed;
   }
-  require_outputs({{"--out", options.out, {".png"}}, {"--diff", options.difference, {".png"}}}, inputs);
+  require_outputs(outputs, inputs);
   if (!options.video.empty() && headless.session().display().background == Background::transparent)
     throw Error("--video", "has no transparency", "expected another display.background");
   std::optional<VideoRender> video;

@@ -65,6 +65,22 @@ class HistoryFile {
   std::vector<Sample> samples_;
 };
 
+std::vector<OutputFile> outputs_of(const RunOptions& options) {
+  const bool has_file_beside = options.every == 0 && lower_ending(options.export_path) == ".csv";
+  return {{"--export", options.export_path, state_endings},
+          {"what made --export", has_file_beside ? provenance_beside(options.export_path).string() : "", {}},
+          {"--history", options.history, {".csv"}, OutputFile::Takes::all_but_foreign},
+          {"--stats", options.stats, {".json"}, OutputFile::Takes::all_but_foreign}};
+}
+
+void require_free_standard_output(const RunOptions& options) {
+  const auto is_it = [](const std::string& path) { return path == kStandardOutput; };
+  if (options.every > 0 && is_it(options.export_path))
+    throw UsageError("--export -", "is one file, and --every writes many", "expected a file name, or no --every");
+  if (options.hash && (is_it(options.export_path) || is_it(options.history) || is_it(options.stats)))
+    throw UsageError("--hash", "prints on standard output, which another option writes", "expected a file name instead of -");
+}
+
 }  // namespace
 
 int command_run(const RunOptions& options) {
@@ -76,14 +92,12 @@ int command_run(const RunOptions& options) {
   if (!options.history.empty() && options.static_equilibrium)
     throw UsageError("--history", "has no steps to follow with --static", "leave out one of them");
   require_steps_or_static(options);
+  require_free_standard_output(options);
+  const std::vector<OutputFile> outputs = outputs_of(options);
+  require_outputs(outputs);
   std::optional<EndAtOnce> opening(std::in_place);
   Opened opened = open_input(options, options.sets);
-  const bool has_file_beside = options.every == 0 && lower_ending(options.export_path) == ".csv";
-  require_outputs({{"--export", options.export_path, state_endings},
-                   {"what made --export", has_file_beside ? provenance_beside(options.export_path).string() : "", {}},
-                   {"--history", options.history, {}},
-                   {"--stats", options.stats, {}}},
-                  input_files(opened.scene));
+  require_outputs(outputs, input_files(opened.scene));
   Graphics graphics;
   if (!options.reference) graphics = open_graphics(options, false, 16, 16, workload_of(opened.scene, opened.model, options.static_equilibrium, false));
   Simulation simulation(std::move(opened.scene), std::move(opened.model), graphics.programs.get(), options.reference);

@@ -1,5 +1,7 @@
 #include "app/command_tree.h"
 
+#include "app/command_line.h"
+
 namespace fascia {
 namespace {
 
@@ -38,8 +40,9 @@ OptionEntry entry_of(const CLI::Option& option) {
     entry.takes = Takes::scene_value;
   } else if (entry.value.starts_with("FILE") || entry.value.starts_with("GOLDEN")) {
     entry.takes = Takes::file;
+    entry.takes_dash = entry.value.ends_with(kOrDash);
     const std::size_t dot = entry.value.find('.');
-    if (dot != std::string::npos) entry.ending = entry.value.substr(dot);
+    if (dot != std::string::npos) entry.ending = entry.value.substr(dot, entry.value.find(' ') - dot);
   }
   return entry;
 }
@@ -63,6 +66,8 @@ CommandEntry entry_of(const CLI::App& command, std::vector<std::string> path) {
 }
 
 }  // namespace
+
+OptionEntry describe(const CLI::Option& option) { return entry_of(option); }
 
 CommandEntry describe(const CLI::App& program) { return entry_of(program, {}); }
 

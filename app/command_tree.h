@@ -14,6 +14,7 @@ struct OptionEntry {
   Takes takes = Takes::anything;
   std::vector<std::string> choices;  // of Takes::choice
   std::string ending;                // of Takes::file: ".png"; empty: any
+  bool takes_dash = false;           // "-" for standard input or output
   bool required = false, many = false;
 };
 
@@ -25,6 +26,7 @@ struct CommandEntry {
 };
 
 CommandEntry describe(const CLI::App& program);
+OptionEntry describe(const CLI::Option& option);
 
 /// The command and all below it, parents first.
 std::vector<const CommandEntry*> all_commands(const CommandEntry& command);

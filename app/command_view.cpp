@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/opened.h"
+#include "app/output_files.h"
 #include "app/usage_error.h"
 #include "app/view_window.h"
 #include "sim/reference/newton.h"
@@ -14,7 +15,11 @@ namespace fascia {
 int command_view(const ViewOptions& options) {
   if (options.context != "auto" && options.context != "window")
     throw UsageError("--context " + options.context, "has no window", "expected window, or fascia render for a picture without one");
+  const std::vector<OutputFile> outputs{{"--export", options.export_path, state_endings},
+                                        {"--stats", options.stats, {".json"}, OutputFile::Takes::all_but_foreign}};
+  require_outputs(outputs);
   Opened opened = open_input(options, options.sets);
+  require_outputs(outputs, input_files(opened.scene));
   Graphics graphics = open_graphics(options, true, options.width, options.height, workload_of(opened.scene, opened.model, options.static_equilibrium));
   ViewWindow window(graphics, options, std::move(opened));
   if (!options.quiet)

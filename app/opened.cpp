@@ -46,9 +46,16 @@ std::vector<std::filesystem::path> input_files(const Scene& scene) {
   return files;
 }
 
+Scene open_scene_or_input(const std::filesystem::path& path, const std::vector<std::string>& sets) {
+  if (path != kStandardInput) return open_scene(path, sets);
+  constexpr const char* kName = "standard input";  // has no folder: paths are relative to the working folder
+  if (read_standard_input().empty()) throw Error(kName, "is empty", "expected a scene (JSON)");
+  return read_scene_content(kName, read_standard_input(), sets);
+}
+
 Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets, const Progress& progress) {
   if (lower_ending(path) == ".fascia") return open_replay(path, sets, progress);
-  Scene scene = open_scene(path, sets);
+  Scene scene = open_scene_or_input(path, sets);
   Model model = build_model(scene, progress);
   return {std::move(scene), std::nullopt, std::move(model)};
 }

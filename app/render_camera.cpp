@@ -4,6 +4,7 @@
 
 #include "app/usage_error.h"
 #include "sim/file.h"
+#include "sim/suggest.h"
 
 namespace fascia {
 namespace {
@@ -41,7 +42,7 @@ RenderCamera::RenderCamera(const std::string& choice, const Scene& scene, const 
     return;
   }
   if (lower_ending(choice) != ".json")
-    throw UsageError("--camera " + choice, "is no camera", "expected follow, scene, a scene or replay file, or EYE,TARGET as six numbers");
+    throw UsageError("--camera " + choice, "is no camera" + perhaps(choice, {"follow", "scene"}), "expected follow, scene, a scene or replay file, or EYE,TARGET as six numbers");
   still_ = open_scene(choice).camera;
   if (!still_) throw Error("--camera " + choice, "has no camera", "expected a scene with the key camera");
 }

@@ -87,6 +87,13 @@ std::string msh(const fs::path& path, const TetMesh& rest, const StateFields& fi
   return gmsh22_text(path.string(), mesh);
 }
 
+/// Standard output, or a device or pipe whose name has no ending: there are no files beside it.
+bool is_stream(const fs::path& path) {
+  std::error_code ec;
+  if (path == kStandardOutput) return true;
+  return path.extension().empty() && fs::exists(path, ec) && !fs::is_regular_file(path, ec);
+}
+
 }  // namespace
 
 void write_state(const fs::path& path, const TetMesh& rest, const StateFields& fields, const Provenance& provenance) {
@@ -97,7 +104,9 @@ void write_state(const fs::path& path, const TetMesh& rest, const StateFields& f
   assert(fits(fields.green_strain, rest.tets.size()) && fits(fields.von_mises, rest.tets.size()) &&
          fits(fields.det_f, rest.tets.size()));
   const std::string ending = lower_ending(path);
-  if (ending == ".vtu") {
+  if (is_stream(path)) {
+    write_file(path, csv(rest, fields));
+  } else if (ending == ".vtu") {
     write_file(path, with_provenance(vtu(rest, fields), ending, provenance));
   } else if (ending == ".csv") {
     write_file(path, csv(rest, fields));

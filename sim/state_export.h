@@ -20,7 +20,7 @@ struct StateFields {
   std::vector<double> det_f;                              // J [-], exported as "J"
 };
 
-/// Format by ending. .csv is `index,x,y,z` of deformed positions with shortest round-trip digits; .obj is the
+/// Format by ending; standard output ("-") and a device get .csv, without what made it. .csv is `index,x,y,z` of deformed positions with shortest round-trip digits; .obj is the
 /// surface. .msh is Gmsh 2.2 ASCII with deformed positions. Temporary name and rename; throws Error. What made it goes with it
 /// (sim/provenance.h).
 inline const std::vector<std::string> state_endings{".vtu", ".csv", ".msh", ".obj"};

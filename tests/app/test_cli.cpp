@@ -131,7 +131,7 @@ TEST_CASE("bad input is one line and exit 1, or 2 where the option is at fault",
   expect_failure({"run", cube().string(), "--set", "fixed=[{\"sphere\":{\"center\":[9,9,9],\"radius\":0.1}}]"}, {"fixed"});
   expect_failure({"info", (folder / "missing.msh").string()}, {"no such file"});
   expect_failure({"convert", (folder / "missing.msh").string(), (folder / "out.vtk").string()}, {"no such file"});
-  expect_failure({"convert", mesh, (folder / "out.stl").string()}, {"out.stl", ".vtk"});
+  expect_failure({"convert", mesh, (folder / "out.stl").string()}, {"out.stl", ".vtk"}, ".", 2);
   expect_failure({"run", cube().string(), "--quiet", "--data-dir", folder.path().string()}, {"shaders"});
 }
 
@@ -218,6 +218,20 @@ TEST_CASE("a video has the frames and size that were asked for", "[cli]") {
       run_command({"ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
                    "stream=width,height,nb_read_frames,r_frame_rate,codec_name", "-of", "csv=p=0", video});
   CHECK(probe.out == "h264,160,120,30/1,15\n");
+  CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 1);
+}
+
+TEST_CASE("an animated GIF has the frames and size that were asked for", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string video = folder / "out.gif";
+  const CommandResult result = run_fascia({"render", cube().string(), "--quiet", "--context", "osmesa", "--size", "160x120", "--time", "0.4",
+                                           "--fps", "25", "--video", video});
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(read_file(video).starts_with("GIF89a"));
+  const CommandResult probe = run_command({"ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
+                                           "stream=codec_name,width,height,r_frame_rate,nb_read_frames", "-of", "csv=p=0", video});
+  CHECK(probe.out == "gif,160,120,25/1,10\n");
   CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 1);
 }
 

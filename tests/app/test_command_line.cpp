@@ -90,6 +90,43 @@ TEST_CASE("the manual page has every command and option and is sound roff", "[co
   CHECK(run_fascia({"man"}).out == page);
 }
 
+TEST_CASE("help and manual say where the manual and the keys of scenes are", "[command_line]") {
+  const std::string help = run_fascia({"--help"}).out, page = run_fascia({"man"}).out, read_me = read_file(source_dir() / "README.md");
+  CAPTURE(help, page);
+  for (const std::string& text : {help, page, read_me}) CHECK(contains(text, "docs/scenes.md"));
+  CHECK(contains(read_file(source_dir() / "docs/scenes.md"), "young_modulus"));
+  CHECK(contains(help, "fascia man | man -l -"));
+  CHECK(contains(page, "fascia man | man \\-l \\-"));
+  CHECK(contains(read_me, "fascia man | man -l -"));
+  CHECK(!contains(page, "README.md lists"));
+  CHECK(contains(help, "\n  man "));  // among the commands
+  // The installed README's links lead to the installed pages.
+  CHECK(contains(read_file(source_dir() / "CMakeLists.txt"), "install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})"));
+}
+
+TEST_CASE("animated GIF is a documented video", "[command_line]") {
+  const std::string help = run_fascia({"render", "--help"}).out, page = run_fascia({"man"}).out;
+  CAPTURE(help, page);
+  CHECK(contains(help, ".gif"));
+  CHECK(contains(page, ".gif"));
+  CHECK(contains(read_file(source_dir() / "README.md"), ".gif"));
+  CHECK(contains(read_file(source_dir() / "docs/window.md"), ".gif"));
+}
+
+TEST_CASE("the help of view says what --steps and --time do to a window", "[command_line]") {
+  const CommandEntry tree = program();
+  for (const CommandEntry* command : all_commands(tree)) {
+    if (!command->path.empty() && command->path != Words{"view"}) continue;
+    for (const char* name : {"--steps", "--time"}) {
+      const auto option = std::find_if(command->options.begin(), command->options.end(), [&](const OptionEntry& o) { return o.name == name; });
+      REQUIRE(option != command->options.end());
+      CAPTURE(command->path, name, option->help);
+      CHECK(contains(option->help, "the window closes"));
+    }
+    CHECK(!contains(command->positionals.at(0).help, "standard input"));  // which it does not take
+  }
+}
+
 TEST_CASE("keys of --set are those of scenes", "[command_line]") {
   Words names;
   for (const SceneKey& key : scene_keys()) names.push_back(key.name);
