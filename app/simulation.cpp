@@ -125,11 +125,19 @@ void Simulation::judge_device(const StateGuard::Verdict& first) {
   const Movement& movement = first.movement;
   if (first.astray || movement.way > 0 || movement.speed > 0 || movement.displacement > 0) return;
   const bool falls = stirred_step_ == 0 && !model.gravity.isZero() && scene.solver.tolerance == 0;
-  if (falls) require_computed(model, gpu_->download(), true);
+  if (falls) require_computed(model, gpu_->download());
 }
 
 void Simulation::require_device() const {
-  if (lost_from_the_start_) require_computed(model, gpu_->download(), false);
+  if (!lost_from_the_start_) return;
+  // Tissue whose forces overflow is lost within a step, too. A box in its place tells which of the two it was.
+  const Model box = trial_model();
+  SolverSettings settings;
+  settings.method = scene.solver.method;
+  settings.acceleration = scene.solver.acceleration;
+  GpuSolver solver(*programs_, box, settings);
+  solver.step();
+  require_computed(box, solver.download());
 }
 
 void Simulation::stir() {

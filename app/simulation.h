@@ -81,7 +81,8 @@ class Simulation {
   /// A vertex that is no longer finite or has run away, as far as is known: the GPU is asked every few steps, and nothing waits.
   /// Not while a replay knows that it will be led back.
   std::optional<std::uint32_t> astray() const { return astray_ && led_back_later() ? std::nullopt : astray_; }
-  /// Throws Error where the first look at the state found no number at all: not tissue that breaks but a device that does not compute.
+  /// Throws Error where the state was lost from the start and a sound body in its place is lost, too: not tissue that breaks but a device that
+  /// does not compute. Waits for the GPU.
   void require_device() const;
   std::optional<std::uint32_t> check_now();  // as astray(), of the state of now: waits for the GPU
   /// The last sound state, at rest; settings, materials and grab stay as they are. Not recorded before begin_anew().

@@ -8,8 +8,11 @@ namespace fascia {
 /// Runs one small kernel and reads back what it wrote. Throws Error, which names the device, where that is anything else. Waits for the GPU.
 void require_computing(gl::ProgramCache& programs);
 
-/// `state`: what the first steps made of a start. Throws Error, which names the device, where every vertex that may move is not finite, or
-/// where none has moved although `must_move`.
-void require_computed(const Model& model, const reference::State& state, bool must_move);
+/// A box that hangs by one side: every device that computes moves it.
+Model trial_model();
+
+/// `state`: what the first steps made of a start, with gravity. Throws Error, which names the device, where every vertex that may move is not
+/// finite, or where none has moved.
+void require_computed(const Model& model, const reference::State& state);
 
 }  // namespace fascia

@@ -78,7 +78,7 @@ TEST_CASE("pictures of one state have one range, whatever was shown before", "[h
 TEST_CASE("the first picture of a quantity already has its range", "[heat_range]") {
   Graphics graphics = open_graphics(headless(), false);
   Session session(graphics, cube(ColorBy::none), false);
-  pull(session, 50);
+  pull(session, 30);
   for (const ColorBy color : {ColorBy::von_mises, ColorBy::displacement, ColorBy::von_mises, ColorBy::strain}) {
     DisplaySettings display = session.display();
     display.color = color;

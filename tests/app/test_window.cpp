@@ -208,8 +208,8 @@ TEST_CASE("a scene that cannot be opened leaves the open one, and another opens 
   FasciaWindow window(with_size({first}), desk.folder.path());
   CHECK(window.screenshot().title == "First");
 
-  // Characters typed before the dialog has taken the keyboard are lost, so everything is tried until it works; Escape closes a
-  // dialog that was left open. On a busy machine a frame takes seconds: every try gives it more time.
+  // Characters typed before the dialog has taken the keyboard are lost, so everything is tried until it works; Escape closes an
+  // error and a dialog that were left open. On a busy machine a frame takes seconds: every try gives it more time.
   int patience = 0;
   const auto open = [&](const std::string& name) {
     ++patience;
@@ -217,12 +217,12 @@ TEST_CASE("a scene that cannot be opened leaves the open one, and another opens 
       for (int i = 0; i < patience; ++i) window.pause();
     };
     window.key("Escape");
+    window.key("Escape");
     window.key("ctrl+o");
     wait();
     window.type(name);
     window.key("Return");
     wait();
-    window.key("Escape");
   };
   // Of the red box that an error is shown in (see panels_help.cpp).
   const auto red_pixels = [](const Screenshot& shot) {

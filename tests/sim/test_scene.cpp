@@ -16,7 +16,7 @@ namespace {
 const char* const kFullScene = R"({
   "fascia_scene": 1, "title": "All keys", "gravity": [0.1, -1.62, 0],
   "bodies": [
-    {"name": "beam", "mesh": "../meshes/beam.msh",
+    {"name": "beam", "mesh": "../bars/beam.msh",
      "transform": {"scale": 0.001, "rotate_deg": [10, 20, 30], "translate": [1, 2, 3]},
      "materials": {"default": {"young_modulus": 1e6, "poisson_ratio": 0.45, "density": 1060, "damping": 0.02,
                                "model": "st_venant_kirchhoff"},
@@ -84,7 +84,7 @@ TEST_CASE("every key of a scene arrives") {
 
   const Body& body = scene.bodies[0];
   CHECK(body.name == "beam");
-  CHECK(body.mesh == "../meshes/beam.msh");
+  CHECK(body.mesh == "../bars/beam.msh");
   CHECK(body.surface == "liver.obj");
   CHECK(body.transform == Transform{0.001, {10, 20, 30}, {1, 2, 3}});
   CHECK(body.material == Material{1e6, 0.45, 1060, 0.02, MaterialModel::st_venant_kirchhoff});
