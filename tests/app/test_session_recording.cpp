@@ -148,7 +148,7 @@ TEST_CASE("a session that sleeps and is woken is replayed", "[session]") {
   bar.scene.gravity = {0, 0, 0};
   const std::filesystem::path path = bar.folder / "session.fascia";
   Recorded live(bar, path);
-  live.steps(60);
+  live.steps(100);
   CHECK(live.simulation.asleep());
   live.simulation.set_grab(hand(live.simulation.model, {0, 0.05, 0}));
   live.steps(30);
