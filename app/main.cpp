@@ -2,12 +2,12 @@
 #include <exception>
 #include <iostream>
 
-#include "app/command_line.h"
-#include "app/commands.h"
-#include "app/interrupt.h"
-#include "app/reproduce.h"
-#include "app/usage_error.h"
-#include "sim/error.h"
+#include "app/cli/command_line.h"
+#include "app/commands/command.h"
+#include "base/interrupt.h"
+#include "app/session/reproduce.h"
+#include "app/cli/usage_error.h"
+#include "base/error.h"
 
 namespace {
 

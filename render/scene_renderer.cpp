@@ -2,13 +2,13 @@
 
 #include <cassert>
 
-#include "render/ambient_occlusion.h"
-#include "render/frame_uniforms.h"
-#include "render/ground.h"
-#include "render/marks.h"
-#include "render/shadow_map.h"
-#include "render/surface_renderer.h"
-#include "render/tet_renderer.h"
+#include "render/passes/ambient_occlusion.h"
+#include "render/view/frame_uniforms.h"
+#include "render/passes/ground.h"
+#include "render/passes/marks.h"
+#include "render/passes/shadow_map.h"
+#include "render/passes/surface_renderer.h"
+#include "render/passes/tet_renderer.h"
 
 namespace fascia {
 namespace {

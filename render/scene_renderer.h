@@ -6,12 +6,12 @@
 #include <memory>
 #include <span>
 
-#include "render/camera.h"
-#include "render/framebuffer.h"
-#include "render/gl/buffer.h"
-#include "render/gl/program.h"
-#include "render/look.h"
-#include "render/tet_renderer.h"
+#include "render/view/camera.h"
+#include "render/target/framebuffer.h"
+#include "gl/buffer.h"
+#include "gl/program.h"
+#include "render/view/look.h"
+#include "render/passes/tet_renderer.h"
 
 namespace fascia {
 

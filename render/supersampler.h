@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "render/camera.h"
-#include "render/framebuffer.h"
+#include "render/view/camera.h"
+#include "render/target/framebuffer.h"
 
 namespace fascia {
 

@@ -1,4 +1,4 @@
-// Several kernels in one dispatch, for llvmpipe (render/gl/fused_pass.h). The work groups are a crew: they take the work groups of one
+// Several kernels in one dispatch, for llvmpipe (gl/fused_pass.h). The work groups are a crew: they take the work groups of one
 // kernel after another, some at a time, until none is left, and wait for each other before the next kernel. Who takes what changes nothing:
 // kernels do not depend on the order of their work groups.
 //
@@ -12,7 +12,7 @@ layout(local_size_x = GROUP_SIZE) in;
 // [0] number of the kernel that runs, members of the crew, members that wait; from [FIRST_COUNTER] on counters of what was taken: of every
 // stretch, and in it of every kernel.
 layout(std430) coherent buffer Crew { uint crew[]; };
-uniform usamplerBuffer plan;  // what there is to do: render/gl/fused_source.h
+uniform usamplerBuffer plan;  // what there is to do: gl/fused_source.h
 uniform uint repeats;
 #define PLAN(i) (texelFetch(plan, int(i)).x)
 #define MEMBER 64u

@@ -75,7 +75,7 @@ INPUT_UINT(ItemList, item_list)  // [number of items]
 #define LISTED_ITEM(k) (k)
 #endif
 // Branches skip nothing where invocations run in lockstep, so what few items need is deferred: with DEFERS a kernel puts such an item on
-// a list and returns, and the same kernel with DEFERRED, dispatched by the list's count, goes through it (sim/gpu/deferred_tets.h).
+// a list and returns, and the same kernel with DEFERRED, dispatched by the list's count, goes through it (sim/gpu/passes/deferred_tets.h).
 #if defined(DEFERS) || defined(DEFERRED)
 uniform uint deferred_list, deferred_begin;  // where the list's numbers are, and its items
 #endif

@@ -2,12 +2,12 @@
 
 #include <tuple>
 
-#include "sim/gpu/compute_probe.h"
-#include "sim/gpu/exact_xpbd.h"
-#include "sim/gpu/jacobi.h"
-#include "sim/gpu/two_level.h"
-#include "sim/gpu/vertex_descent.h"
-#include "sim/error.h"
+#include "sim/gpu/passes/compute_probe.h"
+#include "sim/gpu/methods/exact_xpbd.h"
+#include "sim/gpu/methods/jacobi.h"
+#include "sim/gpu/methods/two_level.h"
+#include "sim/gpu/methods/vertex_descent.h"
+#include "base/error.h"
 
 namespace fascia {
 
@@ -157,7 +157,7 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
   passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), start(), active));
   if (!motions_.empty()) passes.begin.push_back(motions_.pass(programs_, buffers_));
   if (features_.damping) {
-    passes.begin.push_back(r.over_pairs("sim/previous_strain.comp", {},
+    passes.begin.push_back(r.over_pairs("sim/step/previous_strain.comp", {},
                                        with_pairs({{"previous_displacement", &buffers_.previous_displacement},
                                                    {"previous_strain", &previous_strain_}},
                                                   buffers_)));
@@ -171,7 +171,7 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
                                        {"tet_vertices", &buffers_.tet_vertices},
                                        {"tet_shape", &buffers_.tet_shape},
                                        {"multiplier_weight", &multiplier_weight_}};
-    passes.begin.push_back(r.over_tets("sim/multiplier_weight.comp", defines_of(features_),
+    passes.begin.push_back(r.over_tets("sim/acceleration/multiplier_weight.comp", defines_of(features_),
                                        with_material(std::move(bindings), features_, buffers_)));
     passes.begin.back().loops(0);
   }
@@ -183,7 +183,7 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
     stop_->record(r, passes.before_first, passes.before, {&passes.refresh, &passes.first_iteration, &passes.iteration, &passes.end});
     before_every_ = stop_->interval();
   }
-  passes.end.push_back(r.over_vertices("sim/velocity.comp", {},
+  passes.end.push_back(r.over_vertices("sim/step/velocity.comp", {},
                                        {{"step", &buffers_.step},
                                         {"displacement", &buffers_.displacement},
                                         {"previous_displacement", &buffers_.previous_displacement},
@@ -212,9 +212,9 @@ Passes GpuSolver::iteration(const Recording& r, bool first) {
   return passes;
 }
 
-void GpuSolver::reset() { upload(reference::initial_state(given_)); }
+void GpuSolver::reset() { upload(initial_state(given_)); }
 
-void GpuSolver::upload(const reference::State& state) {
+void GpuSolver::upload(const State& state) {
   buffers_.upload_state(model_, state);
   time_ = state.time;
   state_changed();
@@ -356,7 +356,7 @@ void GpuSolver::follow(const GpuSolver& leader) {
 void GpuSolver::request_diagnostics() { diagnostics_.request(grab_, settings_.substep(), time_, stop_ ? &stop_->state() : nullptr); }
 
 void GpuSolver::set_compensated(bool compensated) {
-  const reference::State state = download();
+  const State state = download();
   buffers_.displacement_low = compensated ? gl::Buffer("displacement_low", sizeof(shared::vec4) * buffers_.vertex_count) : gl::Buffer();
   upload(state);
   record();

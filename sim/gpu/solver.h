@@ -9,21 +9,21 @@
 #include <utility>
 #include <vector>
 
-#include "render/gl/fused_pass.h"
-#include "render/gl/stopwatch.h"
-#include "sim/gpu/anderson.h"
-#include "sim/gpu/chebyshev.h"
-#include "sim/gpu/diagnostics.h"
-#include "sim/gpu/gauss_seidel.h"
-#include "sim/gpu/motion_targets.h"
-#include "sim/gpu/prediction.h"
-#include "sim/gpu/regions.h"
-#include "sim/gpu/state_guard.h"
-#include "sim/gpu/step_snapshot.h"
-#include "sim/gpu/stop_rule.h"
-#include "sim/gpu/surface_positions.h"
-#include "sim/loose_parts.h"
-#include "sim/progress.h"
+#include "gl/fused_pass.h"
+#include "gl/stopwatch.h"
+#include "sim/gpu/acceleration/anderson.h"
+#include "sim/gpu/acceleration/chebyshev.h"
+#include "sim/gpu/readback/diagnostics.h"
+#include "sim/gpu/methods/gauss_seidel.h"
+#include "sim/gpu/passes/motion_targets.h"
+#include "sim/gpu/passes/prediction.h"
+#include "sim/gpu/resting_regions.h"
+#include "sim/gpu/readback/state_guard.h"
+#include "sim/gpu/readback/step_snapshot.h"
+#include "sim/gpu/acceleration/stop_rule.h"
+#include "sim/gpu/readback/surface_positions.h"
+#include "sim/model/unconstrained_parts.h"
+#include "base/progress.h"
 
 namespace fascia {
 
@@ -77,7 +77,7 @@ class GpuSolver {
   /// The same at once, of a state that is not kept: waits for the GPU, and the steps that follow do not notice.
   std::optional<std::uint32_t> astray_now() const;
   /// The state at rest `equilibrium`, with a step around it that has been solved, so that its diagnostics are those of a step. No time passes.
-  void settle(const reference::State& equilibrium);
+  void settle(const State& equilibrium);
   /// A step in which nothing moves: the state, which has just been found sound, stays as it is.
   void rest();
   /// To the last state that was found sound, or was put there. With `at_rest` without its velocities.
@@ -94,9 +94,9 @@ class GpuSolver {
   bool last_was_whole() const { return passes_ == &whole_; }
   void solve_everything();  // from now on, in every step
 
-  reference::State download() const { return buffers_.download_state(time_); }
-  reference::State download_sound() const { return guard_.download(buffers_); }  // the state of restore_sound()
-  void upload(const reference::State& state);
+  State download() const { return buffers_.download_state(time_); }
+  State download_sound() const { return guard_.download(buffers_); }  // the state of restore_sound()
+  void upload(const State& state);
   /// Displacements in two floats each, for static equilibria: methods that descend the energy then sum up what float32 would lose.
   void set_compensated(bool compensated);
   /// Of the substeps so far, on average: fewer than settings().iterations where solver.tolerance ends them. Waits for the GPU then.

@@ -113,7 +113,7 @@ void GpuSolver::step() {
   ++steps_solved_;
 }
 
-void GpuSolver::settle(const reference::State& equilibrium) {
+void GpuSolver::settle(const State& equilibrium) {
   const double time = time_;
   upload(equilibrium);
   step();

@@ -36,7 +36,7 @@ int increments(const Model& model, const std::vector<GrabSpring>& springs, doubl
   return std::clamp(static_cast<int>(std::ceil(3 * farthest / width)), 1, 300);
 }
 
-double farthest_way(const reference::State& from, const reference::State& to) {
+double farthest_way(const State& from, const State& to) {
   double farthest = 0;
   for (std::size_t v = 0; v < to.displacement.size(); ++v)
     farthest = std::max(farthest, (to.displacement[v] - from.displacement[v]).norm());
@@ -72,7 +72,7 @@ class AsBefore {
 
 }  // namespace
 
-reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance, reference::State& equilibrium,
+reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance, State& equilibrium,
                                              const std::stop_token& stop,
                                              const std::function<void(const reference::NewtonReport&)>& news) {
   reference::require_supports(model);
@@ -86,7 +86,7 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
   solver.set_compensated(true);
   solver.finish_background();
 
-  reference::State state = solver.download();
+  State state = solver.download();
   reference::NewtonReport report;
   // To time `to` with h the step: where motions are then does not depend on h.
   const auto step_to = [&](double to) {
@@ -110,13 +110,13 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
       step_to(begin + (end - begin) * k / count);
     }
   }
-  reference::State best = state;
+  State best = state;
   const reference::StaticResidual residual_of(model);
   report.relative_residual = residual_of(state, springs);
   double last = report.relative_residual;
   for (int steps = 0, idle = 0; steps < kMostSteps && idle < kPatience && report.relative_residual > tolerance; ++steps) {
     if (stop.stop_requested()) break;
-    const reference::State before = state;
+    const State before = state;
     step_to(end);
     const double residual = residual_of(state, springs);
     idle = farthest_way(before, state) > kStill * solver.buffers().size ? 0 : idle + 1;

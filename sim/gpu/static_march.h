@@ -6,6 +6,7 @@
 #include <stop_token>
 
 #include "sim/gpu/solver.h"
+#include "sim/reference/newton.h"
 
 namespace fascia {
 
@@ -14,7 +15,7 @@ namespace fascia {
 /// settings and materials are as before afterwards. `equilibrium` is what was found, to more digits than the solver's float32 holds.
 /// `iterations` of the report are the method's. Ends unconverged soon after `stop` is requested. Throws Error if gravity pulls at a part
 /// that nothing holds. `news`: hears of every step, unconverged.
-reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance, reference::State& equilibrium,
+reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance, State& equilibrium,
                                              const std::stop_token& stop = {},
                                              const std::function<void(const reference::NewtonReport&)>& news = {});
 

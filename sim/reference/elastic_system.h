@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "sim/model.h"
+#include "sim/model/model.h"
 #include "sim/reference/cholesky.h"
 #include "sim/reference/elasticity.h"
 

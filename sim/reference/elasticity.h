@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "sim/material.h"
+#include "sim/material/material.h"
 
 namespace fascia::reference {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/error.h"
-#include "sim/loose_parts.h"
+#include "base/error.h"
+#include "sim/model/unconstrained_parts.h"
 
 namespace fascia::reference {
 namespace {

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "sim/model.h"
+#include "sim/model/model.h"
 
 namespace fascia::reference {
 

@@ -18,13 +18,6 @@ Corners gather(const std::vector<Vector3d>& vectors, const Tet& tet) {
 
 }  // namespace
 
-State initial_state(const Model& model) {
-  State state;
-  state.displacement.assign(model.rest_positions.size(), Vector3d::Zero());
-  state.velocity = model.initial_velocity;
-  return state;
-}
-
 Measures measure(const Model& model, const State& state) {
   Measures result;
   double strain2 = 0, volume = 0, growth = 0;

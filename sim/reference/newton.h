@@ -12,19 +12,13 @@
 #include <stop_token>
 #include <vector>
 
-#include "sim/grab_spring.h"
-#include "sim/model.h"
-#include "sim/settings.h"
-#include "sim/state_export.h"
+#include "sim/model/grab_spring.h"
+#include "sim/model/model.h"
+#include "sim/scene/settings/solver_settings.h"
+#include "sim/model/state.h"
+#include "sim/model/state_fields.h"
 
 namespace fascia::reference {
-
-struct State {
-  std::vector<Eigen::Vector3d> displacement;  // [vertex_count] u = x - X [m]
-  std::vector<Eigen::Vector3d> velocity;      // [vertex_count] v [m/s]
-  double time = 0;                            // [s]
-};
-State initial_state(const Model& model);
 
 /// Conserved quantities and quality of a state; the same names as in stats.json.
 struct Measures {

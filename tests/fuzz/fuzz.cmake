@@ -2,7 +2,7 @@
 find_package(tinyobjloader REQUIRED)
 set(F ${PROJECT_SOURCE_DIR}/tests/fuzz)
 add_library(fuzz_support STATIC ${F}/fuzz.cpp ${F}/tiny_obj_loader.cpp)
-target_link_libraries(fuzz_support PUBLIC sim_core)
+target_link_libraries(fuzz_support PUBLIC fascia_core)
 target_compile_definitions(fuzz_support PUBLIC FASCIA_LIBFUZZER)
 file(GLOB targets CONFIGURE_DEPENDS ${F}/fuzz_*.cpp)
 foreach(source IN LISTS targets)

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "sim/error.h"
+#include "base/error.h"
 
 namespace fascia::fuzz {
 

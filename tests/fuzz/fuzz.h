@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/mesh_io.h"
+#include "sim/mesh/io/mesh_io.h"
 
 namespace fascia::fuzz {
 

@@ -1,5 +1,5 @@
 // Vectors at the vertices of a mesh of 100 vertices.
-#include "sim/csv.h"
+#include "sim/model/vertex_csv.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fascia;

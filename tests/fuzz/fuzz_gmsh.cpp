@@ -1,5 +1,5 @@
 // Gmsh .msh 1.0, 2.x and 4.1, in text and in binary.
-#include "sim/mesh_io/formats.h"
+#include "sim/mesh/io/formats.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fascia;

@@ -1,5 +1,5 @@
 // Medit .mesh in text.
-#include "sim/mesh_io/formats.h"
+#include "sim/mesh/io/formats.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fascia;

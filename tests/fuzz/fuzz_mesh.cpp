@@ -1,9 +1,9 @@
 // A mesh of any format on its way through the program: format detection, the mesh doctor, every writer, and each written file read again.
 #include <sstream>
 
-#include "sim/error.h"
-#include "sim/mesh_doctor.h"
-#include "sim/mesh_io/formats.h"
+#include "base/error.h"
+#include "sim/mesh/mesh_check.h"
+#include "sim/mesh/io/formats.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fascia;

@@ -1,5 +1,5 @@
 // Wavefront .obj surfaces: read, drawn and filled with tets.
-#include "sim/surface_fill.h"
+#include "sim/surface/surface_fill.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fascia;

@@ -1,5 +1,5 @@
 // Replays. What was read is written and read again, and must be the same replay.
-#include "sim/replay.h"
+#include "sim/replay/replay.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fascia;

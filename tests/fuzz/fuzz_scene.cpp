@@ -1,5 +1,5 @@
 // Scene files. What was read is written and read again, and must be the same scene. Files that it carries are taken out.
-#include "sim/scene.h"
+#include "sim/scene/scene.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fascia;

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "sim/scene.h"
+#include "sim/scene/scene.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fascia;

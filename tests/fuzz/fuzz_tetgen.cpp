@@ -1,7 +1,7 @@
 // TetGen's pair of files: the .node file, a line "=====", the .ele file.
 #include <algorithm>
 
-#include "sim/mesh_io/formats.h"
+#include "sim/mesh/io/formats.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fascia;

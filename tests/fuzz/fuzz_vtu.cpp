@@ -1,5 +1,5 @@
 // VTK XML files: XML, base64, appended data, zlib.
-#include "sim/mesh_io/formats.h"
+#include "sim/mesh/io/formats.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fascia;

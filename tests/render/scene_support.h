@@ -4,10 +4,10 @@
 #include <map>
 #include <numbers>
 
-#include "render/frame_uniforms.h"
+#include "render/view/frame_uniforms.h"
 #include "render/scene_renderer.h"
-#include "render/shadow_map.h"
-#include "tests/render/gl/gl_support.h"
+#include "render/passes/shadow_map.h"
+#include "tests/gl/gl_support.h"
 
 namespace fascia::test {
 

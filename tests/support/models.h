@@ -4,8 +4,8 @@
 #include <functional>
 #include <random>
 
-#include "sim/mesh_generate.h"
-#include "sim/model.h"
+#include "sim/mesh/mesh_generate.h"
+#include "sim/model/model.h"
 #include "sim/reference/newton.h"
 
 namespace fascia::test {
@@ -31,10 +31,10 @@ inline Model make_model(const TetMesh& mesh, const Material& material,
 }
 
 /// Displacements and velocities of about `amplitude` [m], different at every vertex, zero where held; the same for the same seed.
-inline reference::State random_state(const Model& model, double amplitude, unsigned seed) {
+inline State random_state(const Model& model, double amplitude, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
-  reference::State state = reference::initial_state(model);
+  State state = initial_state(model);
   const std::vector<char> held = model.held();
   for (std::size_t i = 0; i < state.displacement.size(); ++i)
     for (int k = 0; k < 3; ++k) {
@@ -58,7 +58,7 @@ inline double relative_rms(const std::vector<Eigen::Vector3d>& a, const std::vec
 }
 
 /// The largest distance of a vertex between two states [m].
-inline double farthest(const reference::State& a, const reference::State& b) {
+inline double farthest(const State& a, const State& b) {
   double distance = 0;
   for (std::size_t v = 0; v < a.displacement.size(); ++v) distance = std::max(distance, (a.displacement[v] - b.displacement[v]).norm());
   return distance;

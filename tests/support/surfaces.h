@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/surface_mesh.h"
+#include "sim/surface/surface_mesh.h"
 
 namespace fascia::test {
 

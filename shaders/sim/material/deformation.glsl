@@ -4,7 +4,7 @@
 // the forces of that material.
 #include "common/symmetric.glsl"
 #include "common/tet.glsl"
-#include "sim/feature_material.glsl"
+#include "sim/elasticity/feature_material.glsl"
 
 struct Deformation {
   mat3 f;

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/solver.h"
-#include "tests/sim/gpu/gpu_fixture.h"
+#include "tests/support/gpu/gpu_fixture.h"
 #include "tests/support/models.h"
 
 using namespace fascia;
@@ -48,7 +48,7 @@ TEST_CASE("what nothing holds falls freely, however stiff and however small", "[
   for (const Model& model : models) {
     GpuSolver solver(gpu.programs, model, settings);
     for (int i = 0; i < kSteps; ++i) solver.step();
-    const reference::State state = solver.download();
+    const State state = solver.download();
     const Vector3d fall = kSteps * (kSteps + 1) / 2 * settings.time_step * settings.time_step * model.gravity;  // by implicit Euler
     double error = 0;
     for (std::size_t v = 0; v < state.displacement.size(); ++v)

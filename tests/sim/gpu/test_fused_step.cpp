@@ -2,10 +2,10 @@
 // threads, too (tests.cmake).
 #include <catch2/catch.hpp>
 
-#include "render/gl/fused_pass.h"
+#include "gl/fused_pass.h"
 #include "sim/gpu/solver.h"
-#include "tests/sim/gpu/bars.h"
-#include "tests/sim/gpu/gpu_fixture.h"
+#include "tests/support/gpu/bars.h"
+#include "tests/support/gpu/gpu_fixture.h"
 
 using namespace fascia;
 using namespace fascia::test;
@@ -22,7 +22,7 @@ Model crushed(int cells, double damping) {
   return model;
 }
 
-std::size_t differences(const reference::State& a, const reference::State& b) {
+std::size_t differences(const State& a, const State& b) {
   std::size_t count = 0;
   for (std::size_t v = 0; v < a.displacement.size(); ++v) count += a.displacement[v] != b.displacement[v] || a.velocity[v] != b.velocity[v];
   return count;

@@ -3,7 +3,7 @@
 
 #include "sim/gpu/solver.h"
 #include "sim/gpu/static_march.h"
-#include "tests/sim/gpu/gpu_fixture.h"
+#include "tests/support/gpu/gpu_fixture.h"
 #include "tests/support/models.h"
 
 using namespace fascia;
@@ -17,7 +17,7 @@ Model beam(int cells) {
                     [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
 }
 
-double lowest(const reference::State& state) {
+double lowest(const State& state) {
   double y = 0;
   for (const Eigen::Vector3d& u : state.displacement) y = std::min(y, u.y());
   return y;
@@ -28,7 +28,7 @@ constexpr int kSteps = 6;
 // Of the double-precision solver, on a mesh that it steps in seconds.
 double exact_tip() {
   const Model model = beam(16);
-  reference::State state = reference::initial_state(model);
+  State state = initial_state(model);
   reference::NewtonSolver newton(model, {});
   for (int i = 0; i < kSteps; ++i) newton.step(state);
   return lowest(state);
@@ -56,7 +56,7 @@ TEST_CASE("static equilibria of beams of 5,184 to 1,029,000 tets", "[gpu][slow]"
   const Model model = beam(GENERATE(24, 48, 64, 96, 140));
   Gpu gpu;
   GpuSolver solver(gpu.programs, model, {});
-  reference::State equilibrium;
+  State equilibrium;
   const reference::NewtonReport report = march_to_equilibrium(solver, model, 1e-5, equilibrium);
   CAPTURE(model.tets.size(), report.iterations, report.relative_residual, lowest(equilibrium));
   CHECK(report.converged);

@@ -4,9 +4,9 @@
 #include <thread>
 
 #include "sim/gpu/solver.h"
-#include "tests/sim/gpu/bars.h"
-#include "tests/sim/gpu/double_xpbd.h"
-#include "tests/sim/gpu/gpu_fixture.h"
+#include "tests/support/gpu/bars.h"
+#include "tests/support/gpu/double_xpbd.h"
+#include "tests/support/gpu/gpu_fixture.h"
 
 using namespace fascia;
 using namespace fascia::test;
@@ -31,7 +31,7 @@ TEST_CASE("rest without gravity is an equilibrium, to the bit", "[gpu]") {
   const Model model = free_bar(damping);
   GpuSolver solver(gpu.programs, model, with(pair));
   for (int i = 0; i < 50; ++i) solver.step();
-  const reference::State state = solver.download();
+  const State state = solver.download();
   CHECK(largest(state.displacement) == 0);
   CHECK(largest(state.velocity) == 0);
 }
@@ -43,11 +43,11 @@ TEST_CASE("a rigidly moving body stays rigid", "[gpu]") {
   Gpu gpu;
   const Model model = free_bar(GENERATE(0.0, 0.02));
   GpuSolver solver(gpu.programs, model, with(pair));
-  reference::State state = reference::initial_state(model);
+  State state = initial_state(model);
   for (Vector3d& v : state.velocity) v = {0.5, -0.25, 1};
   solver.upload(state);
   for (int i = 0; i < 60; ++i) solver.step();
-  const reference::State moved = solver.download();
+  const State moved = solver.download();
   for (std::size_t i = 0; i < moved.displacement.size(); ++i) {
     CAPTURE(i, moved.displacement[i].transpose());
     // 60 additions of float32 steps near 1 m
@@ -77,7 +77,7 @@ TEST_CASE("a rotated body at rest feels no force", "[gpu]") {
   Gpu gpu;
   const Model model = free_bar();
   GpuSolver solver(gpu.programs, model, with(pair));
-  reference::State state = reference::initial_state(model);
+  State state = initial_state(model);
   const double angle = GENERATE(0.1, 1.5, 3.0);
   const Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   for (std::size_t i = 0; i < state.displacement.size(); ++i)
@@ -105,7 +105,7 @@ TEST_CASE("a single tet keeps its momentum without gravity", "[gpu]") {
   SolverSettings settings = with(pair);
   settings.substeps = 4;
   GpuSolver solver(gpu.programs, model, settings);
-  const reference::State state = random_state(model, 0.01, 9);
+  const State state = random_state(model, 0.01, 9);
   solver.upload(state);
   const reference::Measures before = reference::measure(model, state);
   // Of the pairs of corrections nothing is left to rounding; the two-level method only drives the residual there, which float32 holds
@@ -124,7 +124,7 @@ TEST_CASE("the momentum of a mesh drifts exactly as averaging makes it drift", "
   const Model model = free_bar();
   GpuSolver solver(gpu.programs, model, with(Method::jacobi));
   DoubleXpbd exact(model, with(Method::jacobi));
-  reference::State state = random_state(model, 0.001, 10);
+  State state = random_state(model, 0.001, 10);
   solver.upload(state);
   for (int i = 0; i < 10; ++i) {
     solver.step();
@@ -274,7 +274,7 @@ TEST_CASE("a hanging bar: stiffer with more iterations, never stiffer than exact
     return -lowest;
   };
   reference::NewtonSolver newton(model, {});
-  reference::State exact = reference::initial_state(model);
+  State exact = initial_state(model);
   newton.solve_static(exact);
   double exact_sag = 0;
   for (const Vector3d& u : exact.displacement) exact_sag = std::max(exact_sag, -u.y());
@@ -289,7 +289,7 @@ TEST_CASE("mass splitting and Gauss-Seidel keep the momentum of a mesh", "[gpu]"
   Gpu gpu;
   const Model model = free_bar();
   GpuSolver solver(gpu.programs, model, with(GENERATE(Method::mass_splitting, Method::gauss_seidel)));
-  const reference::State state = random_state(model, 0.001, 10);
+  const State state = random_state(model, 0.001, 10);
   solver.upload(state);
   for (int i = 0; i < 30; ++i) solver.step();
   const Vector3d before = reference::measure(model, state).momentum;
@@ -310,12 +310,12 @@ TEST_CASE("shared structures have the same layout in C++ and GLSL", "[gpu]") {
     gl::GetProgramResourceiv(program.id(), interface, index, 1, &property, 1, nullptr, &value);
     return static_cast<std::size_t>(value);
   };
-  const gl::Program& predict = gpu.programs.compute("sim/predict.comp", {{"MASS_SPLITTING", "0"}});
+  const gl::Program& predict = gpu.programs.compute("sim/step/predict.comp", {{"MASS_SPLITTING", "0"}});
   CHECK(offset_of(predict, "step_values.gravity", GL_UNIFORM) == offsetof(shared::StepValues, gravity));
-  const gl::Program& tet = gpu.programs.compute("sim/diagnose_tet.comp", defines_of(features_of(bar())));
+  const gl::Program& tet = gpu.programs.compute("sim/readback/diagnose_tet.comp", defines_of(features_of(bar())));
   CHECK(offset_of(tet, "step_values.material", GL_UNIFORM) == offsetof(shared::StepValues, material));
   CHECK(offset_of(tet, "tet_partials[0].sums", GL_BUFFER_VARIABLE) == offsetof(shared::TetPartial, sums));
-  const gl::Program& vertex = gpu.programs.compute("sim/diagnose_vertex.comp");
+  const gl::Program& vertex = gpu.programs.compute("sim/readback/diagnose_vertex.comp");
   CHECK(offset_of(vertex, "vertex_partials[0].angular", GL_BUFFER_VARIABLE) == offsetof(shared::VertexPartial, angular));
   CHECK(offset_of(vertex, "vertex_partials[0].residual", GL_BUFFER_VARIABLE) == offsetof(shared::VertexPartial, residual));
 }

@@ -3,8 +3,8 @@
 #include <cstring>
 
 #include "sim/gpu/solver.h"
-#include "tests/sim/gpu/bars.h"
-#include "tests/sim/gpu/gpu_fixture.h"
+#include "tests/support/gpu/bars.h"
+#include "tests/support/gpu/gpu_fixture.h"
 
 using namespace fascia;
 using namespace fascia::test;

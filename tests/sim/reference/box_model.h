@@ -4,8 +4,8 @@
 #include <functional>
 #include <random>
 
-#include "sim/mesh_generate.h"
-#include "sim/model.h"
+#include "sim/mesh/mesh_generate.h"
+#include "sim/model/model.h"
 #include "sim/reference/newton.h"
 
 namespace fascia::test {

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "sim/grab/build_model.h"
 #include "sim/reference/elasticity.h"
 #include "sim/reference/newton.h"
 #include "tests/sim/reference/box_model.h"

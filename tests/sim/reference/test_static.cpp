@@ -1,7 +1,7 @@
 // Static equilibria: closed forms, load paths, and what has no equilibrium.
 #include <catch2/catch.hpp>
 
-#include "sim/error.h"
+#include "base/error.h"
 #include "sim/reference/elasticity.h"
 #include "sim/reference/newton.h"
 #include "tests/sim/reference/box_model.h"

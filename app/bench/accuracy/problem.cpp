@@ -1,0 +1,105 @@
+#include "app/bench/accuracy/problem.h"
+
+#include <cmath>
+#include <limits>
+
+#include "app/bench/beam.h"
+#include "sim/mesh/mesh_generate.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+
+const Vector3d kSize(1, 0.25, 0.25);                     // [m], the beam that bent_beam() knows
+constexpr double kPatchBegin = 0.9, kPatchShift = 0.3;  // [m]
+
+Model beam_model(const AccuracyCase& measured) {
+  Model model;
+  model.file_mesh = make_box(measured.cells.x(), measured.cells.y(), measured.cells.z(), kSize);
+  model.rest_positions = model.file_mesh.positions;
+  model.tets = model.file_mesh.tets;
+  model.tet_material.assign(model.tets.size(), 0);
+  model.materials.resize(1);
+  model.materials.front().young_modulus = measured.young_modulus;
+  model.materials.front().poisson_ratio = measured.poisson_ratio;
+  model.materials.front().density = 1000;
+  model.initial_velocity.assign(model.rest_positions.size(), Vector3d::Zero());
+  for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
+    if (model.rest_positions[v].x() == 0) model.fixed.push_back(v);
+  return model;
+}
+
+// The whole end block: moved as one, it leaves no doubt which of several equilibria is the near one.
+Motion pulled_end(const Model& model, double duration) {
+  Motion motion;
+  for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
+    if (model.rest_positions[v].x() > kPatchBegin - 1e-6) motion.vertices.push_back(v);
+  motion.translate = {0, 0, kPatchShift};
+  motion.duration = duration;
+  return motion;
+}
+
+Model model_of(const AccuracyCase& measured, const SolverSettings& settings) {
+  Model model = beam_model(measured);
+  if (measured.scenario == AccuracyScenario::grabbed) model.motions.push_back(pulled_end(model, settings.time_step));
+  return model;
+}
+
+// Where inertia, gravity and the prescribed motion alone lead within a step.
+std::vector<Vector3d> prediction_of(const Model& model, const State& state, const SolverSettings& settings) {
+  const double h = settings.substep();
+  std::vector<Vector3d> predicted = state.displacement;
+  const std::vector<char> held = model.held();
+  for (std::size_t v = 0; v < predicted.size(); ++v) {
+    Vector3d velocity = state.velocity[v];
+    for (int s = 0; s < settings.substeps && !held[v]; ++s) {
+      velocity += h * model.gravity;
+      predicted[v] += h * velocity;
+    }
+  }
+  for (const Motion& motion : model.motions)
+    for (std::size_t k = 0; k < motion.vertices.size(); ++k) {
+      const std::uint32_t v = motion.vertices[k];
+      predicted[v] = motion.position(k, model.rest_positions[v], state.time + settings.time_step) - model.rest_positions[v];
+    }
+  return predicted;
+}
+
+}  // namespace
+
+AccuracyProblem::AccuracyProblem(const Bench& bench, const AccuracyCase& measured, int steps) : steps_(steps) {
+  const SolverSettings settings = settings_of(measured, legal_pairs().front(), 1);  // iterations are nothing to the exact solver
+  model_ = model_of(measured, settings);
+  start_ = measured.scenario == AccuracyScenario::one_step ? bent_beam(model_) : initial_state(model_);
+  exact_ = start_;
+  reference::NewtonSolver solver(model_, settings);
+  for (int step = 0; step < steps_; ++step) {
+    bench.stop_if_interrupted();
+    converged_ = solver.step(exact_).converged && converged_;
+  }
+  const bool settled = measured.scenario == AccuracyScenario::settled;
+  const std::vector<Vector3d> far = settled ? std::vector<Vector3d>(start_.displacement.size(), Vector3d::Zero())
+                                            : prediction_of(model_, start_, settings);
+  scale_ = squared_distance(exact_.displacement, far);
+}
+
+double AccuracyProblem::error(const State& state) const {
+  const double error = std::sqrt(squared_distance(state.displacement, exact_.displacement) / scale_);
+  return std::isfinite(error) ? error : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<std::string> AccuracyProblem::notes(const AccuracyGrid& grid) {
+  return {"beam of 1 m x 0.25 m x 0.25 m, held at x = 0, density 1000 kg/m^3, under gravity; iterations: of each substep",
+          "one_step: a step from a smooth bend and twist at rest; error: RMS |x - x_exact| over RMS |x_exact - x~|, x~ where inertia and "
+          "gravity alone lead",
+          "grabbed: a step from rest in which the vertices with x >= 0.9 m are moved by 0.3 m along z; error as of one_step",
+          "settled: " + std::to_string(grid.settled_steps) + " steps from rest; error: RMS |x - x_exact| over RMS |x_exact - X| after the "
+          "last one, x_exact stepped by the exact solver in the same steps",
+          "error nan: not finite; larger numbers of iterations of the same step are not tried then",
+          "ms_median, ms_min: wall time of one step from the start, all its substeps, over " + std::to_string(grid.repetitions) +
+              " repetitions in which the pairs take turns; empty: not timed",
+          "chebyshev finds its spectral radius within a single step; in settled it keeps that of the steps before"};
+}
+
+}  // namespace fascia

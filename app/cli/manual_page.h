@@ -1,0 +1,12 @@
+// The manual page, written from the command line's own tables, so that it cannot say what the program does not.
+#pragma once
+#include <string>
+
+#include "app/cli/command_tree.h"
+
+namespace fascia {
+
+/// fascia.1 for man(1), in roff.
+std::string manual_page(const CommandEntry& program);
+
+}  // namespace fascia

@@ -1,0 +1,60 @@
+#include "app/cli/scene_keys.h"
+
+#include <algorithm>
+#include <set>
+
+#include "sim/material/material.h"
+#include "sim/scene/scene_write.h"
+#include "sim/scene/settings/solver_settings.h"
+
+namespace fascia {
+namespace {
+
+void collect(const nlohmann::ordered_json& node, const std::string& path, std::vector<SceneKey>& keys) {
+  if (!node.is_object()) {
+    keys.push_back({path, {}});
+    return;
+  }
+  for (const auto& [key, value] : node.items()) {
+    if (key == "bodies")
+      collect(value[0], "", keys);
+    else
+      collect(value, path.empty() ? key : path + "." + key, keys);
+  }
+}
+
+template <class Values>
+std::vector<std::string> names_of(const Values& values) {
+  std::vector<std::string> names;
+  for (const auto value : values) names.push_back(name_of(value));
+  return names;
+}
+
+}  // namespace
+
+std::vector<SceneKey> scene_keys() {
+  Scene scene;
+  scene.bodies.resize(1);
+  scene.bodies[0].surface = "surface.obj";
+  scene.camera.emplace();
+  scene.display.range.emplace(0, 1);
+  std::vector<SceneKey> keys;
+  collect(scene_document(scene, ""), "", keys);
+  std::erase_if(keys, [](const SceneKey& key) { return key.name == "fascia_scene"; });
+
+  std::set<std::string> methods, accelerations;
+  for (const Pair& pair : legal_pairs()) {
+    methods.insert(name_of(pair.method));
+    accelerations.insert(name_of(pair.acceleration));
+  }
+  for (SceneKey& key : keys) {
+    if (key.name == "solver.method") key.values.assign(methods.begin(), methods.end());
+    if (key.name == "solver.acceleration") key.values.assign(accelerations.begin(), accelerations.end());
+    if (key.name == "display.color") key.values = names_of(all_colors());
+    if (key.name == "display.wireframe") key.values = {"true", "false"};
+    if (key.name == "materials.default.model") key.values = names_of(material_models());
+  }
+  return keys;
+}
+
+}  // namespace fascia

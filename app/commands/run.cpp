@@ -1,0 +1,205 @@
+// fascia run: simulate and draw nothing; exports and stats.json.
+#include <chrono>
+#include <iostream>
+
+#include "sim/simulation/breakdown.h"
+#include "app/commands/command.h"
+#include "app/session/graphics.h"
+#include "base/interrupt.h"
+#include "app/session/open_input.h"
+#include "app/cli/output_files.h"
+#include "sim/output/sample.h"
+#include "sim/simulation/simulation.h"
+#include "sim/output/stats.h"
+#include "sim/simulation/true_error.h"
+#include "app/cli/usage_error.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "base/provenance.h"
+#include "sim/reference/newton.h"
+#include "base/text.h"
+#include "sim/output/state_export.h"
+
+namespace fascia {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+void require_finite(const State& state, const Scene& scene) {
+  for (std::size_t i = 0; i < state.displacement.size(); ++i)
+    if (!state.displacement[i].allFinite())
+      throw Error(scene.file.string(),
+                  "vertex " + std::to_string(i) + " is not finite at " + std::to_string(state.time) + " s",
+                  "expected finite positions: more substeps, softer material or a smaller load may help");
+}
+
+// What --history asks for: kept while the steps go on, written at the end, also at a bad one.
+class HistoryFile {
+ public:
+  HistoryFile(const RunOptions& options, const std::string& renderer, Simulation& simulation)
+      : options_(options), renderer_(renderer), simulation_(simulation), probe_(options.probe ? *options.probe : tip_vertex(simulation.model)) {
+    const std::size_t vertices = simulation.model.rest_positions.size();
+    if (probe_ >= vertices)
+      throw Error("--probe " + std::to_string(probe_), "is no vertex of this scene", "expected an index below " + std::to_string(vertices));
+  }
+  void add(double step_ms = Sample::kUnknown) {
+    if (simulation_.steps_made() % options_.history_every != 0) return;
+    samples_.push_back(sample_now(simulation_, probe_));
+    samples_.back().step_ms = step_ms;
+  }
+  void write() const {
+    write_samples(options_.history, samples_, simulation_.model,
+                  provenance_of(simulation_.scene, simulation_.model, renderer_, options_.command_line, simulation_.steps_made(), simulation_.time()),
+                  probe_);
+  }
+
+ private:
+  const RunOptions& options_;
+  const std::string& renderer_;
+  Simulation& simulation_;
+  std::uint32_t probe_;
+  std::vector<Sample> samples_;
+};
+
+std::vector<OutputFile> outputs_of(const RunOptions& options) {
+  const bool has_file_beside = options.every == 0 && lower_ending(options.export_path) == ".csv";
+  return {{"--export", options.export_path, state_endings},
+          {"what made --export", has_file_beside ? provenance_beside(options.export_path).string() : "", {}},
+          {"--history", options.history, {".csv"}, OutputFile::Takes::all_but_foreign},
+          {"--stats", options.stats, {".json"}, OutputFile::Takes::all_but_foreign}};
+}
+
+void require_free_standard_output(const RunOptions& options) {
+  const auto is_it = [](const std::string& path) { return path == kStandardOutput; };
+  if (options.every > 0 && is_it(options.export_path))
+    throw UsageError("--export -", "is one file, and --every writes many", "expected a file name, or no --every");
+  if (options.hash && (is_it(options.export_path) || is_it(options.history) || is_it(options.stats)))
+    throw UsageError("--hash", "prints on standard output, which another option writes", "expected a file name instead of -");
+}
+
+}  // namespace
+
+int command_run(const RunOptions& options) {
+  if (options.error && (options.static_equilibrium || options.reference))
+    throw UsageError("--error", "compares steps of the GPU with the reference solver", "leave out --static and --reference");
+  if (options.every > 0 && (options.export_path.empty() || options.static_equilibrium))
+    throw UsageError("--every", options.export_path.empty() ? "exports nothing" : "has no steps to export with --static",
+                options.export_path.empty() ? "expected --export FILE beside it" : "leave out one of them");
+  if (!options.history.empty() && options.static_equilibrium)
+    throw UsageError("--history", "has no steps to follow with --static", "leave out one of them");
+  require_steps_or_static(options);
+  require_free_standard_output(options);
+  const std::vector<OutputFile> outputs = outputs_of(options);
+  require_outputs(outputs);
+  std::optional<EndAtOnce> opening(std::in_place);
+  Opened opened = open_input(options, options.sets);
+  require_outputs(outputs, input_files(opened.scene));
+  Graphics graphics;
+  if (!options.reference) graphics = open_graphics(options, false, 16, 16, workload_of(opened.scene, opened.model, options.static_equilibrium, false));
+  Simulation simulation(std::move(opened.scene), std::move(opened.model), graphics.programs.get(), options.reference);
+  opening.reset();
+  if (opened.replay) simulation.play(std::move(*opened.replay));
+  if (options.error) simulation.gpu()->solve_everything();
+  announce(options, graphics, simulation.model.notes);
+
+  RunStats stats;
+  stats.renderer = options.reference ? "reference solver, double precision" : describe(graphics);
+  std::optional<StateSeries> series;
+  const auto made_by = [&] {
+    return provenance_of(simulation.scene, simulation.model, stats.renderer, options.command_line, stats.steps, simulation.time());
+  };
+  if (options.every > 0 && !options.export_path.empty()) series.emplace(options.export_path);
+  const auto export_frame = [&] {
+    const State state = simulation.state();
+    require_finite(state, simulation.scene);
+    series->write(state.time, simulation.model.file_mesh, reference::export_fields(simulation.model, state), made_by());
+  };
+
+  std::optional<HistoryFile> history;
+  if (!options.history.empty()) history.emplace(options, stats.renderer, simulation);
+
+  const Clock::time_point start = Clock::now();
+  if (options.static_equilibrium) {
+    const StaticReport report = simulation.solve_static(static_news(options.quiet));
+    if (interrupted()) return exit_interrupted;
+    require_equilibrium(simulation, report);
+    stats.solve_ms.push_back(milliseconds_since(start));
+    stats.step_ms = stats.solve_ms;
+    stats.residual = report.relative_residual;
+    stats.steps = 1;
+    if (!options.quiet) std::cerr << "fascia: " << describe(report) << '\n';
+  } else {
+    const long steps = steps_to_run(options, simulation);
+    if (series) export_frame();
+    if (history) history->add();
+    for (long i = 0; i < steps && !interrupted(); ++i) {
+      const Clock::time_point step_start = Clock::now();
+      simulation.step();
+      if (!options.reference) gl::Finish();
+      if (simulation.astray()) {
+        if (history) history->write();
+        require_sound(simulation);
+      }
+      stats.solve_ms.push_back(milliseconds_since(step_start));
+      ++stats.steps;
+      if (history) history->add(stats.solve_ms.back());
+      if (series && stats.steps % options.every == 0) export_frame();
+      stats.step_ms.push_back(milliseconds_since(step_start));
+    }
+  }
+  stats.wall_s = milliseconds_since(start) / 1000;
+  if (history) history->write();
+  if (!options.static_equilibrium) require_sound(simulation);
+
+  const State last = simulation.state();
+  int inverted = 0;
+  if (GpuSolver* gpu = simulation.gpu()) {
+    gpu->request_diagnostics();
+    const auto diagnostics = gpu->take_diagnostics(true);
+    if (diagnostics) inverted = diagnostics->inverted;
+    if (diagnostics && !options.static_equilibrium) {
+      stats.residual = diagnostics->residual;
+      double mass = 0;
+      for (const double m : lumped_masses(simulation.model)) mass += m;
+      stats.imbalance = diagnostics->imbalance(mass * simulation.model.gravity);
+    }
+    count_work(stats, simulation);
+  } else {
+    if (!options.static_equilibrium) stats.residual = simulation.newton_report().relative_residual;
+    inverted = reference::measure(simulation.model, last).inverted;
+  }
+  if (options.error) {
+    TrueError measured;
+    const StepError& error = measured.measure(simulation);
+    stats.error = error.relative;
+    if (!options.quiet)
+      std::cerr << "fascia: error of the last step " << 100 * error.relative << " %, largest " << error.largest << " m"
+                << (error.converged ? "" : " (the reference solver did not converge)") << '\n';
+  }
+  stats.provenance = made_by();
+  if (!options.stats.empty()) write_stats(options.stats, stats, simulation, last);
+  require_finite(last, simulation.scene);
+  const std::uint64_t hash = state_hash(last);
+  const bool overridden = !options.sets.empty() || !options.grabs.empty() || options.reference;
+  if (options.hash) std::cout << "state " << hash_text(hash) << '\n';
+  if (const auto& replay = simulation.replay(); replay && replay->hash && replay->steps == stats.steps && !options.quiet)
+    std::cerr << "fascia: "
+              << (hash == *replay->hash ? "to the bit what was recorded\n"
+                  : overridden          ? "another state than was recorded, with other values, hands or solver\n"
+                                        : "not to the bit what was recorded: another device, program or mesh\n");
+  if (!series && !options.export_path.empty())
+    write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last), stats.provenance);
+  if (inverted > 0 && !options.quiet)
+    std::cerr << "fascia: " << inverted << " of " << plural(simulation.model.tets.size(), "tet") << (inverted == 1 ? " is" : " are")
+              << " inside out at the end\n";
+  if (!options.quiet)
+    std::cerr << "fascia: " << plural(static_cast<std::size_t>(stats.steps), "step") << ", " << last.time << " s simulated in " << stats.wall_s << " s, median "
+              << percentiles(stats.solve_ms).median << " ms a step\n";
+  return interrupted() ? exit_interrupted : exit_done;
+}
+
+}  // namespace fascia

@@ -1,0 +1,147 @@
+// fascia stress: the torture table as CSV and Markdown, and for every failure a replay and a picture.
+#include <algorithm>
+#include <iostream>
+#include <map>
+
+#include "app/bench/bench.h"
+#include "app/commands/command.h"
+#include "app/cli/name_pattern.h"
+#include "app/stress/stress.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "sim/scene/scene_carry.h"
+
+namespace fascia {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Row {
+  Pair pair;
+  StressCase made;
+  StressResult result;
+  fs::path replay;  // of a failure, relative to the output folder
+  bool passed() const { return result.failures.empty(); }
+};
+
+std::string full_name(const StressCase& made, const Pair& pair) { return made.group + "/" + made.name + "/" + name_of(pair); }
+
+std::string file_name(std::string name) {
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-') c = '_';
+  return name;
+}
+
+std::string joined(const std::vector<std::string>& parts, const char* between) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : between) + part;
+  return text;
+}
+
+// The replay, and what its last state looks like.
+void keep_failure(Bench& bench, Row& row) {
+  const std::string name = file_name(full_name(row.made, row.pair));
+  Replay replay = row.made.replay;
+  replay.steps = row.result.steps;
+  row.replay = fs::path("failures") / (name + ".fascia");
+  std::error_code ec;
+  fs::create_directories(bench.folder / "failures", ec);
+  Session session(bench.graphics, replay.scene, false);
+  replay.scene = self_contained_if_possible(std::move(replay.scene), session.simulation.model.files);
+  write_replay(bench.folder / row.replay, replay);
+  session.simulation.play(std::move(replay));
+  for (long step = 0; step < row.result.steps; ++step) session.simulation.step();
+  Framebuffer framebuffer(bench.options.width, bench.options.height, 1);
+  session.settle_range();
+  session.draw(framebuffer);
+  bench.write("failures/" + name, framebuffer.read(), session, row.result.steps);
+}
+
+Table table_of(const std::vector<Row>& rows) {
+  Table table;
+  table.columns = {"group",       "case",         "method",      "acceleration",  "passed", "failures",       "steps",
+                   "recovered_s", "rms_sizes",    "farthest_sizes", "energy_growth", "momentum_growth", "inverted", "replay"};
+  for (const Row& row : rows) {
+    const StressResult& r = row.result;
+    table.rows.push_back({row.made.group, row.made.name, name_of(row.pair.method), name_of(row.pair.acceleration), row.passed() ? 1 : 0,
+                          joined(r.failures, "; "), r.steps, r.recovered_after >= 0 ? Cell(r.recovered_after) : Cell(), r.rms, r.farthest,
+                          r.energy_growth, r.momentum_growth, r.inverted, row.replay.string()});
+  }
+  return table;
+}
+
+// Pairs down, groups across: how many cases passed; then every failure in a line.
+std::string summary_of(const Bench& bench, const std::vector<Row>& rows) {
+  std::vector<std::string> groups;
+  std::vector<Pair> pairs;
+  std::map<std::pair<std::size_t, std::string>, std::pair<int, int>> counts;  // passed, of
+  for (const Row& row : rows) {
+    if (std::find(groups.begin(), groups.end(), row.made.group) == groups.end()) groups.push_back(row.made.group);
+    if (std::find(pairs.begin(), pairs.end(), row.pair) == pairs.end()) pairs.push_back(row.pair);
+    const auto p = static_cast<std::size_t>(std::find(pairs.begin(), pairs.end(), row.pair) - pairs.begin());
+    for (const std::string& group : {row.made.group, std::string()}) {
+      auto& [passed, all] = counts[{p, group}];
+      passed += row.passed();
+      ++all;
+    }
+  }
+  std::string text = "# fascia stress\n\n";
+  for (const std::string& note : bench.notes()) text += "- " + note + "\n";
+  text += "\nCases passed:\n\n| method + acceleration |";
+  groups.push_back("");
+  for (const std::string& group : groups) text += " " + (group.empty() ? "all" : group) + " |";
+  text += "\n|---|";
+  for (std::size_t g = 0; g < groups.size(); ++g) text += "---|";
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    text += "\n| " + name_of(pairs[p]) + " |";
+    for (const std::string& group : groups) {
+      const auto found = counts.find({p, group});
+      text += found == counts.end() ? " |" : " " + std::to_string(found->second.first) + " / " + std::to_string(found->second.second) + " |";
+    }
+  }
+  text += "\n\nFailures:\n\n| case | pair | what | replay |\n|---|---|---|---|\n";
+  for (const Row& row : rows)
+    if (!row.passed())
+      text += "| " + row.made.group + ": " + row.made.name + " | " + name_of(row.pair) + " | " + joined(row.result.failures, "; ") + " | " +
+              row.replay.string() + " |\n";
+  return text;
+}
+
+}  // namespace
+
+int command_stress(const BenchOptions& options, const std::string& only, MaterialModel model) {
+  std::vector<Row> rows;
+  bool stopped = false;
+  Bench bench(options, "stress");
+  try {
+    bench.say(describe(bench.graphics));
+    for (const Pair& pair : legal_pairs()) {
+      if (!carries(pair.method, model)) continue;
+      for (StressCase& made : stress_cases(pair, model, bench.folder, options.quick)) {
+        const std::string name = full_name(made, pair);
+        if (!matches(name, only)) continue;
+        bench.stop_if_interrupted();
+        Row& row = rows.emplace_back(Row{pair, std::move(made), {}, {}});
+        {
+          Simulation simulation(row.made.replay.scene, bench.graphics.programs.get(), false);
+          simulation.play(row.made.replay);
+          row.result = run_stress_case(simulation, row.made.criteria);
+        }
+        if (row.passed()) continue;
+        keep_failure(bench, row);
+        bench.say("FAILED " + name + ": " + joined(row.result.failures, "; "));
+      }
+    }
+  } catch (const Interrupted&) {
+    stopped = true;
+  }
+  if (rows.empty() && !stopped) throw Error("--only " + only, "matches no case", "expected a part of group/case/method + acceleration");
+  bench.write("stress", table_of(rows));
+  write_file(bench.folder / "summary.md", summary_of(bench, rows));
+  const auto failed = std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.passed(); });
+  if (!options.quiet)
+    std::cerr << "fascia: " << rows.size() << " cases, " << failed << " failed: " << (bench.folder / "summary.md").string() << '\n';
+  return stopped ? exit_interrupted : failed > 0 ? exit_failed : exit_done;
+}
+
+}  // namespace fascia

@@ -1,0 +1,49 @@
+#include "app/dialogs/folder_listing.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/file.h"
+
+namespace fascia {
+namespace fs = std::filesystem;
+namespace {
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+}  // namespace
+
+const std::vector<FileKind>& openable_kinds() {
+  static const std::vector<FileKind> kinds = {
+      {"All that fascia opens", {".json", ".fascia", ".msh", ".vtk", ".vtu", ".node", ".mesh", ".obj"}},
+      {"Scenes", {".json"}},
+      {"Meshes", {".msh", ".vtk", ".vtu", ".node", ".mesh"}},
+      {"Surfaces", {".obj"}},
+      {"Replays", {".fascia"}}};
+  return kinds;
+}
+
+std::vector<FolderEntry> list_folder(const fs::path& folder, const FileKind& kind, const std::string& part) {
+  std::vector<FolderEntry> entries;
+  const std::string wanted = lower(part);
+  std::error_code ec;
+  for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec)) {
+    const std::string name = it->path().filename().string();
+    std::error_code unreadable;
+    const bool is_folder = it->is_directory(unreadable);
+    const bool known = std::find(kind.endings.begin(), kind.endings.end(), lower_ending(it->path())) != kind.endings.end();
+    if (name.front() == '.' || !(is_folder || known) || lower(name).find(wanted) == std::string::npos) continue;
+    entries.push_back({it->path(), is_folder});
+  }
+  std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
+    if (a.is_folder != b.is_folder) return a.is_folder;
+    const std::string left = lower(a.path.filename().string()), right = lower(b.path.filename().string());
+    return left != right ? left < right : a.path < b.path;
+  });
+  return entries;
+}
+
+}  // namespace fascia

@@ -1,0 +1,37 @@
+// The shipped scenes as pictures, one click away.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/state/window_state.h"
+#include "gl/texture.h"
+
+namespace fascia {
+
+struct Example {
+  std::filesystem::path scene, picture;
+  std::string title, says;
+};
+
+/// Scenes of assets/scenes: in the order of assets/gallery.json, which also says what each is, then those that it does not name. What cannot
+/// be read is left out.
+std::vector<Example> shipped_examples(const std::filesystem::path& assets);
+
+class Gallery {
+ public:
+  explicit Gallery(const std::filesystem::path& data_dir) : assets_(data_dir / "assets") {}
+  void ask() { start_ = true; }
+  /// Between ImGui::NewFrame and ImGui::Render; needs a current context. True once, when it was closed, whatever was chosen.
+  bool draw(Requests& requests);
+
+ private:
+  void load();
+
+  std::filesystem::path assets_;
+  bool start_ = false, open_ = false;
+  std::vector<Example> examples_;
+  std::vector<gl::Texture> pictures_;  // of the examples, while it is open; no texture where there is no picture
+};
+
+}  // namespace fascia

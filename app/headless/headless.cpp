@@ -1,0 +1,183 @@
+#include "app/headless/headless.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+#include "sim/simulation/breakdown.h"
+#include "app/overlay/color_bar.h"
+#include "base/interrupt.h"
+#include "app/headless/interpolated_frames.h"
+#include "app/panels/panels.h"
+#include "base/error.h"
+
+namespace fascia {
+namespace {
+
+// `split` are more sets in one text, with semicolons between: for the second side.
+Opened open_with_display(const RenderOptions& options, const std::string& split = "") {
+  std::vector<std::string> sets = options.sets;
+  std::istringstream parts(split);
+  for (std::string part; std::getline(parts, part, ';');)
+    if (!part.empty()) sets.push_back(part);
+  if (!options.color.empty()) sets.push_back("display.color=" + options.color);
+  if (options.wireframe) sets.push_back("display.wireframe=true");
+  return open_input(options, sets);
+}
+
+std::vector<HandMark> marks_of(const Simulation& simulation, const std::optional<Diagnostics>& diagnostics) {
+  return hand_marks(simulation, diagnostics ? diagnostics->hand_forces : std::vector<HandForce>(), nullptr);
+}
+
+}  // namespace
+
+Headless::Headless(const RenderOptions& options) : Headless(options, open_with_display(options)) {}
+
+Headless::Headless(const RenderOptions& options, Opened opened)
+    : options_(options),
+      graphics_(open_graphics(options, false, options.width, options.height, workload_of(opened.scene, opened.model, options.static_equilibrium))),
+      session_(graphics_, std::move(opened.scene), std::move(opened.model), options.reference),
+      picture_(options.width, options.height, options.samples),
+      camera_(options.camera, session_.simulation.scene, opened.replay ? &*opened.replay : nullptr),
+      opened_(session_.display()),
+      overlay_(graphics_) {
+  if (const auto camera = camera_.at(0)) session_.look_from(*camera);
+  session_.measure_extent();
+  Simulation& simulation = session_.simulation;
+  // What is chosen here for the display holds for all of a replay.
+  const auto names_display = [](const std::string& set) { return set.starts_with("display."); };
+  const bool chosen = !options.color.empty() || options.wireframe || std::any_of(options.sets.begin(), options.sets.end(), names_display);
+  if (opened.replay && !chosen) view_ = ReplayView(*opened.replay);
+  if (opened.replay) simulation.play(std::move(*opened.replay));
+  if (session_.display().color == ColorBy::error) simulation.gpu()->solve_everything();
+  if (!options.split.empty()) {
+    Opened other = open_with_display(options, options.split);
+    const Scene &a = session_.simulation.scene, &b = other.scene;
+    if (a.gravity != b.gravity || a.display != b.display || a.solver.time_step != b.solver.time_step)
+      throw Error("--split " + options.split, "changes gravity, the time step or the display, which both sides share", "expected them in --set");
+    split_.emplace(graphics_, session_, std::move(other.scene), std::move(other.model));
+    if (session_.display().color == ColorBy::error) split_->b().simulation.gpu()->solve_everything();
+  }
+  if (!options.static_equilibrium) steps_ = steps_to_run(options, simulation);
+  announce(options, graphics_, simulation.model.notes);
+}
+
+void Headless::run(const std::function<void()>& after_step) {
+  Simulation& simulation = session_.simulation;
+  if (options_.static_equilibrium) {
+    const auto settle = [&](Simulation& side) {
+      const StaticReport report = side.solve_static(static_news(options_.quiet));
+      if (interrupted()) return;
+      require_equilibrium(side, report);
+      if (!options_.quiet) std::cerr << "fascia: " << describe(report) << '\n';
+    };
+    settle(simulation);
+    if (split_) settle(split_->b().simulation);
+    return;
+  }
+  if (after_step) after_step();
+  while (step_ < steps_ && !interrupted()) {
+    if (split_)
+      split_->step(session_, session_);
+    else
+      simulation.step();
+    ++step_;
+    if (simulation.astray()) require_sound(simulation);
+    if (after_step) after_step();
+  }
+}
+
+void Headless::show_as_of(double step) {
+  const DisplaySettings display = view_.display(step).value_or(opened_);
+  if (display != session_.display()) session_.set_display(display);
+}
+
+void Headless::look(double step) {
+  show_as_of(step);
+  if (const auto camera = camera_.at(step)) session_.look_from(*camera);
+}
+
+Framebuffer& Headless::draw() {
+  require_sound(session_.simulation);
+  session_.forget_range();
+  return draw(static_cast<double>(step_), nullptr);
+}
+
+Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
+  look(step);
+  if (split_) split_->share(session_);
+  const bool tells = options_.panels || split_;
+  const std::optional<Diagnostics> diagnostics = tells ? diagnose() : diagnose_hands();
+  if (session_.display().color == ColorBy::error) {
+    session_.measure_error();
+    if (split_) split_->b().measure_error();
+  }
+  session_.settle_range(split_ ? &split_->b() : nullptr);
+  if (split_) return draw_split(diagnostics);
+  std::vector<HandMark> hands = marks_of(session_.simulation, diagnostics);
+  if (positions && !remembered_hands_.empty()) {
+    constexpr double kRounding = 1e-6;  // a whole step may come as a little less
+    const auto ago = static_cast<std::size_t>(step_ - static_cast<long>(std::floor(step + kRounding)));
+    hands = remembered_hands_[remembered_hands_.size() - 1 - std::min(ago, remembered_hands_.size() - 1)];
+  }
+  const int width = picture_.framebuffer().width(), height = picture_.framebuffer().height();
+  if (options_.panels || has_legend(session_)) overlay_.scale_to(height);
+  frame_picture(session_.camera, session_.extent, {width, height, margins(height >= kLeastRows)});
+  Framebuffer& framebuffer =
+      picture_.draw(session_.camera, [&](Framebuffer& target) { session_.draw(target, arrows(hands), positions); });
+  if (options_.panels || has_legend(session_) || !hands.empty())
+    overlay_.draw_headless(session_, framebuffer, options_.panels, diagnostics, hands);
+  return framebuffer;
+}
+
+Margins Headless::margins(bool bar) {
+  const Framebuffer& picture = picture_.framebuffer();
+  return {options_.panels ? panel_space() : 0, bar ? legend_space(session_, picture.width(), picture.height(), 1) : 0.0};
+}
+
+std::optional<Diagnostics> Headless::diagnose() {
+  GpuSolver& solver = *session_.simulation.gpu();
+  solver.request_diagnostics();
+  return solver.take_diagnostics(true);
+}
+
+std::optional<Diagnostics> Headless::diagnose_hands() { return session_.simulation.springs().empty() ? std::nullopt : diagnose(); }
+
+void Headless::remember_hands() {
+  remembered_hands_.push_back(marks_of(session_.simulation, diagnose_hands()));
+  if (remembered_hands_.size() > Moments::kAhead + 2) remembered_hands_.pop_front();
+}
+
+Framebuffer& Headless::draw_split(const std::optional<Diagnostics>& diagnostics) {
+  overlay_.scale_to(picture_.framebuffer().height());
+  const Margins edges = margins(true);
+  split_->request_diagnostics();
+  split_->take_diagnostics(true);
+  const SplitView::SideHands hands = split_->hands(session_, diagnostics, nullptr);
+  Framebuffer& framebuffer =
+      picture_.draw(session_.camera, [&](Framebuffer& target) { split_->draw(session_, target, edges, hands); });
+  overlay_.draw_headless(session_, framebuffer, options_.panels, diagnostics, {},
+                         [&] {
+                           split_->draw_labels(*ImGui::GetBackgroundDrawList(), session_, framebuffer.width(), framebuffer.height(), edges, 1,
+                                               {diagnostics, false, false, hands, overlay_.covered()});
+                         });
+  return framebuffer;
+}
+
+Provenance Headless::provenance() const {
+  const Simulation& simulation = session_.simulation;
+  return provenance_of(simulation.scene, simulation.model, session_.renderer_description(), options_.command_line, step_,
+                       simulation.time());
+}
+
+Outcome Headless::outcome() {
+  const Simulation& simulation = session_.simulation;
+  Image picture = draw().read();
+  return {std::move(picture), provenance(), simulation.model.file_mesh,
+          reference::export_fields(simulation.model, simulation.state()), simulation.gpu()->buffers().size};
+}
+
+}  // namespace fascia

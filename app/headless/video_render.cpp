@@ -1,0 +1,72 @@
+#include "app/headless/video_render.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/replay/replay_time.h"
+#include "base/error.h"
+
+namespace fascia {
+namespace {
+
+constexpr double kRounding = 1e-6;  // [frames], [steps] of moments that were summed up
+
+double longest_step(const Simulation& simulation) {
+  return simulation.replay() ? ReplayTime(*simulation.replay()).longest_step() : simulation.scene.solver.time_step;
+}
+
+}  // namespace
+
+VideoRender::VideoRender(const RenderOptions& options, Headless& headless)
+    : options_(options),
+      headless_(headless),
+      rate_(options.fps * options.slow),
+      pixels_(std::size_t{4} * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height)) {
+  const Simulation& simulation = headless.session().simulation;
+  if (rate_ * longest_step(simulation) > 1 + kRounding) moments_.emplace(simulation.replay());
+  if (moments_ && !options.split.empty())
+    throw Error("--split", "has no pictures between its steps",
+                "expected at most a frame per step: fewer --fps, less --slow or a smaller solver.time_step");
+  sink_ = open_frames(options.video, {options.width, options.height, options.fps}, headless.provenance());
+}
+
+void VideoRender::after_step() {
+  const Simulation& simulation = headless_.session().simulation;
+  const long step = headless_.step();
+  frame_of_step_.push_back(rate_ * simulation.simulated());
+  if (moments_) {
+    headless_.show_as_of(static_cast<double>(step));  // what colors show is kept with the positions
+    moments_->add(step, headless_.session().simulation);
+    headless_.remember_hands();
+  }
+  if (step == headless_.steps()) return;  // finish() knows how many are left
+  double end = frame_of_step_.back() + 0.5 * rate_ * simulation.scene.solver.time_step;
+  if (moments_) end = step < Moments::kAhead ? 0 : frame_of_step_[static_cast<std::size_t>(step - Moments::kAhead)];
+  while (static_cast<double>(frame_) < end - kRounding) write_frame();
+}
+
+// Steps that were made by then, whole or not.
+double VideoRender::step_at(double frame) const {
+  const auto next = std::upper_bound(frame_of_step_.begin(), frame_of_step_.end(), frame + kRounding);
+  const auto before = std::prev(next);
+  const auto step = static_cast<double>(before - frame_of_step_.begin());
+  if (next == frame_of_step_.end()) return step;
+  const double part = (frame - *before) / (*next - *before);
+  return step + (part < kRounding ? 0 : part);
+}
+
+void VideoRender::write_frame() {
+  const double step = moments_ ? step_at(static_cast<double>(frame_)) : static_cast<double>(headless_.step());
+  headless_.draw(step, moments_ ? &moments_->at(step) : nullptr).read_into(pixels_.data());
+  sink_->write(pixels_);
+  if (options_.hash) hash_.add(pixels_);
+  ++frame_;
+}
+
+void VideoRender::finish() {
+  const long frames = std::lround(frame_of_step_.back() + kRounding);
+  while (frame_ < frames) write_frame();
+  sink_->finish();
+}
+
+}  // namespace fascia

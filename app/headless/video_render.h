@@ -1,0 +1,42 @@
+// The frames of a video of a scene that runs without a window.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/video/frame_sink.h"
+#include "app/headless/headless.h"
+#include "app/headless/interpolated_frames.h"
+#include "base/byte_hash.h"
+
+namespace fascia {
+
+class VideoRender {
+ public:
+  /// Frames go to `options.video`. A video that runs at the speed of life, or as much slower as is asked for, whatever the time step, also
+  /// where a replay changes it: where there are more steps than frames, a frame shows the nearest step, else the tissue moves between
+  /// steps (Moments). Throws Error.
+  VideoRender(const RenderOptions& options, Headless& headless);
+
+  void after_step();  // writes the frames that can be drawn by now. Throws Error
+  void finish();      // all frames of the steps that were made
+  long frames() const { return frame_; }
+  std::uint64_t hash() const { return hash_.value(); }  // of all frames
+
+ private:
+  void write_frame();
+  double step_at(double frame) const;
+
+  const RenderOptions& options_;
+  Headless& headless_;
+  double rate_;                      // frames per simulated second
+  std::vector<double> frame_of_step_;  // where the steps lie between the frames [steps made + 1]
+  std::optional<Moments> moments_;
+  std::unique_ptr<FrameSink> sink_;
+  std::vector<std::uint8_t> pixels_;
+  ByteHash hash_;
+  long frame_ = 0;
+};
+
+}  // namespace fascia

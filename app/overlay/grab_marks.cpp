@@ -1,0 +1,126 @@
+#include "app/overlay/grab_marks.h"
+
+#include <imgui.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "app/ui/style.h"
+#include "app/ui/widgets.h"
+#include "app/ui/units.h"
+
+namespace fascia {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+std::optional<ImVec2> place_of(const MarkArea& area, const Session& session, const Vector3d& place) {
+  const auto at = pixel_of(session, place, area.width, area.height);
+  if (!at) return std::nullopt;
+  return ImVec2{area.x + static_cast<float>(at->x()), static_cast<float>(at->y())};
+}
+
+}  // namespace
+
+std::vector<HandMark> hand_marks(const Simulation& simulation, const std::vector<HandForce>& forces, const Hands* hands) {
+  const std::vector<GrabSpring>& springs = simulation.springs();
+  std::vector<HandMark> marks;
+  for (std::size_t begin = 0, end = 0; begin < springs.size(); begin = end) {
+    const std::uint32_t hand = springs[begin].hand;
+    double stiffness = 0;
+    Vector3d to(0, 0, 0), force(0, 0, 0);
+    for (end = begin; end < springs.size() && springs[end].hand == hand; ++end) {
+      stiffness += springs[end].stiffness;
+      to += springs[end].stiffness * (simulation.model.rest_positions[springs[end].vertex] + springs[end].target);
+    }
+    if (stiffness == 0) continue;
+    to /= stiffness;
+    bool observed = false;
+    for (const HandForce& f : forces)
+      if (f.hand == hand && f.force.allFinite()) force = f.force, observed = true;
+    HandMark mark{{(to - force / stiffness).cast<float>(), to.cast<float>()}, force};
+    if (hands)
+      for (std::size_t i = 0; i < hands->all().size(); ++i)
+        if (hands->all()[i].id == hand) {
+          const Grab& grab = hands->all()[i].grab;
+          mark.arrow = {grab.anchor().cast<float>(), grab.pointer().cast<float>()};
+          if (observed) mark.arrow.from += ((grab.force() - force) / grab.stiffness()).cast<float>();  // of this simulation's tissue
+          mark.stays = !hands->follows(i);
+        }
+    marks.push_back(mark);
+  }
+  return marks;
+}
+
+std::vector<GrabMark> arrows(const std::vector<HandMark>& marks) {
+  std::vector<GrabMark> arrows;
+  for (const HandMark& mark : marks) arrows.push_back(mark.arrow);
+  return arrows;
+}
+
+std::optional<Vector2d> pixel_of(const Session& session, const Vector3d& place, double width, double height) {
+  const Eigen::Matrix4d transform =
+      (session.camera.projection(width / height, session.look.radius) * session.camera.view()).cast<double>();
+  const Eigen::Vector4d clip = transform * place.homogeneous();
+  if (!(clip.w() > 0)) return std::nullopt;
+  return Vector2d((0.5 + 0.5 * clip.x() / clip.w()) * width, (0.5 - 0.5 * clip.y() / clip.w()) * height);
+}
+
+MarkArea MarkArea::whole() {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  return {*ImGui::GetBackgroundDrawList(), 0, size.x, size.y};
+}
+
+void draw_hand_marks(const MarkArea& area, const Session& session, const std::vector<HandMark>& marks, LabelPlaces& places) {
+  ImDrawList& list = area.list;
+  list.PushClipRect({area.x, 0}, {area.x + area.width, area.height}, true);
+  std::vector<std::optional<ImVec2>> hands;
+  for (const HandMark& mark : marks) {
+    const auto place = place_of(area, session, mark.arrow.to.cast<double>());
+    const bool shown = place && place->x >= area.x && place->x < area.x + area.width && place->y >= 0 && place->y < area.height;
+    hands.push_back(shown ? place : std::nullopt);
+    if (!shown) continue;
+    const float reach = ui::px(8);
+    places.keep_clear({place->x - reach, place->y - reach, place->x + reach, place->y + reach});
+    if (mark.stays) {
+      const float radius = static_cast<float>(kMarkRadius) * area.height / 720;
+      list.AddCircleFilled(*place, radius, ImGui::GetColorU32(ImVec4(ui::kAccent.x, ui::kAccent.y, ui::kAccent.z, 0.35f)));
+      list.AddCircle(*place, radius, ImGui::GetColorU32({1, 1, 1, 0.95f}), 0, ui::px(2));
+    }
+  }
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (!hands[i]) continue;
+    const std::string force = engineering(marks[i].force.norm(), "N");
+    const Box label = places.place(ui::pill_box(force, hands[i]->x + ui::px(44), hands[i]->y - ui::px(34)));
+    ui::pill(list, force, 0.5f * (label.left + label.right), label.top, ui::kText);
+  }
+  list.PopClipRect();
+}
+
+void draw_patch_ring(const MarkArea& area, const Session& session, const Vector3d& place, const Vector3d& normal, double radius) {
+  const Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
+  constexpr int kCorners = 64;
+  std::vector<ImVec2> ring;
+  for (int k = 0; k < kCorners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / kCorners;
+    const auto at = place_of(area, session, place + radius * (std::cos(angle) * u + std::sin(angle) * v));
+    if (!at) return;
+    ring.push_back(*at);
+  }
+  ImDrawList& list = area.list;
+  list.PushClipRect({area.x, 0}, {area.x + area.width, area.height}, true);
+  list.AddPolyline(ring.data(), kCorners, ImGui::GetColorU32({0, 0, 0, 0.35f}), ImDrawFlags_Closed, ui::px(3.5f));
+  list.AddPolyline(ring.data(), kCorners, ImGui::GetColorU32({1, 1, 1, 0.9f}), ImDrawFlags_Closed, ui::px(1.6f));
+  list.PopClipRect();
+}
+
+void draw_probe(const MarkArea& area, const Session& session, const Vector3d& place) {
+  const auto middle = place_of(area, session, place);
+  if (!middle) return;
+  area.list.AddCircleFilled(*middle, ui::px(5), IM_COL32(0, 0, 0, 160));
+  area.list.AddCircleFilled(*middle, ui::px(3.2f), ImGui::GetColorU32(ui::kWarning));
+}
+
+}  // namespace fascia

@@ -1,0 +1,54 @@
+// What is drawn over the picture: the panels, and lists of marks and labels. Owns the ImGui context; works in a window and headless.
+// Everything is laid out in pixels of the picture, so that a window, a screenshot and a headless rendering look alike.
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "app/session/graphics.h"
+#include "app/overlay/grab_marks.h"
+#include "app/session/session.h"
+#include "render/passes/imgui_renderer.h"
+
+struct ImDrawList;
+
+namespace fascia {
+
+class Overlay {
+ public:
+  explicit Overlay(Graphics& graphics);
+  ~Overlay();
+  Overlay(const Overlay&) = delete;
+  Overlay& operator=(const Overlay&) = delete;
+
+  /// One frame of panels (if wanted), color bar and forces of hands over the resolved framebuffer, without a window.
+  /// `more` is called with ImGui to draw what else belongs to the picture.
+  void draw_headless(Session& session, Framebuffer& framebuffer, bool panels, const std::optional<Diagnostics>& diagnostics,
+                     const std::vector<HandMark>& hands, const std::function<void()>& more = {});
+  /// So that lengths in pixels and texts are measured right before the first picture of this height.
+  void scale_to(int height);
+
+  /// A window's frame: begin, which gives ImGui the next input (WindowInput::feed), then any ImGui calls, then end; then draw over the
+  /// resolved framebuffer, first what belongs to the picture, then what does not (ImGui's foreground layer).
+  void begin(int width, int height);
+  void end();
+  void draw(const Framebuffer& framebuffer);
+  void draw_foreground(const Framebuffer& framebuffer);
+  /// The same frame over a picture of another size, as large as fits; without `panels` only what lies behind them.
+  void draw_onto(const Framebuffer& framebuffer, bool panels);
+  /// What windows and pills of the frame cover [pixels of the frame].
+  std::vector<Box> covered() const;
+  float scale_onto(const Framebuffer& framebuffer) const;  // of that frame there
+  /// What `paint` draws, in units of `scale` pixels, over the picture. Once a frame has begun.
+  void draw_list(const Framebuffer& framebuffer, float scale, const std::function<void(ImDrawList&)>& paint);
+
+ private:
+  void set_scale(float scale);
+  void draw_lists(const Framebuffer& framebuffer, bool foreground);
+
+  Graphics& graphics_;
+  std::unique_ptr<ImguiRenderer> renderer_;
+  float scale_ = 0;
+};
+
+}  // namespace fascia

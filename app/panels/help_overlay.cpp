@@ -1,0 +1,184 @@
+// Lines over the picture: help, hint, notices, messages.
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "app/panels/panels.h"
+#include "app/ui/style.h"
+#include "app/ui/widgets.h"
+
+namespace fascia {
+namespace {
+
+struct Key {
+  const char *key, *does;
+};
+struct Theme {
+  const char* name;
+  std::vector<Key> keys;
+};
+
+// Columns of the list, each a few themes one under the other.
+const std::vector<std::vector<Theme>>& help_columns() {
+  static const std::vector<std::vector<Theme>> columns = {
+      {{"Mouse",
+        {{"Left drag on tissue", "grab it"},
+         {"Left drag elsewhere", "orbit"},
+         {"Shift + left drag", "always grab, the nearest tissue"},
+         {"Alt + left drag", "push the tissue in; X: push without Alt"},
+         {"Ctrl + left drag", "move the section plane, if any"},
+         {"Right or middle drag", "pan"},
+         {"Wheel", "zoom"}}},
+       {"Hands",
+        {{"[ ], Ctrl + wheel", "size of the patch"},
+         {"Wheel while dragging", "away and closer; pushing: deeper"},
+         {"T, or Ctrl on release", "the hand stays there"},
+         {"Left, right on its mark", "take it up again, let it go"},
+         {"Delete, Esc", "let go of one that stays, of all"}}},
+       {"Time", {{"Space", "pause, go on"}, {".", "one step"}, {"R", "reset"}}},
+       {"Values",
+        {{"Click on a value", "type another, such as 12.5 kPa"},
+         {"Ctrl+Z, Ctrl+Y", "take a change back, do it again"},
+         {"B", "compare two settings side by side"},
+         {"Ctrl+Tab, arrows, Enter", "the panels by keyboard; Esc leaves them"}}}},
+      {{"View", {{"F", "frame the body as it is"}, {"W", "wireframe"}, {"H", "hide the panels"}, {"F3", "plots over time"}}},
+       {"Files",
+        {{"Ctrl+O", "open; or drop a file on the window"},
+         {"Ctrl+Shift+O", "opened before"},
+         {"F2", "examples"},
+         {"Ctrl+S", "save the scene"},
+         {"Ctrl+Shift+C", "copy the command line of the scene as it is now"},
+         {"Ctrl+E", "export the state: .vtu .csv .msh .obj"},
+         {"P", "screenshot (PNG)"},
+         {"V, Shift+V", "start and stop a video; choose what it is to be"},
+         {"Ctrl+R", "save a replay of this session"}}},
+       {"Program", {{"F1", "this list"}, {"F5", "reload the shaders"}, {"Ctrl+Q", "quit"}}}}};
+  return columns;
+}
+
+constexpr ImGuiWindowFlags kPlain = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                    ImGuiWindowFlags_NoFocusOnAppearing;
+
+}  // namespace
+
+void draw_help(ViewState& state) {
+  // In the middle of what the panels leave; over them, and scrolled, where it does not fit.
+  const char* name = "Keys and mouse";
+  const ImVec2 size = ImGui::GetIO().DisplaySize, most{size.x - ui::px(16), size.y - ui::px(16)};
+  const ImGuiWindow* before = ImGui::FindWindowByName(name);
+  const float half = before ? before->Size.x / 2 : 0, right_most = size.x - ui::px(8) - half;
+  ImGui::SetNextWindowPos({std::min((size.x + panel_width()) / 2, right_most), size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, most);
+  ImGui::SetNextWindowBgAlpha(0.98f);  // it may lie over plots
+  constexpr ImGuiWindowFlags kFlags = (kPlain & ~ImGuiWindowFlags_NoTitleBar) | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_HorizontalScrollbar;
+  if (ImGui::Begin(name, &state.show_help, kFlags)) {
+    const auto& columns = help_columns();
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      if (c > 0) ImGui::SameLine(0, ui::px(28));
+      ImGui::BeginGroup();
+      for (const Theme& theme : columns[c]) {
+        ImGui::PushFont(ui::bold_font());
+        ImGui::TextUnformatted(theme.name);
+        ImGui::PopFont();
+        if (ImGui::BeginTable(theme.name, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX)) {
+          for (const Key& key : theme.keys) {
+            ImGui::TableNextColumn();
+            ImGui::TextColored(ui::kAccent, "%s  ", key.key);
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(key.does);
+          }
+          ImGui::EndTable();
+        }
+        ImGui::Spacing();
+      }
+      ImGui::EndGroup();
+    }
+  }
+  ImGui::End();
+}
+
+void draw_hints(const Hints& hints, const Room& room) {
+  if (room.width() < ui::px(330)) return;  // they do not fit
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const float left = room.left, middle = room.middle(), line = ui::px(36);
+  float below = size.y - ui::px(40);
+  if (hints.wanted("help")) {
+    ui::pill("F1: all keys, F2: examples", middle, below, ui::kDim);
+    below -= line;
+  }
+  if (hints.wanted("grab")) ui::pill("Drag the tissue to pull at it", middle, below - line, ui::kText);
+  if (hints.wanted("orbit")) ui::pill("Drag beside it to turn the view, wheel: zoom", middle, below, ui::kText);
+  const char* tune = "Move a slider: the tissue changes at once";
+  if (hints.wanted("tune")) ui::pill(tune, left + 0.5f * ImGui::CalcTextSize(tune).x + ui::px(10), 0.36f * size.y, ui::kText);
+}
+
+void draw_left_behind(const std::string& scene, Requests& requests) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({(size.x + panel_width()) / 2, ui::px(50)}, ImGuiCond_Always, {0.5f, 0});
+  if (ImGui::Begin("left behind", nullptr, kPlain)) {
+    // Over plots, but not over dialogs.
+    if (!ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+    ImGui::AlignTextToFramePadding();
+    ImGui::Text("A window ended before it was closed, with %s.", scene.c_str());
+    ImGui::SameLine();
+    requests.resume_left_behind |= ImGui::Button("Continue there");
+    ImGui::SameLine();
+    requests.forget_left_behind |= ImGui::Button("Forget it");
+  }
+  ImGui::End();
+}
+
+void draw_notice(const ViewState& state, const Room& room) {
+  constexpr double kUnnoticed = 0.3;  // [s]
+  const bool fits = room.width() > ui::px(230);
+  const float middle = fits ? room.middle() : 0.5f * (room.left + ImGui::GetIO().DisplaySize.x), top = ui::px(14);
+  const double speed = state.statistics.speed;
+  char text[96];
+  if (state.paused) {
+    ui::pill("Paused. Space goes on", middle, top, ui::kText);
+  } else if (state.statistics.waits > kUnnoticed) {
+    ui::pill("Getting the solver ready", middle, top, ui::kText);
+  } else if (!state.statistics.keeps_pace) {
+    std::snprintf(text, sizeof text, "Slower than real time: %.0f %%", std::max(1.0, 100 * speed));
+    ui::pill(text, middle, top, ui::kWarning);
+  }
+}
+
+void draw_recording_dot(double seconds, long dropped) {
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  char text[64];
+  const int length = std::snprintf(text, sizeof text, "%.1f s", seconds);
+  if (dropped > 0) std::snprintf(text + length, sizeof text - static_cast<std::size_t>(length), ", dropped frames: %ld", dropped);
+  const ImVec2 at{ImGui::GetIO().DisplaySize.x - ui::px(24), ui::px(26)};
+  list.AddCircleFilled(at, ui::px(8), ImGui::GetColorU32(ui::kDanger));
+  const float width = ImGui::CalcTextSize(text).x;
+  list.AddText({at.x - ui::px(16) - width, at.y - ImGui::GetFontSize() / 2}, ImGui::GetColorU32(ui::kDanger), text);
+}
+
+bool draw_message(const std::string& text, bool is_error) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({(size.x + panel_width()) / 2, ui::px(56)}, ImGuiCond_Always, {0.5f, 0});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {std::max(ui::px(200), 0.55f * size.x), size.y});
+  bool close = false;
+  if (is_error) ImGui::PushStyleColor(ImGuiCol_WindowBg, {0.33f, 0.10f, 0.09f, 0.96f});
+  if (ImGui::Begin("message", nullptr, kPlain)) {
+    ImGui::PushTextWrapPos(std::max(ui::px(180), 0.5f * size.x));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    if (is_error) {
+      close = ImGui::Button("Close (Esc)");
+      close |= ImGui::IsMouseHoveringRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()) && ImGui::IsMouseClicked(0);  // past a dialog
+      ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+    }
+  }
+  ImGui::End();
+  if (is_error) ImGui::PopStyleColor();
+  return close;
+}
+
+}  // namespace fascia

@@ -1,0 +1,21 @@
+// Short hints for somebody who is new here: each is shown until what it is about was done once, in this window or in one before.
+#pragma once
+#include <string>
+
+#include "app/system/user_settings.h"
+
+namespace fascia {
+
+class Hints {
+ public:
+  explicit Hints(UserStore& user) : user_(user) {}
+  bool wanted(const std::string& id) const { return !user_.now().hints_done.count(id); }  // grab, orbit, tune, help
+  void done(const std::string& id) {
+    if (wanted(id)) user_.change([&](UserSettings& settings) { settings.hints_done.insert(id); });
+  }
+
+ private:
+  UserStore& user_;
+};
+
+}  // namespace fascia

@@ -1,0 +1,195 @@
+// Regions and materials: which material has how much of the tissue, and the sliders of the chosen one, made from the material table.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+#include "app/ui/field_labels.h"
+#include "app/session/advice.h"
+#include "app/panels/panels.h"
+#include "app/ui/style.h"
+#include "app/ui/widgets.h"
+#include "app/ui/units.h"
+#include "render/view/color_map.h"
+#include "sim/material/tissues.h"
+
+namespace fascia {
+namespace {
+
+// What the table does not say: the range that a slider is useful in, the least that may be typed, and what the choice costs.
+struct Extra {
+  const char* name;
+  double min, max, least;
+  bool logarithmic;
+  const char* cost;
+};
+constexpr Extra kExtras[] = {
+    {"young_modulus", 1e3, 1e10, 1, true,
+     "Fat and brain about 1 to 10 kPa, muscle 10 to 100 kPa, ligament 0.1 to 1 GPa. Costs nothing, but stiffer tissue "
+     "needs more iterations to act as stiff as it is."},
+    {"poisson_ratio", -0.9, 0.499, -1, false, "Most soft tissue is near 0.45. Costs nothing; above 0.45 linear tets lock and move too little."},
+    {"density", 100, 20000, 0, true, "Water has 1000. Costs nothing; heavier tissue sags more and swings slower."},
+    {"damping", 0, 1, 0, true, "0 leaves only the damping of the time step. Turning it on costs a few percent of a step."},
+};
+
+const char* label_of_model(MaterialModel model) {
+  switch (model) {
+    case MaterialModel::signed_st_venant_kirchhoff: return "St. Venant-Kirchhoff";
+    case MaterialModel::st_venant_kirchhoff: return "St. Venant-Kirchhoff, plain";
+    case MaterialModel::stable_neo_hookean: return "Neo-Hookean, stable";
+  }
+  return "";
+}
+
+const char* help_of_model(MaterialModel model) {
+  switch (model) {
+    case MaterialModel::signed_st_venant_kirchhoff:
+      return "Linear in the Green strain; goes on resisting where it is compressed below 60 % or turned inside out, and so comes back.";
+    case MaterialModel::st_venant_kirchhoff:
+      return "Linear in the Green strain to the end: softens under strong compression, and is content inside out.";
+    case MaterialModel::stable_neo_hookean:
+      return "Rubber (Smith, de Goes, Kim 2018): softer than the others in tension, stiffer in compression, comes back from inside out. "
+             "For two_level and vertex_descent.";
+  }
+  return "";
+}
+
+const Extra* extra_of(const char* name) {
+  for (const Extra& extra : kExtras)
+    if (std::strcmp(extra.name, name) == 0) return &extra;
+  return nullptr;
+}
+
+std::string label_of_tissue(const Tissue* tissue) { return tissue ? tissue->label : "own values"; }
+std::string help_of_tissue(const Tissue* tissue) {
+  return tissue ? std::string(tissue->label) + ": " + about(*tissue)
+                : "Values of a tissue from the literature, with their source: Young's modulus, Poisson's ratio and density. Damping and model stay. "
+                  "Costs nothing.";
+}
+
+bool tissue_combo(Material& material) {
+  static const std::vector<const Tissue*> choices = [] {
+    std::vector<const Tissue*> all;
+    for (const Tissue& tissue : tissues()) all.push_back(&tissue);
+    return all;
+  }();
+  const Tissue* chosen = tissue_of(material);
+  if (!ui::choice("Tissue", choices, chosen, [](const Tissue* t) { return label_of_tissue(t); },
+                  [](const Tissue* t) { return help_of_tissue(t); }))
+    return false;
+  apply(*chosen, material);
+  return true;
+}
+
+void material_sliders(Simulation& simulation, std::size_t index, HintBoard& hints) {
+  Material material = simulation.model.materials[index];
+  bool changed = tissue_combo(material);
+  visit_material(material, [&](double& value, const char* name, const char* unit, double min, double max, bool logarithmic,
+                               const char* help) {
+    const Extra* extra = extra_of(name);
+    const ui::NumberField field{label_of_field(name),
+                                unit,
+                                extra ? extra->min : min,
+                                extra ? extra->max : max,
+                                extra ? std::max(min, extra->least) : min,
+                                max,
+                                extra ? extra->logarithmic : logarithmic,
+                                false,
+                                std::string(help) + (extra ? std::string(". ") + extra->cost : "")};
+    changed |= ui::number(field, value);
+    if (std::strcmp(name, "poisson_ratio") == 0) hint_row(hints, locking_hint(value));
+  });
+  std::vector<MaterialModel> able;
+  for (const MaterialModel model : material_models())
+    if (carries(simulation.scene.solver.method, model)) able.push_back(model);
+  changed |= ui::choice("Model", able, material.model, label_of_model, help_of_model);
+  if (changed) simulation.set_material(index, material);
+}
+
+// A patch of the region's color in pictures.
+void swatch(std::size_t region) {
+  const float size = ImGui::GetFontSize();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const Eigen::Vector3f color = region_color(static_cast<unsigned>(region));
+  ImGui::GetWindowDrawList()->AddRectFilled({corner.x, corner.y + 0.15f * size}, {corner.x + 0.7f * size, corner.y + 0.85f * size},
+                                            ImGui::GetColorU32(ImVec4(color.x(), color.y(), color.z(), 1)));
+  ImGui::Dummy({0.7f * size, size});
+  ImGui::SameLine();
+}
+
+void text_right(const std::string& text, float end) {
+  ImGui::SameLine(end - ImGui::CalcTextSize(text.c_str()).x);
+  ImGui::PushStyleColor(ImGuiCol_Text, ui::kDim);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+}
+
+std::string percent_text(double share) {
+  char text[16];
+  std::snprintf(text, sizeof text, share < 0.0995 ? "%.2g %%" : "%.0f %%", 100 * share);
+  return text;
+}
+
+// The scene's entries with one more or one less.
+std::vector<MaterialEntries> with_region(const Simulation& simulation, const SceneFacts::Region& region, bool own) {
+  std::vector<MaterialEntries> all = material_entries(simulation.scene, simulation.model, simulation.model.materials);
+  auto& entries = all[region.body].region_materials;
+  const std::string& name = simulation.model.bodies[region.body].regions.at(region.number);  // of several regions, it may be
+  std::erase_if(entries, [&](const auto& entry) { return entry.first == region.key || entry.first == std::to_string(region.number) || entry.first == name; });
+  if (own) entries.emplace_back(region.key, MaterialOverride{});
+  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return all;
+}
+
+// One line: color, name, share of the volume; a click chooses the material. A region without a material of its own has a button for one.
+void region_row(const Simulation& simulation, const SceneFacts& facts, std::size_t index, std::size_t& chosen, Requests& requests) {
+  const SceneFacts::Region& region = facts.regions[index];
+  const Model& model = simulation.model;
+  const bool own = region.material != model.bodies[region.body].material_begin;
+  const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x, button = ImGui::CalcTextSize("share").x + ui::px(12);
+  swatch(index);
+  if (ImGui::Selectable((region.label + "##region").c_str(), chosen == region.material, ImGuiSelectableFlags_AllowItemOverlap,
+                        {ImGui::GetContentRegionAvail().x - button - ui::px(6), 0}))
+    chosen = region.material;
+  ui::tooltip("Region " + std::to_string(region.number) + ", " + engineering(1e6 * region.volume, "ml") + ", " +
+              engineering(region.volume * model.materials[region.material].density, "kg") +
+              (own ? ". Has a material of its own" : ". Has the default material, as all regions without one of their own"));
+  text_right(percent_text(region.volume / facts.volume), end - button - ui::px(6));
+  ImGui::SameLine(end - button);
+  if (ui::small_button(own ? "share" : "own",
+                       own ? "Gives up the material of its own: the region has the default again. The solver is made anew, the state stays"
+                           : "Gives the region a material of its own, which starts as the default and is saved with the scene. The solver is made "
+                             "anew, the state stays",
+                       button))
+    requests.materials = with_region(simulation, region, !own);
+}
+
+}  // namespace
+
+void material_panel(Simulation& simulation, ViewState& state, Requests& requests) {
+  const SceneFacts& facts = state.facts;
+  std::vector<std::size_t> used;
+  for (std::size_t m = 0; m < facts.material_volume.size(); ++m)
+    if (facts.material_volume[m] > 0) used.push_back(m);
+  if (used.empty()) return;
+  if (std::find(used.begin(), used.end(), state.chosen_material) == used.end()) state.chosen_material = used.front();
+  if (facts.regions.size() > 1) {
+    constexpr std::size_t kMostRows = 7;  // more of them scroll
+    const bool scrolls = facts.regions.size() > kMostRows;
+    if (scrolls) ImGui::BeginChild("regions", {0, kMostRows * ImGui::GetTextLineHeightWithSpacing()});
+    for (std::size_t r = 0; r < facts.regions.size(); ++r) {
+      ImGui::PushID(static_cast<int>(r));
+      region_row(simulation, facts, r, state.chosen_material, requests);
+      ImGui::PopID();
+    }
+    if (scrolls) ImGui::EndChild();
+    const double volume = facts.material_volume[state.chosen_material];
+    ui::fact(facts.material_names[state.chosen_material].c_str(),
+             percent_text(volume / facts.volume) + ", " + engineering(volume * simulation.model.materials[state.chosen_material].density, "kg"),
+             "The material that the sliders below change: its share of the volume, and its mass at the present density");
+  }
+  material_sliders(simulation, state.chosen_material, state.hints);
+}
+
+}  // namespace fascia

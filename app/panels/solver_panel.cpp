@@ -1,0 +1,136 @@
+// How the scene is solved: method, effort, time step, gravity; and how the hand pulls.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <type_traits>
+
+#include "app/panels/panels.h"
+#include "app/ui/style.h"
+#include "app/ui/widgets.h"
+#include "app/ui/units.h"
+#include "base/text.h"
+
+namespace fascia {
+namespace {
+
+struct SolverSlider {
+  const char* name;
+  const char* label;
+  double min, max;
+  bool logarithmic;
+};
+constexpr SolverSlider kSolverSliders[] = {{"iterations", "Iterations", 1, 200, true},
+                             {"tolerance", "Tolerance", 0, 0.1, true},
+                             {"time_step", "Time step", 1e-3, 0.1, true},
+                             {"substeps", "Substeps", 1, 30, true},
+                             {"frame_budget", "Frame budget", 0, 50, false},
+                             {"colors", "Colors", 0, 40, false},
+                             {"spectral_radius", "Spectral radius", 0, 0.9999, false},
+                             {"window", "Window", 1, 10, false},
+                             {"rest_speed", "Rest speed", 0, 1e-2, true}};
+
+// Found by overload for either kind of choice.
+constexpr auto kLabelOf = [](auto choice) { return label_of(choice); };
+constexpr auto kHelpOf = [](auto choice) { return help_of(choice); };
+
+bool pair_combos(SolverSettings& settings, const std::vector<Material>& materials) {
+  std::vector<Method> able;
+  for (const Pair& pair : legal_pairs()) {
+    const bool carried =
+        std::all_of(materials.begin(), materials.end(), [&](const Material& m) { return carries(pair.method, m.model); });
+    if (carried && std::find(able.begin(), able.end(), pair.method) == able.end()) able.push_back(pair.method);
+  }
+  bool changed = ui::choice("Method", able, settings.method, kLabelOf, kHelpOf);
+  // Another method keeps the acceleration in use, if it can have it, or gets the best one; so it does after none.
+  const bool none = changed && settings.acceleration == Acceleration::none;
+  const auto pair = none ? std::nullopt : find_pair(name_of(settings.method), name_of(settings.acceleration));
+  settings.acceleration = pair.value_or(*find_pair(name_of(settings.method), {})).acceleration;
+  std::vector<Acceleration> accelerations;
+  for (const Pair& legal : legal_pairs())
+    if (legal.method == settings.method) accelerations.push_back(legal.acceleration);
+  changed |= ui::choice("Acceleration", accelerations, settings.acceleration, kLabelOf, kHelpOf);
+  return changed;
+}
+
+void gravity_row(Simulation& simulation) {
+  constexpr const char* kHelp = "Acceleration along x, y and z in m/s\xc2\xb2: drag, or double click to type";
+  Eigen::Vector3d gravity = simulation.scene.gravity;
+  ui::label("Gravity", kHelp);
+  const float speed = 0.05f;
+  const double least = -100, most = 100;
+  ImGui::PushItemWidth(-FLT_MIN);
+  if (ImGui::DragScalarN("##gravity", ImGuiDataType_Double, gravity.data(), 3, speed, &least, &most, "%.2f", ImGuiSliderFlags_AlwaysClamp))
+    simulation.set_gravity(gravity);
+  ImGui::PopItemWidth();
+  ui::tooltip(kHelp);
+}
+
+// The distance to the exact step: asked for once, or all the time.
+void error_row(Session& session) {
+  if (session.simulation.uses_reference()) return;
+  constexpr const char* kHelp =
+      "Distance of the last substep's shape to the exact one, by the reference solver on another thread, in percent of the distance "
+      "between the exact shape and where inertia and gravity alone lead";
+  TrueError& error = session.true_error;
+  if (session.simulation.model.tets.size() > TrueError::kMostTets) {
+    ui::fact("True error", "mesh too large", kHelp);
+    return;
+  }
+  std::string text = error.busy() ? "measuring ..." : error.requested() ? "waits for a step that moves" : "-";
+  if (const auto& result = error.result()) {
+    char percent[32];
+    std::snprintf(percent, sizeof percent, "%.2g %%", 100 * result->relative);
+    text = result->converged ? std::string(percent) + " (" + engineering(result->largest, "m") + ")" : "no exact step found";
+  }
+  ui::fact("True error", text, kHelp);
+  if (ui::button("Measure", "Compares the next step with the exact one, on another thread", 0.5f * ImGui::GetContentRegionAvail().x))
+    error.request();
+  ImGui::SameLine();
+  ui::checkbox("continuously", session.follow_true_error,
+               "One comparison after the other; the thread takes time from a solver that runs on the CPU");
+}
+
+}  // namespace
+
+void solver_panel(Session& session, ViewState& state) {
+  Simulation& simulation = session.simulation;
+  SolverSettings settings = simulation.scene.solver;
+  bool changed = false;
+  if (simulation.uses_reference())
+    ui::fact("Method", "Newton, double precision", "The reference solver on the CPU: exact, slow, and deaf to grabbing");
+  else
+    changed = pair_combos(settings, simulation.model.materials);
+  visit_settings(settings, [&](auto& value, const char* name, const char* unit, auto min, auto max, bool logarithmic, const char* help) {
+    if (!applies(name, settings.pair())) return;
+    using Value = std::remove_reference_t<decltype(value)>;
+    ui::NumberField field{name, unit, double(min), double(max), double(min), double(max), logarithmic, std::is_same_v<Value, int>, help};
+    for (const SolverSlider& extra : kSolverSliders) {
+      if (std::strcmp(extra.name, name) != 0) continue;
+      field.label = extra.label;
+      field.slider_min = extra.min;
+      field.slider_max = extra.max;
+      field.logarithmic = extra.logarithmic;
+    }
+    double number = value;
+    const bool turned = ui::number(field, number);
+    // Without a clock there is no telling whether a large residual is of the moment.
+    if (field.label == "Iterations" && state.statistics.measured && !simulation.asleep())
+      hint_row(state.hints, iterations_hint(simulation.scene.solver, state.statistics.diagnostics));
+    if (field.label == "Time step") hint_row(state.hints, time_step_hint(simulation.scene.solver));
+    if (!turned) return;
+    value = static_cast<Value>(std::clamp(number, field.min, field.max));
+    changed = true;
+  });
+  if (changed) simulation.set_settings(settings);
+  if (const GpuSolver* gpu = simulation.gpu(); gpu && gpu->gauss_seidel()) {
+    const Coloring& coloring = gpu->gauss_seidel()->coloring();
+    ui::fact("In use", plural(coloring.color_count(), "color") + ", " + plural(coloring.phantom_vertex.size(), "phantom"),
+             "Each color waits for the one before it; phantoms are copies of vertices that more colors than allowed would move");
+  }
+  gravity_row(simulation);
+  error_row(session);
+}
+
+}  // namespace fascia

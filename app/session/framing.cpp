@@ -1,0 +1,28 @@
+#include "app/session/framing.h"
+
+#include <algorithm>
+
+namespace fascia {
+
+void frame_picture(Camera& camera, const Eigen::Vector2d& extent, const Frame& frame) {
+  constexpr double kGap = 0.02;  // at either end of the room [room]
+  constexpr double kWidest = 1.3;  // as `extent`: a body that reaches farther, out of the picture too, is meant to be seen in part
+  const double width = frame.width, left = frame.margins.left, right = frame.margins.right, room = std::max(width - left - right, 1.0);
+  const auto half_of = [&](double across) { return 0.5 * std::min(across, static_cast<double>(frame.height)); };
+  // Without a bar the target is in the middle of what panels leave, and the lens spans the shorter side of the picture. Both sides of a
+  // comparison are drawn so, whichever of them has the bar.
+  double target = 0.5 * (frame.side ? left - right : left);  // from the picture's middle to the right
+  const double half = frame.side ? half_of(room) : half_of(width);
+  camera.reach = half_of(width) / half;
+  if (right > 0 || frame.side) {
+    const double most = std::max(kWidest, 0.5 * (frame.side ? room : width - left) / half);
+    const Eigen::Vector2d body = extent.cwiseMax(-most).cwiseMin(most) * half;
+    const double begin = left + kGap * room - 0.5 * width, end = begin + (1 - 2 * kGap) * room;
+    const double smaller = std::max(1.0, (body.y() - body.x()) / (end - begin));
+    camera.reach *= smaller;
+    target = std::min(std::max(target, begin - body.x() / smaller), end - body.y() / smaller);
+  }
+  camera.middle.x() = target / (0.5 * width);
+}
+
+}  // namespace fascia

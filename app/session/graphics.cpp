@@ -1,0 +1,58 @@
+#include "app/session/graphics.h"
+
+#include <cstdlib>
+#include <iostream>
+
+#include "app/system/paths.h"
+#include "gl/debug.h"
+#include "base/error.h"
+
+namespace fascia {
+namespace {
+
+// Storage blocks on GPUs; texel fetches on llvmpipe, whose storage reads cost 8 to 12 times as much, and where kernels may have fewer
+// blocks than they read and write buffers: OpenGL 4.3 promises eight.
+gl::LoadPath choose_loads(const std::string& name) {
+  constexpr int kMostBuffers = 14;  // that any kernel reads or writes
+  const int blocks = gl::device().max_compute_storage_blocks;
+  const bool enough = blocks >= kMostBuffers;
+  if (name == "ssbo" && !enough)
+    throw Error("--loads ssbo", gl::device().renderer + " has " + std::to_string(blocks) + " storage blocks in a kernel",
+                "expected " + std::to_string(kMostBuffers) + ", or --loads texel");
+  if (name == "ssbo") return gl::LoadPath::storage;
+  if (name == "texel") return gl::LoadPath::texel;
+  return gl::device().software || !enough ? gl::LoadPath::texel : gl::LoadPath::storage;
+}
+
+}  // namespace
+
+Graphics open_graphics(const CommonOptions& options, bool for_view, int width, int height, const Workload& workload) {
+  Graphics graphics;
+  graphics.data_dir = find_data_dir(options.data_dir);
+  const SoftwareThreads threads(workload);
+  ContextRequest request;
+  request.name = options.context;
+  request.for_view = for_view;
+  request.width = width;
+  request.height = height;
+  request.debug = std::getenv("FASCIA_GL_DEBUG") != nullptr;
+  graphics.context = make_context(request);
+  if (gl::device().vector_width > 0) threads.spread();
+  if (request.debug) gl::log_debug_messages([](const std::string& line) { std::cerr << "gl: " << line << '\n'; });
+  graphics.programs = std::make_unique<gl::ProgramCache>(graphics.data_dir / "shaders", choose_loads(options.loads));
+  graphics.programs->set_fusing(true);
+  return graphics;
+}
+
+std::string describe(const Graphics& graphics) {
+  return std::string(gl::device().renderer) + " through " + graphics.context->name() + ", kernels read by " +
+         gl::name_of(graphics.programs->load_path());
+}
+
+void announce(const CommonOptions& options, const Graphics& graphics, const std::vector<std::string>& notes) {
+  if (options.quiet) return;
+  if (graphics.context) std::cerr << "fascia: " << describe(graphics) << '\n';
+  for (const std::string& note : notes) std::cerr << "fascia: " << note << '\n';
+}
+
+}  // namespace fascia

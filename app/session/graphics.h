@@ -1,0 +1,32 @@
+// The context and the shader programs that a command works with.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/options.h"
+#include "app/session/software_threads.h"
+#include "render/context/context.h"
+#include "gl/program.h"
+
+namespace fascia {
+
+struct Graphics {
+  std::filesystem::path data_dir;
+  std::unique_ptr<Context> context;
+  std::unique_ptr<gl::ProgramCache> programs;
+};
+
+/// Makes the context that the options ask for. On software renderers the number of worker threads is chosen first (LP_NUM_THREADS, if the
+/// user did not set it); it cannot be changed later.
+Graphics open_graphics(const CommonOptions& options, bool for_view, int width = 16, int height = 16, const Workload& workload = {});
+
+/// "llvmpipe (LLVM 15.0.6, 256 bits) through osmesa, kernels read by texel"
+std::string describe(const Graphics& graphics);
+
+/// Says on stderr, unless quiet, what the command works with: the renderer, if there is one, and what the model's makers noted. After
+/// loading, so that a failed load says one line only.
+void announce(const CommonOptions& options, const Graphics& graphics, const std::vector<std::string>& notes);
+
+}  // namespace fascia

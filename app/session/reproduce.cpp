@@ -1,0 +1,109 @@
+#include "app/session/reproduce.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "app/system/paths.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "sim/replay/replay.h"
+#include "base/json/json_document.h"
+#include "sim/scene/scene_write.h"
+
+namespace fascia {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+/// As --set reads it back: JSON, or a text that is no JSON.
+std::string text_of_value(const OrderedJson& value) {
+  if (!value.is_string()) return value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+  const std::string text = value.get<std::string>();
+  try {
+    parse_json(text, "");
+  } catch (const Error&) {
+    return text;
+  }
+  return value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
+/// To the bit: -0 is not 0.
+bool same(const OrderedJson& a, const OrderedJson& b) { return a == b && a.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) == b.dump(-1, ' ', false, OrderedJson::error_handler_t::replace); }
+
+bool can_be_segment(const std::string& key) { return !key.empty() && key.find_first_of(".[]=") == std::string::npos; }
+
+/// Whether --set can make `from` into `to` key by key.
+bool can_descend(const OrderedJson& from, const OrderedJson& to) {
+  if (from.is_object() && to.is_object()) {
+    for (const auto& item : from.items())
+      if (!to.contains(item.key())) return false;
+    for (const auto& [key, value] : to.items())
+      if (!can_be_segment(key) && (!from.contains(key) || !same(from.at(key), value))) return false;
+    return true;
+  }
+  return from.is_array() && to.is_array() && from.size() == to.size() && !to.empty() && to.front().is_object();
+}
+
+void collect(const std::string& path, const OrderedJson& from, const OrderedJson& to, std::vector<std::string>& sets) {
+  if (same(from, to)) return;
+  if (!path.empty() && !can_descend(from, to)) {
+    constexpr std::string_view kFirstBody = "bodies.0.";
+    sets.push_back((path.starts_with(kFirstBody) ? path.substr(kFirstBody.size()) : path) + "=" + text_of_value(to));
+    return;
+  }
+  for (const auto& [key, value] : to.items()) {
+    const std::string deeper = path.empty() ? key : path + "." + key;
+    const OrderedJson* before = nullptr;
+    if (from.is_array())
+      before = &from.at(static_cast<std::size_t>(std::stoul(key)));
+    else if (from.contains(key))
+      before = &from.at(key);
+    if (before)
+      collect(deeper, *before, value, sets);
+    else
+      collect(deeper, nullptr, value, sets);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> sets_between(const Scene& from, const Scene& to) {
+  const std::filesystem::path folder = to.file.parent_path();
+  const OrderedJson before = scene_document(from, folder), after = scene_document(to, folder);
+  for (const auto& item : before.items())
+    if (!after.contains(item.key())) throw Error(to.file.string(), "has \"" + item.key() + "\", which no --set takes away", "save the scene instead");
+  std::vector<std::string> sets;
+  collect("", before, after, sets);
+  // Half a pair means the best that goes with it, not what the file has.
+  const bool method = before.at("solver").at("method") != after.at("solver").at("method");
+  const bool acceleration = before.at("solver").at("acceleration") != after.at("solver").at("acceleration");
+  if (method != acceleration)
+    sets.push_back(method ? "solver.acceleration=" + text_of_value(after.at("solver").at("acceleration"))
+                          : "solver.method=" + text_of_value(after.at("solver").at("method")));
+  return sets;
+}
+
+std::string shell_quoted(const std::string& text) {
+  constexpr std::string_view kPlain = "_-./:=,+@%";
+  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [&](unsigned char c) {
+    return std::isalnum(c) || kPlain.find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  if (plain) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string command_line(const std::filesystem::path& file, const std::vector<std::string>& sets) {
+  const std::string path = file.string();
+  std::string line = "fascia view " + shell_quoted(path.starts_with('-') ? "./" + path : path);
+  for (const std::string& set : sets) line += " --set " + shell_quoted(set);
+  return line;
+}
+
+std::string command_that_reproduces(const Scene& now) {
+  const bool is_replay = lower_ending(now.file) == ".fascia";
+  return command_line(now.file, sets_between(is_replay ? read_replay(now.file).scene : open_scene(now.file), now));
+}
+
+}  // namespace fascia

@@ -1,0 +1,144 @@
+#include "app/session/session.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "app/session/shown_look.h"
+
+namespace fascia {
+namespace {
+
+// Of the tets' vertices.
+std::vector<Eigen::Vector3d> places_of(const Model& model, const std::vector<Eigen::Vector3d>& displacement) {
+  std::vector<char> used(model.rest_positions.size());
+  for (const Tet& tet : model.tets)
+    for (const std::uint32_t v : tet) used[v] = 1;
+  std::vector<Eigen::Vector3d> places;
+  for (std::size_t v = 0; v < used.size(); ++v)
+    if (used[v]) places.push_back(displacement.empty() ? model.rest_positions[v] : Eigen::Vector3d(model.rest_positions[v] + displacement[v]));
+  return places;
+}
+
+}  // namespace
+
+Session::Session(Graphics& graphics, Scene scene, Model built, bool use_reference, const Progress& progress)
+    : simulation(std::move(scene), std::move(built), graphics.programs.get(), use_reference, progress),
+      surface_(drawn_surface(simulation.model)),
+      description_(describe(graphics)) {
+  renderer_.emplace(*simulation.programs(), surface_.triangles, static_cast<std::uint32_t>(surface_.rest_positions.size()),
+                    simulation.model.fixed, surface_.rest_positions, surface_.colors);
+  const Model& model = simulation.model;
+  box_min_.setConstant(1e300);
+  box_max_.setConstant(-1e300);
+  for (const Tet& tet : model.tets)
+    for (const std::uint32_t v : tet) {
+      box_min_ = box_min_.cwiseMin(model.rest_positions[v]);
+      box_max_ = box_max_.cwiseMax(model.rest_positions[v]);
+    }
+  look.center = 0.5 * (box_min_ + box_max_);
+  look.radius = 0.5 * (box_max_ - box_min_).norm();
+  lay_ground(box_min_.y());
+  if (simulation.scene.camera)
+    look_from(*simulation.scene.camera);
+  else
+    frame();
+  measure_extent();
+  set_display(simulation.scene.display);
+}
+
+void Session::frame() { camera.frame(box_min_, box_max_); }
+
+void Session::lay_ground(double below) { look.ground_height = below - 0.4 * look.radius; }
+
+void Session::measure_extent() { extent = camera.extent(places_of(simulation.model, {})); }
+
+void Session::frame_bodies(double aspect, const Eigen::Vector2d& part) {
+  const std::vector<Eigen::Vector3d> places = places_of(simulation.model, simulation.state().displacement);
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& place : places) box.extend(place);
+  if (box.isEmpty() || !box.diagonal().allFinite()) return;
+  camera.reach = 1;
+  camera.fit(box.min(), box.max(), aspect, part);
+  extent = camera.extent(places);
+  lay_ground(std::min(box_min_.y(), box.min().y()));
+}
+
+void Session::look_from(const CameraSettings& view) {
+  camera.eye = view.eye;
+  camera.target = view.target;
+  camera.up = view.up;
+  camera.fov_deg = view.fov_deg;
+}
+
+void Session::set_display(const DisplaySettings& display) {
+  const bool other_range = display.color != this->display().color || display.range != this->display().range;
+  simulation.scene.display = display;
+  simulation.gpu()->set_color(display.color);
+  if (other_range) forget_range();
+  show(display, look);
+  const bool by_region = display.color == ColorBy::region;
+  if ((by_region || display.section || display.tets) && !regions_) regions_ = drawn_regions(simulation.scene, simulation.model, surface_);
+  if (by_region != renderer_->has_regions()) renderer_->set_regions(by_region ? regions_->of_triangle : std::vector<std::uint32_t>());
+  if (display.section || display.tets) renderer_->set_tets({simulation.model.tets, regions_->of_tet, closed_around_tets(simulation.model)});
+  if (display.color == ColorBy::error && true_error.result()) show_error();
+}
+
+void Session::follow_error() {
+  const bool shown = display().color == ColorBy::error;
+  if (true_error.update(simulation, shown || follow_true_error) && shown) show_error();
+}
+
+void Session::measure_error() {
+  true_error.measure(simulation);
+  show_error();
+}
+
+void Session::show_error() { simulation.gpu()->set_vertex_errors(true_error.result()->distance); }
+
+std::optional<Eigen::Vector2d> Session::measure_shown(bool now) {
+  GpuSolver& solver = *simulation.gpu();
+  ShownRange& range = *solver.shown_range();
+  const bool wait = now || !shown_;  // a range of nothing would give the colors another meaning for some frames
+  if (const auto shown = range.take(false); shown && !wait) shown_ = shown;
+  if (wait || !range.pending()) {
+    solver.publish();
+    range.request();
+  }
+  if (wait) shown_ = range.take(true);
+  return shown_;
+}
+
+void Session::follow_range(Session* beside, bool now) {
+  if (!simulation.gpu()->shown_range() || display().range) return;
+  std::optional<Eigen::Vector2d> shown = measure_shown(now);
+  if (const auto other = beside && beside->display().color == display().color ? beside->measure_shown(now) : std::nullopt)
+    shown = shown ? Eigen::Vector2d(std::min(shown->x(), other->x()), std::max(shown->y(), other->y())) : *other;
+  if (shown) fascia::follow_range(*shown, display().color, range_);
+  if (range_) look.range = *range_;
+  if (beside) beside->look.range = look.range;
+}
+
+void Session::forget_range() {
+  shown_.reset();
+  range_.reset();
+  if (!display().range) look.range = Look().range;
+}
+
+void Session::show_grabbed() {
+  std::vector<std::uint32_t> grabbed;
+  for (const GrabSpring& spring : simulation.springs()) grabbed.push_back(spring.vertex);
+  if (grabbed == grabbed_) return;
+  renderer_->set_grabbed(grabbed);
+  grabbed_ = std::move(grabbed);
+}
+
+void Session::draw(Framebuffer& framebuffer, std::span<const GrabMark> hands, const gl::Buffer* positions) {
+  GpuSolver& solver = *simulation.gpu();
+  solver.publish();
+  show_grabbed();
+  framebuffer.bind();
+  renderer_->draw(SurfaceView{positions ? positions : &solver.positions()}, camera, look, hands, framebuffer);
+  framebuffer.resolve();
+}
+
+}  // namespace fascia

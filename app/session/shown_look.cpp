@@ -1,0 +1,67 @@
+#include "app/session/shown_look.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fascia {
+namespace {
+
+// The next 1, 2 or 5 times a power of ten.
+double round_up(double value) {
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : {1.0, 2.0, 5.0})
+    if (value <= step * decade) return step * decade;
+  return 10 * decade;
+}
+
+const ColorMapCurve& curve_of(ColorMap map) {
+  switch (map) {
+    case ColorMap::ember: return color_maps::ember;
+    case ColorMap::polar: return color_maps::polar;
+    case ColorMap::grey: return color_maps::grey;
+    default: return color_maps::dusk;
+  }
+}
+
+Backdrop backdrop_of(Background background) {
+  switch (background) {
+    case Background::white: return Backdrop::white;
+    case Background::black: return Backdrop::black;
+    case Background::transparent: return Backdrop::transparent;
+    default: return Backdrop::gradient;
+  }
+}
+
+}  // namespace
+
+void show(const DisplaySettings& display, Look& look) {
+  look.heat_map = is_heat_map(display.color);
+  look.regions = display.color == ColorBy::region;
+  if (display.range) look.range = display.range->cast<float>();
+  const ColorMap map = chosen_map(display.color_map, display.color);
+  look.color_map = &curve_of(map);
+  look.neutral.reset();
+  if (const auto neutral = quantity_of(display.color).neutral; neutral && map == ColorMap::polar) look.neutral = static_cast<float>(*neutral);
+  look.wireframe = display.wireframe;
+  look.section.reset();
+  if (display.section) look.section = {display.section->normal.normalized().cast<float>(), static_cast<float>(display.section->offset)};
+  look.tets.reset();
+  if (display.tets) look.tets = {static_cast<float>(display.tets->shrink), static_cast<float>(display.tets->spread)};
+  look.shadow = display.shadow;
+  look.ground = display.ground;
+  look.ambient_occlusion = static_cast<float>(display.ambient_occlusion);
+  look.depth_cue = static_cast<float>(display.depth_cue);
+  look.backdrop = backdrop_of(display.background);
+}
+
+void follow_range(const Eigen::Vector2d& shown, ColorBy color, std::optional<Eigen::Vector2f>& range) {
+  const auto neutral = quantity_of(color).neutral;
+  const double middle = neutral.value_or(0), wanted = neutral ? (shown.array() - middle).abs().maxCoeff() : shown.y();
+  if (!(wanted > 0) || !std::isfinite(wanted)) return;
+  if (const double reach = range ? range->y() - middle : 0; wanted <= reach && wanted >= 0.2 * reach) return;
+  // Closer to a neutral 1 than this, float32 has no digits left.
+  const double next = std::max(round_up(wanted), middle == 0 ? 0.0 : 1e-5);
+  range = Eigen::Vector2d(neutral ? middle - next : 0, middle + next).cast<float>();
+}
+
+}  // namespace fascia

@@ -1,0 +1,12 @@
+#include "app/state/plots.h"
+
+namespace fascia {
+
+void Plots::forget() {
+  history.clear();
+  end.reset();
+  probe.reset();
+  choosing = false;
+}
+
+}  // namespace fascia

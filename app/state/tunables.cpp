@@ -1,0 +1,142 @@
+#include "app/state/tunables.h"
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <type_traits>
+
+#include "app/ui/field_labels.h"
+#include "app/ui/units.h"
+#include "sim/scene/scene_write.h"
+#include "sim/material/tissues.h"
+
+namespace fascia {
+namespace {
+
+class ChangeList {
+ public:
+  void add(const std::string& what, const std::string& from, const std::string& to) { lines.push_back(what + ": " + from + " to " + to); }
+  template <class Value>
+  void number(const std::string& what, const Value& from, const Value& to, const std::string& unit) {
+    if (from == to) return;
+    // More digits where three would show the same.
+    int digits = 3;
+    while (digits < 9 && engineering(double(from), unit, digits) == engineering(double(to), unit, digits)) ++digits;
+    add(what, engineering(double(from), unit, digits), engineering(double(to), unit, digits));
+  }
+  std::vector<std::string> lines;
+};
+
+/// The table's fields of both, one after the other: f(from, to, name, unit).
+template <class Visit, class F>
+void visit_both(Visit visit, F f) {
+  std::vector<double> values;
+  visit(false, [&](const auto& value, auto&&...) { values.push_back(double(value)); });
+  std::size_t next = 0;
+  visit(true, [&](const auto& value, const char* name, const char* unit, auto&&...) { f(values[next++], double(value), name, unit); });
+}
+
+void compare_settings(const SolverSettings& from, const SolverSettings& to, ChangeList& list) {
+  if (from.method != to.method) list.add("Method", label_of(from.method), label_of(to.method));
+  if (from.acceleration != to.acceleration) list.add("Acceleration", label_of(from.acceleration), label_of(to.acceleration));
+  visit_both([&](bool second, auto f) { visit_settings(second ? to : from, f); },
+             [&](double a, double b, const char* name, const char* unit) { list.number(label_of_field(name), a, b, unit); });
+}
+
+void compare_materials(const Material& from, const Material& to, const std::string& where, ChangeList& list) {
+  const Tissue* tissue = tissue_of(to);
+  Material like = to;
+  like.damping = from.damping;
+  like.model = from.model;
+  if (tissue && like != from) {
+    list.add("Tissue" + where, tissue_of(from) ? tissue_of(from)->label : "own values", tissue->label);
+  } else {
+    visit_both([&](bool second, auto f) { visit_material(second ? to : from, f); },
+               [&](double a, double b, const char* name, const char* unit) {
+                 if (std::strcmp(name, "damping") != 0) list.number(label_of_field(name) + where, a, b, unit);
+               });
+  }
+  list.number(label_of_field("damping") + where, from.damping, to.damping, "s");
+  if (from.model != to.model) list.add("Model" + where, name_of(from.model), name_of(to.model));
+}
+
+Material with_override(Material material, const MaterialOverride& values) {
+  std::vector<std::optional<double>> given;
+  visit_material(values, [&](const auto& field, auto&&...) { given.push_back(field); });
+  std::size_t next = 0;
+  visit_material(material, [&](double& field, auto&&...) { field = given[next++].value_or(field); });
+  material.model = values.model.value_or(material.model);
+  return material;
+}
+
+void compare_entries(const MaterialEntries& from, const MaterialEntries& to, bool only_body, const std::string& body, ChangeList& list) {
+  const std::string of_body = only_body ? "" : ", " + body;
+  const auto find = [](const MaterialEntries& entries, const std::string& key) -> const MaterialOverride* {
+    for (const auto& [name, values] : entries.region_materials)
+      if (name == key) return &values;
+    return nullptr;
+  };
+  compare_materials(from.material, to.material, of_body + (to.region_materials.empty() ? "" : ", default"), list);
+  for (const auto& [key, values] : to.region_materials) {
+    const MaterialOverride* before = find(from, key);
+    if (!before) list.lines.push_back("A material of its own" + of_body + ", " + key);
+    compare_materials(before ? with_override(from.material, *before) : from.material, with_override(to.material, values), of_body + ", " + key,
+                      list);
+  }
+  for (const auto& [key, values] : from.region_materials)
+    if (!find(to, key)) list.lines.push_back("The default material" + of_body + ", " + key);
+}
+
+/// Of the display every key is compared as a scene file has it: a new one needs nothing here.
+void compare_display(const DisplaySettings& from, const DisplaySettings& to, ChangeList& list) {
+  const auto document = [](const DisplaySettings& display) {
+    Scene scene;
+    scene.display = display;
+    return scene_document(scene, "").at("display");
+  };
+  const nlohmann::ordered_json before = document(from), after = document(to);
+  const auto text = [](const nlohmann::ordered_json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); };
+  for (const auto& [key, value] : after.items()) {
+    const bool had = before.contains(key);
+    if (!had || before.at(key) != value) list.add(label_of_field(key), had ? text(before.at(key)) : "automatic", text(value));
+  }
+  for (const auto& [key, value] : before.items())
+    if (!after.contains(key)) list.add(label_of_field(key), text(value), "automatic");
+}
+
+}  // namespace
+
+Dials dials_of(const Session& session, const GrabSettings& grab) {
+  const Simulation& simulation = session.simulation;
+  return {simulation.scene.solver, material_entries(simulation.scene, simulation.model, simulation.model.materials),
+          simulation.scene.gravity, simulation.scene.display, grab};
+}
+
+void set_dials(Session& session, GrabSettings& grab, const Dials& dials) {
+  Simulation& simulation = session.simulation;
+  const Dials now = dials_of(session, grab);
+  // A method must carry the materials of the moment: first what goes with every one.
+  const bool settings_first = std::all_of(simulation.model.materials.begin(), simulation.model.materials.end(),
+                                          [&](const Material& m) { return carries(dials.solver.method, m.model); });
+  if (now.solver != dials.solver && settings_first) simulation.set_settings(dials.solver);
+  if (now.materials != dials.materials) simulation.set_material_entries(dials.materials);
+  if (now.solver != dials.solver && !settings_first) simulation.set_settings(dials.solver);
+  if (now.gravity != dials.gravity) simulation.set_gravity(dials.gravity);
+  if (now.display != dials.display) session.set_display(dials.display);
+  grab = dials.grab;
+}
+
+std::vector<std::string> changes(const Dials& from, const Dials& to) {
+  ChangeList list;
+  compare_settings(from.solver, to.solver, list);
+  for (std::size_t b = 0; b < std::min(from.materials.size(), to.materials.size()); ++b)
+    compare_entries(from.materials[b], to.materials[b], to.materials.size() == 1, "body " + std::to_string(b), list);
+  for (int axis = 0; axis < 3; ++axis) list.number(std::string("Gravity ") + "xyz"[axis], from.gravity[axis], to.gravity[axis], "m/s^2");
+  compare_display(from.display, to.display, list);
+  list.number("Grab radius", 100 * from.grab.radius, 100 * to.grab.radius, "%");
+  list.number("Grip", from.grab.grip, to.grab.grip, "");
+  if (list.lines.empty() && from != to) list.lines.push_back("A value of the display or the hand");
+  return list.lines;
+}
+
+}  // namespace fascia

@@ -1,0 +1,30 @@
+// Everything that a user can turn while a scene is simulated, as one value: what undo goes back to, what two sides of a comparison
+// differ in. The camera is no dial.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "sim/grab/interactive_grab.h"
+#include "sim/simulation/scene_edits.h"
+#include "app/session/session.h"
+
+namespace fascia {
+
+struct Dials {
+  SolverSettings solver;
+  std::vector<MaterialEntries> materials;  // [bodies]
+  Eigen::Vector3d gravity{0, 0, 0};        // [m/s^2]
+  DisplaySettings display;
+  GrabSettings grab;
+  bool operator==(const Dials&) const = default;
+};
+
+Dials dials_of(const Session& session, const GrabSettings& grab);
+
+/// Sets what differs, through the session's own setters, so that replays hear of it. Throws Error as they do.
+void set_dials(Session& session, GrabSettings& grab, const Dials& dials);
+
+/// What changed from one to the other, for people: "Young's modulus, tumour: 10 kPa to 12 kPa". One line per change.
+std::vector<std::string> changes(const Dials& from, const Dials& to);
+
+}  // namespace fascia

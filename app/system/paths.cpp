@@ -1,0 +1,25 @@
+#include "app/system/paths.h"
+
+#include "base/data_folder.h"
+#include "base/error.h"
+
+namespace fascia {
+namespace fs = std::filesystem;
+
+fs::path find_data_dir(const std::string& data_dir) {
+  if (!data_dir.empty()) {
+    if (!holds_shaders(data_dir)) throw Error("--data-dir " + data_dir, "has no folder shaders", "expected fascia's data folder");
+    set_data_folder(data_dir);
+    return data_dir;
+  }
+  std::string tried;
+  for (const fs::path& c : data_folders()) {
+    if (holds_shaders(c)) return c;
+    tried += (tried.empty() ? "" : ", ") + c.string();
+  }
+  throw Error("fascia", "its shaders were not found in " + tried, "name their parent folder with --data-dir");
+}
+
+fs::path default_scene(const fs::path& data_dir) { return data_dir / "assets" / "scenes" / "liver.json"; }
+
+}  // namespace fascia

@@ -1,0 +1,271 @@
+#include "app/ui/widgets.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/ui/audit.h"
+#include "app/ui/style.h"
+#include "app/ui/units.h"
+
+namespace fascia::ui {
+namespace {
+
+constexpr float kLabelShare = 0.41f, kSliderShare = 0.33f;  // of a row's width; the value has the rest
+
+// The number being typed; there is one keyboard, so one at most.
+struct Typing {
+  ImGuiID id = 0;
+  std::string text, shown;
+  bool fresh = false, wrong = false;
+} typing;
+
+// The slider that was pressed last, and its value before.
+struct PressedSlider {
+  ImGuiID id = 0;
+  double value = 0;
+} last_pressed;
+
+// Bare units read better with real superscripts.
+std::string pretty(std::string text) {
+  if (const std::size_t at = text.find("^3"); at != std::string::npos) text.replace(at, 2, "\xc2\xb3");
+  if (const std::size_t at = text.find("^2"); at != std::string::npos) text.replace(at, 2, "\xc2\xb2");
+  return text;
+}
+
+// Below the last item, also while the mouse is elsewhere.
+void say_below(const std::string& text) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  ImGui::SetNextWindowPos({low.x, high.y + px(2)});
+  ImGui::BeginTooltip();
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::EndTooltip();
+}
+
+// The text field in place of the slider. True when a new value was entered.
+bool typed_number(const NumberField& field, double& value) {
+  if (typing.fresh) ImGui::SetKeyboardFocusHere();
+  if (typing.wrong) ImGui::PushStyleColor(ImGuiCol_Text, kDanger);
+  const bool entered = ImGui::InputText("##typed", &typing.text,
+                                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  if (typing.wrong) {
+    ImGui::PopStyleColor();
+    say_below("Expected a number from " + engineering(field.min, field.unit) + " to " + engineering(field.max, field.unit));
+  }
+  if (typing.fresh) {
+    typing.fresh = false;
+    return false;
+  }
+  if (!entered && !ImGui::IsItemDeactivated()) return false;
+  const std::optional<double> parsed = parse_engineering(typing.text, field.unit);
+  const bool good = parsed && *parsed >= field.min && *parsed <= field.max;
+  const bool same = typing.text == typing.shown;  // which is rounded: leaving it leaves the value
+  if (entered && !good && !same) {
+    typing.wrong = typing.fresh = true;
+    return false;
+  }
+  const bool changed = good && !same;
+  if (changed) value = *parsed;
+  typing = {};
+  return changed;
+}
+
+std::set<std::string> without_help;
+
+void expect_help(const char* label, const std::string& help) {
+  if (help.empty()) without_help.insert(label);
+}
+
+bool wants_to_type() {
+  return (ImGui::IsItemHovered() && (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl))) ||
+         (ImGui::IsItemFocused() && ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressedMap(ImGuiKey_Enter));
+}
+
+// The value at the end of the row, right-aligned; a click on it asks to type another.
+bool value_button(const std::string& text) {
+  const ImVec2 low = ImGui::GetCursorScreenPos(), size{ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()};
+  const bool pressed = ImGui::InvisibleButton("##value", size);
+  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::GetWindowDrawList()->AddText({low.x + size.x - width, low.y + ImGui::GetStyle().FramePadding.y},
+                                      ImGui::GetColorU32(lit ? kAccent : kText), text.c_str());
+  if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
+  return pressed;
+}
+
+ImVec2 pill_pad() { return {px(10), px(5)}; }
+
+std::vector<Box>& pills_of_frame() {
+  static std::vector<Box> pills;
+  static int frame = -1;
+  if (frame != ImGui::GetFrameCount()) pills.clear();
+  frame = ImGui::GetFrameCount();
+  return pills;
+}
+
+}  // namespace
+
+bool section(const char* title, bool open_at_first) {
+  ImGui::Dummy({0, px(2)});
+  ImGui::PushFont(bold_font());
+  const bool open = ImGui::CollapsingHeader(title, open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  ImGui::PopFont();
+  return open;
+}
+
+void tooltip(const std::string& text) {
+  if (text.empty() || !ImGui::IsItemHovered() || ImGui::IsItemActive()) return;  // it would cover the value that is being changed
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(px(300));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void fact(const char* name, const std::string& value, const std::string& help) {
+  expect_help(name, help);
+  const std::string text = pretty(value);
+  ImGui::BeginGroup();
+  ImGui::PushStyleColor(ImGuiCol_Text, kDim);
+  ImGui::TextUnformatted(name);
+  ImGui::PopStyleColor();
+  ImGui::SameLine();
+  const float free = ImGui::GetContentRegionAvail().x, width = ImGui::CalcTextSize(text.c_str()).x;
+  if (width < free) {
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free - width);
+    ImGui::TextUnformatted(text.c_str());
+  } else {
+    ImGui::TextWrapped("%s", text.c_str());
+  }
+  ImGui::EndGroup();
+  tooltip(help);
+}
+
+void label(const char* text, const std::string& help) {
+  expect_help(text, help);
+  const float start = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text);
+  tooltip(help);
+  ImGui::SameLine(start + kLabelShare * width);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+}
+
+bool number(const NumberField& field, double& value) {
+  ImGui::PushID(field.label.c_str());
+  const float row = ImGui::GetContentRegionAvail().x;
+  label(field.label.c_str(), field.help);
+  const ImGuiID id = ImGui::GetID("##slider");
+  bool changed = false;
+  if (typing.id == id) {
+    changed = typed_number(field, value);
+  } else {
+    // By its unit and not by its value: a slider that changed its width under the mouse would run away from it.
+    const float gap = px(6), widest_value = ImGui::CalcTextSize(pretty("0000 " + field.unit).c_str()).x;
+    ImGui::SetNextItemWidth(std::min(kSliderShare * row, (1 - kLabelShare) * row - widest_value - gap));
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_NoInput | (field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    const double before = value;
+    changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &field.slider_min, &field.slider_max, "", flags);
+    tooltip(field.help);
+    const bool asked_at_slider = wants_to_type();
+    if (asked_at_slider) {  // the clicks that ask for it have moved the knob
+      const double restored = ImGui::IsMouseDoubleClicked(0) && last_pressed.id == id ? last_pressed.value : before;
+      changed = restored != before;
+      value = restored;
+    } else if (ImGui::IsItemActivated()) {
+      last_pressed = {id, before};
+    }
+    ImGui::SameLine(0, 0);
+    if (value_button(pretty(engineering(value, field.unit))) || asked_at_slider) {
+      const std::string text = engineering(value, field.unit, 4);
+      typing = {id, text, text, true, false};
+      ImGui::ClearActiveID();
+    }
+  }
+  if (changed && field.integer) value = std::round(value);
+  ImGui::PopID();
+  return changed;
+}
+
+Box pill_box(const std::string& text, float x, float y, float widest) {
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest > 0 ? widest : -1);
+  const float left = std::floor(x - size.x / 2 - pill_pad().x), top = std::floor(y);
+  return {left, top, left + size.x + 2 * pill_pad().x, top + size.y + 2 * pill_pad().y};
+}
+
+Box pill(ImDrawList& list, const std::string& text, float x, float y, const ImVec4& color, float widest) {
+  const Box box = pill_box(text, x, y, widest);
+  list.AddRectFilled({box.left, box.top}, {box.right, box.bottom}, ImGui::GetColorU32(ImVec4(kPanel.x, kPanel.y, kPanel.z, 0.78f)), px(7));
+  list.AddText(nullptr, 0, {box.left + pill_pad().x, box.top + pill_pad().y}, ImGui::GetColorU32(color), text.c_str(), nullptr,
+               widest > 0 ? widest : 0);
+  return box;
+}
+
+void pill(const std::string& text, float x, float y, const ImVec4& color) {
+  pills_of_frame().push_back(pill(*ImGui::GetBackgroundDrawList(), text, x, y, color));
+}
+
+const std::vector<Box>& background_pills() { return pills_of_frame(); }
+
+void plot(const char* id, const RecentValues& history, float height) {
+  const auto value_at = [](void* data, int i) { return static_cast<const RecentValues*>(data)->at(i); };
+  float largest = 1;
+  for (int i = 0; i < history.count(); ++i) largest = std::max(largest, history.at(i));
+  ImGui::PlotLines(id, value_at, const_cast<RecentValues*>(&history), history.count(), 0, nullptr, 0, 1.15f * largest,
+                   {ImGui::GetContentRegionAvail().x, px(height)});
+}
+
+bool button(const char* text, float width, bool lit) {
+  if (lit) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.55f, 0.27f, 0.22f, 1));
+    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.91f, 0.92f, 0.93f, 1));  // in light themes, too
+  }
+  const bool pressed = ImGui::Button(text, {width, 0});
+  if (lit) ImGui::PopStyleColor(2);
+  return pressed;
+}
+
+bool button(const char* text, const std::string& help, float width, bool lit) {
+  expect_help(text, help);
+  const bool pressed = button(text, width, lit);
+  tooltip(help);
+  return pressed;
+}
+
+bool small_button(const char* text, const std::string& help, float width) {
+  expect_help(text, help);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(4), 0});
+  const bool pressed = ImGui::Button(text, {width, ImGui::GetFontSize()});
+  ImGui::PopStyleVar();
+  tooltip(help);
+  return pressed;
+}
+
+ButtonRow::ButtonRow(int count)
+    : width_((ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) / static_cast<float>(count)) {}
+
+bool ButtonRow::add(const char* text, const std::string& help, bool lit) {
+  if (!first_) ImGui::SameLine();
+  first_ = false;
+  return button(text, help, width_, lit);
+}
+
+void keep_inside() {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize, at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const ImVec2 inside{std::clamp(at.x, 0.0f, std::max(0.0f, screen.x - size.x)), std::clamp(at.y, 0.0f, std::max(0.0f, screen.y - size.y))};
+  if (inside.x != at.x || inside.y != at.y) ImGui::SetWindowPos(inside);
+}
+
+bool checkbox(const char* text, bool& value, const std::string& help) {
+  expect_help(text, help);
+  const bool changed = ImGui::Checkbox(text, &value);
+  tooltip(help);
+  return changed;
+}
+
+const std::set<std::string>& unexplained() { return without_help; }
+
+}  // namespace fascia::ui

@@ -1,0 +1,133 @@
+#include "base/json/json_document.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+
+namespace fascia {
+namespace {
+
+using nlohmann::json;
+
+/// Builds the document from the parser's events, because only the events show a key that is given twice.
+class DocumentBuilder : public nlohmann::json_sax<json> {
+ public:
+  DocumentBuilder(std::string_view text, std::string where) : text_(text), where_(std::move(where)) {}
+
+  json take() { return std::move(root_); }
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t value, const string_t&) override { return add(value); }
+  bool string(string_t& value) override { return add(std::move(value)); }
+  bool binary(binary_t&) override { return false; }
+  bool start_object(std::size_t) override { return open(json::object()); }
+  bool end_object() override { return close(); }
+  bool start_array(std::size_t) override { return open(json::array()); }
+  bool end_array() override { return close(); }
+
+  bool key(string_t& key) override {
+    if (open_.back()->contains(key)) {
+      throw Error(where_ + ": " + path_of_key(path(), key), "is given twice", "expected each key once");
+    }
+    keys_.back() = std::move(key);
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string&, const json::exception& error) override {
+    // `position` counts the bytes read so far: the offending one is the last of them.
+    const std::string_view before = text_.substr(0, std::min(position > 0 ? position - 1 : 0, text_.size()));
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t newline = before.rfind('\n');  // npos + 1 is 0
+    const std::size_t column = before.size() - (newline + 1) + 1;
+    throw Error(where_ + ":" + std::to_string(line) + ":" + std::to_string(column), reason(error.what()), "");
+  }
+
+ private:
+  /// The parser's own words without its code, the position (ours is in front) and a long quotation of the
+  /// text.
+  static std::string reason(std::string text) {
+    constexpr std::size_t kLongest = 200;
+    if (const auto at = text.find("] "); at != std::string::npos) text.erase(0, at + 2);
+    if (const auto at = text.find("syntax error"); at != std::string::npos) text.erase(0, at);
+    if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
+    return text;
+  }
+
+  std::string path() const {
+    std::string path;
+    for (std::size_t depth = 0; depth + 1 < open_.size(); ++depth) {
+      path = open_[depth]->is_array() ? path_of_element(path, open_[depth]->size() - 1)
+                                      : path_of_key(path, keys_[depth]);
+    }
+    return path;
+  }
+
+  json& place(json value) {
+    if (open_.empty()) return root_ = std::move(value);
+    json& parent = *open_.back();
+    if (!parent.is_array()) return parent[keys_.back()] = std::move(value);
+    parent.push_back(std::move(value));
+    return parent.back();
+  }
+  bool add(json value) {
+    place(std::move(value));
+    return true;
+  }
+  bool open(json value) {
+    if (open_.size() == kDeepestNesting) {
+      throw Error(where_, "is nested deeper than " + std::to_string(kDeepestNesting) + " levels",
+                  "expected a scene");
+    }
+    open_.push_back(&place(std::move(value)));
+    keys_.emplace_back();
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    keys_.pop_back();
+    return true;
+  }
+
+  std::string_view text_;
+  std::string where_;
+  json root_;
+  std::vector<json*> open_;  // from the root to the innermost open container; only the innermost one grows,
+  std::vector<std::string> keys_;  // so the pointers stay valid. The key last read in each of them.
+};
+
+}  // namespace
+
+json parse_json(std::string_view text, const std::string& where) {
+  DocumentBuilder builder(text, where);
+  json::sax_parse(text, &builder);
+  return builder.take();
+}
+
+std::string on_one_line(std::string_view text) {
+  const bool plain = std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < ' '; });
+  return plain ? std::string(text) : json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::string path_of_key(const std::string& parent, std::string_view key) {
+  const std::string name = on_one_line(key);
+  return parent.empty() ? name : parent + "." + name;
+}
+
+std::string path_of_element(const std::string& parent, std::size_t index) {
+  return parent + "[" + std::to_string(index) + "]";
+}
+
+std::string excerpt(const json& value) {
+  constexpr std::size_t kLongest = 60;
+  std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
+  if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
+  return text;
+}
+
+}  // namespace fascia

@@ -1,0 +1,65 @@
+// A block of GPU memory: shader storage, uniform, index or vertex data. Move-only.
+#pragma once
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gl/loader.h"
+
+namespace fascia::gl {
+
+class Buffer {
+ public:
+  Buffer() = default;
+  /// Zero-filled when `data` is null. `label` shows in KHR_debug messages and in the statistics.
+  Buffer(std::string label, std::size_t bytes, const void* data = nullptr) : Buffer(std::move(label), bytes, data, GL_DYNAMIC_COPY) {}
+  /// For what is copied there to be read later: where the CPU can read it without a way through the GPU's queue.
+  static Buffer staging(std::string label, std::size_t bytes) { return {std::move(label), bytes, nullptr, GL_STREAM_READ}; }
+  template <class T>
+  Buffer(std::string label, const std::vector<T>& data)
+      : Buffer(std::move(label), data.size() * sizeof(T), data.data()) {}
+  ~Buffer();
+  Buffer(Buffer&& other) noexcept;
+  Buffer& operator=(Buffer&& other) noexcept;
+
+  GLuint id() const { return id_; }
+  std::size_t bytes() const { return bytes_; }
+  const std::string& label() const { return label_; }
+  explicit operator bool() const { return id_ != 0; }
+
+  void upload(std::size_t offset, std::size_t bytes, const void* data);
+  void download(std::size_t offset, std::size_t bytes, void* data) const;  // waits for the GPU
+  void clear();  // zeros
+  /// The first `bytes` of another buffer to `offset`, without a way through the CPU.
+  void copy(const Buffer& from, std::size_t bytes, std::size_t offset = 0);
+  template <class T>
+  std::vector<T> read() const {
+    std::vector<T> data(bytes_ / sizeof(T));
+    download(0, data.size() * sizeof(T), data.data());
+    return data;
+  }
+  /// A buffer texture over the whole buffer (GL_RGBA32F, GL_R32UI, ...), made at the first call and kept.
+  /// Throws Error when the buffer has more texels than the device can fetch.
+  GLuint texel_view(GLenum internal_format) const;
+
+ private:
+  Buffer(std::string label, std::size_t bytes, const void* data, GLenum usage);
+  void release();
+  GLuint id_ = 0;
+  std::size_t bytes_ = 0;
+  std::string label_;
+  mutable std::map<GLenum, GLuint> views_;
+};
+
+/// Bytes of all living Buffers and Textures, and of what else was counted with count_bytes (renderbuffers).
+std::size_t allocated_bytes();
+/// Bytes of all living Buffers by label.
+const std::map<std::string, std::size_t>& bytes_by_buffer();
+void count_bytes(std::ptrdiff_t change);
+
+/// Of the sized formats that fascia uses; throws Error for others.
+std::size_t bytes_per_texel(GLenum internal_format);
+
+}  // namespace fascia::gl

@@ -1,0 +1,140 @@
+// Linked programs, cached by file and defines, reloaded from disk on demand.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gl/loader.h"
+#include "gl/shader_source.h"
+
+namespace fascia::gl {
+
+/// How kernels read their inputs (platform fact: SSBO reads cost llvmpipe 8 to 12 times a texelFetch of the
+/// same buffer).
+enum class LoadPath { storage, texel };
+const char* name_of(LoadPath path);  // "ssbo", "texel"
+
+class ProgramCache;
+
+class Program {
+ public:
+  Program();
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  GLuint id() const { return id_; }
+  const std::string& label() const { return label_; }  // "sim/step/predict.comp [DAMPING=1 ...]"
+  /// Grows with every reload: bindings must be looked up again, and uniforms set again.
+  unsigned generation() const { return generation_; }
+  void use() const;
+  const std::map<std::string, Texel>& declared() const { return declared_; }  // buffers, see ShaderText
+  const std::map<std::string, std::string>& output_types() const { return output_types_; }
+  const std::string& file() const { return file_; }  // of a compute program, with its defines
+  bool fused() const { return file_.empty(); }
+  /// Starts linking it, if that was postponed: drivers may do so beside the program's own work, and several at once. Throws Error where
+  /// the text cannot be read.
+  void begin_link() const;
+  /// False while the driver says that it still links it, true of one whose linking has not begun.
+  bool idle() const;
+  /// Waits until it is linked; starts that, if it was postponed. Throws Error.
+  void require() const;
+  /// Before and after it is run; the cache's FirstRuns hear of code that has not been run.
+  void begin_run() const;
+  void end_run() const { run_generation_ = generation_; }
+  const Defines& defines() const { return defines_; }
+  // Uniforms by name, kept by the program until it is reloaded; it need not be in use. Setting one that the
+  // program does not have does nothing (the driver may have optimised it away).
+  void set(const char* name, float value) const;
+  void set(const char* name, int value) const;
+  void set(const char* name, unsigned value) const;
+  void set(const char* name, float x, float y, float z, float w) const;
+  void set_matrix(const char* name, const float* column_major_4x4) const;
+
+ private:
+  friend class ProgramCache;
+  GLint location(const char* name) const;
+  mutable std::map<std::string, GLint, std::less<>> locations_;  // of uniforms, -1 of those that it does not have
+  ProgramCache* cache_ = nullptr;
+  GLuint id_ = 0;
+  /// Compiled and linked, not asked yet whether with success.
+  struct Link;
+  mutable std::unique_ptr<Link> link_;
+  unsigned generation_ = 0;
+  mutable unsigned run_generation_ = 0;  // what was last run
+  std::string label_;
+  std::string file_;
+  Defines defines_;
+  std::map<std::string, Texel> declared_;
+  std::map<std::string, std::string> output_types_;
+};
+
+class ProgramCache {
+ public:
+  /// `folder` is the shaders folder. `load_path` becomes READ_TEXELS 0 or 1 in every program, and TEXELS_IN_ORDER is 1 on llvmpipe, where
+  /// what an invocation fetches and stores happens in the order of its text.
+  ProgramCache(std::filesystem::path folder, LoadPath load_path);
+  LoadPath load_path() const { return load_path_; }
+  /// Whether who records many passes should fuse them (fused_pass.h): it takes two to three times as long to compile. Not at first.
+  void set_fusing(bool on) { fusing_ = on; }
+  bool fusing() const { return fusing_; }
+
+  /// Compiled at the first call, then kept at the same address. Throws Error with the log mapped to file:line
+  /// and the variant.
+  const Program& compute(const std::string& file, const Defines& defines = {});
+  const Program& draw(const std::string& vertex_file, const std::string& fragment_file,
+                      const Defines& defines = {});
+  /// A compute program made of several kernels: by `read`, also at every reload. `label` tells it from the others.
+  const Program& fused(const std::string& label, std::function<ShaderText(const std::filesystem::path& folder)> read);
+
+  /// Compiles every cached program again from disk. One that fails keeps its old code; returns the messages.
+  std::vector<std::string> reload();
+  std::size_t size() const;  // of linked ones
+
+  /// While it lives compute() only reads a program's text: the program is linked by begin_link(), or when it is first used.
+  class Postponed {
+   public:
+    explicit Postponed(ProgramCache& cache) : cache_(cache) { ++cache_.postponed_; }
+    ~Postponed() { --cache_.postponed_; }
+    Postponed(const Postponed&) = delete;
+    Postponed& operator=(const Postponed&) = delete;
+
+   private:
+    ProgramCache& cache_;
+  };
+
+  /// While it lives `tell` is called before a compute program is run for the first time: many drivers translate it only then. `tell` may
+  /// draw, but not run compute programs. One at a time.
+  class FirstRuns {
+   public:
+    FirstRuns(ProgramCache& cache, std::function<void()> tell) : cache_(cache) { cache_.tell_first_run_ = std::move(tell); }
+    ~FirstRuns() { cache_.tell_first_run_ = nullptr; }
+    FirstRuns(const FirstRuns&) = delete;
+    FirstRuns& operator=(const FirstRuns&) = delete;
+
+   private:
+    ProgramCache& cache_;
+  };
+
+ private:
+  struct Entry {
+    std::vector<std::pair<GLenum, std::function<ShaderText()>>> stages;
+    std::unique_ptr<Program> program;
+  };
+  const Program& get(const std::string& name, const std::vector<std::pair<GLenum, std::string>>& stages, Defines defines);
+  friend class Program;
+  std::unique_ptr<Program::Link> begin_link(const Entry& entry) const;
+  void finish(Program& program, std::unique_ptr<Program::Link> link) const;  // the program stays as it is when this throws
+
+  std::filesystem::path folder_;
+  LoadPath load_path_;
+  bool fusing_ = false;
+  int postponed_ = 0;
+  std::function<void()> tell_first_run_;
+  std::map<std::string, Entry> programs_;
+};
+
+}  // namespace fascia::gl

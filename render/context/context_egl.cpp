@@ -1,0 +1,194 @@
+// EGL without a window: first every device (the way to a GPU on a server), then Mesa's surfaceless platform.
+// Opened at run time, so that fascia starts without it.
+#define EGL_NO_X11
+#define EGL_EGLEXT_PROTOTYPES  // declarations only: nothing links against them
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <dlfcn.h>
+
+#include <array>
+#include <cstdio>
+
+#include "render/context/context.h"
+#include "gl/loader.h"
+#include "base/error.h"
+
+namespace fascia {
+namespace {
+
+struct EglLibrary {
+  decltype(&::eglGetProcAddress) get_proc;
+// clang-format off
+#define FASCIA_EGL_FUNCTIONS(X) \
+  X(BindAPI) X(ChooseConfig) X(CreateContext) X(CreatePbufferSurface) X(DestroyContext) X(DestroySurface) \
+  X(GetError) X(Initialize) X(MakeCurrent) X(QueryString)
+// clang-format on
+#define X(name) decltype(&::egl##name) name;
+  FASCIA_EGL_FUNCTIONS(X)
+#undef X
+  decltype(&::eglGetPlatformDisplayEXT) get_platform_display;
+  decltype(&::eglQueryDevicesEXT) query_devices;  // null without EGL_EXT_device_enumeration
+};
+
+bool has_word(const char* list, const std::string& word) {
+  return list && (" " + std::string(list) + " ").find(" " + word + " ") != std::string::npos;
+}
+
+/// Opened once and never closed: drivers do not survive that.
+const EglLibrary& egl() {
+  static const EglLibrary opened = [] {
+    void* handle = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+    if (!handle)
+      throw Error("egl", std::string("cannot open it: ") + dlerror(), "expected the package libegl1");
+    EglLibrary lib{};
+    const auto symbol = [&](auto& function, const char* name) {
+      function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(handle, name));
+      if (!function) throw Error("egl", std::string("no function ") + name, "expected EGL 1.5");
+    };
+    symbol(lib.get_proc, "eglGetProcAddress");
+#define X(name) symbol(lib.name, "egl" #name);
+    FASCIA_EGL_FUNCTIONS(X)
+#undef X
+    lib.get_platform_display =
+        reinterpret_cast<decltype(&::eglGetPlatformDisplayEXT)>(lib.get_proc("eglGetPlatformDisplayEXT"));
+    if (!lib.get_platform_display) throw Error("egl", "no EGL_EXT_platform_base", "expected EGL 1.5");
+    const char* client = lib.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    if (has_word(client, "EGL_EXT_device_base") || has_word(client, "EGL_EXT_device_enumeration"))
+      lib.query_devices =
+          reinterpret_cast<decltype(&::eglQueryDevicesEXT)>(lib.get_proc("eglQueryDevicesEXT"));
+    return lib;
+  }();
+  return opened;
+}
+
+/// A place where a context may be found.
+struct Candidate {
+  std::string name;
+  EGLenum platform;
+  void* native;
+};
+
+std::vector<Candidate> candidates() {
+  std::vector<Candidate> found;
+  const char* client = egl().QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+  std::array<EGLDeviceEXT, 32> devices{};
+  EGLint count = 0;
+  if (has_word(client, "EGL_EXT_platform_device") && egl().query_devices &&
+      egl().query_devices(static_cast<EGLint>(devices.size()), devices.data(), &count))
+    for (EGLint i = 0; i < count; ++i)
+      found.push_back(
+          {"device " + std::to_string(i), EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(i)]});
+  if (has_word(client, "EGL_MESA_platform_surfaceless"))
+    found.push_back({"surfaceless", EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY});
+  return found;
+}
+
+[[noreturn]] void fail(const Candidate& where, const std::string& what) {
+  char code[16];
+  std::snprintf(code, sizeof code, "0x%x", static_cast<unsigned>(egl().GetError()));
+  throw Error("egl " + where.name, what + " (EGL error " + code + ")", "expected an OpenGL 4.3 core context");
+}
+
+class EglContext : public Context {
+ public:
+  explicit EglContext(const Candidate& where) : where_(where) {}
+  void create(bool debug) {
+    // Displays are shared by everyone in the process who asks for the same one, so they are never terminated.
+    display_ = egl().get_platform_display(where_.platform, where_.native, nullptr);
+    if (display_ == EGL_NO_DISPLAY || !egl().Initialize(display_, nullptr, nullptr))
+      fail(where_, "no display");
+    if (!egl().BindAPI(EGL_OPENGL_API)) fail(where_, "no OpenGL");
+    const char* extensions = egl().QueryString(display_, EGL_EXTENSIONS);
+    const bool surfaceless = has_word(extensions, "EGL_KHR_surfaceless_context");
+    EGLConfig config = EGL_NO_CONFIG_KHR;
+    if (!surfaceless || !has_word(extensions, "EGL_KHR_no_config_context")) {
+      const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
+                               EGL_NONE};
+      EGLint count = 0;
+      if (!egl().ChooseConfig(display_, wanted, &config, 1, &count) || count == 0) fail(where_, "no config");
+    }
+    // An older one than 4.3 only serves to say, in gl::load, what was found instead.
+    struct Wish {
+      EGLint major, minor, reset;
+    };
+    for (const Wish& wish : {Wish{4, 3, EGL_LOSE_CONTEXT_ON_RESET}, Wish{4, 3, EGL_NO_RESET_NOTIFICATION},
+                             Wish{3, 3, EGL_NO_RESET_NOTIFICATION}}) {
+      const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                   wish.major,
+                                   EGL_CONTEXT_MINOR_VERSION,
+                                   wish.minor,
+                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                   EGL_CONTEXT_OPENGL_DEBUG,
+                                   debug ? EGL_TRUE : EGL_FALSE,
+                                   EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                                   wish.reset,
+                                   EGL_NONE};
+      context_ = egl().CreateContext(display_, config, EGL_NO_CONTEXT, attributes);
+      if (context_ != EGL_NO_CONTEXT) break;
+    }
+    if (context_ == EGL_NO_CONTEXT) fail(where_, "no OpenGL core context");
+    if (surfaceless) return;
+    // Tiny, since everything is drawn into our own framebuffers.
+    const EGLint size[] = {EGL_WIDTH, 4, EGL_HEIGHT, 4, EGL_NONE};
+    surface_ = egl().CreatePbufferSurface(display_, config, size);
+    if (surface_ == EGL_NO_SURFACE) fail(where_, "no pbuffer surface");
+  }
+  ~EglContext() override {
+    if (display_ != EGL_NO_DISPLAY)
+      egl().MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (surface_ != EGL_NO_SURFACE) egl().DestroySurface(display_, surface_);
+    if (context_ != EGL_NO_CONTEXT) egl().DestroyContext(display_, context_);
+  }
+  EglContext(const EglContext&) = delete;
+  EglContext& operator=(const EglContext&) = delete;
+
+  std::string name() const override { return "egl"; }
+  void make_current() override {
+    // Released first, since binding what it believes is bound already does nothing, even if OSMesa was
+    // current in between.
+    egl().MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    egl().BindAPI(EGL_OPENGL_API);
+    if (!egl().MakeCurrent(display_, surface_, surface_, context_))
+      fail(where_, "the context cannot be made current");
+    gl::load([](const char* name) { return reinterpret_cast<void*>(egl().get_proc(name)); });
+  }
+
+ private:
+  Candidate where_;
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLContext context_ = EGL_NO_CONTEXT;
+  EGLSurface surface_ = EGL_NO_SURFACE;
+};
+
+}  // namespace
+
+std::unique_ptr<Context> make_egl_context(const ContextRequest& request, EglDevices devices) {
+  std::string tried;
+  std::unique_ptr<Context> on_software;  // the first one, for when there is no GPU
+  for (const Candidate& candidate : candidates()) {
+    try {
+      auto context = std::make_unique<EglContext>(candidate);
+      context->create(request.debug);
+      context->make_current();
+      if (!gl::device().software) {
+        on_software.reset();  // whose end leaves no context current
+        context->make_current();
+        return context;
+      }
+      if (!on_software) on_software = std::move(context);
+      tried += (tried.empty() ? "" : ", ") + candidate.name + " (" + gl::device().renderer + ")";
+    } catch (const Error& error) {
+      tried += (tried.empty() ? "" : ", ") + candidate.name + " (" + error.what() + ")";
+    }
+  }
+  if (tried.empty()) tried = "none: neither EGL_EXT_platform_device nor EGL_MESA_platform_surfaceless";
+  if (devices == EglDevices::hardware_only)
+    throw Error("egl", "no GPU; found " + tried, "expected a hardware renderer");
+  if (!on_software)
+    throw Error("egl", "no context; tried " + tried, "expected a device or the surfaceless platform");
+  on_software->make_current();
+  return on_software;
+}
+
+}  // namespace fascia

@@ -1,0 +1,94 @@
+// OSMesa: Mesa's software renderer without any window system. Opened at run time, and with the few
+// declarations of its header written here, so that neither building nor starting fascia needs it.
+#include <dlfcn.h>
+
+#include <array>
+#include <cstdint>
+
+#include "render/context/context.h"
+#include "gl/loader.h"
+#include "base/error.h"
+
+#ifdef __SANITIZE_ADDRESS__
+// OSMesa keeps a few hundred bytes of every context it has destroyed; that must not hide leaks of our own.
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libOSMesa.so\n";
+}
+#endif
+
+namespace fascia {
+namespace {
+
+constexpr int kRgba = GL_RGBA, kFormat = 0x22, kDepthBits = 0x30, kProfile = 0x33, kCoreProfile = 0x34,
+              kMajor = 0x36, kMinor = 0x37;
+
+struct OsMesaLibrary {
+  using Handle = void*;
+  Handle (*create)(const int* attributes, Handle share);
+  void (*destroy)(Handle);
+  GLboolean (*make_current)(Handle, void* buffer, GLenum type, GLsizei width, GLsizei height);
+  void* (*get_proc)(const char* name);
+};
+
+/// Opened once and never closed: drivers do not survive that.
+const OsMesaLibrary& library() {
+  static const OsMesaLibrary opened = [] {
+    void* handle = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+    if (!handle)
+      throw Error("osmesa", std::string("cannot open it: ") + dlerror(), "expected the package libosmesa6");
+    OsMesaLibrary lib{};
+    const auto symbol = [&](auto& function, const char* name) {
+      function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(handle, name));
+      if (!function) throw Error("osmesa", std::string("no function ") + name, "expected OSMesa 12 or later");
+    };
+    symbol(lib.create, "OSMesaCreateContextAttribs");
+    symbol(lib.destroy, "OSMesaDestroyContext");
+    symbol(lib.make_current, "OSMesaMakeCurrent");
+    symbol(lib.get_proc, "OSMesaGetProcAddress");
+    return lib;
+  }();
+  return opened;
+}
+
+class OsmesaContext : public Context {
+ public:
+  OsmesaContext(int major, int minor) {
+    const int attributes[] = {kFormat, kRgba, kDepthBits, 0,     kProfile, kCoreProfile,
+                              kMajor,  major, kMinor,     minor, 0};
+    handle_ = library().create(attributes, nullptr);
+  }
+  ~OsmesaContext() override {
+    if (handle_) library().destroy(handle_);
+  }
+  OsmesaContext(const OsmesaContext&) = delete;
+  OsmesaContext& operator=(const OsmesaContext&) = delete;
+
+  bool valid() const { return handle_ != nullptr; }
+  std::string name() const override { return "osmesa"; }
+  void make_current() override {
+    // Released first, since binding what it believes is bound already does nothing, even if EGL was current
+    // in between.
+    library().make_current(nullptr, nullptr, 0, 0, 0);
+    if (!library().make_current(handle_, surface_.data(), GL_UNSIGNED_BYTE, kSize, kSize))
+      throw Error("osmesa", "the context cannot be made current", "expected a working OSMesa");
+    gl::load(library().get_proc);
+  }
+
+ private:
+  static constexpr int kSize = 4;  // everything is drawn into our own framebuffers
+  std::array<std::uint32_t, kSize * kSize> surface_{};
+  OsMesaLibrary::Handle handle_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<Context> make_osmesa_context(const ContextRequest&) {
+  auto context = std::make_unique<OsmesaContext>(4, 3);
+  // An older one only serves to say, in gl::load, what was found instead.
+  if (!context->valid()) context = std::make_unique<OsmesaContext>(3, 3);
+  if (!context->valid()) throw Error("osmesa", "no OpenGL core context", "expected OpenGL 4.3");
+  context->make_current();
+  return context;
+}
+
+}  // namespace fascia

@@ -1,0 +1,29 @@
+// The stage: a ground plane with a grid that fades into the background, and the background itself.
+#pragma once
+#include "render/view/frame_uniforms.h"
+#include "gl/program.h"
+#include "render/view/look.h"
+#include "render/passes/vertex_array.h"
+
+namespace fascia {
+
+struct GridScale {
+  double spacing;  // of the fine lines [m]: 1, 2 or 5 times a power of ten
+  int strong;      // every how many fine lines a strong one
+};
+GridScale grid_scale(double scene_radius);
+
+class Ground {
+ public:
+  explicit Ground(gl::ProgramCache& programs);
+  static void lay(const Look& look, FrameUniforms& frame);
+  /// With shadows, the map of light on the ground is bound to texture unit 0.
+  void draw(const Look& look) const;
+  void draw_background(const Look& look) const;  // where nothing was drawn
+
+ private:
+  gl::ProgramCache& programs_;
+  VertexArray no_vertices_;
+};
+
+}  // namespace fascia

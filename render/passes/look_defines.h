@@ -1,0 +1,22 @@
+// Variants of the drawing shaders that a look asks for. Every flag is always defined, 0 or 1.
+#pragma once
+#include "gl/shader_source.h"
+#include "render/view/look.h"
+
+namespace fascia {
+
+inline const char* flag(bool on) { return on ? "1" : "0"; }
+
+inline gl::Defines backdrop_defines(const Look& look) {
+  return {{"BACKDROP_WHITE", flag(look.backdrop == Backdrop::white)},
+          {"BACKDROP_BLACK", flag(look.backdrop == Backdrop::black)},
+          {"BACKDROP_TRANSPARENT", flag(look.backdrop == Backdrop::transparent)}};
+}
+
+/// Of surface.frag and what feeds it. `triangles` per item of the region buffer. `colored`: corners have
+/// colors of their own, which show.
+gl::Defines tissue_defines(const Look& look, bool cap, int triangles, bool colored = false);
+/// The same for the depth map that the light sees.
+gl::Defines depth_defines(const Look& look);
+
+}  // namespace fascia

@@ -1,0 +1,37 @@
+// The key light: where it stands, the depth map it sees, and how much of it reaches the ground.
+#pragma once
+#include <functional>
+
+#include "render/view/frame_uniforms.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "render/view/look.h"
+#include "render/passes/vertex_array.h"
+
+namespace fascia {
+
+class ShadowMap {
+ public:
+  static constexpr int kSize = 1024;       // texels across the depth map
+  static constexpr int kGroundSize = 128;  // texels across the map of light on the ground
+
+  explicit ShadowMap(gl::ProgramCache& programs);
+  ~ShadowMap();
+  ShadowMap(const ShadowMap&) = delete;
+  ShadowMap& operator=(const ShadowMap&) = delete;
+
+  /// Light direction, its projection and the ground below it, for a scene of this center, radius and up.
+  static void aim(const Look& look, FrameUniforms& frame);
+  /// Calls `draw_depth` to draw what casts shadows, then blurs its shadow on the ground if that is wanted.
+  void draw(const std::function<void()>& draw_depth, bool ground) const;
+  void bind_depth(GLuint unit) const;         // for sampler2DShadow
+  void bind_ground_light(GLuint unit) const;  // for sampler2D
+
+ private:
+  const gl::Program &cover_program_, &light_program_;
+  gl::Texture depth_, ground_cover_, ground_light_;
+  GLuint depth_target_ = 0, cover_target_ = 0, light_target_ = 0;
+  VertexArray no_vertices_;
+};
+
+}  // namespace fascia

@@ -1,0 +1,41 @@
+// The surface on the GPU: normals from the deformed positions each frame, then drawn for the light and for
+// the camera.
+#pragma once
+#include <optional>
+
+#include "gl/compute_pass.h"
+#include "render/view/look.h"
+#include "render/passes/surface_corners.h"
+#include "render/passes/vertex_array.h"
+
+namespace fascia {
+
+class SurfaceRenderer {
+ public:
+  SurfaceRenderer(gl::ProgramCache& programs, const SurfaceCorners& corners);
+  /// Positions and normals of this frame. `positions` is vec4 [vertex_count].
+  void update(const gl::Buffer& positions);
+  /// Of every triangle, for looks that show them; empty frees them.
+  void set_regions(std::span<const std::uint32_t> regions);
+  bool has_regions() const { return static_cast<bool>(regions_); }
+  void draw_depth(const Look& look) const;
+  void draw_bare(const Look& look) const;  // as draw(), for depth and stencil only
+  /// The shadow map, if any, is bound to texture unit 0.
+  void draw(const Look& look) const;
+  const gl::Buffer& corner_positions() const { return position_; }
+  const gl::Buffer& corner_normals() const { return normal_; }
+
+ private:
+  gl::ProgramCache& programs_;
+  const gl::Program& normals_;
+  gl::Buffer corner_vertex_, fan_begin_, fan_, indices_, position_, normal_, regions_;
+  gl::Buffer color_;  // vec4 [corner_count] linear, w 0: the look's color; empty without colors
+  std::uint32_t corner_count_;
+  GLsizei index_count_;
+  VertexArray vertices_, no_vertices_;
+  std::optional<gl::ComputePass> pass_;
+  const gl::Buffer* pass_positions_ = nullptr;  // buffer that pass_ was recorded for
+  GLuint pass_positions_id_ = 0;                // and its name then: buffers are made anew in their place
+};
+
+}  // namespace fascia

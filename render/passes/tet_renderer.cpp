@@ -1,0 +1,50 @@
+#include "render/passes/tet_renderer.h"
+
+#include "render/passes/look_defines.h"
+
+namespace fascia {
+namespace {
+
+constexpr int kCapTriangles = 2, kFaces = 4;  // per tet
+
+}  // namespace
+
+TetRenderer::TetRenderer(gl::ProgramCache& programs, const TetView& view)
+    : programs_(programs),
+      tets_("drawn tets", view.tets.size_bytes(), view.tets.data()),
+      region_("drawn regions", view.region.size_bytes(), view.region.data()),
+      tet_count_(static_cast<GLsizei>(view.tets.size())) {}
+
+void TetRenderer::draw(const gl::Program& program, const gl::Buffer& positions, GLsizei vertices) const {
+  program.use();
+  const GLuint views[] = {tets_.texel_view(GL_RGBA32UI), positions.texel_view(GL_RGBA32F), 0, region_.texel_view(GL_R32UI)};
+  for (GLuint i = 0; i < 4; ++i) {
+    gl::ActiveTexture(GL_TEXTURE1 + i);
+    gl::BindTexture(GL_TEXTURE_BUFFER, views[i]);
+  }
+  no_vertices_.bind();
+  gl::DrawArrays(GL_TRIANGLES, 0, vertices);
+}
+
+void TetRenderer::draw_cap(const Look& look, const gl::Buffer& positions) const {
+  draw(programs_.draw("draw/cap.vert", "draw/surface.frag", tissue_defines(look, true, kCapTriangles)), positions,
+       3 * kCapTriangles * tet_count_);
+}
+
+void TetRenderer::draw_flesh(const Look& look) const {
+  Look plain = look;
+  plain.heat_map = plain.regions = plain.wireframe = false;
+  programs_.draw("draw/section_plane.vert", "draw/surface.frag", tissue_defines(plain, true, 1)).use();
+  no_vertices_.bind();
+  gl::DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void TetRenderer::draw_tets(const Look& look, const gl::Buffer& positions) const {
+  draw(programs_.draw("draw/tets.vert", "draw/surface.frag", tissue_defines(look, false, kFaces)), positions, 3 * kFaces * tet_count_);
+}
+
+void TetRenderer::draw_depth(const Look& look, const gl::Buffer& positions) const {
+  draw(programs_.draw("draw/tets.vert", "draw/depth.frag", depth_defines(look)), positions, 3 * kFaces * tet_count_);
+}
+
+}  // namespace fascia

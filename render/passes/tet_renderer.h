@@ -1,0 +1,37 @@
+// Tets drawn from the solver's own positions, without a buffer of triangles: the cut of a section plane, and every tet on its own.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "gl/program.h"
+#include "render/view/look.h"
+#include "render/passes/vertex_array.h"
+
+namespace fascia {
+
+/// Vertices of each tet, and which region it belongs to.
+struct TetView {
+  std::span<const std::array<std::uint32_t, 4>> tets;
+  std::span<const std::uint32_t> region;  // [tets]
+  bool within_surface = false;  // the drawn surface is closed and not the boundary of these tets: a section ends where it does
+};
+
+class TetRenderer {
+ public:
+  TetRenderer(gl::ProgramCache& programs, const TetView& view);
+  void draw_cap(const Look& look, const gl::Buffer& positions) const;
+  void draw_flesh(const Look& look) const;  // all of the section plane, as the inside of tissue without tets
+  /// The shadow map, if any, is bound to texture unit 0.
+  void draw_tets(const Look& look, const gl::Buffer& positions) const;
+  void draw_depth(const Look& look, const gl::Buffer& positions) const;  // of separate tets
+
+ private:
+  void draw(const gl::Program& program, const gl::Buffer& positions, GLsizei vertices) const;
+  gl::ProgramCache& programs_;
+  gl::Buffer tets_, region_;
+  GLsizei tet_count_;
+  VertexArray no_vertices_;
+};
+
+}  // namespace fascia

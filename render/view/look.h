@@ -1,0 +1,60 @@
+// What a picture of the scene shows and how, apart from the camera.
+#pragma once
+#include <Eigen/Core>
+#include <cmath>
+#include <optional>
+
+#include "base/ray.h"
+#include "render/view/color_map.h"
+
+namespace fascia {
+
+enum class Backdrop { gradient, white, black, transparent };
+
+/// Every tet on its own: shrunk about its centroid, which is moved away from the scene's center by `spread` times its distance.
+struct TetSpread {
+  float shrink, spread;
+};
+
+struct Look {
+  bool wireframe = false;
+  bool heat_map = false;  // color by position.w over `range`
+  bool regions = false;   // color by region; else by `color`
+  Eigen::Vector2f range{0, 1};
+  const ColorMapCurve* color_map = &color_maps::dusk;
+  std::optional<float> neutral;  // the scalar in the middle of the map, which then reaches equally far to both sides of it
+  Eigen::Vector3f color{0.80f, 0.34f, 0.29f};  // tissue, sRGB
+  bool shadow = true, ground = true;
+  float ambient_occlusion = 0;  // strength, 0 to 1
+  float depth_cue = 0;          // share by which the back of the scene fades into the backdrop
+  Backdrop backdrop = Backdrop::gradient;
+  std::optional<SectionCut> section;  // this and the next are drawn for scenes that have tets
+  std::optional<TetSpread> tets;
+  double ground_height = 0;         // of the ground plane along `up` [m]
+  Eigen::Vector3d center{0, 0, 0};  // of the scene at rest [m]
+  double radius = 1;                // of the scene at rest [m]: sets light, shadow and grid scale
+  Eigen::Vector3d up{0, 1, 0};
+};
+
+/// Scalars at the two ends of the color map: `range`, or with a neutral scalar what reaches as far to both sides of it.
+inline Eigen::Vector2f map_range(const Look& look) {
+  if (!look.neutral) return look.range;
+  const float reach = (look.range.array() - *look.neutral).abs().maxCoeff();
+  return {*look.neutral - reach, *look.neutral + reach};
+}
+
+/// The stretched springs of a hand, from the grabbed patch to where they pull it.
+struct GrabMark {
+  Eigen::Vector3f from, to;
+};
+
+/// Color of the heat map's default curve at t in [0, 1], sRGB. The shader uses the same numbers, and a surface in full light shows
+/// them unchanged.
+inline Eigen::Vector3f heat_color(float t) { return color_maps::dusk(t); }
+
+inline float linear_of_srgb(float srgb) { return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f); }
+
+/// The cut of a picture; none where whole tets are left out instead.
+inline std::optional<SectionCut> shown_cut(const Look& look) { return look.tets ? std::nullopt : look.section; }
+
+}  // namespace fascia

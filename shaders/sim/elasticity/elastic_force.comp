@@ -1,0 +1,35 @@
+// Elastic (and viscous) force of every pair of tets on its corners, and its energy: the terms of tets in the objective of an implicit Euler
+// step, 1/2 (u - u~)^T M (u - u~) + h^2 sum V [Psi(eps) + damping/h Psi(eps - eps_n)].
+// Reads displacement; writes the slots that gradient gathers: xyz h^2 V P b_a [kg m], w of the first corner's the energy [kg m^2].
+#include "common/io.glsl"
+#include "common/step.glsl"
+#include "common/tet_pair.glsl"
+#include "common/pair_slots.glsl"
+#include "sim/elasticity/elasticity.glsl"
+COMPUTE_1D
+INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
+#if COMPENSATED
+INPUT_VEC4(DisplacementLow, displacement_low)  // [vertex_count] what float32 cannot hold of u [m]
+#endif
+
+void main() {
+  ITEM_OR_RETURN(i)
+  TetPair pair = load_pair(i);
+  PairGradient h = GRADIENTS(pair, displacement);
+#if COMPENSATED
+  PairGradient low = GRADIENTS(pair, displacement_low);
+  h = PairGradient(h.a + low.a, h.b + low.b);
+#endif
+  DEFER_GUARDED(i, pair, h)
+  float scale_a = SUBSTEP * SUBSTEP * pair.a.volume, scale_b = SUBSTEP * SUBSTEP * pair.b.volume;
+  Elastic a = response_of(pair.ta, h.a, material_of(pair.ta)), b = response_of(pair.tb, h.b, material_of(pair.tb));
+  a.p *= scale_a;
+  b.p *= scale_b;
+  vec3 s1 = a.p * pair.a.b1 + b.p * pair.b.b2, s2 = a.p * pair.a.b2 + b.p * pair.b.b1, x = a.p * pair.a.b3, y = b.p * pair.b.b3;
+  uvec4 slot = FETCH(pair_slots, i);
+  correction[slot.x] = vec4(-(s1 + s2 + x + y), scale_a * a.energy + (pair.two ? scale_b * b.energy : 0.0));
+  STORE3(correction[slot.y], s1)
+  STORE3(correction[slot.z], s2)
+  STORE3(correction[slot.w], x)
+  if (pair.two) STORE3(correction[pair.fifth_slot], y)
+}

@@ -1,0 +1,107 @@
+// The elastic and viscous response of a tet with displacement gradient H: energy, first Piola stress and their linearisation.
+//   strain-based models: P = F S, S = D : e, with F and e as deformation_of() gives them
+//   viscous, of every model (Kelvin-Voigt): P = damping/h F D : (E - E_n) of the plain Green strain E
+#include "sim/material/deformation.glsl"
+#include "sim/elasticity/feature_damping.glsl"
+#include "sim/material/st_venant_kirchhoff.glsl"
+
+struct Elastic {
+  mat3 p;        // first Piola stress dPsi/dF [Pa]
+  float energy;  // density Psi [J/m^3]
+};
+
+#if STABLE_NEO_HOOKEAN
+#include "sim/material/stable_neo_hookean.glsl"
+#endif
+
+Elastic elastic_of(mat3 h, vec4 material) {
+#if STABLE_NEO_HOOKEAN
+  if (IS_STABLE_NEO_HOOKEAN(material)) return stable_neo_hookean(h, material);
+#endif
+  Deformation d = deformation_of(h, material);
+  Sym3 s = second_piola_stress(d.e, material);
+  return Elastic(times(d.f, s), 0.5 * contract(s, d.e));
+}
+
+#if DAMPING
+Sym3 viscous_stress(uint t, Sym3 strain, vec4 material) {
+  Sym3 before = previous_strain_of(t);
+  float damping = damping_over_h(material);
+  return second_piola_stress(Sym3(damping * (strain.d - before.d), damping * (strain.s - before.s)), material);
+}
+#endif
+
+// With what damping adds over the substep.
+Elastic response_of(uint t, mat3 h, vec4 material) {
+  Elastic r = elastic_of(h, material);
+#if DAMPING
+  Sym3 e = green_strain(h), s = viscous_stress(t, e, material), before = previous_strain_of(t);
+  mat3 p = times(mat3(1.0) + h, s);
+  r.p += p;
+  r.energy += 0.5 * contract(s, Sym3(e.d - before.d, e.s - before.s));
+#endif
+  return r;
+}
+
+// The strain-based part's second derivative of the energy: stiff dE : D : dE + dF S : dF with dE = sym(F^T dF). Where signed stretches
+// guard a tet it is that of St. Venant-Kirchhoff at the guarded F: the rotation of the principal directions is left out.
+struct Tangent {
+  mat3 f;
+  Sym3 s;
+  float stiff;
+};
+
+Tangent tangent_of(uint t, mat3 h, vec4 material) {
+#if STABLE_NEO_HOOKEAN
+  Tangent r = Tangent(mat3(1.0) + h, Sym3(vec3(0.0), vec3(0.0)), 0.0);
+  if (!IS_STABLE_NEO_HOOKEAN(material)) {
+    Deformation d = deformation_of(h, material);
+    r = Tangent(d.f, second_piola_stress(d.e, material), 1.0);
+  }
+#else
+  Deformation d = deformation_of(h, material);
+  Tangent r = Tangent(d.f, second_piola_stress(d.e, material), 1.0);
+#endif
+#if DAMPING
+  Sym3 viscous = viscous_stress(t, green_strain(h), material);
+  r.s = Sym3(r.s.d + viscous.d, r.s.s + viscous.s);
+  r.stiff += damping_over_h(material);
+#endif
+  return r;
+}
+
+// tr(a S b^T).
+float geometric(mat3 a, Sym3 s, mat3 b) {
+  return s.d.x * dot(a[0], b[0]) + s.d.y * dot(a[1], b[1]) + s.d.z * dot(a[2], b[2]) +
+         s.s.x * (dot(a[1], b[2]) + dot(a[2], b[1])) + s.s.y * (dot(a[0], b[2]) + dot(a[2], b[0])) +
+         s.s.z * (dot(a[0], b[1]) + dot(a[1], b[0]));
+}
+
+// Second derivative of the energy density along a and b, changes of F.
+float curvature(Tangent tangent, mat3 h, vec4 material, mat3 a, mat3 b) {
+  float sum = tangent.stiff * contract(second_piola_stress(strain_change(tangent.f, a), material), strain_change(tangent.f, b)) +
+              geometric(a, tangent.s, b);
+#if STABLE_NEO_HOOKEAN
+  if (IS_STABLE_NEO_HOOKEAN(material)) sum += neo_hookean_curvature(h, material, a, b);
+#endif
+  return sum;
+}
+
+// Second derivative by the position of one corner, whose shape function has the gradient b, without the negative part of b.Sb, the only
+// one that can be:
+//   max(0, b.Sb) I + stiff ((lambda + mu) (F b)(F b)^T + mu |b|^2 F F^T).
+Sym3 corner_block(Tangent tangent, mat3 h, vec4 material, vec3 b) {
+  mat3 f = tangent.f;
+  vec3 fb = f * b;
+  vec3 r0 = vec3(f[0].x, f[1].x, f[2].x), r1 = vec3(f[0].y, f[1].y, f[2].y), r2 = vec3(f[0].z, f[1].z, f[2].z);
+  float mu = lame_mu(material), outer = tangent.stiff * (lame_lambda(material) + mu), inner = tangent.stiff * mu * dot(b, b);
+  Sym3 block = Sym3(outer * fb * fb + inner * vec3(dot(r0, r0), dot(r1, r1), dot(r2, r2)) + max(0.0, dot(b, times(tangent.s, b))),
+                    outer * fb.yxx * fb.zzy + inner * vec3(dot(r1, r2), dot(r0, r2), dot(r0, r1)));
+#if STABLE_NEO_HOOKEAN
+  if (IS_STABLE_NEO_HOOKEAN(material)) {
+    Sym3 more = neo_hookean_block(h, material, b);
+    block = Sym3(block.d + more.d, block.s + more.s);
+  }
+#endif
+  return block;
+}

@@ -1,0 +1,26 @@
+// Gradient g = M (u - u~) + h^2 dU/du of the step's objective at every vertex, 0 where held, with the vertex's share of the objective
+// in w. After elastic_force. A gather in fixed order, so runs repeat bit for bit.
+#include "common/io.glsl"
+#include "common/step.glsl"
+COMPUTE_1D
+INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
+INPUT_VEC4(Predicted, predicted)        // [vertex_count] xyz u~ [m], w inverse mass, 0 where held
+INPUT_FLOAT(Mass, mass)                 // [vertex_count] [kg]
+INPUT_UINT(SlotBegin, slot_begin)       // [vertex_count + 1]
+INPUT_VEC4(Correction, correction)      // [slots] from elastic_force
+#include "sim/grab/feature_grab.glsl"
+OUTPUT(vec4, Gradient, gradient)  // [vertex_count] xyz g [kg m], w objective [kg m^2]
+
+void main() {
+  ITEM_OR_RETURN(i)
+  uint end = FETCH1(slot_begin, i + 1u);
+  vec4 sum = vec4(0.0);
+  for (uint k = FETCH1(slot_begin, i); k < end; ++k) sum += FETCH(correction, k);
+  vec4 predicted_i = FETCH(predicted, i);
+  vec3 u = FETCH(displacement, i).xyz, d = u - predicted_i.xyz;
+  vec4 spring = spring_of(i);
+  vec3 stretch = u - spring.xyz;
+  float m = FETCH1(mass, i), k = SUBSTEP * SUBSTEP * spring.w;
+  vec4 g = sum + vec4(m * d + k * stretch, 0.5 * (m * dot(d, d) + k * dot(stretch, stretch)));
+  gradient[i] = predicted_i.w > 0.0 ? g : vec4(0.0, 0.0, 0.0, sum.w);
+}

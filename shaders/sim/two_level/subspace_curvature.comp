@@ -1,0 +1,79 @@
+// Curvature of the elastic energy along z_f and z_c: sums over the pairs of tets of h^2 times
+//   V dF_i : d^2 Psi / dF^2 : dF_j,   with damping its viscous part.
+// Only the three sums are needed, not the products of the Hessian with the directions. After two_level_correct. With DEFERRED the terms
+// of the tets that elastic_force deferred; those of the others and the sums come after it.
+#include "common/io.glsl"
+#include "common/reduce.glsl"
+#include "common/step.glsl"
+#include "common/tet_pair.glsl"
+#include "sim/elasticity/elasticity.glsl"
+COMPUTE_1D
+INPUT_VEC4(Displacement, displacement)        // [vertex_count] u [m]
+INPUT_VEC4(FineDirection, fine_direction)     // [vertex_count] z_f [m]
+#if SPLIT
+INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]
+#endif
+#ifdef DEFERRED
+OUTPUT(vec4, GuardedCurvature, guarded_curvature)  // [pairs and single tets] xyz the terms of one with a guarded tet, w 1
+#else
+OUTPUT(vec4, CurvaturePartials, curvature_partials)  // from first_partial on: x z_f H z_f, y z_f H z_c, z z_c H z_c
+uniform uint pair_and_single_count, first_partial;
+#ifdef GUARDED_ELSEWHERE
+INPUT_VEC4(GuardedTerms, guarded_terms)  // [the same] w 0 where not guarded
+#endif
+#endif
+
+vec3 terms_of(uint t, Tet tet, mat3 h, mat3 df, mat3 dc) {
+  vec4 material = material_of(t);
+  Tangent tangent = tangent_of(t, h, material);
+  vec3 terms = vec3(curvature(tangent, h, material, df, df), 0.0, 0.0);
+#if SPLIT
+  terms.y = curvature(tangent, h, material, df, dc);
+  terms.z = curvature(tangent, h, material, dc, dc);
+#endif
+  return tet.volume * terms;
+}
+
+// Of a pair as it stands; `guard`: whether a tet of it needs one.
+vec3 terms_of(uint i, out bool guard) {
+  TetPair pair = load_pair(i);
+  PairGradient h = GRADIENTS(pair, displacement);
+#ifdef GUARDED_ELSEWHERE
+  guard = needs_guard(h.a, material_of(pair.ta)) || needs_guard(h.b, material_of(pair.tb));
+#else
+  guard = false;
+#endif
+  PairGradient fine = GRADIENTS(pair, fine_direction);
+#if SPLIT
+  PairGradient coarse = GRADIENTS(pair, coarse_direction);
+#else
+  PairGradient coarse = fine;
+#endif
+  vec3 a = terms_of(pair.ta, pair.a, h.a, fine.a, coarse.a), b = terms_of(pair.tb, pair.b, h.b, fine.b, coarse.b);
+  return SUBSTEP * SUBSTEP * (pair.two ? a + b : a);
+}
+
+#ifdef DEFERRED
+void main() {
+  ITEM_OR_RETURN(i)
+  bool guard;
+  guarded_curvature[i] = vec4(terms_of(i, guard), 1.0);
+}
+#else
+void main() {
+  LANE_OR_RETURN(i)
+  vec3 sum = vec3(0.0);
+  FOR_ITEMS_OF_LANE(k, i, invocations, pair_and_single_count) {
+    uint pair = LISTED_ITEM(k);
+    bool guard;
+    vec3 terms = terms_of(pair, guard);
+#ifdef GUARDED_ELSEWHERE
+    // Upright ones, most of all, read one and the same element. Where rounding makes the two kernels disagree both terms are right.
+    vec4 other = FETCH(guarded_terms, guard ? pair : 0u);
+    if (guard && other.w > 0.0) terms = other.xyz;
+#endif
+    sum += terms;
+  }
+  STORE_PARTIAL(curvature_partials, i + first_partial * PARTIAL_STRIDE, vec4(sum, 0.0))
+}
+#endif

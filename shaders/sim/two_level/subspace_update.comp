@@ -1,0 +1,49 @@
+// Takes the step that subspace_solve chose.
+#include "common/io.glsl"
+#include "sim/two_level/subspace_state.glsl"
+COMPUTE_1D
+INPUT_FLOAT(SubspaceState, subspace_state)
+#if !FINAL
+INPUT_VEC4(FineDirection, fine_direction)  // [vertex_count] z_f [m]
+#if SPLIT
+INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]
+#endif
+INPUT_VEC4(Gradient, gradient)                   // [vertex_count] g [kg m]
+OUTPUT(vec4, PreviousGradient, previous_gradient)  // [vertex_count] g before the new p
+OUTPUT(vec4, LastStep, last_step)                  // [vertex_count] the new p
+#endif
+INPUT_VEC4_IN_PLACE(StepBefore, step_before)  // [vertex_count] p [m]
+INPUT_VEC4_IN_PLACE(Iterate, iterate)         // [vertex_count] u [m]
+OUTPUT(vec4, Displacement, displacement)
+#if COMPENSATED
+INPUT_VEC4_IN_PLACE(IterateLow, iterate_low)  // [vertex_count] what float32 cannot hold of u [m]
+OUTPUT(vec4, DisplacementLow, displacement_low)
+#endif
+
+void main() {
+  ITEM_OR_RETURN(i)
+  vec3 p = FETCH_IN_PLACE(step_before, i).xyz;
+  vec3 step = FETCH1(subspace_state, SUBSPACE_STEP + 2u) * p;
+#if !FINAL
+  vec3 zf = FETCH(fine_direction, i).xyz;
+  step += FETCH1(subspace_state, SUBSPACE_STEP) * zf;
+  vec3 last = FETCH1(subspace_state, SUBSPACE_LAST_STEP) * zf + FETCH1(subspace_state, SUBSPACE_LAST_STEP + 2u) * p;
+#if SPLIT
+  vec3 zc = FETCH(coarse_direction, i).xyz;
+  step += FETCH1(subspace_state, SUBSPACE_STEP + 1u) * zc;
+  last += FETCH1(subspace_state, SUBSPACE_LAST_STEP + 1u) * zc;
+#endif
+  STORE3(last_step[i], last)
+  if (FETCH1(subspace_state, SUBSPACE_ACCEPTED) > 0.5) STORE3(previous_gradient[i], FETCH(gradient, i).xyz)
+#endif
+#if COMPENSATED
+  // Knuth's sum of two: precise, so that no compiler simplifies the rounding away.
+  vec3 u = FETCH_IN_PLACE(iterate, i).xyz, low = FETCH_IN_PLACE(iterate_low, i).xyz + step;
+  precise vec3 sum = u + low, added = sum - u;
+  precise vec3 lost = (u - (sum - added)) + (low - added);
+  displacement[i].xyz = sum;
+  STORE3(displacement_low[i], lost)
+#else
+  displacement[i].xyz = FETCH_IN_PLACE(iterate, i).xyz + step;
+#endif
+}

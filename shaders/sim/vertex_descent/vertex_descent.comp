@@ -1,0 +1,33 @@
+// Vertex block descent (Chen, Liu, Yang, Yuksel 2024): every vertex of one color minimises the quadratic model of the step's objective
+// in its own three coordinates. No two vertices of a color share a tet, so each sees what the colors before it did.
+#include "common/io.glsl"
+#define AT_VERTEX(v) FETCH_IN_PLACE(neighbor, v).xyz
+COMPUTE_1D
+INPUT_VEC4_IN_PLACE(Neighbor, neighbor)  // [vertex_count] displacement u [m]
+#include "sim/elasticity/vertex_block.glsl"
+#include "sim/grab/feature_grab.glsl"
+INPUT_VEC4(Predicted, predicted)         // [vertex_count] u~ [m]
+INPUT_FLOAT(Mass, mass)                  // [vertex_count] [kg]
+INPUT_UINT(ColorVertex, color_vertex)    // vertices sorted by color, held ones left out
+OUTPUT(vec4, Displacement, displacement)
+uniform uint first_item;                 // where this color begins
+
+void main() {
+  ITEM_OR_RETURN(i)
+  uint v = FETCH1(color_vertex, first_item + i);
+  VertexBlock block = add_tets(v);
+#ifdef DEFERS
+  if (block.guard) {
+    defer(i);
+    return;
+  }
+#endif
+  vec4 spring = spring_of(v);
+  vec3 u = AT_VERTEX(v);
+  float m = FETCH1(mass, v), k = SUBSTEP * SUBSTEP * spring.w;
+  vec3 g = block.gradient + m * (u - FETCH(predicted, v).xyz) + k * (u - spring.xyz);
+  block.hessian.d += m + k;
+  float scale = 1.0 / (block.hessian.d.x + block.hessian.d.y + block.hessian.d.z);
+  Sym3 inverse = inverse_of(Sym3(scale * block.hessian.d, scale * block.hessian.s));
+  displacement[v].xyz = u - scale * times(inverse, g);
+}

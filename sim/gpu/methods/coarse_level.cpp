@@ -1,0 +1,181 @@
+#include "sim/gpu/methods/coarse_level.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+
+#include "sim/coarse/coarse_gather.h"
+#include "sim/coarse/coarse_matrix.h"
+#include "sim/gpu/passes/reduction.h"
+
+namespace fascia {
+namespace {
+
+using shared::vec4;
+
+// A sparse matrix in rows, for the GPU.
+struct PackedRows {
+  std::vector<std::uint32_t> begin{0};  // [row count + 1]
+  std::vector<Tet> pairs;               // two entries each: column and weight (float bits) in turn; a last one alone is padded with zeros
+};
+
+PackedRows pack_rows(const std::vector<std::uint32_t>& begin, const std::vector<std::uint32_t>& column, const std::vector<double>& weights) {
+  PackedRows rows;
+  const auto weight = [&](std::uint32_t k) { return std::bit_cast<std::uint32_t>(static_cast<float>(weights[k])); };
+  for (std::size_t i = 0; i + 1 < begin.size(); ++i) {
+    const std::uint32_t end = begin[i + 1];
+    for (std::uint32_t k = begin[i]; k < end; k += 2)
+      rows.pairs.push_back({column[k], weight(k), k + 1 < end ? column[k + 1] : 0, k + 1 < end ? weight(k + 1) : 0});
+    rows.begin.push_back(static_cast<std::uint32_t>(rows.pairs.size()));
+  }
+  return rows;
+}
+
+/// What the coarse matrix is made of, without the arrays that only files and drawing need.
+Model material_part(const Model& model) {
+  Model part;
+  part.rest_positions = model.rest_positions;
+  part.tets = model.tets;
+  part.tet_material = model.tet_material;
+  part.materials = model.materials;
+  return part;
+}
+
+}  // namespace
+
+CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, const SolverSettings& settings)
+    : space_(make_coarse_space(model, coarse_node_target(model.tets.size()))),
+      materials_(model.materials),
+      h_(settings.substep()) {
+  if (empty()) return;
+  const CoarseGather gather = make_coarse_gather(model, space_);
+  std::vector<Tet> entries;  // of c_ja [1/m] (float bits) and the vertex
+  for (std::size_t k = 0; k < gather.vertex.size(); ++k) {
+    const Eigen::Vector3f c = gather.gradient[k].cast<float>();
+    entries.push_back({std::bit_cast<std::uint32_t>(c.x()), std::bit_cast<std::uint32_t>(c.y()), std::bit_cast<std::uint32_t>(c.z()), gather.vertex[k]});
+  }
+  const std::uint32_t n = space_.node_count;
+  lanes_ = programs.load_path() == gl::LoadPath::storage ? Reduction::kGroup : 1;
+  row_octets_ = (3 * n + 7) / 8;
+  gather_entry_ = gl::Buffer("gather_entry", entries);
+  const CoarseTranspose transposed = transpose(space_);
+  const PackedRows columns = pack_rows(transposed.begin, transposed.vertex, transposed.weight);
+  std::vector<std::uint32_t> begin;
+  for (std::uint32_t i = 0; i <= n; ++i) begin.insert(begin.end(), {gather.begin[i], columns.begin[i]});
+  for (std::uint32_t i = 0; i < n; ++i)
+    most_entries_ = std::max(most_entries_, gather.begin[i + 1] - gather.begin[i] + columns.begin[i + 1] - columns.begin[i]);
+  node_begin_ = gl::Buffer("coarse_node_begin", begin);
+  columns_ = gl::Buffer("coarse_columns", columns.pairs);
+  const PackedRows rows = pack_rows(space_.begin, space_.node, space_.weight);
+  row_begin_ = gl::Buffer("coarse_row_begin", rows.begin);
+  rows_ = gl::Buffer("coarse_rows", rows.pairs);
+  rotation_ = gl::Buffer("coarse_rotation", sizeof(vec4) * n);
+  gradient_ = gl::Buffer("coarse_gradient", 2 * sizeof(vec4) * row_octets_);
+  inverse_rows_ = gl::Buffer("coarse_inverse", sizeof(Tet) * row_octets_ * 3 * n);
+  scale_ = gl::Buffer("coarse_scale", sizeof(vec4) * n);
+  correction_ = gl::Buffer("coarse_correction", sizeof(vec4) * n);
+  start({material_part(model), settings.substep()});
+}
+
+Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const {
+  const std::uint32_t n = space_.node_count;
+  Passes passes;
+  passes.emplace_back(r.programs.compute("sim/two_level/coarse_restrict.comp"),
+                      gl::ComputePass::Bindings{{"coarse_node_begin", &node_begin_},
+                                                {"gather_entry", &gather_entry_},
+                                                {"coarse_columns", &columns_},
+                                                {"gradient", &gradient},
+                                                {"displacement", &r.buffers.displacement},
+                                                {"coarse_scale", &scale_},
+                                                {"coarse_rotation", &rotation_},
+                                                {"coarse_gradient", &gradient_}},
+                      n * lanes_)
+      .loops(most_entries_ + 16);
+  passes.emplace_back(r.programs.compute("sim/two_level/coarse_solve.comp"),
+                      gl::ComputePass::Bindings{{"coarse_inverse", &inverse_rows_},
+                                                {"coarse_scale", &scale_},
+                                                {"coarse_gradient", &gradient_},
+                                                {"coarse_rotation", &rotation_},
+                                                {"coarse_correction", &correction_}},
+                      n * lanes_, gl::ComputePass::Constants{{"row_octets", row_octets_}})
+      .loops(row_octets_ + 1);
+  return passes;
+}
+
+Eigen::MatrixXf CoarseLevel::compute(const CoarseSpace& space, const Job& job) {
+  return coarse_inverse(coarse_matrix(job.model, space, job.h));
+}
+
+void CoarseLevel::upload() {
+  const Eigen::MatrixXf inverse = with_springs(free_inverse_, space_, springs_, h_);
+  constexpr float kOne = 32767;
+  const Eigen::VectorXf scale = (inverse.diagonal().cwiseMax(0) / kOne).cwiseSqrt();
+  const std::size_t row_length = std::size_t{8} * row_octets_;
+  std::vector<std::int16_t> rows(row_length * static_cast<std::size_t>(inverse.rows()), 0);
+  for (Eigen::Index i = 0; i < inverse.rows(); ++i)
+    for (Eigen::Index k = 0; k < inverse.cols(); ++k)
+      if (const float product = scale[i] * scale[k]; product > 0)  // symmetric
+        rows[static_cast<std::size_t>(i) * row_length + static_cast<std::size_t>(k)] =
+            static_cast<std::int16_t>(std::lround(std::clamp(inverse(k, i) / product, -kOne, kOne)));
+  inverse_rows_.upload(0, rows.size() * sizeof(std::int16_t), rows.data());
+  std::vector<vec4> scales;
+  for (Eigen::Index i = 0; i < inverse.rows(); i += 3) scales.push_back({scale[i], scale[i + 1], scale[i + 2], 0});
+  scale_.upload(0, scales.size() * sizeof(vec4), scales.data());
+}
+
+bool CoarseLevel::ready() const {
+  return free_inverse_.size() > 0 || !inverse_.valid() || inverse_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+void CoarseLevel::complete() {
+  if (free_inverse_.size() == 0 && inverse_.valid()) take_next();
+}
+
+void CoarseLevel::start(Job job) {
+  inverse_ = std::async(std::launch::async, [space = space_, job = std::move(job)] { return compute(space, job); });
+}
+
+void CoarseLevel::values_changed(const Model& model, const SolverSettings& settings) {
+  if (empty() || (model.materials == materials_ && settings.substep() == h_)) return;
+  materials_ = model.materials;
+  h_ = settings.substep();
+  Job job{material_part(model), settings.substep()};
+  if (inverse_.valid())
+    next_ = std::move(job);
+  else
+    start(std::move(job));
+}
+
+void CoarseLevel::set_springs(const std::vector<GrabSpring>& springs) {
+  if (empty()) return;
+  const auto same = [](const GrabSpring& a, const GrabSpring& b) { return a.vertex == b.vertex && a.stiffness == b.stiffness; };
+  if (std::equal(springs.begin(), springs.end(), springs_.begin(), springs_.end(), same)) return;
+  springs_ = springs;
+  if (free_inverse_.size() > 0) upload();
+}
+
+void CoarseLevel::take_next() {
+  free_inverse_ = inverse_.get();
+  upload();
+  if (!next_) return;
+  start(std::move(*next_));
+  next_.reset();
+}
+
+int CoarseLevel::update(bool wait) {
+  if (wait) complete();
+  int taken = 0;
+  for (; inverse_.valid(); ++taken) {
+    if (!wait && inverse_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) break;
+    take_next();
+  }
+  return taken;
+}
+
+void CoarseLevel::take(int count) {
+  complete();
+  for (; count > 0 && inverse_.valid(); --count) take_next();
+}
+
+}  // namespace fascia

@@ -1,0 +1,31 @@
+// What a scene needs of the kernels. Turns into defines (shaders/sim/feature_*.glsl), so that what is off is not compiled,
+// not bound and not allocated.
+#pragma once
+#include "gl/compute_pass.h"
+#include "sim/gpu/passes/sim_buffers.h"
+
+namespace fascia {
+
+struct Features {
+  bool material_per_tet = false;
+  bool damping = false;
+  bool signed_st_venant_kirchhoff = false, st_venant_kirchhoff = false, stable_neo_hookean = false;  // models that the materials have
+  bool operator==(const Features&) const = default;
+};
+
+Features features_of(const Model& model);
+gl::Defines defines_of(const Features& features);
+
+/// Adds the buffers that the feature includes declare. `previous_strain` is used only with damping.
+gl::ComputePass::Bindings with_material(gl::ComputePass::Bindings bindings, const Features& features,
+                                        const SimBuffers& buffers);
+gl::ComputePass::Bindings with_damping(gl::ComputePass::Bindings bindings, const Features& features,
+                                       const gl::Buffer& previous_strain);
+
+/// Adds what kernels need that go through pairs of tets (shaders/common/tet_pair.glsl).
+gl::ComputePass::Bindings with_pairs(gl::ComputePass::Bindings bindings, const SimBuffers& buffers);
+gl::ComputePass::Constants constants_of_pairs(const SimBuffers& buffers);
+/// Adds that, and what those need that leave something at the corners of pairs of tets (shaders/common/pair_slots.glsl).
+gl::ComputePass::Bindings with_slots(gl::ComputePass::Bindings bindings, const SimBuffers& buffers);
+
+}  // namespace fascia

@@ -1,0 +1,120 @@
+#include "sim/gpu/passes/grab_springs.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace fascia {
+
+using shared::vec4;
+
+namespace {
+
+// values[i] to vertices[i] and zeros between near ones: a drag does so in every step, and an upload for each would be a copy on the GPU for
+// each.
+void upload_spans(gl::Buffer& to, const std::vector<std::uint32_t>& vertices, const std::vector<vec4>& values) {
+  constexpr std::uint32_t kNear = 1024;
+  std::vector<std::size_t> order(vertices.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return vertices[a] < vertices[b]; });
+  std::vector<vec4> span;
+  for (std::size_t k = 0; k < order.size();) {
+    const std::uint32_t first = vertices[order[k]];
+    std::uint32_t last = first;
+    span.clear();
+    for (; k < order.size() && vertices[order[k]] - last <= kNear; ++k) {
+      last = vertices[order[k]];
+      span.resize(last - first + 1);
+      span.back() = values[order[k]];
+    }
+    to.upload(first * sizeof(vec4), span.size() * sizeof(vec4), span.data());
+  }
+}
+
+}  // namespace
+
+bool GrabSprings::set(const std::vector<GrabSpring>& springs) {
+  hands_.springs = springs;
+  hands_.joined = joined(springs, hands_.place);
+  std::vector<std::uint32_t> vertices;
+  std::vector<vec4> targets;
+  for (const GrabSpring& s : hands_.joined) {
+    vertices.push_back(s.vertex);
+    targets.push_back({static_cast<float>(s.target.x()), static_cast<float>(s.target.y()),
+                       static_cast<float>(s.target.z()), static_cast<float>(s.stiffness)});
+  }
+  springs_ = std::move(targets);
+  if (vertices == vertices_) {
+    if (!springs_.empty()) target_.upload(0, springs_.size() * sizeof(vec4), springs_.data());
+    spread();
+    return false;
+  }
+  if (vertex_spring_) upload_spans(vertex_spring_, vertices_, std::vector<vec4>(vertices_.size()));
+  vertices_ = std::move(vertices);
+  vertex_ = vertices_.empty() ? gl::Buffer() : gl::Buffer("grab_vertex", vertices_);
+  target_ = springs_.empty() ? gl::Buffer() : gl::Buffer("grab_target", springs_);
+  multiplier_ = springs_.empty() ? gl::Buffer() : gl::Buffer("grab_multiplier", springs_.size() * sizeof(vec4));
+  spread();
+  return true;
+}
+
+void GrabSprings::set_use(bool at_vertices, bool spread_wanted, std::uint32_t vertex_count) {
+  at_vertices_ = at_vertices;
+  spread_ = spread_wanted;
+  vertex_count_ = vertex_count;
+  vertex_spring_ = {};
+  spread();
+}
+
+void GrabSprings::spread() {
+  if (!spread_ || vertices_.empty()) {
+    vertex_spring_ = {};
+    return;
+  }
+  if (!vertex_spring_) vertex_spring_ = gl::Buffer("vertex_spring", vertex_count_ * sizeof(vec4));
+  upload_spans(vertex_spring_, vertices_, springs_);
+}
+
+gl::Defines GrabSprings::with_springs(gl::Defines defines, gl::ComputePass::Bindings& bindings) const {
+  defines.emplace_back("GRAB", empty() ? "0" : "1");
+  if (!empty()) bindings.emplace_back("vertex_spring", &vertex_spring_);
+  return defines;
+}
+
+gl::ComputePass GrabSprings::measure(gl::ProgramCache& programs, const SimBuffers& buffers) const {
+  return {programs.compute("sim/grab/grab_measure.comp"),
+          {{"step", &buffers.step},
+           {"grab_vertex", &vertex_},
+           {"grab_target", &target_},
+           {"displacement", &buffers.displacement},
+           {"grab_multiplier", &multiplier_}},
+          count()};
+}
+
+gl::ComputePass GrabSprings::pull(gl::ProgramCache& programs, const SimBuffers& buffers, bool first) const {
+  gl::ComputePass pass(programs.compute("sim/grab/grab.comp", {{"FIRST_ITERATION", first ? "1" : "0"}}),
+                       {{"step", &buffers.step},
+                        {"grab_vertex", &vertex_},
+                        {"grab_target", &target_},
+                        {"grab_multiplier", &multiplier_},
+                        {"predicted", &buffers.predicted},
+                        {"displacement", &buffers.displacement}},
+                       count());
+  pass.loops(0);
+  return pass;
+}
+
+gl::ComputePass GrabSprings::load(gl::ProgramCache& programs, const SimBuffers& buffers) const {
+  return {programs.compute("sim/grab/grab_load.comp"),
+          {{"grab_vertex", &vertex_},
+           {"grab_multiplier", &multiplier_},
+           {"slot_begin", &buffers.slot_begin},
+           {"correction", &buffers.correction}},
+          count()};
+}
+
+void GrabSprings::forget() {
+  const std::vector<vec4> zero(count());
+  multiplier_.upload(0, zero.size() * sizeof(vec4), zero.data());
+}
+
+}  // namespace fascia

@@ -1,0 +1,51 @@
+// Springs that pull patches of vertices to targets: the hands' grip on the tissue. Kernels see one spring per vertex, the sum of all
+// hands there, so that nothing collides. Buffers exist only while something is held.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "gl/compute_pass.h"
+#include "sim/gpu/passes/sim_buffers.h"
+#include "sim/model/grab_spring.h"
+
+namespace fascia {
+
+class GrabSprings {
+ public:
+  /// Replaces all springs, of which several may be at one vertex. Returns true when the vertices changed, so that passes must be
+  /// recorded again.
+  bool set(const std::vector<GrabSpring>& springs);
+  /// Whether the method takes the springs at the vertices (feature_grab.glsl) or as constraints of their own (grab.comp), and whether
+  /// any kernel wants them at the vertices.
+  void set_use(bool at_vertices, bool spread, std::uint32_t vertex_count);
+  bool empty() const { return vertices_.empty(); }
+
+  /// As constraints, after an iteration.
+  gl::ComputePass pull(gl::ProgramCache& programs, const SimBuffers& buffers, bool first) const;
+  /// Adds vertex_spring and the define GRAB to a kernel that includes feature_grab.glsl.
+  gl::Defines with_springs(gl::Defines defines, gl::ComputePass::Bindings& bindings) const;
+  /// Brings multiplier() up to date with the displacements, which springs at vertices need.
+  gl::ComputePass measure(gl::ProgramCache& programs, const SimBuffers& buffers) const;
+  bool at_vertices() const { return at_vertices_; }
+  gl::ComputePass load(gl::ProgramCache& programs, const SimBuffers& buffers) const;  // for the residual
+  void forget();  // the multipliers of the last substep, which the first iteration of the next one would do
+  const gl::Buffer& multiplier() const { return multiplier_; }  // vec4 [count] h^2 times the force on the tissue [kg m]
+  std::uint32_t count() const { return static_cast<std::uint32_t>(vertices_.size()); }
+  struct Hands {  // whose the springs are
+    std::vector<GrabSpring> springs, joined;  // as given; as kernels see them, [count]
+    std::vector<std::uint32_t> place;  // [springs.size()] in joined
+  };
+  const Hands& hands() const { return hands_; }
+
+ private:
+  void spread();
+  Hands hands_;
+  std::vector<std::uint32_t> vertices_;
+  std::vector<shared::vec4> springs_;  // target displacement [m] and stiffness [N/m]
+  bool at_vertices_ = false, spread_ = false;
+  std::uint32_t vertex_count_ = 0;
+  gl::Buffer vertex_, target_, multiplier_;
+  gl::Buffer vertex_spring_;  // vec4 [vertex_count], zero where nothing pulls; only where it is wanted
+};
+
+}  // namespace fascia

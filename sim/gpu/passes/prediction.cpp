@@ -1,0 +1,33 @@
+#include "sim/gpu/passes/prediction.h"
+
+namespace fascia {
+
+gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin, const Start& start,
+                           const ActiveSet* active) {
+  gl::ComputePass::Bindings bindings{{"step", &buffers.step},
+                                     {"rest_position", &buffers.rest_position},
+                                     {"velocity", &buffers.velocity},
+                                     {"iterate", &buffers.displacement},
+                                     {"displacement", &buffers.displacement},
+                                     {"previous_displacement", &buffers.previous_displacement},
+                                     {"predicted", &buffers.predicted}};
+  if (copy_begin) bindings.emplace_back("copy_begin", copy_begin);
+  gl::Defines defines{{"MASS_SPLITTING", copy_begin ? "1" : "0"}, {"START_WITHOUT_GRAVITY", start.gravity ? "0" : "1"}};
+  if (start.loose) {
+    defines.emplace_back("LOOSE", "1");
+    bindings.emplace_back("loose", start.loose);
+  }
+  if (active) {
+    defines.emplace_back("LISTED", "1");
+    bindings.emplace_back("item_list", &active->vertices);
+  }
+  gl::ComputePass pass(programs.compute("sim/step/predict.comp", defines), std::move(bindings), buffers.vertex_count);
+  pass.loops(0);
+  if (active) {
+    pass.follow("invocations", active->vertex_count);
+    pass.follow("moving_count", active->moving_count);
+  }
+  return pass;
+}
+
+}  // namespace fascia

@@ -1,0 +1,232 @@
+#include "sim/gpu/passes/sim_buffers.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+namespace fascia {
+namespace {
+
+using shared::vec4;
+
+// Sizes of the scene, and of gravity's way in a substep, that the forces may throw a vertex away from its prediction.
+constexpr double kFarthest = 100;
+
+vec4 to_vec4(const Eigen::Vector3d& v, double w) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), static_cast<float>(w)};
+}
+
+vec4 to_vec4(const Material& m) {
+  return {static_cast<float>(m.young_modulus), static_cast<float>(m.poisson_ratio), static_cast<float>(m.damping),
+          static_cast<float>(m.model)};
+}
+
+std::vector<std::uint32_t> tets_before(const std::vector<Tet>& tets, std::size_t vertex_count) {
+  std::vector<std::uint32_t> begin(vertex_count + 1, 0);
+  for (const Tet& tet : tets)
+    for (const std::uint32_t v : tet) ++begin[v + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  return begin;
+}
+
+struct Shape {
+  Eigen::Matrix3d gradients;  // in rows, of the last three corners
+  double volume;
+
+  Shape(const Model& model, const Tet& tet) {
+    Eigen::Matrix3d dm;
+    for (int k = 0; k < 3; ++k) dm.col(k) = model.rest_positions[tet[k + 1]] - model.rest_positions[tet[0]];
+    gradients = dm.inverse();
+    volume = dm.determinant() / 6;
+  }
+};
+
+// The shapes of tets in the order of a TetPairing, its pairs aligned, and what shaders/common/tet_pair.glsl reads of their second ones; the
+// fifth corners' slots are left to others.
+struct Shapes {
+  std::vector<vec4> rows;
+  std::vector<Tet> fifth;
+
+  Shapes(const Model& model, const std::vector<Tet>& tets, std::uint32_t pair_count) : rows(3 * tets.size()), fifth(tets.size() - pair_count) {
+    const auto bits = [](double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); };
+    for (std::size_t t = 0; t < tets.size(); ++t) {
+      const Shape a(model, tets[t]);
+      Eigen::Vector3d beside(a.volume, 0, 0);  // the rows
+      if (t < pair_count) {
+        const Tet& second = tets[fifth.size() + t];
+        const Shape b(model, second);
+        const Eigen::RowVector3d bx = a.gradients.row(2);
+        const auto along = [&](const Eigen::RowVector3d& difference) { return difference.dot(bx) / bx.squaredNorm(); };
+        beside[1] = along(b.gradients.row(1) - a.gradients.row(0));
+        beside[2] = along(b.gradients.row(0) - a.gradients.row(1));
+        fifth[t] = {second[3], 0, bits(-along(b.gradients.row(2))), bits(b.volume)};
+      } else if (t < fifth.size()) {
+        fifth[t] = {tets[t][3], 0, bits(-1), bits(a.volume)};
+      }
+      for (int k = 0; k < 3; ++k) rows[3 * t + static_cast<std::size_t>(k)] = to_vec4(a.gradients.row(k).transpose(), beside[k]);
+    }
+  }
+};
+
+// Where the corners of pairs and single tets put their corrections: a counting sort of corners by vertex.
+struct Slots {
+  gl::Buffer correction, pair, begin;  // as in SimBuffers
+  std::uint32_t most = 0;              // of a vertex
+
+  // Of the fifth corners the slots are put beside the vertices.
+  Slots(const std::vector<Tet>& tets, std::uint32_t pair_count, std::uint32_t vertex_count, std::vector<Tet>& fifth) {
+    const std::uint32_t count = static_cast<std::uint32_t>(tets.size()) - pair_count;
+    std::vector<Tet> corners(tets.begin(), tets.begin() + count);
+    std::vector<std::uint32_t> begins(vertex_count + 1, 0);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      for (const std::uint32_t v : corners[i]) ++begins[v + 1];
+      if (i < pair_count) ++begins[fifth[i][0] + 1];
+    }
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    for (std::uint32_t v = 0; v < vertex_count; ++v) most = std::max(most, begins[v + 1] - begins[v]);
+    begin = gl::Buffer("slot_begin", begins);
+    correction = gl::Buffer("correction", begins.back() * sizeof(vec4));
+    std::vector<std::uint32_t>& next = begins;  // of each vertex the next free slot
+    for (std::uint32_t i = 0; i < count; ++i) {
+      for (std::uint32_t& v : corners[i]) v = next[v]++;
+      if (i < pair_count) fifth[i][1] = next[fifth[i][0]]++;
+    }
+    pair = gl::Buffer("pair_slots", corners);
+  }
+};
+
+}  // namespace
+
+SimBuffers::SimBuffers(const Model& model, Placement places)
+    : vertex_count(static_cast<std::uint32_t>(model.rest_positions.size())),
+      placement(std::move(places)),
+      placed_vertex("placed_vertex", placement.vertex) {
+  tet_count = static_cast<std::uint32_t>(placement.tets.order.size());
+  leaves_out = tet_count < model.tets.size();
+  const std::size_t vertex_bytes = vertex_count * sizeof(vec4);
+  displacement = gl::Buffer("displacement", vertex_bytes);
+  velocity = gl::Buffer("velocity", vertex_bytes);
+  previous_displacement = gl::Buffer("previous_displacement", vertex_bytes);
+  predicted = gl::Buffer("predicted", vertex_bytes);
+  rest_position = gl::Buffer("rest_position", vertex_bytes);
+  mass = gl::Buffer("mass", vertex_count * sizeof(float));
+  set_tet_order(model, placement.tets);
+  for (const Tet& tet : model.tets) {
+    const std::vector<Eigen::Vector3d>& x = model.rest_positions;
+    volume += (x[tet[1]] - x[tet[0]]).cross(x[tet[2]] - x[tet[0]]).dot(x[tet[3]] - x[tet[0]]) / 6;
+  }
+  Eigen::AlignedBox3d box;
+  for (const Tet& tet : model.tets)
+    for (const std::uint32_t v : tet) box.extend(model.rest_positions[v]);
+  size = box.diagonal().norm();
+  if (model.materials.size() > 1) {
+    materials = gl::Buffer("materials", model.materials.size() * sizeof(vec4));
+  }
+  astray = gl::Buffer("astray", sizeof(std::uint32_t));
+  step = gl::Buffer("step", sizeof(shared::StepValues));
+  upload_materials(model);
+}
+
+void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
+  const std::vector<std::uint32_t>& order = pairing.order;
+  std::vector<Tet> ordered;
+  std::vector<std::uint32_t> material;
+  ordered.reserve(order.size());
+  for (const std::uint32_t t : order) {
+    ordered.push_back(model.tets[t]);
+    if (model.materials.size() > 1) material.push_back(model.tet_material[t]);
+  }
+  for (std::size_t i = 0; i < pairing.pair_count; ++i) align_at_face(ordered[i], ordered[pairing.second_begin() + i]);
+  std::vector<std::uint32_t> before = tets_before(ordered, vertex_count);
+  Shapes shapes(model, ordered, pairing.pair_count);
+  Slots slots(ordered, pairing.pair_count, vertex_count, shapes.fifth);
+  gl::Buffer vertices("tet_vertices", ordered), rows("tet_shape", shapes.rows), fifth("pair_fifth", shapes.fifth), begins("tet_begin", before);
+  if (!material.empty()) tet_material = gl::Buffer("tet_material", material);
+  tet_vertices = std::move(vertices);
+  tet_shape = std::move(rows);
+  pair_fifth = std::move(fifth);
+  tet_begin = std::move(begins);
+  correction = std::move(slots.correction);
+  pair_slots = std::move(slots.pair);
+  slot_begin = std::move(slots.begin);
+  pair_count = pairing.pair_count;
+  most_slots = slots.most;
+  most_tets = 0;
+  for (std::uint32_t v = 0; v < vertex_count; ++v) most_tets = std::max(most_tets, before[v + 1] - before[v]);
+  tets = std::move(ordered);
+  tet_offsets = std::move(before);
+}
+
+void SimBuffers::set_phantom_count(std::uint32_t count) {
+  const std::size_t bytes = (vertex_count + count) * sizeof(vec4);
+  if (bytes == displacement.bytes()) return;
+  gl::Buffer wider("displacement", bytes);
+  wider.copy(displacement, vertex_count * sizeof(vec4));
+  displacement = std::move(wider);
+}
+
+void SimBuffers::upload_state(const Model& model, const State& state) {
+  std::vector<vec4> values(vertex_count);
+  for (std::size_t i = 0; i < vertex_count; ++i) values[i] = to_vec4(state.displacement[placement.vertex[i]], 0);
+  displacement.upload(0, values.size() * sizeof(vec4), values.data());
+  if (displacement_low) {
+    for (std::size_t i = 0; i < vertex_count; ++i)
+      values[i] = to_vec4(state.displacement[placement.vertex[i]] - Eigen::Vector3d(values[i].x, values[i].y, values[i].z), 0);
+    displacement_low.upload(0, values.size() * sizeof(vec4), values.data());
+  }
+  const std::vector<char> held = model.held();
+  for (std::size_t i = 0; i < vertex_count; ++i)
+    values[i] = to_vec4(held[i] ? Eigen::Vector3d(0, 0, 0) : state.velocity[placement.vertex[i]], 0);
+  velocity.upload(0, values.size() * sizeof(vec4), values.data());
+}
+
+State SimBuffers::download_state(double time) const {
+  State state{download_vectors(displacement), download_vectors(velocity), time};
+  if (displacement_low) {
+    const std::vector<Eigen::Vector3d> low = download_vectors(displacement_low);
+    for (std::size_t i = 0; i < vertex_count; ++i) state.displacement[i] += low[i];
+  }
+  return state;
+}
+
+std::vector<Eigen::Vector3d> SimBuffers::download_vectors(const gl::Buffer& buffer) const {
+  std::vector<vec4> values(vertex_count);
+  buffer.download(0, values.size() * sizeof(vec4), values.data());
+  std::vector<Eigen::Vector3d> vectors;
+  vectors.reserve(vertex_count);
+  for (const std::uint32_t place : placement.place) vectors.emplace_back(values[place].x, values[place].y, values[place].z);
+  return vectors;
+}
+
+void SimBuffers::upload_materials(const Model& model) {
+  if (materials) {
+    std::vector<vec4> values;
+    for (const Material& m : model.materials) values.push_back(to_vec4(m));
+    materials.upload(0, values.size() * sizeof(vec4), values.data());
+  }
+  const std::vector<double> masses = lumped_masses(model);
+  const std::vector<char> held = model.held();
+  std::vector<vec4> rest(vertex_count);
+  std::vector<float> mass_values(vertex_count);
+  for (std::size_t i = 0; i < vertex_count; ++i) {
+    rest[i] = to_vec4(model.rest_positions[i], held[i] || masses[i] <= 0 ? 0 : 1 / masses[i]);
+    mass_values[i] = static_cast<float>(masses[i]);
+  }
+  mean_mass = std::accumulate(masses.begin(), masses.end(), 0.0) / vertex_count;
+  rest_position.upload(0, rest.size() * sizeof(vec4), rest.data());
+  mass.upload(0, mass_values.size() * sizeof(float), mass_values.data());
+}
+
+void SimBuffers::upload_step(const Model& model, const SolverSettings& settings) {
+  const double h = settings.substep();
+  const shared::StepValues values{to_vec4(model.gravity, h),
+                                  {static_cast<float>(settings.spectral_radius), static_cast<float>(settings.iterations),
+                                   static_cast<float>(settings.tolerance), static_cast<float>(1 / mean_mass)},
+                                  to_vec4(model.materials.front()),
+                                  {static_cast<float>(kFarthest * (size + h * h * model.gravity.norm())), 0, 0, 0}};
+  step.upload(0, sizeof values, &values);
+}
+
+}  // namespace fascia

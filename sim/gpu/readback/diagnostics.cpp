@@ -1,0 +1,169 @@
+#include "sim/gpu/readback/diagnostics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/gpu/passes/reduction.h"
+
+namespace fascia {
+namespace {
+
+constexpr std::uint32_t kMostPartials = 4096;
+
+}  // namespace
+
+double Diagnostics::imbalance(const Eigen::Vector3d& weight) const {
+  const double scale = std::max({reaction.norm(), grab_force.norm(), weight.norm(), inertia.norm()});
+  return scale > force_rounding ? (reaction + grab_force + weight - inertia).norm() / scale : 0;
+}
+
+DiagnosticsReader::DiagnosticsReader(const SimBuffers& buffers)
+    : tet_partial_count_(lanes_read_back(buffers.pair_and_single_count(), kMostPartials)),
+      vertex_partial_count_(lanes_read_back(buffers.vertex_count, kMostPartials)),
+      leaves_out_(buffers.leaves_out),
+      volume_(buffers.volume),
+      mean_mass_(buffers.mean_mass),
+      displacement_(buffers.displacement),
+      tet_partials_("tet_partials", tet_partial_count_ * sizeof(shared::TetPartial)),
+      vertex_partials_("vertex_partials", vertex_partial_count_ * sizeof(shared::VertexPartial)) {}
+
+void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
+                               const gl::Buffer& previous_strain, const GrabSprings& grab) {
+  passes_.clear();
+  gl::ComputePass::Bindings tet{{"step", &buffers.step},
+                                {"displacement", &buffers.displacement},
+                                {"tet_partials", &tet_partials_}};
+  tet = with_damping(with_material(with_slots(std::move(tet), buffers), features, buffers), features, previous_strain);
+  gl::ComputePass::Constants tet_constants = constants_of_pairs(buffers);
+  tet_constants.emplace_back("pair_and_single_count", buffers.pair_and_single_count());
+  passes_.emplace_back(programs.compute("sim/readback/diagnose_tet.comp", defines_of(features)), std::move(tet), tet_partial_count_,
+                       std::move(tet_constants));
+  if (!grab.empty() && grab.at_vertices()) passes_.push_back(grab.measure(programs, buffers));
+  if (!grab.empty()) passes_.push_back(grab.load(programs, buffers));
+  passes_.emplace_back(programs.compute("sim/readback/diagnose_vertex.comp"),
+                       gl::ComputePass::Bindings{{"step", &buffers.step},
+                                                 {"rest_position", &buffers.rest_position},
+                                                 {"mass", &buffers.mass},
+                                                 {"displacement", &buffers.displacement},
+                                                 {"predicted", &buffers.predicted},
+                                                 {"velocity", &buffers.velocity},
+                                                 {"slot_begin", &buffers.slot_begin},
+                                                 {"correction", &buffers.correction},
+                                                 {"vertex_partials", &vertex_partials_}},
+                       vertex_partial_count_, gl::ComputePass::Constants{{"vertex_count", buffers.vertex_count}});
+}
+
+void DiagnosticsReader::request(const GrabSprings& grab, double substep, double time, const gl::Buffer* stop_state) {
+  for (const gl::ComputePass& pass : passes_) pass.run();
+
+  newest_ ^= 1u;
+  Pending& p = pending_[newest_];
+  const std::size_t grab_bytes = grab.count() * sizeof(shared::vec4);
+  const std::size_t probe_bytes = probe_ ? sizeof(shared::vec4) : 0;
+  const std::size_t bytes =
+      tet_partials_.bytes() + vertex_partials_.bytes() + grab_bytes + probe_bytes + (stop_state ? stop_state->bytes() : 0);
+  if (p.staging.bytes() != bytes) p.staging = gl::Buffer::staging("diagnostics_staging", bytes);
+  gl::BindBuffer(GL_COPY_WRITE_BUFFER, p.staging.id());
+  std::size_t offset = 0;
+  const auto copy_part = [&](const gl::Buffer& from, std::size_t begin, std::size_t size) {
+    gl::BindBuffer(GL_COPY_READ_BUFFER, from.id());
+    gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(begin), static_cast<GLintptr>(offset),
+                          static_cast<GLsizeiptr>(size));
+    offset += size;
+  };
+  const auto copy = [&](const gl::Buffer& from) { copy_part(from, 0, from.bytes()); };
+  copy(tet_partials_);
+  copy(vertex_partials_);
+  if (grab_bytes) copy(grab.multiplier());
+  if (probe_) copy_part(displacement_, *probe_ * probe_bytes, probe_bytes);
+  if (stop_state) copy(*stop_state);
+  p.hands = grab.hands();
+  p.has_probe = probe_.has_value();
+  p.substep = substep;
+  p.time = time;
+  p.mean_mass = mean_mass_;
+  p.counts_iterations = stop_state != nullptr;
+  p.fence.set();
+}
+
+std::optional<Diagnostics> DiagnosticsReader::take(bool wait) {
+  Pending& newest = pending_[newest_];
+  Pending& older = pending_[newest_ ^ 1u];
+  for (Pending* p : {&newest, &older}) {
+    if (!p->fence.take(wait)) continue;
+    if (p == &newest) older.fence.clear();  // overtaken
+    return sum_up(*p);
+  }
+  return std::nullopt;
+}
+
+Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
+  std::vector<shared::TetPartial> tets(tet_partial_count_);
+  std::vector<shared::VertexPartial> vertices(vertex_partial_count_);
+  std::vector<shared::vec4> grabbed(pending.hands.joined.size());
+  pending.staging.download(0, tet_partials_.bytes(), tets.data());
+  pending.staging.download(tet_partials_.bytes(), vertex_partials_.bytes(), vertices.data());
+  const std::size_t grab_begin = tet_partials_.bytes() + vertex_partials_.bytes(), grab_bytes = grabbed.size() * sizeof(shared::vec4);
+  if (!grabbed.empty()) pending.staging.download(grab_begin, grab_bytes, grabbed.data());
+  std::size_t next = grab_begin + grab_bytes;
+  Diagnostics d;
+  d.time = pending.time;
+  if (pending.has_probe) {
+    shared::vec4 u{};
+    pending.staging.download(next, sizeof u, &u);
+    d.probe = Eigen::Vector3d(u.x, u.y, u.z);
+    next += sizeof u;
+  }
+  if (pending.counts_iterations) {
+    std::uint32_t iterations = 0;
+    pending.staging.download(next, sizeof iterations, &iterations);
+    d.iterations = static_cast<int>(iterations);
+  }
+  double inverted = 0, growth = 0, residual = 0, inertia = 0, load = 0, motion = 0, grab = 0, speed2 = 0, strain2 = 0;
+  d.min_det_f = leaves_out_ ? 1 : 3.4e38;
+  d.max_det_f = leaves_out_ ? 1 : -3.4e38;
+  for (const shared::TetPartial& t : tets) {
+    d.min_det_f = std::min<double>(d.min_det_f, t.range.x);
+    d.max_det_f = std::max<double>(d.max_det_f, t.range.y);
+    d.max_strain = std::max<double>(d.max_strain, t.range.z);
+    d.max_von_mises = std::max<double>(d.max_von_mises, t.range.w);
+    d.elastic += t.sums.x;
+    inverted += t.sums.y;
+    growth += t.sums.z;
+    strain2 += t.sums.w;
+  }
+  for (const shared::VertexPartial& v : vertices) {
+    d.momentum += Eigen::Vector3d(v.momentum.x, v.momentum.y, v.momentum.z);
+    d.kinetic += v.momentum.w;
+    d.angular_momentum += Eigen::Vector3d(v.angular.x, v.angular.y, v.angular.z);
+    d.gravitational += v.angular.w;
+    d.reaction += Eigen::Vector3d(v.reaction.x, v.reaction.y, v.reaction.z);
+    speed2 = std::max<double>(speed2, v.reaction.w);
+    residual += v.residual.x;
+    inertia += v.residual.y;
+    load += v.residual.z;
+    motion += v.residual.w;
+    d.inertia += Eigen::Vector3d(v.inertia.x, v.inertia.y, v.inertia.z);
+    d.force_rounding += 1e-6 * v.inertia.w;  // ten float32 roundings
+  }
+  std::vector<Eigen::Vector3d> spring_forces;
+  for (const shared::vec4& g : grabbed) {
+    const Eigen::Vector3d impulse(g.x, g.y, g.z);
+    spring_forces.push_back(impulse / (pending.substep * pending.substep));
+    d.grab_force += spring_forces.back();
+    grab += (impulse / pending.mean_mass).squaredNorm();
+  }
+  d.hand_forces = forces_of_hands(pending.hands.springs, pending.hands.joined, pending.hands.place, spring_forces);
+  const double scale = std::sqrt(inertia) + std::sqrt(load) + std::sqrt(grab);
+  const double rounding = 1e-6 * pending.substep * std::sqrt(motion);  // ten float32 roundings of M (u - u_n)
+  d.residual = scale > rounding ? std::sqrt(residual) / scale : 0;
+  d.rms_strain = std::sqrt(strain2 / volume_);
+  d.inverted = static_cast<int>(inverted);
+  d.max_speed = std::sqrt(speed2);
+  d.volume_ratio = 1 + growth / volume_;
+  // What is not finite in one tet or at one vertex is not finite in the sums either.
+  d.finite = std::isfinite(d.elastic) && std::isfinite(growth) && std::isfinite(d.gravitational) && d.angular_momentum.allFinite();
+  return d;
+}
+
+}  // namespace fascia

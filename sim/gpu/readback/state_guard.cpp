@@ -1,0 +1,81 @@
+#include "sim/gpu/readback/state_guard.h"
+
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace fascia {
+namespace {
+
+constexpr std::uint32_t kNone = ~0u;
+constexpr std::size_t kWord = sizeof(std::uint32_t);
+
+}  // namespace
+
+StateGuard::StateGuard(gl::ProgramCache& programs, SimBuffers& buffers) : programs_(programs) { keep(buffers, 0); }
+
+void StateGuard::copy(const SimBuffers& buffers, double time, Copy& to) {
+  const std::size_t bytes = sizeof(shared::vec4) * buffers.vertex_count;
+  if (!to.displacement) {
+    to.displacement = gl::Buffer("guard_displacement", bytes);
+    to.velocity = gl::Buffer("guard_velocity", bytes);
+  }
+  to.displacement.copy(buffers.displacement, bytes);
+  to.velocity.copy(buffers.velocity, bytes);
+  to.time = time;
+}
+
+void StateGuard::keep(SimBuffers& buffers, double time) {
+  clear(buffers);
+  copy(buffers, time, good_);
+}
+
+void StateGuard::request(const SimBuffers& buffers, double time) {
+  if (fence_.is_set()) return;
+  if (!measure_) {
+    motion_ = gl::Buffer("motion", 3 * kWord);
+    note_ = gl::Buffer::staging("guard_note", 4 * kWord);
+    measure_.emplace(programs_.compute("sim/readback/motion.comp"),
+                     gl::ComputePass::Bindings{{"displacement", &buffers.displacement},
+                                               {"velocity", &buffers.velocity},
+                                               {"earlier_displacement", &good_.displacement},
+                                               {"motion", &motion_}},
+                     Reduction(programs_, buffers.vertex_count).lanes,
+                     gl::ComputePass::Constants{{"vertex_count", buffers.vertex_count}});
+  }
+  constexpr std::uint32_t kZero[3] = {};
+  motion_.upload(0, sizeof kZero, kZero);
+  measure_->run();
+  copy(buffers, time, candidate_);
+  note_.copy(buffers.astray, kWord);
+  note_.copy(motion_, motion_.bytes(), kWord);
+  fence_.set();
+}
+
+std::optional<StateGuard::Verdict> StateGuard::take(bool wait) {
+  if (!fence_.take(wait)) return std::nullopt;
+  const auto note = note_.read<std::uint32_t>();
+  if (note[0] != kNone) return Verdict{note[0], {}};
+  const auto length = [&](std::size_t k) { return std::sqrt(static_cast<double>(std::bit_cast<float>(note[k]))); };
+  const Movement movement{candidate_.time - good_.time, length(1), length(2), length(3)};
+  std::swap(good_, candidate_);
+  return Verdict{std::nullopt, movement};
+}
+
+void StateGuard::clear(SimBuffers& buffers) {
+  fence_.clear();
+  buffers.astray.upload(0, sizeof kNone, &kNone);
+}
+
+State StateGuard::download(const SimBuffers& buffers) const {
+  return {buffers.download_vectors(good_.displacement), buffers.download_vectors(good_.velocity), good_.time};
+}
+
+double StateGuard::restore(SimBuffers& buffers) {
+  buffers.displacement.copy(good_.displacement, good_.displacement.bytes());
+  buffers.velocity.copy(good_.velocity, good_.velocity.bytes());
+  clear(buffers);
+  return good_.time;
+}
+
+}  // namespace fascia

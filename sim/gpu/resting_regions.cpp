@@ -1,0 +1,134 @@
+#include "sim/gpu/resting_regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sim/model/rest_detector.h"
+
+namespace fascia {
+namespace {
+
+constexpr std::uint32_t kRegionVertices = 64;  // about four tets across
+constexpr double kMostShare = 0.75;            // of the tets: above, lists cost more than they save
+
+// Of every vertex, the smallest vertex that tets connect it with.
+std::vector<std::uint32_t> component_of(std::size_t vertex_count, const std::vector<Tet>& tets) {
+  std::vector<std::uint32_t> parent(vertex_count);
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](std::uint32_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const Tet& tet : tets)
+    for (int a = 1; a < 4; ++a) {
+      const std::uint32_t x = root(tet[0]), y = root(tet[a]);
+      parent[std::max(x, y)] = std::min(x, y);
+    }
+  for (std::uint32_t v = 0; v < vertex_count; ++v) parent[v] = root(v);
+  return parent;
+}
+
+}  // namespace
+
+Regions::Regions(gl::ProgramCache& programs, const SimBuffers& buffers)
+    : buffers_(buffers), vertex_region_(buffers.vertex_count) {
+  // Vertices in the order in which the curve meets them, body by body, cut into pieces.
+  const std::vector<std::uint32_t> component = component_of(buffers.vertex_count, buffers.tets);
+  std::vector<char> met(buffers.vertex_count, 0);
+  for (const Tet& tet : buffers.tets)
+    for (const std::uint32_t v : tet) {
+      if (met[v]) continue;
+      met[v] = 1;
+      region_vertices_.push_back(v);
+    }
+  std::stable_sort(region_vertices_.begin(), region_vertices_.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return component[a] < component[b]; });
+  for (std::size_t k = 0; k < region_vertices_.size(); ++k) {
+    const bool another = k == 0 || component[region_vertices_[k]] != component[region_vertices_[k - 1]];
+    if (another || k - region_begin_.back() == kRegionVertices) region_begin_.push_back(static_cast<std::uint32_t>(k));
+    vertex_region_[region_vertices_[k]] = static_cast<std::uint32_t>(region_begin_.size() - 1);
+  }
+  region_begin_.push_back(static_cast<std::uint32_t>(region_vertices_.size()));
+
+  neighbors_.resize(region_count());
+  for (const Tet& tet : buffers.tets)
+    for (const std::uint32_t v : tet)
+      for (const std::uint32_t w : tet) neighbors_[vertex_region_[v]].push_back(vertex_region_[w]);
+  for (std::vector<std::uint32_t>& list : neighbors_) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+
+  active_.vertices = gl::Buffer("active_vertices", sizeof(std::uint32_t) * buffers.vertex_count);
+  active_.pairs = gl::Buffer("active_pairs", sizeof(std::uint32_t) * buffers.pair_and_single_count());
+  begin_ = gl::Buffer("region_begin", region_begin_);
+  vertices_ = gl::Buffer("region_vertices", region_vertices_);
+  motion_ = gl::Buffer("region_motion", 2 * sizeof(float) * region_count());
+  measured_ = gl::Buffer::staging("region_measured", motion_.bytes());
+  for (const std::uint32_t accumulate : {0u, 1u})
+    measure_.emplace_back(programs.compute("sim/readback/region_motion.comp"),
+                          gl::ComputePass::Bindings{{"displacement", &buffers.displacement},
+                                                    {"velocity", &buffers.velocity},
+                                                    {"region_begin", &begin_},
+                                                    {"region_vertices", &vertices_},
+                                                    {"region_motion", &motion_}},
+                          region_count(), gl::ComputePass::Constants{{"accumulate", accumulate}});
+}
+
+bool Regions::begin_step(const SolverSettings& settings, const std::vector<GrabSpring>& springs) {
+  if (phase_ == kWholeSteps) partial_ = list(settings, springs);
+  if (phase_ < kWholeSteps) partial_ = false;
+  return partial_;
+}
+
+void Regions::end_step() {
+  if (phase_ < kWholeSteps) measure_[static_cast<std::size_t>(phase_)].run();
+  if (phase_ == kWholeSteps - 1) measured_.copy(motion_, motion_.bytes());
+  phase_ = (phase_ + 1) % kRound;
+}
+
+bool Regions::list(const SolverSettings& settings, const std::vector<GrabSpring>& springs) {
+  const auto motion = measured_.read<float>();
+  const double h = settings.substep();
+  std::vector<char> stirred(region_count()), moving(region_count());
+  for (std::uint32_t r = 0; r < region_count(); ++r) {
+    const double speed = std::sqrt(static_cast<double>(motion[2 * r])), displacement = std::sqrt(static_cast<double>(motion[2 * r + 1]));
+    stirred[r] = !is_still(speed * h, h, displacement, settings, buffers_.size);
+  }
+  for (const GrabSpring& spring : springs) stirred[vertex_region_[spring.vertex]] = 1;
+  for (std::uint32_t r = 0; r < region_count(); ++r)
+    for (const std::uint32_t n : neighbors_[r]) moving[r] |= stirred[n];
+  if (moving == listed_) return active_.tet_count <= kMostShare * static_cast<double>(buffers_.tets.size());
+  listed_ = moving;
+
+  std::vector<std::uint32_t> pairs, tets, vertices;
+  const auto moves = [&](const Tet& tet) {
+    return std::any_of(tet.begin(), tet.end(), [&](std::uint32_t v) { return moving[vertex_region_[v]] != 0; });
+  };
+  for (std::uint32_t i = 0; i < buffers_.pair_and_single_count(); ++i) {
+    const bool two = i < buffers_.pair_count;
+    const std::uint32_t second = buffers_.pair_and_single_count() + i;
+    if (!moves(buffers_.tets[i]) && !(two && moves(buffers_.tets[second]))) continue;
+    pairs.push_back(i);
+    tets.push_back(i);
+    if (two) tets.push_back(second);
+  }
+  active_.pair_count = static_cast<std::uint32_t>(pairs.size());
+  active_.tet_count = static_cast<std::uint32_t>(tets.size());
+  if (active_.tet_count > kMostShare * static_cast<double>(buffers_.tets.size())) return false;
+  std::vector<char> beside(buffers_.vertex_count, 0);
+  for (const std::uint32_t t : tets)
+    for (const std::uint32_t v : buffers_.tets[t]) beside[v] = !moving[vertex_region_[v]];
+  for (std::uint32_t r = 0; r < region_count(); ++r)
+    if (moving[r]) vertices.insert(vertices.end(), region_vertices_.begin() + region_begin_[r], region_vertices_.begin() + region_begin_[r + 1]);
+  active_.moving_count = static_cast<std::uint32_t>(vertices.size());
+  for (const std::uint32_t v : region_vertices_)
+    if (beside[v]) vertices.push_back(v);
+  active_.vertex_count = static_cast<std::uint32_t>(vertices.size());
+  active_.pairs.upload(0, pairs.size() * sizeof(std::uint32_t), pairs.data());
+  active_.vertices.upload(0, vertices.size() * sizeof(std::uint32_t), vertices.data());
+  return true;
+}
+
+}  // namespace fascia

@@ -1,0 +1,15 @@
+#include "sim/grab/build_model.h"
+
+#include "sim/grab/scripted_grab.h"
+#include "sim/model/unconstrained_parts.h"
+
+namespace fascia {
+
+Model build_model(const Scene& scene, const Progress& progress) {
+  Model model = build_bodies(scene, progress);
+  for (std::size_t g = 0; g < scene.grabs.size(); ++g) model.hands.push_back(resolve_hand(scene, g, model));
+  if (std::string note = note_of_loose_parts(model); !note.empty()) model.notes.push_back(std::move(note));
+  return model;
+}
+
+}  // namespace fascia

@@ -1,0 +1,109 @@
+#include "sim/grab/grab_patch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kCorner = 0.3;        // weight of a point's own tet beside that of vertices in the middle of the patch
+constexpr double kRoundedWeight = 1e-6;  // barycentric: less is rounding
+
+// Mean Young's modulus of the tets around every vertex of a body; 0 where there are none.
+std::vector<double> local_modulus(const Model& model, const BodyPart& body) {
+  std::vector<double> sum(body.vertex_count, 0.0), count(body.vertex_count, 0.0);
+  for (std::uint32_t t = body.tet_begin; t < body.tet_begin + body.tet_count; ++t)
+    for (const std::uint32_t v : model.tets[t]) {
+      sum[v - body.vertex_begin] += model.materials[model.tet_material[t]].young_modulus;
+      count[v - body.vertex_begin] += 1;
+    }
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = count[i] > 0 ? sum[i] / count[i] : 0;
+  return sum;
+}
+
+void make_shares_of_weights(std::vector<PatchVertex>& patch) {
+  double sum = 0;
+  for (const PatchVertex& p : patch) sum += p.share;
+  for (PatchVertex& p : patch) p.share /= sum;
+}
+
+}  // namespace
+
+EmbeddedPoint tet_at(std::span<const Tet> tets, std::span<const Vector3d> x, const Vector3d& p) {
+  EmbeddedPoint best{};
+  double best_smallest = -1e300;
+  for (const Tet& tet : tets) {
+    const double volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]);
+    if (volume == 0) continue;  // pressed flat
+    std::array<double, 4> w{};
+    double smallest = 1;
+    for (std::size_t a = 0; a < 4 && smallest > best_smallest; ++a) {
+      std::array<Vector3d, 4> corner{x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]};
+      corner[a] = p;
+      w[a] = signed_volume6(corner[0], corner[1], corner[2], corner[3]) / volume;
+      smallest = std::min(smallest, w[a]);
+    }
+    if (smallest <= best_smallest) continue;
+    best_smallest = smallest;
+    best = {tet, w};
+  }
+  return best;
+}
+
+std::size_t body_of(const Model& model, std::uint32_t vertex) {
+  for (std::size_t b = 0; b + 1 < model.bodies.size(); ++b)
+    if (vertex < model.bodies[b].vertex_begin + model.bodies[b].vertex_count) return b;
+  return model.bodies.size() - 1;
+}
+
+double scene_radius(const Model& model) {
+  Vector3d low = Vector3d::Constant(1e300), high = -low;
+  for (const Tet& tet : model.tets)
+    for (const std::uint32_t v : tet) {
+      low = low.cwiseMin(model.rest_positions[v]);
+      high = high.cwiseMax(model.rest_positions[v]);
+    }
+  return 0.5 * (high - low).norm();
+}
+
+std::vector<PatchVertex> grab_patch(const Model& model, std::span<const Vector3d> positions, const Vector3d& point, double radius,
+                                    const EmbeddedPoint& place) {
+  const BodyPart& body = model.bodies[body_of(model, place.vertices[0])];
+  const std::vector<char> held = model.held();
+  const std::vector<double> modulus = local_modulus(model, body);
+  std::vector<PatchVertex> patch;
+  for (std::uint32_t v = body.vertex_begin; v < body.vertex_begin + body.vertex_count; ++v) {
+    if (held[v] || modulus[v - body.vertex_begin] == 0) continue;
+    const double inside = 1 - (positions[v] - point).squaredNorm() / (radius * radius);
+    double weight = inside > 0 ? inside * inside : 0;
+    for (std::size_t a = 0; a < 4; ++a)
+      if (place.vertices[a] == v && place.weights[a] > kRoundedWeight) weight = std::max(weight, kCorner * std::min(place.weights[a], 1.0));
+    if (weight > 0) patch.push_back({v, weight, modulus[v - body.vertex_begin]});
+  }
+  make_shares_of_weights(patch);
+  return patch;
+}
+
+std::vector<PatchVertex> even_patch(const Model& model, const std::vector<std::uint32_t>& vertices) {
+  const std::vector<char> held = model.held();
+  std::vector<std::vector<double>> modulus;
+  for (const BodyPart& body : model.bodies) modulus.push_back(local_modulus(model, body));
+  std::vector<PatchVertex> patch;
+  for (const std::uint32_t v : vertices) {
+    const std::size_t b = body_of(model, v);
+    const double there = modulus[b][v - model.bodies[b].vertex_begin];
+    if (!held[v] && there > 0) patch.push_back({v, 1, there});
+  }
+  make_shares_of_weights(patch);
+  return patch;
+}
+
+double patch_stiffness(const std::vector<PatchVertex>& patch, double radius, double grip) {
+  double modulus = 0;
+  for (const PatchVertex& p : patch) modulus += p.share * p.modulus;
+  return grip * modulus * radius;
+}
+
+}  // namespace fascia

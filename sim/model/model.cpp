@@ -1,0 +1,292 @@
+#include "sim/model/model.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "sim/model/vertex_csv.h"
+#include "base/error.h"
+#include "sim/model/file_reader.h"
+#include "sim/model/unconstrained_parts.h"
+#include "sim/mesh/mesh_check.h"
+#include "sim/mesh/io/mesh_io.h"
+#include "sim/model/region_materials.h"
+#include "sim/model/prescribed_motion.h"
+#include "sim/model/vertex_selection.h"
+#include "base/text.h"
+#include "sim/surface/surface_fill.h"
+#include "sim/mesh/vertex_check.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Edges of a tet that a surface may stand off before anybody is told: a filled surface always does a little, between its vertices.
+constexpr double kNotedDistance = 0.4;
+
+/// One body on its way into the model.
+struct LoadedBody {
+  FileReader& files;
+  const Body& body;
+  std::string key, where;  // "bodies[0]", "scene.json: bodies[0]"
+  MeshFile file;
+  SurfaceMesh surface;  // drawn instead of the boundary, if it has triangles
+  MeshRepair repaired;
+  std::vector<char> used;  // [vertex_count] 1 where a usable tet has the vertex
+};
+
+LoadedBody load(const Scene& scene, std::size_t index, FileReader& files, const Progress& progress) {
+  const Body& body = scene.bodies[index];
+  const std::string key = "bodies[" + std::to_string(index) + "]";
+  LoadedBody loaded{files, body, key, scene.file.string() + ": " + key, {}, {}, {}, {}};
+  FileReader::File mesh = files.read(body.mesh, key + ".mesh", part_of(progress, 0, 0.1));
+  const std::filesystem::path path = mesh.place;
+  if (is_surface_file(path)) {
+    SurfaceMesh surface = files.surface(std::exchange(mesh, {}));
+    FilledSurface filled = fill_surface(std::move(surface), path.string(), body.resolution, part_of(progress, 0.1, 0.9));
+    loaded.file = std::move(filled.file);
+    loaded.surface = std::move(filled.surface);
+  } else {
+    loaded.file = files.tets(std::exchange(mesh, {}));
+  }
+  if (!body.surface.empty()) {
+    loaded.surface = files.surface(files.read(body.surface, key + ".surface", part_of(progress, 0.9, 0.95)));
+    put_right(loaded.surface, repair(loaded.surface, part_of(progress, 0.95, 1)));
+    loaded.file.notes.insert(loaded.file.notes.end(), loaded.surface.notes.begin(), loaded.surface.notes.end());
+  }
+  loaded.repaired = repair(loaded.file.mesh);
+  if (loaded.repaired.tets.empty()) {
+    throw Error(
+        path.string(),
+        "has no tet higher than 1e-7 of its longest edge (" + std::to_string(loaded.repaired.degenerate.size()) + " degenerate)",
+        "expected at least one");
+  }
+  loaded.used = used_vertices(loaded.repaired.tets, loaded.file.mesh.positions.size());
+  return loaded;
+}
+
+void note_tets(const std::string& body, const std::vector<std::uint32_t>& tets, const std::string& what,
+               std::vector<std::string>& notes) {
+  if (tets.empty()) return;
+  const bool is_one = tets.size() == 1;
+  notes.push_back(body + ": " + std::to_string(tets.size()) + (is_one ? " tet " : " tets ") + what +
+                  (is_one ? " (tet " : " (first: tet ") + std::to_string(tets.front()) + ")");
+}
+
+void add_notes(const LoadedBody& loaded, std::vector<std::string>& notes) {
+  const std::string& name = loaded.body.name;
+  for (const std::string& note : loaded.file.notes) notes.push_back(name + ": " + note);
+  note_tets(name, loaded.repaired.flipped, "flipped in the file, reoriented", notes);
+  note_tets(name, loaded.repaired.degenerate, "degenerate, left out of the physics", notes);
+  note_tets(name, loaded.repaired.duplicated, "duplicated, left out of the physics", notes);
+  if (const auto unused = std::count(loaded.used.begin(), loaded.used.end(), 0); unused > 0) {
+    notes.push_back(name + ": " + std::to_string(unused) + (unused == 1 ? " vertex" : " vertices") +
+                    " in no tet, kept in exports");
+  }
+  if (const std::vector<std::uint32_t> far = far_vertices(loaded.file.mesh); !far.empty())
+    notes.push_back(name + ": " + std::to_string(far.size()) + (far.size() == 1 ? " vertex" : " vertices") +
+                    " far from all others (vertex " + std::to_string(far.front()) + " at " +
+                    point(loaded.file.mesh.positions[far.front()]) + ")");
+  if (const std::size_t count = count_coincident(loaded.file.mesh.positions, loaded.repaired.tets); count > 0)
+    notes.push_back(name + ": " + std::to_string(count) + (count == 1 ? " vertex" : " vertices") +
+                    " at the place of an earlier one, not joined: fascia convert --weld makes them one");
+}
+
+void add_materials(const LoadedBody& loaded, Model& model, BodyPart& part) {
+  part.regions = regions_of(loaded.file.mesh);
+  const BodyMaterials resolved = resolve_materials(loaded.body, part.regions, loaded.where);
+  part.material_begin = static_cast<std::uint32_t>(model.materials.size());
+  part.material_count = static_cast<std::uint32_t>(resolved.materials.size());
+  std::vector<char> in_use(resolved.materials.size(), 0);
+  for (const std::uint32_t source : loaded.repaired.source) {
+    const std::uint32_t material = resolved.material_of(loaded.file.mesh.regions[source]);
+    in_use[material] = 1;
+    model.tet_material.push_back(part.material_begin + material);
+  }
+  for (std::size_t m = 0; m < resolved.materials.size(); ++m) {
+    const double ratio = resolved.materials[m].poisson_ratio;
+    if (!in_use[m] || ratio <= kLockingPoissonRatio) continue;
+    std::string text = std::to_string(ratio);
+    text.erase(text.find_last_not_of('0') + 1);
+    model.notes.push_back(resolved.names[m] + ": Poisson's ratio " + text +
+                          "; linear tets lock above 0.45: expect too little motion on a coarse mesh");
+  }
+  model.materials.insert(model.materials.end(), resolved.materials.begin(), resolved.materials.end());
+  model.material_names.insert(model.material_names.end(), resolved.names.begin(), resolved.names.end());
+}
+
+/// Appends the body's motions and fixed vertices in the model's numbering; [vertex_count] 1 where held.
+std::vector<char> add_constraints(const LoadedBody& loaded, std::uint32_t vertex_begin, Model& model) {
+  const TetMesh& mesh = loaded.file.mesh;
+  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> motion_of(mesh.positions.size(), kNone);
+  for (std::size_t m = 0; m < loaded.body.prescribed.size(); ++m) {
+    const std::string element = ".prescribed[" + std::to_string(m) + "]", where = loaded.where + element;
+    Motion motion = resolve_motion(loaded.body.prescribed[m], loaded.files, mesh, loaded.used, where, loaded.key + element);
+    for (std::uint32_t& vertex : motion.vertices) {
+      if (motion_of[vertex] != kNone) {
+        throw Error(where,
+                    "moves vertex " + std::to_string(vertex) + ", as prescribed[" +
+                        std::to_string(motion_of[vertex]) + "] does",
+                    "expected each vertex in one motion");
+      }
+      motion_of[vertex] = m;
+      vertex += vertex_begin;
+    }
+    model.motions.push_back(std::move(motion));
+  }
+  std::vector<char> held(mesh.positions.size(), 0);
+  for (std::size_t s = 0; s < loaded.body.fixed.size(); ++s) {
+    const std::string where = loaded.where + ".fixed[" + std::to_string(s) + "]";
+    for (const std::uint32_t vertex : select_vertices(loaded.body.fixed[s], mesh, loaded.used, where))
+      held[vertex] = 1;
+  }
+  for (std::uint32_t v = 0; v < held.size(); ++v) {
+    const bool is_moved = motion_of[v] != kNone;
+    if (held[v] && !is_moved) model.fixed.push_back(vertex_begin + v);
+    held[v] = held[v] || is_moved;
+  }
+  return held;
+}
+
+void add_velocity(const LoadedBody& loaded, const std::vector<char>& held, Model& model) {
+  std::vector<Vector3d> velocity;
+  if (const auto* path = std::get_if<std::string>(&loaded.body.initial_velocity)) {
+    const FileReader::File file = loaded.files.read(*path, loaded.key + ".initial_velocity");
+    velocity = read_complete_vertex_csv(file.place, file.content, held.size());
+  } else {
+    velocity.assign(held.size(), std::get<Vector3d>(loaded.body.initial_velocity));
+  }
+  for (std::size_t v = 0; v < held.size(); ++v) {
+    if (held[v]) velocity[v].setZero();
+  }
+  model.initial_velocity.insert(model.initial_velocity.end(), velocity.begin(), velocity.end());
+}
+
+Tet shifted(Tet tet, std::uint32_t by) {
+  for (std::uint32_t& vertex : tet) vertex += by;
+  return tet;
+}
+
+/// Appends the placed mesh to the arrays of the model and of its file_mesh.
+void add_mesh(const LoadedBody& loaded, const BodyPart& part, Model& model) {
+  const TetMesh& mesh = loaded.file.mesh;
+  TetMesh& all = model.file_mesh;
+  const Eigen::Affine3d place = placement(loaded.body.transform);
+  const auto first_tet = static_cast<std::uint32_t>(all.tets.size());
+  for (const Vector3d& position : mesh.positions) all.positions.push_back(place * position);
+  for (const Tet& tet : mesh.tets) all.tets.push_back(shifted(tet, part.vertex_begin));
+  all.regions.insert(all.regions.end(), mesh.regions.begin(), mesh.regions.end());
+  all.region_names.insert(mesh.region_names.begin(), mesh.region_names.end());
+  for (const auto& [name, vertices] : mesh.groups) {
+    for (const std::uint32_t vertex : vertices) all.groups[name].push_back(part.vertex_begin + vertex);
+  }
+  for (const Tet& tet : loaded.repaired.tets) model.tets.push_back(shifted(tet, part.vertex_begin));
+  for (const std::uint32_t source : loaded.repaired.source) model.tet_source.push_back(first_tet + source);
+}
+
+/// Ties the body's surface to its tets, which are the last ones of the model.
+void add_surface(LoadedBody loaded, const BodyPart& part, Model& model) {
+  SurfaceMesh& surface = model.surfaces.emplace_back(std::move(loaded.surface));
+  if (surface.triangles.empty()) return;
+  const Eigen::Affine3d place = placement(loaded.body.transform);
+  for (Vector3d& p : surface.positions) p = place * p;
+  EmbeddedPoints own = embed(surface.positions, model.file_mesh.positions, {model.tets.begin() + part.tet_begin, model.tets.end()});
+  EmbeddedPoints& all = model.embedded;
+  all.points.insert(all.points.end(), own.points.begin(), own.points.end());
+  all.ties.insert(all.ties.end(), own.ties.begin(), own.ties.end());
+  all.outside += own.outside;
+  all.farthest = std::max(all.farthest, own.farthest);
+  double volume = 0;
+  for (auto tet = model.tets.begin() + part.tet_begin; tet != model.tets.end(); ++tet) {
+    const auto& x = model.file_mesh.positions;
+    volume += signed_volume6(x[(*tet)[0]], x[(*tet)[1]], x[(*tet)[2]], x[(*tet)[3]]) / 6;
+  }
+  const double size = std::cbrt(6 * std::sqrt(2.0) * volume / part.tet_count);  // edge of a regular tet
+  if (own.outside > 0 && own.farthest > kNotedDistance * size)
+    model.notes.push_back(part.name + ": " + std::to_string(own.outside) + " of " + std::to_string(own.points.size()) +
+                          " vertices of the surface outside of the tets, at most " + length(own.farthest) + " away: tied to the nearest tet");
+}
+
+void add_body(LoadedBody loaded, Model& model) {
+  BodyPart part;
+  part.name = loaded.body.name;
+  part.vertex_begin = static_cast<std::uint32_t>(model.file_mesh.positions.size());
+  part.vertex_count = static_cast<std::uint32_t>(loaded.file.mesh.positions.size());
+  part.tet_begin = static_cast<std::uint32_t>(model.tets.size());
+  part.tet_count = static_cast<std::uint32_t>(loaded.repaired.tets.size());
+  add_notes(loaded, model.notes);
+  add_materials(loaded, model, part);
+  add_velocity(loaded, add_constraints(loaded, part.vertex_begin, model), model);
+  add_mesh(loaded, part, model);
+  add_surface(std::move(loaded), part, model);
+  model.bodies.push_back(std::move(part));
+}
+
+}  // namespace
+
+Model build_bodies(const Scene& scene, const Progress& progress) {
+  Model model;
+  model.gravity = scene.gravity;
+  model.notes = scene.notes;
+  FileReader files(scene);
+  const auto share = [&](std::size_t bodies) { return static_cast<double>(bodies) / static_cast<double>(scene.bodies.size()); };
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(load(scene, b, files, part_of(progress, share(b), share(b + 1))), model);
+  model.notes.insert(model.notes.end(), files.notes.begin(), files.notes.end());
+  model.files = std::move(files.files);
+  model.rest_positions = model.file_mesh.positions;
+  return model;
+}
+
+std::vector<char> Model::held() const {
+  std::vector<char> held(rest_positions.size(), 0);
+  for (const std::uint32_t vertex : fixed) held[vertex] = 1;
+  for (const Motion& motion : motions) {
+    for (const std::uint32_t vertex : motion.vertices) held[vertex] = 1;
+  }
+  return held;
+}
+
+double Model::end_of_motions() const {
+  double end = 0;
+  for (const Motion& motion : motions) end = std::max(end, motion.start + motion.duration);
+  return end;
+}
+
+double Model::end_of_hands() const {
+  double end = 0;
+  for (const ScriptedHand& hand : hands) end = std::max(end, hand.end());
+  return end;
+}
+
+std::vector<double> lumped_masses(const Model& model) {
+  std::vector<double> masses(model.rest_positions.size(), 0.0);
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const Tet& tet = model.tets[t];
+    const auto& x = model.rest_positions;
+    const double volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6;
+    const double quarter = model.materials[model.tet_material[t]].density * volume / 4;
+    for (const std::uint32_t vertex : tet) masses[vertex] += quarter;
+  }
+  return masses;
+}
+
+std::uint64_t mesh_hash(const TetMesh& mesh) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  const auto add = [&](auto value) {  // least significant byte first, on any machine
+    for (std::size_t byte = 0; byte < sizeof value; ++byte) {
+      hash = (hash ^ ((value >> (8 * byte)) & 0xff)) * 0x100000001b3;
+    }
+  };
+  for (const Vector3d& position : mesh.positions) {
+    for (const double coordinate : position) add(std::bit_cast<std::uint64_t>(coordinate));
+  }
+  for (const Tet& tet : mesh.tets) {
+    for (const std::uint32_t vertex : tet) add(vertex);
+  }
+  return hash;
+}
+
+}  // namespace fascia

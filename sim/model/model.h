@@ -1,0 +1,78 @@
+// What the solvers simulate: all bodies of a scene in one set of arrays, repaired, placed and with their
+// selections resolved. The reference solver and the GPU solver start from the same Model.
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/surface/embedding.h"
+#include "sim/material/material.h"
+#include "base/progress.h"
+#include "sim/scene/scene.h"
+#include "sim/model/scripted_hand.h"
+#include "sim/surface/surface_mesh.h"
+#include "sim/mesh/tet_mesh.h"
+
+namespace fascia {
+
+/// Moves its vertices from rest along a path to `target` and holds them (scene key "prescribed").
+struct Motion {
+  std::vector<std::uint32_t> vertices;
+  std::vector<Eigen::Vector3d> targets;  // final positions [m]; path is straight unless the motion rotates
+  Eigen::Vector3d translate{0, 0, 0}, axis{1, 0, 0}, center{0, 0, 0};
+  double angle = 0, scale = 1;     // [rad]; used when `targets` is empty
+  double start = 0, duration = 0;  // [s]
+
+  /// Position at time t of vertices[k] whose rest position is `rest` [m].
+  Eigen::Vector3d position(std::size_t k, const Eigen::Vector3d& rest, double t) const;
+};
+
+struct BodyPart {
+  std::string name;
+  std::uint32_t vertex_begin = 0, vertex_count = 0;  // in rest_positions
+  std::uint32_t tet_begin = 0, tet_count = 0;        // in Model::tets
+  std::uint32_t material_begin = 0, material_count = 0;
+  std::map<int, std::string> regions;  // of its mesh: number, and name if it has one
+};
+
+struct Model {
+  std::vector<Eigen::Vector3d> rest_positions;  // [vertex_count] X [m], in file order, transforms applied
+  std::vector<Tet> tets;                        // [tet_count] usable tets, positive volume
+  std::vector<std::uint32_t> tet_material;      // [tet_count] index into materials
+  std::vector<Material> materials;              // one per body and region that has its own values
+  std::vector<std::string> material_names;      // "beam: default", "liver: tumour"
+  std::vector<std::uint32_t> fixed;             // ascending, unique; prescribed vertices not included
+  std::vector<Motion> motions;
+  std::vector<ScriptedHand> hands;
+  std::vector<Eigen::Vector3d> initial_velocity;  // [vertex_count] v [m/s]; zero where fixed or prescribed
+  Eigen::Vector3d gravity{0, -9.81, 0};           // [m/s^2]
+  std::vector<BodyPart> bodies;
+
+  std::vector<SurfaceMesh> surfaces;  // [body] placed, drawn instead of the boundary of its tets; without triangles where that is drawn
+  EmbeddedPoints embedded;            // the vertices of all surfaces, one after the other, tied to the tets of their bodies
+
+  TetMesh file_mesh;                      // every vertex and tet of the files (placed), for exports
+  std::vector<std::uint32_t> tet_source;  // [tet_count] index of each tet in file_mesh.tets
+  std::vector<std::string> notes;         // repairs and warnings for the user, one line each
+  std::vector<ReadFile> files;            // that were read for it
+
+  std::vector<char> held() const;  // [vertex_count] 1 where fixed or prescribed
+  double end_of_motions() const;   // [s] when the last prescribed vertex has arrived; 0 without any
+  double end_of_hands() const;     // [s] when the last scripted hand has arrived or let go; 0 without any
+};
+
+/// Reads the meshes, surfaces and CSV files of the scene's bodies, without what pulls at them (sim/grab/build_model.h). Throws Error for
+/// anything unreadable, a selection of nothing, a material key that names no region, prescribed targets that miss vertices.
+Model build_bodies(const Scene& scene, const Progress& progress = {});
+
+/// Lumped masses [vertex_count] [kg]: a quarter of density * volume of each tet per vertex. Zero for
+/// unreferenced ones.
+std::vector<double> lumped_masses(const Model& model);
+
+/// FNV-1a 64 over vertex positions and tet indices: names the mesh in provenance stamps.
+std::uint64_t mesh_hash(const TetMesh& mesh);
+
+}  // namespace fascia

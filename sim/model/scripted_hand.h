@@ -1,0 +1,27 @@
+// Springs that pull at vertices of a model along a path: a function of time alone, so that steps repeat to the bit from wherever they start.
+#pragma once
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "sim/model/grab_spring.h"
+#include "sim/scene/scene_grab.h"
+
+namespace fascia {
+
+struct ScriptedHand {
+  std::vector<GrabSpring> grip;  // at rest: targets are zero
+  std::vector<ScriptedGrab::Key> path;  // in seconds of the scene; one key at least
+  bool smooth = false;
+  double start = 0, release = std::numeric_limits<double>::infinity();  // [s]
+
+  Eigen::Vector3d displacement(double t) const;  // of the springs' targets [m]
+  double end() const;  // [s] from then on nothing changes
+};
+
+/// Springs of all hands of the script that hold at the end of a step at time t [s], after those of others.
+std::vector<GrabSpring> with_hands(std::vector<GrabSpring> springs, std::span<const ScriptedHand> hands, double t);
+/// As they are in the end, whether they would have let go or not: for static equilibria.
+std::vector<GrabSpring> with_hands_at_last(std::vector<GrabSpring> springs, std::span<const ScriptedHand> hands);
+
+}  // namespace fascia

@@ -1,0 +1,172 @@
+#include "sim/output/sample.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/file.h"
+#include "base/number_text.h"
+
+namespace fascia {
+namespace {
+
+constexpr Column kColumns[] = {{"step", [](const Sample& s) { return static_cast<double>(s.step); }},
+                               {"time_s", [](const Sample& s) { return s.time; }},
+                               {"kinetic_J", [](const Sample& s) { return s.kinetic; }},
+                               {"elastic_J", [](const Sample& s) { return s.elastic; }},
+                               {"gravitational_J", [](const Sample& s) { return s.gravitational; }},
+                               {"total_J", [](const Sample& s) { return s.total(); }},
+                               {"volume_ratio", [](const Sample& s) { return s.volume_ratio; }},
+                               {"min_J", [](const Sample& s) { return s.min_det_f; }},
+                               {"max_strain", [](const Sample& s) { return s.max_strain; }},
+                               {"max_von_mises_Pa", [](const Sample& s) { return s.max_von_mises; }},
+                               {"momentum_x_kg_m_s", [](const Sample& s) { return s.momentum.x(); }},
+                               {"momentum_y_kg_m_s", [](const Sample& s) { return s.momentum.y(); }},
+                               {"momentum_z_kg_m_s", [](const Sample& s) { return s.momentum.z(); }},
+                               {"reaction_x_N", [](const Sample& s) { return s.reaction.x(); }},
+                               {"reaction_y_N", [](const Sample& s) { return s.reaction.y(); }},
+                               {"reaction_z_N", [](const Sample& s) { return s.reaction.z(); }},
+                               {"grab_x_N", [](const Sample& s) { return s.grab.x(); }},
+                               {"grab_y_N", [](const Sample& s) { return s.grab.y(); }},
+                               {"grab_z_N", [](const Sample& s) { return s.grab.z(); }},
+                               {"probe_x_m", [](const Sample& s) { return s.probe.x(); }},
+                               {"probe_y_m", [](const Sample& s) { return s.probe.y(); }},
+                               {"probe_z_m", [](const Sample& s) { return s.probe.z(); }},
+                               {"residual", [](const Sample& s) { return s.residual; }},
+                               {"iterations", [](const Sample& s) { return s.iterations; }},
+                               {"step_ms", [](const Sample& s) { return s.step_ms; }},
+                               {"frame_ms", [](const Sample& s) { return s.frame_ms; }}};
+
+// On one line, as the others are.
+std::string one_line(const std::string& text) {
+  std::string line;
+  bool indent = false;
+  for (const char c : text) {
+    if (c == '\n') indent = true;
+    if (indent && (c == ' ' || c == '\n')) continue;
+    indent = false;
+    line += c;
+  }
+  return line;
+}
+
+Sample of_reference(Simulation& simulation, std::uint32_t probe) {
+  const State state = simulation.state();
+  const reference::Measures measures = reference::measure(simulation.model, state);
+  Sample s;
+  s.time = state.time;
+  s.kinetic = measures.kinetic;
+  s.elastic = measures.elastic;
+  s.gravitational = measures.gravitational;
+  s.volume_ratio = measures.volume_ratio;
+  s.min_det_f = measures.min_det_f;
+  const StateFields fields = reference::export_fields(simulation.model, state);
+  for (const auto& e : fields.green_strain)
+    s.max_strain = std::max(s.max_strain, std::sqrt(e.head<3>().squaredNorm() + 2 * e.tail<3>().squaredNorm()));
+  for (const double stress : fields.von_mises) s.max_von_mises = std::max(s.max_von_mises, stress);
+  s.momentum = measures.momentum;
+  s.reaction = measures.fixed_reaction;
+  s.probe = state.displacement[probe];
+  s.residual = simulation.newton_report().relative_residual;
+  s.iterations = simulation.newton_report().iterations;
+  return s;
+}
+
+}  // namespace
+
+std::span<const Column> sample_columns() { return kColumns; }
+
+Sample sample_of(const Diagnostics& d) {
+  Sample s;
+  s.time = d.time;
+  s.kinetic = d.kinetic;
+  s.elastic = d.elastic;
+  s.gravitational = d.gravitational;
+  s.volume_ratio = d.volume_ratio;
+  s.min_det_f = d.min_det_f;
+  s.max_strain = d.max_strain;
+  s.max_von_mises = d.max_von_mises;
+  s.momentum = d.momentum;
+  s.reaction = d.reaction;
+  s.grab = d.grab_force;
+  if (d.probe) s.probe = *d.probe;
+  s.residual = d.residual;
+  if (d.iterations) s.iterations = *d.iterations;
+  return s;
+}
+
+Sample sample_now(Simulation& simulation, std::uint32_t probe) {
+  Sample s;
+  if (simulation.uses_reference()) {
+    s = of_reference(simulation, probe);
+  } else {
+    simulation.gpu()->set_probe(probe);
+    simulation.gpu()->request_diagnostics();
+    s = sample_of(*simulation.gpu()->take_diagnostics(true));
+    if (std::isnan(s.iterations)) s.iterations = simulation.iterations_granted();
+  }
+  if (!simulation.model.motions.empty()) s.supports = reference::support_forces(simulation.model, simulation.state());
+  s.step = simulation.steps_made();
+  if (s.step == 0) s.residual = s.iterations = Sample::kUnknown;
+  return s;
+}
+
+void write_samples(const std::filesystem::path& path, std::span<const Sample> samples, const Model& model, const Provenance& provenance,
+                   std::uint32_t probe) {
+  NumberText out;
+  for (const auto& [keyword, text] : provenance) out.add("# ").add(keyword).add(": ").add(one_line(text)).add('\n');
+  out.add("# Probe: vertex ").add(probe).add('\n');
+  const std::vector<reference::Support> supports = samples.empty() ? std::vector<reference::Support>{} : samples.front().supports;
+  for (std::size_t k = 0; k < supports.size(); ++k) {
+    out.add("# Support ").add(k).add(": ").add(one_line(model.bodies[supports[k].body].name));
+    if (const auto motion = supports[k].motion)
+      out.add(", prescribed ").add(*motion).add('\n');
+    else
+      out.add(", fixed\n");
+  }
+  for (const Column& column : kColumns) out.add(&column == kColumns ? "" : ",").add(column.name);
+  for (std::size_t k = 0; k < supports.size(); ++k)
+    for (const char* axis : {"_x_N", "_y_N", "_z_N"}) out.add(",support_").add(k).add(axis);
+  out.add('\n');
+  const auto add_cell = [&](double value) {
+    if (std::isfinite(value)) out.add(value);
+  };
+  for (const Sample& sample : samples) {
+    for (const Column& column : kColumns) {
+      if (&column != kColumns) out.add(',');
+      add_cell(column.value(sample));
+    }
+    for (const reference::Support& support : sample.supports)
+      for (const double force : support.force) {
+        out.add(',');
+        add_cell(force);
+      }
+    out.add('\n');
+  }
+  write_file(path, out.take());
+}
+
+std::uint32_t tip_vertex(const Model& model) {
+  constexpr std::size_t kMostSupports = 256;  // looked at, evenly spread: enough to tell a tip from a root, however fine the mesh
+  const std::vector<char> held = model.held();
+  std::vector<Eigen::Vector3d> supports;
+  for (std::size_t v = 0; v < held.size(); ++v)
+    if (held[v]) supports.push_back(model.rest_positions[v]);
+  const std::size_t stride = supports.size() / kMostSupports + 1;
+  std::vector<char> used(held.size(), 0);
+  for (const Tet& tet : model.tets)
+    for (const std::uint32_t v : tet) used[v] = 1;
+  std::uint32_t tip = 0;
+  double farthest = -1;
+  for (std::size_t v = 0; v < held.size(); ++v) {
+    if (held[v] || !used[v]) continue;
+    double nearest = supports.empty() ? model.rest_positions[v].squaredNorm() : 1e300;
+    for (std::size_t s = 0; s < supports.size(); s += stride)
+      nearest = std::min(nearest, (supports[s] - model.rest_positions[v]).squaredNorm());
+    if (nearest <= farthest) continue;
+    farthest = nearest;
+    tip = static_cast<std::uint32_t>(v);
+  }
+  return tip;
+}
+
+}  // namespace fascia

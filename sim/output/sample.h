@@ -1,0 +1,51 @@
+// What is followed over time: numbers about the state and the clock at one moment, the same in the window's plots and in the CSV files
+// of `fascia run --history`.
+#pragma once
+#include <Eigen/Core>
+#include <filesystem>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/output/run_provenance.h"
+#include "sim/simulation/simulation.h"
+
+namespace fascia {
+
+struct Sample {
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  // not measured, or of no meaning at this moment
+
+  long step = 0;                                       // made so far
+  double time = 0;                                     // simulated [s]
+  double kinetic = 0, elastic = 0, gravitational = 0;  // [J]; gravitational: 0 at the rest positions
+  double volume_ratio = 1;                             // over the volume at rest
+  double min_det_f = 1, max_strain = 0, max_von_mises = 0;  // [-], [-], [Pa]
+  Eigen::Vector3d momentum{0, 0, 0}, reaction{0, 0, 0}, grab{0, 0, 0};  // [kg m/s], [N], [N]; forces on the body
+  std::vector<reference::Support> supports;  // of scenes in which some are moved; `reaction` is the sum of their forces
+  Eigen::Vector3d probe{kUnknown, kUnknown, kUnknown};  // displacement of the vertex that is followed [m]
+  double residual = kUnknown, iterations = kUnknown;    // of the last step; iterations per substep
+  double step_ms = kUnknown, frame_ms = kUnknown;       // of one step, of one picture
+
+  double total() const { return kinetic + elastic + gravitational; }
+};
+
+struct Column {
+  const char* name;  // with its unit: "kinetic_J"
+  double (*value)(const Sample&);
+};
+std::span<const Column> sample_columns();
+
+Sample sample_of(const Diagnostics& diagnostics);
+/// Of the state of now, supports one by one; waits for the GPU. Without steps made, residual and iterations are unknown.
+Sample sample_now(Simulation& simulation, std::uint32_t probe);
+
+/// Notes in lines "# keyword: text", the names of the columns, a row per sample: shortest digits that read back to the same number, nothing
+/// for what is unknown. All samples have the same supports. Throws Error.
+void write_samples(const std::filesystem::path& path, std::span<const Sample> samples, const Model& model, const Provenance& provenance,
+                   std::uint32_t probe);
+
+/// The free vertex that is farthest from the supports: of a cantilever, one at its tip.
+std::uint32_t tip_vertex(const Model& model);
+
+}  // namespace fascia

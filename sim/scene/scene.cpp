@@ -1,0 +1,94 @@
+#include "sim/scene/scene.h"
+
+#include <algorithm>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include "base/data_folder.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "base/json/json_document.h"
+#include "sim/scene/scene_overrides.h"
+#include "sim/scene/scene_paths.h"
+#include "sim/scene/scene_read.h"
+
+namespace fascia {
+namespace {
+
+constexpr double kLowestShare = 0.02;  // of the height: how much of a mesh opened alone is held
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors start text files with it
+
+/// The first character that is no space and no byte order mark, without reading the whole of a large mesh.
+char first_character(const std::filesystem::path& path) {
+  std::error_code ec;
+  std::ifstream file;
+  std::istringstream kept;
+  const bool is_file = std::filesystem::is_regular_file(path, ec);
+  if (is_file) file.open(path, std::ios::binary);
+  else kept.str(read_file(path));  // what a stream takes of a pipe is gone
+  std::istream& in = is_file ? static_cast<std::istream&>(file) : kept;
+  for (char c = 0; in >> c;)
+    if (kByteOrderMark.find(c) == kByteOrderMark.npos) return c;
+  read_file(path);  // says so if it is no readable file
+  throw Error(path.string(), "is empty", "expected a scene (JSON) or a tet mesh");
+}
+
+bool is_scene(const std::filesystem::path& path) {
+  const char first = first_character(path);
+  return first == '{' || path.extension() == ".json";
+}
+
+Scene read_document(nlohmann::json document, const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  DocumentOrigin origin{path.string(), {}};
+  apply_overrides(document, overrides, origin);
+  Scene scene = read_scene(Node(document, "", origin));
+  scene.file = path;
+  return scene;
+}
+
+}  // namespace
+
+std::filesystem::path Scene::resolve(const std::string& path) const {
+  if (const auto assets = asset_folder(); path.starts_with(kAssetPrefix) && !assets.empty()) return assets / path.substr(kAssetPrefix.size());
+  return file.parent_path() / path;  // an absolute path replaces the folder
+}
+
+const KnownFile* Scene::recorded(const std::string& path) const {
+  const auto found = std::find_if(files.begin(), files.end(), [&](const KnownFile& f) { return f.path == path; });
+  return found == files.end() ? nullptr : &*found;
+}
+
+bool Scene::carries(const std::string& path) const {
+  const KnownFile* found = recorded(path);
+  return found && found->deflated;
+}
+
+Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  if (is_scene(path)) {
+    Scene scene = read_scene_content(path, read_file(path), overrides);
+    find_moved_files(scene);
+    return scene;
+  }
+  nlohmann::json document;
+  document["fascia_scene"] = 1;
+  document["title"] = path.filename().string();
+  document["bodies"][0]["mesh"] = path.filename().string();
+  document["bodies"][0]["fixed"][0]["lowest"] = kLowestShare;
+  return read_document(std::move(document), path, overrides);
+}
+
+Scene read_scene_content(const std::filesystem::path& path, std::string_view content, const std::vector<std::string>& overrides) {
+  return read_document(parse_json(content, path.string()), path, overrides);
+}
+
+Eigen::Affine3d placement(const Transform& transform) {
+  using Eigen::Vector3d;
+  const Vector3d angles = transform.rotate_deg * (std::numbers::pi / 180);
+  return Eigen::Translation3d(transform.translate) * Eigen::AngleAxisd(angles.z(), Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(angles.y(), Vector3d::UnitY()) * Eigen::AngleAxisd(angles.x(), Vector3d::UnitX()) *
+         Eigen::Scaling(transform.scale);
+}
+
+}  // namespace fascia

@@ -1,0 +1,108 @@
+// A scene as its JSON file states it (format: README, "Scene files"), before any mesh is read.
+// Strict: an unknown key (with the nearest known one), a wrong type or a value out of range is an Error
+// "file: bodies[0].materials.default.young_modulus: is -5; expected 0.001 to 1e+14 Pa"; a syntax error is
+// "file:line:column: ...".
+#pragma once
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "sim/scene/settings/display.h"
+#include "sim/material/material.h"
+#include "sim/scene/known_file.h"
+#include "sim/scene/scene_grab.h"
+#include "sim/scene/scene_selection.h"
+#include "sim/scene/settings/solver_settings.h"
+
+namespace fascia {
+
+struct Transform {  // applied scale, then rotation, then translation
+  double scale = 1;
+  Eigen::Vector3d rotate_deg = Eigen::Vector3d::Zero();  // about x, then y, then z
+  Eigen::Vector3d translate = Eigen::Vector3d::Zero();   // [m]
+  bool operator==(const Transform&) const = default;
+};
+
+/// From the mesh file's coordinates to the scene's.
+Eigen::Affine3d placement(const Transform& transform);
+
+struct PrescribedMotion {           // path from rest to target over [start, start + duration], then held
+  std::optional<Selection> select;  // with translate/rotate/scale
+  Eigen::Vector3d translate = Eigen::Vector3d::Zero();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
+  double angle_deg = 0;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  double scale = 1;                // about center
+  std::string targets;             // or: CSV `index,x,y,z` of final positions [m]
+  double start = 0, duration = 0;  // [s]
+  bool operator==(const PrescribedMotion&) const = default;
+};
+
+/// One entry of "materials": only the given keys replace those of "default".
+struct MaterialOverride {
+  std::optional<double> young_modulus, poisson_ratio, density, damping;
+  std::optional<MaterialModel> model;
+  bool operator==(const MaterialOverride&) const = default;
+};
+
+struct Body {
+  std::string name;
+  std::string mesh;  // as written (Scene::resolve); tets, or a closed surface (.obj) that is filled with tets
+  std::optional<int> resolution;  // of that filling: cells along the longest side; absent: some thousand tets
+  Transform transform;
+  Material material;                                                       // "default"
+  std::vector<std::pair<std::string, MaterialOverride>> region_materials;  // region number or group name
+  std::vector<Selection> fixed;
+  std::vector<PrescribedMotion> prescribed;
+  std::variant<Eigen::Vector3d, std::string> initial_velocity =
+      Eigen::Vector3d(0, 0, 0);  // [m/s] or CSV path
+  std::string surface;           // .obj drawn instead of the tets' boundary
+  bool operator==(const Body&) const = default;
+};
+
+struct CameraSettings {
+  Eigen::Vector3d eye{0, 0.3, 1}, target{0, 0, 0}, up{0, 1, 0};
+  double fov_deg = 40;  // across the shorter side of the picture
+  bool operator==(const CameraSettings&) const = default;
+};
+
+struct Scene {
+  std::filesystem::path file;  // of the scene, or of the mesh opened alone
+  std::string title;
+  Eigen::Vector3d gravity{0, -9.81, 0};
+  std::vector<Body> bodies;
+  std::vector<ScriptedGrab> grabs;
+  SolverSettings solver;
+  std::optional<CameraSettings> camera;  // absent: framed on the bodies
+  DisplaySettings display;
+  double duration = 2;  // [s] of `run` and `--video` when neither --steps nor --time is given
+  std::vector<KnownFile> files;    // what is known of the files that the paths above name, or all of them
+  std::vector<std::string> notes;  // of the reader, one line each: files that it found elsewhere
+  bool operator==(const Scene&) const = default;
+
+  /// Of a path as it is written: against the scene file's folder, or with "assets:" against that of the shipped files.
+  std::filesystem::path resolve(const std::string& path) const;
+  const KnownFile* recorded(const std::string& path) const;  // of `files`; null if nothing is known
+  bool carries(const std::string& path) const;
+};
+
+/// Opens a scene (JSON) or a mesh alone (default material, lowest 2 percent fixed). `overrides` are --set
+/// texts "KEY=VALUE", or "--grab TEXT" (sim/scene/grab_text.h); a KEY that starts with a key of bodies (materials., fixed., transform., ...) means body
+/// 0. An override's error names "--set KEY".
+Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+/// As open_scene of a scene file with this content.
+Scene read_scene_content(const std::filesystem::path& path, std::string_view content,
+                         const std::vector<std::string>& overrides = {});
+
+/// The scene as JSON text that open_scene reads back to the same scene, with paths as seen from `folder` (sim/scene/scene_paths.h).
+std::string scene_to_json(const Scene& scene, const std::filesystem::path& folder);
+/// The same without `files`: what says how the scene is, and not where it comes from.
+std::string parameters_to_json(const Scene& scene, const std::filesystem::path& folder);
+
+}  // namespace fascia

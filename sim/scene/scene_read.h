@@ -1,0 +1,27 @@
+// A JSON document to a Scene, strictly; the one reader behind scene files, --set, meshes opened alone and replays.
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include "sim/scene/scene.h"
+#include "base/json/json_node.h"
+
+namespace fascia {
+
+// Bounds of what scenes may say.
+inline constexpr double kFarthestLook = 1e9;    // [m] of cameras and planes
+inline constexpr double kFarthestTissue = 1e6;  // [m] of anything that moves: float32 resolves 0.06 m there
+inline constexpr double kLongestTime = 1e9;     // [s]
+
+/// All of the scene but `file`. Throws Error, as do the readers of its parts.
+Scene read_scene(const Node& root);
+SolverSettings read_solver(const Node& node);
+Body read_body(const Node& node);
+ScriptedGrab read_grab(const Node& node);
+Selection read_selection(const Node& node);
+Material read_material(const Node& node);
+CameraSettings read_camera(const Node& node);
+DisplaySettings read_display(const Node& node);
+std::vector<KnownFile> read_files(const Node& node);
+std::uint64_t read_hash(const Node& node);  // hash_text
+
+}  // namespace fascia

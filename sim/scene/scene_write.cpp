@@ -1,0 +1,233 @@
+// Every setting is written, with the fewest digits that read back to the same number.
+#include "sim/scene/scene_write.h"
+
+#include <cmath>
+#include <cstdint>
+
+#include "base/byte_hash.h"
+#include "base/byte_text.h"
+#include "sim/scene/scene_paths.h"
+
+namespace fascia {
+namespace {
+
+namespace fs = std::filesystem;
+using OrderedJson = nlohmann::ordered_json;
+
+/// Whole numbers without ".0".
+OrderedJson number(double value) {
+  const bool is_whole = std::abs(value) < 1e9 && value == std::floor(value) && !(value == 0 && std::signbit(value));
+  if (is_whole) return static_cast<std::int64_t>(value);
+  return value;
+}
+
+OrderedJson vector(const Eigen::Vector3d& v) {
+  return OrderedJson::array({number(v.x()), number(v.y()), number(v.z())});
+}
+
+OrderedJson selection(const Selection& selection) {
+  struct Writer {
+    OrderedJson& object;
+    void operator()(const BoxSelection& s) { object["box"] = OrderedJson::array({vector(s.min), vector(s.max)}); }
+    void operator()(const SphereSelection& s) {
+      object["sphere"] = {{"center", vector(s.center)}, {"radius", number(s.radius)}};
+    }
+    void operator()(const VertexSelection& s) { object["vertices"] = s.vertices; }
+    void operator()(const GroupSelection& s) { object["group"] = s.group; }
+    void operator()(const LowestSelection& s) { object["lowest"] = number(s.share); }
+  };
+  OrderedJson object;
+  std::visit(Writer{object}, selection);
+  return object;
+}
+
+/// Of a Material or a MaterialOverride: what it has.
+template <class M>
+OrderedJson material(const M& material) {
+  OrderedJson object = OrderedJson::object();
+  visit_material(material, [&](const auto& field, const char* name, auto&&...) {
+    if (const std::optional<double> value = field) object[name] = number(*value);
+  });
+  if (const std::optional<MaterialModel> model = material.model) object["model"] = name_of(*model);
+  return object;
+}
+
+OrderedJson display(const DisplaySettings& display) {
+  OrderedJson object = {{"color", name_of(display.color)}};
+  if (const auto& range = display.range) object["range"] = OrderedJson::array({number((*range)[0]), number((*range)[1])});
+  object["color_map"] = name_of(display.color_map);
+  object["wireframe"] = display.wireframe;
+  if (const auto& section = display.section)
+    object["section"] = {{"normal", vector(section->normal)}, {"offset", number(section->offset)}};
+  if (const auto& tets = display.tets) object["tets"] = {{"shrink", number(tets->shrink)}, {"spread", number(tets->spread)}};
+  object["shadow"] = display.shadow;
+  object["ground"] = display.ground;
+  object["ambient_occlusion"] = number(display.ambient_occlusion);
+  object["depth_cue"] = number(display.depth_cue);
+  object["background"] = name_of(display.background);
+  return object;
+}
+
+class SceneWriter {
+ public:
+  SceneWriter(const Scene& scene, const fs::path& folder) : scene_(scene), folder_(folder) {}
+
+  OrderedJson write() const {
+    OrderedJson object = {{"fascia_scene", 1}, {"title", scene_.title}, {"gravity", vector(scene_.gravity)}};
+    for (const Body& b : scene_.bodies) object["bodies"].push_back(body(b));
+    for (const ScriptedGrab& g : scene_.grabs) object["grabs"].push_back(grab(g));
+    object["solver"] = solver_document(scene_.solver);
+    if (scene_.camera) object["camera"] = camera_document(*scene_.camera);
+    object["display"] = display_document(scene_.display);
+    object["duration"] = number(scene_.duration);
+    return object;
+  }
+
+  OrderedJson files() const {
+    OrderedJson list = OrderedJson::array();
+    for (const KnownFile& file : scene_.files) {
+      list.push_back({{"path", path(file.path)}, {"size", file.size}, {"hash", hash_text(file.hash)}});
+      if (file.deflated) list.back()["deflated"] = base64_encoded(*file.deflated);
+    }
+    return list;
+  }
+
+ private:
+  OrderedJson body(const Body& body) const {
+    OrderedJson object = {{"name", body.name}, {"mesh", path(body.mesh)}};
+    if (body.resolution) object["resolution"] = *body.resolution;
+    object["transform"] = {{"scale", number(body.transform.scale)},
+                           {"rotate_deg", vector(body.transform.rotate_deg)},
+                           {"translate", vector(body.transform.translate)}};
+    object["materials"]["default"] = material(body.material);
+    for (const auto& [region, values] : body.region_materials) object["materials"][region] = material(values);
+    object["fixed"] = OrderedJson::array();
+    for (const Selection& s : body.fixed) object["fixed"].push_back(selection(s));
+    object["prescribed"] = OrderedJson::array();
+    for (const PrescribedMotion& m : body.prescribed) object["prescribed"].push_back(motion(m));
+    if (const auto* file = std::get_if<std::string>(&body.initial_velocity)) {
+      object["initial_velocity"] = path(*file);
+    } else {
+      object["initial_velocity"] = vector(std::get<Eigen::Vector3d>(body.initial_velocity));
+    }
+    if (!body.surface.empty()) object["surface"] = path(body.surface);
+    return object;
+  }
+
+  OrderedJson motion(const PrescribedMotion& motion) const {
+    OrderedJson object = OrderedJson::object();
+    if (motion.select) object["select"] = selection(*motion.select);
+    if (!motion.targets.empty()) {
+      object["targets"] = path(motion.targets);
+    } else {
+      object["translate"] = vector(motion.translate);
+      object["rotate_deg"] = {{"axis", vector(motion.axis)},
+                              {"angle", number(motion.angle_deg)},
+                              {"center", vector(motion.center)}};
+      object["scale"] = number(motion.scale);
+    }
+    object["start"] = number(motion.start);
+    object["duration"] = number(motion.duration);
+    return object;
+  }
+
+  static OrderedJson grab(const ScriptedGrab& grab) {
+    OrderedJson object = OrderedJson::object();
+    if (const auto* at = std::get_if<Eigen::Vector3d>(&grab.where))
+      object["at"] = vector(*at);
+    else
+      object["select"] = selection(std::get<Selection>(grab.where));
+    if (!grab.body.empty()) object["body"] = grab.body;
+    if (grab.radius) object["radius"] = number(*grab.radius);
+    if (grab.stiffness) object["stiffness"] = number(*grab.stiffness);
+    object["start"] = number(grab.start);
+    if (!grab.path.empty()) {
+      for (const auto& [time, d] : grab.path)
+        object["path"].push_back(OrderedJson::array({number(time), number(d.x()), number(d.y()), number(d.z())}));
+    } else {
+      if (grab.push)
+        object["push"] = number(*grab.push);
+      else
+        object["translate"] = vector(grab.translate);
+      object["duration"] = number(grab.duration);
+    }
+    if (grab.release) object["release"] = number(*grab.release);
+    object["smooth"] = grab.smooth;
+    return object;
+  }
+
+  std::string path(const std::string& written) const { return path_from(folder_, scene_, written); }
+
+  const Scene& scene_;
+  fs::path folder_;
+};
+
+bool has_objects(const OrderedJson& list) {
+  for (const OrderedJson& element : list) {
+    if (element.is_object() || (element.is_array() && has_objects(element))) return true;
+  }
+  return false;
+}
+
+std::string text_of(const OrderedJson& value, const std::string& indent, bool on_one_line) {
+  if (value.is_primitive() || value.empty())
+    return value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+  if (!on_one_line) {
+    constexpr std::size_t kLongestLine = 100;
+    std::string line = text_of(value, "", true);
+    if (indent.size() + line.size() <= kLongestLine || (value.is_array() && !has_objects(value))) return line;
+  }
+  const std::string deeper = on_one_line ? "" : indent + "  ";
+  std::string text;
+  for (const auto& item : value.items()) {
+    if (!text.empty()) text += on_one_line ? ", " : ",\n";
+    text += deeper;
+    if (value.is_object()) text += text_of(item.key(), "", true) + ": ";
+    text += text_of(item.value(), deeper, on_one_line);
+  }
+  if (!on_one_line) text = "\n" + text + "\n" + indent;
+  return value.is_object() ? "{" + text + "}" : "[" + text + "]";
+}
+
+}  // namespace
+
+void move_scene(Scene& scene, const fs::path& file) {
+  const Scene before = scene;
+  const auto follow = [&](std::string& path, const std::string&) { path = path_from(file.parent_path(), before, path); };
+  for_each_path(scene, follow);
+  for (KnownFile& known : scene.files) follow(known.path, {});
+  scene.file = file;
+}
+
+OrderedJson scene_document(const Scene& scene, const fs::path& folder) { return SceneWriter(scene, folder).write(); }
+
+OrderedJson complete_document(const Scene& scene, const fs::path& folder) {
+  const SceneWriter writer(scene, folder);
+  OrderedJson document = writer.write();
+  if (!scene.files.empty()) document["files"] = writer.files();
+  return document;
+}
+
+OrderedJson solver_document(const SolverSettings& settings) {
+  OrderedJson solver = {{"method", name_of(settings.method)}, {"acceleration", name_of(settings.acceleration)}};
+  visit_settings(settings, [&](const auto& field, const char* name, auto&&...) { solver[name] = number(field); });
+  return solver;
+}
+
+OrderedJson material_document(const Material& values) { return material(values); }
+
+OrderedJson camera_document(const CameraSettings& camera) {
+  return {{"eye", vector(camera.eye)}, {"target", vector(camera.target)}, {"up", vector(camera.up)}, {"fov_deg", number(camera.fov_deg)}};
+}
+
+OrderedJson display_document(const DisplaySettings& settings) { return display(settings); }
+
+OrderedJson vector_document(const Eigen::Vector3d& v) { return vector(v); }
+
+std::string text_of(const OrderedJson& document) { return text_of(document, "", false) + "\n"; }
+
+std::string scene_to_json(const Scene& scene, const fs::path& folder) { return text_of(complete_document(scene, folder)); }
+
+std::string parameters_to_json(const Scene& scene, const fs::path& folder) { return text_of(scene_document(scene, folder)); }
+
+}  // namespace fascia

@@ -1,0 +1,165 @@
+#include "sim/simulation/breakdown.h"
+
+#include <sstream>
+
+#include "base/dated_name.h"
+#include "sim/simulation/scene_edits.h"
+#include "base/error.h"
+#include "sim/reference/elasticity.h"
+#include "sim/scene/scene_carry.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+
+// The log, as a replay that begins with the sound state.
+Replay replay_of(Simulation& simulation, State start) {
+  const InputLog& log = simulation.log();
+  Replay replay{simulation.scene, std::move(start), log.inputs(), simulation.steps_made() - log.begin()};
+  replay.scene.solver = log.tuning().solver;
+  replay.scene.gravity = log.tuning().gravity;
+  follow_materials(replay.scene, simulation.model, log.tuning().materials);
+  for (Input& input : replay.inputs) input.step -= log.begin();
+  replay.scene = self_contained_if_possible(std::move(replay.scene), simulation.model.files);
+  if (!log.tuning().springs.empty()) replay.inputs.insert(replay.inputs.begin(), Input{0, log.tuning().springs});
+  return replay;
+}
+
+// Steps through what the log holds, on a solver of its own.
+class Repetition {
+ public:
+  Repetition(gl::ProgramCache& programs, const Simulation& simulation, const Replay& replay)
+      : replay_(replay), model_(simulation.model), tuning_(simulation.log().tuning()) {
+    model_.materials = tuning_.materials;
+    model_.gravity = tuning_.gravity;
+    solver_ = std::make_unique<GpuSolver>(programs, model_, tuning_.solver);
+    solver_->finish_background();
+    solver_->upload(*replay.start);
+  }
+
+  void step() {
+    for (; next_ < replay_.inputs.size() && replay_.inputs[next_].step <= steps_; ++next_) {
+      const Input& input = replay_.inputs[next_];
+      tuning_.apply(input);
+      model_.materials = tuning_.materials;
+      model_.gravity = tuning_.gravity;
+      // As Simulation does, and no more: what did not change must not stir regions at rest.
+      if (std::holds_alternative<SolverSettings>(input.change))
+        solver_->set_settings(tuning_.solver);
+      else if (std::holds_alternative<GrabInput>(input.change))
+        pull();
+      else
+        solver_->materials_changed();
+      solver_->finish_background();
+    }
+    pull();
+    solver_->step();
+    ++steps_;
+    if (steps_ % Simulation::kCheckInterval == 0) {  // the first of the steps came after such a check, too
+      solver_->request_check();
+      solver_->take_check(true);
+    }
+  }
+  const GpuSolver& solver() const { return *solver_; }
+
+ private:
+  void pull() {
+    const GrabInput springs = with_hands(tuning_.springs, model_.hands, solver_->time() + tuning_.solver.time_step);
+    if (springs != solver_->springs()) solver_->set_grab(springs);
+  }
+
+  const Replay& replay_;
+  Model model_;
+  Tuning tuning_;
+  std::unique_ptr<GpuSolver> solver_;
+  std::size_t next_ = 0;
+  long steps_ = 0;
+};
+
+void measure_tet(const Model& model, const State& state, std::size_t t, double& strain, double& det_f) {
+  const Tet& tet = model.tets[t];
+  reference::Corners rest, u;
+  for (std::size_t a = 0; a < 4; ++a) {
+    rest[a] = model.rest_positions[tet[a]];
+    u[a] = state.displacement[tet[a]];
+  }
+  const reference::RestTet shape(rest);
+  strain = reference::green_strain_matrix(shape, u).norm();
+  det_f = reference::deformation_gradient(shape, u).determinant();
+}
+
+}  // namespace
+
+std::string Breakdown::text(const Model& model) const {
+  const Tet& v = model.tets[tet];
+  std::ostringstream out;
+  out.precision(3);
+  out << "tet " << model.tet_source[tet] << " (vertices " << v[0] << ' ' << v[1] << ' ' << v[2] << ' ' << v[3] << ", strain " << strain
+      << ", J " << det_f << ") came apart at " << time << " s";
+  return out.str();
+}
+
+Breakdown find_breakdown(Simulation& simulation, std::uint32_t lost) {
+  Breakdown breakdown;
+  simulation.back_to_sound();
+  breakdown.replay = replay_of(simulation, simulation.sound_state());
+  gl::ProgramCache& programs = *simulation.programs();
+  State before = *breakdown.replay.start;
+  breakdown.time = simulation.time();
+  const auto repeat = [&](long steps) {
+    Repetition repetition(programs, simulation, breakdown.replay);
+    for (long i = 0; i < steps; ++i) repetition.step();
+    return repetition.solver().download();
+  };
+  Repetition repetition(programs, simulation, breakdown.replay);
+  for (long step = 0; step < breakdown.replay.steps && !breakdown.found; ++step) {
+    repetition.step();
+    if (const auto astray = repetition.solver().astray_now()) {
+      breakdown.found = true;
+      lost = *astray;
+      breakdown.time = repetition.solver().time();
+      breakdown.replay.steps = step + 1;
+      before = repeat(step);
+    }
+  }
+  double largest = -1;
+  for (std::size_t t = 0; t < simulation.model.tets.size(); ++t) {
+    const Tet& tet = simulation.model.tets[t];
+    if (std::find(tet.begin(), tet.end(), lost) == tet.end()) continue;
+    double strain = 0, det_f = 1;
+    measure_tet(simulation.model, before, t, strain, det_f);
+    if (!(strain > largest)) continue;
+    largest = breakdown.strain = strain;
+    breakdown.det_f = det_f;
+    breakdown.tet = static_cast<std::uint32_t>(t);
+  }
+  simulation.begin_anew();
+  return breakdown;
+}
+
+std::filesystem::path keep_replay(const Replay& replay) {
+  const std::filesystem::path path = dated_name(".fascia");
+  try {
+    write_replay(path, replay);
+    return path;
+  } catch (const Error&) {
+    const std::filesystem::path elsewhere = std::filesystem::temp_directory_path() / path;
+    write_replay(elsewhere, replay);
+    return elsewhere;
+  }
+}
+
+void require_sound(Simulation& simulation) {
+  gl::require_context();
+  const std::optional<std::uint32_t> lost = simulation.check_now();
+  if (!lost) return;
+  simulation.require_device();
+  const bool cut = !simulation.astray();
+  const Breakdown breakdown = find_breakdown(simulation, *lost);
+  throw Error(simulation.scene.file.string(), breakdown.text(simulation.model) + ", repeated by " + keep_replay(breakdown.replay).string(),
+              cut ? "expected more steps: the replay goes back to a sound state later"
+                  : "expected finite positions: more iterations or substeps, softer material or a smaller load may help");
+}
+
+}  // namespace fascia

@@ -1,0 +1,417 @@
+#include "sim/simulation/simulation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <sstream>
+#include <tuple>
+
+#include "base/interrupt.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "sim/gpu/passes/compute_probe.h"
+#include "sim/gpu/static_march.h"
+#include "sim/grab/build_model.h"
+#include "sim/reference/static_residual.h"
+#include "sim/model/region_materials.h"
+
+namespace fascia {
+
+Simulation::Simulation(Scene opened, gl::ProgramCache* programs, bool use_reference)
+    : Simulation(opened, build_model(opened), programs, use_reference) {}
+
+Simulation::Simulation(Scene opened, Model built, gl::ProgramCache* programs, bool use_reference, const Progress& progress)
+    : scene(std::move(opened)), model(std::move(built)), programs_(programs) {
+  if (programs) gpu_ = std::make_unique<GpuSolver>(*programs, model, scene.solver, model.embedded, progress);
+  if (use_reference) {
+    renew_reference();
+    reference_state_ = initial_state(model);
+  }
+  begin_anew();
+}
+
+void Simulation::step() {
+  if (!asleep_) equilibrium_.reset();
+  repeat_inputs();
+  simulated_ += scene.solver.time_step;
+  make_step();
+  if (!replaying()) repeat_inputs();  // a session may end with a reset
+}
+
+void Simulation::make_step() {
+  const bool replaying_timed = replaying() && replay_->timed;  // has the iterations that fitted then
+  pull(with_hands(other_springs_, model.hands, time() + scene.solver.time_step));
+  ++steps_;
+  if (!reference_) {
+    if (asleep_) {
+      gpu_->rest();
+      if (equilibrium_) equilibrium_->time = gpu_->time();
+      ++steps_asleep_;
+      return;
+    }
+    if (scene.solver.frame_budget > 0 && !replaying_timed)
+      step_within_budget();
+    else
+      gpu_->step();
+    tell_of_background(steps_ - 1);
+    follow_check(false);
+    if (!astray_ && steps_ - checked_step_ >= kCheckInterval) look();
+    return;
+  }
+  newton_report_ = reference_->step(reference_state_);
+  if (gpu_) gpu_->upload(reference_state_);
+}
+
+// The answer to the last question is there long since, or waited for: so a body falls asleep at the same step in every run.
+void Simulation::look() {
+  follow_check(true);
+  if (astray_) return;
+  checked_step_ = steps_;
+  gpu_->request_check();
+  if (!quiet_ || time() < model.end_of_motions()) return settling_.cancel();
+  follow_check(true);  // what sleeps must be known to be sound
+  asleep_ = quiet_ && !astray_ && settle();
+}
+
+// Whether the body, which hardly moves, has no way left to go. Where its equilibrium can be found soon, it is put there.
+bool Simulation::settle() {
+  constexpr double kUnseen = 3e-4;      // of the scene's size: a third of a pixel
+  constexpr double kLong = 1, kVeryLong = 16;  // [s] at rest
+  constexpr double kFloat32 = 1e-3;     // of a static residual, what rounding leaves of soft slender bodies
+  const bool descends = gpu_->descends();
+  if (!descends) return rest_.quiet() >= kLong;  // comes to rest elsewhere
+  if (model.tets.size() > Settling::kMostTets)
+    return rest_.quiet() >= kLong && (rest_.quiet() >= kVeryLong || reference::StaticResidual(model)(gpu_->download(), springs_) <= kFloat32);
+  if (!settling_.busy()) {
+    if (rest_.quiet() >= settles_after_) settling_.begin(model, scene.solver, springs_, gpu_->download(), steps_);
+    return false;
+  }
+  if (!settling_.due(steps_)) return false;
+  std::optional<State> equilibrium = settling_.take();
+  if (!equilibrium) {
+    settles_after_ = kVeryLong;
+    return rest_.quiet() >= kVeryLong;
+  }
+  const State now = gpu_->download();
+  double farthest = 0;
+  for (std::size_t v = 0; v < now.displacement.size(); ++v)
+    farthest = std::max(farthest, (equilibrium->displacement[v] - now.displacement[v]).norm());
+  if (!(farthest <= kUnseen * gpu_->buffers().size)) {
+    settles_after_ = 2 * std::max(rest_.quiet(), kLong);
+    return false;
+  }
+  equilibrium_ = std::move(*equilibrium);
+  equilibrium_->time = gpu_->time();
+  gpu_->settle(*equilibrium_);
+  return true;
+}
+
+void Simulation::follow_check(bool wait) {
+  const std::optional<StateGuard::Verdict> verdict = gpu_->take_check(wait);
+  if (!verdict) return;
+  if (unproven_ && checked_step_ > 0) judge_device(*verdict);
+  if (verdict->astray) {
+    astray_ = verdict->astray;
+    return;
+  }
+  log_.forget_before(checked_step_);
+  if (checked_step_ > stirred_step_) quiet_ = rest_.add(verdict->movement, scene.solver, gpu_->buffers().size);
+}
+
+// Throws Error where nothing at all fell.
+void Simulation::judge_device(const StateGuard::Verdict& first) {
+  unproven_ = false;
+  lost_from_the_start_ = first.astray.has_value();
+  const Movement& movement = first.movement;
+  if (first.astray || movement.way > 0 || movement.speed > 0 || movement.displacement > 0) return;
+  const bool falls = stirred_step_ == 0 && !model.gravity.isZero() && scene.solver.tolerance == 0;
+  if (falls) require_computed(model, gpu_->download());
+}
+
+void Simulation::require_device() const {
+  if (!lost_from_the_start_) return;
+  // Tissue whose forces overflow is lost within a step, too. A box in its place tells which of the two it was.
+  const Model box = trial_model();
+  SolverSettings settings;
+  settings.method = scene.solver.method;
+  settings.acceleration = scene.solver.acceleration;
+  GpuSolver solver(*programs_, box, settings);
+  solver.step();
+  require_computed(box, solver.download());
+}
+
+void Simulation::stir() {
+  if (asleep_) {  // nothing before this step needs repetition
+    checked_step_ = steps_;
+    log_.forget_before(steps_);
+  }
+  stirred_step_ = steps_;
+  asleep_ = quiet_ = false;
+  rest_.restart();
+  settling_.cancel();
+  settles_after_ = 0;
+}
+
+void Simulation::renew_reference() {
+  reference_ = std::make_unique<reference::NewtonSolver>(model, scene.solver);
+  reference_->set_springs(springs_);
+}
+
+std::optional<std::uint32_t> Simulation::check_now() {
+  if (reference_) return std::nullopt;
+  follow_check(true);
+  if (astray_) return astray_;
+  checked_step_ = steps_;
+  gpu_->request_check();
+  follow_check(true);
+  return astray_;
+}
+
+void Simulation::back_to_sound() {
+  equilibrium_.reset();
+  gpu_->restore_sound(false);
+  sound_state_ = gpu_->download();
+  gpu_->restore_sound(true);
+  astray_.reset();
+  tell(SoundInput{});
+}
+
+Tuning Simulation::tuning() const {
+  Tuning now{scene.solver, model.materials, model.gravity, other_springs_};
+  now.solver.frame_budget = 0;  // how many iterations fit depends on the moment; those that did are inputs
+  return now;
+}
+
+void Simulation::begin_anew() {
+  stir();
+  checked_step_ = steps_;
+  log_.restart(steps_, tuning());
+}
+
+void Simulation::step_within_budget() {
+  const SolverSettings& wanted = scene.solver;
+  int iterations = wanted.iterations;
+  if (ms_per_iteration_ > 0)
+    iterations = static_cast<int>(std::clamp<double>(std::floor(wanted.frame_budget / (ms_per_iteration_ * wanted.substeps)), 1, iterations));
+  if (iterations != gpu_->settings().iterations) {
+    --steps_;  // before this step
+    grant(iterations);
+    ++steps_;
+  }
+  gl::Finish();  // what was queued before is not the step's
+  const auto start = std::chrono::steady_clock::now();
+  gpu_->step();
+  gl::Finish();
+  const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  const double per_iteration = ms / (std::max(gpu_->last_iterations(), 1) * wanted.substeps);
+  constexpr double kNews = 0.2;  // share of a new measurement: a hiccup must not halve the accuracy of many steps
+  ms_per_iteration_ = ms_per_iteration_ > 0 ? (1 - kNews) * ms_per_iteration_ + kNews * per_iteration : per_iteration;
+}
+
+void Simulation::grant(int iterations) {
+  SolverSettings fitting = scene.solver;
+  fitting.iterations = iterations;
+  if (gpu_) gpu_->set_settings(fitting);
+  fitting.frame_budget = 0;
+  log_.add({steps_, fitting});
+  tell(GrantInput{iterations});
+}
+
+void Simulation::go_on_from(const State& state) {
+  if (state.displacement.size() != model.rest_positions.size())
+    throw Error(scene.file.string(), "start has " + std::to_string(state.displacement.size()) + " vertices",
+                "expected the mesh's " + std::to_string(model.rest_positions.size()));
+  equilibrium_.reset();
+  if (reference_) reference_state_ = state;
+  if (gpu_) gpu_->upload(state);
+  astray_.reset();
+  begin_anew();
+}
+
+State Simulation::go_on_as_replay() {
+  const State now = state();
+  set_settings(scene.solver);  // all iterations, whatever was granted last
+  if (gpu_) {
+    gpu_->materials_changed();
+    gpu_->finish_background();
+    gpu_->background_taken();
+  }
+  go_on_from(now);
+  return now;
+}
+
+double Simulation::time() const { return reference_ ? reference_state_.time : gpu_->time(); }
+
+StaticReport Simulation::solve_static(const std::function<void(const StaticReport&)>& news) {
+  pull(with_hands_at_last(other_springs_, model.hands));
+  const auto by_newton = [&](State& state, double tolerance) {
+    reference::NewtonSolver solver(model, scene.solver, interrupt_token());
+    solver.set_springs(springs_);
+    return solver.solve_static(state, tolerance);
+  };
+  if (reference_) {
+    newton_report_ = by_newton(reference_state_, scene.solver.tolerance);
+    if (gpu_) gpu_->upload(reference_state_);
+    return {0, newton_report_.iterations, newton_report_.relative_residual, newton_report_.converged};
+  }
+  const double tolerance = scene.solver.tolerance > 0 ? scene.solver.tolerance : 1e-5;
+  equilibrium_.emplace();
+  const auto tell_news = [&](const reference::NewtonReport& report) {
+    if (news) news({report.iterations, 0, report.relative_residual, false});
+  };
+  const reference::NewtonReport march = march_to_equilibrium(*gpu_, model, tolerance, *equilibrium_, interrupt_token(), tell_news);
+  StaticReport report{march.iterations, 0, march.relative_residual, march.converged};
+  constexpr double kNear = 1e-2;  // from farther away Newton's method finds no way, either, and takes long for it
+  constexpr std::size_t kSoonFactored = 20'000;  // tets: in about a second
+  // A small residual may be a large error in bodies that bend easily, and Newton's last iterations take it away.
+  const bool refines = march.converged && scene.solver.tolerance == 0 && model.tets.size() <= kSoonFactored;
+  const bool rescues = !march.converged && march.relative_residual <= kNear && model.tets.size() <= reference::NewtonSolver::kMostTets;
+  if (interrupted() || !(refines || rescues)) return report;
+  if (news) news({march.iterations, 1, march.relative_residual, false});
+  State exact = *equilibrium_;
+  const reference::NewtonReport newton = by_newton(exact, refines ? 0 : tolerance);
+  report.newton_iterations = newton.iterations;
+  if (!newton.converged) return report;
+  report.relative_residual = newton.relative_residual;
+  report.converged = true;
+  gpu_->upload(exact);
+  equilibrium_ = std::move(exact);
+  return report;
+}
+
+void Simulation::set_settings(const SolverSettings& settings) {
+  require_carried(settings.method, model.materials, "solver.method");
+  if (gpu_) gpu_->set_settings(settings);  // first: it may find no room
+  if (settings.pair() != scene.solver.pair()) ms_per_iteration_ = 0;
+  scene.solver = settings;
+  SolverSettings logged = settings;
+  logged.frame_budget = 0;
+  stir();
+  log_.add({steps_, logged});
+  tell(settings);
+  if (reference_) renew_reference();
+}
+
+void Simulation::set_material(std::size_t index, const Material& material) {
+  require_carried(scene.solver.method, {material}, "material.model");
+  stir();
+  log_.add({steps_, MaterialInput{index, material}});
+  model.materials[index] = material;
+  tell(MaterialInput{index, material});
+  if (gpu_) gpu_->materials_changed();
+  if (reference_) renew_reference();
+}
+
+void Simulation::set_material_entries(const std::vector<MaterialEntries>& entries) {
+  Scene changed = scene;
+  for (std::size_t b = 0; b < entries.size(); ++b) {
+    changed.bodies[b].material = entries[b].material;
+    changed.bodies[b].region_materials = entries[b].region_materials;
+  }
+  Model other = model;
+  assign_materials(changed, other);
+  require_carried(scene.solver.method, other.materials, "materials");
+  const auto regions = [](const Model& m) { return std::tie(m.tet_material, m.material_names); };
+  if (regions(other) == regions(model)) {  // only values, or entries of nothing: every solver goes on
+    scene = std::move(changed);
+    for (std::size_t i = 0; i < other.materials.size(); ++i)
+      if (other.materials[i] != model.materials[i]) set_material(i, other.materials[i]);
+    return;
+  }
+  const State now = state();
+  std::swap(model, other);  // where the solver that is made will look for it
+  try {
+    if (gpu_) {
+      auto renewed = std::make_unique<GpuSolver>(*programs_, model, gpu_->settings(), model.embedded);
+      renewed->upload(now);
+      renewed->set_color(gpu_->color());
+      renewed->set_grab(gpu_->springs());
+      gpu_ = std::move(renewed);
+    }
+  } catch (...) {  // no room for it
+    std::swap(model, other);
+    throw;
+  }
+  scene = std::move(changed);
+  replay_.reset();
+  if (reference_) renew_reference();
+  begin_anew();
+}
+
+void Simulation::set_gravity(const Eigen::Vector3d& gravity) {
+  stir();
+  log_.add({steps_, GravityInput{gravity}});
+  tell(GravityInput{gravity});
+  scene.gravity = model.gravity = gravity;
+  if (gpu_) gpu_->materials_changed();
+  if (reference_) renew_reference();
+}
+
+void Simulation::set_grab(std::vector<GrabSpring> springs) {
+  const std::optional<GrabMove> move = held_.follow(springs);
+  if (springs == other_springs_) return;  // a hand that holds still wakes nobody
+  if (!move) held_.restart(springs);
+  if (move)
+    apply_grab(springs, *move);
+  else
+    apply_grab(springs, springs);
+}
+
+void Simulation::apply_grab(const std::vector<GrabSpring>& springs, Change change) {
+  stir();
+  log_.add({steps_, springs});
+  tell(std::move(change));
+  other_springs_ = springs;
+  pull(with_hands(springs, model.hands, time() + scene.solver.time_step));
+}
+
+// Hands of the scene are no inputs: a replay has them with its scene.
+void Simulation::pull(std::vector<GrabSpring> springs) {
+  if (springs == springs_) return;
+  stir();
+  springs_ = std::move(springs);
+  if (gpu_) gpu_->set_grab(springs_);
+  if (reference_) reference_->set_springs(springs_);
+}
+
+State Simulation::state() const {
+  return reference_ ? reference_state_ : equilibrium_ ? *equilibrium_ : gpu_->download();
+}
+
+double Simulation::mean_iterations() const {
+  return gpu_ && !reference_ ? gpu_->mean_iterations() : scene.solver.iterations;
+}
+
+std::string describe(const StaticReport& report) {
+  std::ostringstream text;
+  text << (report.converged ? "static equilibrium after " : "no static equilibrium after ");
+  if (report.iterations > 0) text << report.iterations << (report.newton_iterations > 0 ? " and " : " ");
+  if (report.newton_iterations > 0) text << report.newton_iterations << " Newton ";
+  if (report.iterations + report.newton_iterations == 0) text << "no ";
+  text << (report.iterations + report.newton_iterations == 1 ? "iteration" : "iterations") << ", relative residual " << report.relative_residual;
+  return text.str();
+}
+
+std::function<void(const StaticReport&)> static_news(bool quiet) {
+  if (quiet) return {};
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto kInterval = std::chrono::seconds(5);
+  return [last = Clock::now(), begin = Clock::now()](const StaticReport& report) mutable {
+    const bool newton = report.newton_iterations > 0 && Clock::now() - begin > kInterval;
+    if (Clock::now() - last < kInterval && !newton) return;
+    last = Clock::now();
+    std::cerr << "fascia: static equilibrium: " << report.iterations << " iterations";
+    if (report.relative_residual > 0) std::cerr << ", relative residual " << report.relative_residual;
+    std::cerr << (newton ? ", now by Newton's method in double precision" : "") << std::endl;
+  };
+}
+
+void require_equilibrium(const Simulation& simulation, const StaticReport& report) {
+  constexpr double kFloat32 = 1e-3;  // what rounding leaves of soft slender bodies, with room
+  const bool only_march = simulation.model.tets.size() > reference::NewtonSolver::kMostTets;
+  if (report.converged || (only_march && report.relative_residual <= kFloat32)) return;
+  throw Error(simulation.scene.file.string(), describe(report), "expected a body that is held and a load it can carry");
+}
+
+}  // namespace fascia

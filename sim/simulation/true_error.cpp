@@ -1,0 +1,91 @@
+#include "sim/simulation/true_error.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace fascia {
+
+TrueError::~TrueError() { forget(); }
+
+void TrueError::forget() {
+  stop_.request_stop();
+  if (running_.valid()) running_.wait();
+  running_ = {};
+  stop_ = {};
+  waiting_.reset();
+  result_.reset();
+}
+
+StepError TrueError::compare(const Problem& problem, const SolvedStep& step, std::stop_token stop) {
+  const double h = problem.settings.time_step;
+  const std::size_t n = step.solution.size();
+  State state{step.previous, {}, problem.end_time - h};
+  for (std::size_t v = 0; v < n; ++v)  // the velocity that leads to the very u~ the solver had
+    state.velocity.push_back((step.predicted[v] - step.previous[v]) / h - h * problem.model.gravity);
+  reference::NewtonSolver solver(problem.model, problem.settings, std::move(stop));
+  solver.set_springs(problem.springs);
+  StepError error;
+  error.converged = solver.step(state).converged;
+  error.step = problem.step;
+  error.distance.reserve(n);
+  double squared = 0, scale = 0;
+  for (std::size_t v = 0; v < n; ++v) {
+    const double distance = (step.solution[v] - state.displacement[v]).norm();
+    squared += distance * distance;
+    scale += (state.displacement[v] - step.predicted[v]).squaredNorm();
+    error.largest = std::max(error.largest, distance);
+    error.distance.push_back(static_cast<float>(distance));
+  }
+  error.relative = squared > 0 ? std::sqrt(squared / scale) : 0;
+  return error;
+}
+
+void TrueError::begin(Simulation& simulation) {
+  const GpuSolver& solver = *simulation.gpu();
+  SolverSettings settings = simulation.scene.solver;
+  settings.time_step = settings.substep();
+  settings.substeps = 1;
+  waiting_ = Problem{simulation.model, settings, solver.springs(), solver.time(), solver.steps_solved()};
+  snapshot_.request(solver.buffers());
+}
+
+bool TrueError::update(Simulation& simulation, bool continuously) {
+  const bool news = !result_ || result_->step != simulation.gpu()->steps_solved();
+  const bool due = (requested_ || (continuously && news)) && !waiting_ && !running_.valid();
+  if (due && !simulation.uses_reference() && simulation.gpu()->has_step() && simulation.gpu()->last_was_whole() &&
+      simulation.model.tets.size() <= kMostTets) {
+    requested_ = false;
+    begin(simulation);
+  }
+  if (waiting_)
+    if (std::optional<SolvedStep> step = snapshot_.take(simulation.gpu()->buffers(), false)) {
+      running_ = std::async(std::launch::async, [problem = std::move(*waiting_), step = std::move(*step), stop = stop_.get_token()] {
+        return compare(problem, step, stop);
+      });
+      waiting_.reset();
+    }
+  if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+  result_ = running_.get();
+  return true;
+}
+
+const StepError& TrueError::measure(Simulation& simulation) {
+  if (simulation.model.tets.size() > kMostTets)
+    throw Error(simulation.scene.file.string(), "has " + std::to_string(simulation.model.tets.size()) + " tets",
+                "expected at most " + std::to_string(kMostTets) + " to compare with the exact step");
+  forget();
+  if (simulation.uses_reference() || !simulation.gpu()->has_step()) {
+    result_.emplace();
+    result_->distance.resize(simulation.model.rest_positions.size());
+  } else {
+    begin(simulation);
+    result_ = compare(*waiting_, *snapshot_.take(simulation.gpu()->buffers(), true), stop_.get_token());
+    waiting_.reset();
+  }
+  return *result_;
+}
+
+}  // namespace fascia

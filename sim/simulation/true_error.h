@@ -1,0 +1,63 @@
+// How far the solver's steps are from the exact ones: now and then the last substep is solved again from where it started, by the
+// reference solver on another thread, while the frames go on.
+#pragma once
+#include <future>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "sim/simulation/simulation.h"
+
+namespace fascia {
+
+/// Both shapes at the end of a substep compared.
+struct StepError {
+  double relative = 0;          // RMS |u - u_exact| over RMS |u_exact - u~|: 1 is as far away as the prediction
+  double largest = 0;           // [m]
+  long step = 0;                // GpuSolver::steps_solved() at the end of the substep
+  bool converged = true;        // the reference solver: if not, the error means little
+  std::vector<float> distance;  // [vertex_count] |u - u_exact| [m]
+};
+
+class TrueError {
+ public:
+  static constexpr std::size_t kMostTets = reference::NewtonSolver::kMostTets;
+
+  TrueError() = default;
+  TrueError(const TrueError&) = delete;
+  TrueError& operator=(const TrueError&) = delete;
+  ~TrueError();  // stops the thread and waits for it
+
+  void request() { requested_ = true; }  // one, of the next step
+  bool requested() const { return requested_; }  // and not begun
+  bool busy() const { return waiting_ || running_.valid(); }
+  const std::optional<StepError>& result() const { return result_; }
+
+  /// Once a frame, after its steps: copies the last substep if a measurement is due, with `continuously` whenever none is under way and
+  /// the last result is of an older substep. True when there is a new result.
+  bool update(Simulation& simulation, bool continuously);
+  /// The error of the last substep, waited for; zero before the first step. For a solver that always solves everything. Throws
+  /// Error for more than kMostTets.
+  const StepError& measure(Simulation& simulation);
+  void forget();  // the state has jumped: what is under way is of no interest
+
+ private:
+  struct Problem {  // copies: model, settings and springs may change before the thread is done
+    Model model;
+    SolverSettings settings;  // a single substep
+    std::vector<GrabSpring> springs;
+    double end_time;
+    long step;
+  };
+  static StepError compare(const Problem& problem, const SolvedStep& step, std::stop_token stop);
+  void begin(Simulation& simulation);
+
+  bool requested_ = false;
+  std::optional<Problem> waiting_;  // for its snapshot
+  StepSnapshot snapshot_;
+  std::stop_source stop_;
+  std::future<StepError> running_;
+  std::optional<StepError> result_;
+};
+
+}  // namespace fascia

@@ -1,0 +1,82 @@
+#include "sim/surface/surface_fill.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "base/error.h"
+#include "base/text.h"
+
+namespace fascia {
+namespace {
+
+constexpr double kWantedTets = 7000, kMostTets = 4e6;
+// Tets of a lattice of spacing h: 12 in a cube of the inside, and about as many more for each square of the surface as were counted on
+// tori of 10 to 40 cells (1.4 to 2).
+constexpr double kTetsInside = 12, kTetsOnSurface = 1.5;
+
+double expected_tets(const SurfaceReport& report, double spacing) {
+  return kTetsInside * std::abs(report.volume) / std::pow(spacing, 3) + kTetsOnSurface * report.area / std::pow(spacing, 2);
+}
+
+int resolution_for(const SurfaceReport& report, double tets) {
+  const double longest = report.box.sizes().maxCoeff();
+  int cells = kFewestCells;
+  while (cells < kMostCells && expected_tets(report, longest / (cells + 1)) <= tets) ++cells;
+  return cells;
+}
+
+MeshFile as_mesh(LatticeFill fill) {
+  MeshFile file;
+  file.format = "tets in a surface";
+  file.mesh.positions = std::move(fill.positions);
+  file.mesh.tets = std::move(fill.tets);
+  file.mesh.regions.assign(file.mesh.tets.size(), 0);
+  return file;
+}
+
+}  // namespace
+
+FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::optional<int> resolution, const Progress& progress) {
+  FilledSurface filled;
+  filled.repaired = repair(surface, part_of(progress, 0, 0.2));
+  require_fillable(filled.repaired, where);
+  const SurfaceReport& found = filled.repaired.report;
+  filled.resolution = resolution.value_or(resolution_for(found, kWantedTets));
+  const double expected = expected_tets(found, found.box.sizes().maxCoeff() / filled.resolution);
+  if (expected > kMostTets)
+    throw Error(where, "a resolution of " + std::to_string(filled.resolution) + " makes about " + number(expected / 1e6) + " million tets",
+                "expected at most " + std::to_string(resolution_for(found, kMostTets)) + " for this surface");
+  LatticeFill fill = fill_inside(TriangleTree(filled.repaired.positions, filled.repaired.triangles), filled.repaired.balanced, filled.resolution,
+                                 part_of(progress, 0.2, 1));
+  if (fill.tets.empty()) throw Error(where, "holds no tet at a resolution of " + std::to_string(filled.resolution), "expected a higher one");
+  const std::size_t whole = fill.whole;
+  const double spacing = fill.spacing;
+  filled.file = as_mesh(std::move(fill));
+  filled.file.notes = notes_of(found);
+  filled.file.notes.insert(filled.file.notes.begin(), surface.notes.begin(), surface.notes.end());
+  filled.notes_of_surface = std::ssize(filled.file.notes);
+  if (whole > 0) {
+    double volume = 0;
+    const auto& x = filled.file.mesh.positions;
+    for (const Tet& t : filled.file.mesh.tets) volume += signed_volume6(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) / 6;
+    // A sharp edge is thinner than any lattice: only what one would notice is told.
+    constexpr double kVolume = 0.02, kShare = 0.1;
+    const double share = static_cast<double>(whole) / static_cast<double>(filled.file.mesh.tets.size());
+    const bool notable = std::abs(volume / found.volume - 1) > kVolume || share > kShare;
+    if (notable)
+      filled.file.notes.push_back("parts are thinner than the lattice's " + length(spacing) + ": " + plural(whole, "tet") +
+                                  " kept whole there, the tets have " + number(volume / found.volume) +
+                                  " times the volume of the surface; a resolution above " + std::to_string(filled.resolution) + " is finer");
+  }
+  put_right(surface, filled.repaired);
+  filled.surface = std::move(surface);
+  return filled;
+}
+
+MeshFile read_mesh_or_fill(const std::filesystem::path& path, std::optional<int> resolution, const Progress& progress) {
+  if (!is_surface_file(path)) return read_mesh(path, progress);
+  return fill_surface(read_obj(path, part_of(progress, 0, 0.1)), path.string(), resolution, part_of(progress, 0.1, 1)).file;
+}
+
+}  // namespace fascia

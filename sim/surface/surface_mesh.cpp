@@ -1,0 +1,173 @@
+#include "sim/surface/surface_mesh.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+#include <tiny_obj_loader.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "sim/surface/obj_lines.h"
+#include "sim/surface/obj_materials.h"
+#include "sim/surface/polygon.h"
+
+namespace fascia {
+namespace {
+
+constexpr std::size_t kMostCorners = 255;  // of a polygon: the library counts them in a byte
+
+[[noreturn]] void fail_at(const std::filesystem::path& path, std::size_t line, const std::string& what, const std::string& expected) {
+  std::string where = path.string();
+  if (line > 0) where.append(":").append(std::to_string(line));
+  throw Error(where, what, expected);
+}
+
+/// Vertices and faces for the library, materials by their numbers. What other lines say is passed over anyway, and the library believes
+/// the counts of some (a tag "t") and allocates for them.
+std::string prepared(const std::filesystem::path& path, std::string_view content, const ObjMaterials::Library& library, ObjMaterials& materials) {
+  std::string out = "mtllib all\n";
+  out.reserve(content.size());
+  for_each_obj_line(content, [&](const ObjLine& line) {
+    if (line.rest.empty()) return;
+    if (line.word == "f") {
+      std::size_t corners = 0;
+      for (std::size_t at = 0; (at = line.rest.find_first_not_of(" \t", at)) != line.rest.npos; ++corners)
+        at = std::min(line.rest.find_first_of(" \t", at), line.rest.size());
+      if (corners > kMostCorners)
+        fail_at(path, line.number, "a face has " + std::to_string(corners) + " corners", "expected at most " + std::to_string(kMostCorners) + ": cut it into triangles");
+    } else if (line.word == "mtllib") {
+      if (library) materials.read_libraries(std::string(line.rest), library);
+      return;
+    } else if (line.word == "usemtl") {
+      if (library) out.append("usemtl ").append(std::to_string(materials.number(line.rest))) += '\n';
+      return;
+    } else if (line.word != "v") {
+      return;
+    }
+    out.append(line.word).append(" ").append(line.rest) += '\n';
+  });
+  return out;
+}
+
+/// Tells the library the numbers of the materials.
+class Numbers : public tinyobj::MaterialReader {
+ public:
+  explicit Numbers(std::size_t count) : count_(count) {}
+  bool operator()(const std::string&, std::vector<tinyobj::material_t>*, std::map<std::string, int>* numbers, std::string*, std::string*) override {
+    for (std::size_t m = 0; m < count_; ++m) (*numbers)[std::to_string(m)] = static_cast<int>(m);
+    return true;
+  }
+
+ private:
+  std::size_t count_;
+};
+
+struct ObjContent {
+  tinyobj::attrib_t attributes;
+  std::vector<tinyobj::shape_t> shapes;
+};
+
+ObjContent parse(const std::filesystem::path& path, const std::string& prepared, std::size_t materials) {
+  std::istringstream text(prepared);
+  Numbers numbers(materials);
+  ObjContent obj;
+  std::vector<tinyobj::material_t> none;
+  std::string warning, error;
+  if (!tinyobj::LoadObj(&obj.attributes, &obj.shapes, &none, &warning, &error, &text, &numbers, false, false)) {
+    if (const std::size_t end = error.find('\n'); end != std::string::npos) error.resize(end);
+    throw Error(path.string(), error.empty() ? "cannot be understood" : error, "expected a Wavefront .obj surface");
+  }
+  return obj;
+}
+
+/// Of the first line that begins with `word` and for which `wrong(rest)`; 0 if there is none.
+template <typename Wrong>
+std::size_t line_of(std::string_view content, std::string_view word, const Wrong& wrong) {
+  std::size_t found = 0;
+  for_each_obj_line(content, [&](const ObjLine& line) {
+    if (found == 0 && line.word == word && !line.rest.empty() && wrong(line.rest)) found = line.number;
+  });
+  return found;
+}
+
+void read_positions(const std::filesystem::path& path, std::string_view content, const ObjContent& obj, SurfaceMesh& mesh) {
+  const auto& v = obj.attributes.vertices;
+  for (std::size_t i = 0; i + 2 < v.size(); i += 3) {
+    mesh.positions.emplace_back(v[i], v[i + 1], v[i + 2]);
+    if (mesh.positions.back().allFinite()) continue;
+    std::size_t number = i / 3 + 1;
+    fail_at(path, line_of(content, "v", [&](std::string_view) { return --number == 0; }), "vertex " + std::to_string(i / 3 + 1) + " is not finite", "expected finite coordinates");
+  }
+}
+
+bool names(std::string_view face, int vertex) {
+  std::istringstream corners{std::string(face)};
+  for (std::string corner; corners >> corner;)
+    if (std::atoi(corner.c_str()) == vertex) return true;
+  return false;
+}
+
+/// The triangles of all faces, and of each the number of its material, -1 for none.
+std::vector<int> read_faces(const std::filesystem::path& path, std::string_view content, const ObjContent& obj, SurfaceMesh& mesh) {
+  std::vector<int> material;
+  std::vector<std::uint32_t> corners;
+  for (const tinyobj::shape_t& shape : obj.shapes) {
+    std::size_t next = 0;
+    for (std::size_t face = 0; face < shape.mesh.num_face_vertices.size(); ++face) {
+      corners.clear();
+      for (const std::size_t end = next + shape.mesh.num_face_vertices[face]; next < end; ++next) {
+        const int v = shape.mesh.indices[next].vertex_index;
+        if (v < 0 || static_cast<std::size_t>(v) >= mesh.positions.size())
+          fail_at(path, line_of(content, "f", [&](std::string_view corners_of_line) { return names(corners_of_line, v + 1); }), "a face uses vertex " + std::to_string(v + 1),
+                  "expected 1 to " + std::to_string(mesh.positions.size()));
+        corners.push_back(static_cast<std::uint32_t>(v));
+      }
+      triangulate(mesh.positions, corners, mesh.triangles);
+      material.resize(mesh.triangles.size(), shape.mesh.material_ids[face]);
+    }
+  }
+  return material;
+}
+
+void add_colors(const ObjContent& obj, const std::vector<int>& material, SurfaceMesh& mesh) {
+  for (const int number : material)
+    if (number >= 0) ++mesh.materials[static_cast<std::size_t>(number)].triangles;
+  const auto& rgb = obj.attributes.colors;
+  mesh.vertex_colors = !rgb.empty() && rgb.size() == obj.attributes.vertices.size();
+  const bool by_material = std::any_of(material.begin(), material.end(), [&](int number) { return number >= 0 && mesh.materials[static_cast<std::size_t>(number)].color != 0; });
+  if (!mesh.vertex_colors && !by_material) return;
+  const bool bytes = mesh.vertex_colors && std::any_of(rgb.begin(), rgb.end(), [](auto share) { return share > 1; });
+  if (bytes) mesh.notes.emplace_back("colors of vertices above 1: read as 0 to 255");
+  const double full = bytes ? 255 : 1;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const std::uint32_t v : mesh.triangles[t]) {
+      const std::size_t at = 3 * std::size_t{v};
+      mesh.colors.push_back(mesh.vertex_colors ? packed_color(rgb[at] / full, rgb[at + 1] / full, rgb[at + 2] / full)
+                            : material[t] >= 0 ? mesh.materials[static_cast<std::size_t>(material[t])].color
+                                               : 0);
+    }
+  }
+}
+
+}  // namespace
+
+bool is_surface_file(const std::filesystem::path& path) { return lower_ending(path) == ".obj"; }
+
+SurfaceMesh read_obj(const std::filesystem::path& path, const Progress& progress) {
+  return read_obj_content(path, read_file(path, progress), [&](const std::string& name) { return read_file(path.parent_path() / name); });
+}
+
+SurfaceMesh read_obj_content(const std::filesystem::path& path, std::string_view content, const ObjMaterials::Library& read_library) {
+  SurfaceMesh mesh;
+  ObjMaterials materials;
+  const std::string text = prepared(path, content, read_library, materials);
+  mesh.materials = materials.take(mesh.notes);
+  const ObjContent obj = parse(path, text, mesh.materials.size());
+  read_positions(path, content, obj, mesh);
+  const std::vector<int> material = read_faces(path, content, obj, mesh);
+  if (mesh.triangles.empty()) throw Error(path.string(), "has no faces", "expected a Wavefront .obj surface");
+  add_colors(obj, material, mesh);
+  return mesh;
+}
+
+}  // namespace fascia

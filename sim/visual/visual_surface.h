@@ -1,0 +1,18 @@
+// What is drawn of a model: the boundary of its tets or, for bodies with a surface of their own, that surface embedded in them.
+#pragma once
+#include <vector>
+
+#include "sim/model/model.h"
+
+namespace fascia {
+
+struct DrawnSurface {
+  std::vector<Triangle> triangles;
+  std::vector<Eigen::Vector3d> rest_positions;  // mesh vertices, then embedded ones, as in GpuSolver::positions() [m]
+  std::vector<std::uint32_t> colors{};          // as SurfaceMesh::colors, of all triangles; empty if no surface has any
+};
+DrawnSurface drawn_surface(const Model& model);
+/// Whether bodies have surfaces of their own, and all of them enclose an inside.
+bool closed_around_tets(const Model& model);
+
+}  // namespace fascia

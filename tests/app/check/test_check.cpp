@@ -1,0 +1,196 @@
+// fascia check as a CI system uses it: a folder, exit codes, what failures leave, JUnit XML.
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+
+#include "app/check/check_folder.h"
+#include "app/system/child_process.h"
+#include "app/check/junit.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::string shipped(const char* scene) { return (source_dir() / "assets/scenes" / scene).string(); }
+
+// Two cubes that pass once they have goldens, one mesh that is not there.
+void fill(const fs::path& folder) {
+  write_file(folder / "check.json", R"({"fascia_check": 1, "defaults": {"size": [64, 48], "steps": 3, "samples": 1}, "scenes": {
+    "broken": {"scene": "missing.json"},
+    "cube": {"scene": ")" + shipped("cube.json") + R"("},
+    "soft <cube> & \"co\"": {"scene": ")" + shipped("cube.json") + R"(", "set": ["materials.default.young_modulus=500"], "picture": false}}})");
+}
+
+CommandResult check(const fs::path& folder, std::vector<std::string> more) {
+  more.insert(more.begin(), {"check", folder.string(), "--context", "osmesa"});
+  return run_fascia(more);
+}
+
+void expect_error(const std::string& settings, const std::vector<std::string>& texts) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.json", "{}");
+  write_file(folder / "check.json", settings);
+  try {
+    read_check_folder(folder.path());
+    FAIL("no error from " << settings);
+  } catch (const Error& error) {
+    for (const std::string& text : texts) {
+      CAPTURE(error.what(), text);
+      CHECK(contains(error.what(), text));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("check: one broken scene does not stop the others, and goldens make them pass", "[check]") {
+  const TemporaryFolder folder, out;
+  fill(folder.path());
+  const CommandResult none = check(folder.path(), {"--out", out.path().string()});
+  INFO(none.out << none.err);
+  CHECK(none.exit_code == 1);
+  CHECK(contains(none.out, "missing.json: no such file"));
+  CHECK(contains(none.out, "cube.golden.png: no golden yet"));
+  CHECK(contains(none.out, "3 scenes, 3 failed"));
+  CHECK(fs::exists(out / "cube.new.png"));
+  CHECK(fs::exists(out / "cube.new.csv"));
+
+  const CommandResult update = check(folder.path(), {"--update", "--only", "cube"});
+  INFO(update.out << update.err);
+  CHECK(update.exit_code == 0);
+  CHECK(contains(update.out, "cube.golden.csv: new"));
+  const CommandResult again = check(folder.path(), {"--out", out.path().string(), "--junit", (out / "report.xml").string()});
+  INFO(again.out << again.err);
+  CHECK(again.exit_code == 1);
+  CHECK(contains(again.out, "3 scenes, 1 failed"));
+  CHECK_FALSE(fs::exists(out / "cube.new.png"));  // of the run before
+
+  // As a CI system reads it.
+  const CommandResult parsed = run_command(
+      {"python3", "-c",
+       "import sys, xml.etree.ElementTree as E\n"
+       "suite = E.parse(sys.argv[1]).getroot().find('testsuite')\n"
+       "print(suite.get('tests'), suite.get('failures'), suite.get('errors'))\n"
+       "for c in suite:\n"
+       "  e = c.find('error')\n"
+       "  print(c.get('name'), float(c.get('time')) > 0, e is not None and 'no such file' in e.get('message'))\n",
+       (out / "report.xml").string()});
+  INFO(parsed.err);
+  CHECK(parsed.out == "3 0 1\nbroken True True\ncube True False\nsoft <cube> & \"co\" True False\n");
+  CHECK(check(folder.path(), {"--only", "nothing like it"}).exit_code == 1);
+}
+
+TEST_CASE("check: a scene that changed fails and leaves its picture and the difference", "[check]") {
+  const TemporaryFolder folder, out;
+  write_file(folder / "check.json", R"({"fascia_check": 1, "defaults": {"size": [64, 48], "steps": 3}, "scenes": {"cube": {"scene": ")" +
+                                        shipped("cube.json") + R"("}}})");
+  REQUIRE(check(folder.path(), {"--update"}).exit_code == 0);
+  write_file(folder / "check.json",
+             R"({"fascia_check": 1, "defaults": {"size": [64, 48], "steps": 3}, "scenes": {"cube": {"scene": ")" + shipped("cube.json") +
+                 R"(", "set": ["materials.default.young_modulus=500"]}}})");
+  const CommandResult failed = check(folder.path(), {"--out", out.path().string(), "--junit", (out / "report.xml").string()});
+  INFO(failed.out << failed.err);
+  CHECK(failed.exit_code == 1);
+  CHECK(contains(failed.out, "young_modulus: golden 5000, now 500"));
+  for (const char* left : {"cube.new.png", "cube.new.csv", "cube.diff.png"}) CHECK(fs::exists(out / left));
+  CHECK(contains(read_file(out / "report.xml"), "<failure message="));
+  CHECK(contains(read_file(out / "report.xml"), "llvmpipe"));
+}
+
+TEST_CASE("check --update that is interrupted leaves goldens alone", "[check]") {
+  const TemporaryFolder folder;
+  const auto settings = [&](const char* steps) {
+    write_file(folder / "check.json", R"({"fascia_check": 1, "scenes": {"cube": {"scene": ")" + shipped("cube.json") +
+                                          R"("}}, "defaults": {"size": [64, 48], "set": ["solver.rest_speed=0"], "steps": )" + steps + "}}");
+  };
+  settings("2");
+  REQUIRE(check(folder.path(), {"--update"}).exit_code == 0);
+  const std::string picture = read_file(folder / "cube.golden.png"), state = read_file(folder / "cube.golden.csv");
+  settings("1000000");  // hours
+  const CommandResult cut = run_command({"timeout", "--preserve-status", "-s", "INT", "4", FASCIA_BINARY, "check", folder.path().string(),
+                                         "--context", "osmesa", "--update"});
+  INFO(cut.out << cut.err);
+  CHECK(cut.exit_code == 130);
+  CHECK((read_file(folder / "cube.golden.png") == picture));
+  CHECK((read_file(folder / "cube.golden.csv") == state));
+}
+
+TEST_CASE("check: a golden may be made by run --export, with what made it beside it", "[check]") {
+  const TemporaryFolder folder;
+  fs::copy_file(source_dir() / "assets/meshes/cube.msh", folder / "cube.msh");
+  write_file(folder / "cube.json", R"({"fascia_scene": 1, "bodies": [{"mesh": "cube.msh", "fixed": [{"lowest": 0.02}]}]})");
+  write_file(folder / "check.json", R"({"fascia_check": 1, "defaults": {"size": [64, 48], "steps": 3, "picture": false}})");
+  REQUIRE(run_fascia({"run", (folder / "cube.json").string(), "--context", "osmesa", "--quiet", "--steps", "3", "--export",
+                      (folder / "cube.golden.csv").string()})
+              .exit_code == 0);
+  REQUIRE(fs::exists(folder / "cube.golden.csv.json"));
+  const CommandResult result = check(folder.path(), {});
+  INFO(result.out << result.err);
+  CHECK(result.exit_code == 0);
+  CHECK(contains(result.out, "1 scene, 0 failed"));
+}
+
+TEST_CASE("check.json is strict", "[check]") {
+  expect_error(R"({"fascia_check": 1, "default": {}})", {"check.json", "unknown key \"default\"", "perhaps \"defaults\""});
+  expect_error(R"({"fascia_check": 2})", {"fascia_check", "expected"});
+  expect_error(R"({"fascia_check": 1, "defaults": {"size": [8, 240]}})", {"defaults.size[0]", "16 to 16384"});
+  expect_error(R"({"fascia_check": 1, "defaults": {"max_mean": "1/0"}})", {"defaults.max_mean", "0.5/255"});
+  expect_error(R"({"fascia_check": 1, "defaults": {"steps": 1, "time": 1}})", {"defaults.time", "one of them"});
+  expect_error(R"({"fascia_check": 1, "defaults": {"picture": false, "state": false}})", {"defaults", "neither"});
+  expect_error(R"({"fascia_check": 1, "scenes": {"b": {}}})", {"scenes.b", "no b.json"});
+  expect_error(R"({"fascia_check": 1, "scenes": {"a": {"scene": "x.json"}}})", {"scenes.a.scene", "a.json has the same goldens"});
+  expect_error(R"({"fascia_check": 1, "scenes": {"../b": {"scene": "x.json"}}})", {"file name"});
+}
+
+TEST_CASE("check settings: those of a scene over the defaults", "[check]") {
+  const TemporaryFolder folder;
+  write_file(folder / "a.json", "{}");
+  write_file(folder / "b.fascia", "{}");
+  write_file(folder / "check.json", R"({"fascia_check": 1, "defaults": {"steps": 5, "max_mean": "1/255"},
+                                        "scenes": {"a": {"time": 2, "state_tolerance": 0.5, "picture": false}}})");
+  const std::vector<CheckCase> cases = read_check_folder(folder.path());
+  REQUIRE(cases.size() == 2);
+  CHECK(cases[0].name == "a");
+  CHECK_FALSE(cases[0].options.steps);
+  CHECK(cases[0].options.time == 2.0);
+  CHECK(cases[0].options.limits.state == 0.5);
+  CHECK(cases[0].options.limits.mean == 1.0 / 255);
+  CHECK(cases[0].options.compare.empty());
+  CHECK(cases[1].options.steps == 5);
+  CHECK(cases[1].options.input == (folder / "b.fascia").string());
+  CHECK(cases[1].options.compare == (folder / "b.golden.png").string());
+  const TemporaryFolder empty;
+  CHECK_THROWS_AS(read_check_folder(empty.path()), Error);
+}
+
+TEST_CASE("what crashes, hangs or fails in a child is a report", "[check]") {
+  CHECK(run_in_child([] { return std::string("done"); }, 60).answer == "done");
+  CHECK(run_in_child([]() -> std::string { throw Error("a", "b", "c"); }, 60).failure == "a: b; c");
+  const ChildReport crashed = run_in_child([]() -> std::string { std::raise(SIGKILL); return ""; }, 60);
+  CHECK(contains(crashed.failure, "crashed (Killed)"));
+  CHECK(contains(run_in_child([]() -> std::string { for (;;) pause(); }, 0.3).failure, "took longer than 0.3 s"));
+  CHECK(run_in_child([] { std::puts("said"); std::fflush(stdout); return std::string(); }, 60).said == "said\n");
+  const std::string large(1 << 20, 'x');  // more than a pipe holds
+  CHECK(run_in_child([&] { return large; }, 60).answer == large);
+}
+
+TEST_CASE("JUnit XML holds any text", "[check]") {
+  JunitCase c;
+  c.name = "a<b>&\"c\"";
+  c.verdict = JunitCase::Verdict::failed;
+  c.message = "one\ntwo \xc3\xa9 \xff \x01";
+  const std::string xml = junit_xml("s", "2026-01-31T12:00:00", {c});
+  CHECK(contains(xml, "name=\"a&lt;b&gt;&amp;&quot;c&quot;\""));
+  CHECK(contains(xml, "message=\"one&#10;two \xc3\xa9 ? ?\""));
+  CHECK(contains(xml, "<testsuites tests=\"1\" failures=\"1\" errors=\"0\""));
+}

@@ -1,0 +1,52 @@
+// A closed surface through the command line: told about, converted, simulated; one without an inside is refused in one line.
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "sim/mesh/io/mesh_io.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+const std::string kidney = (source_dir() / "assets/meshes/kidney.obj").string();
+
+}  // namespace
+
+TEST_CASE("info tells about a surface and the tets in it") {
+  const CommandResult result = run_fascia({"info", kidney, "--set", "resolution=16"});
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+  for (const char* part : {"23860", "closed      yes", "shells      5", "colors      of the vertices", "filled with tets, resolution 16", "dihedral", "of them outside of the tets"})
+    CHECK_THAT(result.out, Catch::Contains(part));
+}
+
+TEST_CASE("a surface converts to a mesh of tets and runs") {
+  const TemporaryFolder folder;
+  const std::string mesh = (folder / "kidney.msh").string();
+  const CommandResult converted = run_fascia({"convert", kidney, mesh});
+  INFO(converted.err);
+  REQUIRE(converted.exit_code == 0);
+  const std::size_t tets = read_mesh(mesh).mesh.tets.size();
+  CHECK(tets > 5000);
+  CHECK(tets < 10000);
+  const CommandResult run = run_fascia({"run", kidney, "--set", "resolution=12", "--steps", "2", "--context", "osmesa", "--quiet"});
+  INFO(run.err);
+  CHECK(run.exit_code == 0);
+}
+
+TEST_CASE("a surface without an inside and one of several million tets are refused in one line") {
+  const TemporaryFolder folder;
+  const std::string sheet = (folder / "sheet.obj").string();
+  std::ofstream(sheet) << "v 0 0 0\nv 0.1 0 0\nv 0.1 0 0.1\nv 0 0 0.1\nf 1 2 3 4\n";
+  for (const std::string command : {"info", "run"}) {
+    const CommandResult result = run_fascia({command, sheet});
+    CHECK(result.exit_code == 1);
+    CHECK_THAT(result.err, Catch::Contains("sheet.obj: is open: 4 edges"));
+    CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+  }
+  const CommandResult result = run_fascia({"run", kidney, "--set", "resolution=300", "--steps", "1"});
+  CHECK(result.exit_code == 2);
+  CHECK_THAT(result.err, Catch::Contains("2 to 256"));
+}

@@ -1,0 +1,151 @@
+// The color bar can be read whatever is behind it, and is left out where it would hide the picture.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "app/overlay/color_bar.h"
+#include "app/overlay/overlay.h"
+#include "tests/support/headless.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+constexpr int kWidth = 640, kHeight = 720;  // at 720 rows a point is a pixel
+constexpr std::uint8_t kTissue[4] = {190, 60, 50, 255};
+
+/// The bar for velocity over a picture full of tissue.
+Image bar_over_tissue(Backdrop backdrop, int width, int height) {
+  Graphics graphics = open_graphics(headless(), false);
+  Overlay overlay(graphics);
+  Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
+  scene.display.color = ColorBy::velocity;
+  Session session(graphics, scene, false);
+  session.look.backdrop = backdrop;
+  Framebuffer framebuffer(width, height, 1);
+  std::vector<std::uint8_t> tissue;
+  for (int i = 0; i < width * height; ++i) tissue.insert(tissue.end(), kTissue, kTissue + 4);
+  framebuffer.replace(tissue.data());
+  overlay.draw_headless(session, framebuffer, false, std::nullopt, {});
+  return framebuffer.read();
+}
+
+const std::uint8_t* pixel(const Image& image, int x, int y) { return &image.rgba[4 * static_cast<std::size_t>(y * image.width + x)]; }
+
+std::size_t covered(const Image& image) {
+  std::size_t count = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) count += !std::equal(kTissue, kTissue + 3, pixel(image, x, y));
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("the color bar's numbers stand on a panel, dark on light or light on dark", "[color_bar]") {
+  const auto backdrop = GENERATE(Backdrop::gradient, Backdrop::white, Backdrop::black, Backdrop::transparent);
+  const Image image = bar_over_tissue(backdrop, kWidth, kHeight);
+  const std::uint8_t* padding = pixel(image, kWidth - 17, kHeight / 2);  // right of the numbers
+  const bool light = backdrop == Backdrop::white;  // a transparent picture may be laid upon anything
+  for (int c = 0; c < 3; ++c) CHECK((light ? padding[c] > 200 : padding[c] < 75));
+}
+
+TEST_CASE("the color bar's title stands clear of the number below it", "[color_bar]") {
+  const Image image = bar_over_tissue(Backdrop::white, kWidth, kHeight);
+  const auto ink = [&](int y) {
+    for (int x = kWidth - 110; x < kWidth - 22; ++x)
+      if (pixel(image, x, y)[0] < 100) return true;
+    return false;
+  };
+  int y = 0;
+  const auto skip = [&](bool inked) {
+    const int from = y;
+    while (y < kHeight && ink(y) == inked) ++y;
+    return y - from;
+  };
+  skip(false);
+  CHECK(skip(true) >= 8);   // the title
+  CHECK(skip(false) >= 6);  // and nothing
+  REQUIRE(y < kHeight);
+}
+
+TEST_CASE("on a transparent picture the bar can be read over white and over black, and is no light plate", "[color_bar]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Overlay overlay(graphics);
+  Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
+  scene.display.color = ColorBy::velocity;
+  scene.display.background = Background::transparent;
+  Session session(graphics, scene, false);
+  Framebuffer framebuffer(kWidth, kHeight, 1);
+  framebuffer.replace(std::vector<std::uint8_t>(4 * kWidth * kHeight, 0).data());
+  overlay.draw_headless(session, framebuffer, false, std::nullopt, {});
+  const Image image = framebuffer.read();
+  const auto box = legend_box({0, 0, kWidth, kHeight}, session);
+  REQUIRE(box);
+  for (const double paper : {255.0, 0.0}) {
+    const auto laid = [&](int x, int y) {
+      const std::uint8_t* p = pixel(image, x, y);
+      return p[3] / 255.0 * p[0] + (1 - p[3] / 255.0) * paper;
+    };
+    const int left = static_cast<int>(box->left), right = static_cast<int>(box->right), top = static_cast<int>(box->top);
+    const double plate = laid(right - 4, kHeight / 2);
+    double text = plate;  // the title's strongest pixel
+    for (int y = top + 10; y < top + 26; ++y)
+      for (int x = left + 8; x < right - 8; ++x)
+        if (std::abs(laid(x, y) - plate) > std::abs(text - plate)) text = laid(x, y);
+    CAPTURE(paper, plate, text);
+    CHECK(plate < 90);
+    CHECK(std::abs(text - plate) > 120);
+  }
+}
+
+TEST_CASE("a hand's force stands beside the color bar and inside the picture", "[color_bar]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Overlay overlay(graphics);
+  Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
+  scene.display.color = ColorBy::velocity;
+  Session session(graphics, scene, false);
+  const auto drawn = [&](const std::vector<HandMark>& hands) {
+    Framebuffer framebuffer(kWidth, kHeight, 1);
+    std::vector<std::uint8_t> tissue;
+    for (int i = 0; i < kWidth * kHeight; ++i) tissue.insert(tissue.end(), kTissue, kTissue + 4);
+    framebuffer.replace(tissue.data());
+    overlay.draw_headless(session, framebuffer, false, std::nullopt, hands);
+    return framebuffer.read();
+  };
+  const Image without = drawn({});
+  const auto box = legend_box({0, 0, kWidth, kHeight}, session);
+  REQUIRE(box);
+  // So many pixels of a label at a free place, but for fractions of pixels.
+  const auto label_pixels = [&](const Eigen::Vector2d& at, bool* in_bar) {
+    const Ray ray = session.camera.ray(at.x(), at.y(), kWidth, kHeight);
+    const Eigen::Vector3d place = ray.origin + 0.3 * ray.direction;
+    HandMark mark{{place.cast<float>(), place.cast<float>()}, Eigen::Vector3d(0, 1.25, 0)};
+    const Image with = drawn({mark});
+    int count = 0;
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        if (std::equal(pixel(with, x, y), pixel(with, x, y) + 3, pixel(without, x, y))) continue;
+        ++count;
+        *in_bar |= x >= box->left && x < box->right && y >= box->top && y < box->bottom;
+      }
+    return count;
+  };
+  bool in_bar = false;
+  const int usual = label_pixels({200, 300}, &in_bar);
+  REQUIRE(usual > 500);
+  for (const Eigen::Vector2d& at : {Eigen::Vector2d(kWidth - 90, kHeight / 2), {box->left - 30, kHeight / 2}, {kWidth - 5, kHeight / 2}, {kWidth - 5, 5},
+                                   {300, 3}, {5, kHeight - 5}, {kWidth - 5, kHeight - 5}}) {
+    const int count = label_pixels(at, &in_bar);
+    CAPTURE(at.transpose(), usual, count);
+    CHECK_FALSE(in_bar);
+    CHECK(count > 0.9 * usual);
+  }
+}
+
+TEST_CASE("a picture that is too small for a color bar has none", "[color_bar]") {
+  CHECK(covered(bar_over_tissue(Backdrop::gradient, 160, 120)) == 0);
+  const std::size_t usual = covered(bar_over_tissue(Backdrop::gradient, 320, 240));
+  CHECK(usual > 0);
+  CHECK(usual < 320 * 240 / 5);
+}

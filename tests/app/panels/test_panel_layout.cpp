@@ -1,0 +1,133 @@
+// Where panels stand: inside the picture whatever its size, beside what is written over it; and what their rows leave between each other.
+#include <catch2/catch.hpp>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include "app/overlay/overlay.h"
+#include "app/panels/panels.h"
+#include "app/compare/split_view.h"
+#include "app/ui/style.h"
+#include "app/ui/widgets.h"
+#include "tests/support/headless.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+/// A session and panels over pictures of changing size.
+struct Desk {
+  Graphics graphics = open_graphics(headless(), false);
+  Overlay overlay{graphics};
+  Session session{graphics, open_scene(source_dir() / "assets/scenes/cube.json"), false};
+  ViewState state;
+
+  void frame(int width, int height, const std::function<void()>& draw) {
+    Framebuffer framebuffer(width, height, 1);
+    overlay.draw_headless(session, framebuffer, false, std::nullopt, {}, draw);
+  }
+  void show_plots(int width, int height, const std::function<void()>& more = {}) {
+    frame(width, height, [&] {
+      Requests requests;
+      draw_plots(session.simulation, state, requests);
+      if (more) more();
+    });
+  }
+  std::array<float, 4> place() const { return {state.plots.left, state.plots.top, state.plots.width, state.plots.height}; }
+  bool inside(float width, float height) const {
+    const Plots& p = state.plots;
+    return p.left >= 0 && p.top >= 0 && p.left + p.width <= width && p.top + p.height <= height;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the panel Plots keeps its place at the right when the window shrinks and grows", "[panel_layout]") {
+  Desk desk;
+  desk.state.plots.shown = true;
+  desk.show_plots(1280, 720);
+  const std::array<float, 4> docked = desk.place();
+  CHECK(docked == std::array<float, 4>{840, 10, 430, 700});
+  desk.show_plots(640, 480);
+  CHECK(desk.inside(640, 480));
+  CHECK(desk.state.plots.height > 400);
+  desk.show_plots(1280, 720);
+  CHECK(desk.place() == docked);
+
+  INFO("where it was put it stays, but inside");
+  desk.frame(1280, 720, [&] {
+    ImGui::SetNextWindowPos({800, 400});
+    ImGui::SetNextWindowSize({400, 300});
+    Requests requests;
+    draw_plots(desk.session.simulation, desk.state, requests);
+  });
+  CHECK(desk.place() == std::array<float, 4>{800, 400, 400, 300});
+  desk.show_plots(640, 480);
+  CHECK(desk.inside(640, 480));
+  CHECK(desk.state.plots.width == 400);
+}
+
+TEST_CASE("the list of keys lies inside the picture, whatever its size", "[panel_layout]") {
+  Desk desk;
+  desk.state.show_help = true;
+  for (const auto& [width, height] : {std::pair(1280, 720), {800, 600}, {480, 360}}) {
+    for (int frame = 0; frame < 3; ++frame) desk.frame(width, height, [&] { draw_help(desk.state); });
+    const ImGuiWindow& window = *ImGui::FindWindowByName("Keys and mouse");
+    CAPTURE(width, height, window.Pos.x, window.Pos.y, window.Size.x, window.Size.y);
+    CHECK(window.Pos.x >= 0);
+    CHECK(window.Pos.y >= 0);
+    CHECK(window.Pos.x + window.Size.x <= static_cast<float>(width));
+    CHECK(window.Pos.y + window.Size.y <= static_cast<float>(height));
+  }
+}
+
+TEST_CASE("what is written over the picture stands beside docked plots", "[panel_layout]") {
+  Desk desk;
+  desk.frame(1280, 720, [&] {
+    const Room room = room_beside_panels(desk.state);
+    CHECK(room.left == panel_space());
+    CHECK(room.right == 1280);
+  });
+  desk.state.plots.shown = true;
+  desk.state.statistics.keeps_pace = false;
+  float reach = 0;
+  desk.show_plots(1280, 720, [&] {
+    const Room room = room_beside_panels(desk.state);
+    CHECK(room.right == 840);
+    const ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const int before = list.VtxBuffer.Size;
+    draw_notice(desk.state, room);
+    REQUIRE(list.VtxBuffer.Size > before);
+    for (int i = before; i < list.VtxBuffer.Size; ++i) reach = std::max(reach, list.VtxBuffer[i].pos.x);
+  });
+  CHECK(reach > 400);
+  CHECK(reach < 840);
+  desk.state.plots.docked = false;
+  desk.frame(1280, 720, [&] { CHECK(room_beside_panels(desk.state).right == 1280); });
+}
+
+TEST_CASE("a value stands clear of its slider", "[panel_layout]") {
+  Desk desk;
+  desk.frame(1280, 720, [&] {
+    ImGui::SetNextWindowSize({panel_width(), 300});
+    ImGui::Begin("row");
+    double density = 1060;
+    ui::number({"Density", "kg/m^3", 500, 2000, 1, 1e5, false, false, "help"}, density);
+    const float room = ImGui::GetItemRectMax().x - ImGui::GetItemRectMin().x;  // of the value, between slider and edge
+    ImGui::End();
+    CHECK(room > ImGui::CalcTextSize("1060 kg/m\xc2\xb3").x + 4);
+  });
+}
+
+TEST_CASE("a side of a comparison that sleeps says so", "[panel_layout]") {
+  Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
+  scene.gravity.setZero();
+  Graphics graphics = open_graphics(headless(), false);
+  Session session(graphics, scene, false);
+  CHECK(side_result(session, std::nullopt, 12.94, true) == "12.9 ms a step");
+  for (int i = 0; i < 300 && !session.simulation.asleep(); ++i) session.simulation.step();
+  REQUIRE(session.simulation.asleep());
+  CHECK(side_result(session, std::nullopt, 0.01, true) == "at rest, asleep");
+  CHECK(side_result(session, std::nullopt, 0.01, false).empty());
+}

@@ -1,0 +1,103 @@
+// The panels as a whole: every widget explains itself, hints come where they should and go when they are told to.
+#include <catch2/catch.hpp>
+
+#include "app/overlay/overlay.h"
+#include "app/panels/panels.h"
+#include "app/ui/audit.h"
+#include "sim/grab/build_model.h"
+#include "tests/support/headless.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+/// Everything that a column can show, folded or not, in the window that ImGui has for what has none.
+void draw_everything(Session& session, ViewState& state, Requests& requests) {
+  scene_panel(session, state, requests);
+  compare_panel(state, requests);
+  material_panel(session.simulation, state, requests);
+  solver_panel(session, state);
+  convergence_panel(session.simulation, state.convergence);
+  display_panel(session);
+  statistics_panel(session, state);
+  grab_panel(session, state, requests);
+  history_panel(state.history, requests);
+}
+
+}  // namespace
+
+TEST_CASE("every widget of every panel has a text that explains it", "[panels]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Overlay overlay(graphics);
+  Framebuffer framebuffer(340, 400, 1);
+  const std::vector<std::pair<const char*, Pair>> shown = {{"inclusion", legal_pairs().front()},
+                                                           {"cube", {Method::gauss_seidel, Acceleration::chebyshev}},
+                                                           {"cube", {Method::jacobi, Acceleration::anderson_positions}}};
+  for (const auto& [name, pair] : shown) {
+    Scene scene = open_scene(source_dir() / "assets/scenes" / (std::string(name) + ".json"));
+    scene.solver.method = pair.method;
+    scene.solver.acceleration = pair.acceleration;
+    scene.display.color = ColorBy::von_mises;
+    scene.display.range = Eigen::Vector2d(0, 1e4);
+    Session session(graphics, scene, false);
+    session.simulation.gpu()->request_diagnostics();
+    ViewState state;
+    state.facts = SceneFacts(session.simulation.scene, session.simulation.model);
+    state.statistics.diagnostics = session.simulation.gpu()->take_diagnostics(true);
+    state.statistics.measured = true;
+    state.history.restart(dials_of(session, state.grab));
+    scene.solver.iterations += 1;
+    session.simulation.set_settings(scene.solver);
+    state.history.follow(dials_of(session, state.grab));
+    Requests requests;
+    session.draw(framebuffer);
+    overlay.draw_headless(session, framebuffer, true, state.statistics.diagnostics, {}, [&] { draw_everything(session, state, requests); });
+  }
+  CAPTURE(ui::unexplained());
+  CHECK(ui::unexplained().empty());
+}
+
+TEST_CASE("what the tables say of their fields is said of all of them") {
+  Material material;
+  visit_material(material, [](double, const char* name, const char*, double, double, bool, const char* help) {
+    CAPTURE(name);
+    CHECK(std::string(help).size() > 10);
+  });
+  SolverSettings settings;
+  visit_settings(settings, [](auto, const char* name, const char*, auto, auto, bool, const char* help) {
+    CAPTURE(name);
+    CHECK(std::string(help).size() > 10);
+  });
+}
+
+TEST_CASE("hints come where they should", "[panels]") {
+  CHECK_FALSE(locking_hint(0.45));
+  CHECK(locking_hint(0.46));
+
+  SolverSettings settings;
+  Diagnostics diagnostics{};
+  diagnostics.residual = 0.05;
+  CHECK_FALSE(iterations_hint(settings, std::nullopt));
+  CHECK_FALSE(iterations_hint(settings, diagnostics));
+  diagnostics.residual = 0.4;
+  REQUIRE(iterations_hint(settings, diagnostics));
+  CHECK(iterations_hint(settings, diagnostics)->text == "Residual 0.4: too few iterations?");
+
+  CHECK_FALSE(time_step_hint(settings));
+  settings.time_step = 0.1;
+  CHECK(time_step_hint(settings));
+  settings.substeps = 10;
+  CHECK_FALSE(time_step_hint(settings));
+
+  const Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
+  Model model = build_model(scene);
+  CHECK_FALSE(unit_hint(scene, model));
+  for (Eigen::Vector3d& x : model.rest_positions) x *= 1000;
+  REQUIRE(unit_hint(scene, model));
+  CHECK(unit_hint(scene, model)->scale == 1e-3);
+  for (Eigen::Vector3d& x : model.rest_positions) x *= 1e-6;
+  REQUIRE(unit_hint(scene, model));
+  CHECK(unit_hint(scene, model)->scale == 1e3);
+}

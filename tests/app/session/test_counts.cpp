@@ -1,0 +1,51 @@
+// What the shipped scenes cost, counted: a scene pays for what it uses and for nothing else, and a change that makes one dearer shows here.
+#include <catch2/catch.hpp>
+
+#include "app/session/graphics.h"
+#include "sim/simulation/simulation.h"
+#include "gl/buffer.h"
+#include "gl/compute_pass.h"
+#include "tests/support/headless.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+struct Counts {
+  std::string scene;
+  std::uint32_t tets_solved;
+  std::uint64_t dispatches_per_step;
+  std::size_t kernels, gpu_bytes;
+};
+
+}  // namespace
+
+TEST_CASE("counts of the shipped scenes", "[counts]") {
+  const Counts expected = GENERATE(values<Counts>({{"beam", 4896, 5, 9, 1'830'008},
+                                                   {"cube", 500, 5, 8, 218'280},
+                                                   {"inclusion", 5585, 23, 10, 2'136'608},
+                                                   {"ligament", 7006, 5, 9, 2'582'668},
+                                                   {"liver", 9389, 5, 9, 3'452'872}}));
+  CAPTURE(expected.scene);
+  Graphics graphics = open_graphics(headless(), false);
+  Simulation simulation(open_scene(source_dir() / "assets/scenes" / (expected.scene + ".json")), graphics.programs.get(), false);
+  const std::uint64_t before = gl::dispatch_count();
+  simulation.gpu()->step();
+  CHECK(simulation.gpu()->buffers().tet_count == expected.tets_solved);
+  CHECK(simulation.gpu()->dispatches_per_step() == expected.dispatches_per_step);
+  // Beside the step's own: the regions' speeds, where there are regions.
+  const std::uint64_t measured = simulation.gpu()->buffers().tet_count >= Regions::kLeastTets ? 1 : 0;
+  CHECK(gl::dispatch_count() - before >= expected.dispatches_per_step + measured);  // more where the loops of one were not enough
+  CHECK(simulation.programs()->size() == expected.kernels);  // with the one that tries the device
+  CHECK(gl::allocated_bytes() == expected.gpu_bytes);
+  const auto& buffers = gl::bytes_by_buffer();
+  const bool several_materials = simulation.model.materials.size() > 1;
+  const bool damped = std::any_of(simulation.model.materials.begin(), simulation.model.materials.end(),
+                                  [](const Material& m) { return m.damping > 0; });
+  CHECK(buffers.contains("tet_material") == several_materials);
+  CHECK(buffers.contains("previous_strain") == damped);
+  CHECK_FALSE(buffers.contains("displacement_low"));
+  CHECK_FALSE(buffers.contains("multiplier"));
+}

@@ -1,0 +1,132 @@
+// The body stands clear of the color bar and within its half of a comparison; pictures without a bar stay as they are.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+
+#include "app/overlay/color_bar.h"
+#include "app/session/framing.h"
+#include "app/headless/headless.h"
+#include "tests/support/headless.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+struct Size {
+  int width, height;
+};
+
+Scene scene_of(const std::string& name, const std::string& color) {
+  return open_scene(source_dir() / ("assets/scenes/" + name + ".json"), {"display.color=" + color});
+}
+
+/// Columns of the picture in which the body at rest is seen.
+Eigen::Vector2d columns(const Session& session, int width, int height) {
+  Eigen::Vector2d seen(1e9, -1e9);
+  const Model& model = session.simulation.model;
+  for (const Tet& tet : model.tets)
+    for (const std::uint32_t v : tet)
+      if (const auto at = pixel_of(session, model.rest_positions[v], width, height)) seen = {std::min(seen.x(), at->x()), std::max(seen.y(), at->x())};
+  return seen;
+}
+
+}  // namespace
+
+TEST_CASE("a frame keeps any body between panels and bar, and leaves pictures alone that need nothing", "[framing]") {
+  for (const Eigen::Vector2d& extent : {Eigen::Vector2d(-1, 1), {-0.9, 1.1}, {-0.4, 0.5}, {-1.25, 0.2}, {-0.2, 1.25}})
+    for (const Size size : {Size{800, 600}, {1280, 720}, {640, 480}, {500, 900}, {1000, 1000}, {3840, 1080}})
+      for (const double left : {0.0, 120.0, 338.0})
+        for (const double right : {0.0, 90.0, 180.0}) {
+          if (left + right > 0.9 * size.width) continue;
+          const double half = 0.5 * std::min(size.width, size.height);
+          CAPTURE(extent.transpose(), size.width, size.height, left, right);
+          Camera camera;
+          frame_picture(camera, extent, {size.width, size.height, {left, right}});
+          const auto column = [&](double seen) { return 0.5 * size.width * (1 + camera.middle.x()) + seen * half / camera.reach; };
+          const double begin = column(extent.x()), end = column(extent.y());
+          CAPTURE(camera.middle.x(), camera.reach, begin, end);
+          const double middle = 0.5 * (left + size.width);
+          const bool clear = middle + extent.y() * half < size.width - right - 0.03 * size.width && middle + extent.x() * half > left + 0.03 * size.width;
+          if (right == 0 || clear) {
+            CHECK(camera.reach == 1);
+            CHECK(camera.middle.x() == Approx(left / size.width).margin(1e-12));
+          } else {
+            CHECK(begin >= left);
+            CHECK(end <= size.width - right);
+            CHECK(camera.reach >= 1);
+          }
+        }
+}
+
+TEST_CASE("a camera that shows a part of the body shows the same part beside the bar", "[framing]") {
+  Camera camera;
+  frame_picture(camera, {-7, 9}, {800, 600, {0, 160}});
+  CAPTURE(camera.middle.x(), camera.reach);
+  CHECK(camera.reach > 1);
+  CHECK(camera.reach < 1.4);
+  CHECK(0.5 * 800 * (1 + camera.middle.x()) == Approx(320).margin(10));
+}
+
+TEST_CASE("rendered bodies are clear of their color bar", "[framing]") {
+  const std::string name = GENERATE("liver", "ligament", "inclusion", "kidney", "cube", "beam");
+  const std::string color = GENERATE("largest_stress", "region");
+  RenderOptions options;
+  static_cast<CommonOptions&>(options) = headless();
+  options.input = (source_dir() / "assets/scenes" / (name + ".json")).string();
+  options.color = color;
+  options.steps = 0;
+  options.samples = 1;
+  const Size size = GENERATE(Size{800, 600}, Size{1280, 720});
+  options.width = size.width;
+  options.height = size.height;
+  Headless picture(options);
+  picture.draw();
+  const auto legend = legend_box({0, 0, static_cast<float>(size.width), static_cast<float>(size.height)}, picture.session());
+  REQUIRE(legend);
+  const Eigen::Vector2d seen = columns(picture.session(), size.width, size.height);
+  CAPTURE(name, color, size.width, legend->left, seen.transpose());
+  CHECK(seen.x() >= 0);
+  CHECK(seen.y() <= legend->left);
+}
+
+TEST_CASE("a comparison frames the body in both halves alike, clear of the bar", "[framing]") {
+  const std::string name = GENERATE("liver", "beam", "inclusion");
+  const std::string color = GENERATE("none", "von_mises");
+  Graphics graphics = open_graphics(headless(), false);
+  const Scene scene = scene_of(name, color);
+  Session a(graphics, scene, false);
+  SplitView split(graphics, a, scene, build_model(scene));
+  for (const Size size : {Size{800, 600}, {1280, 720}, {402, 600}})
+    for (const Margins margins : {Margins{}, {0, 130}, {180, 0}, {180, 130}}) {
+      if (margins.right > 0 && color == "none") continue;
+      Framebuffer framebuffer(size.width, size.height, 1);
+      split.draw(a, framebuffer, margins, {});
+      const std::array<SplitView::Area, 2> areas = SplitView::areas(size.width, margins);
+      const Eigen::Vector2d in_a = columns(a, areas[0].width, size.height), in_b = columns(split.b(), areas[1].width, size.height);
+      CAPTURE(name, color, size.width, size.height, margins.left, margins.right, areas[0].width, in_a.transpose(), in_b.transpose());
+      CHECK(areas[1].x + areas[1].width <= size.width);
+      CHECK(std::abs(areas[1].width - areas[0].width - margins.right) <= 1);
+      CHECK(in_a.x() >= 0);
+      CHECK(in_a.y() <= areas[0].width);
+      CHECK(in_b.x() == Approx(in_a.x()).margin(0.01));
+      CHECK(in_b.y() == Approx(in_a.y()).margin(0.01));
+    }
+}
+
+TEST_CASE("what is framed anew fills the room beside the bar", "[framing]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Session session(graphics, scene_of("liver", "von_mises"), false);
+  session.camera.zoom(4);
+  const Frame frame{1000, 700, {300, 150}};
+  const double room = frame.width - frame.margins.left - frame.margins.right;
+  frame_picture(session.camera, session.extent, frame);
+  session.frame_bodies(1000.0 / 700, {room / 1000, 1});
+  frame_picture(session.camera, session.extent, frame);
+  const Eigen::Vector2d seen = columns(session, frame.width, frame.height);
+  CAPTURE(seen.transpose(), session.camera.reach);
+  CHECK(seen.x() >= frame.margins.left);
+  CHECK(seen.y() <= frame.width - frame.margins.right);
+  CHECK(seen.y() - seen.x() > 0.7 * room);
+}

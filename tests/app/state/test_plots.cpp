@@ -1,0 +1,85 @@
+// What plots are made of: the samples kept, the marks of an axis, the table.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "sim/output/sample_history.h"
+#include "app/ui/ticks.h"
+#include "base/file.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+Sample at(double time) {
+  Sample sample;
+  sample.time = time;
+  return sample;
+}
+
+}  // namespace
+
+TEST_CASE("samples are in the order of time, and time that goes back takes what was later away") {
+  SampleHistory history;
+  CHECK(history.nearest(1) == nullptr);
+  for (int i = 0; i < 10; ++i) history.add(at(0.1 * i));
+  history.add(at(0.45));
+  REQUIRE(history.all().size() == 6);
+  CHECK(history.all().back().time == 0.45);
+  CHECK(history.nearest(0.21)->time == Approx(0.2));
+  CHECK(history.nearest(-3)->time == 0);
+  CHECK(history.nearest(3)->time == 0.45);
+  const auto part = history.between(0.15, 0.25);  // 0.2, and one at each side
+  REQUIRE(part.size() == 3);
+  CHECK(part.front().time == Approx(0.1));
+  CHECK(part.back().time == Approx(0.3));
+  CHECK(history.between(5, 6).size() == 1);
+  history.add(at(0));
+  CHECK(history.all().size() == 1);
+}
+
+TEST_CASE("a long session forgets its oldest samples") {
+  SampleHistory history;
+  const auto many = static_cast<int>(SampleHistory::kMost) + 5;
+  for (int i = 0; i < many; ++i) history.add(at(i));
+  CHECK(history.all().size() <= SampleHistory::kMost);
+  CHECK(history.all().back().time == many - 1);
+  CHECK(history.all().front().time == static_cast<double>(SampleHistory::kMost / 2));
+}
+
+TEST_CASE("axes have round marks, not too many, told apart by their digits") {
+  for (const auto& [low, high] : {std::pair{0.0, 1.0}, {-3.7e-5, 8.1e-5}, {0.99991, 1.00012}, {12345.0, 12399.0}, {-2e9, 1e3}})
+    for (const int most : {2, 4, 9}) {
+      CAPTURE(low, high, most);
+      const Ticks ticks = linear_ticks(low, high, most);
+      REQUIRE(!ticks.values.empty());
+      CHECK(ticks.values.size() <= static_cast<std::size_t>(most) + 1);
+      CHECK(ticks.values.front() >= low - 1e-9 * (high - low));
+      CHECK(ticks.values.back() <= high + 1e-9 * (high - low));
+      for (std::size_t i = 0; i + 1 < ticks.values.size(); ++i) {
+        char a[32], b[32];
+        std::snprintf(a, sizeof a, "%.*g", ticks.digits, ticks.values[i]);
+        std::snprintf(b, sizeof b, "%.*g", ticks.digits, ticks.values[i + 1]);
+        CHECK(std::string(a) != b);
+      }
+      if (ticks.values.size() < 2) continue;
+      const double step = ticks.values[1] - ticks.values[0], digit = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
+      CAPTURE(step);
+      CHECK((std::abs(digit - 1) < 1e-6 || std::abs(digit - 2) < 1e-6 || std::abs(digit - 5) < 1e-6));
+    }
+  CHECK(decade_ticks(1e-6, 1, 4).values == std::vector<double>{1e-6, 1e-4, 1e-2, 1});
+  CHECK(decade_ticks(2e-3, 5e-3, 4).values.empty());
+}
+
+TEST_CASE("a table of samples has notes, names with units, and nothing where nothing is known") {
+  const TemporaryFolder folder;
+  Sample sample = at(0.1);
+  sample.kinetic = 1.0 / 3;
+  write_samples(folder / "t.csv", std::vector<Sample>{sample}, Model(), {{"Title", "A\n  B"}}, 7);
+  const std::string text = read_file(folder / "t.csv");
+  CAPTURE(text);
+  CHECK(text.rfind("# Title: AB\n# Probe: vertex 7\nstep,time_s,kinetic_J,", 0) == 0);
+  CHECK_THAT(text, Catch::Contains("\n0,0.1,0.3333333333333333,0,0,0.3333333333333333,1,"));
+  CHECK(text.substr(text.size() - 8) == ",,,,,,,\n");
+}

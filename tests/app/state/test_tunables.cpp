@@ -1,0 +1,174 @@
+// Undo and redo of what users turn, and regions that get a material of their own while the scene runs.
+#include <catch2/catch.hpp>
+
+#include "app/state/undo_history.h"
+#include "app/session/graphics.h"
+#include "base/file.h"
+#include "sim/grab/build_model.h"
+#include "tests/support/headless.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+Dials plain() {
+  Dials dials;
+  dials.materials.push_back({Material{}, {{"core", MaterialOverride{}}}});
+  return dials;
+}
+
+double largest_difference(const State& a, const State& b) {
+  double largest = 0;
+  for (std::size_t v = 0; v < a.displacement.size(); ++v) largest = std::max(largest, (a.displacement[v] - b.displacement[v]).norm());
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("changes are named with their values, as people read them") {
+  const Dials before = plain();
+  Dials after = before;
+  CHECK(changes(before, after).empty());
+  after.solver.iterations = 40;
+  after.materials[0].material.young_modulus = 2e4;
+  after.materials[0].region_materials[0].second.density = 1500;
+  after.gravity.y() = -1.62;
+  after.display.wireframe = true;
+  after.grab.grip = 5;
+  const std::vector<std::string> lines = changes(before, after);
+  const auto has = [&](const std::string& line) { return std::count(lines.begin(), lines.end(), line) == 1; };
+  CAPTURE(lines);
+  CHECK(has("Iterations: 10 to 40"));
+  CHECK(has("Young's modulus, default: 100 kPa to 20 kPa"));
+  CHECK(has("Young's modulus, core: 100 kPa to 20 kPa"));  // it follows the default
+  CHECK(has("Density, core: 1000 kg/m^3 to 1500 kg/m^3"));
+  CHECK(has("Gravity y: 0 m/s^2 to -1.62 m/s^2"));
+  CHECK(has("Wireframe: false to true"));
+  CHECK(has("Grip: 3 to 5"));
+  CHECK(lines.size() == 7);
+
+  INFO("a difference that three digits do not show");
+  after = before;
+  after.materials[0].region_materials[0].second.young_modulus = 100001;
+  CHECK(changes(before, after) == std::vector<std::string>{"Young's modulus, core: 100 kPa to 100.001 kPa"});
+  INFO("a region with a material of its own");
+  after = before;
+  after.materials[0].region_materials.clear();
+  CHECK(changes(after, before) == std::vector<std::string>{"A material of its own, core"});
+  CHECK(changes(before, after) == std::vector<std::string>{"The default material, core"});
+}
+
+TEST_CASE("every change is one entry, taken back and done again in its order") {
+  DialHistory history;
+  std::vector<Dials> states{plain()};
+  history.restart(states[0]);
+  CHECK_FALSE(history.can_undo());
+  for (int i = 1; i <= 4; ++i) {
+    Dials next = states.back();
+    next.solver.iterations += i;
+    states.push_back(next);
+    history.follow(next);
+    history.follow(next);  // nothing new
+  }
+  CHECK(history.entries().size() == 4);
+  for (int i = 3; i >= 1; --i) {
+    const Dials back = history.undo();
+    CHECK(back == states[i]);
+    history.accept(back);
+  }
+  CHECK(history.redone_next().text == "Iterations: 11 to 13");
+  const Dials again = history.redo();
+  CHECK(again == states[2]);
+  history.accept(again);
+  history.follow(again);
+  CHECK(history.can_redo());
+
+  INFO("a new change ends what could be done again");
+  Dials other = again;
+  other.gravity.x() = 1;
+  history.follow(other);
+  CHECK_FALSE(history.can_redo());
+  CHECK(history.entries().size() == 3);
+
+  INFO("what a replay changes is nobody's entry");
+  Dials replayed = other;
+  replayed.solver.substeps = 3;
+  history.accept(replayed);
+  history.follow(replayed);
+  CHECK(history.entries().size() == 3);
+
+  INFO("the oldest go");
+  for (int i = 0; i < 300; ++i) {
+    replayed.solver.iterations = 50 + i % 7;
+    history.follow(replayed);
+  }
+  CHECK(history.entries().size() == DialHistory::kMostEntries);
+  while (history.can_undo()) history.accept(history.undo());
+}
+
+TEST_CASE("a session is turned and taken back to the bit, region by region, while it runs") {
+  Graphics graphics = open_graphics(headless(), false);
+  const Scene scene = open_scene(source_dir() / "assets/scenes/inclusion.json");
+  Session session(graphics, scene, false);
+  Simulation& simulation = session.simulation;
+  GrabSettings grab;
+  const Dials opened = dials_of(session, grab);
+  for (int i = 0; i < 3; ++i) simulation.step();
+
+  Dials turned = opened;
+  REQUIRE(turned.materials[0].region_materials.size() == 1);
+  turned.materials[0].material.young_modulus *= 3;
+  turned.materials[0].region_materials.clear();  // the region has the default again
+  turned.solver.iterations = 7;
+  turned.gravity = {1, -2, 3};
+  turned.display.color = ColorBy::strain;
+  turned.grab.grip = 9;
+  const State before = simulation.state();
+  set_dials(session, grab, turned);
+  CHECK(dials_of(session, grab) == turned);
+  CHECK(simulation.model.materials.size() == 1);
+  CHECK(simulation.gpu()->color() == ColorBy::strain);
+  CHECK(largest_difference(before, simulation.state()) == 0);  // the state stays
+  CHECK(simulation.time() == Approx(3 * scene.solver.time_step));
+  for (int i = 0; i < 2; ++i) simulation.step();
+  CHECK_FALSE(simulation.check_now());
+
+  set_dials(session, grab, opened);
+  CHECK(dials_of(session, grab) == opened);
+  CHECK(simulation.model.materials == build_model(scene).materials);
+  CHECK(simulation.model.tet_material == build_model(scene).tet_material);
+  simulation.step();
+  CHECK_FALSE(simulation.check_now());
+
+  INFO("from the start it is the scene that was opened, to the bit");
+  simulation.reset();
+  Session fresh(graphics, scene, false);
+  for (int i = 0; i < 4; ++i) {
+    simulation.step();
+    fresh.simulation.step();
+  }
+  CHECK(largest_difference(simulation.state(), fresh.simulation.state()) == 0);
+}
+
+TEST_CASE("an entry that names no region changes nothing") {
+  Graphics graphics = open_graphics(headless(), false);
+  Session session(graphics, open_scene(source_dir() / "assets/scenes/inclusion.json"), false);
+  std::vector<MaterialEntries> entries = dials_of(session, {}).materials;
+  entries[0].region_materials.emplace_back("nowhere", MaterialOverride{});
+  const Dials before = dials_of(session, {});
+  CHECK_THROWS_WITH(session.simulation.set_material_entries(entries), Catch::Contains("nowhere"));
+  CHECK(dials_of(session, {}) == before);
+}
+
+TEST_CASE("a uniform scene whose regions are made alike reads no material per tet") {
+  Graphics graphics = open_graphics(headless(), false);
+  Session session(graphics, open_scene(source_dir() / "assets/scenes/inclusion.json"), false);
+  CHECK(session.simulation.gpu()->buffers().material_per_tet());
+  Dials dials = dials_of(session, {});
+  dials.materials[0].region_materials.clear();
+  GrabSettings grab;
+  set_dials(session, grab, dials);
+  CHECK_FALSE(session.simulation.gpu()->buffers().material_per_tet());
+}

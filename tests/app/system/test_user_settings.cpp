@@ -1,0 +1,88 @@
+// What the window remembers of its user: read and written exactly, and never a reason not to start.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "app/system/user_files.h"
+#include "app/system/user_settings.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+TEST_CASE("user settings survive a round trip, and a missing file is a new user") {
+  const TemporaryFolder folder;
+  CHECK(read_user_settings(folder / "none.json") == UserSettings());
+  UserSettings settings;
+  settings.recent = {"/a/b c.json", "/d/\xc3\xa9.msh"};
+  settings.folder = "/a";
+  settings.hints_done = {"grab"};
+  settings.welcomed = settings.light = true;
+  write_user_settings(folder / "deep/settings.json", settings);
+  CHECK(read_user_settings(folder / "deep/settings.json") == settings);
+}
+
+TEST_CASE("recent files: the latest first, each once, not too many") {
+  UserSettings settings;
+  for (int i = 0; i < 20; ++i) settings.opened("/meshes/" + std::to_string(i) + ".msh");
+  REQUIRE(settings.recent.size() == UserSettings::kMostRecent);
+  CHECK(settings.recent.front() == "/meshes/19.msh");
+  settings.opened("/meshes/x/../15.msh");
+  CHECK(settings.recent.size() == UserSettings::kMostRecent);
+  CHECK(settings.recent.front() == "/meshes/15.msh");
+  CHECK(std::count(settings.recent.begin(), settings.recent.end(), "/meshes/15.msh") == 1);
+  settings.opened("here.json");
+  CHECK(settings.recent.front() == std::filesystem::current_path() / "here.json");
+}
+
+TEST_CASE("broken settings are told of, kept aside and replaced") {
+  const TemporaryFolder folder;
+  const std::string broken = GENERATE(as<std::string>(), "{", "[]", "{\"fascia_settings\": 2}", "{\"fascia_settings\": 1, \"recent\": 3}",
+                                      "{\"fascia_settings\": 1, \"recent\": [3]}", "{\"fascia_settings\": 1, \"colour\": \"red\"}",
+                                      "{\"fascia_settings\": 1, \"welcomed\": \"yes\"}", "{\"fascia_settings\": 1, \"folder\": []}",
+                                      "{\"fascia_settings\": 1, \"theme\": \"red\"}", "\xff\xfe");
+  CAPTURE(broken);
+  write_file(folder / "settings.json", broken);
+  CHECK_THROWS_AS(read_user_settings(folder / "settings.json"), Error);
+  UserStore store(folder.path());
+  CHECK_THAT(store.complaint(), Catch::Contains("settings.json") && Catch::Contains("expected"));
+  CHECK(store.now() == UserSettings());
+  store.change([](UserSettings& settings) { settings.opened("/a.msh"); });
+  CHECK(read_file(folder / "settings.json.broken") == broken);
+  CHECK(read_user_settings(folder / "settings.json").recent.size() == 1);
+}
+
+TEST_CASE("two windows do not lose each other's recent files") {
+  const TemporaryFolder folder;
+  UserStore one(folder.path()), two(folder.path());
+  one.change([](UserSettings& settings) { settings.opened("/one.msh"); });
+  two.change([](UserSettings& settings) { settings.opened("/two.msh"); });
+  CHECK(read_user_settings(folder / "settings.json").recent == std::vector<std::filesystem::path>{"/two.msh", "/one.msh"});
+}
+
+TEST_CASE("settings that cannot be written are told of once and do no harm") {
+  const TemporaryFolder folder;
+  write_file(folder / "file", "no folder");
+  UserStore store(folder / "file");
+  store.change([](UserSettings& settings) { settings.opened("/a.msh"); });
+  CHECK_FALSE(store.complaint().empty());
+  CHECK(store.now().recent.size() == 1);
+  UserStore nowhere((std::filesystem::path()));
+  nowhere.change([](UserSettings& settings) { settings.welcomed = true; });
+  CHECK(nowhere.now().welcomed);
+  CHECK(nowhere.complaint().empty());
+}
+
+TEST_CASE("the user's folders follow the environment, and only absolute paths in it") {
+  const char* before = std::getenv("XDG_CONFIG_HOME");
+  const std::string kept = before ? before : "";
+  setenv("XDG_CONFIG_HOME", "/somewhere", 1);
+  CHECK(config_folder() == "/somewhere/fascia");
+  setenv("XDG_CONFIG_HOME", "relative", 1);
+  CHECK(config_folder() == std::filesystem::path(std::getenv("HOME") ? std::getenv("HOME") : "") / ".config/fascia");
+  if (before)
+    setenv("XDG_CONFIG_HOME", kept.c_str(), 1);
+  else
+    unsetenv("XDG_CONFIG_HOME");
+}

@@ -1,0 +1,128 @@
+# Which folder may include from which: a row a folder, and beside its own files those of the folders after the colon. An include that is not
+# in the table fails and names the row. The table has no circle, so that each folder can be understood, and built, on what lies below it.
+# Called with -DSOURCE_DIR=<source tree>.
+cmake_minimum_required(VERSION 3.25)
+set(arrows
+  "base: "
+  "base/json: base"
+  "gl: base"
+  "sim/coarse: sim/model"
+  "sim/gpu: base gl sim/gpu/acceleration sim/gpu/methods sim/gpu/passes sim/gpu/readback sim/model sim/reference"
+  "sim/gpu/acceleration: gl sim/gpu/passes sim/scene/settings"
+  "sim/gpu/methods: sim/coarse sim/gpu/acceleration sim/gpu/passes sim/ordering"
+  "sim/gpu/passes: base gl shaders/shared sim/mesh sim/model sim/ordering sim/scene/settings"
+  "sim/gpu/readback: gl shaders/shared sim/gpu/passes sim/model sim/surface"
+  "sim/grab: base sim/mesh sim/model sim/scene sim/surface sim/visual"
+  "sim/material: "
+  "sim/mesh: base"
+  "sim/mesh/io: base sim/mesh"
+  "sim/mesh/io/gmsh: base sim/mesh/io"
+  "sim/mesh/io/vtk: base sim/mesh sim/mesh/io"
+  "sim/model: base sim/material sim/mesh sim/mesh/io sim/scene sim/scene/settings sim/surface"
+  "sim/ordering: sim/mesh sim/model"
+  "sim/output: base sim/mesh sim/mesh/io sim/mesh/io/vtk sim/model sim/scene sim/simulation"
+  "sim/reference: base sim/material sim/model sim/scene/settings"
+  "sim/replay: base base/json sim/grab sim/model sim/scene"
+  "sim/scene: base base/json sim/material sim/scene/settings sim/surface"
+  "sim/scene/settings: base sim/material"
+  "sim/simulation: base sim/gpu sim/gpu/passes sim/grab sim/model sim/reference sim/replay sim/scene"
+  "sim/surface: base sim/mesh sim/mesh/io"
+  "sim/visual: base sim/mesh sim/model"
+  "render: gl render/passes render/target render/view"
+  "render/context: base gl"
+  "render/passes: base gl render/target render/view"
+  "render/target: base gl"
+  "render/view: base shaders/shared"
+  "app: base app/cli app/commands app/session"
+  "app/bench: base gl sim/gpu sim/grab sim/mesh sim/mesh/io sim/model sim/output sim/reference sim/replay render/target app/session app/system"
+  "app/bench/accuracy: base sim/mesh sim/reference sim/scene/settings app/bench app/ui"
+  "app/bench/figures: sim/gpu sim/grab render/target render/view app/bench app/system app/ui"
+  "app/check: base base/json render app/cli app/golden app/headless app/system"
+  "app/cli: base base/json sim/material sim/scene sim/scene/settings app/golden"
+  "app/commands: base sim/grab sim/material sim/mesh sim/model sim/ordering sim/output sim/reference sim/scene sim/simulation sim/surface render app/bench app/bench/accuracy app/check app/cli app/golden app/headless app/session app/stress app/system app/video app/window"
+  "app/compare: base gl sim/material app/overlay app/panels app/session app/state app/ui"
+  "app/dialogs: base gl render/target app/session app/state app/system app/ui"
+  "app/golden: base base/json sim/model sim/output sim/reference render/target"
+  "app/headless: base gl shaders/shared sim/output sim/replay sim/simulation render app/cli app/compare app/golden app/overlay app/panels app/session app/video"
+  "app/overlay: sim/grab render/passes app/panels app/session app/ui"
+  "app/panels: base gl sim/material sim/replay render/view app/session app/state app/system app/ui"
+  "app/session: base base/json gl sim/gpu/readback sim/grab sim/mesh sim/model sim/output sim/replay sim/scene sim/scene/settings sim/simulation sim/visual render render/context render/target render/view app/cli app/system app/ui"
+  "app/state: sim/gpu/readback sim/grab sim/material sim/mesh sim/model sim/output sim/scene sim/simulation app/session app/ui app/video"
+  "app/stress: base sim/grab sim/mesh sim/mesh/io sim/model sim/replay sim/simulation app/bench app/system"
+  "app/system: base"
+  "app/ui: sim/output"
+  "app/video: base sim/output sim/replay sim/scene render/target app/cli app/system"
+  "app/window: base gl shaders/shared sim/grab sim/output sim/replay sim/scene sim/simulation sim/visual render render/target app/cli app/compare app/dialogs app/overlay app/panels app/session app/state app/system app/ui app/video"
+)
+
+set(rooms)
+foreach(row IN LISTS arrows)
+  string(REGEX MATCH "^[^:]+" room "${row}")
+  string(REGEX REPLACE "^[^:]+: ?" "" allowed "${row}")
+  string(REPLACE " " ";" allowed "${allowed}")
+  list(APPEND rooms ${room})
+  set(allowed_${room} ${allowed})
+endforeach()
+
+file(GLOB_RECURSE sources RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/base/*.h ${SOURCE_DIR}/base/*.cpp ${SOURCE_DIR}/gl/*.h ${SOURCE_DIR}/gl/*.cpp
+     ${SOURCE_DIR}/sim/*.h ${SOURCE_DIR}/sim/*.cpp ${SOURCE_DIR}/render/*.h ${SOURCE_DIR}/render/*.cpp ${SOURCE_DIR}/app/*.h ${SOURCE_DIR}/app/*.cpp)
+set(used)
+set(count 0)
+foreach(source IN LISTS sources)
+  cmake_path(GET source PARENT_PATH room)
+  if(NOT room IN_LIST rooms)
+    message(SEND_ERROR "${source}: its folder has no row in tests/include_arrows.cmake")
+    continue()
+  endif()
+  math(EXPR files_${room} "0${files_${room}} + 1")
+  file(STRINGS ${SOURCE_DIR}/${source} includes REGEX "^[ \t]*#[ \t]*include[ \t]+\"")
+  foreach(line IN LISTS includes)
+    string(REGEX REPLACE ".*\"([^\"]*)\".*" "\\1" target "${line}")
+    cmake_path(GET target PARENT_PATH from)
+    math(EXPR count "${count} + 1")
+    if(from STREQUAL room)
+      continue()
+    endif()
+    if(NOT from IN_LIST allowed_${room})
+      message(SEND_ERROR "${source}: includes ${target}; the row \"${room}:\" of tests/include_arrows.cmake does not allow \"${from}\"")
+    endif()
+    list(APPEND used "${room}>${from}")
+  endforeach()
+endforeach()
+list(REMOVE_DUPLICATES used)
+
+foreach(room IN LISTS rooms)
+  if(NOT files_${room})
+    message(SEND_ERROR "${room}: has a row in tests/include_arrows.cmake and no sources")
+  elseif(files_${room} GREATER 25)
+    message(SEND_ERROR "${room}: ${files_${room}} files; expected at most 25 in a folder")
+  endif()
+  foreach(from IN LISTS allowed_${room})
+    if(NOT "${room}>${from}" IN_LIST used)
+      message(SEND_ERROR "the row \"${room}:\" of tests/include_arrows.cmake allows \"${from}\", which nothing there includes")
+    endif()
+  endforeach()
+endforeach()
+
+# Folders that include nothing but what is below them go, one after another; what is left lies on a circle.
+set(left ${rooms})
+set(before)
+while(NOT "${left}" STREQUAL "${before}")
+  set(before ${left})
+  foreach(room IN LISTS before)
+    set(lowest TRUE)
+    foreach(from IN LISTS allowed_${room})
+      if(from IN_LIST left)
+        set(lowest FALSE)
+      endif()
+    endforeach()
+    if(lowest)
+      list(REMOVE_ITEM left ${room})
+    endif()
+  endforeach()
+endwhile()
+if(left)
+  message(SEND_ERROR "tests/include_arrows.cmake has a circle among ${left}")
+endif()
+list(LENGTH rooms rooms_count)
+message(STATUS "${rooms_count} folders, ${count} includes, no circle")

@@ -1,0 +1,215 @@
+// Every kernel that all methods share, alone, against the same pass in double precision on random states.
+// Tolerances: one or a few float32 operations per output, 6e-8 each; sums of n terms grow it by at most n.
+#include <Eigen/Eigenvalues>
+#include <catch2/catch.hpp>
+
+#include "sim/ordering/morton_order.h"
+#include "sim/gpu/solver.h"
+#include "sim/reference/elasticity.h"
+#include "tests/support/gpu/bars.h"
+#include "tests/support/gpu/double_xpbd.h"
+#include "tests/support/gpu/gpu_fixture.h"
+
+using namespace fascia;
+using namespace fascia::test;
+using Eigen::Vector3d;
+using shared::vec4;
+
+namespace {
+
+std::vector<Vector3d> unpack(const gl::Buffer& buffer) {
+  std::vector<Vector3d> out;
+  for (const vec4& v : buffer.read<vec4>()) out.emplace_back(v.x, v.y, v.z);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("predict adds velocity and gravity to free vertices only", "[gpu]") {
+  const bool split = GENERATE(false, true);
+  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
+  Gpu gpu(loads);
+  const Model model = block();
+  SimBuffers buffers(model);
+  SolverSettings settings;
+  settings.time_step = 1.0 / 90;
+  const double h = settings.substep();
+  buffers.upload_step(model, settings);
+  const State state = random_state(model, 0.01, 1);
+  buffers.upload_state(model, state);
+  prediction(gpu.programs, buffers, split ? &buffers.tet_begin : nullptr).run();
+  const std::vector<char> held = model.held();
+  const std::vector<double> mass = lumped_masses(model);
+  std::vector<Vector3d> expected = state.displacement;
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    if (!held[i]) expected[i] += h * (state.velocity[i] + h * model.gravity);
+  CHECK(relative_rms(unpack(buffers.displacement), expected) < 3e-7);
+  CHECK(relative_rms(unpack(buffers.predicted), expected) < 3e-7);
+  CHECK(relative_rms(unpack(buffers.previous_displacement), state.displacement) == 0);
+  const std::vector<vec4> values = buffers.displacement.read<vec4>(), predicted = buffers.predicted.read<vec4>();
+  std::vector<int> valence(values.size(), 0);
+  for (const Tet& tet : model.tets)
+    for (const auto v : tet) ++valence[v];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    CAPTURE(i);
+    CHECK(predicted[i].w == Approx(held[i] ? 0 : 1 / mass[i]).epsilon(1e-6));
+    CHECK(values[i].w == Approx(held[i] ? 0 : (split ? valence[i] : 1) / mass[i]).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("velocity is the change of displacement over the substep", "[gpu]") {
+  Gpu gpu;
+  const Model model = block();
+  SimBuffers buffers(model);
+  const SolverSettings settings;
+  const double h = settings.substep();
+  buffers.upload_step(model, settings);
+  const State now = random_state(model, 0.01, 1), before = random_state(model, 0.01, 2);
+  buffers.upload_state(model, before);
+  const std::vector<vec4> previous = buffers.displacement.read<vec4>();
+  buffers.previous_displacement.upload(0, buffers.previous_displacement.bytes(), previous.data());
+  buffers.upload_state(model, now);
+  gl::ComputePass(gpu.programs.compute("sim/step/velocity.comp"),
+                  {{"step", &buffers.step},
+                   {"displacement", &buffers.displacement},
+                   {"previous_displacement", &buffers.previous_displacement},
+                   {"predicted", &buffers.predicted},
+                   {"velocity", &buffers.velocity},
+                   {"astray", &buffers.astray}},
+                  buffers.vertex_count)
+      .run();
+  std::vector<Vector3d> expected;
+  for (std::size_t i = 0; i < now.displacement.size(); ++i)
+    expected.push_back((now.displacement[i] - before.displacement[i]) / h);
+  CHECK(relative_rms(unpack(buffers.velocity), expected) < 3e-7);
+}
+
+TEST_CASE("previous strain is the Green strain of the start of the substep", "[gpu]") {
+  Gpu gpu;
+  const Model model = block();
+  SimBuffers buffers(model);
+  const State state = random_state(model, 0.004, 6);
+  buffers.upload_state(model, state);
+  const std::vector<vec4> u = buffers.displacement.read<vec4>();
+  buffers.previous_displacement.upload(0, buffers.previous_displacement.bytes(), u.data());
+  const gl::Buffer strain("strain", 2 * sizeof(vec4) * buffers.tet_count);
+  gl::ComputePass(gpu.programs.compute("sim/step/previous_strain.comp"),
+                  with_pairs({{"previous_displacement", &buffers.previous_displacement}, {"previous_strain", &strain}}, buffers),
+                  buffers.pair_and_single_count(), constants_of_pairs(buffers))
+      .run();
+  const DoubleXpbd exact(model, {});
+  std::vector<Vector3d> expected;
+  for (const std::uint32_t t : paired_tets(model).order) {
+    const Vector6d e = exact.strain(t, state.displacement);
+    expected.push_back(e.head<3>());
+    expected.push_back(e.tail<3>());
+  }
+  CHECK(relative_rms(unpack(strain), expected) < 1e-6);
+}
+
+TEST_CASE("published positions and heat map scalars", "[gpu]") {
+  const auto color = GENERATE(ColorBy::none, ColorBy::region, ColorBy::strain, ColorBy::von_mises, ColorBy::displacement, ColorBy::velocity,
+                              ColorBy::volume_ratio, ColorBy::largest_stress, ColorBy::smallest_stress);
+  const auto law = GENERATE(MaterialModel::st_venant_kirchhoff, MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean);
+  Gpu gpu;
+  Model model = block();
+  model.materials[0].model = law;
+  GpuSolver solver(gpu.programs, model, {});
+  const State state = random_state(model, 0.002, 5);
+  solver.upload(state);
+  solver.set_color(color);
+  solver.publish();
+  const std::vector<vec4> got = solver.positions().read<vec4>();
+  // Of each tet, in double precision.
+  const auto value_of = [&](const Tet& tet) {
+    const auto& x = model.rest_positions;
+    const auto& u = state.displacement;
+    const reference::RestTet rest({x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]});
+    const reference::Corners corners{u[tet[0]], u[tet[1]], u[tet[2]], u[tet[3]]};
+    const Eigen::Matrix3d f = reference::deformation_gradient(rest, corners);
+    if (color == ColorBy::strain) return reference::green_strain_matrix(rest, corners).norm();
+    if (color == ColorBy::von_mises) return reference::von_mises(f, model.materials[0]);
+    if (color == ColorBy::volume_ratio) return f.determinant();
+    const Eigen::Matrix3d cauchy = reference::first_piola_stress(f, model.materials[0]) * f.transpose() / std::abs(f.determinant());
+    const Vector3d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(0.5 * (cauchy + cauchy.transpose())).eigenvalues();
+    return color == ColorBy::largest_stress ? principal[2] : principal[0];
+  };
+  std::vector<double> weight(got.size(), 0), scalar(got.size(), 0);
+  double size = 0;  // of the values, for those that nearly cancel
+  for (const Tet& tet : model.tets) {
+    const auto& x = model.rest_positions;
+    const double volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6, value = value_of(tet);
+    size = std::max(size, std::abs(value));
+    for (const auto v : tet) {
+      weight[v] += volume;
+      scalar[v] += volume * value;
+    }
+  }
+  Eigen::Vector2d range(1e300, -1e300);
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    const Vector3d expected = model.rest_positions[i] + state.displacement[i];
+    CAPTURE(color, law, i, got[i].x, got[i].y, got[i].z, got[i].w, expected.transpose());
+    CHECK((Vector3d(got[i].x, got[i].y, got[i].z) - expected).norm() < 2e-8);
+    double shown = scalar[i] / weight[i];
+    if (!is_heat_map(color)) shown = 0;
+    if (color == ColorBy::displacement) shown = state.displacement[i].norm();
+    if (color == ColorBy::velocity) shown = state.velocity[i].norm();
+    // Stresses cancel in F S F^T and are divided by J, which is small in some tets here.
+    const double margin = color == ColorBy::largest_stress || color == ColorBy::smallest_stress ? 1e-5 * size : 0;
+    CHECK(got[i].w == Approx(shown).epsilon(1e-5).margin(margin));
+    range = {std::min<double>(range.x(), got[i].w), std::max<double>(range.y(), got[i].w)};
+  }
+  CHECK((solver.shown_range() != nullptr) == is_heat_map(color));
+  if (!solver.shown_range()) return;
+  solver.shown_range()->request();
+  const auto found = solver.shown_range()->take(true);
+  REQUIRE(found);
+  CHECK(*found == range);
+  CHECK(!solver.shown_range()->take(true));
+}
+
+TEST_CASE("principal stresses keep their digits where two are equal", "[gpu]") {
+  // One tet stretched along an axis that is none of the coordinates': uniaxial strain, two equal smaller stresses.
+  Gpu gpu;
+  TetMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.tets = {{0, 1, 2, 3}};
+  mesh.regions = {0};
+  const Model model = make_model(mesh, soft, [](const Vector3d&) { return false; });
+  GpuSolver solver(gpu.programs, model, {});
+  const Vector3d axis = Vector3d(1, 2, -0.5).normalized();
+  const double stretch = 0.25, strain = stretch + 0.5 * stretch * stretch, ratio = 1 + stretch;
+  State state = initial_state(model);
+  for (std::size_t i = 0; i < 4; ++i) state.displacement[i] = stretch * axis * axis.dot(mesh.positions[i]);
+  solver.upload(state);
+  const double lambda = soft.young_modulus * soft.poisson_ratio / ((1 + soft.poisson_ratio) * (1 - 2 * soft.poisson_ratio));
+  const double mu = soft.young_modulus / (2 * (1 + soft.poisson_ratio));
+  const double along = (lambda + 2 * mu) * strain * ratio, across = lambda * strain / ratio;
+  const auto shown = [&](ColorBy color) {
+    solver.set_color(color);
+    solver.publish();
+    return static_cast<double>(solver.positions().read<vec4>()[0].w);
+  };
+  CHECK(shown(ColorBy::largest_stress) == Approx(along).epsilon(2e-6));
+  CHECK(shown(ColorBy::smallest_stress) == Approx(across).epsilon(2e-6));
+  CHECK(shown(ColorBy::volume_ratio) == Approx(ratio).epsilon(1e-6));
+}
+
+TEST_CASE("prescribed vertices follow their motion exactly", "[gpu]") {
+  Gpu gpu;
+  Model model = block();
+  Motion motion;
+  motion.vertices = {30, 31, 32};
+  motion.translate = {0.01, 0.02, -0.01};
+  motion.start = 0.05;
+  motion.duration = 0.1;
+  model.motions = {motion};
+  GpuSolver solver(gpu.programs, model, {});
+  for (int step = 1; step <= 12; ++step) {
+    solver.step();
+    const State state = solver.download();
+    const double share = std::clamp((step / 60.0 - 0.05) / 0.1, 0.0, 1.0);
+    CAPTURE(step, share, state.displacement[31].transpose());
+    CHECK((state.displacement[31] - share * motion.translate).norm() < 1e-8);
+  }
+}

@@ -1,0 +1,187 @@
+// Regions at rest are left out of most steps; what comes out is what whole steps make, within a small part of the scene's size.
+#include <catch2/catch.hpp>
+
+#include "sim/gpu/solver.h"
+#include "tests/support/gpu/bars.h"
+#include "tests/support/gpu/gpu_fixture.h"
+
+using namespace fascia;
+using namespace fascia::test;
+using Eigen::Vector3d;
+
+namespace {
+
+// A flat sheet of 4,800 tets, held along its long sides, so that what happens at one end hardly reaches the other.
+Model sheet(double damping) {
+  Model model = make_model(make_box(40, 10, 2, {0.8, 0.2, 0.04}), tissue(damping),
+                           [](const Vector3d& x) { return x.y() < 1e-9 || x.y() > 0.2 - 1e-9; });
+  model.gravity = {0, 0, -9.81};
+  return model;
+}
+
+// Two bars side by side, each clamped at its end: 4,608 tets.
+Model two_stiff_bars() {
+  return two_bars(24, 0.6, {2e6, 0.4, 1000, 0.1, MaterialModel::st_venant_kirchhoff});  // at rest under its weight after 2 s
+}
+
+std::uint32_t vertex_at(const Model& model, const Vector3d& place) {
+  std::uint32_t nearest = 0;
+  for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
+    if ((model.rest_positions[v] - place).norm() < (model.rest_positions[nearest] - place).norm()) nearest = v;
+  return nearest;
+}
+
+}  // namespace
+
+TEST_CASE("a poke into a resting sheet moves it as whole steps do", "[gpu]") {
+  struct Case {
+    Acceleration acceleration;
+    double damping, rest_speed, largest_share;
+  };
+  const Case with_case = GENERATE(Case{Acceleration::subspace, 0, 1e-5, 0.9}, Case{Acceleration::subspace, 0.02, 1e-5, 0.75},
+                                  Case{Acceleration::nonlinear_cg, 0.02, 1e-5, 0.75}, Case{Acceleration::subspace, 0.02, 1e-3, 0.6});
+  const double damping = with_case.damping;
+  SolverSettings settings = with(Pair{Method::two_level, with_case.acceleration});
+  settings.rest_speed = with_case.rest_speed;
+  CAPTURE(name_of(settings.acceleration), damping, settings.rest_speed);
+  Gpu gpu;
+  const Model model = sheet(damping);
+  GpuSolver skipping(gpu.programs, model, settings);
+  GpuSolver whole(gpu.programs, model, settings);
+  whole.solve_everything();
+  const double size = whole.buffers().size;
+  // Both start from the same rest.
+  for (int i = 0; i < 400; ++i) whole.step();
+  State rest = whole.download();
+  for (Vector3d& v : rest.velocity) v.setZero();
+  whole.upload(rest);
+  skipping.upload(rest);
+  const std::uint32_t vertex = vertex_at(model, {0.05, 0.1, 0.04});
+  const Vector3d start = rest.displacement[vertex];
+  double largest = 0;
+  for (int step = 0; step < 160; ++step) {
+    std::vector<GrabSpring> springs;  // pulled up, held, let go
+    if (step < 100) springs.push_back({vertex, start + Vector3d(0, 0, 0.02 * std::min(1.0, step / 40.0)), 100});
+    whole.set_grab(springs);
+    skipping.set_grab(springs);
+    whole.step();
+    skipping.step();
+    if (step % 8 == 7) {  // as the simulation does
+      skipping.request_check();
+      REQUIRE(skipping.take_check(true));
+    }
+    largest = std::max(largest, farthest(whole.download(), skipping.download()));
+  }
+  CAPTURE(largest / size, skipping.share_solved());
+  CHECK(largest < 2 * settings.rest_speed * size);  // as far as what counts as rest goes in 2 s; 160 steps are 2.7 s
+  CHECK(skipping.share_solved() < with_case.largest_share);
+  CHECK(whole.share_solved() == 1);
+}
+
+TEST_CASE("a body at rest beside one that moves costs next to nothing and keeps its bits", "[gpu]") {
+  Gpu gpu;
+  const Model model = two_stiff_bars();
+  GpuSolver solver(gpu.programs, model, with(Pair{Method::two_level, Acceleration::subspace}));
+  for (int i = 0; i < 300; ++i) solver.step();
+  const std::uint32_t tip = vertex_at(model, {0.6, 0.05, 0.05});
+  const auto vertices = static_cast<std::uint32_t>(model.rest_positions.size()) / 2;
+  const long before = solver.steps_solved();
+  const double share_before = solver.share_solved();
+  int partial = 0, unchanged = 0;
+  for (int step = 0; step < 64; ++step) {
+    const double swing = 0.05 * std::sin(0.2 * step);
+    solver.set_grab({{tip, {0, swing, 0}, 500}});
+    const State last = solver.download();
+    solver.step();
+    const State now = solver.download();
+    if (solver.last_was_whole()) continue;
+    ++partial;
+    bool same = true;
+    for (std::uint32_t v = vertices; v < 2 * vertices; ++v) same &= now.displacement[v] == last.displacement[v];
+    unchanged += same;
+    CHECK((now.displacement[tip] - last.displacement[tip]).norm() > 0);
+  }
+  const double share = (solver.share_solved() * static_cast<double>(solver.steps_solved()) - share_before * static_cast<double>(before)) /
+                       static_cast<double>(solver.steps_solved() - before);
+  CAPTURE(share, partial);
+  CHECK(partial == 6 * 8);
+  CHECK(unchanged == partial);
+  CHECK(share < 0.63);  // two of eight steps whole, six with one of the two
+}
+
+TEST_CASE("steps with resting regions repeat bit for bit, from a checked state too", "[gpu]") {
+  Gpu gpu;
+  const Model model = two_stiff_bars();
+  const std::uint32_t tip = vertex_at(model, {0.6, 0.05, 0.05});
+  GpuSolver solver(gpu.programs, model, with(Pair{Method::two_level, Acceleration::subspace}));
+  for (int i = 0; i < 304; ++i) {
+    solver.step();
+    if (i % 8 != 7) continue;
+    solver.request_check();
+    solver.take_check(true);
+  }
+  const auto pull = [&](GpuSolver& s, int step) { s.set_grab({{tip, {0, 0.002 * step, 0}, 500}}); };
+  for (int i = 0; i < 24; ++i) {
+    pull(solver, i);
+    solver.step();
+    if (i % 8 != 7) continue;
+    solver.request_check();
+    solver.take_check(true);
+  }
+  CHECK_FALSE(solver.last_was_whole());
+  const State checked = solver.download();
+  std::vector<State> states;
+  GpuSolver again(gpu.programs, model, with(Pair{Method::two_level, Acceleration::subspace}));
+  again.upload(checked);
+  for (int i = 24; i < 40; ++i) {
+    pull(solver, i);
+    pull(again, i);
+    solver.step();
+    again.step();
+    if (i % 8 == 7) {
+      solver.request_check();
+      solver.take_check(true);
+      again.request_check();
+      again.take_check(true);
+    }
+    CAPTURE(i);
+    const State a = solver.download(), b = again.download();
+    CHECK(a.displacement == b.displacement);
+    CHECK(a.velocity == b.velocity);
+  }
+}
+
+TEST_CASE("looking between steps with resting regions leaves their bits alone", "[gpu]") {
+  Gpu gpu;
+  Model model = sheet(0.02);
+  model.gravity *= 4;  // so that resting tets hold much energy, and a hand that jerks makes steps that raise the objective
+  SolverSettings settings = with(Pair{Method::two_level, Acceleration::subspace});
+  settings.rest_speed = 1e-3;
+  settings.iterations = 10;
+  GpuSolver unseen(gpu.programs, model, settings);
+  GpuSolver seen(gpu.programs, model, settings);
+  seen.set_color(ColorBy::von_mises);  // summed in the slots in which steps sum forces
+  for (int i = 0; i < 400; ++i) unseen.step();
+  State rest = unseen.download();
+  for (Vector3d& v : rest.velocity) v.setZero();
+  unseen.upload(rest);
+  seen.upload(rest);
+  const std::uint32_t vertex = vertex_at(model, {0.05, 0.1, 0.04});
+  int partial = 0;
+  for (int step = 0; step < 64; ++step) {
+    const std::vector<GrabSpring> springs{{vertex, rest.displacement[vertex] + Vector3d(0, 0, step % 6 < 3 ? 0.06 : -0.06), 200}};
+    unseen.set_grab(springs);
+    seen.set_grab(springs);
+    unseen.step();
+    seen.step();
+    partial += !unseen.last_was_whole();
+    seen.publish();
+    seen.request_diagnostics();
+    REQUIRE(seen.take_diagnostics(true));
+    const State a = unseen.download(), b = seen.download();
+    CAPTURE(step, farthest(a, b));
+    REQUIRE(a.displacement == b.displacement);
+    REQUIRE(a.velocity == b.velocity);
+  }
+  CHECK(partial > 20);
+}

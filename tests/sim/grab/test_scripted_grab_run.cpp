@@ -1,0 +1,134 @@
+// Hands that a scene brings: beside the reference solver, in replays, with sleeping tissue, on the command line.
+#include <catch2/catch.hpp>
+
+#include "app/session/graphics.h"
+#include "app/session/open_input.h"
+#include "sim/simulation/simulation.h"
+#include "base/file.h"
+#include "tests/support/headless.h"
+#include "tests/support/models.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+using Eigen::Vector3d;
+
+namespace {
+
+// The shipped cube on its clamped base, held by two hands of the scene at its top.
+struct Handled {
+  explicit Handled(const std::string& grabs) {
+    write_file(folder / "cube.json", R"({"fascia_scene": 1, "gravity": [0, 0, 0], "bodies": [{"name": "cube", "mesh": ")" +
+                                         (source_dir() / "assets/meshes/cube.msh").string() +
+                                         R"(", "materials": {"default": {"young_modulus": 2e4, "damping": 0.05}},
+                                         "fixed": [{"lowest": 0.02}]}], "grabs": )" + grabs + "}");
+  }
+  TemporaryFolder folder;
+  Scene scene() const { return open_scene(folder / "cube.json"); }
+};
+
+constexpr const char* kTwo = R"([{"select": {"box": [[0.001, 0.09, -1], [1, 1, 1]]}, "translate": [0.02, 0.01, 0], "duration": 0.2},
+                                 {"select": {"box": [[-1, 0.09, -1], [0, 1, 1]]}, "translate": [-0.01, 0, 0.01], "start": 0.1, "release": 0.3}])";
+
+}  // namespace
+
+TEST_CASE("hands of a scene pull the GPU as they pull the reference solver") {
+  const Handled cube(kTwo);
+  Graphics graphics = open_graphics(headless(), false);
+  Simulation gpu(cube.scene(), graphics.programs.get(), false), exact(cube.scene(), nullptr, true);
+  SolverSettings settings = gpu.scene.solver;
+  settings.iterations = 40;
+  gpu.set_settings(settings);
+  std::vector<std::size_t> hands;
+  for (int i = 0; i < 24; ++i) {
+    gpu.step();
+    exact.step();
+    CHECK(gpu.springs() == exact.springs());
+    std::size_t count = 0;
+    for (const GrabSpring& s : gpu.springs()) count = std::max<std::size_t>(count, s.hand - kFirstScriptedHand + 1);
+    hands.push_back(count);
+  }
+  CHECK(hands.front() == 1);
+  CHECK(hands[12] == 2);
+  CHECK(hands.back() == 1);  // released
+  CAPTURE(relative_rms(gpu.state().displacement, exact.state().displacement));
+  CHECK(relative_rms(gpu.state().displacement, exact.state().displacement) < 1e-3);
+  CHECK(gpu.log().inputs().size() <= 1);  // the settings: what the scene does is no input
+
+  // To equilibrium with all of them at the end of their ways.
+  Simulation still(cube.scene(), graphics.programs.get(), false), newton(cube.scene(), nullptr, true);
+  CHECK(still.solve_static().converged);
+  newton.solve_static();
+  CHECK(relative_rms(still.state().displacement, newton.state().displacement) < 1e-4);
+  const Vector3d reaction = reference::measure(newton.model, newton.state()).fixed_reaction;
+  Vector3d pull(0, 0, 0);
+  for (const HandForce& f : forces_of_hands(newton.springs(), newton.state().displacement)) pull += f.force;
+  CHECK(pull.norm() > 1e-3);
+  CHECK((reaction + pull).norm() < 1e-8 * pull.norm());
+}
+
+TEST_CASE("a replay repeats hands of the mouse beside those of its scene to the bit, once") {
+  const Handled cube(kTwo);
+  Graphics graphics = open_graphics(headless(), false);
+  Simulation lived(cube.scene(), graphics.programs.get(), false);
+  Replay replay{cube.scene(), std::nullopt, {}, 20};
+  const std::vector<std::uint32_t> patch = [&] {
+    std::vector<std::uint32_t> vertices;
+    for (const GrabSpring& s : lived.model.hands[0].grip) vertices.push_back(s.vertex);
+    return vertices;
+  }();
+  for (int i = 0; i < 20; ++i) {
+    GrabInput springs;  // two hands of the mouse, that take hold one after the other where the scene's hand is
+    if (i >= 3) springs.push_back({patch[0], {0, 0, 0.001 * i}, 40, 0});
+    if (i >= 8 && i < 15)
+      for (const std::uint32_t v : patch) springs.push_back({v, {0.0005 * i, 0, 0}, 5, 1});
+    replay.inputs.push_back({lived.steps_made(), springs});
+    lived.set_grab(springs);
+    lived.gpu()->finish_background();
+    lived.step();
+  }
+  write_replay(cube.folder / "lived.fascia", replay);
+  Opened opened = open_file(cube.folder / "lived.fascia");
+  CHECK(opened.replay->inputs == replay.inputs);
+  Simulation again(std::move(opened.scene), graphics.programs.get(), false);
+  again.play(std::move(*opened.replay));
+  for (int i = 0; i < 20; ++i) again.step();
+  CHECK(again.springs() == lived.springs());
+  CHECK(again.state().displacement == lived.state().displacement);
+  CHECK(again.state().velocity == lived.state().velocity);
+}
+
+TEST_CASE("tissue sleeps until a hand of its scene takes hold") {
+  const Handled cube(R"([{"select": {"box": [[-1, 0.09, -1], [1, 1, 1]]}, "translate": [0.02, 0, 0], "start": 1.5, "duration": 0.2}])");
+  Graphics graphics = open_graphics(headless(), false);
+  Simulation simulation(cube.scene(), graphics.programs.get(), false);
+  long slept = 0;
+  while (simulation.time() < 1.49 - 1.0 / 60) {
+    simulation.step();
+    slept += simulation.asleep();
+  }
+  CHECK(slept > 10);
+  CHECK(simulation.asleep());
+  CHECK(simulation.awaits_hands());  // so that a window goes on
+  for (int i = 0; i < 20; ++i) simulation.step();
+  CHECK_FALSE(simulation.asleep());
+  double largest = 0;
+  for (const Vector3d& u : simulation.state().displacement) largest = std::max(largest, u.norm());
+  CHECK(largest > 0.005);
+  CHECK_FALSE(simulation.awaits_hands());
+}
+
+TEST_CASE("run takes hands on the command line and tells their forces") {
+  const Handled cube("[]");
+  const CommandResult result =
+      run_fascia({"run", (cube.folder / "cube.json").string(), "--context", "osmesa", "--quiet", "--steps", "20", "--stats",
+                  (cube.folder / "stats.json").string(), "--grab", "at=0,0.1,0;translate=0.02,0,0;duration=0.2;radius=0.03"});
+  CAPTURE(result.err);
+  REQUIRE(result.exit_code == 0);
+  const std::string stats = read_file(cube.folder / "stats.json");
+  CHECK(stats.find("\"grabs\": 0") != std::string::npos);
+  CHECK(stats.find("\"imbalance\"") != std::string::npos);
+  const CommandResult far = run_fascia({"run", (cube.folder / "cube.json").string(), "--context", "osmesa", "--grab", "at=9,9,9"});
+  CHECK(far.exit_code == 1);
+  CHECK(far.err.find("grabs[0].at: ") != std::string::npos);
+}

@@ -1,0 +1,117 @@
+// The comparison with the exact step: against the reference solver run by hand, at once and on a thread.
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
+
+#include "sim/simulation/true_error.h"
+#include "tests/support/gpu/gpu_fixture.h"
+
+using namespace fascia;
+using namespace fascia::test;
+using Eigen::Vector3d;
+
+namespace {
+
+Scene cantilever(const std::vector<std::string>& sets) {
+  return open_scene(source_dir() / "tests/reference/10_dynamic_cantilever/scene.json", sets);
+}
+
+}  // namespace
+
+TEST_CASE("the true error is the distance to the reference solver's step") {
+  Gpu gpu;
+  Simulation simulation(cantilever({"solver.iterations=3"}), &gpu.programs, false);
+  simulation.step();
+  const State before = simulation.state();
+  simulation.step();
+  const std::vector<Vector3d> solved = simulation.state().displacement;
+  TrueError measured;
+  const StepError& error = measured.measure(simulation);
+
+  State exact = before;
+  reference::NewtonSolver(simulation.model, simulation.scene.solver).step(exact);
+  const double h = simulation.scene.solver.substep();
+  double squared = 0, scale = 0;
+  const std::vector<char> held = simulation.model.held();
+  for (std::size_t v = 0; v < solved.size(); ++v) {
+    squared += (solved[v] - exact.displacement[v]).squaredNorm();
+    if (!held[v])
+      scale += (exact.displacement[v] - before.displacement[v] - h * before.velocity[v] - h * h * simulation.model.gravity).squaredNorm();
+  }
+  CHECK(error.converged);
+  CHECK(error.relative == Approx(std::sqrt(squared / scale)).epsilon(1e-3));
+  CHECK(error.relative > 1e-4);
+  CHECK(error.step == simulation.gpu()->steps_solved());
+  REQUIRE(error.distance.size() == solved.size());
+  double largest = 0;
+  for (std::size_t v = 0; v < solved.size(); ++v) largest = std::max(largest, (solved[v] - exact.displacement[v]).norm());
+  CHECK(error.largest == Approx(largest).epsilon(1e-3));
+}
+
+TEST_CASE("the true error of a solved step is rounding, with substeps and a grab, too") {
+  Gpu gpu;
+  Simulation simulation(cantilever({"solver.iterations=300", "solver.substeps=2"}), &gpu.programs, false);
+  std::vector<GrabSpring> springs;
+  for (std::uint32_t v = 0; v < simulation.model.rest_positions.size(); v += 7) springs.push_back({v, {0.01, 0.02, 0}, 500});
+  simulation.gpu()->set_grab(springs);
+  simulation.step();
+  TrueError measured;
+  const StepError& error = measured.measure(simulation);
+  CAPTURE(error.relative, error.largest);
+  CHECK(error.converged);
+  CHECK(error.relative < 1e-4);
+}
+
+TEST_CASE("the true error is measured on a thread while steps go on") {
+  Gpu gpu;
+  Simulation simulation(cantilever({"solver.iterations=3"}), &gpu.programs, false);
+  TrueError thread, at_once;
+  CHECK_FALSE(thread.update(simulation, true));  // no step yet
+  CHECK_FALSE(thread.busy());
+  thread.request();
+  simulation.step();
+  const double expected = at_once.measure(simulation).relative;
+  bool fresh = thread.update(simulation, false);
+  simulation.set_settings([&] {  // what happens now does not matter to the step in question
+    SolverSettings settings = simulation.scene.solver;
+    settings.iterations = 20;
+    return settings;
+  }());
+  for (int wait = 0; wait < 3000 && !fresh; ++wait) {
+    CHECK(thread.busy());
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    simulation.step();
+    fresh = thread.update(simulation, false);
+  }
+  REQUIRE(fresh);
+  CHECK_FALSE(thread.busy());
+  CHECK(thread.result()->relative == Approx(expected).epsilon(1e-9));
+  thread.forget();
+  CHECK_FALSE(thread.result());
+}
+
+TEST_CASE("a request that waits for a step is not under way: nothing needs to be drawn for it") {
+  Gpu gpu;
+  Simulation simulation(cantilever({}), &gpu.programs, false);
+  TrueError error;
+  error.request();
+  error.update(simulation, false);  // no step yet
+  CHECK(error.requested());
+  CHECK_FALSE(error.busy());
+  simulation.step();
+  error.update(simulation, false);
+  CHECK_FALSE(error.requested());
+  CHECK(error.busy());
+}
+
+TEST_CASE("a measurement under way can be let go") {
+  Gpu gpu;
+  Simulation simulation(cantilever({}), &gpu.programs, false);
+  simulation.step();
+  TrueError error;
+  error.request();
+  error.update(simulation, false);
+  error.forget();
+  CHECK_FALSE(error.busy());
+  CHECK_FALSE(error.result());
+}

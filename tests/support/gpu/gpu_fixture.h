@@ -1,0 +1,18 @@
+// A context and the project's shaders for tests of GPU passes, once per way of reading buffers.
+#pragma once
+#include <memory>
+
+#include "render/context/context.h"
+#include "gl/program.h"
+#include "tests/support/support.h"
+
+namespace fascia::test {
+
+struct Gpu {
+  explicit Gpu(gl::LoadPath loads = gl::LoadPath::texel, const std::string& name = context_names().front())
+      : context(make_context({name})), programs(source_dir() / "shaders", loads) {}
+  std::unique_ptr<Context> context;
+  gl::ProgramCache programs;
+};
+
+}  // namespace fascia::test
