@@ -14,7 +14,7 @@ using Provenance = std::vector<std::pair<std::string, std::string>>;  // keyword
 /// Of a file that shows many moments.
 Provenance without_moment(Provenance provenance);
 
-/// {"Software":"fascia 0.1.0",...}, on one line and without "--", which XML comments must not have.
+/// {"Software":"fascia 0.2.0",...}, on one line and without "--", which XML comments must not have.
 std::string provenance_json(const Provenance& provenance);
 /// The text of an export whose ending is .vtu, .msh or .obj, with the line in it; of others as it is. None without provenance.
 std::string with_provenance(std::string text, const std::string& ending, const Provenance& provenance);

@@ -5,4 +5,4 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/packages.sh
 install_missing "${build_packages[@]}" "${run_packages[@]}" "${test_packages[@]}"
 build_preset ci
-FASCIA_KILLS=${1:-100} build/ci/test_app "[kill]"
+FASCIA_KILLS=${1:-100} build/ci/tests/test_app_commands "[kill]"

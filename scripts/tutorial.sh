@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Runs the commands of docs/tutorial.md as they stand there, in an empty folder. With --update its pictures are renewed; look at them.
+# Runs the commands of docs/tutorial.md as printed, in an empty folder that looks like the root of the source tree to them: it has
+# build/release/fascia and assets. With --update the pictures of the tutorial are renewed; look at them.
 #   scripts/tutorial.sh [--update] [FOLDER]        FASCIA: the program, else build/release/fascia, built if it is not
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -13,26 +14,20 @@ if [ -z "${FASCIA:-}" ]; then
   build_preset release
   FASCIA=$root/build/release/fascia
 fi
+program=$(realpath "$FASCIA")
 folder=${1:-$(mktemp -d)}
 rm -rf "$folder"
-mkdir -p "$folder"
-cp assets/meshes/kidney.obj "$folder/"
-cp assets/check/cube_grab.fascia "$folder/session.fascia"
+mkdir -p "$folder/build/release"
+ln -s "$program" "$folder/build/release/fascia"
+ln -s "$root/assets" "$folder/assets"
 awk '/^```sh$/ {inside = 1; next} /^```$/ {inside = 0} inside' docs/tutorial.md > "$folder/tutorial.sh"
 cd "$folder"
-fascia() {
-  echo "\$ fascia $*"
-  case $1 in
-    render | run | check) "$FASCIA" "$@" --context osmesa ;;
-    *) "$FASCIA" "$@" ;;
-  esac
-}
-export -f fascia
-export FASCIA
-bash -eu tutorial.sh
+# The same renderer on every machine, and the shaders of this tree.
+LIBGL_ALWAYS_SOFTWARE=1 FASCIA_DATA_DIR=$root bash -euv tutorial.sh
+cd tutorial
 for file in opened.png methods.png inside.png pull.csv pulled.vtu pull.mp4 session.mp4 report.xml failures/kidney.diff.png; do
   if [ ! -s "$file" ]; then
-    echo "tutorial.sh: $folder/$file was not made" >&2
+    echo "tutorial.sh: $folder/tutorial/$file was not made" >&2
     exit 1
   fi
 done

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kAbout =
     "fascia: interactive soft tissue on the GPU. SI units everywhere.\n"
-    "The manual: fascia man | man -l -, and once installed man fascia. Scene files and their keys: docs/scenes.md";
+    "The manual: fascia man | man -l -, and once installed man fascia. Scene files and their keys: docs/guide/scenes.md";
 
 // "--samples INT in [1 - 256] [4]": what an option takes and what it is without, shorter than CLI11 says it.
 class HelpFormatter : public CLI::Formatter {

@@ -8,7 +8,7 @@ struct GoldenFiles {
   std::filesystem::path picture, state;  // empty: not compared
 };
 
-/// The defaults are measured: docs/regression.md.
+/// The defaults are measured: docs/guide/regression.md.
 struct GoldenLimits {
   double mean = 0.5 / 255;  // of absolute channel differences, 0 to 1
   double share = 0.001;     // of pixels with a channel off by more than kPixelBound

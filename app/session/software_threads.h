@@ -24,7 +24,7 @@ class SoftwareThreads {
   explicit SoftwareThreads(const Workload& workload);
 
   /// Gives each of the threads that run kernels a core of its own, where there are as many of both: left to itself Linux at times runs
-  /// two of them on one (docs/solver.md has what it brings). Without a word where it is no Linux or there are no such threads.
+  /// two of them on one (docs/concepts/performance.md has what it brings). Without a word where it is no Linux or there are no such threads.
   void spread() const;
 
  private:

@@ -17,7 +17,7 @@ struct RunStats {
   Provenance provenance;
   long steps = 0;
   double wall_s = 0;
-  std::vector<double> step_ms, solve_ms;   // [steps]; solve: without exports and other work between steps (docs/window.md)
+  std::vector<double> step_ms, solve_ms;   // [steps]; solve: without exports and other work between steps (docs/guide/command-line.md)
   double residual = 0;                     // of the last step, relative
   std::optional<double> imbalance;         // of the forces in the last step of the GPU (Diagnostics::imbalance)
   std::optional<double> error;             // of the last step, as in StepError; where it was asked for

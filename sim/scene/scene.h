@@ -1,4 +1,4 @@
-// A scene as its JSON file states it (format: README, "Scene files"), before any mesh is read.
+// A scene as its JSON file states it (format: docs/guide/scenes.md), before any mesh is read.
 // Strict: an unknown key (with the nearest known one), a wrong type or a value out of range is an Error
 // "file: bodies[0].materials.default.young_modulus: is -5; expected 0.001 to 1e+14 Pa"; a syntax error is
 // "file:line:column: ...".

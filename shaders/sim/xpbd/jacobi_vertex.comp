@@ -1,5 +1,5 @@
 // Averages the corrections of a vertex's tets: u += 1/n sum dx. A gather in fixed order, so runs repeat bit for bit.
-// After jacobi_tet. This averaging is the poster's; its fixed point is softer than the material (see the README's limits).
+// After jacobi_tet. This averaging is the poster's; its fixed point is softer than the material (docs/concepts/i3d2019.md).
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_UINT(SlotBegin, slot_begin)        // [vertex_count + 1]

@@ -1,5 +1,5 @@
 // The shipped scenes against assets/check, on both software contexts, by fascia check itself; and that what differs fails. Goldens are
-// made by scripts/update_goldens.sh. Tolerances: docs/regression.md.
+// made by scripts/update_goldens.sh. Tolerances: docs/guide/regression.md.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

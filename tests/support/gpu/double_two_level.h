@@ -1,4 +1,4 @@
-// The two-level method in double precision, from its equations (docs/solver.md): what the GPU's passes are tested against.
+// The two-level method in double precision, from its equations (docs/concepts/solver.md): what the GPU's passes are tested against.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
