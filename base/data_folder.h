@@ -5,7 +5,8 @@
 
 namespace fascia {
 
-/// Where it may be, in the order in which they count: FASCIA_DATA_DIR, the program's folder, share/fascia beside that, the source tree.
+/// Where it may be, in the order in which they count: FASCIA_DATA_DIR, the folder of the program or of libfascia.so, share/fascia beside or
+/// above that, the source tree.
 std::vector<std::filesystem::path> data_folders();
 bool holds_shaders(const std::filesystem::path& folder);
 

@@ -40,6 +40,10 @@ const char* name_of(LoadPath path) {
   return path == LoadPath::storage ? "ssbo" : "texel";
 }
 
+LoadPath fitting_load_path() {
+  return device().software || device().max_compute_storage_blocks < kMostStorageBlocks ? LoadPath::texel : LoadPath::storage;
+}
+
 // Drivers that link on threads of their own wait for them when they are asked how it went.
 struct Program::Link {
   struct Stage {

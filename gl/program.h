@@ -16,6 +16,10 @@ namespace fascia::gl {
 /// same buffer).
 enum class LoadPath { storage, texel };
 const char* name_of(LoadPath path);  // "ssbo", "texel"
+constexpr int kMostStorageBlocks = 14;  // that any kernel reads or writes
+/// Storage blocks on GPUs; texel fetches on llvmpipe, whose storage reads cost 8 to 12 times as much, and where kernels may have fewer
+/// blocks than they read and write buffers: OpenGL 4.3 promises eight. Needs a current context.
+LoadPath fitting_load_path();
 
 class ProgramCache;
 

@@ -10,18 +10,14 @@
 namespace fascia {
 namespace {
 
-// Storage blocks on GPUs; texel fetches on llvmpipe, whose storage reads cost 8 to 12 times as much, and where kernels may have fewer
-// blocks than they read and write buffers: OpenGL 4.3 promises eight.
 gl::LoadPath choose_loads(const std::string& name) {
-  constexpr int kMostBuffers = 14;  // that any kernel reads or writes
   const int blocks = gl::device().max_compute_storage_blocks;
-  const bool enough = blocks >= kMostBuffers;
-  if (name == "ssbo" && !enough)
+  if (name == "ssbo" && blocks < gl::kMostStorageBlocks)
     throw Error("--loads ssbo", gl::device().renderer + " has " + std::to_string(blocks) + " storage blocks in a kernel",
-                "expected " + std::to_string(kMostBuffers) + ", or --loads texel");
+                "expected " + std::to_string(gl::kMostStorageBlocks) + ", or --loads texel");
   if (name == "ssbo") return gl::LoadPath::storage;
   if (name == "texel") return gl::LoadPath::texel;
-  return gl::device().software || !enough ? gl::LoadPath::texel : gl::LoadPath::storage;
+  return gl::fitting_load_path();
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ class GlfwContext : public Context {
   GlfwContext& operator=(const GlfwContext&) = delete;
 
   std::string name() const override { return "window"; }
+  bool is_current() const override { return glfwGetCurrentContext() == window_; }
   GLFWwindow* window() const override { return window_; }
   void make_current() override {
     // Released first, since binding what it believes is bound already does nothing, even if OSMesa was

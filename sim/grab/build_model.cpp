@@ -4,12 +4,17 @@
 #include "sim/model/unconstrained_parts.h"
 
 namespace fascia {
+namespace {
 
-Model build_model(const Scene& scene, const Progress& progress) {
-  Model model = build_bodies(scene, progress);
+Model with_grabs(const Scene& scene, Model model) {
   for (std::size_t g = 0; g < scene.grabs.size(); ++g) model.hands.push_back(resolve_hand(scene, g, model));
   if (std::string note = note_of_loose_parts(model); !note.empty()) model.notes.push_back(std::move(note));
   return model;
 }
+
+}  // namespace
+
+Model build_model(const Scene& scene, const Progress& progress) { return with_grabs(scene, build_bodies(scene, progress)); }
+Model build_model(const Scene& scene, std::vector<TetMesh> meshes) { return with_grabs(scene, build_bodies(scene, std::move(meshes))); }
 
 }  // namespace fascia

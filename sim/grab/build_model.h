@@ -8,5 +8,7 @@ namespace fascia {
 /// Reads the meshes, surfaces and CSV files of the scene. Throws Error for anything unreadable, a selection of nothing,
 /// a material key that names no region, prescribed targets that miss vertices, a hand that has nothing to hold.
 Model build_model(const Scene& scene, const Progress& progress = {});
+/// The same from meshes in memory, [body] (sim/model/model.h).
+Model build_model(const Scene& scene, std::vector<TetMesh> meshes);
 
 }  // namespace fascia

@@ -37,10 +37,27 @@ struct LoadedBody {
   std::vector<char> used;  // [vertex_count] 1 where a usable tet has the vertex
 };
 
-LoadedBody load(const Scene& scene, std::size_t index, FileReader& files, const Progress& progress) {
-  const Body& body = scene.bodies[index];
+LoadedBody begin_body(const Scene& scene, std::size_t index, FileReader& files) {
   const std::string key = "bodies[" + std::to_string(index) + "]";
-  LoadedBody loaded{files, body, key, scene.file.string() + ": " + key, {}, {}, {}, {}};
+  return {files, scene.bodies[index], key, scene.file.string() + ": " + key, {}, {}, {}, {}};
+}
+
+/// `mesh_name`: of what is to be repaired, for errors.
+void repair_body(LoadedBody& loaded, const std::string& mesh_name) {
+  loaded.repaired = repair(loaded.file.mesh);
+  if (loaded.repaired.tets.empty()) {
+    throw Error(
+        mesh_name,
+        "has no tet higher than 1e-7 of its longest edge (" + std::to_string(loaded.repaired.degenerate.size()) + " degenerate)",
+        "expected at least one");
+  }
+  loaded.used = used_vertices(loaded.repaired.tets, loaded.file.mesh.positions.size());
+}
+
+LoadedBody load(const Scene& scene, std::size_t index, FileReader& files, const Progress& progress) {
+  LoadedBody loaded = begin_body(scene, index, files);
+  const Body& body = loaded.body;
+  const std::string& key = loaded.key;
   FileReader::File mesh = files.read(body.mesh, key + ".mesh", part_of(progress, 0, 0.1));
   const std::filesystem::path path = mesh.place;
   if (is_surface_file(path)) {
@@ -56,14 +73,7 @@ LoadedBody load(const Scene& scene, std::size_t index, FileReader& files, const 
     put_right(loaded.surface, repair(loaded.surface, part_of(progress, 0.95, 1)));
     loaded.file.notes.insert(loaded.file.notes.end(), loaded.surface.notes.begin(), loaded.surface.notes.end());
   }
-  loaded.repaired = repair(loaded.file.mesh);
-  if (loaded.repaired.tets.empty()) {
-    throw Error(
-        path.string(),
-        "has no tet higher than 1e-7 of its longest edge (" + std::to_string(loaded.repaired.degenerate.size()) + " degenerate)",
-        "expected at least one");
-  }
-  loaded.used = used_vertices(loaded.repaired.tets, loaded.file.mesh.positions.size());
+  repair_body(loaded, path.string());
   return loaded;
 }
 
@@ -236,6 +246,23 @@ Model build_bodies(const Scene& scene, const Progress& progress) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(load(scene, b, files, part_of(progress, share(b), share(b + 1))), model);
   model.notes.insert(model.notes.end(), files.notes.begin(), files.notes.end());
   model.files = std::move(files.files);
+  model.rest_positions = model.file_mesh.positions;
+  return model;
+}
+
+Model build_bodies(const Scene& scene, std::vector<TetMesh> meshes) {
+  if (meshes.size() != scene.bodies.size())
+    throw Error(scene.file.string(), "has " + std::to_string(meshes.size()) + " meshes", "expected one a body");
+  Model model;
+  model.gravity = scene.gravity;
+  model.notes = scene.notes;
+  FileReader files(scene);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    LoadedBody loaded = begin_body(scene, b, files);
+    loaded.file.mesh = std::move(meshes[b]);
+    repair_body(loaded, loaded.where);
+    add_body(std::move(loaded), model);
+  }
   model.rest_positions = model.file_mesh.positions;
   return model;
 }

@@ -67,6 +67,8 @@ struct Model {
 /// Reads the meshes, surfaces and CSV files of the scene's bodies, without what pulls at them (sim/grab/build_model.h). Throws Error for
 /// anything unreadable, a selection of nothing, a material key that names no region, prescribed targets that miss vertices.
 Model build_bodies(const Scene& scene, const Progress& progress = {});
+/// The same from meshes in memory, [body], instead of the files that the bodies name. Their vertex indices and positions are taken on trust.
+Model build_bodies(const Scene& scene, std::vector<TetMesh> meshes);
 
 /// Lumped masses [vertex_count] [kg]: a quarter of density * volume of each tet per vertex. Zero for
 /// unreferenced ones.

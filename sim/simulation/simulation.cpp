@@ -7,7 +7,6 @@
 #include <sstream>
 #include <tuple>
 
-#include "base/interrupt.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "sim/gpu/passes/compute_probe.h"
@@ -243,10 +242,10 @@ State Simulation::go_on_as_replay() {
 
 double Simulation::time() const { return reference_ ? reference_state_.time : gpu_->time(); }
 
-StaticReport Simulation::solve_static(const std::function<void(const StaticReport&)>& news) {
+StaticReport Simulation::solve_static(const std::function<void(const StaticReport&)>& news, std::stop_token stop) {
   pull(with_hands_at_last(other_springs_, model.hands));
   const auto by_newton = [&](State& state, double tolerance) {
-    reference::NewtonSolver solver(model, scene.solver, interrupt_token());
+    reference::NewtonSolver solver(model, scene.solver, stop);
     solver.set_springs(springs_);
     return solver.solve_static(state, tolerance);
   };
@@ -260,14 +259,14 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
   const auto tell_news = [&](const reference::NewtonReport& report) {
     if (news) news({report.iterations, 0, report.relative_residual, false});
   };
-  const reference::NewtonReport march = march_to_equilibrium(*gpu_, model, tolerance, *equilibrium_, interrupt_token(), tell_news);
+  const reference::NewtonReport march = march_to_equilibrium(*gpu_, model, tolerance, *equilibrium_, stop, tell_news);
   StaticReport report{march.iterations, 0, march.relative_residual, march.converged};
   constexpr double kNear = 1e-2;  // from farther away Newton's method finds no way, either, and takes long for it
   constexpr std::size_t kSoonFactored = 20'000;  // tets: in about a second
   // A small residual may be a large error in bodies that bend easily, and Newton's last iterations take it away.
   const bool refines = march.converged && scene.solver.tolerance == 0 && model.tets.size() <= kSoonFactored;
   const bool rescues = !march.converged && march.relative_residual <= kNear && model.tets.size() <= reference::NewtonSolver::kMostTets;
-  if (interrupted() || !(refines || rescues)) return report;
+  if (stop.stop_requested() || !(refines || rescues)) return report;
   if (news) news({march.iterations, 1, march.relative_residual, false});
   State exact = *equilibrium_;
   const reference::NewtonReport newton = by_newton(exact, refines ? 0 : tolerance);

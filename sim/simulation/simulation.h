@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "base/interrupt.h"
 #include "sim/replay/input_log.h"
 #include "sim/simulation/scene_edits.h"
 #include "sim/simulation/settling.h"
@@ -59,9 +60,10 @@ class Simulation {
   double simulated() const { return simulated_; }  // in all steps made [s]: goes on where time() goes back
   /// Static equilibrium, by the reference solver to 1e-10 or by the GPU to 1e-5, or to solver.tolerance if that is given. Newton's method
   /// in double precision goes on from there to 1e-10 where no tolerance is given and its factor is soon made, and, with meshes that are not
-  /// too large for it, where float32 does not go so far as was asked. The report tells how far it got; Ctrl-C ends it unconverged.
-  /// `news`: hears of every step how far it is, and at last, with a Newton iteration, when Newton's method begins.
-  StaticReport solve_static(const std::function<void(const StaticReport&)>& news = {});
+  /// too large for it, where float32 does not go so far as was asked. The report tells how far it got.
+  /// `news`: hears of every step how far it is, and at last, with a Newton iteration, when Newton's method begins. `stop` ends it
+  /// unconverged; by itself Ctrl-C does (base/interrupt.h).
+  StaticReport solve_static(const std::function<void(const StaticReport&)>& news = {}, std::stop_token stop = interrupt_token());
 
   void set_settings(const SolverSettings& settings);
   void set_material(std::size_t index, const Material& material);  // of model.materials

@@ -5,13 +5,13 @@
 #include <array>
 #include <cstdint>
 
-#include "render/context/context.h"
+#include "gl/context/context.h"
 #include "gl/loader.h"
 #include "base/error.h"
 
 #ifdef __SANITIZE_ADDRESS__
 // OSMesa keeps a few hundred bytes of every context it has destroyed; that must not hide leaks of our own.
-extern "C" const char* __lsan_default_suppressions() {
+extern "C" __attribute__((visibility("default"))) const char* __lsan_default_suppressions() {
   return "leak:libOSMesa.so\n";
 }
 #endif
@@ -27,6 +27,7 @@ struct OsMesaLibrary {
   Handle (*create)(const int* attributes, Handle share);
   void (*destroy)(Handle);
   GLboolean (*make_current)(Handle, void* buffer, GLenum type, GLsizei width, GLsizei height);
+  Handle (*get_current)();
   void* (*get_proc)(const char* name);
 };
 
@@ -44,6 +45,7 @@ const OsMesaLibrary& library() {
     symbol(lib.create, "OSMesaCreateContextAttribs");
     symbol(lib.destroy, "OSMesaDestroyContext");
     symbol(lib.make_current, "OSMesaMakeCurrent");
+    symbol(lib.get_current, "OSMesaGetCurrentContext");
     symbol(lib.get_proc, "OSMesaGetProcAddress");
     return lib;
   }();
@@ -65,6 +67,7 @@ class OsmesaContext : public Context {
 
   bool valid() const { return handle_ != nullptr; }
   std::string name() const override { return "osmesa"; }
+  bool is_current() const override { return library().get_current() == handle_; }
   void make_current() override {
     // Released first, since binding what it believes is bound already does nothing, even if EGL was current
     // in between.

@@ -9,7 +9,7 @@
 #include <array>
 #include <cstdio>
 
-#include "render/context/context.h"
+#include "gl/context/context.h"
 #include "gl/loader.h"
 #include "base/error.h"
 
@@ -21,7 +21,7 @@ struct EglLibrary {
 // clang-format off
 #define FASCIA_EGL_FUNCTIONS(X) \
   X(BindAPI) X(ChooseConfig) X(CreateContext) X(CreatePbufferSurface) X(DestroyContext) X(DestroySurface) \
-  X(GetError) X(Initialize) X(MakeCurrent) X(QueryString)
+  X(GetCurrentContext) X(GetError) X(Initialize) X(MakeCurrent) X(QueryString)
 // clang-format on
 #define X(name) decltype(&::egl##name) name;
   FASCIA_EGL_FUNCTIONS(X)
@@ -144,6 +144,7 @@ class EglContext : public Context {
   EglContext& operator=(const EglContext&) = delete;
 
   std::string name() const override { return "egl"; }
+  bool is_current() const override { return egl().GetCurrentContext() == context_; }
   void make_current() override {
     // Released first, since binding what it believes is bound already does nothing, even if OSMesa was
     // current in between.
