@@ -1,0 +1,14 @@
+// Materials of the public interface as the library's own, and back.
+#pragma once
+#include <string>
+
+#include "fascia/material.h"
+#include "sim/material/material.h"
+
+namespace fascia::api {
+
+/// Throws Error "where.young_modulus: ..." for a value out of range or a law that is unknown.
+fascia::Material checked(const Material& material, const std::string& where);
+Material shown(const fascia::Material& material);
+
+}  // namespace fascia::api

@@ -1,0 +1,13 @@
+// Meshes of the public interface as the library's own, and back.
+#pragma once
+#include <string>
+
+#include "fascia/mesh.h"
+#include "sim/mesh/tet_mesh.h"
+
+namespace fascia::api {
+
+/// Throws Error "where.tets: ..." for arrays that do not fit together, positions that are not finite, indices out of range.
+TetMesh checked(const Mesh& mesh, const std::string& where);
+
+}  // namespace fascia::api

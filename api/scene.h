@@ -1,0 +1,17 @@
+// A scene from arrays as the library's own scene and model.
+#pragma once
+#include "fascia/scene.h"
+#include "sim/model/model.h"
+#include "sim/scene/scene.h"
+
+namespace fascia::api {
+
+struct BuiltScene {
+  fascia::Scene scene;
+  Model model;
+};
+
+/// Throws Error of either kind for what does not fit together (fascia/scene.h).
+BuiltScene build(const Scene& scene);
+
+}  // namespace fascia::api

@@ -1,0 +1,12 @@
+// Solver settings of the public interface as the library's own, and back.
+#pragma once
+#include "fascia/settings.h"
+#include "sim/scene/settings/solver_settings.h"
+
+namespace fascia::api {
+
+/// Throws Error "settings.iterations: ..." for a value out of range or a pair that makes no sense.
+SolverSettings checked(const Settings& settings);
+Settings shown(const SolverSettings& settings);
+
+}  // namespace fascia::api
