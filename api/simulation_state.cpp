@@ -101,6 +101,7 @@ unsigned Simulation::position_buffer() {
   return impl_->call([](fascia::Simulation& simulation) {
     if (!simulation.gpu()) throw Error("position_buffer", "there is no GPU", "expected a simulation with an OpenGL context");
     simulation.gpu()->publish();
+    gl::MemoryBarrier(GL_ALL_BARRIER_BITS);  // whatever the caller reads it by
     return static_cast<unsigned>(simulation.gpu()->positions().id());
   });
 }

@@ -6,6 +6,7 @@ set(arrows
   "base: "
   "base/json: base"
   "gl: base"
+  "gl/context: base gl"
   "sim/coarse: sim/model"
   "sim/gpu: base gl sim/gpu/acceleration sim/gpu/methods sim/gpu/passes sim/gpu/readback sim/model sim/reference"
   "sim/gpu/acceleration: gl sim/gpu/passes sim/scene/settings"
@@ -29,7 +30,10 @@ set(arrows
   "sim/surface: base sim/mesh sim/mesh/io"
   "sim/visual: base sim/mesh sim/model"
   "render: gl render/passes render/target render/view"
-  "render/context: base gl"
+  "include/fascia: "
+  "api: base gl gl/context include/fascia sim/grab sim/material sim/mesh sim/mesh/io sim/model sim/output sim/scene sim/scene/settings sim/simulation"
+  "examples: include/fascia"
+  "render/context: base gl gl/context"
   "render/passes: base gl render/target render/view"
   "render/target: base gl"
   "render/view: base shaders/shared"
@@ -65,7 +69,8 @@ foreach(row IN LISTS arrows)
 endforeach()
 
 file(GLOB_RECURSE sources RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/base/*.h ${SOURCE_DIR}/base/*.cpp ${SOURCE_DIR}/gl/*.h ${SOURCE_DIR}/gl/*.cpp
-     ${SOURCE_DIR}/sim/*.h ${SOURCE_DIR}/sim/*.cpp ${SOURCE_DIR}/render/*.h ${SOURCE_DIR}/render/*.cpp ${SOURCE_DIR}/app/*.h ${SOURCE_DIR}/app/*.cpp)
+     ${SOURCE_DIR}/sim/*.h ${SOURCE_DIR}/sim/*.cpp ${SOURCE_DIR}/render/*.h ${SOURCE_DIR}/render/*.cpp ${SOURCE_DIR}/app/*.h ${SOURCE_DIR}/app/*.cpp
+     ${SOURCE_DIR}/include/*.h ${SOURCE_DIR}/api/*.h ${SOURCE_DIR}/api/*.cpp ${SOURCE_DIR}/examples/*.cpp)
 set(used)
 set(count 0)
 foreach(source IN LISTS sources)
@@ -79,6 +84,9 @@ foreach(source IN LISTS sources)
   foreach(line IN LISTS includes)
     string(REGEX REPLACE ".*\"([^\"]*)\".*" "\\1" target "${line}")
     cmake_path(GET target PARENT_PATH from)
+    if(from STREQUAL fascia)  # as programs that use the library write it
+      set(from include/fascia)
+    endif()
     math(EXPR count "${count} + 1")
     if(from STREQUAL room)
       continue()

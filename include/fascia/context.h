@@ -33,11 +33,11 @@ class FASCIA_EXPORT Context {
   std::string renderer() const;  // "llvmpipe (LLVM 15.0.6, 256 bits)"; "" for none()
   bool software() const;         // computed by the CPU
 
-  struct Impl;  // the library's own
+  struct FASCIA_HIDDEN Impl;  // the library's own
   const std::shared_ptr<Impl>& impl() const { return impl_; }
 
  private:
-  explicit Context(std::shared_ptr<Impl> impl);
+  FASCIA_HIDDEN explicit Context(std::shared_ptr<Impl> impl);
   std::shared_ptr<Impl> impl_;
 };
 

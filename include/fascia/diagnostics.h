@@ -24,21 +24,21 @@ struct Diagnostics {
   Vec3 grab_force{};                                    // force of all grabs on the tissue [N]
   /// Of the last step, relative: 0 is solved, 1 is nothing solved. NaN before the first step.
   double residual = 0;
-  std::optional<int> iterations;                        // of the last substep; where settings.tolerance ends them, or by Newton's method
+  std::optional<int> iterations{};                      // of the last substep; where settings.tolerance ends them, or by Newton's method
 };
 
 /// What a body is held by: all of its fixed vertices, or those of one of its motions.
 struct Support {
   std::size_t body = 0;               // index of the body
-  std::optional<std::size_t> motion;  // which motion of the body, from 0; none: the fixed vertices
+  std::optional<std::size_t> motion{};  // which motion of the body, from 0; none: the fixed vertices
   Vec3 force{};                       // on the tissue [N], of elasticity and weight
 };
 
 /// In the order of Simulation::tets().
 struct TetFields {
-  std::vector<double> von_mises;     // [tet_count] of the Cauchy stress [Pa]
-  std::vector<double> det_f;         // [tet_count] J [-]
-  std::vector<double> green_strain;  // [tet_count][6] xx, yy, zz, yz, xz, xy; tensor shears [-]
+  std::vector<double> von_mises{};   // [tet_count] of the Cauchy stress [Pa]
+  std::vector<double> det_f{};       // [tet_count] J [-]
+  std::vector<double> green_strain{};  // [tet_count][6] xx, yy, zz, yz, xz, xy; tensor shears [-]
 };
 
 /// Of the search for a static equilibrium.

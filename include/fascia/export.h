@@ -1,4 +1,4 @@
-// What every public header begins with: FASCIA_EXPORT, and the namespace.
+// What every public header begins with: which names the library shows, and the namespace.
 //
 // The public types live in fascia::api, an inline namespace: programs write fascia::Simulation, and links and messages show
 // fascia::api::Simulation. The library's own sources have internal types of the same names directly in fascia; FASCIA_BUILD, which only
@@ -7,6 +7,7 @@
 #include <array>
 
 #define FASCIA_EXPORT __attribute__((visibility("default")))
+#define FASCIA_HIDDEN __attribute__((visibility("hidden")))  // what an exported class has for the library alone
 #ifdef FASCIA_BUILD
 #define FASCIA_INLINE
 #else

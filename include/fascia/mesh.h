@@ -12,11 +12,11 @@ namespace fascia {
 FASCIA_INLINE namespace api {
 
 struct Mesh {
-  std::vector<double> positions;     // [vertex_count][3] at rest [m]
-  std::vector<std::uint32_t> tets;   // [tet_count][4] vertices; of either winding: simulations reorient those of negative volume
-  std::vector<int> regions;          // [tet_count] numbers that materials are given by; empty: all 0
-  std::map<int, std::string> region_names;                   // where a file has them
-  std::map<std::string, std::vector<std::uint32_t>> groups;  // vertex sets of a file by name, ascending
+  std::vector<double> positions{};   // [vertex_count][3] at rest [m]
+  std::vector<std::uint32_t> tets{}; // [tet_count][4] vertices; of either winding: simulations reorient those of negative volume
+  std::vector<int> regions{};        // [tet_count] numbers that materials are given by; empty: all 0
+  std::map<int, std::string> region_names{};                 // where a file has them
+  std::map<std::string, std::vector<std::uint32_t>> groups{};  // vertex sets of a file by name, ascending
 
   std::size_t vertex_count() const { return positions.size() / 3; }
   std::size_t tet_count() const { return tets.size() / 4; }

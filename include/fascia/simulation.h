@@ -28,14 +28,14 @@ namespace fascia {
 FASCIA_INLINE namespace api {
 
 struct OpenOptions {
-  std::vector<std::string> set;  // "solver.iterations=20": keys of the scene to be replaced, as --set of the program
+  std::vector<std::string> set{};  // "solver.iterations=20": keys of the scene to be replaced, as --set of the program
   bool reference = false;        // the double-precision reference solver (Newton's method) instead of the GPU: exact, and slow
-  Control control;
+  Control control{};
 };
 
 /// Where the arrays of a body begin.
 struct BodyRange {
-  std::string name;
+  std::string name{};
   std::size_t vertex_begin = 0, vertex_count = 0, tet_begin = 0, tet_count = 0;
 };
 
@@ -132,8 +132,8 @@ class FASCIA_EXPORT Simulation {
   std::vector<double> von_mises() const;  // [tet_count] [Pa]
 
  private:
-  struct Impl;
-  explicit Simulation(std::unique_ptr<Impl> impl);
+  struct FASCIA_HIDDEN Impl;
+  FASCIA_HIDDEN explicit Simulation(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

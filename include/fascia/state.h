@@ -9,8 +9,8 @@ FASCIA_INLINE namespace api {
 
 /// Displacements rather than positions, since these are what the solvers hold: restoring gives back the same bits.
 struct State {
-  std::vector<double> displacements;  // [vertex_count][3] u = x - X [m]
-  std::vector<double> velocities;     // [vertex_count][3] v [m/s]
+  std::vector<double> displacements{};  // [vertex_count][3] u = x - X [m]
+  std::vector<double> velocities{};   // [vertex_count][3] v [m/s]
   double time = 0;                    // [s]
 };
 
