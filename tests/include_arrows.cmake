@@ -33,6 +33,7 @@ set(arrows
   "include/fascia: "
   "api: base gl gl/context include/fascia sim/grab sim/material sim/mesh sim/mesh/io sim/model sim/output sim/scene sim/scene/settings sim/simulation"
   "examples: include/fascia"
+  "python: include/fascia"
   "render/context: base gl gl/context"
   "render/passes: base gl render/target render/view"
   "render/target: base gl"
@@ -70,7 +71,7 @@ endforeach()
 
 file(GLOB_RECURSE sources RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/base/*.h ${SOURCE_DIR}/base/*.cpp ${SOURCE_DIR}/gl/*.h ${SOURCE_DIR}/gl/*.cpp
      ${SOURCE_DIR}/sim/*.h ${SOURCE_DIR}/sim/*.cpp ${SOURCE_DIR}/render/*.h ${SOURCE_DIR}/render/*.cpp ${SOURCE_DIR}/app/*.h ${SOURCE_DIR}/app/*.cpp
-     ${SOURCE_DIR}/include/*.h ${SOURCE_DIR}/api/*.h ${SOURCE_DIR}/api/*.cpp ${SOURCE_DIR}/examples/*.cpp)
+     ${SOURCE_DIR}/include/*.h ${SOURCE_DIR}/api/*.h ${SOURCE_DIR}/api/*.cpp ${SOURCE_DIR}/examples/*.cpp ${SOURCE_DIR}/python/*.h ${SOURCE_DIR}/python/*.cpp)
 set(used)
 set(count 0)
 foreach(source IN LISTS sources)

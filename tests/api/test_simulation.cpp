@@ -1,0 +1,204 @@
+#include <algorithm>
+#include <fstream>
+
+#include "tests/api/api_scenes.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+using Catch::Contains;
+
+TEST_CASE("Steps count, stop where asked, and reset goes back to the start") {
+  Simulation simulation(scene_of(standing_cube()), context());
+  CHECK(simulation.step(3) == 3);
+  CHECK(simulation.time() == Approx(3.0 / 60));
+  CHECK(simulation.positions()[3 * 26 + 1] < 0.1);
+  std::stop_source stop;
+  stop.request_stop();
+  CHECK(simulation.step(3, stop.get_token()) == 0);
+  CHECK(simulation.time() == Approx(3.0 / 60));
+  simulation.reset();
+  CHECK(simulation.time() == 0);
+  CHECK(std::ranges::equal(simulation.positions(), simulation.rest_positions()));
+}
+
+TEST_CASE("Gravity that is turned round pulls the other way") {
+  Simulation simulation(scene_of(standing_cube()), context());
+  CHECK(simulation.gravity() == Vec3{0, -9.81, 0});
+  simulation.set_gravity({0, 9.81, 0});
+  simulation.step(3);
+  CHECK(simulation.positions()[3 * 26 + 1] > 0.1);
+  CHECK_THAT(error_of([&] { simulation.set_gravity({0, NAN, 0}); }), Contains("gravity"));
+  CHECK(simulation.gravity() == Vec3{0, 9.81, 0});
+}
+
+TEST_CASE("Positions and velocities are set at free vertices and read back") {
+  Body body = standing_cube();
+  Scene scene = scene_of(body);
+  scene.gravity = {0, 0, 0};
+  Simulation simulation(scene, context());
+  std::vector<double> x(simulation.rest_positions().begin(), simulation.rest_positions().end());
+  for (std::size_t i = 0; i < x.size(); i += 3) x[i] += 0.25;
+  simulation.set_positions(x);
+  const std::vector<double> read = simulation.positions();
+  std::vector<float> in_float(x.size());
+  simulation.read_positions(std::span<float>(in_float));
+  for (std::uint32_t v = 0; v < simulation.vertex_count(); ++v) {
+    const bool fixed = std::ranges::find(simulation.fixed(), v) != simulation.fixed().end();
+    CHECK(read[3 * v] == Approx(x[3 * v] - (fixed ? 0.25 : 0)).margin(1e-8));
+    CHECK(in_float[3 * v] == static_cast<float>(read[3 * v]));
+  }
+  std::vector<double> v(x.size(), 0.5);
+  simulation.reset();
+  simulation.set_velocities(v);
+  CHECK(simulation.velocities()[3 * 26] == 0.5);
+  CHECK(simulation.velocities()[3 * body.fixed[0]] == 0);
+  v.pop_back();
+  CHECK_THAT(error_of([&] { simulation.set_velocities(v); }), Contains("has 80 numbers; expected 81, three a vertex"));
+  x[7] = NAN;
+  CHECK_THAT(error_of([&] { simulation.set_positions(x); }), Contains("not finite at vertex 2"));
+  std::vector<double> small(3);
+  CHECK_THAT(error_of([&] { simulation.read_positions(std::span<double>(small)); }), Contains("expected 81"));
+}
+
+TEST_CASE("A state that is restored goes on to the same bits") {
+  Simulation simulation(scene_of(standing_cube()), context());
+  simulation.step(5);
+  const State kept = simulation.save();
+  simulation.restore(kept);  // what solvers carry from step to step begins anew
+  simulation.step(5);
+  const std::vector<double> once = simulation.positions();
+  simulation.restore(kept);
+  CHECK(simulation.time() == kept.time);
+  CHECK(simulation.save().displacements == kept.displacements);
+  CHECK(simulation.save().velocities == kept.velocities);
+  simulation.step(5);
+  CHECK(simulation.positions() == once);
+  State bad = kept;
+  bad.velocities.clear();
+  CHECK_THAT(error_of([&] { simulation.restore(bad); }), Contains("restore: velocities"));
+}
+
+TEST_CASE("States are written by ending") {
+  const TemporaryFolder folder;
+  Simulation simulation(scene_of(standing_cube()), context());
+  simulation.step(2);
+  for (const char* ending : {".vtu", ".msh", ".obj", ".csv"}) {
+    const std::string file = folder / (std::string("state") + ending);
+    simulation.write(file);
+    CHECK(std::filesystem::file_size(file) > 200);
+  }
+  const Mesh written = read_mesh(folder / "state.msh");
+  const std::vector<double> x = simulation.positions();
+  REQUIRE(written.positions.size() == x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) CHECK(written.positions[i] == Approx(x[i]));
+  CHECK_THAT(error_of([&] { simulation.write(folder / "state.stl"); }), Contains("state.stl"));
+}
+
+TEST_CASE("In equilibrium supports carry the weight, on the GPU as by the reference solver") {
+  for (const bool reference : {false, true}) {
+    CAPTURE(reference);
+    Simulation simulation(scene_of(standing_cube(3)), reference ? Context::none() : context(), {.reference = reference});
+    int news = 0;
+    REQUIRE(simulation.solve_static({}, [&](const StaticReport&) { ++news; }).converged);
+    CHECK((reference || news > 0));
+    const std::vector<Support> supports = simulation.supports();
+    REQUIRE(supports.size() == 1);
+    CHECK(supports[0].force[1] == Approx(9.81).epsilon(1e-6));  // of 1 kg
+    CHECK(simulation.diagnostics().reaction[1] == Approx(9.81).epsilon(1e-3));
+    // Under its weight the middle of a column of height H and modulus E has the stress rho g H / 2.
+    const std::vector<double> stress = simulation.von_mises();
+    REQUIRE(stress.size() == simulation.tet_count());
+    double mean = 0;
+    for (const double s : stress) mean += s / static_cast<double>(stress.size());
+    CHECK(mean == Approx(1000 * 9.81 * 0.05).epsilon(0.15));  // the fixed side keeps it from widening
+    const TetFields fields = simulation.tet_fields();
+    CHECK(fields.green_strain.size() == 6 * simulation.tet_count());
+    CHECK(*std::ranges::min_element(fields.det_f) == Approx(simulation.diagnostics().min_det_f).epsilon(1e-4));
+    CHECK(simulation.diagnostics().max_von_mises == Approx(*std::ranges::max_element(stress)).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("A search for equilibrium ends when it is stopped, and refuses what falls") {
+  Simulation simulation(scene_of(standing_cube(4)), context());
+  std::stop_source stop;
+  stop.request_stop();
+  CHECK_FALSE(simulation.solve_static(stop.get_token()).converged);
+  Body loose = standing_cube();
+  loose.fixed.clear();
+  Simulation falling(scene_of(loose), context());
+  CHECK_FALSE(error_of([&] { falling.solve_static(); }).empty());
+}
+
+TEST_CASE("A grab pulls with stiffness times what is missing to its target, until it is released") {
+  Scene scene = scene_of(standing_cube());
+  scene.gravity = {0, 0, 0};
+  Simulation simulation(scene, context());
+  constexpr std::uint32_t kCorner = 26;
+  const Grab grab = simulation.grab_vertex(kCorner, 50);
+  CHECK(simulation.stiffness(grab) == Approx(50));
+  CHECK(norm(simulation.force(grab)) == 0);
+  const Vec3 from = simulation.target(grab);
+  CHECK(from == Vec3{0.1, 0.1, 0.1});
+  simulation.move(grab, {0.13, 0.1, 0.1});
+  CHECK(simulation.force(grab)[0] == Approx(1.5).epsilon(1e-5));  // nothing has moved yet
+  REQUIRE(simulation.solve_static().converged);
+  const std::vector<double> x = simulation.positions();
+  CHECK(x[3 * kCorner] > 0.105);
+  CHECK(simulation.force(grab)[0] == Approx(50 * (0.13 - x[3 * kCorner])).epsilon(1e-4));
+  CHECK(simulation.diagnostics().grab_force[0] == Approx(simulation.force(grab)[0]).epsilon(1e-3));
+  CHECK(simulation.supports()[0].force[0] == Approx(-simulation.force(grab)[0]).epsilon(1e-3));
+  simulation.release(grab);
+  CHECK(simulation.grabs().empty());
+  CHECK_THAT(error_of([&] { simulation.force(grab); }), Contains("grab 0"));
+  REQUIRE(simulation.solve_static().converged);
+  CHECK(simulation.positions()[3 * kCorner] == Approx(0.1).margin(1e-6));
+}
+
+TEST_CASE("Several grabs hold each their own, and a patch is led by its center") {
+  Simulation simulation(scene_of(standing_cube(3)), context());
+  const Grab left = simulation.grab_patch({0, 0.1, 0.05}, 0.04), right = simulation.grab_patch({0.1, 0.1, 0.05}, 0.04);
+  CHECK(simulation.grabs() == std::vector<Grab>{left, right});
+  CHECK(simulation.stiffness(left) > 0);
+  const Vec3 a = simulation.target(left), b = simulation.target(right);
+  simulation.move(left, {a[0] - 0.01, a[1], a[2]});
+  simulation.move(right, {b[0] + 0.01, b[1], b[2]});
+  REQUIRE(simulation.solve_static().converged);
+  CHECK(simulation.force(left)[0] < -0.01);
+  CHECK(simulation.force(right)[0] > 0.01);
+  CHECK(simulation.force(right)[0] == Approx(-simulation.force(left)[0]).epsilon(0.1));  // a box of tets is not quite symmetric
+  const Vec3 all = simulation.diagnostics().grab_force;
+  CHECK(all[1] == Approx(simulation.force(left)[1] + simulation.force(right)[1]).epsilon(1e-3));
+}
+
+TEST_CASE("What cannot be grabbed is refused") {
+  const Body body = standing_cube();
+  Simulation simulation(scene_of(body), context());
+  CHECK_THAT(error_of([&] { simulation.grab_vertex(body.fixed[0]); }), Contains("no free vertex"));
+  CHECK_THAT(error_of([&] { simulation.grab_vertex(27); }), Contains("names vertex 27"));
+  CHECK_THAT(error_of([&] { simulation.grab_vertex(26, -1); }), Contains("stiffness"));
+  CHECK_THAT(error_of([&] { simulation.grab_patch({0, 0, 0}, 0); }), Contains("radius"));
+  CHECK(simulation.grabs().empty());
+}
+
+TEST_CASE("A state that is lost is noticed and can be gone back from") {
+  Simulation simulation(scene_of(standing_cube()), context());
+  simulation.step(2);
+  CHECK_FALSE(simulation.lost_vertex());
+  std::vector<double> v(3 * simulation.vertex_count(), 1e30);
+  simulation.set_velocities(v);
+  simulation.step(3);
+  REQUIRE(simulation.lost_vertex());
+  simulation.reset();
+  CHECK_FALSE(simulation.lost_vertex());
+}
+
+TEST_CASE("A simulation that is moved goes on") {
+  Simulation a(scene_of(standing_cube()), context());
+  a.step();
+  Simulation b = std::move(a);
+  b.step();
+  CHECK(b.time() == Approx(2.0 / 60));
+  b = Simulation(scene_of(standing_cube()), context());
+  CHECK(b.time() == 0);
+}
