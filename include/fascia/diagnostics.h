@@ -46,7 +46,7 @@ struct StaticReport {
   int iterations = 0;            // of the scene's method
   int newton_iterations = 0;     // of Newton's method in double precision
   double relative_residual = 0;  // forces that are out of balance, over the largest of weight and inner forces
-  bool converged = false;
+  bool converged = false;        // to 1e-5, or to settings.tolerance if that is given. Without any load it may stay false: all is rounding
 };
 
 }  // namespace api

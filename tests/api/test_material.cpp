@@ -41,6 +41,7 @@ TEST_CASE("Every law that is listed can be simulated by the method of the defaul
 
 TEST_CASE("A material that changes while the simulation runs acts on the next equilibrium") {
   Simulation simulation(scene_of(standing_cube()), context());
+  simulation.set_gravity({0, -0.981, 0});  // strains of 0.3 percent, at which the law is linear but for that much
   REQUIRE(simulation.solve_static().converged);
   const double soft = simulation.diagnostics().volume_ratio;
   Material stiff = simulation.material(0);
@@ -48,7 +49,7 @@ TEST_CASE("A material that changes while the simulation runs acts on the next eq
   simulation.set_material(0, stiff);
   CHECK(simulation.material(0) == stiff);
   REQUIRE(simulation.solve_static().converged);
-  CHECK(1 - simulation.diagnostics().volume_ratio == Approx((1 - soft) / 10).epsilon(0.1));  // small strains
+  CHECK(1 - simulation.diagnostics().volume_ratio == Approx((1 - soft) / 10).epsilon(0.02));
   CHECK_THAT(error_of([&] { simulation.set_material(1, stiff); }), Contains("material 1"));
   CHECK_THAT(error_of([&] { simulation.set_material(0, {.density = 0}); }), Contains("density"));
   CHECK(simulation.material(0) == stiff);

@@ -98,7 +98,9 @@ TEST_CASE("States are written by ending") {
 TEST_CASE("In equilibrium supports carry the weight, on the GPU as by the reference solver") {
   for (const bool reference : {false, true}) {
     CAPTURE(reference);
-    Simulation simulation(scene_of(standing_cube(3)), reference ? Context::none() : context(), {.reference = reference});
+    Body column = standing_cube(3);  // it does not widen, so that its stress is that of a bar
+    column.material = {.young_modulus = 1e5, .poisson_ratio = 0};
+    Simulation simulation(scene_of(column), reference ? Context::none() : context(), {.reference = reference});
     int news = 0;
     REQUIRE(simulation.solve_static({}, [&](const StaticReport&) { ++news; }).converged);
     CHECK((reference || news > 0));
@@ -106,12 +108,12 @@ TEST_CASE("In equilibrium supports carry the weight, on the GPU as by the refere
     REQUIRE(supports.size() == 1);
     CHECK(supports[0].force[1] == Approx(9.81).epsilon(1e-6));  // of 1 kg
     CHECK(simulation.diagnostics().reaction[1] == Approx(9.81).epsilon(1e-3));
-    // Under its weight the middle of a column of height H and modulus E has the stress rho g H / 2.
+    // The mean stress of a bar of height H under its weight is rho g H / 2. Lumped masses bend it a little: shear adds a percent.
     const std::vector<double> stress = simulation.von_mises();
     REQUIRE(stress.size() == simulation.tet_count());
     double mean = 0;
     for (const double s : stress) mean += s / static_cast<double>(stress.size());
-    CHECK(mean == Approx(1000 * 9.81 * 0.05).epsilon(0.15));  // the fixed side keeps it from widening
+    CHECK(mean == Approx(1000 * 9.81 * 0.05).epsilon(0.03));
     const TetFields fields = simulation.tet_fields();
     CHECK(fields.green_strain.size() == 6 * simulation.tet_count());
     CHECK(*std::ranges::min_element(fields.det_f) == Approx(simulation.diagnostics().min_det_f).epsilon(1e-4));
@@ -151,7 +153,7 @@ TEST_CASE("A grab pulls with stiffness times what is missing to its target, unti
   simulation.release(grab);
   CHECK(simulation.grabs().empty());
   CHECK_THAT(error_of([&] { simulation.force(grab); }), Contains("grab 0"));
-  REQUIRE(simulation.solve_static().converged);
+  simulation.solve_static();  // without forces there is no relative residual
   CHECK(simulation.positions()[3 * kCorner] == Approx(0.1).margin(1e-6));
 }
 
