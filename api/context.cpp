@@ -10,8 +10,13 @@ namespace {
 
 const Context::Impl* loaded = nullptr;  // whose functions gl:: has
 
-/// Of the window-system library that has a context current on this thread; null: none of those that are loaded.
-Context::GetProc find_get_proc() {
+struct WindowSystem {
+  Context::GetProc get_proc = nullptr;
+  void* (*get_current)() = nullptr;
+};
+
+/// The one that has a context current on this thread; nulls: none of those that are loaded.
+WindowSystem find_window_system() {
   struct Library {
     const char *file, *get_current, *get_proc;
   };
@@ -25,9 +30,9 @@ Context::GetProc find_get_proc() {
     const auto get_proc = reinterpret_cast<Context::GetProc>(dlsym(handle, library.get_proc));
     const bool current = get_current && get_proc && get_current();
     dlclose(handle);  // the caller has it open
-    if (current) return get_proc;
+    if (current) return {get_proc, get_current};
   }
-  return nullptr;
+  return {};
 }
 
 }  // namespace
@@ -47,8 +52,9 @@ void Context::Impl::enter() {
     if (loaded == this && own->is_current()) return;
     own->make_current();
   } else {
+    const bool current = get_current ? get_current() == handle : loaded != this || gl::GetString(GL_VERSION);
+    if (!current) throw Error("context", "is not current", "expected the OpenGL context that Context::current() was called with");
     if (loaded != this) gl::load(get_proc);
-    if (!gl::GetString(GL_VERSION)) throw Error("context", "is not current", "expected the OpenGL context that Context::current() was called with");
   }
   loaded = this;
 }
@@ -78,13 +84,16 @@ Context Context::own(const std::string& kind) {
 
 Context Context::current(GetProc get_proc) {
   return translated([&] {
-    if (!get_proc) get_proc = find_get_proc();
+    const WindowSystem system = find_window_system();
+    if (!get_proc) get_proc = system.get_proc;
     if (!get_proc) throw Error("context", "no OpenGL context is current", "expected one of EGL, GLX or OSMesa on this thread");
     auto impl = std::make_shared<Impl>();
     loaded = nullptr;
     gl::load(get_proc);
     impl->kind = "current";
     impl->get_proc = get_proc;
+    impl->get_current = system.get_current;
+    impl->handle = system.get_current ? system.get_current() : nullptr;
     impl->load_kernels();
     return Context(std::move(impl));
   });

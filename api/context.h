@@ -14,6 +14,8 @@ struct Context::Impl {
   bool software = false;
   std::unique_ptr<fascia::Context> own;  // null: the caller's, or none
   GetProc get_proc = nullptr;            // of the caller's
+  void* (*get_current)() = nullptr;      // the window system's name of the context that is current; null: unknown
+  void* handle = nullptr;                // what that was for the caller's
   std::unique_ptr<gl::ProgramCache> programs;  // null: none
 
   Impl() = default;

@@ -30,7 +30,8 @@ Grab Simulation::Impl::take(const std::vector<PatchVertex>& patch, double stiffn
 
 Simulation::Impl::Held& Simulation::Impl::find(Grab grab) {
   const auto found = held.find(static_cast<std::uint32_t>(grab));
-  if (found == held.end()) throw Error("grab " + std::to_string(static_cast<std::uint32_t>(grab)), "does not exist", "expected one that was not released");
+  if (found == held.end())
+    throw Error("grab " + std::to_string(static_cast<std::uint32_t>(grab)), "does not exist", "expected one that was not released");
   return found->second;
 }
 

@@ -50,8 +50,9 @@ struct RangeCheck {
     const auto value = static_cast<double>(field);
     if (value >= static_cast<double>(least) && value <= static_cast<double>(most)) return;
     const std::string end = *unit ? std::string(" ") + unit : "";
-    throw Error(where + "." + name, "is " + NumberText().add(value).take(),
-                "expected " + NumberText().add(static_cast<double>(least)).take() + " to " + NumberText().add(static_cast<double>(most)).take() + end);
+    const auto text = [](double number) { return NumberText().add(number).take(); };
+    throw Error(where + "." + name, "is " + text(value),
+                "expected " + text(static_cast<double>(least)) + " to " + text(static_cast<double>(most)) + end);
   }
 };
 

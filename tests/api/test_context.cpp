@@ -39,6 +39,13 @@ TEST_CASE("The current context is found without being told whose it is") {
   Simulation in_found(scene_of(standing_cube()), found);
   in_found.step();
   CHECK(in_found.positions() == in_own.positions());
+
+  Simulation in_other(scene_of(standing_cube()), Context::own("osmesa"));
+  in_other.step();  // which is current now
+  CHECK_THAT(error_of([&] { in_found.step(); }), Contains("is not current"));
+  in_own.step();
+  in_found.step();
+  CHECK(in_found.positions() == in_own.positions());
 }
 
 TEST_CASE("Without a context only the reference solver computes") {
