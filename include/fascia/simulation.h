@@ -94,9 +94,9 @@ class FASCIA_EXPORT Simulation {
   void restore(const State& state);  // of this scene, fixed and led vertices included
   /// Writes the state by the file's ending: .vtu, .msh, .csv or .obj (the surface). Throws Error for another ending or a failed write.
   void write(const std::string& path) const;
-  /// The name of an OpenGL buffer with the positions of now in float: vec4 [vertex_count], x y z in meters, w unused. For drawing in
-  /// the same context without a copy. The name holds until a call that changes settings, materials or regions; its content until the
-  /// state changes, then position_buffer() brings it up to date. Throws Error without a GPU.
+  /// The name of an OpenGL buffer with the positions of now in float: vec4 [vertex_count] and maybe more, x y z in meters, w unused. For
+  /// drawing in the same context without a copy. The name holds as long as the simulation; its content is brought up to date by this call
+  /// alone. Throws Error without a GPU.
   unsigned position_buffer();
 
   // What can be changed at any time, and acts from the next step on.
