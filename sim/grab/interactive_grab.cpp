@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/grab/scripted_grab.h"
+
 namespace fascia {
 namespace {
 
