@@ -12,6 +12,7 @@
 #include "app/ui/widgets.h"
 #include "app/ui/units.h"
 #include "render/view/color_map.h"
+#include "sim/material/law.h"
 #include "sim/material/tissues.h"
 
 namespace fascia {
@@ -33,27 +34,8 @@ constexpr Extra kExtras[] = {
     {"damping", 0, 1, 0, true, "0 leaves only the damping of the time step. Turning it on costs a few percent of a step."},
 };
 
-const char* label_of_model(MaterialModel model) {
-  switch (model) {
-    case MaterialModel::signed_st_venant_kirchhoff: return "St. Venant-Kirchhoff";
-    case MaterialModel::st_venant_kirchhoff: return "St. Venant-Kirchhoff, plain";
-    case MaterialModel::stable_neo_hookean: return "Neo-Hookean, stable";
-  }
-  return "";
-}
-
-const char* help_of_model(MaterialModel model) {
-  switch (model) {
-    case MaterialModel::signed_st_venant_kirchhoff:
-      return "Linear in the Green strain; goes on resisting where it is compressed below 60 % or turned inside out, and so comes back.";
-    case MaterialModel::st_venant_kirchhoff:
-      return "Linear in the Green strain to the end: softens under strong compression, and is content inside out.";
-    case MaterialModel::stable_neo_hookean:
-      return "Rubber (Smith, de Goes, Kim 2018): softer than the others in tension, stiffer in compression, comes back from inside out. "
-             "For two_level and vertex_descent.";
-  }
-  return "";
-}
+const char* label_of_model(MaterialModel model) { return law_of(model).label; }
+const char* help_of_model(MaterialModel model) { return law_of(model).help; }
 
 const Extra* extra_of(const char* name) {
   for (const Extra& extra : kExtras)
@@ -87,6 +69,7 @@ void material_sliders(Simulation& simulation, std::size_t index, HintBoard& hint
   bool changed = tissue_combo(material);
   visit_material(material, [&](double& value, const char* name, const char* unit, double min, double max, bool logarithmic,
                                const char* help) {
+    if (!reads(material.model, name)) return;
     const Extra* extra = extra_of(name);
     const ui::NumberField field{label_of_field(name),
                                 unit,

@@ -129,16 +129,16 @@ Eigen::MatrixXf coarse_inverse(MatrixXd matrix) {
   return Eigen::MatrixXf::Zero(matrix.rows(), matrix.cols());  // not finite: the fine level works alone
 }
 
-Eigen::MatrixXf with_springs(const Eigen::MatrixXf& inverse, const CoarseSpace& space, const std::vector<GrabSpring>& springs, double h) {
+Eigen::MatrixXf with_stiffness(const Eigen::MatrixXf& inverse, const CoarseSpace& space, const std::vector<VertexStiffness>& springs, double h) {
   constexpr double kLeast = 1e-3;  // of the stiffest function
   std::map<std::uint32_t, Eigen::Index> touched;  // node and its place among them
-  for (const GrabSpring& s : springs)
+  for (const VertexStiffness& s : springs)
     for (std::uint32_t k = space.begin[s.vertex]; k < space.begin[s.vertex + 1]; ++k)
       touched.emplace(space.node[k], static_cast<Eigen::Index>(touched.size()));
   const auto count = static_cast<Eigen::Index>(touched.size());
   if (count == 0) return inverse;
   MatrixXd stiffness = MatrixXd::Zero(count, count);  // of one component [kg]; the others have the same
-  for (const GrabSpring& s : springs)
+  for (const VertexStiffness& s : springs)
     for (std::uint32_t k = space.begin[s.vertex]; k < space.begin[s.vertex + 1]; ++k)
       for (std::uint32_t l = space.begin[s.vertex]; l < space.begin[s.vertex + 1]; ++l)
         stiffness(touched.at(space.node[k]), touched.at(space.node[l])) += h * h * s.stiffness * space.weight[k] * space.weight[l];

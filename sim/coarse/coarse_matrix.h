@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 
 #include "sim/coarse/coarse_space.h"
-#include "sim/model/grab_spring.h"
 
 namespace fascia {
 
@@ -15,9 +14,15 @@ Eigen::MatrixXd coarse_matrix(const Model& model, const CoarseSpace& space, doub
 /// that the others can express adds nothing.
 Eigen::MatrixXf coarse_inverse(Eigen::MatrixXd matrix);
 
-/// The inverse with h^2 times the stiffness of springs at vertices added to the matrix, by the formula of Sherman, Morrison and Woodbury
-/// over what few functions the springs make: where a hand holds it, the body must not be as yielding as it is free. The springs turn
+struct VertexStiffness {
+  std::uint32_t vertex;
+  double stiffness;  // [N/m], the same in every direction
+  bool operator==(const VertexStiffness&) const = default;
+};
+
+/// The inverse with h^2 times the stiffness of `springs` added to the matrix, by the formula of Sherman, Morrison and Woodbury over what few
+/// functions the springs make: where a grab holds it, the body must not be as yielding as it is free. The springs turn
 /// with the nodes, which changes nothing as far as those around a hand turn alike.
-Eigen::MatrixXf with_springs(const Eigen::MatrixXf& inverse, const CoarseSpace& space, const std::vector<GrabSpring>& springs, double h);
+Eigen::MatrixXf with_stiffness(const Eigen::MatrixXf& inverse, const CoarseSpace& space, const std::vector<VertexStiffness>& springs, double h);
 
 }  // namespace fascia

@@ -76,7 +76,7 @@ Regions::Regions(gl::ProgramCache& programs, const SimBuffers& buffers)
                           region_count(), gl::ComputePass::Constants{{"accumulate", accumulate}});
 }
 
-bool Regions::begin_step(const SolverSettings& settings, const std::vector<GrabSpring>& springs) {
+bool Regions::begin_step(const SolverSettings& settings, const std::vector<VertexStiffness>& springs) {
   if (phase_ == kWholeSteps) partial_ = list(settings, springs);
   if (phase_ < kWholeSteps) partial_ = false;
   return partial_;
@@ -88,7 +88,7 @@ void Regions::end_step() {
   phase_ = (phase_ + 1) % kRound;
 }
 
-bool Regions::list(const SolverSettings& settings, const std::vector<GrabSpring>& springs) {
+bool Regions::list(const SolverSettings& settings, const std::vector<VertexStiffness>& springs) {
   const auto motion = measured_.read<float>();
   const double h = settings.substep();
   std::vector<char> stirred(region_count()), moving(region_count());
@@ -96,7 +96,7 @@ bool Regions::list(const SolverSettings& settings, const std::vector<GrabSpring>
     const double speed = std::sqrt(static_cast<double>(motion[2 * r])), displacement = std::sqrt(static_cast<double>(motion[2 * r + 1]));
     stirred[r] = !is_still(speed * h, h, displacement, settings, buffers_.size);
   }
-  for (const GrabSpring& spring : springs) stirred[vertex_region_[spring.vertex]] = 1;
+  for (const VertexStiffness& spring : springs) stirred[vertex_region_[spring.vertex]] = 1;
   for (std::uint32_t r = 0; r < region_count(); ++r)
     for (const std::uint32_t n : neighbors_[r]) moving[r] |= stirred[n];
   if (moving == listed_) return active_.tet_count <= kMostShare * static_cast<double>(buffers_.tets.size());

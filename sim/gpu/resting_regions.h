@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gl/compute_pass.h"
+#include "sim/coarse/coarse_matrix.h"
 #include "sim/gpu/passes/active_set.h"
 #include "sim/gpu/passes/sim_buffers.h"
 
@@ -19,7 +20,7 @@ class Regions {
   Regions(gl::ProgramCache& programs, const SimBuffers& buffers);
 
   /// Decides about the next step. True: active() holds what it solves; false: it solves everything. Waits for the GPU once in a round.
-  bool begin_step(const SolverSettings& settings, const std::vector<GrabSpring>& springs);
+  bool begin_step(const SolverSettings& settings, const std::vector<VertexStiffness>& springs);
   void end_step();
   /// Something acts on all of it, or the state is another one or one to go back to: a round begins, with whole steps.
   void restart() { phase_ = 0; }
@@ -29,7 +30,7 @@ class Regions {
 
  private:
   static constexpr int kWholeSteps = 2, kRound = 8;
-  bool list(const SolverSettings& settings, const std::vector<GrabSpring>& springs);
+  bool list(const SolverSettings& settings, const std::vector<VertexStiffness>& springs);
 
   const SimBuffers& buffers_;
   std::vector<std::uint32_t> vertex_region_;           // [vertex_count]

@@ -52,7 +52,6 @@ void GpuSolver::make_method() {
     buffers_.set_phantom_count(0);
   }
   const bool joint = settings_.acceleration == Acceleration::anderson && settings_.method != Method::two_level;  // which does its own
-  bool springs_at_vertices = false;
   switch (settings_.method) {
     case Method::jacobi:
     case Method::mass_splitting:
@@ -63,25 +62,22 @@ void GpuSolver::make_method() {
       break;
     case Method::exact_xpbd:
       method_ = std::make_unique<ExactXpbdMethod>(buffers_);
-      springs_at_vertices = true;
       break;
     case Method::vertex_descent:
       method_ = std::make_unique<VertexDescentMethod>(model_, buffers_);
-      springs_at_vertices = true;
       break;
     case Method::two_level:
       if (levels_stay)
         two_level->set_acceleration(programs_, buffers_, settings_);
       else
         method_ = std::make_unique<TwoLevelMethod>(programs_, model_, buffers_, settings_);
-      springs_at_vertices = true;
       break;
   }
   stop_.reset();
   if (settings_.tolerance > 0) stop_.emplace(programs_, buffers_, method_->gradient());
   substeps_ = 0;
-  grab_.set_use(springs_at_vertices, springs_at_vertices || stop_, buffers_.vertex_count);
-  method_->set_springs(grab_.hands().joined);
+  grab_.set_use(method_->descends(), method_->descends() || stop_, buffers_.vertex_count);
+  method_->set_stiffness(stiffness_of(terms_));
 
   chebyshev_.reset();
   anderson_.reset();
@@ -113,7 +109,7 @@ void GpuSolver::record() {
   // A GPU jumps over a branch that none of a few neighbors takes; a second dispatch and its copies would only cost.
   const bool branches_skip = programs_.load_path() == gl::LoadPath::storage;
   const Deferral most_deferred = method_->most_deferred(buffers_, fuses_);
-  const bool may_defer = features_.signed_st_venant_kirchhoff && most_deferred.items > 0 && !branches_skip;
+  const bool may_defer = features_.models.contains(MaterialModel::signed_st_venant_kirchhoff) && most_deferred.items > 0 && !branches_skip;
   if (!may_defer) deferred_.reset();
   if (may_defer && (!deferred_ || deferred_->most != most_deferred)) deferred_.emplace(most_deferred);
   method_->prepare(recording(nullptr));
@@ -123,7 +119,7 @@ void GpuSolver::record() {
   whole_fused_ = fuse(whole_);
   partial_ = {};
   partial_fused_.reset();
-  diagnostics_.record(programs_, buffers_, features_, previous_strain_, grab_);
+  diagnostics_.record(programs_, buffers_, features_, previous_strain_, terms_);
   surface_.record(programs_, buffers_, features_, color_);
   published_ = false;
 }
@@ -147,7 +143,7 @@ Start GpuSolver::start() {
 }
 
 Recording GpuSolver::recording(const ActiveSet* active) {
-  return {programs_, buffers_, features_, previous_strain_, grab_, deferred_ ? &*deferred_ : nullptr, active};
+  return {programs_, buffers_, features_, previous_strain_, terms_, deferred_ ? &*deferred_ : nullptr, active};
 }
 
 GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
@@ -318,7 +314,7 @@ void GpuSolver::set_grab(const std::vector<GrabSpring>& springs) {
   std::vector<GrabSpring> placed_springs = springs;
   for (GrabSpring& spring : placed_springs) spring.vertex = buffers_.placement.place[spring.vertex];
   const bool others = grab_.set(placed_springs);
-  method_->set_springs(grab_.hands().joined);
+  method_->set_stiffness(stiffness_of(terms_));
   if (!others) return;
   record();
   if (regions_) regions_->restart();

@@ -172,6 +172,7 @@ class GpuSolver {
   MotionTargets motions_;
   std::vector<GrabSpring> springs_;  // at vertices of given_
   GrabSprings grab_;
+  const EnergyTerms terms_{&grab_};  // external energies
   DiagnosticsReader diagnostics_;
   StateGuard guard_;
   bool published_ = false;  // positions() are those of the state

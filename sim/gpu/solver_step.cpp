@@ -90,7 +90,7 @@ void GpuSolver::choose_passes() {
   passes_ = &whole_;
   if (regions_) {
     if (time_ < model_.end_of_motions()) regions_->restart();
-    if (regions_->begin_step(settings_, grab_.hands().springs)) passes_ = &partial_;
+    if (regions_->begin_step(settings_, stiffness_of(terms_))) passes_ = &partial_;
   }
   if (passes_ == &partial_ && partial_.begin.empty()) {
     partial_ = record_step(&regions_->active());
@@ -138,7 +138,7 @@ std::vector<Diagnostics> GpuSolver::traced_substep() {
   if (regions_) regions_->restart();
   look_beside();
   begin_substep();
-  if (!grab_.empty()) grab_.forget();
+  if (grab_.acts()) grab_.forget();
   diagnose();
   for (int i = 0; i < settings_.iterations; ++i) {
     iterate(i);

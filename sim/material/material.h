@@ -7,8 +7,8 @@
 
 namespace fascia {
 
-/// signed_st_venant_kirchhoff is St. Venant-Kirchhoff where no direction is compressed below 0.6, and keeps on resisting where one is.
-enum class MaterialModel { signed_st_venant_kirchhoff, st_venant_kirchhoff, stable_neo_hookean };
+/// The laws (sim/material/law.h) by name. signed_st_venant_kirchhoff is St. Venant-Kirchhoff where no direction is compressed below 0.6, and keeps on resisting where one is.
+enum class MaterialModel { signed_st_venant_kirchhoff, st_venant_kirchhoff, stable_neo_hookean, neo_hookean, mooney_rivlin };
 
 const std::vector<MaterialModel>& material_models();  // that exist
 const char* name_of(MaterialModel model);             // "st_venant_kirchhoff", as in scene files
@@ -23,6 +23,7 @@ struct Material {
   double density = 1000;       // [kg/m^3]
   double damping = 0;  // ratio of viscosity to stiffness [s] (Kelvin-Voigt: S = D (eps + damping * d eps/dt))
   MaterialModel model = MaterialModel::signed_st_venant_kirchhoff;
+  double mooney_ratio = 0.2;  // of mooney_rivlin alone: C01 / (C10 + C01) [-]
 
   double lame_lambda() const {
     return young_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio));
@@ -42,6 +43,7 @@ void visit_material(M& m, F&& f) {
   f(m.density, "density", "kg/m^3", 1e-3, 1e6, true, "mass per volume at rest");
   f(m.damping, "damping", "s", 0.0, 10.0, false,
     "viscosity over stiffness: motion of period T decays faster the nearer this is to T");
+  f(m.mooney_ratio, "mooney_ratio", "", 0.0, 1.0, false, "C01 / (C10 + C01) of the model mooney_rivlin, which alone reads it");
 }
 
 }  // namespace fascia

@@ -1,4 +1,4 @@
-// St. Venant-Kirchhoff energy of one linear tet with its first and second derivatives, in double precision.
+// Energy of one linear tet with its first and second derivatives, in double precision.
 //
 //   F = I + sum_a u_a b_a^T,  eps = 1/2 (F^T F - I)
 //   Psi = lambda/2 tr(eps)^2 + mu eps:eps,  S = lambda tr(eps) I + 2 mu eps
@@ -32,14 +32,6 @@ Vector6d green_strain(const Eigen::Matrix3d& f);  // xx, yy, zz, yz, xz, xy; ten
 Eigen::Matrix3d green_strain_matrix(const RestTet& rest, const Corners& displacements);
 Eigen::Matrix3d second_piola_stress(const Eigen::Matrix3d& strain, const Material& material);  // S [Pa] of St. Venant-Kirchhoff
 
-/// F = U diag(s) V^T with det U = det V = 1 and |s| descending: the last one carries the sign of det F.
-struct SignedSvd {
-  Eigen::Matrix3d u, v;
-  Eigen::Vector3d s;
-};
-SignedSvd signed_svd(const Eigen::Matrix3d& f);
-
-constexpr double kLeastStretch = 0.6;  // of signed_st_venant_kirchhoff: below, the strain of a principal direction falls linearly
 Eigen::Matrix3d first_piola_stress(const Eigen::Matrix3d& f, const Material& material);  // P = dPsi/dF [Pa], elastic part
 /// Of the Cauchy stress F S F^T / J [Pa].
 double von_mises(const Eigen::Matrix3d& f, const Material& material);

@@ -48,6 +48,7 @@ struct PrescribedMotion {           // path from rest to target over [start, sta
 struct MaterialOverride {
   std::optional<double> young_modulus, poisson_ratio, density, damping;
   std::optional<MaterialModel> model;
+  std::optional<double> mooney_ratio = std::nullopt;
   bool operator==(const MaterialOverride&) const = default;
 };
 

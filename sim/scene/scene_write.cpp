@@ -6,6 +6,7 @@
 
 #include "base/byte_hash.h"
 #include "base/byte_text.h"
+#include "sim/material/law.h"
 #include "sim/scene/scene_paths.h"
 
 namespace fascia {
@@ -41,12 +42,14 @@ OrderedJson selection(const Selection& selection) {
   return object;
 }
 
-/// Of a Material or a MaterialOverride: what it has.
+/// Of a Material or a MaterialOverride: what it has, without what its law does not read.
 template <class M>
 OrderedJson material(const M& material) {
   OrderedJson object = OrderedJson::object();
+  const MaterialModel law = std::optional<MaterialModel>(material.model).value_or(MaterialModel::mooney_rivlin);
   visit_material(material, [&](const auto& field, const char* name, auto&&...) {
-    if (const std::optional<double> value = field) object[name] = number(*value);
+    const std::optional<double> value = field;
+    if (value && (reads(law, name) || *value != Material{}.mooney_ratio)) object[name] = number(*value);
   });
   if (const std::optional<MaterialModel> model = material.model) object["model"] = name_of(*model);
   return object;

@@ -9,8 +9,8 @@ INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
 INPUT_VEC4(Predicted, predicted)        // [vertex_count] xyz u~ [m], w inverse mass, 0 where held
 INPUT_VEC4(Velocity, velocity)          // [vertex_count] v_n [m/s]
 INPUT_FLOAT(Mass, mass)                 // [vertex_count] [kg]
-#include "sim/grab/feature_grab.glsl"
-// Two arrays of `partials`: x |g|^2, y |M (u - u~)|^2, z |h^2 dU/du|^2 + |h^2 M gravity|^2, w |h^2 springs|^2 [m^2]; x |M v|^2 [m^2/s^2]
+#include "sim/energy/terms.glsl"
+// Two arrays of `partials`: x |g|^2, y |M (u - u~)|^2, z |h^2 dU/du|^2 + |h^2 M gravity|^2, w |h^2 external forces|^2 [m^2]; x |M v|^2 [m^2/s^2]
 OUTPUT(vec4, ResidualPartials, residual_partials)
 uniform uint vertex_count, partials;
 
@@ -23,9 +23,8 @@ void main() {
     if (!(predicted_v.w > 0.0)) continue;
     float m = FETCH1(mass, v) * INVERSE_MEAN_MASS;
     vec3 u = FETCH(displacement, v).xyz, g = FETCH(gradient, v).xyz * INVERSE_MEAN_MASS;
-    vec4 spring = spring_of(v);
     vec3 inertia = m * (u - predicted_v.xyz), elastic = g - inertia, weight = SUBSTEP * SUBSTEP * m * GRAVITY;
-    vec3 pull = SUBSTEP * SUBSTEP * INVERSE_MEAN_MASS * spring.w * (u - spring.xyz), momentum = m * FETCH(velocity, v).xyz;
+    vec3 pull = external_gradient(v, u, SUBSTEP * SUBSTEP * INVERSE_MEAN_MASS).xyz, momentum = m * FETCH(velocity, v).xyz;
     sum += vec4(dot(g, g), dot(inertia, inertia), dot(elastic, elastic) + dot(weight, weight), dot(pull, pull));
     motion += dot(momentum, momentum);
   }

@@ -1,5 +1,6 @@
 // The elastic and viscous response of a tet with displacement gradient H: energy, first Piola stress and their linearisation.
-//   strain-based models: P = F S, S = D : e, with F and e as deformation_of() gives them
+//   laws of the Green strain: P = F S, S = D : e, with F and e as deformation_of() gives them
+//   laws beyond it: sim/material/laws.glsl
 //   viscous, of every model (Kelvin-Voigt): P = damping/h F D : (E - E_n) of the plain Green strain E
 #include "sim/material/deformation.glsl"
 #include "sim/elasticity/feature_damping.glsl"
@@ -10,13 +11,13 @@ struct Elastic {
   float energy;  // density Psi [J/m^3]
 };
 
-#if STABLE_NEO_HOOKEAN
-#include "sim/material/stable_neo_hookean.glsl"
+#if BEYOND_STRAIN
+#include "sim/material/laws.glsl"
 #endif
 
 Elastic elastic_of(mat3 h, vec4 material) {
-#if STABLE_NEO_HOOKEAN
-  if (IS_STABLE_NEO_HOOKEAN(material)) return stable_neo_hookean(h, material);
+#if BEYOND_STRAIN
+  if (IS_BEYOND_STRAIN(material)) return LAW_RESPONSE(h, material);
 #endif
   Deformation d = deformation_of(h, material);
   Sym3 s = second_piola_stress(d.e, material);
@@ -52,9 +53,9 @@ struct Tangent {
 };
 
 Tangent tangent_of(uint t, mat3 h, vec4 material) {
-#if STABLE_NEO_HOOKEAN
+#if BEYOND_STRAIN
   Tangent r = Tangent(mat3(1.0) + h, Sym3(vec3(0.0), vec3(0.0)), 0.0);
-  if (!IS_STABLE_NEO_HOOKEAN(material)) {
+  if (!IS_BEYOND_STRAIN(material)) {
     Deformation d = deformation_of(h, material);
     r = Tangent(d.f, second_piola_stress(d.e, material), 1.0);
   }
@@ -81,8 +82,8 @@ float geometric(mat3 a, Sym3 s, mat3 b) {
 float curvature(Tangent tangent, mat3 h, vec4 material, mat3 a, mat3 b) {
   float sum = tangent.stiff * contract(second_piola_stress(strain_change(tangent.f, a), material), strain_change(tangent.f, b)) +
               geometric(a, tangent.s, b);
-#if STABLE_NEO_HOOKEAN
-  if (IS_STABLE_NEO_HOOKEAN(material)) sum += neo_hookean_curvature(h, material, a, b);
+#if BEYOND_STRAIN
+  if (IS_BEYOND_STRAIN(material)) sum += LAW_CURVATURE(h, material, a, b);
 #endif
   return sum;
 }
@@ -97,9 +98,9 @@ Sym3 corner_block(Tangent tangent, mat3 h, vec4 material, vec3 b) {
   float mu = lame_mu(material), outer = tangent.stiff * (lame_lambda(material) + mu), inner = tangent.stiff * mu * dot(b, b);
   Sym3 block = Sym3(outer * fb * fb + inner * vec3(dot(r0, r0), dot(r1, r1), dot(r2, r2)) + max(0.0, dot(b, times(tangent.s, b))),
                     outer * fb.yxx * fb.zzy + inner * vec3(dot(r1, r2), dot(r0, r2), dot(r0, r1)));
-#if STABLE_NEO_HOOKEAN
-  if (IS_STABLE_NEO_HOOKEAN(material)) {
-    Sym3 more = neo_hookean_block(h, material, b);
+#if BEYOND_STRAIN
+  if (IS_BEYOND_STRAIN(material)) {
+    Sym3 more = LAW_BLOCK(h, material, b);
     block = Sym3(block.d + more.d, block.s + more.s);
   }
 #endif

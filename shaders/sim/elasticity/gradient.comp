@@ -1,4 +1,4 @@
-// Gradient g = M (u - u~) + h^2 dU/du of the step's objective at every vertex, 0 where held, with the vertex's share of the objective
+// Gradient g = M (u - u~) + h^2 dU/du, external energies included, of the step's objective at every vertex, 0 where held, with the vertex's share of the objective
 // in w. After elastic_force. A gather in fixed order, so runs repeat bit for bit.
 #include "common/io.glsl"
 #include "common/step.glsl"
@@ -8,7 +8,7 @@ INPUT_VEC4(Predicted, predicted)        // [vertex_count] xyz u~ [m], w inverse 
 INPUT_FLOAT(Mass, mass)                 // [vertex_count] [kg]
 INPUT_UINT(SlotBegin, slot_begin)       // [vertex_count + 1]
 INPUT_VEC4(Correction, correction)      // [slots] from elastic_force
-#include "sim/grab/feature_grab.glsl"
+#include "sim/energy/terms.glsl"
 OUTPUT(vec4, Gradient, gradient)  // [vertex_count] xyz g [kg m], w objective [kg m^2]
 
 void main() {
@@ -18,9 +18,8 @@ void main() {
   for (uint k = FETCH1(slot_begin, i); k < end; ++k) sum += FETCH(correction, k);
   vec4 predicted_i = FETCH(predicted, i);
   vec3 u = FETCH(displacement, i).xyz, d = u - predicted_i.xyz;
-  vec4 spring = spring_of(i);
-  vec3 stretch = u - spring.xyz;
-  float m = FETCH1(mass, i), k = SUBSTEP * SUBSTEP * spring.w;
-  vec4 g = sum + vec4(m * d + k * stretch, 0.5 * (m * dot(d, d) + k * dot(stretch, stretch)));
+  float m = FETCH1(mass, i);
+  vec4 more = external_gradient(i, u, SUBSTEP * SUBSTEP);
+  vec4 g = sum + vec4(m * d + more.xyz, 0.5 * (m * dot(d, d) + more.w));
   gradient[i] = predicted_i.w > 0.0 ? g : vec4(0.0, 0.0, 0.0, sum.w);
 }

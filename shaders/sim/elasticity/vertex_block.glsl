@@ -35,7 +35,7 @@ VertexBlock add_tets(uint v) {
     float scale = SUBSTEP * SUBSTEP * tet.volume;
     block.hessian.d += scale * hessian.d;
     block.hessian.s += scale * hessian.s;
-#if DAMPING || STABLE_NEO_HOOKEAN
+#if DAMPING || BEYOND_STRAIN
     block.gradient += scale * (response_of(t, h, material).p * b);
 #else
     block.gradient += scale * (times(tangent.f, tangent.s) * b);

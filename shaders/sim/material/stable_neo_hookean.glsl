@@ -1,28 +1,11 @@
 // Stable neo-Hookean material (Smith, de Goes, Kim 2018, eq. 14, with their Lame parameters):
 //   Psi = mu/2 (I - 3) + lambda/2 (J - alpha)^2 - mu/2 log(I + 1), I = |F|^2, alpha = 1 + 3 mu / (4 lambda), less its value at rest.
 // Written in H = F - I, so that small strains lose no digits to the stresses that cancel at rest.
-float neo_hookean_mu(vec4 material) { return 4.0 / 3.0 * lame_mu(material); }
-float neo_hookean_lambda(vec4 material) { return lame_lambda(material) + 5.0 / 6.0 * lame_mu(material); }
+float stable_neo_hookean_mu(vec4 material) { return 4.0 / 3.0 * lame_mu(material); }
+float stable_neo_hookean_lambda(vec4 material) { return lame_lambda(material) + 5.0 / 6.0 * lame_mu(material); }
 
-// Cofactors of F, dJ/dF, less the identity.
-mat3 cofactor_minus_one(mat3 h) {
-  mat3 c = mat3(h[0].x + h[1].y + h[2].z) - transpose(h);
-  return c + mat3(cross(h[1], h[2]), cross(h[2], h[0]), cross(h[0], h[1]));
-}
-
-// I - 3.
-float stretch_invariant(mat3 h) {
-  return 2.0 * (h[0].x + h[1].y + h[2].z) + dot(h[0], h[0]) + dot(h[1], h[1]) + dot(h[2], h[2]);
-}
-
-// x - log(1 + x).
-float above_logarithm(float x) {
-  if (abs(x) > 0.1) return x - log(1.0 + x);
-  return x * x * (0.5 + x * (-1.0 / 3.0 + x * (0.25 + x * (-0.2 + x * (1.0 / 6.0 - x / 7.0)))));
-}
-
-Elastic stable_neo_hookean(mat3 h, vec4 material) {
-  float mu = neo_hookean_mu(material), lambda = neo_hookean_lambda(material), j1 = det_f_minus_one(h), i3 = stretch_invariant(h);
+Elastic stable_neo_hookean_response(mat3 h, vec4 material) {
+  float mu = stable_neo_hookean_mu(material), lambda = stable_neo_hookean_lambda(material), j1 = det_f_minus_one(h), i3 = stretch_invariant(h);
   mat3 cofactor1 = cofactor_minus_one(h), f = mat3(1.0) + h;
   // Second invariant of H and its determinant, J - 1 - tr H.
   float higher = j1 - (h[0].x + h[1].y + h[2].z);
@@ -32,8 +15,8 @@ Elastic stable_neo_hookean(mat3 h, vec4 material) {
 }
 
 // Second derivative of the energy density along a and b, changes of F.
-float neo_hookean_curvature(mat3 h, vec4 material, mat3 a, mat3 b) {
-  float mu = neo_hookean_mu(material), lambda = neo_hookean_lambda(material), i1 = stretch_invariant(h) + 4.0;
+float stable_neo_hookean_curvature(mat3 h, vec4 material, mat3 a, mat3 b) {
+  float mu = stable_neo_hookean_mu(material), lambda = stable_neo_hookean_lambda(material), i1 = stretch_invariant(h) + 4.0;
   mat3 f = mat3(1.0) + h, cofactor = mat3(1.0) + cofactor_minus_one(h);
   float ab = dot(a[0], b[0]) + dot(a[1], b[1]) + dot(a[2], b[2]);
   float fa = dot(f[0], a[0]) + dot(f[1], a[1]) + dot(f[2], a[2]), fb = dot(f[0], b[0]) + dot(f[1], b[1]) + dot(f[2], b[2]);
@@ -47,8 +30,8 @@ float neo_hookean_curvature(mat3 h, vec4 material, mat3 a, mat3 b) {
 
 // Second derivative by the position of one corner, whose shape function has the gradient b: positive semidefinite, for J is linear in
 // it.
-Sym3 neo_hookean_block(mat3 h, vec4 material, vec3 b) {
-  float mu = neo_hookean_mu(material), lambda = neo_hookean_lambda(material), i1 = stretch_invariant(h) + 4.0;
+Sym3 stable_neo_hookean_block(mat3 h, vec4 material, vec3 b) {
+  float mu = stable_neo_hookean_mu(material), lambda = stable_neo_hookean_lambda(material), i1 = stretch_invariant(h) + 4.0;
   vec3 fb = b + h * b, cb = b + cofactor_minus_one(h) * b;
   float outer = 2.0 * mu / (i1 * i1);
   return Sym3(mu * (1.0 - 1.0 / i1) * dot(b, b) + outer * fb * fb + lambda * cb * cb,

@@ -6,14 +6,14 @@
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
 #include "sim/elasticity/vertex_block.glsl"
-#include "sim/grab/feature_grab.glsl"
+#include "sim/energy/terms.glsl"
 INPUT_FLOAT(Mass, mass)                     // [vertex_count] [kg]
 OUTPUT(vec4, BlockInverse, block_inverse)  // [2 * vertex_count] xyz of xx, yy, zz then of yz, xz, xy [1/kg]
 
 void main() {
   ITEM_OR_RETURN(i)
   Sym3 a = add_tets(i).hessian;
-  a.d += FETCH1(mass, i) + SUBSTEP * SUBSTEP * spring_of(i).w;
+  a.d += FETCH1(mass, i) + external_stiffness(i, SUBSTEP * SUBSTEP);
   // Scaled to a unit trace: the determinant of a small mesh's block would leave the range of floats.
   float scale = 1.0 / (a.d.x + a.d.y + a.d.z);
   Sym3 inverse = inverse_of(Sym3(scale * a.d, scale * a.s));

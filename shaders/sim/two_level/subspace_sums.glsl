@@ -3,7 +3,7 @@
 // objective. For kernels that have declared `gradient`.
 #include "common/reduce.glsl"
 #include "common/step.glsl"
-#include "sim/grab/feature_grab.glsl"
+#include "sim/energy/terms.glsl"
 INPUT_FLOAT(Mass, mass)                          // [vertex_count] [kg]
 INPUT_VEC4(LastStep, last_step)                  // [vertex_count] p [m]
 INPUT_VEC4(PreviousGradient, previous_gradient)  // [vertex_count] g before p [kg m]
@@ -18,7 +18,7 @@ struct SubspaceSums {
 void add_vertex(inout SubspaceSums sums, uint v, vec3 fine, vec3 coarse) {
   vec4 g = FETCH(gradient, v);
   vec3 p = FETCH(last_step, v).xyz, y = g.xyz - FETCH(previous_gradient, v).xyz;
-  float m = FETCH1(mass, v) + SUBSTEP * SUBSTEP * spring_of(v).w;
+  float m = FETCH1(mass, v) + external_stiffness(v, SUBSTEP * SUBSTEP);
   sums.slopes += vec4(dot(g.xyz, fine), dot(g.xyz, coarse), dot(g.xyz, p), g.w);
   sums.masses += m * vec4(dot(fine, fine), dot(fine, coarse), dot(coarse, coarse), dot(p, p));
   sums.secants += vec4(dot(fine, y), dot(coarse, y), dot(p, y), 0.0);

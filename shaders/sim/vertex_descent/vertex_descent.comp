@@ -5,7 +5,7 @@
 COMPUTE_1D
 INPUT_VEC4_IN_PLACE(Neighbor, neighbor)  // [vertex_count] displacement u [m]
 #include "sim/elasticity/vertex_block.glsl"
-#include "sim/grab/feature_grab.glsl"
+#include "sim/energy/terms.glsl"
 INPUT_VEC4(Predicted, predicted)         // [vertex_count] u~ [m]
 INPUT_FLOAT(Mass, mass)                  // [vertex_count] [kg]
 INPUT_UINT(ColorVertex, color_vertex)    // vertices sorted by color, held ones left out
@@ -22,10 +22,9 @@ void main() {
     return;
   }
 #endif
-  vec4 spring = spring_of(v);
   vec3 u = AT_VERTEX(v);
-  float m = FETCH1(mass, v), k = SUBSTEP * SUBSTEP * spring.w;
-  vec3 g = block.gradient + m * (u - FETCH(predicted, v).xyz) + k * (u - spring.xyz);
+  float m = FETCH1(mass, v), k = external_stiffness(v, SUBSTEP * SUBSTEP);
+  vec3 g = block.gradient + m * (u - FETCH(predicted, v).xyz) + external_gradient(v, u, SUBSTEP * SUBSTEP).xyz;
   block.hessian.d += m + k;
   float scale = 1.0 / (block.hessian.d.x + block.hessian.d.y + block.hessian.d.z);
   Sym3 inverse = inverse_of(Sym3(scale * block.hessian.d, scale * block.hessian.s));

@@ -108,7 +108,7 @@ Eigen::MatrixXf CoarseLevel::compute(const CoarseSpace& space, const Job& job) {
 }
 
 void CoarseLevel::upload() {
-  const Eigen::MatrixXf inverse = with_springs(free_inverse_, space_, springs_, h_);
+  const Eigen::MatrixXf inverse = with_stiffness(free_inverse_, space_, springs_, h_);
   constexpr float kOne = 32767;
   const Eigen::VectorXf scale = (inverse.diagonal().cwiseMax(0) / kOne).cwiseSqrt();
   const std::size_t row_length = std::size_t{8} * row_octets_;
@@ -147,10 +147,8 @@ void CoarseLevel::values_changed(const Model& model, const SolverSettings& setti
     start(std::move(job));
 }
 
-void CoarseLevel::set_springs(const std::vector<GrabSpring>& springs) {
-  if (empty()) return;
-  const auto same = [](const GrabSpring& a, const GrabSpring& b) { return a.vertex == b.vertex && a.stiffness == b.stiffness; };
-  if (std::equal(springs.begin(), springs.end(), springs_.begin(), springs_.end(), same)) return;
+void CoarseLevel::set_stiffness(const std::vector<VertexStiffness>& springs) {
+  if (empty() || springs == springs_) return;
   springs_ = springs;
   if (free_inverse_.size() > 0) upload();
 }

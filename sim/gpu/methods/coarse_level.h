@@ -29,7 +29,7 @@ class CoarseLevel {
   /// Starts to compute the inverse if materials or h are other ones; one that waits for older values is let go.
   void values_changed(const Model& model, const SolverSettings& settings);
   /// What holds the body beside the tissue, from now on.
-  void set_springs(const std::vector<GrabSpring>& springs);
+  void set_stiffness(const std::vector<VertexStiffness>& springs);
   /// Uploads an inverse for other values that is ready; with `wait`, waits until the newest is. Returns how many.
   int update(bool wait);
   /// Waits for so many inverses, or as many as are asked for, and uploads them.
@@ -52,7 +52,7 @@ class CoarseLevel {
   gl::Buffer node_begin_, gather_entry_, columns_, row_begin_, rows_;
   gl::Buffer rotation_, gradient_, inverse_rows_, scale_, correction_;
   Eigen::MatrixXf free_inverse_;     // without springs; empty before the first is taken
-  std::vector<GrabSpring> springs_;  // targets left aside
+  std::vector<VertexStiffness> springs_;
   std::vector<Material> materials_;  // that the newest inverse is for, ready or not
   double h_ = 0;                     // [s]
   std::future<Eigen::MatrixXf> inverse_;

@@ -18,6 +18,7 @@ class ExactXpbdMethod : public StepMethod {
   /// The multipliers start in balance with the stress at the prediction: from zero, accelerated iterations stall.
   Passes begin(const Recording& recording) const override;
   Deferral most_deferred(const SimBuffers& buffers, bool) const override { return {1, buffers.pair_and_single_count()}; }
+  bool descends() const override { return true; }
   Passes iteration(const Recording& recording, bool first) const override;
 
  private:

@@ -75,7 +75,7 @@ Passes GaussSeidelMethod::iteration(const Recording& r, bool first) const {
                                                   {"displacement", &r.buffers.displacement}},
                         split_count_, gl::ComputePass::Constants{{"first_item", r.buffers.vertex_count}})
         .loops(r.loops_of_vertex());
-  if (!r.grab.empty()) passes.push_back(r.grab.pull(r.programs, r.buffers, first));
+  append(passes, r.projections(first));
   return passes;
 }
 

@@ -24,7 +24,7 @@ Passes JacobiMethod::iteration(const Recording& r, bool first) const {
                                                 {"displacement", &r.buffers.displacement}},
                       r.buffers.vertex_count)
       .loops(r.loops_of_slots());
-  if (!r.grab.empty()) passes.push_back(r.grab.pull(r.programs, r.buffers, first));
+  append(passes, r.projections(first));
   return passes;
 }
 

@@ -21,6 +21,8 @@ class StepMethod {
   virtual bool starts_without_gravity() const { return false; }
   /// vec4 [2 * tet_count], of methods whose multipliers are part of the state that an acceleration combines; null for the others.
   virtual const gl::Buffer* multiplier() const { return nullptr; }
+  /// Whether iterations descend the objective with its external energies; else these are projected as constraints after each.
+  virtual bool descends() const { return false; }
   /// What is computed before every iteration, of methods that descend the step's objective; null for the others.
   virtual const StepGradient* gradient() const { return nullptr; }
   virtual Passes begin(const Recording&) const { return {}; }  // once a substep, after the prediction
@@ -31,7 +33,7 @@ class StepMethod {
     constexpr int kInterval = 8, kLeastLeft = 4;
     return iteration == 0 || (iteration % kInterval == 0 && iterations - iteration >= kLeastLeft);
   }
-  /// One iteration, the grab's springs included. The first one of a substep finds no history.
+  /// One iteration, external energies included. The first one of a substep finds no history.
   virtual Passes iteration(const Recording& recording, bool first) const = 0;
   virtual Passes end(const Recording&) const { return {}; }  // after the last iteration of a substep, unless a stop rule ended them
   /// What the passes of an iteration may put off (deferred_tets.h). `fused`: whether passes are (gl/fused_pass.h).
@@ -42,8 +44,8 @@ class StepMethod {
   virtual void begin_partial() {}
   /// Materials, masses, gravity or h have other values; buffers and passes stay.
   virtual void values_changed(const Model&, const SolverSettings&) {}
-  /// What holds the body beside the tissue; targets may be others at every call.
-  virtual void set_springs(const std::vector<GrabSpring>&) {}
+  /// What external energies add to the body's stiffness.
+  virtual void set_stiffness(const std::vector<VertexStiffness>&) {}
   /// Whether all is there that the first step needs; what takes long is computed beside what else is made.
   virtual bool ready() const { return true; }
   /// Waits until it is. Before any step, and before the two below tell of later results.

@@ -74,7 +74,7 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
                                      {"vertex_tets", &vertex_tets_},
                                      {"block_inverse", &block_inverse_}};
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
-  const gl::Defines defines = r.grab.with_springs(defines_of(r.features), bindings);
+  const gl::Defines defines = with_energy_terms(defines_of(r.features), bindings, r.terms);
   Passes passes;
   passes.push_back(r.over_vertices("sim/two_level/block_inverse.comp", defines, std::move(bindings)));
   passes.back().loops(r.loops_of_vertex());
@@ -134,7 +134,7 @@ gl::ComputePass TwoLevelMethod::sum_for_step(const Recording& r, const char* ker
                                    {"last_step", &last_step_},
                                    {"previous_gradient", &previous_gradient_},
                                    {"dot_partials", &partials_}});
-  defines = r.grab.with_springs(std::move(defines), bindings);
+  defines = with_energy_terms(std::move(defines), bindings, r.terms);
   return r.sum_over_vertices(kernel, std::move(defines), std::move(bindings), vertices_, {{"partials", vertices_.partials}});
 }
 

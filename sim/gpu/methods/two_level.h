@@ -30,7 +30,8 @@ class TwoLevelMethod : public StepMethod {
   Passes iteration(const Recording& recording, bool first) const override;
   Passes end(const Recording& recording) const override;
   void values_changed(const Model& model, const SolverSettings& settings) override { coarse_.values_changed(model, settings); }
-  void set_springs(const std::vector<GrabSpring>& springs) override { coarse_.set_springs(springs); }
+  void set_stiffness(const std::vector<VertexStiffness>& springs) override { coarse_.set_stiffness(springs); }
+  bool descends() const override { return true; }
   bool ready() const override { return coarse_.ready(); }
   void complete() override { coarse_.complete(); }
   int update(bool wait) override { return coarse_.update(wait); }

@@ -13,6 +13,7 @@ class VertexDescentMethod : public StepMethod {
   Deferral most_deferred(const SimBuffers&, bool) const override {
     return {static_cast<std::uint32_t>(coloring_.color_count()), static_cast<std::uint32_t>(coloring_.order.size())};
   }
+  bool descends() const override { return true; }
   Passes iteration(const Recording& recording, bool first) const override;
 
  private:

@@ -1,24 +1,61 @@
 #include "sim/gpu/passes/features.h"
 
-#include <algorithm>
+#include <cctype>
+
+#include "sim/material/law.h"
 
 namespace fascia {
 
+namespace {
+
+std::string capitals(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return name;
+}
+
+// One of the laws' functions, called for the law that the material has: HAS_MODEL(material, 2.0) ? stable_neo_hookean_block(...) : ...
+std::string call_of_law(const std::vector<const MaterialLaw*>& laws, const std::string& function) {
+  std::string text;
+  for (const MaterialLaw* law : laws) {
+    if (law != laws.back()) text += "HAS_MODEL(material, " + std::to_string(static_cast<int>(law->model)) + ".0) ? ";
+    text += law->name + function + (law == laws.back() ? "" : " : ");
+  }
+  return "(" + text + ")";
+}
+
+}  // namespace
+
 Features features_of(const Model& model) {
-  const auto any = [&](auto&& has) { return std::any_of(model.materials.begin(), model.materials.end(), has); };
-  const auto any_of_model = [&](MaterialModel wanted) { return any([=](const Material& m) { return m.model == wanted; }); };
-  return {model.materials.size() > 1, any([](const Material& m) { return m.damping > 0; }),
-          any_of_model(MaterialModel::signed_st_venant_kirchhoff), any_of_model(MaterialModel::st_venant_kirchhoff),
-          any_of_model(MaterialModel::stable_neo_hookean)};
+  Features features;
+  features.material_per_tet = model.materials.size() > 1;
+  for (const Material& material : model.materials) {
+    features.damping |= material.damping > 0;
+    features.models.insert(material.model);
+  }
+  return features;
 }
 
 gl::Defines defines_of(const Features& features) {
   const auto flag = [](bool on) { return on ? "1" : "0"; };
-  return {{"DAMPING", flag(features.damping)},
-          {"MATERIAL_PER_TET", flag(features.material_per_tet)},
-          {"SIGNED_ST_VENANT_KIRCHHOFF", flag(features.signed_st_venant_kirchhoff)},
-          {"ST_VENANT_KIRCHHOFF", flag(features.st_venant_kirchhoff)},
-          {"STABLE_NEO_HOOKEAN", flag(features.stable_neo_hookean)}};
+  gl::Defines defines{{"DAMPING", flag(features.damping)},
+                      {"MATERIAL_PER_TET", flag(features.material_per_tet)},
+                      {"LAW_COUNT", std::to_string(features.models.size())}};
+  std::vector<const MaterialLaw*> beyond;
+  std::string any;
+  for (const MaterialLaw* law : material_laws()) {
+    const bool has = features.models.contains(law->model);
+    defines.emplace_back(capitals(law->name), flag(has));
+    if (!has || law->of_strain) continue;
+    beyond.push_back(law);
+    any += (any.empty() ? "" : " || ") + ("HAS_MODEL(material, " + std::to_string(static_cast<int>(law->model)) + ".0)");
+  }
+  defines.emplace_back("BEYOND_STRAIN", flag(!beyond.empty()));
+  if (beyond.empty()) return defines;
+  defines.emplace_back("IS_BEYOND_STRAIN(material)", beyond.size() == features.models.size() ? "true" : "(" + any + ")");
+  defines.emplace_back("LAW_RESPONSE(h, material)", call_of_law(beyond, "_response(h, material)"));
+  defines.emplace_back("LAW_CURVATURE(h, material, a, b)", call_of_law(beyond, "_curvature(h, material, a, b)"));
+  defines.emplace_back("LAW_BLOCK(h, material, b)", call_of_law(beyond, "_block(h, material, b)"));
+  return defines;
 }
 
 gl::ComputePass::Bindings with_material(gl::ComputePass::Bindings bindings, const Features& features,

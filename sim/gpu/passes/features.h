@@ -1,6 +1,8 @@
 // What a scene needs of the kernels. Turns into defines (shaders/sim/feature_*.glsl), so that what is off is not compiled,
 // not bound and not allocated.
 #pragma once
+#include <set>
+
 #include "gl/compute_pass.h"
 #include "sim/gpu/passes/sim_buffers.h"
 
@@ -9,7 +11,7 @@ namespace fascia {
 struct Features {
   bool material_per_tet = false;
   bool damping = false;
-  bool signed_st_venant_kirchhoff = false, st_venant_kirchhoff = false, stable_neo_hookean = false;  // models that the materials have
+  std::set<MaterialModel> models;  // that the materials have
   bool operator==(const Features&) const = default;
 };
 

@@ -74,42 +74,43 @@ void GrabSprings::spread() {
   upload_spans(vertex_spring_, vertices_, springs_);
 }
 
-gl::Defines GrabSprings::with_springs(gl::Defines defines, gl::ComputePass::Bindings& bindings) const {
-  defines.emplace_back("GRAB", empty() ? "0" : "1");
-  if (!empty()) bindings.emplace_back("vertex_spring", &vertex_spring_);
-  return defines;
+std::vector<VertexStiffness> GrabSprings::stiffness() const {
+  std::vector<VertexStiffness> all;
+  for (const GrabSpring& spring : hands_.joined) all.push_back({spring.vertex, spring.stiffness});
+  return all;
 }
 
-gl::ComputePass GrabSprings::measure(gl::ProgramCache& programs, const SimBuffers& buffers) const {
-  return {programs.compute("sim/grab/grab_measure.comp"),
-          {{"step", &buffers.step},
-           {"grab_vertex", &vertex_},
-           {"grab_target", &target_},
-           {"displacement", &buffers.displacement},
-           {"grab_multiplier", &multiplier_}},
-          count()};
+std::vector<gl::ComputePass> GrabSprings::project(gl::ProgramCache& programs, const SimBuffers& buffers, bool first) const {
+  std::vector<gl::ComputePass> passes;
+  passes.emplace_back(programs.compute("sim/grab/grab.comp", {{"FIRST_ITERATION", first ? "1" : "0"}}),
+                      gl::ComputePass::Bindings{{"step", &buffers.step},
+                                                {"grab_vertex", &vertex_},
+                                                {"grab_target", &target_},
+                                                {"grab_multiplier", &multiplier_},
+                                                {"predicted", &buffers.predicted},
+                                                {"displacement", &buffers.displacement}},
+                      count())
+      .loops(0);
+  return passes;
 }
 
-gl::ComputePass GrabSprings::pull(gl::ProgramCache& programs, const SimBuffers& buffers, bool first) const {
-  gl::ComputePass pass(programs.compute("sim/grab/grab.comp", {{"FIRST_ITERATION", first ? "1" : "0"}}),
-                       {{"step", &buffers.step},
-                        {"grab_vertex", &vertex_},
-                        {"grab_target", &target_},
-                        {"grab_multiplier", &multiplier_},
-                        {"predicted", &buffers.predicted},
-                        {"displacement", &buffers.displacement}},
-                       count());
-  pass.loops(0);
-  return pass;
-}
-
-gl::ComputePass GrabSprings::load(gl::ProgramCache& programs, const SimBuffers& buffers) const {
-  return {programs.compute("sim/grab/grab_load.comp"),
-          {{"grab_vertex", &vertex_},
-           {"grab_multiplier", &multiplier_},
-           {"slot_begin", &buffers.slot_begin},
-           {"correction", &buffers.correction}},
-          count()};
+std::vector<gl::ComputePass> GrabSprings::impulses(gl::ProgramCache& programs, const SimBuffers& buffers) const {
+  std::vector<gl::ComputePass> passes;
+  if (at_vertices_)
+    passes.emplace_back(programs.compute("sim/grab/grab_measure.comp"),
+                        gl::ComputePass::Bindings{{"step", &buffers.step},
+                                                  {"grab_vertex", &vertex_},
+                                                  {"grab_target", &target_},
+                                                  {"displacement", &buffers.displacement},
+                                                  {"grab_multiplier", &multiplier_}},
+                        count());
+  passes.emplace_back(programs.compute("sim/grab/grab_load.comp"),
+                      gl::ComputePass::Bindings{{"grab_vertex", &vertex_},
+                                                {"grab_multiplier", &multiplier_},
+                                                {"slot_begin", &buffers.slot_begin},
+                                                {"correction", &buffers.correction}},
+                      count());
+  return passes;
 }
 
 void GrabSprings::forget() {

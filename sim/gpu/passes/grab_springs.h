@@ -4,30 +4,28 @@
 #include <cstdint>
 #include <vector>
 
-#include "gl/compute_pass.h"
-#include "sim/gpu/passes/sim_buffers.h"
+#include "sim/gpu/passes/energy_term.h"
 #include "sim/model/grab_spring.h"
 
 namespace fascia {
 
-class GrabSprings {
+class GrabSprings : public EnergyTerm {
  public:
   /// Replaces all springs, of which several may be at one vertex. Returns true when the vertices changed, so that passes must be
   /// recorded again.
   bool set(const std::vector<GrabSpring>& springs);
-  /// Whether the method takes the springs at the vertices (feature_grab.glsl) or as constraints of their own (grab.comp), and whether
+  /// Whether the method takes the springs at the vertices (sim/energy/grab.glsl) or as constraints of their own (grab.comp), and whether
   /// any kernel wants them at the vertices.
   void set_use(bool at_vertices, bool spread, std::uint32_t vertex_count);
-  bool empty() const { return vertices_.empty(); }
 
-  /// As constraints, after an iteration.
-  gl::ComputePass pull(gl::ProgramCache& programs, const SimBuffers& buffers, bool first) const;
-  /// Adds vertex_spring and the define GRAB to a kernel that includes feature_grab.glsl.
-  gl::Defines with_springs(gl::Defines defines, gl::ComputePass::Bindings& bindings) const;
-  /// Brings multiplier() up to date with the displacements, which springs at vertices need.
-  gl::ComputePass measure(gl::ProgramCache& programs, const SimBuffers& buffers) const;
-  bool at_vertices() const { return at_vertices_; }
-  gl::ComputePass load(gl::ProgramCache& programs, const SimBuffers& buffers) const;  // for the residual
+  std::string name() const override { return "grab"; }
+  bool acts() const override { return !vertices_.empty(); }
+  void bind(gl::ComputePass::Bindings& bindings) const override { bindings.emplace_back("vertex_spring", &vertex_spring_); }
+  std::vector<VertexStiffness> stiffness() const override;
+  std::vector<gl::ComputePass> project(gl::ProgramCache& programs, const SimBuffers& buffers, bool first) const override;
+  /// Brings multiplier() up to date first, where the springs are at vertices.
+  std::vector<gl::ComputePass> impulses(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
+
   void forget();  // the multipliers of the last substep, which the first iteration of the next one would do
   const gl::Buffer& multiplier() const { return multiplier_; }  // vec4 [count] h^2 times the force on the tissue [kg m]
   std::uint32_t count() const { return static_cast<std::uint32_t>(vertices_.size()); }

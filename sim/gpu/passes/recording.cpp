@@ -19,6 +19,13 @@ void append_pairs(gl::ComputePass::Constants& constants, const SimBuffers& buffe
 
 }  // namespace
 
+Passes Recording::projections(bool first) const {
+  Passes passes;
+  for (const EnergyTerm* term : terms)
+    if (term->acts()) append(passes, term->project(programs, buffers, first));
+  return passes;
+}
+
 gl::ComputePass Recording::over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
   if (active) list(defines, bindings, active->vertices);
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.vertex_count);

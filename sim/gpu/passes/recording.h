@@ -8,7 +8,7 @@
 #include "sim/gpu/passes/active_set.h"
 #include "sim/gpu/passes/deferred_tets.h"
 #include "sim/gpu/passes/features.h"
-#include "sim/gpu/passes/grab_springs.h"
+#include "sim/gpu/passes/energy_term.h"
 #include "sim/gpu/passes/reduction.h"
 #include "sim/gpu/passes/sim_buffers.h"
 
@@ -24,7 +24,7 @@ struct Recording {
   const SimBuffers& buffers;
   const Features& features;
   const gl::Buffer& previous_strain;  // made only with damping
-  const GrabSprings& grab;
+  const EnergyTerms& terms;           // external energies
   DeferredTets* deferred = nullptr;  // null: no material defers tets
   const ActiveSet* active = nullptr;       // what the passes go through; null: everything
 
@@ -32,11 +32,14 @@ struct Recording {
   // deformation, if a material wants it, twice at most; of sums over so many items, in each of which there are `inner`.
   std::uint32_t loops_of_slots() const { return buffers.most_slots + 1; }
   std::uint32_t loops_of_vertex() const { return buffers.most_tets + 1; }
-  std::uint32_t loops_of_tet() const { return features.signed_st_venant_kirchhoff ? 32 : 0; }
+  std::uint32_t loops_of_tet() const { return features.models.contains(MaterialModel::signed_st_venant_kirchhoff) ? 32 : 0; }
   std::uint32_t loops_of_pair() const { return 2 * loops_of_tet(); }
   static std::uint32_t loops_of_sum(std::uint32_t items, const Reduction& sum, std::uint32_t inner = 0) {
     return (items / sum.lanes + 2) * (1 + inner);
   }
+
+  /// Of the external energies that act, after an iteration that does not descend the objective.
+  Passes projections(bool first) const;
 
   /// A pass of an invocation per vertex, tet or pair of tets (shaders/common/tet_pair.glsl); over tets it is always all of them.
   gl::ComputePass over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;

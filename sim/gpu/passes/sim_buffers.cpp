@@ -19,8 +19,9 @@ vec4 to_vec4(const Eigen::Vector3d& v, double w) {
 }
 
 vec4 to_vec4(const Material& m) {
+  const float model = static_cast<float>(m.model) + (m.model == MaterialModel::mooney_rivlin ? 0.5f * static_cast<float>(m.mooney_ratio) : 0);
   return {static_cast<float>(m.young_modulus), static_cast<float>(m.poisson_ratio), static_cast<float>(m.damping),
-          static_cast<float>(m.model)};
+          model};
 }
 
 std::vector<std::uint32_t> tets_before(const std::vector<Tet>& tets, std::size_t vertex_count) {

@@ -19,7 +19,7 @@ Passes StepGradient::passes(const Recording& r) const {
                                    {"slot_begin", &r.buffers.slot_begin},
                                    {"correction", &r.buffers.correction},
                                    {"gradient", &gradient_}};
-  const gl::Defines vertex_defines = r.grab.with_springs({}, vertex);
+  const gl::Defines vertex_defines = with_energy_terms({}, vertex, r.terms);
   Passes passes;
   append(passes, r.over_pairs_deferring("sim/elasticity/elastic_force.comp", tet_defines, tet));
   passes.push_back(r.over_vertices("sim/elasticity/gradient.comp", vertex_defines, std::move(vertex)));

@@ -28,7 +28,7 @@ DiagnosticsReader::DiagnosticsReader(const SimBuffers& buffers)
       vertex_partials_("vertex_partials", vertex_partial_count_ * sizeof(shared::VertexPartial)) {}
 
 void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
-                               const gl::Buffer& previous_strain, const GrabSprings& grab) {
+                               const gl::Buffer& previous_strain, const EnergyTerms& terms) {
   passes_.clear();
   gl::ComputePass::Bindings tet{{"step", &buffers.step},
                                 {"displacement", &buffers.displacement},
@@ -38,8 +38,9 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
   tet_constants.emplace_back("pair_and_single_count", buffers.pair_and_single_count());
   passes_.emplace_back(programs.compute("sim/readback/diagnose_tet.comp", defines_of(features)), std::move(tet), tet_partial_count_,
                        std::move(tet_constants));
-  if (!grab.empty() && grab.at_vertices()) passes_.push_back(grab.measure(programs, buffers));
-  if (!grab.empty()) passes_.push_back(grab.load(programs, buffers));
+  for (const EnergyTerm* term : terms)
+    if (term->acts())
+      for (gl::ComputePass& pass : term->impulses(programs, buffers)) passes_.push_back(std::move(pass));
   passes_.emplace_back(programs.compute("sim/readback/diagnose_vertex.comp"),
                        gl::ComputePass::Bindings{{"step", &buffers.step},
                                                  {"rest_position", &buffers.rest_position},

@@ -42,7 +42,7 @@ class DiagnosticsReader {
  public:
   explicit DiagnosticsReader(const SimBuffers& buffers);
   void record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
-              const gl::Buffer& previous_strain, const GrabSprings& grab);
+              const gl::Buffer& previous_strain, const EnergyTerms& terms);
   /// A vertex whose displacement is read beside the sums; none: nothing more is read.
   void set_probe(std::optional<std::uint32_t> vertex) { probe_ = vertex; }
   /// Dispatches the sums over the current state, of `time` [s], and queues their copy. `substep` h [s]. `stop_state`: of a StopRule,

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/suggest.h"
+#include "sim/material/law.h"
 
 namespace fascia {
 
@@ -158,7 +159,7 @@ const char* help_of(Method method) {
 }
 
 bool carries(Method method, MaterialModel model) {
-  return model != MaterialModel::stable_neo_hookean || method == Method::two_level || method == Method::vertex_descent;
+  return law_of(model).of_strain || method == Method::two_level || method == Method::vertex_descent;
 }
 
 void require_carried(Method method, const std::vector<Material>& materials, const std::string& where) {

@@ -2,6 +2,7 @@
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
 
+#include "sim/material/signed_svd.h"
 #include "sim/reference/elasticity.h"
 #include "tests/sim/reference/box_model.h"
 
@@ -61,7 +62,8 @@ TEST_CASE("signed singular values give the matrix back with proper rotations", "
 }
 
 TEST_CASE("forces of surviving materials are derivatives of their energy, Hessians of their forces", "[elasticity]") {
-  const auto model = GENERATE(MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean);
+  const auto model = GENERATE(MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean, MaterialModel::neo_hookean,
+                              MaterialModel::mooney_rivlin);
   const double nu = GENERATE(-0.5, 0.0, 0.3, 0.49);
   const Material material = of(model, nu);
   Random random(12);
@@ -104,7 +106,8 @@ TEST_CASE("signed St. Venant-Kirchhoff is plain St. Venant-Kirchhoff down to a s
 }
 
 TEST_CASE("every model has Young's modulus and Poisson's ratio at small strain, and no force at rest", "[elasticity]") {
-  const auto model = GENERATE(MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean);
+  const auto model = GENERATE(MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean, MaterialModel::neo_hookean,
+                              MaterialModel::mooney_rivlin);
   const double nu = GENERATE(0.0, 0.3, 0.45, 0.499);
   Random random(14);
   const Vector12d rest = moved(displaced(random.rotation()), 0, 0);
@@ -118,7 +121,8 @@ TEST_CASE("every model has Young's modulus and Poisson's ratio at small strain, 
 TEST_CASE("a mirrored tet is pushed back by the surviving materials only", "[elasticity]") {
   const Vector12d mirrored = moved(displaced(Vector3d(1, 1, -1).asDiagonal()), 0, 0);
   CHECK(at(mirrored, of(MaterialModel::st_venant_kirchhoff, 0.3), false).gradient.norm() < 1e-9);
-  for (const auto model : {MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean}) {
+  for (const auto model : {MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean, MaterialModel::neo_hookean,
+                           MaterialModel::mooney_rivlin}) {
     const Derivatives d = at(mirrored, of(model, 0.3), false);
     Vector12d back;  // towards the rest shape
     for (int a = 0; a < 4; ++a) back.segment<3>(3 * a) = -mirrored.segment<3>(3 * a);

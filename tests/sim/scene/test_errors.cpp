@@ -109,11 +109,11 @@ TEST_CASE("an unknown key is named with the nearest known one, at every level") 
         "rotate_deg, translate");
   CHECK(body_error(R"("materials": {"default": {"youngs_modulus": 1}})") ==
         "s.json: bodies[0].materials.default.youngs_modulus: unknown key \"youngs_modulus\", perhaps "
-        "\"young_modulus\"; expected one of model, preset, young_modulus, poisson_ratio, density, damping");
+        "\"young_modulus\"; expected one of model, preset, young_modulus, poisson_ratio, density, damping, mooney_ratio");
   CHECK(body_error(R"("materials": {"7": {"E": 1}})") ==
         "s.json: bodies[0].materials.7.E: unknown key \"E\"; expected one of model, preset, young_modulus, "
         "poisson_ratio, "
-        "density, damping");
+        "density, damping, mooney_ratio");
   CHECK(
       body_error(R"("fixed": [{"boxx": 1}])") ==
       "s.json: bodies[0].fixed[0].boxx: unknown key \"boxx\", perhaps \"box\"; expected one of box, sphere, "
@@ -283,7 +283,7 @@ TEST_CASE("methods, accelerations and material models that do not exist list tho
         "s.json: solver.acceleration: is \"quadratic_cg\"" + pairs);
   CHECK(top_error(R"("solver": {"method": "jacobi", "acceleration": "chebychev"})") ==
         "s.json: solver.acceleration: is \"chebychev\", perhaps \"chebyshev\"" + pairs);
-  const std::string models = "expected a model that exists: signed_st_venant_kirchhoff, st_venant_kirchhoff, stable_neo_hookean";
+  const std::string models = "expected a model that exists: signed_st_venant_kirchhoff, st_venant_kirchhoff, stable_neo_hookean, neo_hookean, mooney_rivlin";
   CHECK(body_error(R"("materials": {"default": {"model": "ogden"}})") ==
         "s.json: bodies[0].materials.default.model: is \"ogden\"; " + models);
   CHECK(body_error(R"("materials": {"2": {"model": "st_venant_kirchoff"}})") ==

@@ -5,7 +5,7 @@
 #include "base/deflate.h"
 #include "sim/mesh/mesh_generate.h"
 #include "sim/mesh/io/mesh_io.h"
-#include "sim/model/model.h"
+#include "sim/grab/build_model.h"
 #include "sim/replay/replay.h"
 #include "sim/scene/scene_carry.h"
 #include "tests/sim/scene/scene_test.h"

@@ -6,6 +6,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "sim/material/law.h"
 #include "sim/coarse/coarse_matrix.h"
 
 namespace fascia::test {
@@ -25,8 +26,8 @@ std::vector<Matrix3d> blocks(const Model& model, const VectorXd& u, const Vector
     const reference::RestTet rest(reference::Corners{x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]});
     const reference::Corners corners{u.segment<3>(at(tet[0])), u.segment<3>(at(tet[1])), u.segment<3>(at(tet[2])), u.segment<3>(at(tet[3]))};
     const Material& material = model.materials[model.tet_material[t]];
-    // Of stable neo-Hookean tets the block has no geometric term.
-    const Matrix3d stress = material.model == MaterialModel::stable_neo_hookean
+    // Beyond the Green strain the block has no geometric term.
+    const Matrix3d stress = !law_of(material.model).of_strain
                                 ? Matrix3d::Zero()
                                 : reference::second_piola_stress(reference::green_strain_matrix(rest, corners), material);
     const auto d = reference::elastic(rest, corners, material, 0, Matrix3d::Zero(), true, false);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 
+#include "sim/material/signed_svd.h"
 #include "sim/ordering/morton_order.h"
 #include "sim/reference/elasticity.h"
 
@@ -46,7 +47,7 @@ Vector6d strain_of(const Eigen::Matrix3d& f) {
 // F with singular values of at least 0.6, and the strain that goes on along the tangent below.
 void guard(Eigen::Matrix3d& f, Vector6d& c) {
   constexpr double kLeast = 0.6;
-  const reference::SignedSvd svd = reference::signed_svd(f);
+  const SignedSvd svd = signed_svd(f);
   Eigen::Vector3d slope = svd.s.cwiseMax(kLeast), e = (0.5 * (slope.cwiseAbs2().array() - 1)).matrix();
   for (int i = 0; i < 3; ++i)
     if (svd.s[i] < kLeast) e[i] += kLeast * (svd.s[i] - kLeast);

@@ -17,7 +17,8 @@ using shared::vec4;
 namespace {
 
 constexpr MaterialModel kPlain = MaterialModel::st_venant_kirchhoff, kSigned = MaterialModel::signed_st_venant_kirchhoff,
-                        kNeoHookean = MaterialModel::stable_neo_hookean;
+                        kStable = MaterialModel::stable_neo_hookean, kNeoHookean = MaterialModel::neo_hookean,
+                        kMooneyRivlin = MaterialModel::mooney_rivlin;
 
 // A beam of two materials, bent far, with random strains on top.
 Model beam(MaterialModel soft = kPlain, MaterialModel stiff = kPlain) {
@@ -69,8 +70,8 @@ struct Step {
   SimBuffers buffers{model};
   Features features = features_of(model);
   gl::Buffer no_strain;
-  GrabSprings grab;
-  Recording recording{gpu.programs, buffers, features, no_strain, grab};
+  EnergyTerms terms;
+  Recording recording{gpu.programs, buffers, features, no_strain, terms};
   DeferredTets deferred{{1, buffers.pair_and_single_count()}};
   VectorXd displacement() const { return flat(buffers.displacement, buffers.vertex_count); }
 };
@@ -78,12 +79,13 @@ struct Step {
 }  // namespace
 
 TEST_CASE("the gradient of a step and its objective", "[gpu]") {
-  const auto [soft, stiff] = GENERATE(std::pair(kPlain, kPlain), std::pair(kSigned, kSigned), std::pair(kNeoHookean, kNeoHookean),
-                                      std::pair(kSigned, kNeoHookean), std::pair(kPlain, kSigned));
+  const auto [soft, stiff] = GENERATE(std::pair(kPlain, kPlain), std::pair(kSigned, kSigned), std::pair(kStable, kStable),
+                                      std::pair(kSigned, kStable), std::pair(kPlain, kSigned), std::pair(kNeoHookean, kNeoHookean),
+                                      std::pair(kMooneyRivlin, kMooneyRivlin), std::pair(kNeoHookean, kStable), std::pair(kMooneyRivlin, kPlain));
   const double noise = GENERATE(0.0, 0.03);  // [m] the larger one turns tets inside out
   CAPTURE(name_of(soft), name_of(stiff), noise);
   Step s(GENERATE(gl::LoadPath::texel, gl::LoadPath::storage), Acceleration::none, soft, stiff, noise);
-  if (s.features.signed_st_venant_kirchhoff) s.recording.deferred = GENERATE(false, true) ? &s.deferred : nullptr;
+  if (s.features.models.contains(MaterialModel::signed_st_venant_kirchhoff)) s.recording.deferred = GENERATE(false, true) ? &s.deferred : nullptr;
   const VectorXd start = s.displacement();
   const DoubleTwoLevel exact(s.model, s.settings.substep(), start, flat(s.buffers.predicted, s.buffers.vertex_count));
   const StepGradient gradient(s.buffers);
@@ -99,7 +101,7 @@ TEST_CASE("the gradient of a step and its objective", "[gpu]") {
 
 TEST_CASE("steps within the span of the corrections and the last step", "[gpu]") {
   const Acceleration acceleration = GENERATE(Acceleration::none, Acceleration::nonlinear_cg, Acceleration::subspace);
-  const MaterialModel soft = GENERATE(kPlain, kNeoHookean);
+  const MaterialModel soft = GENERATE(kPlain, kStable, kNeoHookean, kMooneyRivlin);
   Step s(GENERATE(gl::LoadPath::texel, gl::LoadPath::storage), acceleration, soft);
   const VectorXd start = s.displacement();
   DoubleTwoLevel exact(s.model, s.settings.substep(), start, flat(s.buffers.predicted, s.buffers.vertex_count));

@@ -36,8 +36,8 @@ TEST_CASE("vertices that are deferred move as they do in place", "[gpu]") {
     prediction(gpu.programs, buffers, nullptr, {false}).run();
     const Features features = features_of(model);
     const gl::Buffer no_strain;
-    const GrabSprings no_grab;
-    const Recording recording{gpu.programs, buffers, features, no_strain, no_grab, deferred};
+    const EnergyTerms no_terms{};
+    const Recording recording{gpu.programs, buffers, features, no_strain, no_terms, deferred};
     const VertexDescentMethod method(model, buffers);
     std::uint32_t most = 0;
     for (int iteration = 0; iteration < 3; ++iteration)

@@ -63,7 +63,7 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
   const Features features = features_of(model);
   gl::Buffer previous_strain("previous_strain", 2 * sizeof(vec4) * buffers.tet_count);
   const JacobiMethod method(buffers, split);
-  const GrabSprings no_grab;
+  const EnergyTerms no_terms{};
   // predict puts the inverse masses beside the displacements and moves the vertices; compare from where it ends.
   prediction(gpu.programs, buffers, split ? &buffers.tet_begin : nullptr).run();
   if (features.damping)
@@ -74,9 +74,9 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
   const State moved = buffers.download_state(0);
 
   DeferredTets deferred({1, buffers.pair_and_single_count()});
-  const bool defers = features.signed_st_venant_kirchhoff && GENERATE(false, true);
+  const bool defers = features.models.contains(MaterialModel::signed_st_venant_kirchhoff) && GENERATE(false, true);
   CAPTURE(defers);
-  const Recording recording{gpu.programs, buffers, features, previous_strain, no_grab, defers ? &deferred : nullptr};
+  const Recording recording{gpu.programs, buffers, features, previous_strain, no_terms, defers ? &deferred : nullptr};
   const auto first = method.iteration(recording, true);
   const auto next = method.iteration(recording, false);
   const DoubleXpbd exact(model, settings);

@@ -52,7 +52,7 @@ TEST_CASE("springs lie at their vertices, however far these are from each other,
   const auto check = [&](const std::vector<GrabSpring>& springs) {
     grab.set(springs);
     gl::ComputePass::Bindings bindings;
-    grab.with_springs({}, bindings);
+    grab.bind(bindings);
     REQUIRE(bindings.size() == 1);
     std::vector<vec4> expected(buffers.vertex_count, vec4{});
     for (const GrabSpring& s : springs) expected[s.vertex] = {static_cast<float>(s.target.x()), 0, 0, static_cast<float>(s.stiffness)};

@@ -110,7 +110,8 @@ TEST_CASE("previous strain is the Green strain of the start of the substep", "[g
 TEST_CASE("published positions and heat map scalars", "[gpu]") {
   const auto color = GENERATE(ColorBy::none, ColorBy::region, ColorBy::strain, ColorBy::von_mises, ColorBy::displacement, ColorBy::velocity,
                               ColorBy::volume_ratio, ColorBy::largest_stress, ColorBy::smallest_stress);
-  const auto law = GENERATE(MaterialModel::st_venant_kirchhoff, MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean);
+  const auto law = GENERATE(MaterialModel::st_venant_kirchhoff, MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean,
+                            MaterialModel::neo_hookean, MaterialModel::mooney_rivlin);
   Gpu gpu;
   Model model = block();
   model.materials[0].model = law;

@@ -1,0 +1,48 @@
+// Functions of the displacement gradient H = F - I that laws share. Written in H, so that small strains lose no digits to what cancels at
+// rest. sim/material/invariants.h has the formulas.
+
+// Cofactors of F, dJ/dF, less the identity.
+mat3 cofactor_minus_one(mat3 h) {
+  mat3 c = mat3(h[0].x + h[1].y + h[2].z) - transpose(h);
+  return c + mat3(cross(h[1], h[2]), cross(h[2], h[0]), cross(h[0], h[1]));
+}
+
+// |F|^2 - 3.
+float stretch_invariant(mat3 h) {
+  return 2.0 * (h[0].x + h[1].y + h[2].z) + dot(h[0], h[0]) + dot(h[1], h[1]) + dot(h[2], h[2]);
+}
+
+float inner(mat3 a, mat3 b) { return dot(a[0], b[0]) + dot(a[1], b[1]) + dot(a[2], b[2]); }
+
+// The tensor cross product: F x A is the derivative of the cofactors along A, F : (A x B) the second one of J.
+mat3 tensor_cross(mat3 a, mat3 b) {
+  return mat3(cross(a[1], b[2]) + cross(b[1], a[2]), cross(a[2], b[0]) + cross(b[2], a[0]), cross(a[0], b[1]) + cross(b[0], a[1]));
+}
+
+// x - log(1 + x).
+float above_logarithm(float x) {
+  if (abs(x) > 0.1) return x - log(1.0 + x);
+  return x * x * (0.5 + x * (-1.0 / 3.0 + x * (0.25 + x * (-0.2 + x * (1.0 / 6.0 - x / 7.0)))));
+}
+
+// A function of J with its first and second derivative.
+struct OfVolume {
+  float value, first, second;
+};
+
+// J - 1 - l(J), l the logarithm that goes on as a parabola below LEAST_VOLUME_RATIO; j1 = J - 1.
+#define LEAST_VOLUME_RATIO 0.2
+OfVolume above_extended_log(float j1) {
+  float j = 1.0 + j1;
+  if (j >= LEAST_VOLUME_RATIO) return OfVolume(above_logarithm(j1), j1 / j, 1.0 / (j * j));
+  float y = (j - LEAST_VOLUME_RATIO) / LEAST_VOLUME_RATIO;
+  return OfVolume(j1 - (log(LEAST_VOLUME_RATIO) + y - 0.5 * y * y), 1.0 - (1.0 - y) / LEAST_VOLUME_RATIO,
+                  1.0 / (LEAST_VOLUME_RATIO * LEAST_VOLUME_RATIO));
+}
+
+// k (J - 1)^2 / 2; k (log J)^2 / 2 where k < 0 and J > 1.
+OfVolume volume_term(float j1, float k) {
+  if (k >= 0.0 || j1 <= 0.0) return OfVolume(0.5 * k * j1 * j1, k * j1, k);
+  float logarithm = j1 - above_logarithm(j1), j = 1.0 + j1;
+  return OfVolume(0.5 * k * logarithm * logarithm, k * logarithm / j, k * (1.0 - logarithm) / (j * j));
+}

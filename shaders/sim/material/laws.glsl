@@ -1,0 +1,13 @@
+// The laws that are no functions of the Green strain, one file each: NAME_response(h, material), NAME_curvature(h, material, a, b) and
+// NAME_block(h, material, b). LAW_RESPONSE and the like, which call that of a tet's material, are made from the table of laws
+// (sim/gpu/passes/features.cpp).
+#include "sim/material/invariants.glsl"
+#if STABLE_NEO_HOOKEAN
+#include "sim/material/stable_neo_hookean.glsl"
+#endif
+#if NEO_HOOKEAN
+#include "sim/material/neo_hookean.glsl"
+#endif
+#if MOONEY_RIVLIN
+#include "sim/material/mooney_rivlin.glsl"
+#endif

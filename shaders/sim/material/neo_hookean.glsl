@@ -1,0 +1,28 @@
+// Compressible neo-Hookean material (sim/material/neo_hookean.cpp), written in H = F - I and C1 = cof F - I:
+//   P = mu (H - C1) + (mu (1 - l'(J)) + lambda v'(J)) C
+Elastic neo_hookean_response(mat3 h, vec4 material) {
+  float mu = lame_mu(material), j1 = det_f_minus_one(h);
+  OfVolume above = above_extended_log(j1), volume = volume_term(j1, lame_lambda(material));
+  mat3 cofactor1 = cofactor_minus_one(h);
+  float higher = j1 - (h[0].x + h[1].y + h[2].z);
+  return Elastic(mu * (h - cofactor1) + (mu * above.first + volume.first) * (mat3(1.0) + cofactor1),
+                 mu * (0.5 * inner(h, h) - higher + above.value) + volume.value);
+}
+
+// Second derivative of the energy density along a and b, changes of F.
+float neo_hookean_curvature(mat3 h, vec4 material, mat3 a, mat3 b) {
+  float mu = lame_mu(material), j1 = det_f_minus_one(h);
+  OfVolume above = above_extended_log(j1), volume = volume_term(j1, lame_lambda(material));
+  mat3 f = mat3(1.0) + h, cofactor = mat3(1.0) + cofactor_minus_one(h);
+  return mu * inner(a, b) + (mu * above.second + volume.second) * inner(cofactor, a) * inner(cofactor, b) +
+         (mu * (above.first - 1.0) + volume.first) * inner(f, tensor_cross(a, b));
+}
+
+// Second derivative by the position of one corner, whose shape function has the gradient b. J is linear in it: positive semidefinite but
+// for a negative second derivative by J, which is left out.
+Sym3 neo_hookean_block(mat3 h, vec4 material, vec3 b) {
+  float mu = lame_mu(material), j1 = det_f_minus_one(h);
+  float outer = max(0.0, mu * above_extended_log(j1).second + volume_term(j1, lame_lambda(material)).second);
+  vec3 cb = b + cofactor_minus_one(h) * b;
+  return Sym3(mu * dot(b, b) + outer * cb * cb, outer * cb.yxx * cb.zzy);
+}

@@ -1,0 +1,38 @@
+#include "sim/material/invariants.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace fascia {
+
+using Eigen::Matrix3d;
+
+Matrix3d cofactor(const Matrix3d& f) {
+  Matrix3d c;
+  c << f.col(1).cross(f.col(2)), f.col(2).cross(f.col(0)), f.col(0).cross(f.col(1));
+  return c;
+}
+
+Matrix3d tensor_cross(const Matrix3d& a, const Matrix3d& b) {
+  Matrix3d c;
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    c.col(k) = a.col(i).cross(b.col(j)) + b.col(i).cross(a.col(j));
+  }
+  return c;
+}
+
+OfVolume extended_log(double j) {
+  constexpr double least = kLeastVolumeRatio;
+  if (j >= least) return {std::log(j), 1 / j, -1 / (j * j)};
+  const double y = (j - least) / least;
+  return {std::log(least) + y - 0.5 * y * y, (1 - y) / least, -1 / (least * least)};
+}
+
+OfVolume volume_term(double j, double k) {
+  if (k >= 0 || j <= 1) return {0.5 * k * (j - 1) * (j - 1), k * (j - 1), k};
+  const double logarithm = std::log(j);
+  return {0.5 * k * logarithm * logarithm, k * logarithm / j, k * (1 - logarithm) / (j * j)};
+}
+
+}  // namespace fascia

@@ -1,0 +1,39 @@
+#include <algorithm>
+
+#include "sim/material/law.h"
+
+namespace fascia {
+
+const std::vector<const MaterialLaw*>& material_laws() {
+  static const std::vector<const MaterialLaw*> laws = {&kSignedStVenantKirchhoff, &kStVenantKirchhoff, &kStableNeoHookean, &kNeoHookean,
+                                                       &kMooneyRivlin};
+  return laws;
+}
+
+const MaterialLaw& law_of(MaterialModel model) {
+  return **std::find_if(material_laws().begin(), material_laws().end(), [&](const MaterialLaw* law) { return law->model == model; });
+}
+
+bool reads(MaterialModel model, std::string_view field) {
+  return std::all_of(material_laws().begin(), material_laws().end(),
+                     [&](const MaterialLaw* law) { return law->model == model || !law->own_field || field != law->own_field; });
+}
+
+const std::vector<MaterialModel>& material_models() {
+  static const std::vector<MaterialModel> models = [] {
+    std::vector<MaterialModel> list;
+    for (const MaterialLaw* law : material_laws()) list.push_back(law->model);
+    return list;
+  }();
+  return models;
+}
+
+const char* name_of(MaterialModel model) { return law_of(model).name; }
+
+std::optional<MaterialModel> find_material_model(std::string_view name) {
+  for (const MaterialLaw* law : material_laws())
+    if (name == law->name) return law->model;
+  return std::nullopt;
+}
+
+}  // namespace fascia

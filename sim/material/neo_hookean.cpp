@@ -1,0 +1,43 @@
+// Compressible neo-Hookean material (Simo, Pister 1984; Pence, Gou 2015):
+//   Psi = mu/2 (I1 - 3) - mu log J + lambda/2 (J - 1)^2, I1 = |F|^2
+// with Lame's parameters of small strains. invariants.h says how log J and the last term go on where they end.
+#include <Eigen/LU>
+
+#include "sim/material/invariants.h"
+#include "sim/material/law.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Matrix3d;
+
+Density neo_hookean_density(const Matrix3d& f, const Material& material, bool with_second) {
+  const double mu = material.lame_mu(), j = f.determinant();
+  const Matrix3d c = cofactor(f);
+  const OfVolume log = extended_log(j), volume = volume_term(j, material.lame_lambda());
+  const double g1 = -mu * log.first + volume.first, g2 = -mu * log.second + volume.second;
+  Density density;
+  density.energy = 0.5 * mu * (f.squaredNorm() - 3) - mu * log.value + volume.value;
+  density.first = mu * f + g1 * c;
+  if (!with_second) return density;
+  for (int k = 0; k < 9; ++k) {
+    Matrix3d e = Matrix3d::Zero();
+    e(k % 3, k / 3) = 1;
+    Eigen::Map<Matrix3d>(density.second.col(k).data()) = mu * e + g2 * c.cwiseProduct(e).sum() * c + g1 * tensor_cross(f, e);
+  }
+  return density;
+}
+
+}  // namespace
+
+const MaterialLaw kNeoHookean{MaterialModel::neo_hookean,
+                              "neo_hookean",
+                              "Neo-Hookean",
+                              "Rubber, compressible (Simo, Pister 1984): softens in tension, resists compression without bound down to a fifth of the "
+                              "volume. For two_level and vertex_descent.",
+                              nullptr,
+                              false,
+                              nullptr,
+                              neo_hookean_density};
+
+}  // namespace fascia

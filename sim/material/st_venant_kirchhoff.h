@@ -1,0 +1,14 @@
+// St. Venant-Kirchhoff's law with signed stretches, and how far it is compressed before it leaves the plain law.
+#pragma once
+#include <Eigen/Core>
+
+#include "sim/material/law.h"
+
+namespace fascia {
+
+inline constexpr double kLeastStretch = 0.6;  // of signed_st_venant_kirchhoff: below, the strain of a principal direction falls linearly
+
+/// Psi of signed_st_venant_kirchhoff; of st_venant_kirchhoff where no stretch is below kLeastStretch.
+Density signed_st_venant_kirchhoff_density(const Eigen::Matrix3d& f, const Material& material, bool with_second);
+
+}  // namespace fascia

@@ -1,0 +1,138 @@
+// Laws against closed forms of uniaxial stretch and of other states, at the ends of their ranges and through the table.
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <set>
+
+#include "sim/material/invariants.h"
+#include "sim/material/law.h"
+
+using namespace fascia;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace {
+
+Material of(MaterialModel model, double nu, double ratio = 0.2) { return {1, nu, 1000, 0, model, ratio}; }
+
+Matrix3d stress(const Material& material, const Vector3d& stretches) {
+  return law_of(material.model).density(stretches.asDiagonal(), material, false).first;
+}
+
+struct Uniaxial {
+  double volume_ratio, nominal_stress;  // [-], [Pa]
+};
+
+// Free sides, stretch s along x. The condition that the sides carry nothing is a quadratic equation in J.
+Uniaxial uniaxial_neo_hookean(const Material& material, double s) {
+  const double mu = material.lame_mu(), lambda = material.lame_lambda(), b = lambda - mu / s;
+  const double j = lambda == 0 ? s : (b + std::sqrt(b * b + 4 * lambda * mu)) / (2 * lambda);
+  return {j, mu * (s - j / (s * s))};
+}
+
+Uniaxial uniaxial_mooney_rivlin(const Material& material, double s) {
+  const double mu = material.lame_mu(), r = material.mooney_ratio, c1 = 0.5 * (1 - r) * mu, c2 = 0.5 * r * mu;
+  const double d = 2 * (c1 + 2 * c2), k = material.lame_lambda() - 2 * r * mu;
+  const double a = 2 * c2 / s + k * s, b = 2 * c1 + 2 * c2 * s * s - k * s;
+  const double j = (-b + std::sqrt(b * b + 4 * a * d * s)) / (2 * a), side2 = j / s;
+  return {j, 2 * c1 * s + 4 * c2 * s * side2 + (k * (j - 1) - d / j) * side2};
+}
+
+}  // namespace
+
+TEST_CASE("uniaxial stretch of neo-Hookean and Mooney-Rivlin bars is that of the closed form", "[laws]") {
+  const double nu = GENERATE(0.0, 0.3, 0.45, 0.499), s = GENERATE(0.4, 0.7, 1.0, 1.3, 3.0);
+  for (const Material& material : {of(MaterialModel::neo_hookean, nu), of(MaterialModel::mooney_rivlin, nu, 0.2), of(MaterialModel::mooney_rivlin, nu, 0.7)}) {
+    const bool neo = material.model == MaterialModel::neo_hookean;
+    if (!neo && material.lame_lambda() < 2 * material.mooney_ratio * material.lame_mu()) continue;  // another volume term
+    const Uniaxial exact = neo ? uniaxial_neo_hookean(material, s) : uniaxial_mooney_rivlin(material, s);
+    if (exact.volume_ratio < kLeastVolumeRatio) continue;
+    const double side = std::sqrt(exact.volume_ratio / s);
+    const Matrix3d p = stress(material, {s, side, side});
+    CAPTURE(name_of(material.model), material.mooney_ratio, nu, s, exact.volume_ratio, exact.nominal_stress, p(0, 0), p(1, 1));
+    CHECK(p(0, 0) == Approx(exact.nominal_stress).epsilon(1e-10).margin(1e-13));
+    CHECK(std::abs(p(1, 1)) < 1e-11 * (1 + material.lame_lambda()));
+    CHECK(std::abs(p(2, 2)) < 1e-11 * (1 + material.lame_lambda()));
+  }
+}
+
+TEST_CASE("nearly incompressible bars come near the incompressible forms", "[laws]") {
+  for (const double s : {0.6, 0.9, 1.5, 2.5}) {
+    const Material neo = of(MaterialModel::neo_hookean, 0.499), mooney = of(MaterialModel::mooney_rivlin, 0.499, 0.4);
+    const double mu = neo.lame_mu();
+    CAPTURE(s);
+    CHECK(uniaxial_neo_hookean(neo, s).nominal_stress == Approx(mu * (s - 1 / (s * s))).epsilon(0.02));
+    CHECK(uniaxial_mooney_rivlin(mooney, s).nominal_stress == Approx(mu * (0.6 + 0.4 / s) * (s - 1 / (s * s))).epsilon(0.02));
+  }
+}
+
+TEST_CASE("Mooney-Rivlin of ratio 0 is neo-Hookean", "[laws]") {
+  Matrix3d f;
+  f << 1.2, 0.3, -0.1, 0.05, 0.8, 0.2, -0.3, 0.1, 1.1;
+  for (const double scale : {1.0, 0.5, -0.7}) {
+    const Density a = law_of(MaterialModel::neo_hookean).density(scale * f, of(MaterialModel::neo_hookean, 0.4), true),
+                  b = law_of(MaterialModel::mooney_rivlin).density(scale * f, of(MaterialModel::mooney_rivlin, 0.4, 0), true);
+    CAPTURE(scale);
+    CHECK(a.energy == Approx(b.energy));
+    CHECK((a.first - b.first).norm() < 1e-13 * a.first.norm());
+    CHECK((a.second - b.second).norm() < 1e-13 * a.second.norm());
+  }
+}
+
+TEST_CASE("derivatives of every law are those of its energy", "[laws]") {
+  Matrix3d f;
+  f << 1.1, 0.35, -0.2, 0.1, 0.7, 0.25, -0.3, 0.15, 0.95;
+  for (const MaterialLaw* law : material_laws())
+    for (const double nu : {-0.5, 0.3, 0.49})
+      for (const double squeeze : {1.0, 0.3, -0.4}) {
+        if (law->model == MaterialModel::st_venant_kirchhoff) continue;  // which stands on the formulas of strains
+        Matrix3d g = f;
+        g.col(2) *= squeeze;
+        const Material material = of(law->model, nu, 0.6);
+        const Density exact = law->density(g, material, true);
+        constexpr double kStep = 1e-6;
+        Matrix3d slope;
+        Matrix9d bend;
+        for (int k = 0; k < 9; ++k) {
+          Matrix3d after = g, before = g;
+          after.data()[k] += kStep;
+          before.data()[k] -= kStep;
+          const Density high = law->density(after, material, false), low = law->density(before, material, false);
+          slope.data()[k] = (high.energy - low.energy) / (2 * kStep);
+          bend.col(k) = (flat(high.first) - flat(low.first)) / (2 * kStep);
+        }
+        CAPTURE(law->name, nu, squeeze, exact.first.norm(), exact.second.norm());
+        CHECK((exact.first - slope).norm() < 1e-7 * (exact.first.norm() + exact.second.norm()));
+        CHECK((exact.second - bend).norm() < 1e-6 * exact.second.norm());
+      }
+}
+
+TEST_CASE("energies that a logarithm would end stay finite, and grow through J = 0", "[laws]") {
+  for (const MaterialModel model : {MaterialModel::neo_hookean, MaterialModel::mooney_rivlin})
+    for (const double nu : {-0.5, 0.0, 0.3, 0.49}) {
+      double before = 0;
+      for (const double s : {0.15, 0.05, 0.0, -0.2, -0.6, -1.0}) {
+        const double energy = law_of(model).density(Vector3d(1, 1, s).asDiagonal(), of(model, nu), false).energy;
+        CAPTURE(name_of(model), nu, s, before, energy);
+        CHECK(std::isfinite(energy));
+        CHECK(energy > before);
+        before = energy;
+      }
+    }
+}
+
+TEST_CASE("the table of laws has every model once, under one name", "[laws]") {
+  std::set<std::string> names;
+  for (const MaterialLaw* law : material_laws()) {
+    CHECK(names.insert(law->name).second);
+    CHECK(&law_of(law->model) == law);
+    CHECK(find_material_model(law->name) == law->model);
+    CHECK(std::string(law->label) != "");
+    CHECK(std::string(law->help) != "");
+  }
+  CHECK(names.size() == material_models().size());
+  CHECK(reads(MaterialModel::mooney_rivlin, "mooney_ratio"));
+  CHECK_FALSE(reads(MaterialModel::neo_hookean, "mooney_ratio"));
+  CHECK(reads(MaterialModel::neo_hookean, "young_modulus"));
+}
