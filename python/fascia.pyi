@@ -15,8 +15,9 @@ class Material:
     poisson_ratio: float  # nu [-]
     density: float  # [kg/m^3]
     damping: float  # viscosity over stiffness [s]
+    mooney_ratio: float  # C01 / (C10 + C01) of the model mooney_rivlin
     model: str  # one of material_models()
-    def __init__(self, young_modulus: float = ..., poisson_ratio: float = ..., density: float = ..., damping: float = ..., model: str = ...) -> None: ...
+    def __init__(self, young_modulus: float = ..., poisson_ratio: float = ..., density: float = ..., damping: float = ..., model: str = ..., mooney_ratio: float = ...) -> None: ...
 
 class Settings:
     method: str

@@ -38,20 +38,22 @@ Control control_of(const std::function<void(double, const std::string&)>& progre
 
 void define_values(py::module_& m) {
   py::class_<Material>(m, "Material", "Isotropic tissue material.")
-      .def(py::init([](double young_modulus, double poisson_ratio, double density, double damping, const std::string& model) {
-             return Material{young_modulus, poisson_ratio, density, damping, model};
+      .def(py::init([](double young_modulus, double poisson_ratio, double density, double damping, const std::string& model, double mooney_ratio) {
+             return Material{young_modulus, poisson_ratio, density, damping, model, mooney_ratio};
            }),
            "young_modulus"_a = Material().young_modulus, "poisson_ratio"_a = Material().poisson_ratio, "density"_a = Material().density,
-           "damping"_a = Material().damping, "model"_a = Material().model)
+           "damping"_a = Material().damping, "model"_a = Material().model, "mooney_ratio"_a = Material().mooney_ratio)
       .def_readwrite("young_modulus", &Material::young_modulus, "E [Pa]")
       .def_readwrite("poisson_ratio", &Material::poisson_ratio, "nu [-]")
       .def_readwrite("density", &Material::density, "[kg/m^3]")
       .def_readwrite("damping", &Material::damping, "viscosity over stiffness [s]")
+      .def_readwrite("mooney_ratio", &Material::mooney_ratio, "C01 / (C10 + C01) of the model mooney_rivlin")
       .def_readwrite("model", &Material::model, "one of material_models()")
       .def("__eq__", [](const Material& a, const Material& b) { return a == b; })
       .def("__repr__", [](const Material& a) {
         return "Material(young_modulus=" + text_of(py::float_(a.young_modulus)) + ", poisson_ratio=" + text_of(py::float_(a.poisson_ratio)) +
-               ", density=" + text_of(py::float_(a.density)) + ", damping=" + text_of(py::float_(a.damping)) + ", model=" + text_of(py::str(a.model)) + ")";
+               ", density=" + text_of(py::float_(a.density)) + ", damping=" + text_of(py::float_(a.damping)) + ", model=" + text_of(py::str(a.model)) +
+               ", mooney_ratio=" + text_of(py::float_(a.mooney_ratio)) + ")";
       });
   py::class_<Settings> settings(m, "Settings", "How steps are solved. Keyword arguments set the fields.");
   settings.def(py::init([](const py::kwargs& fields) {

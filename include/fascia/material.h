@@ -15,6 +15,7 @@ struct Material {
   double density = 1000;       // [kg/m^3], 1e-3 to 1e6
   double damping = 0;          // viscosity over stiffness [s], 0 to 10 (Kelvin-Voigt)
   std::string model = "signed_st_venant_kirchhoff";  // one of material_models()
+  double mooney_ratio = 0.2;  // C01 / (C10 + C01) of the model mooney_rivlin, 0 to 1; other models do not read it
   bool operator==(const Material&) const = default;
 };
 

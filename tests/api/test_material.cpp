@@ -39,6 +39,15 @@ TEST_CASE("Every law that is listed can be simulated by the method of the defaul
   }
 }
 
+TEST_CASE("The number of a law of its own comes back as it was given") {
+  Body body = standing_cube();
+  body.material.model = "mooney_rivlin";
+  body.material.mooney_ratio = 0.6;
+  CHECK(Simulation(scene_of(body), context()).material(0) == body.material);
+  body.material.mooney_ratio = 1.5;
+  CHECK_THAT(error_of([&] { Simulation(scene_of(body), context()); }), Contains("mooney_ratio: is 1.5; expected 0 to 1"));
+}
+
 TEST_CASE("A material that changes while the simulation runs acts on the next equilibrium") {
   Simulation simulation(scene_of(standing_cube()), context());
   simulation.set_gravity({0, -0.981, 0});  // strains of 0.3 percent, at which the law is linear but for that much
