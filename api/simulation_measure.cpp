@@ -3,6 +3,7 @@
 
 #include "api/simulation.h"
 #include "api/values.h"
+#include "sim/output/sample.h"
 
 namespace fascia::api {
 namespace {
@@ -29,45 +30,12 @@ Diagnostics shown(const fascia::Diagnostics& d) {
   return out;
 }
 
-Diagnostics by_reference(const fascia::Simulation& simulation) {
-  const fascia::State state = simulation.state();
-  const reference::Measures m = reference::measure(simulation.model, state);
-  Diagnostics out;
-  out.time = state.time;
-  out.kinetic = m.kinetic;
-  out.elastic = m.elastic;
-  out.gravitational = m.gravitational;
-  out.volume_ratio = m.volume_ratio;
-  out.min_det_f = m.min_det_f;
-  out.max_det_f = m.max_det_f;
-  out.inverted = m.inverted;
-  const StateFields fields = reference::export_fields(simulation.model, state);
-  for (const auto& e : fields.green_strain)
-    out.max_strain = std::max(out.max_strain, std::sqrt(e.head<3>().squaredNorm() + 2 * e.tail<3>().squaredNorm()));
-  for (const double stress : fields.von_mises) out.max_von_mises = std::max(out.max_von_mises, stress);
-  for (const Eigen::Vector3d& v : state.velocity) out.max_speed = std::max(out.max_speed, v.norm());
-  out.momentum = array_of(m.momentum);
-  out.angular_momentum = array_of(m.angular_momentum);
-  out.reaction = array_of(m.fixed_reaction);
-  Eigen::Vector3d grab = Eigen::Vector3d::Zero();
-  for (const HandForce& hand : forces_of_hands(simulation.springs(), state.displacement)) grab += hand.force;
-  out.grab_force = array_of(grab);
-  out.residual = simulation.newton_report().relative_residual;
-  out.iterations = simulation.newton_report().iterations;
-  return out;
-}
-
 }  // namespace
 
 Diagnostics Simulation::diagnostics() {
   return impl_->call([](fascia::Simulation& simulation) {
-    Diagnostics out;
-    if (simulation.uses_reference()) {
-      out = by_reference(simulation);
-    } else {
-      simulation.gpu()->request_diagnostics();
-      out = shown(*simulation.gpu()->take_diagnostics(true));
-    }
+    if (!simulation.uses_reference()) simulation.gpu()->request_diagnostics();
+    Diagnostics out = shown(simulation.uses_reference() ? diagnostics_by_reference(simulation) : *simulation.gpu()->take_diagnostics(true));
     if (simulation.steps_made() == 0) out.residual = std::numeric_limits<double>::quiet_NaN();
     return out;
   });

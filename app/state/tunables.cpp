@@ -7,6 +7,7 @@
 
 #include "app/ui/field_labels.h"
 #include "app/ui/units.h"
+#include "sim/model/region_materials.h"
 #include "sim/scene/scene_write.h"
 #include "sim/material/tissues.h"
 
@@ -58,15 +59,6 @@ void compare_materials(const Material& from, const Material& to, const std::stri
   }
   list.number(label_of_field("damping") + where, from.damping, to.damping, "s");
   if (from.model != to.model) list.add("Model" + where, name_of(from.model), name_of(to.model));
-}
-
-Material with_override(Material material, const MaterialOverride& values) {
-  std::vector<std::optional<double>> given;
-  visit_material(values, [&](const auto& field, auto&&...) { given.push_back(field); });
-  std::size_t next = 0;
-  visit_material(material, [&](double& field, auto&&...) { field = given[next++].value_or(field); });
-  material.model = values.model.value_or(material.model);
-  return material;
 }
 
 void compare_entries(const MaterialEntries& from, const MaterialEntries& to, bool only_body, const std::string& body, ChangeList& list) {

@@ -76,7 +76,7 @@ class FASCIA_EXPORT Simulation {
   std::optional<std::uint32_t> lost_vertex();
   /// Back to the last state that was found sound, at rest, after a vertex was lost. Throws Error with the reference solver.
   void restore_sound();
-  /// Static equilibrium under the weight, grabs and ends of motions of now, where the simulation goes on from. `stop` ends it unconverged;
+  /// Static equilibrium under the current weight and grabs and the ends of motions. The simulation continues from it. `stop` ends it unconverged;
   /// `news` is called after every part of the search. Throws Error where gravity pulls at a part that nothing holds.
   StaticReport solve_static(const std::stop_token& stop = {}, const std::function<void(const StaticReport&)>& news = {});
 
@@ -94,7 +94,7 @@ class FASCIA_EXPORT Simulation {
   void restore(const State& state);  // of this scene, fixed and led vertices included
   /// Writes the state by the file's ending: .vtu, .msh, .csv or .obj (the surface). Throws Error for another ending or a failed write.
   void write(const std::string& path) const;
-  /// The name of an OpenGL buffer with the positions of now in float: vec4 [vertex_count] and maybe more, x y z in meters, w unused. For
+  /// The name of an OpenGL buffer with the current positions in float: vec4 [vertex_count] and maybe more, x y z in meters, w unused. For
   /// drawing in the same context without a copy. The name holds as long as the simulation; its content is brought up to date by this call
   /// alone. Throws Error without a GPU.
   unsigned position_buffer();
@@ -114,7 +114,7 @@ class FASCIA_EXPORT Simulation {
   /// target is where they are. Throws Error where none of them is free, or for an index out of range.
   Grab grab(std::span<const std::uint32_t> vertices, double stiffness = 0);
   Grab grab_vertex(std::uint32_t vertex, double stiffness = 0);
-  /// Takes hold of a round patch around the place of the tissue that is nearest to `point` [m] in the positions of now: firm in the
+  /// Takes hold of a round patch around the place of the tissue that is nearest to `point` [m] in the current positions: firm in the
   /// middle, fading to the rim at `radius` [m].
   Grab grab_patch(const Vec3& point, double radius, double stiffness = 0);
   /// Leads the center of the grab (the mean of its vertices, weighted by their shares) to `target` [m]; its shape stays as it was taken.

@@ -7,7 +7,9 @@ namespace fascia {
 Eigen::Matrix3d cofactor(const Eigen::Matrix3d& f);  // dJ/dF
 
 /// The components of a matrix, column by column.
-inline Eigen::Map<const Eigen::Matrix<double, 9, 1>> flat(const Eigen::Matrix3d& m) { return Eigen::Map<const Eigen::Matrix<double, 9, 1>>(m.data()); }
+inline Eigen::Map<const Eigen::Matrix<double, 9, 1>> flat(const Eigen::Matrix3d& m) {
+  return Eigen::Map<const Eigen::Matrix<double, 9, 1>>(m.data());
+}
 
 /// The tensor cross product A x B (Bonet, Gil, Ortigosa 2015, eq. 7): bilinear, symmetric, F x F = 2 cof F. The derivative of cof F along A is
 /// F x A, the second derivative of J along A and B is F : (A x B).

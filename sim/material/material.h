@@ -7,7 +7,8 @@
 
 namespace fascia {
 
-/// The laws (sim/material/law.h) by name. signed_st_venant_kirchhoff is St. Venant-Kirchhoff where no direction is compressed below 0.6, and keeps on resisting where one is.
+/// The laws (sim/material/law.h) by name. signed_st_venant_kirchhoff is St. Venant-Kirchhoff where no direction is compressed below 0.6, and
+/// keeps on resisting where one is.
 enum class MaterialModel { signed_st_venant_kirchhoff, st_venant_kirchhoff, stable_neo_hookean, neo_hookean, mooney_rivlin };
 
 const std::vector<MaterialModel>& material_models();  // that exist

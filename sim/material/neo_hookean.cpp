@@ -33,8 +33,7 @@ Density neo_hookean_density(const Matrix3d& f, const Material& material, bool wi
 const MaterialLaw kNeoHookean{MaterialModel::neo_hookean,
                               "neo_hookean",
                               "Neo-Hookean",
-                              "Rubber, compressible (Simo, Pister 1984): softens in tension, resists compression without bound down to a fifth of the "
-                              "volume. For two_level and vertex_descent.",
+                              "Rubber, compressible (Simo, Pister 1984): softens in tension, resists compression ever more. For two_level and vertex_descent.",
                               nullptr,
                               false,
                               nullptr,

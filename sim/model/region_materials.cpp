@@ -7,9 +7,8 @@
 #include "base/suggest.h"
 
 namespace fascia {
-namespace {
 
-Material merged(Material material, const MaterialOverride& values) {
+Material with_override(Material material, const MaterialOverride& values) {
   // Both tables list the same fields in the same order.
   std::vector<std::optional<double>> given;
   visit_material(values, [&](const auto& field, auto&&...) { given.push_back(field); });
@@ -18,6 +17,8 @@ Material merged(Material material, const MaterialOverride& values) {
   material.model = values.model.value_or(material.model);
   return material;
 }
+
+namespace {
 
 std::optional<int> number_of(const std::string& key) {
   int number = 0;
@@ -82,7 +83,7 @@ BodyMaterials resolve_materials(const Body& body, const std::map<int, std::strin
                       body.region_materials[earlier->second - 1].first + " does",
                   "expected one entry per region");
     }
-    result.materials.push_back(merged(body.material, values));
+    result.materials.push_back(with_override(body.material, values));
     result.names.push_back(body.name + ": " + key);
   }
   return result;

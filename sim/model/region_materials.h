@@ -20,6 +20,9 @@ struct BodyMaterials {
   }
 };
 
+/// `material` with the values that are given.
+Material with_override(Material material, const MaterialOverride& values);
+
 /// The regions that a mesh's tets have: number, and name if the file has one.
 std::map<int, std::string> regions_of(const TetMesh& mesh);
 

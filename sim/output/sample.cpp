@@ -49,28 +49,6 @@ std::string one_line(const std::string& text) {
   return line;
 }
 
-Sample of_reference(Simulation& simulation, std::uint32_t probe) {
-  const State state = simulation.state();
-  const reference::Measures measures = reference::measure(simulation.model, state);
-  Sample s;
-  s.time = state.time;
-  s.kinetic = measures.kinetic;
-  s.elastic = measures.elastic;
-  s.gravitational = measures.gravitational;
-  s.volume_ratio = measures.volume_ratio;
-  s.min_det_f = measures.min_det_f;
-  const StateFields fields = reference::export_fields(simulation.model, state);
-  for (const auto& e : fields.green_strain)
-    s.max_strain = std::max(s.max_strain, std::sqrt(e.head<3>().squaredNorm() + 2 * e.tail<3>().squaredNorm()));
-  for (const double stress : fields.von_mises) s.max_von_mises = std::max(s.max_von_mises, stress);
-  s.momentum = measures.momentum;
-  s.reaction = measures.fixed_reaction;
-  s.probe = state.displacement[probe];
-  s.residual = simulation.newton_report().relative_residual;
-  s.iterations = simulation.newton_report().iterations;
-  return s;
-}
-
 }  // namespace
 
 std::span<const Column> sample_columns() { return kColumns; }
@@ -94,10 +72,37 @@ Sample sample_of(const Diagnostics& d) {
   return s;
 }
 
+Diagnostics diagnostics_by_reference(const Simulation& simulation) {
+  const State state = simulation.state();
+  const reference::Measures m = reference::measure(simulation.model, state);
+  Diagnostics d;
+  d.time = state.time;
+  d.kinetic = m.kinetic;
+  d.elastic = m.elastic;
+  d.gravitational = m.gravitational;
+  d.volume_ratio = m.volume_ratio;
+  d.min_det_f = m.min_det_f;
+  d.max_det_f = m.max_det_f;
+  d.inverted = static_cast<int>(m.inverted);
+  const StateFields fields = reference::export_fields(simulation.model, state);
+  for (const auto& e : fields.green_strain)
+    d.max_strain = std::max(d.max_strain, std::sqrt(e.head<3>().squaredNorm() + 2 * e.tail<3>().squaredNorm()));
+  for (const double stress : fields.von_mises) d.max_von_mises = std::max(d.max_von_mises, stress);
+  for (const Eigen::Vector3d& v : state.velocity) d.max_speed = std::max(d.max_speed, v.norm());
+  d.momentum = m.momentum;
+  d.angular_momentum = m.angular_momentum;
+  d.reaction = m.fixed_reaction;
+  for (const HandForce& hand : forces_of_hands(simulation.springs(), state.displacement)) d.grab_force += hand.force;
+  d.residual = simulation.newton_report().relative_residual;
+  d.iterations = simulation.newton_report().iterations;
+  return d;
+}
+
 Sample sample_now(Simulation& simulation, std::uint32_t probe) {
   Sample s;
   if (simulation.uses_reference()) {
-    s = of_reference(simulation, probe);
+    s = sample_of(diagnostics_by_reference(simulation));
+    s.probe = simulation.state().displacement[probe];
   } else {
     simulation.gpu()->set_probe(probe);
     simulation.gpu()->request_diagnostics();

@@ -37,7 +37,10 @@ struct Column {
 std::span<const Column> sample_columns();
 
 Sample sample_of(const Diagnostics& diagnostics);
-/// Of the state of now, supports one by one; waits for the GPU. Without steps made, residual and iterations are unknown.
+/// The current state, measured in double precision, for simulations that use the reference solver. Without what only the GPU counts: the
+/// forces grab by grab, inertia, rounding and mean strain.
+Diagnostics diagnostics_by_reference(const Simulation& simulation);
+/// The current state, supports one by one; waits for the GPU. Without steps made, residual and iterations are unknown.
 Sample sample_now(Simulation& simulation, std::uint32_t probe);
 
 /// Notes in lines "# keyword: text", the names of the columns, a row per sample: shortest digits that read back to the same number, nothing

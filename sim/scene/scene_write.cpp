@@ -42,14 +42,19 @@ OrderedJson selection(const Selection& selection) {
   return object;
 }
 
-/// Of a Material or a MaterialOverride: what it has, without what its law does not read.
+/// Of a Material or a MaterialOverride: what it has. A default that the law of a Material does not read is left out.
 template <class M>
 OrderedJson material(const M& material) {
   OrderedJson object = OrderedJson::object();
-  const MaterialModel law = std::optional<MaterialModel>(material.model).value_or(MaterialModel::mooney_rivlin);
+  std::vector<double> defaults;
+  visit_material(Material{}, [&](double value, auto&&...) { defaults.push_back(value); });
+  std::size_t i = 0;
   visit_material(material, [&](const auto& field, const char* name, auto&&...) {
     const std::optional<double> value = field;
-    if (value && (reads(law, name) || *value != Material{}.mooney_ratio)) object[name] = number(*value);
+    bool says_something = value.has_value();
+    if constexpr (std::is_same_v<M, Material>) says_something = reads(material.model, name) || field != defaults[i];
+    if (says_something) object[name] = number(*value);
+    ++i;
   });
   if (const std::optional<MaterialModel> model = material.model) object["model"] = name_of(*model);
   return object;

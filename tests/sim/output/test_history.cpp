@@ -69,6 +69,22 @@ void run_in(const TemporaryFolder& folder, std::vector<std::string> arguments, b
 
 }  // namespace
 
+TEST_CASE("the history of the reference solver has the force of a grab, that of its spring") {
+  const Model model = make_model(make_box(4, 2, 2, {0.2, 0.1, 0.1}), {1e5, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff},
+                                 [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
+  Simulation simulation(Scene{}, model, nullptr, true);
+  const std::uint32_t tip = tip_vertex(model);
+  const Eigen::Vector3d target(0, 0.05, 0);
+  constexpr double kStiffness = 40;  // [N/m]
+  simulation.set_grab({{tip, target, kStiffness}});
+  for (int i = 0; i < 3; ++i) simulation.step();
+  const Sample sample = sample_now(simulation, tip);
+  const Eigen::Vector3d expected = kStiffness * (target - simulation.state().displacement[tip]);
+  CAPTURE(sample.grab.transpose(), expected.transpose());
+  CHECK(expected.norm() > 0.5);
+  CHECK((sample.grab - expected).norm() < 1e-12 * expected.norm());
+}
+
 TEST_CASE("history of a free fall: implicit Euler's energies and momentum in closed form") {
   const TemporaryFolder folder;
   const nlohmann::json scene{{"fascia_scene", 1}, {"bodies", {body("cube.msh", 1e5, nlohmann::json::array())}}, {"solver", {{"time_step", 0.01}}}};

@@ -297,3 +297,18 @@ TEST_CASE("a mesh that comes through a pipe is opened as one that is a file") {
   const Scene scene = open_scene(folder / "pipe");
   CHECK(build_model(scene).tets == build_model(open_scene(source_dir() / "assets/meshes/cube.msh")).tets);
 }
+
+TEST_CASE("a number of one law is written where it is read or no default, and in overrides always") {
+  const auto written = [](const std::string& materials) {
+    const SceneFile file(scene_text("\"materials\": " + materials));
+    const Scene scene = file.open();
+    const std::string text = scene_to_json(scene, file.path().parent_path());
+    write_file(file.path(), text);
+    CHECK(file.open() == scene);
+    return text.find("mooney_ratio") != std::string::npos;
+  };
+  CHECK_FALSE(written(R"({"default": {"model": "neo_hookean"}})"));
+  CHECK(written(R"({"default": {"model": "neo_hookean", "mooney_ratio": 0.4}})"));
+  CHECK(written(R"({"default": {"model": "mooney_rivlin"}})"));
+  CHECK(written(R"({"default": {}, "2": {"mooney_ratio": 0.2}})"));
+}

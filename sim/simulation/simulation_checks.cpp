@@ -1,0 +1,98 @@
+// What a simulation learns of its state every few steps: whether it is finite, whether it has come to rest, whether the device computes.
+#include <algorithm>
+
+#include "sim/gpu/passes/compute_probe.h"
+#include "sim/reference/static_residual.h"
+#include "sim/simulation/simulation.h"
+
+namespace fascia {
+
+// The answer to the last question is there long since, or waited for: so a body falls asleep at the same step in every run.
+void Simulation::look() {
+  follow_check(true);
+  if (astray_) return;
+  checked_step_ = steps_;
+  gpu_->request_check();
+  if (!quiet_ || time() < model.end_of_motions()) return settling_.cancel();
+  follow_check(true);  // what sleeps must be known to be sound
+  asleep_ = quiet_ && !astray_ && settle();
+}
+
+// Whether the body, which hardly moves, has no way left to go. Where its equilibrium can be found soon, it is put there.
+bool Simulation::settle() {
+  constexpr double kUnseen = 3e-4;      // of the scene's size: a third of a pixel
+  constexpr double kLong = 1, kVeryLong = 16;  // [s] at rest
+  constexpr double kFloat32 = 1e-3;     // of a static residual, what rounding leaves of soft slender bodies
+  const bool descends = gpu_->descends();
+  if (!descends) return rest_.quiet() >= kLong;  // comes to rest elsewhere
+  if (model.tets.size() > Settling::kMostTets)
+    return rest_.quiet() >= kLong && (rest_.quiet() >= kVeryLong || reference::StaticResidual(model)(gpu_->download(), springs_) <= kFloat32);
+  if (!settling_.busy()) {
+    if (rest_.quiet() >= settles_after_) settling_.begin(model, scene.solver, springs_, gpu_->download(), steps_);
+    return false;
+  }
+  if (!settling_.due(steps_)) return false;
+  std::optional<State> equilibrium = settling_.take();
+  if (!equilibrium) {
+    settles_after_ = kVeryLong;
+    return rest_.quiet() >= kVeryLong;
+  }
+  const State now = gpu_->download();
+  double farthest = 0;
+  for (std::size_t v = 0; v < now.displacement.size(); ++v)
+    farthest = std::max(farthest, (equilibrium->displacement[v] - now.displacement[v]).norm());
+  if (!(farthest <= kUnseen * gpu_->buffers().size)) {
+    settles_after_ = 2 * std::max(rest_.quiet(), kLong);
+    return false;
+  }
+  equilibrium_ = std::move(*equilibrium);
+  equilibrium_->time = gpu_->time();
+  gpu_->settle(*equilibrium_);
+  return true;
+}
+
+void Simulation::follow_check(bool wait) {
+  const std::optional<StateGuard::Verdict> verdict = gpu_->take_check(wait);
+  if (!verdict) return;
+  if (unproven_ && checked_step_ > 0) judge_device(*verdict);
+  if (verdict->astray) {
+    astray_ = verdict->astray;
+    return;
+  }
+  log_.forget_before(checked_step_);
+  if (checked_step_ > stirred_step_) quiet_ = rest_.add(verdict->movement, scene.solver, gpu_->buffers().size);
+}
+
+// Throws Error where nothing at all fell.
+void Simulation::judge_device(const StateGuard::Verdict& first) {
+  unproven_ = false;
+  lost_from_the_start_ = first.astray.has_value();
+  const Movement& movement = first.movement;
+  if (first.astray || movement.way > 0 || movement.speed > 0 || movement.displacement > 0) return;
+  const bool falls = stirred_step_ == 0 && !model.gravity.isZero() && scene.solver.tolerance == 0;
+  if (falls) require_computed(model, gpu_->download());
+}
+
+void Simulation::require_device() const {
+  if (!lost_from_the_start_) return;
+  // Tissue whose forces overflow is lost within a step, too. A box in its place tells which of the two it was.
+  const Model box = trial_model();
+  SolverSettings settings;
+  settings.method = scene.solver.method;
+  settings.acceleration = scene.solver.acceleration;
+  GpuSolver solver(*programs_, box, settings);
+  solver.step();
+  require_computed(box, solver.download());
+}
+
+std::optional<std::uint32_t> Simulation::check_now() {
+  if (reference_) return std::nullopt;
+  follow_check(true);
+  if (astray_) return astray_;
+  checked_step_ = steps_;
+  gpu_->request_check();
+  follow_check(true);
+  return astray_;
+}
+
+}  // namespace fascia
