@@ -53,7 +53,8 @@ void Context::Impl::enter() {
     own->make_current();
   } else {
     const bool current = get_current ? get_current() == handle : loaded != this || gl::GetString(GL_VERSION);
-    if (!current) throw Error("context", "is not current", "expected the OpenGL context that Context::current() was called with");
+    if (!current)
+      throw Error("context", "is not current", "expected the OpenGL context that Context::current() was called with");
     if (loaded != this) gl::load(get_proc);
   }
   loaded = this;
@@ -86,7 +87,8 @@ Context Context::current(GetProc get_proc) {
   return translated([&] {
     const WindowSystem system = find_window_system();
     if (!get_proc) get_proc = system.get_proc;
-    if (!get_proc) throw Error("context", "no OpenGL context is current", "expected one of EGL, GLX or OSMesa on this thread");
+    if (!get_proc)
+      throw Error("context", "no OpenGL context is current", "expected one of EGL, GLX or OSMesa on this thread");
     auto impl = std::make_shared<Impl>();
     loaded = nullptr;
     gl::load(get_proc);
@@ -114,13 +116,15 @@ std::string data_dir() {
   if (assets.empty()) {
     std::string tried;
     for (const std::filesystem::path& folder : data_folders()) tried += (tried.empty() ? "" : ", ") + folder.string();
-    throw Error("fascia", "its shaders were not found in " + tried, "name their parent folder with FASCIA_DATA_DIR or set_data_dir()");
+    throw Error("fascia", "its shaders were not found in " + tried,
+                "name their parent folder with FASCIA_DATA_DIR or set_data_dir()");
   }
   return assets.parent_path().string();
 }
 
 void set_data_dir(const std::string& folder) {
-  if (!holds_shaders(folder)) throw Error("set_data_dir: " + folder, "has no folder shaders", "expected fascia's data folder");
+  if (!holds_shaders(folder))
+    throw Error("set_data_dir: " + folder, "has no folder shaders", "expected fascia's data folder");
   set_data_folder(folder);
 }
 

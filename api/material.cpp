@@ -16,14 +16,17 @@ std::string list_of(const std::vector<std::string>& names) {
 
 fascia::Material checked(const Material& material, const std::string& where) {
   const std::optional<MaterialModel> model = find_material_model(material.model);
-  if (!model) throw Error(where + ".model", "is \"" + material.model + "\"", "expected one of " + list_of(material_models()));
-  const fascia::Material own{material.young_modulus, material.poisson_ratio, material.density, material.damping, *model, material.mooney_ratio};
+  if (!model)
+    throw Error(where + ".model", "is \"" + material.model + "\"", "expected one of " + list_of(material_models()));
+  const fascia::Material own{material.young_modulus, material.poisson_ratio, material.density, material.damping, *model,
+                             material.mooney_ratio};
   visit_material(own, RangeCheck{where});
   return own;
 }
 
 Material shown(const fascia::Material& material) {
-  return {material.young_modulus, material.poisson_ratio, material.density, material.damping, name_of(material.model), material.mooney_ratio};
+  return {material.young_modulus, material.poisson_ratio,  material.density,
+          material.damping,       name_of(material.model), material.mooney_ratio};
 }
 
 std::vector<std::string> material_models() {

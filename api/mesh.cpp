@@ -23,9 +23,11 @@ Mesh shown(const TetMesh& mesh) {
 
 TetMesh checked(const Mesh& mesh, const std::string& where) {
   if (mesh.positions.size() % 3 != 0)
-    throw Error(where + ".positions", "has " + std::to_string(mesh.positions.size()) + " numbers", "expected three a vertex");
+    throw Error(where + ".positions", "has " + std::to_string(mesh.positions.size()) + " numbers",
+                "expected three a vertex");
   if (mesh.tets.empty() || mesh.tets.size() % 4 != 0)
-    throw Error(where + ".tets", "has " + std::to_string(mesh.tets.size()) + " indices", "expected four a tet, and at least one tet");
+    throw Error(where + ".tets", "has " + std::to_string(mesh.tets.size()) + " indices",
+                "expected four a tet, and at least one tet");
   if (!mesh.regions.empty() && mesh.regions.size() != mesh.tet_count())
     throw Error(where + ".regions", "has " + std::to_string(mesh.regions.size()) + " numbers",
                 "expected one a tet, " + std::to_string(mesh.tet_count()) + ", or none");

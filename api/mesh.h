@@ -7,7 +7,8 @@
 
 namespace fascia::api {
 
-/// Throws Error "where.tets: ..." for arrays that do not fit together, positions that are not finite, indices out of range.
+/// Throws Error "where.tets: ..." for arrays that do not fit together, positions that are not finite, indices out of
+/// range.
 TetMesh checked(const Mesh& mesh, const std::string& where);
 
 }  // namespace fascia::api

@@ -11,7 +11,8 @@ namespace {
 
 void require_vertices(const std::vector<std::uint32_t>& vertices, std::size_t count, const std::string& where) {
   for (const std::uint32_t v : vertices)
-    if (v >= count) throw Error(where, "names vertex " + std::to_string(v), "expected an index below " + std::to_string(count));
+    if (v >= count)
+      throw Error(where, "names vertex " + std::to_string(v), "expected an index below " + std::to_string(count));
 }
 
 fascia::Body checked(const Body& body, const std::string& where) {
@@ -20,8 +21,8 @@ fascia::Body checked(const Body& body, const std::string& where) {
   own.material = checked(body.material, where + ".material");
   for (const auto& [region, material] : body.region_materials) {
     const fascia::Material m = checked(material, where + ".region_materials[" + std::to_string(region) + "]");
-    own.region_materials.emplace_back(std::to_string(region),
-                                      MaterialOverride{m.young_modulus, m.poisson_ratio, m.density, m.damping, m.model});
+    own.region_materials.emplace_back(
+        std::to_string(region), MaterialOverride{m.young_modulus, m.poisson_ratio, m.density, m.damping, m.model});
   }
   require_vertices(body.fixed, body.mesh.vertex_count(), where + ".fixed");
   if (!body.fixed.empty()) own.fixed.emplace_back(VertexSelection{body.fixed});

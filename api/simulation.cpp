@@ -39,10 +39,12 @@ Simulation Simulation::open(const std::string& path, Context context, const Open
 
 Simulation::Simulation(const Scene& scene, Context context, const OpenOptions& options)
     : impl_(translated([&] {
-        if (!options.set.empty()) throw Error("OpenOptions::set", "does not apply to a scene from arrays", "expected it empty");
+        if (!options.set.empty())
+          throw Error("OpenOptions::set", "does not apply to a scene from arrays", "expected it empty");
         auto impl = std::make_unique<Impl>(std::move(context));
         BuiltScene built = build(scene);
-        impl->start(std::move(built.scene), std::move(built.model), options.reference, progress_of(options.control, "scene"));
+        impl->start(std::move(built.scene), std::move(built.model), options.reference,
+                    progress_of(options.control, "scene"));
         return impl;
       })) {}
 
@@ -103,13 +105,15 @@ std::optional<std::uint32_t> Simulation::lost_vertex() {
 
 void Simulation::restore_sound() {
   impl_->call([](fascia::Simulation& simulation) {
-    if (simulation.uses_reference()) throw Error("restore_sound", "not with the reference solver", "expected a simulation on the GPU");
+    if (simulation.uses_reference())
+      throw Error("restore_sound", "not with the reference solver", "expected a simulation on the GPU");
     simulation.back_to_sound();
     simulation.begin_anew();
   });
 }
 
-StaticReport Simulation::solve_static(const std::stop_token& stop, const std::function<void(const StaticReport&)>& news) {
+StaticReport Simulation::solve_static(const std::stop_token& stop,
+                                      const std::function<void(const StaticReport&)>& news) {
   const auto shown = [](const fascia::StaticReport& report) {
     return StaticReport{report.iterations, report.newton_iterations, report.relative_residual, report.converged};
   };
@@ -138,7 +142,8 @@ namespace {
 
 void require_material(const Model& model, std::size_t index) {
   if (index >= model.materials.size())
-    throw Error("material " + std::to_string(index), "does not exist", "expected an index below " + std::to_string(model.materials.size()));
+    throw Error("material " + std::to_string(index), "does not exist",
+                "expected an index below " + std::to_string(model.materials.size()));
 }
 
 }  // namespace

@@ -13,9 +13,12 @@ double usual_stiffness(const Model& model, const std::vector<PatchVertex>& patch
 }  // namespace
 
 Grab Simulation::Impl::take(const std::vector<PatchVertex>& patch, double stiffness) {
-  if (patch.empty()) throw Error("grab", "holds no free vertex", "expected at least one that is in a tet and neither fixed nor led");
-  if (!(stiffness > 0 && std::isfinite(stiffness))) throw Error("grab: stiffness", "is not positive", "expected N/m, or 0 for the tissue's own");
-  if (next_grab >= kFirstScriptedHand) throw Error("grab", "too many were made", "expected at most " + std::to_string(kFirstScriptedHand));
+  if (patch.empty())
+    throw Error("grab", "holds no free vertex", "expected at least one that is in a tet and neither fixed nor led");
+  if (!(stiffness > 0 && std::isfinite(stiffness)))
+    throw Error("grab: stiffness", "is not positive", "expected N/m, or 0 for the tissue's own");
+  if (next_grab >= kFirstScriptedHand)
+    throw Error("grab", "too many were made", "expected at most " + std::to_string(kFirstScriptedHand));
   const fascia::State state = simulation->state();
   Held grab{{}, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   for (const PatchVertex& p : patch) {
@@ -31,7 +34,8 @@ Grab Simulation::Impl::take(const std::vector<PatchVertex>& patch, double stiffn
 Simulation::Impl::Held& Simulation::Impl::find(Grab grab) {
   const auto found = held.find(static_cast<std::uint32_t>(grab));
   if (found == held.end())
-    throw Error("grab " + std::to_string(static_cast<std::uint32_t>(grab)), "does not exist", "expected one that was not released");
+    throw Error("grab " + std::to_string(static_cast<std::uint32_t>(grab)), "does not exist",
+                "expected one that was not released");
   return found->second;
 }
 
@@ -47,7 +51,9 @@ void Simulation::Impl::pull() {
 
 Grab Simulation::grab(std::span<const std::uint32_t> vertices, double stiffness) {
   for (const std::uint32_t v : vertices)
-    if (v >= vertex_count()) throw Error("grab", "names vertex " + std::to_string(v), "expected an index below " + std::to_string(vertex_count()));
+    if (v >= vertex_count())
+      throw Error("grab", "names vertex " + std::to_string(v),
+                  "expected an index below " + std::to_string(vertex_count()));
   return impl_->call([&](fascia::Simulation& simulation) {
     const std::vector<PatchVertex> patch = even_patch(simulation.model, {vertices.begin(), vertices.end()});
     return impl_->take(patch, stiffness == 0 && !patch.empty() ? usual_stiffness(simulation.model, patch) : stiffness);

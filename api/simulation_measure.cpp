@@ -35,7 +35,8 @@ Diagnostics shown(const fascia::Diagnostics& d) {
 Diagnostics Simulation::diagnostics() {
   return impl_->call([](fascia::Simulation& simulation) {
     if (!simulation.uses_reference()) simulation.gpu()->request_diagnostics();
-    Diagnostics out = shown(simulation.uses_reference() ? diagnostics_by_reference(simulation) : *simulation.gpu()->take_diagnostics(true));
+    Diagnostics out = shown(simulation.uses_reference() ? diagnostics_by_reference(simulation)
+                                                        : *simulation.gpu()->take_diagnostics(true));
     if (simulation.steps_made() == 0) out.residual = std::numeric_limits<double>::quiet_NaN();
     return out;
   });
@@ -52,7 +53,8 @@ std::vector<Support> Simulation::supports() const {
 
 TetFields Simulation::tet_fields() const {
   return impl_->call([](fascia::Simulation& simulation) {
-    const StateFields fields = reference::export_fields(simulation.model, simulation.state());  // in the order of the files
+    // In the order of the files
+    const StateFields fields = reference::export_fields(simulation.model, simulation.state());
     TetFields out;
     for (const std::uint32_t source : simulation.model.tet_source) {
       out.von_mises.push_back(fields.von_mises[source]);

@@ -10,7 +10,8 @@ namespace {
 template <class T>
 void copy(const std::vector<Eigen::Vector3d>& from, std::span<T> to, const char* where) {
   if (to.size() != 3 * from.size())
-    throw Error(where, "has room for " + std::to_string(to.size()) + " numbers", "expected " + std::to_string(3 * from.size()));
+    throw Error(where, "has room for " + std::to_string(to.size()) + " numbers",
+                "expected " + std::to_string(3 * from.size()));
   for (std::size_t v = 0; v < from.size(); ++v)
     for (int k = 0; k < 3; ++k) to[3 * v + static_cast<std::size_t>(k)] = static_cast<T>(from[v][k]);
 }
@@ -91,15 +92,18 @@ void Simulation::restore(const State& state) {
 
 void Simulation::write(const std::string& path) const {
   impl_->call([&](fascia::Simulation& simulation) {
-    const std::string renderer = simulation.uses_reference() ? "reference solver, double precision" : impl_->context.renderer();
+    const std::string renderer =
+        simulation.uses_reference() ? "reference solver, double precision" : impl_->context.renderer();
     write_state(path, simulation.model.file_mesh, reference::export_fields(simulation.model, simulation.state()),
-                provenance_of(simulation.scene, simulation.model, renderer, "libfascia", simulation.steps_made(), simulation.time()));
+                provenance_of(simulation.scene, simulation.model, renderer, "libfascia", simulation.steps_made(),
+                              simulation.time()));
   });
 }
 
 unsigned Simulation::position_buffer() {
   return impl_->call([](fascia::Simulation& simulation) {
-    if (!simulation.gpu()) throw Error("position_buffer", "there is no GPU", "expected a simulation with an OpenGL context");
+    if (!simulation.gpu())
+      throw Error("position_buffer", "there is no GPU", "expected a simulation with an OpenGL context");
     simulation.gpu()->publish();
     gl::MemoryBarrier(GL_ALL_BARRIER_BITS);  // whatever the caller reads it by
     return static_cast<unsigned>(simulation.gpu()->positions().id());

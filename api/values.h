@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "base/progress.h"
 #include "fascia/control.h"
 #include "fascia/error.h"
-#include "base/progress.h"
 
 namespace fascia::api {
 
@@ -23,13 +23,16 @@ inline Eigen::Vector3d vector_of(const Vec3& v, const std::string& where) {
 }
 
 /// [count][3] numbers. Throws Error for another count or numbers that are not finite.
-inline std::vector<Eigen::Vector3d> vectors_of(std::span<const double> numbers, std::size_t count, const std::string& where) {
+inline std::vector<Eigen::Vector3d> vectors_of(std::span<const double> numbers, std::size_t count,
+                                               const std::string& where) {
   if (numbers.size() != 3 * count)
-    throw Error(where, "has " + std::to_string(numbers.size()) + " numbers", "expected " + std::to_string(3 * count) + ", three a vertex");
+    throw Error(where, "has " + std::to_string(numbers.size()) + " numbers",
+                "expected " + std::to_string(3 * count) + ", three a vertex");
   std::vector<Eigen::Vector3d> vectors(count);
   for (std::size_t v = 0; v < count; ++v) {
     vectors[v] = {numbers[3 * v], numbers[3 * v + 1], numbers[3 * v + 2]};
-    if (!vectors[v].allFinite()) throw Error(where, "is not finite at vertex " + std::to_string(v), "expected finite numbers");
+    if (!vectors[v].allFinite())
+      throw Error(where, "is not finite at vertex " + std::to_string(v), "expected finite numbers");
   }
   return vectors;
 }
@@ -41,8 +44,8 @@ inline std::vector<double> numbers_of(const std::vector<Eigen::Vector3d>& vector
   return numbers;
 }
 
-/// For a visitor of a settings table (visit_material, visit_settings): throws Error "material.young_modulus: is -5; expected 0.001 to
-/// 1e+14 Pa" for a field out of range.
+/// For a visitor of a settings table (visit_material, visit_settings): throws Error "material.young_modulus: is -5;
+/// expected 0.001 to 1e+14 Pa" for a field out of range.
 struct RangeCheck {
   std::string where;
   template <class T, class N>

@@ -3,11 +3,11 @@
 #include <iostream>
 
 #include "app/cli/command_line.h"
-#include "app/commands/command.h"
-#include "base/interrupt.h"
-#include "app/session/reproduce.h"
 #include "app/cli/usage_error.h"
+#include "app/commands/command.h"
+#include "app/session/reproduce.h"
 #include "base/error.h"
+#include "base/interrupt.h"
 
 namespace {
 
@@ -38,7 +38,8 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     const int exit_code = run(argc, argv);
-    if (!std::cout.flush()) throw fascia::Error("standard output", "writing failed", "expected a device that takes data");
+    if (!std::cout.flush())
+      throw fascia::Error("standard output", "writing failed", "expected a device that takes data");
     return exit_code;
   } catch (const std::bad_alloc&) {
     std::cerr << "fascia: needs more memory than there is; expected a smaller mesh\n";

@@ -1,4 +1,5 @@
-// A fingerprint of bytes (FNV-1a, 64 bits: Fowler, Noll, Vo), to tell whether two runs gave the same; no protection against forgery.
+// A fingerprint of bytes (FNV-1a, 64 bits: Fowler, Noll, Vo), to tell whether two runs gave the same; no protection
+// against forgery.
 #pragma once
 #include <cstddef>
 #include <cstdint>

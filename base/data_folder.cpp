@@ -21,8 +21,10 @@ fs::path own_file() {
   Dl_info info{};
   link_map* map = nullptr;
   std::error_code ec;
-  const bool known = dladdr1(reinterpret_cast<const void*>(&own_file), &info, reinterpret_cast<void**>(&map), RTLD_DL_LINKMAP) != 0;
-  const bool in_library = known && map && map->l_name && map->l_name[0] != '\0';  // the program itself has no name there
+  const bool known =
+      dladdr1(reinterpret_cast<const void*>(&own_file), &info, reinterpret_cast<void**>(&map), RTLD_DL_LINKMAP) != 0;
+  // The program itself has no name there
+  const bool in_library = known && map && map->l_name && map->l_name[0] != '\0';
   return in_library ? fs::canonical(map->l_name, ec) : fs::read_symlink("/proc/self/exe", ec);
 }
 

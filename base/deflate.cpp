@@ -10,10 +10,12 @@
 namespace fascia {
 namespace {
 
-constexpr std::uint64_t kBest = 1032;  // deflate never shrinks further than this factor
+constexpr std::uint64_t kBest = 1032;                             // deflate never shrinks further than this factor
 constexpr std::size_t kBlock = std::numeric_limits<uInt>::max();  // what zlib takes at a time
 
-Bytef* bytes_of(const char* data) { return reinterpret_cast<Bytef*>(const_cast<char*>(data)); }  // zlib does not write to its input
+Bytef* bytes_of(const char* data) {
+  return reinterpret_cast<Bytef*>(const_cast<char*>(data));
+}  // zlib does not write to its input
 
 }  // namespace
 
@@ -21,7 +23,8 @@ std::string deflated(std::string_view bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   std::string out(size, '\0');
   // Files of meshes are digits for the most part: higher levels take several times as long for a few percent.
-  if (compress2(bytes_of(out.data()), &size, bytes_of(bytes.data()), static_cast<uLong>(bytes.size()), Z_BEST_SPEED) != Z_OK)
+  if (compress2(bytes_of(out.data()), &size, bytes_of(bytes.data()), static_cast<uLong>(bytes.size()), Z_BEST_SPEED) !=
+      Z_OK)
     throw Error("zlib", "compressing failed", "expected free memory");
   out.resize(size);
   out.shrink_to_fit();

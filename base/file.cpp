@@ -24,9 +24,7 @@ namespace {
 
 constexpr const char* writable = "expected a writable folder with free space";
 
-std::string reason(int error_number) {
-  return error_number ? std::string(": ") + std::strerror(error_number) : "";
-}
+std::string reason(int error_number) { return error_number ? std::string(": ") + std::strerror(error_number) : ""; }
 
 /// Runs the writer and makes sure that every byte has left this process. Returns an empty text or what went
 /// wrong.
@@ -53,9 +51,7 @@ std::string sync(const fs::path& path) {
   return error_number ? "writing failed" + reason(error_number) : "";
 }
 
-std::string temporary_prefix(const fs::path& path) {
-  return "." + path.stem().string() + ".";
-}
+std::string temporary_prefix(const fs::path& path) { return "." + path.stem().string() + "."; }
 
 /// Files ".stem.PID-NUMBER.part*" of processes that are gone. One whose number another process has by now stays.
 void remove_stale(const fs::path& target) {
@@ -69,7 +65,8 @@ void remove_stale(const fs::path& target) {
     pid_t process = 0;
     unsigned number = 0;
     const auto after_process = std::from_chars(name.data() + prefix.size(), last, process);
-    if (after_process.ec != std::errc{} || process <= 0 || after_process.ptr == last || *after_process.ptr != '-') continue;
+    if (after_process.ec != std::errc{} || process <= 0 || after_process.ptr == last || *after_process.ptr != '-')
+      continue;
     const auto after_number = std::from_chars(after_process.ptr + 1, last, number);
     if (after_number.ec != std::errc{} || !std::string_view(after_number.ptr, last).starts_with(".part")) continue;
     std::error_code ignored;
@@ -82,7 +79,8 @@ bool is_special(const fs::file_status& status) { return fs::exists(status) && !f
 void write_standard_output(const std::function<void(std::ostream&)>& writer) {
   errno = 0;
   writer(std::cout);
-  if (!std::cout.flush()) throw Error("standard output", "writing failed" + reason(errno), "expected a device that takes data");
+  if (!std::cout.flush())
+    throw Error("standard output", "writing failed" + reason(errno), "expected a device that takes data");
 }
 
 }  // namespace
@@ -97,9 +95,11 @@ fs::path link_target(const fs::path& path) {
   fs::path target = path;
   std::error_code ec;
   for (int links = 0; fs::is_symlink(fs::symlink_status(target, ec)); ++links) {
-    if (links == kMostLinks) throw Error(path.string(), "is a symbolic link that leads in a circle", "expected a file name");
+    if (links == kMostLinks)
+      throw Error(path.string(), "is a symbolic link that leads in a circle", "expected a file name");
     const fs::path next = fs::read_symlink(target, ec);
-    if (ec) throw Error(path.string(), "is a symbolic link that cannot be read: " + ec.message(), "expected a file name");
+    if (ec)
+      throw Error(path.string(), "is a symbolic link that cannot be read: " + ec.message(), "expected a file name");
     target = target.parent_path() / next;  // an absolute path replaces the folder
   }
   return target;
@@ -127,8 +127,7 @@ void replace_file(const fs::path& temporary, const fs::path& path) {
 
 std::string lower_ending(const fs::path& path) {
   std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
   return ending;
 }
 
@@ -183,9 +182,7 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
 }
 
 void write_file(const fs::path& path, std::string_view content) {
-  write_file(path, [&](std::ostream& out) {
-    out.write(content.data(), static_cast<std::streamsize>(content.size()));
-  });
+  write_file(path, [&](std::ostream& out) { out.write(content.data(), static_cast<std::streamsize>(content.size())); });
 }
 
 }  // namespace fascia

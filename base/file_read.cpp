@@ -1,4 +1,5 @@
-// Reading whole files, and what cannot be read as one: pipes that nobody fills, files without data, files larger than the memory.
+// Reading whole files, and what cannot be read as one: pipes that nobody fills, files without data, files larger than
+// the memory.
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/resource.h>
@@ -26,16 +27,19 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kReadable = "expected a readable file";
-constexpr std::uint64_t kSmallHole = 16 << 20;     // [bytes] of zeros that are read without a word
-constexpr std::size_t kReadBlock = 1 << 20;         // [bytes] between reports
+constexpr std::uint64_t kSmallHole = 16 << 20;         // [bytes] of zeros that are read without a word
+constexpr std::size_t kReadBlock = 1 << 20;            // [bytes] between reports
 constexpr auto kWriterWait = std::chrono::seconds(5);  // for the first one that opens a pipe
-constexpr int kPollInterval = 100;                 // [ms]
+constexpr int kPollInterval = 100;                     // [ms]
 
 std::string bytes_text(std::uint64_t bytes) {
   char text[32];
-  if (bytes < 100000) std::snprintf(text, sizeof text, "%llu bytes", static_cast<unsigned long long>(bytes));
-  else if (bytes < 100000000) std::snprintf(text, sizeof text, "%.1f MB", static_cast<double>(bytes) / 1e6);
-  else std::snprintf(text, sizeof text, "%.1f GB", static_cast<double>(bytes) / 1e9);
+  if (bytes < 100000)
+    std::snprintf(text, sizeof text, "%llu bytes", static_cast<unsigned long long>(bytes));
+  else if (bytes < 100000000)
+    std::snprintf(text, sizeof text, "%.1f MB", static_cast<double>(bytes) / 1e6);
+  else
+    std::snprintf(text, sizeof text, "%.1f GB", static_cast<double>(bytes) / 1e9);
   return text;
 }
 
@@ -57,8 +61,10 @@ std::uint64_t free_memory() {
 
 class OpenFile {
  public:
-  OpenFile(const fs::path& path, int flags) : path_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | flags)) {
-    if (descriptor_ < 0) throw Error(path.string(), std::string("cannot be opened: ") + std::strerror(errno), kReadable);
+  OpenFile(const fs::path& path, int flags)
+      : path_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | flags)) {
+    if (descriptor_ < 0)
+      throw Error(path.string(), std::string("cannot be opened: ") + std::strerror(errno), kReadable);
   }
   ~OpenFile() { close(descriptor_); }
   OpenFile(const OpenFile&) = delete;
@@ -97,14 +103,16 @@ class OpenFile {
     while (count < 0 && errno == EINTR);
     const int error_number = errno;
     content.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-    if (count < 0 && error_number != EAGAIN) throw Error(path_.string(), std::string("reading failed: ") + std::strerror(error_number), kReadable);
+    if (count < 0 && error_number != EAGAIN)
+      throw Error(path_.string(), std::string("reading failed: ") + std::strerror(error_number), kReadable);
     return count;
   }
 
   /// Waits a little for data. True if a writer was there and is gone.
   bool wait() const {
     pollfd state{descriptor_, POLLIN, 0};
-    const bool gone = poll(&state, 1, kPollInterval) > 0 && (state.revents & POLLHUP) != 0 && (state.revents & POLLIN) == 0;
+    const bool gone =
+        poll(&state, 1, kPollInterval) > 0 && (state.revents & POLLHUP) != 0 && (state.revents & POLLIN) == 0;
     return gone;
   }
 
@@ -115,7 +123,8 @@ class OpenFile {
 
 void require_memory(const fs::path& path, std::uint64_t size) {
   if (const std::uint64_t free = free_memory(); size > free)
-    throw Error(path.string(), "needs more than " + bytes_text(size) + " of memory, " + bytes_text(free) + " are free", "expected a smaller file");
+    throw Error(path.string(), "needs more than " + bytes_text(size) + " of memory, " + bytes_text(free) + " are free",
+                "expected a smaller file");
 }
 
 std::string read_regular(const fs::path& path, const Progress& progress) {
@@ -123,14 +132,19 @@ std::string read_regular(const fs::path& path, const Progress& progress) {
   const std::uint64_t size = file.size();
   require_memory(path, size);
   if (size > kSmallHole) {
-    // What a download or a copy that broke off leaves, or a file made for its size: nothing to be gained by reading its zeros.
+    // What a download or a copy that broke off leaves, or a file made for its size: nothing to be gained by reading its
+    // zeros.
     if (const std::uint64_t stored = file.stored(size); size - stored > std::max(kSmallHole, stored))
-      throw Error(path.string(), "is " + bytes_text(size) + " long, but only " + bytes_text(stored) + " of them are stored, the rest is a hole", "expected a complete file");
+      throw Error(path.string(),
+                  "is " + bytes_text(size) + " long, but only " + bytes_text(stored) +
+                      " of them are stored, the rest is a hole",
+                  "expected a complete file");
   }
   std::string content;
   content.reserve(size + kReadBlock);
   while (file.append_to(content) > 0) {
-    if (size > 0) report(progress, std::min(1.0, static_cast<double>(content.size()) / static_cast<double>(size)), "Reading");
+    if (size > 0)
+      report(progress, std::min(1.0, static_cast<double>(content.size()) / static_cast<double>(size)), "Reading");
   }
   return content;
 }
@@ -153,12 +167,14 @@ std::string read_pipe_once(const fs::path& path, const Progress& progress) {
     if (count > 0) continue;
     if (file.wait() && !has_writer) return content;
     if (!has_writer && std::chrono::steady_clock::now() - start > kWriterWait)
-      throw Error(path.string(), "is a pipe into which nothing writes; waited " + std::to_string(kWriterWait.count()) + " s",
+      throw Error(path.string(),
+                  "is a pipe into which nothing writes; waited " + std::to_string(kWriterWait.count()) + " s",
                   "expected a program that writes into it");
   }
 }
 
-/// A pipe gives its bytes once, and files are read more than once: to see of what kind they are, for a report, for the model.
+/// A pipe gives its bytes once, and files are read more than once: to see of what kind they are, for a report, for the
+/// model.
 std::string read_pipe(const fs::path& path, const Progress& progress) {
   static std::mutex mutex;
   static std::map<fs::path, std::string> contents;
@@ -177,7 +193,8 @@ std::string read_file(const fs::path& path, const Progress& progress) {
   if (!fs::exists(status)) throw Error(path.string(), "no such file", kReadable);
   if (fs::is_directory(status)) throw Error(path.string(), "is a directory", "expected a file");
   if (fs::is_fifo(status)) return read_pipe(path, progress);
-  if (!fs::is_regular_file(status)) throw Error(path.string(), "is a device", "expected a file");  // /dev/zero never ends
+  if (!fs::is_regular_file(status))
+    throw Error(path.string(), "is a device", "expected a file");  // /dev/zero never ends
   return read_regular(path, progress);
 }
 

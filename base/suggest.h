@@ -10,8 +10,8 @@ namespace fascia {
 /// Smallest number of inserted, deleted or replaced characters that turns a into b.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate nearest to `word` (the first of equals), or "" if all differ in more than half of their characters. Case, "_", "-" and
-/// blanks make no difference: they decide among equals only.
+/// The candidate nearest to `word` (the first of equals), or "" if all differ in more than half of their characters.
+/// Case, "_", "-" and blanks make no difference: they decide among equals only.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 /// ", perhaps \"iterations\"" or "".

@@ -6,7 +6,9 @@
 
 namespace {
 
-void print(const char* name, const fascia::Vec3& v, const char* unit) { std::printf("%s %.6f %.6f %.6f %s\n", name, v[0], v[1], v[2], unit); }
+void print(const char* name, const fascia::Vec3& v, const char* unit) {
+  std::printf("%s %.6f %.6f %.6f %s\n", name, v[0], v[1], v[2], unit);
+}
 
 }  // namespace
 

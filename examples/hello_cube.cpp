@@ -5,10 +5,12 @@
 
 int main() try {
   fascia::Scene scene;
-  scene.bodies.push_back({.name = "cube", .mesh = fascia::make_box(3, 3, 3, {0.1, 0.1, 0.1}), .material = fascia::tissue("liver")});
+  scene.bodies.push_back(
+      {.name = "cube", .mesh = fascia::make_box(3, 3, 3, {0.1, 0.1, 0.1}), .material = fascia::tissue("liver")});
 
   fascia::Simulation simulation(scene);
-  std::printf("fascia %s on %s, data in %s\n", fascia::version(), simulation.context().renderer().c_str(), fascia::data_dir().c_str());
+  std::printf("fascia %s on %s, data in %s\n", fascia::version(), simulation.context().renderer().c_str(),
+              fascia::data_dir().c_str());
   std::printf("%zu vertices, %zu tets\n", simulation.vertex_count(), simulation.tet_count());
 
   simulation.step(60);  // of 1/60 s

@@ -1,5 +1,6 @@
-// Tissue inside a program that has an OpenGL context and a loop of its own: drawn straight from the buffer that the solver computes in.
-// The context here is EGL's without a window, so that the example runs anywhere; a program with a window differs in `Screen` only.
+// Tissue inside a program that has an OpenGL context and a loop of its own: drawn straight from the buffer that the
+// solver computes in. The context here is EGL's without a window, so that the example runs anywhere; a program with a
+// window differs in `Screen` only.
 #define GL_GLEXT_PROTOTYPES
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -20,7 +21,8 @@ struct Screen {
   Screen() {
     EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 3, EGL_NONE};
-    if (!eglInitialize(display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API)) throw std::runtime_error("no EGL display");
+    if (!eglInitialize(display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API))
+      throw std::runtime_error("no EGL display");
     EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);
     if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) throw std::runtime_error("no OpenGL 4.3");
     GLuint texture, framebuffer, vertex_array;
@@ -37,8 +39,9 @@ struct Screen {
 };
 
 GLuint make_program() {
-  const char* sources[] = {"#version 430\nlayout(location = 0) in vec4 x; void main() { gl_Position = vec4(10 * x.xy - 1, 0, 1); }",
-                           "#version 430\nout vec4 color; void main() { color = vec4(0.8, 0.3, 0.3, 1); }"};
+  const char* sources[] = {
+      "#version 430\nlayout(location = 0) in vec4 x; void main() { gl_Position = vec4(10 * x.xy - 1, 0, 1); }",
+      "#version 430\nout vec4 color; void main() { color = vec4(0.8, 0.3, 0.3, 1); }"};
   const GLuint program = glCreateProgram();
   for (int i = 0; i < 2; ++i) {
     const GLuint shader = glCreateShader(i == 0 ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);
@@ -56,7 +59,8 @@ std::pair<int, int> drawn_rows() {
   glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
   std::pair<int, int> rows{kSize, -1};
   for (int i = 0; i < kSize * kSize; ++i)
-    if (pixels[static_cast<std::size_t>(4 * i)] > 0) rows = {std::min(rows.first, i / kSize), std::max(rows.second, i / kSize)};
+    if (pixels[static_cast<std::size_t>(4 * i)] > 0)
+      rows = {std::min(rows.first, i / kSize), std::max(rows.second, i / kSize)};
   return rows;
 }
 
@@ -67,20 +71,24 @@ int main() try {
   const GLuint program = make_program();
   fascia::Scene scene;  // a cube in the middle of the picture, which is 0.2 m wide
   scene.bodies.push_back({.mesh = fascia::make_box(4, 4, 4, {0.1, 0.1, 0.1})});
-  for (std::size_t i = 0; i < scene.bodies[0].mesh.positions.size(); ++i) scene.bodies[0].mesh.positions[i] += i % 3 == 1 ? 0.1 : 0.05;
+  for (std::size_t i = 0; i < scene.bodies[0].mesh.positions.size(); ++i)
+    scene.bodies[0].mesh.positions[i] += i % 3 == 1 ? 0.1 : 0.05;
   fascia::Simulation simulation(scene, fascia::Context::current());
   const std::span<const std::uint32_t> triangles = simulation.surface_triangles();
   GLuint index_buffer;
   glGenBuffers(1, &index_buffer);
   for (int frame = 0; frame <= 6; ++frame) {
     if (frame > 0) simulation.step();
-    const GLuint positions = simulation.position_buffer();  // calls of the simulation change which program and buffers are bound
+    // Calls of the simulation change which program and buffers are bound
+    const GLuint positions = simulation.position_buffer();
     glUseProgram(program);
     glBindBuffer(GL_ARRAY_BUFFER, positions);
     glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
     glEnableVertexAttribArray(0);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer);
-    if (frame == 0) glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size_bytes()), triangles.data(), GL_STATIC_DRAW);
+    if (frame == 0)
+      glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size_bytes()), triangles.data(),
+                   GL_STATIC_DRAW);
     glClear(GL_COLOR_BUFFER_BIT);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(triangles.size()), GL_UNSIGNED_INT, nullptr);
     const auto [low, high] = drawn_rows();

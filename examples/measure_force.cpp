@@ -31,7 +31,8 @@ int main() try {
     const std::vector<double> positions = simulation.positions();
     for (const std::uint32_t v : end) x += positions[3 * v] / static_cast<double>(end.size());
     const double stretch = x / kLength, law = kModulus * kArea * stretch * (stretch * stretch - 1) / 2;
-    std::printf("stretch_%.0f %.6f %.6f %.6f %.6f\n", percent, stretch, simulation.force(clamp)[0], simulation.supports()[0].force[0], law);
+    std::printf("stretch_%.0f %.6f %.6f %.6f %.6f\n", percent, stretch, simulation.force(clamp)[0],
+                simulation.supports()[0].force[0], law);
   }
 
   // The same bar hangs at the clamp by its weight alone.

@@ -1,4 +1,5 @@
-// A mesh from arrays of the program's own: a column of two materials that hangs from its upper end and stretches under its weight.
+// A mesh from arrays of the program's own: a column of two materials that hangs from its upper end and stretches under
+// its weight.
 #include <algorithm>
 #include <cstdio>
 
@@ -14,7 +15,8 @@ fascia::Mesh column() {
   fascia::Mesh mesh;
   for (int level = 0; level <= kCells; ++level)
     for (int corner = 0; corner < 4; ++corner)
-      for (const double c : {(corner & 1) * kWidth, -level * kHeight / kCells, (corner >> 1) * kWidth}) mesh.positions.push_back(c);
+      for (const double c : {(corner & 1) * kWidth, -level * kHeight / kCells, (corner >> 1) * kWidth})
+        mesh.positions.push_back(c);
   constexpr unsigned kTets[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
   for (unsigned cell = 0; cell < kCells; ++cell)
     for (const auto& tet : kTets) {

@@ -25,13 +25,9 @@ constexpr std::size_t kLeastBytes = 16;
 
 }  // namespace
 
-std::size_t allocated_bytes() {
-  return bytes_alive;
-}
+std::size_t allocated_bytes() { return bytes_alive; }
 const std::map<std::string, std::size_t>& bytes_by_buffer() { return bytes_by_label; }
-void count_bytes(std::ptrdiff_t change) {
-  bytes_alive += static_cast<std::size_t>(change);
-}
+void count_bytes(std::ptrdiff_t change) { bytes_alive += static_cast<std::size_t>(change); }
 
 std::size_t bytes_per_texel(GLenum internal_format) {
   switch (internal_format) {
@@ -73,18 +69,13 @@ Buffer::Buffer(std::string label, std::size_t bytes, const void* data, GLenum us
     ClearBufferData(GL_COPY_WRITE_BUFFER, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, &zero);
     if (data) upload(0, bytes, data);
   }
-  ObjectLabel(GL_BUFFER, id_, static_cast<GLsizei>(std::min<std::size_t>(label_.size(), 100)),
-              label_.c_str());
+  ObjectLabel(GL_BUFFER, id_, static_cast<GLsizei>(std::min<std::size_t>(label_.size(), 100)), label_.c_str());
   count_buffer(label_, bytes_, true);
 }
 
-Buffer::~Buffer() {
-  release();
-}
+Buffer::~Buffer() { release(); }
 
-Buffer::Buffer(Buffer&& other) noexcept {
-  *this = std::move(other);
-}
+Buffer::Buffer(Buffer&& other) noexcept { *this = std::move(other); }
 
 Buffer& Buffer::operator=(Buffer&& other) noexcept {
   if (this == &other) return *this;
@@ -123,7 +114,8 @@ void Buffer::copy(const Buffer& from, std::size_t bytes, std::size_t offset) {
   if (bytes == 0) return;
   BindBuffer(GL_COPY_READ_BUFFER, from.id_);
   BindBuffer(GL_COPY_WRITE_BUFFER, id_);
-  CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes));
+  CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, static_cast<GLintptr>(offset),
+                    static_cast<GLsizeiptr>(bytes));
 }
 
 void Buffer::download(std::size_t offset, std::size_t bytes, void* data) const {
@@ -138,8 +130,8 @@ GLuint Buffer::texel_view(GLenum internal_format) const {
   const std::size_t texels = bytes_ / bytes_per_texel(internal_format);
   if (texels > static_cast<std::size_t>(device().max_texture_buffer_size))
     throw Error("buffer " + label_, "has " + std::to_string(texels) + " texels",
-                "expected at most " + std::to_string(device().max_texture_buffer_size) + " on " +
-                    device().renderer + ", or reading through storage blocks");
+                "expected at most " + std::to_string(device().max_texture_buffer_size) + " on " + device().renderer +
+                    ", or reading through storage blocks");
   GLuint view = 0;
   GenTextures(1, &view);
   BindTexture(GL_TEXTURE_BUFFER, view);

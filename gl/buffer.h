@@ -14,9 +14,12 @@ class Buffer {
  public:
   Buffer() = default;
   /// Zero-filled when `data` is null. `label` shows in KHR_debug messages and in the statistics.
-  Buffer(std::string label, std::size_t bytes, const void* data = nullptr) : Buffer(std::move(label), bytes, data, GL_DYNAMIC_COPY) {}
+  Buffer(std::string label, std::size_t bytes, const void* data = nullptr)
+      : Buffer(std::move(label), bytes, data, GL_DYNAMIC_COPY) {}
   /// For what is copied there to be read later: where the CPU can read it without a way through the GPU's queue.
-  static Buffer staging(std::string label, std::size_t bytes) { return {std::move(label), bytes, nullptr, GL_STREAM_READ}; }
+  static Buffer staging(std::string label, std::size_t bytes) {
+    return {std::move(label), bytes, nullptr, GL_STREAM_READ};
+  }
   template <class T>
   Buffer(std::string label, const std::vector<T>& data)
       : Buffer(std::move(label), data.size() * sizeof(T), data.data()) {}
@@ -31,7 +34,7 @@ class Buffer {
 
   void upload(std::size_t offset, std::size_t bytes, const void* data);
   void download(std::size_t offset, std::size_t bytes, void* data) const;  // waits for the GPU
-  void clear();  // zeros
+  void clear();                                                            // zeros
   /// The first `bytes` of another buffer to `offset`, without a way through the CPU.
   void copy(const Buffer& from, std::size_t bytes, std::size_t offset = 0);
   template <class T>

@@ -71,12 +71,10 @@ std::vector<Wanted> assign_units(const Program& program, const std::string& wher
     GLint values[2] = {};
     GetProgramResourceiv(id, GL_UNIFORM, index++, 2, properties, 2, nullptr, values);
     const auto [type, location] = values;
-    if (type != GL_SAMPLER_BUFFER && type != GL_INT_SAMPLER_BUFFER && type != GL_UNSIGNED_INT_SAMPLER_BUFFER)
-      continue;
+    if (type != GL_SAMPLER_BUFFER && type != GL_INT_SAMPLER_BUFFER && type != GL_UNSIGNED_INT_SAMPLER_BUFFER) continue;
     const auto declared = program.declared().find(uniform);
     if (declared == program.declared().end() || declared->second == Texel::none)
-      throw Error(where, "the texel format of " + uniform + " is unknown",
-                  "expected it to be declared with INPUT_*");
+      throw Error(where, "the texel format of " + uniform + " is unknown", "expected it to be declared with INPUT_*");
     ProgramUniform1i(id, location, static_cast<GLint>(unit));
     wanted.push_back({uniform, GL_TEXTURE_BUFFER, format_of(declared->second), unit++});
   }
@@ -98,8 +96,7 @@ void check_bindings(const Program& program, const ComputePass::Bindings& buffers
       throw Error(where, "the buffer for " + name + " was never made", "expected a buffer with memory");
     for (std::size_t k = 0; k < buffers.size(); ++k) {
       const auto& [other_name, other] = buffers[k];
-      if (k < i && name == other_name)
-        throw Error(where, name + " is bound twice", "expected one buffer for one name");
+      if (k < i && name == other_name) throw Error(where, name + " is bound twice", "expected one buffer for one name");
       if (buffer == other && is_input(name) && is_output(other_name) && !program.fused())
         throw Error(where, name + " and " + other_name + " are one buffer, read and written",
                     "expected it once, as INOUT, or read as INPUT_VEC4_IN_PLACE");
@@ -109,15 +106,10 @@ void check_bindings(const Program& program, const ComputePass::Bindings& buffers
 
 }  // namespace
 
-std::uint64_t dispatch_count() {
-  return dispatches;
-}
+std::uint64_t dispatch_count() { return dispatches; }
 
 ComputePass::ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations, Constants constants)
-    : program_(&program),
-      buffers_(std::move(buffers)),
-      constants_(std::move(constants)),
-      invocations_(invocations) {
+    : program_(&program), buffers_(std::move(buffers)), constants_(std::move(constants)), invocations_(invocations) {
   constants_.emplace_back("invocations", invocations);
   if (program.id())
     resolve();
@@ -161,8 +153,7 @@ void ComputePass::resolve() const {
   // A declared buffer may be unused: the driver drops inputs that do not matter.
   for (std::size_t i = 0; i < buffers_.size(); ++i)
     if (!used[i] && !program_->declared().contains(buffers_[i].first))
-      throw Error(where, "has no buffer named " + buffers_[i].first,
-                  "expected a name that the kernel declares");
+      throw Error(where, "has no buffer named " + buffers_[i].first, "expected a name that the kernel declares");
 
   GLint group[3] = {};
   GetProgramiv(program_->id(), GL_COMPUTE_WORK_GROUP_SIZE, group);

@@ -16,7 +16,7 @@ namespace fascia::gl {
 
 class ComputePass {
  public:
-  using Bindings = std::vector<std::pair<std::string, const Buffer*>>;  // block or sampler name -> buffer
+  using Bindings = std::vector<std::pair<std::string, const Buffer*>>;   // block or sampler name -> buffer
   using Constants = std::vector<std::pair<std::string, std::uint32_t>>;  // name of a uint uniform -> value
   /// `invocations` is the number of items; the kernel's guard drops the rest of the last group. The buffers
   /// must outlive the pass. `constants` are this pass's own values of the kernel's uniforms: other passes of the
@@ -33,7 +33,8 @@ class ComputePass {
   }
   /// Of the buffers that it was given, each once: about what a run moves that reads or writes all of them.
   std::size_t bytes() const;
-  /// From now on the numbers of groups are the three that `arguments` (uint) holds from place `first` on when the pass runs.
+  /// From now on the numbers of groups are the three that `arguments` (uint) holds from place `first` on when the pass
+  /// runs.
   void set_indirect(const Buffer& arguments, std::uint32_t first);
   const Buffer* arguments() const { return arguments_; }  // of set_indirect; null without
   /// Before each run the bytes of `from` are copied to the start of `to`.
@@ -41,8 +42,8 @@ class ComputePass {
   /// From now on a constant, "invocations" included, is what `value` holds when the pass runs.
   void follow(const std::string& constant, const std::uint32_t& value);
 
-  /// How many iterations an invocation of the kernel makes at most of all its loops together: passes that tell can be fused
-  /// (fused_pass.h).
+  /// How many iterations an invocation of the kernel makes at most of all its loops together: passes that tell can be
+  /// fused (fused_pass.h).
   ComputePass& loops(std::uint32_t most);
   std::optional<std::uint32_t> loops() const { return loops_; }
   /// Compiles the kernel, if that was postponed (program.h), and looks up the bindings. Throws Error.

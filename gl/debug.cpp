@@ -27,8 +27,8 @@ void APIENTRY forward(GLenum, GLenum type, GLuint id, GLenum severity, GLsizei l
   while (!text.empty() && (text.back() == '\n' || text.back() == '\0')) text.pop_back();
   for (char& c : text)
     if (c == '\n') c = ' ';
-  current_sink(std::string("OpenGL ") + (type == GL_DEBUG_TYPE_ERROR ? "error " : "message ") +
-               std::to_string(id) + " (" + severity_name(severity) + "): " + text);
+  current_sink(std::string("OpenGL ") + (type == GL_DEBUG_TYPE_ERROR ? "error " : "message ") + std::to_string(id) +
+               " (" + severity_name(severity) + "): " + text);
 }
 
 }  // namespace

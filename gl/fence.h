@@ -1,4 +1,5 @@
-// A point in the stream of GPU commands, and whether the GPU has come there. Needs a current context, the destructor too.
+// A point in the stream of GPU commands, and whether the GPU has come there. Needs a current context, the destructor
+// too.
 #pragma once
 #include "gl/loader.h"
 
@@ -22,7 +23,8 @@ class Fence {
   }
   bool is_set() const { return sync_ != nullptr; }
 
-  /// Once, when a fence that is set has been passed, which clears it; with `wait`, waits for that. False when none is set, too.
+  /// Once, when a fence that is set has been passed, which clears it; with `wait`, waits for that. False when none is
+  /// set, too.
   bool take(bool wait) {
     if (!sync_) return false;
     constexpr GLuint64 kSlice = 1'000'000'000;  // [ns]; drivers may bound a wait

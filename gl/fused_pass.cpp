@@ -7,15 +7,17 @@
 #include <optional>
 #include <thread>
 
-#include "gl/fused_source.h"
 #include "base/error.h"
+#include "gl/fused_source.h"
 
 namespace fascia::gl {
 namespace fused {  // named, for a class that others see has members of these types
 
 // What shaders/common/fused.glsl is compiled with.
-constexpr std::uint32_t kKernelShift = 12, kNoKernel = 0xfffff;  // of the crew's first word: where the kernel is, and when all are done
-constexpr std::uint32_t kFirstCounter = 16;  // of work groups that were taken: beside the first word they slow down those who wait for it
+constexpr std::uint32_t kKernelShift = 12,
+                        kNoKernel = 0xfffff;  // of the crew's first word: where the kernel is, and when all are done
+// Of work groups that were taken: beside the first word they slow down those who wait for it
+constexpr std::uint32_t kFirstCounter = 16;
 constexpr std::uint32_t kMostLoops = 50'000;   // iterations of a work group
 constexpr std::uint32_t kLoopsOfAKernel = 16;  // each of its own is gone through once where there is nothing to do
 constexpr std::uint32_t kMostAtOnce = kMostLoops / 8;
@@ -23,7 +25,8 @@ constexpr std::uint32_t kMostAtOnce = kMostLoops / 8;
 // As many as llvmpipe has threads.
 std::uint32_t crew_size() {
   const char* threads = std::getenv("LP_NUM_THREADS");
-  return std::clamp(threads ? static_cast<unsigned>(std::max(0, std::atoi(threads))) : std::thread::hardware_concurrency(), 1u, 16u);
+  return std::clamp(
+      threads ? static_cast<unsigned>(std::max(0, std::atoi(threads))) : std::thread::hardware_concurrency(), 1u, 16u);
 }
 std::uint32_t group_size() { return static_cast<std::uint32_t>(device().vector_width); }
 std::uint32_t groups_of(std::uint32_t invocations) { return (invocations + group_size() - 1) / group_size(); }
@@ -33,7 +36,8 @@ class Declarations {
  public:
   std::string input(const Buffer& buffer, Texel texel) {
     const Texel kind = texel == Texel::vec4_in_place ? Texel::vec4 : texel;
-    return name(buffer, kind, kind == Texel::uvec4 || kind == Texel::uint1 ? "uniform usamplerBuffer" : "uniform samplerBuffer");
+    return name(buffer, kind,
+                kind == Texel::uvec4 || kind == Texel::uint1 ? "uniform usamplerBuffer" : "uniform samplerBuffer");
   }
   std::string output(const Buffer& buffer, const std::string& type) { return name(buffer, Texel::none, type); }
 
@@ -42,9 +46,9 @@ class Declarations {
   std::vector<std::string> lines() const {
     std::vector<std::string> lines;
     for (const Declared& d : all_)
-      lines.push_back(d.texel == Texel::none
-                          ? "layout(std430) coherent buffer " + pascal_case(d.name) + " { " + d.type + " " + d.name + "[]; };"
-                          : d.type + " " + d.name + ";");
+      lines.push_back(d.texel == Texel::none ? "layout(std430) coherent buffer " + pascal_case(d.name) + " { " +
+                                                   d.type + " " + d.name + "[]; };"
+                                             : d.type + " " + d.name + ";");
     return lines;
   }
   ComputePass::Bindings bindings() const {
@@ -97,8 +101,9 @@ struct Composition {
   const Buffer* step = nullptr;  // the uniform block of all
 
   bool fits() const {
-    return declarations.outputs() + 1 <= static_cast<std::size_t>(device().max_compute_storage_blocks) &&  // and the crew
-           declarations.inputs() + 1 <= static_cast<std::size_t>(device().max_compute_textures) &&         // and the plan
+    return declarations.outputs() + 1 <=
+               static_cast<std::size_t>(device().max_compute_storage_blocks) &&                     // and the crew
+           declarations.inputs() + 1 <= static_cast<std::size_t>(device().max_compute_textures) &&  // and the plan
            runs.size() * kLoopsOfAKernel <= kMostAtOnce;
   }
 
@@ -106,9 +111,10 @@ struct Composition {
     return programs.fused(label(loops), [lines = declarations.lines(), kernels = kernels, loops, step = step != nullptr,
                                          declared = declarations.declared()](const std::filesystem::path& folder) {
       Defines defines{{"READ_TEXELS", "1"}, {"TEXELS_IN_ORDER", "1"}};
-      for (const auto& [name, value] : {std::pair("GROUP_SIZE", group_size()), std::pair("KERNEL_SHIFT", kKernelShift),
-                                        std::pair("NO_KERNEL", kNoKernel), std::pair("FIRST_COUNTER", kFirstCounter),
-                                        std::pair("MOST_LOOPS", kMostLoops), std::pair("LOOPS_OF_A_KERNEL", kLoopsOfAKernel)})
+      for (const auto& [name, value] :
+           {std::pair("GROUP_SIZE", group_size()), std::pair("KERNEL_SHIFT", kKernelShift),
+            std::pair("NO_KERNEL", kNoKernel), std::pair("FIRST_COUNTER", kFirstCounter),
+            std::pair("MOST_LOOPS", kMostLoops), std::pair("LOOPS_OF_A_KERNEL", kLoopsOfAKernel)})
         defines.emplace_back(name, std::to_string(value) + "u");
       ShaderText text = read_fused(folder, defines, lines, step, kernels, loops);
       text.declared = declared;
@@ -126,13 +132,16 @@ struct Composition {
     for (const auto& [name, buffer] : pass.bindings()) {
       const auto declared = pass.program().declared().find(name);
       if (declared != pass.program().declared().end()) {
-        kernel.buffers[name] = declared->second == Texel::none ? declarations.output(*buffer, pass.program().output_types().at(name))
-                                                               : declarations.input(*buffer, declared->second);
+        kernel.buffers[name] = declared->second == Texel::none
+                                   ? declarations.output(*buffer, pass.program().output_types().at(name))
+                                   : declarations.input(*buffer, declared->second);
         continue;
       }
       if (name != "step")
-        throw Error("kernel " + pass.program().label(), "has no buffer named " + name, "expected a name that the kernel declares");
-      if (step && step != buffer) throw Error("kernel " + pass.program().label(), "another step buffer", "expected one for all fused kernels");
+        throw Error("kernel " + pass.program().label(), "has no buffer named " + name,
+                    "expected a name that the kernel declares");
+      if (step && step != buffer)
+        throw Error("kernel " + pass.program().label(), "another step buffer", "expected one for all fused kernels");
       step = buffer;
     }
     // Not a texel: outside of all conditions the compiler takes a second fetch from one place for the first one.
@@ -187,7 +196,8 @@ struct Composition {
     constexpr std::size_t kPattern = 4;
     for (std::size_t k = 0; k < words.size(); ++k)
       if (words.size() % kPattern != 0 || words[k] != words[k % kPattern])
-        throw Error("fused " + to.label(), "what it is to be filled with", "expected the same four words again and again");
+        throw Error("fused " + to.label(), "what it is to be filled with",
+                    "expected the same four words again and again");
     const auto repeats = static_cast<std::uint32_t>(words.size() / kPattern);
     FusedKernel kernel{"common/fill.comp", {}, {{"filled", declarations.output(to, "uint")}}, {"invocations"}, {}};
     std::vector<Word> record{{repeats, nullptr, true}, {kMostAtOnce}, {1}, {repeats}};
@@ -254,7 +264,9 @@ class FusedPasses::Dispatch {
   }
 
   /// In one go.
-  std::uint32_t most_repeats() const { return alone_ ? 1 : std::max(1u, kMostAtOnce / kLoopsOfAKernel / words_.front().value); }
+  std::uint32_t most_repeats() const {
+    return alone_ ? 1 : std::max(1u, kMostAtOnce / kLoopsOfAKernel / words_.front().value);
+  }
 
   void run(std::uint32_t repeats) const {
     if (alone_) {

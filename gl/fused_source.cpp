@@ -42,7 +42,8 @@ Names names_of(const std::string& text) {
     const std::string type = word_from(line, 0), name = word_from(line, type.size());
     const std::size_t behind = type.size() + 1 + name.size();
     if (line.starts_with(kUniform)) {
-      for (std::size_t at = kUniform.size(); at != std::string::npos && at < line.find(';'); at = line.find(',', at + 1))
+      for (std::size_t at = kUniform.size(); at != std::string::npos && at < line.find(';');
+           at = line.find(',', at + 1))
         names.globals.insert(word_from(line, at));
     } else if (type == "struct") {
       names.globals.insert(name);
@@ -79,7 +80,8 @@ class Composer {
 
 std::string numbered(const std::string& name, std::size_t n) { return name + "_" + std::to_string(n); }
 
-void append_kernel(Composer& out, const std::filesystem::path& folder, const FusedKernel& kernel, std::size_t n, const Defines& all) {
+void append_kernel(Composer& out, const std::filesystem::path& folder, const FusedKernel& kernel, std::size_t n,
+                   const Defines& all) {
   const ShaderText part = read_shader(folder, kernel.file, kernel.defines, kCommon);
   Names names = names_of(part.text);
   names.globals.insert("invocations");  // which COMPUTE_1D declares
@@ -90,15 +92,18 @@ void append_kernel(Composer& out, const std::filesystem::path& folder, const Fus
   out.all_of(part);
   out.line("void load_constants_of" + numbered("", n) + "(uint at) {");
   for (std::size_t k = 0; k < kernel.constants.size(); ++k)
-    if (names.globals.contains(kernel.constants[k])) out.line("  " + kernel.constants[k] + " = PLAN(at + " + std::to_string(3 + k) + "u);");
+    if (names.globals.contains(kernel.constants[k]))
+      out.line("  " + kernel.constants[k] + " = PLAN(at + " + std::to_string(3 + k) + "u);");
   out.line("}");
   for (const auto& [name, fused] : kernel.buffers) out.line("#undef " + name);
   for (const std::string& name : names.globals) out.line("#undef " + name);
   for (const std::string& name : names.macros) out.line("#undef " + name);
 }
 
-// What groups_of() knows the kernel by that runs after the k-th one of a loop, or 0 where it does not know how many there are.
-std::string next_of(const std::vector<FusedKernel>& kernels, const std::vector<FusedLoop>& loops, std::size_t loop, std::size_t k) {
+// What groups_of() knows the kernel by that runs after the k-th one of a loop, or 0 where it does not know how many
+// there are.
+std::string next_of(const std::vector<FusedKernel>& kernels, const std::vector<FusedLoop>& loops, std::size_t loop,
+                    std::size_t k) {
   const bool last = k + 1 == loops[loop].size();
   if (last && loop + 1 == loops.size()) return "0u";
   const std::size_t next = last ? loops[loop + 1].front() : loops[loop][k + 1];
@@ -128,8 +133,9 @@ void append_call(Composer& out, const FusedKernel& kernel, std::size_t n, const 
 
 }  // namespace
 
-ShaderText read_fused(const std::filesystem::path& folder, const Defines& defines, const std::vector<std::string>& declarations,
-                      bool step, const std::vector<FusedKernel>& kernels, const std::vector<FusedLoop>& loops) {
+ShaderText read_fused(const std::filesystem::path& folder, const Defines& defines,
+                      const std::vector<std::string>& declarations, bool step, const std::vector<FusedKernel>& kernels,
+                      const std::vector<FusedLoop>& loops) {
   Defines all = defines;
   all.emplace_back("FUSED", "1");
   ShaderText result = read_shader(folder, "common/fused.glsl", all);
@@ -139,14 +145,16 @@ ShaderText read_fused(const std::filesystem::path& folder, const Defines& define
   for (std::size_t n = 0; n < kernels.size(); ++n) append_kernel(out, folder, kernels[n], n, all);
   out.line("uint groups_of(uint next, uint record) {");
   for (std::size_t n = 0; n < kernels.size(); ++n)
-    if (!kernels[n].groups.empty()) out.line("  if (next == " + std::to_string(n + 1) + "u) return " + kernels[n].groups + "[PLAN(record)];");
+    if (!kernels[n].groups.empty())
+      out.line("  if (next == " + std::to_string(n + 1) + "u) return " + kernels[n].groups + "[PLAN(record)];");
   out.line("  return 1u;");
   out.line("}");
   out.line("void main() {");
   out.line("  kernel_count = repeats * PLAN(0u);");
   // Who comes late goes through as little as can be; a loop of llvmpipe's is gone through once at least.
   out.line("  uint first = join_crew();");
-  out.line("  uint last_repeat = first == NO_KERNEL ? 0u : repeats, repeat = first == NO_KERNEL ? 0u : first / PLAN(0u);");
+  out.line(
+      "  uint last_repeat = first == NO_KERNEL ? 0u : repeats, repeat = first == NO_KERNEL ? 0u : first / PLAN(0u);");
   out.line("  kernel_number = repeat * PLAN(0u);");
   out.line("  uint turn, at, groups, most, cost;");
   out.line("  do {");
@@ -154,7 +162,8 @@ ShaderText read_fused(const std::filesystem::path& folder, const Defines& define
   for (std::size_t l = 0; l < loops.size(); ++l) {
     out.line("    turn = 0u;");
     out.line("    do {");
-    for (std::size_t k = 0; k < loops[l].size(); ++k) append_call(out, kernels[loops[l][k]], loops[l][k], next_of(kernels, loops, l, k));
+    for (std::size_t k = 0; k < loops[l].size(); ++k)
+      append_call(out, kernels[loops[l][k]], loops[l][k], next_of(kernels, loops, l, k));
     out.line("      ++turn;");
     out.line("    } while (turn < PLAN(" + std::to_string(1 + l) + "u) && last_repeat > 0u);");
   }

@@ -26,7 +26,8 @@ int integer_of(GLenum name) {
 }
 
 bool is_software(std::string renderer) {
-  for (char& c : renderer) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));  // "virgl (LLVMPIPE ...)"
+  for (char& c : renderer)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));  // "virgl (LLVMPIPE ...)"
   for (const char* word : {"llvmpipe", "softpipe", "swrast", "software rasterizer", "basic render"})
     if (renderer.find(word) != std::string::npos) return true;
   return false;
@@ -73,7 +74,8 @@ void load(GetProc get_proc) {
   std::sscanf(found.version.c_str(), "%d.%d", &found.major, &found.minor);
   int bits = 0;  // "llvmpipe (LLVM 15.0.6, 256 bits)"
   if (found.renderer.starts_with("llvmpipe"))
-    if (const auto comma = found.renderer.rfind(", "); comma != std::string::npos) std::sscanf(found.renderer.c_str() + comma, ", %d bits", &bits);
+    if (const auto comma = found.renderer.rfind(", "); comma != std::string::npos)
+      std::sscanf(found.renderer.c_str() + comma, ", %d bits", &bits);
   Device now{.renderer = found.renderer, .version = found.version, .software = is_software(found.renderer)};
   if (found.major > 4 || (found.major == 4 && found.minor >= 3)) {
     found.storage_blocks = now.max_compute_storage_blocks = integer_of(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS);
@@ -87,7 +89,8 @@ void load(GetProc get_proc) {
     now.max_storage_block_size = block_size;
     GetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &now.max_compute_groups);
     if (!now.software) GetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &now.timestamp_bits);
-    now.links_beside = has_extension("GL_KHR_parallel_shader_compile") || has_extension("GL_ARB_parallel_shader_compile");
+    now.links_beside =
+        has_extension("GL_KHR_parallel_shader_compile") || has_extension("GL_ARB_parallel_shader_compile");
   }
   if (const std::string message = refusal(found); !message.empty()) throw Error(message);
   current_device = now;
@@ -109,8 +112,6 @@ void forget_errors() {
   }
 }
 
-const Device& device() {
-  return current_device;
-}
+const Device& device() { return current_device; }
 
 }  // namespace fascia::gl

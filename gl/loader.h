@@ -74,8 +74,8 @@ struct Device {
   int vector_width = 0;                     // of llvmpipe: invocations that it computes at once; 0 for others
   std::int64_t max_storage_block_size = 0;  // [bytes]
   int max_compute_groups = 0;               // work groups along x in one dispatch
-  int timestamp_bits = 0;                   // that GL_TIMESTAMP counts with; 0 where it says nothing: on software renderers
-  bool links_beside = false;                // tells whether a program is linked yet (KHR_parallel_shader_compile)
+  int timestamp_bits = 0;     // that GL_TIMESTAMP counts with; 0 where it says nothing: on software renderers
+  bool links_beside = false;  // tells whether a program is linked yet (KHR_parallel_shader_compile)
 };
 const Device& device();
 

@@ -17,7 +17,8 @@ std::string one_line(const std::string& log) {
       if (c != '\0' && c != '\r') line += c;
       continue;
     }
-    if (line.find_first_not_of(" \t") != std::string::npos && !(errors && line.find("warning:") != std::string::npos)) result += (result.empty() ? "" : " | ") + line;
+    if (line.find_first_not_of(" \t") != std::string::npos && !(errors && line.find("warning:") != std::string::npos))
+      result += (result.empty() ? "" : " | ") + line;
     line.clear();
   }
   return result;
@@ -36,12 +37,11 @@ constexpr GLenum kCompletionStatus = 0x91B1;  // of KHR_parallel_shader_compile
 
 }  // namespace
 
-const char* name_of(LoadPath path) {
-  return path == LoadPath::storage ? "ssbo" : "texel";
-}
+const char* name_of(LoadPath path) { return path == LoadPath::storage ? "ssbo" : "texel"; }
 
 LoadPath fitting_load_path() {
-  return device().software || device().max_compute_storage_blocks < kMostStorageBlocks ? LoadPath::texel : LoadPath::storage;
+  return device().software || device().max_compute_storage_blocks < kMostStorageBlocks ? LoadPath::texel
+                                                                                       : LoadPath::storage;
 }
 
 // Drivers that link on threads of their own wait for them when they are asked how it went.
@@ -72,11 +72,13 @@ struct Program::Link {
       GetShaderiv(stage.shader, GL_COMPILE_STATUS, &done);
       if (done) continue;
       const std::string log = one_line(map_log(stage.source, log_of(stage.shader, GetShaderiv, GetShaderInfoLog)));
-      throw Error((log.empty() ? "shaders/" + stage.source.lines.front().file + ": does not compile" : log) + "; in " + label);
+      throw Error((log.empty() ? "shaders/" + stage.source.lines.front().file + ": does not compile" : log) + "; in " +
+                  label);
     }
     GLint done = 0;
     GetProgramiv(id, GL_LINK_STATUS, &done);
-    if (!done) throw Error("shaders/" + label + ": does not link: " + one_line(log_of(id, GetProgramiv, GetProgramInfoLog)));
+    if (!done)
+      throw Error("shaders/" + label + ": does not link: " + one_line(log_of(id, GetProgramiv, GetProgramInfoLog)));
     for (const Stage& stage : stages) DetachShader(id, stage.shader);
   }
 
@@ -89,9 +91,7 @@ Program::~Program() {
   if (id_) DeleteProgram(id_);
 }
 
-void Program::use() const {
-  UseProgram(id_);
-}
+void Program::use() const { UseProgram(id_); }
 // Asked once: with drivers that work on a thread of their own, each question waits for it.
 GLint Program::location(const char* name) const {
   const auto found = locations_.find(name);
@@ -99,15 +99,9 @@ GLint Program::location(const char* name) const {
   return locations_.emplace(name, GetUniformLocation(id_, name)).first->second;
 }
 
-void Program::set(const char* name, float value) const {
-  ProgramUniform1f(id_, location(name), value);
-}
-void Program::set(const char* name, int value) const {
-  ProgramUniform1i(id_, location(name), value);
-}
-void Program::set(const char* name, unsigned value) const {
-  ProgramUniform1ui(id_, location(name), value);
-}
+void Program::set(const char* name, float value) const { ProgramUniform1f(id_, location(name), value); }
+void Program::set(const char* name, int value) const { ProgramUniform1i(id_, location(name), value); }
+void Program::set(const char* name, unsigned value) const { ProgramUniform1ui(id_, location(name), value); }
 void Program::set(const char* name, float x, float y, float z, float w) const {
   ProgramUniform4f(id_, location(name), x, y, z, w);
 }
@@ -128,7 +122,8 @@ const Program& ProgramCache::draw(const std::string& vertex_file, const std::str
              {{GL_VERTEX_SHADER, vertex_file}, {GL_FRAGMENT_SHADER, fragment_file}}, defines);
 }
 
-const Program& ProgramCache::get(const std::string& name, const std::vector<std::pair<GLenum, std::string>>& stages, Defines defines) {
+const Program& ProgramCache::get(const std::string& name, const std::vector<std::pair<GLenum, std::string>>& stages,
+                                 Defines defines) {
   std::sort(defines.begin(), defines.end());
   std::string label = name, list;
   for (const auto& [key, value] : defines) list += (list.empty() ? "" : " ") + key + "=" + value;
@@ -179,13 +174,16 @@ void Program::begin_run() const {
 }
 
 std::size_t ProgramCache::size() const {
-  return static_cast<std::size_t>(std::count_if(programs_.begin(), programs_.end(), [](const auto& entry) { return entry.second.program->id() != 0; }));
+  return static_cast<std::size_t>(std::count_if(programs_.begin(), programs_.end(),
+                                                [](const auto& entry) { return entry.second.program->id() != 0; }));
 }
 
-const Program& ProgramCache::fused(const std::string& label, std::function<ShaderText(const std::filesystem::path&)> read) {
+const Program& ProgramCache::fused(const std::string& label,
+                                   std::function<ShaderText(const std::filesystem::path&)> read) {
   const auto found = programs_.find(label);
   if (found != programs_.end()) return *found->second.program;
-  Entry entry{{{GL_COMPUTE_SHADER, [this, read = std::move(read)] { return read(folder_); }}}, std::make_unique<Program>()};
+  Entry entry{{{GL_COMPUTE_SHADER, [this, read = std::move(read)] { return read(folder_); }}},
+              std::make_unique<Program>()};
   entry.program->label_ = label;
   entry.program->cache_ = this;
   finish(*entry.program, begin_link(entry));
@@ -203,7 +201,8 @@ void ProgramCache::finish(Program& program, std::unique_ptr<Program::Link> link)
   link->require(program.label_);
   if (program.id_) DeleteProgram(program.id_);
   program.id_ = std::exchange(link->id, 0);
-  ObjectLabel(GL_PROGRAM, program.id_, static_cast<GLsizei>(std::min<std::size_t>(program.label_.size(), 100)), program.label_.c_str());
+  ObjectLabel(GL_PROGRAM, program.id_, static_cast<GLsizei>(std::min<std::size_t>(program.label_.size(), 100)),
+              program.label_.c_str());
   program.locations_.clear();
   program.declared_.clear();
   program.output_types_.clear();

@@ -15,10 +15,10 @@ namespace fascia::gl {
 /// How kernels read their inputs (platform fact: SSBO reads cost llvmpipe 8 to 12 times a texelFetch of the
 /// same buffer).
 enum class LoadPath { storage, texel };
-const char* name_of(LoadPath path);  // "ssbo", "texel"
+const char* name_of(LoadPath path);     // "ssbo", "texel"
 constexpr int kMostStorageBlocks = 14;  // that any kernel reads or writes
-/// Storage blocks on GPUs; texel fetches on llvmpipe, whose storage reads cost 8 to 12 times as much, and where kernels may have fewer
-/// blocks than they read and write buffers: OpenGL 4.3 promises eight. Needs a current context.
+/// Storage blocks on GPUs; texel fetches on llvmpipe, whose storage reads cost 8 to 12 times as much, and where kernels
+/// may have fewer blocks than they read and write buffers: OpenGL 4.3 promises eight. Needs a current context.
 LoadPath fitting_load_path();
 
 class ProgramCache;
@@ -39,8 +39,8 @@ class Program {
   const std::map<std::string, std::string>& output_types() const { return output_types_; }
   const std::string& file() const { return file_; }  // of a compute program, with its defines
   bool fused() const { return file_.empty(); }
-  /// Starts linking it, if that was postponed: drivers may do so beside the program's own work, and several at once. Throws Error where
-  /// the text cannot be read.
+  /// Starts linking it, if that was postponed: drivers may do so beside the program's own work, and several at once.
+  /// Throws Error where the text cannot be read.
   void begin_link() const;
   /// False while the driver says that it still links it, true of one whose linking has not begun.
   bool idle() const;
@@ -78,19 +78,19 @@ class Program {
 
 class ProgramCache {
  public:
-  /// `folder` is the shaders folder. `load_path` becomes READ_TEXELS 0 or 1 in every program, and TEXELS_IN_ORDER is 1 on llvmpipe, where
-  /// what an invocation fetches and stores happens in the order of its text.
+  /// `folder` is the shaders folder. `load_path` becomes READ_TEXELS 0 or 1 in every program, and TEXELS_IN_ORDER is 1
+  /// on llvmpipe, where what an invocation fetches and stores happens in the order of its text.
   ProgramCache(std::filesystem::path folder, LoadPath load_path);
   LoadPath load_path() const { return load_path_; }
-  /// Whether who records many passes should fuse them (fused_pass.h): it takes two to three times as long to compile. Not at first.
+  /// Whether who records many passes should fuse them (fused_pass.h): it takes two to three times as long to compile.
+  /// Not at first.
   void set_fusing(bool on) { fusing_ = on; }
   bool fusing() const { return fusing_; }
 
   /// Compiled at the first call, then kept at the same address. Throws Error with the log mapped to file:line
   /// and the variant.
   const Program& compute(const std::string& file, const Defines& defines = {});
-  const Program& draw(const std::string& vertex_file, const std::string& fragment_file,
-                      const Defines& defines = {});
+  const Program& draw(const std::string& vertex_file, const std::string& fragment_file, const Defines& defines = {});
   /// A compute program made of several kernels: by `read`, also at every reload. `label` tells it from the others.
   const Program& fused(const std::string& label, std::function<ShaderText(const std::filesystem::path& folder)> read);
 
@@ -98,7 +98,8 @@ class ProgramCache {
   std::vector<std::string> reload();
   std::size_t size() const;  // of linked ones
 
-  /// While it lives compute() only reads a program's text: the program is linked by begin_link(), or when it is first used.
+  /// While it lives compute() only reads a program's text: the program is linked by begin_link(), or when it is first
+  /// used.
   class Postponed {
    public:
     explicit Postponed(ProgramCache& cache) : cache_(cache) { ++cache_.postponed_; }
@@ -110,11 +111,13 @@ class ProgramCache {
     ProgramCache& cache_;
   };
 
-  /// While it lives `tell` is called before a compute program is run for the first time: many drivers translate it only then. `tell` may
-  /// draw, but not run compute programs. One at a time.
+  /// While it lives `tell` is called before a compute program is run for the first time: many drivers translate it only
+  /// then. `tell` may draw, but not run compute programs. One at a time.
   class FirstRuns {
    public:
-    FirstRuns(ProgramCache& cache, std::function<void()> tell) : cache_(cache) { cache_.tell_first_run_ = std::move(tell); }
+    FirstRuns(ProgramCache& cache, std::function<void()> tell) : cache_(cache) {
+      cache_.tell_first_run_ = std::move(tell);
+    }
     ~FirstRuns() { cache_.tell_first_run_ = nullptr; }
     FirstRuns(const FirstRuns&) = delete;
     FirstRuns& operator=(const FirstRuns&) = delete;
@@ -128,10 +131,12 @@ class ProgramCache {
     std::vector<std::pair<GLenum, std::function<ShaderText()>>> stages;
     std::unique_ptr<Program> program;
   };
-  const Program& get(const std::string& name, const std::vector<std::pair<GLenum, std::string>>& stages, Defines defines);
+  const Program& get(const std::string& name, const std::vector<std::pair<GLenum, std::string>>& stages,
+                     Defines defines);
   friend class Program;
   std::unique_ptr<Program::Link> begin_link(const Entry& entry) const;
-  void finish(Program& program, std::unique_ptr<Program::Link> link) const;  // the program stays as it is when this throws
+  void finish(Program& program,
+              std::unique_ptr<Program::Link> link) const;  // the program stays as it is when this throws
 
   std::filesystem::path folder_;
   LoadPath load_path_;

@@ -52,18 +52,17 @@ class Flattener {
     const auto first = line.find_first_not_of(" \t");
     const bool directive = first != std::string::npos && line[first] == '#';
     if (directive) {
-      if (line.find("include") == std::string::npos && line.find("version") == std::string::npos) return emit(line, file, number);
+      if (line.find("include") == std::string::npos && line.find("version") == std::string::npos)
+        return emit(line, file, number);
       static const std::regex include("^\\s*#\\s*include\\b(.*)$"), version("^\\s*#\\s*version\\b.*"),
           quoted("^\\s*\"([^\"]+)\"\\s*(//.*)?$");
       std::smatch match, name;
       if (std::regex_match(line, version))
-        throw Error(place(file, number), "has a #version line",
-                    "expected none: every program gets #version 430 core");
+        throw Error(place(file, number), "has a #version line", "expected none: every program gets #version 430 core");
       if (std::regex_match(line, match, include)) {
         const std::string rest = match[1];
         if (!std::regex_match(rest, name, quoted))
-          throw Error(place(file, number), "cannot read '" + line + "'",
-                      "expected #include \"folder/file.glsl\"");
+          throw Error(place(file, number), "cannot read '" + line + "'", "expected #include \"folder/file.glsl\"");
         append(std::filesystem::path(name[1].str()).lexically_normal().generic_string(), place(file, number));
         return;
       }
@@ -75,11 +74,13 @@ class Flattener {
 
   void declare(const std::string& code, const std::string& where) {
     static const std::regex declaration(
-        "\\b(INPUT_VEC4_IN_PLACE|INPUT_VEC4|INPUT_UVEC4|INPUT_FLOAT|INPUT_UINT|OUTPUT|INOUT)\\s*\\(\\s*([^)]*?)\\s*\\)");
+        "\\b(INPUT_VEC4_IN_PLACE|INPUT_VEC4|INPUT_UVEC4|INPUT_FLOAT|INPUT_UINT|OUTPUT|INOUT)\\s*\\(\\s*([^)]*?)\\s*"
+        "\\)");
     static const std::map<std::string, Texel> kinds = {
-        {"INPUT_VEC4", Texel::vec4},  {"INPUT_VEC4_IN_PLACE", Texel::vec4_in_place},
+        {"INPUT_VEC4", Texel::vec4},   {"INPUT_VEC4_IN_PLACE", Texel::vec4_in_place},
         {"INPUT_UVEC4", Texel::uvec4}, {"INPUT_FLOAT", Texel::float1},
-        {"INPUT_UINT", Texel::uint1}, {"OUTPUT", Texel::none},       {"INOUT", Texel::none}};
+        {"INPUT_UINT", Texel::uint1},  {"OUTPUT", Texel::none},
+        {"INOUT", Texel::none}};
     static const std::regex names("(?:(\\w+)\\s*,\\s*)?(\\w+)\\s*,\\s*(\\w+)");  // [type,] Block, name
     for (std::sregex_iterator it(code.begin(), code.end(), declaration), end; it != end; ++it) {
       const std::string macro = (*it)[1], arguments = (*it)[2];
@@ -87,8 +88,7 @@ class Flattener {
       if (!std::regex_match(arguments, match, names)) continue;  // the compiler will say it better
       const std::string type = match[1], block = match[2], name = match[3];
       if (block != pascal_case(name))
-        throw Error(where, macro + " of " + name + " names its block " + block,
-                    "expected " + pascal_case(name));
+        throw Error(where, macro + " of " + name + " names its block " + block, "expected " + pascal_case(name));
       const auto [known, fresh] = result_.declared.emplace(name, kinds.at(macro));
       if (!fresh && known->second != kinds.at(macro))
         throw Error(where, name + " is declared a second time, as another kind of buffer",

@@ -1,5 +1,5 @@
-// How long pieces of GPU work take that follow each other: by timestamps of the device, which nothing waits for; where there are
-// none, as on software renderers, every piece is waited for and the clock on the wall read.
+// How long pieces of GPU work take that follow each other: by timestamps of the device, which nothing waits for; where
+// there are none, as on software renderers, every piece is waited for and the clock on the wall read.
 #pragma once
 #include <chrono>
 #include <string>

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "gl/buffer.h"
 #include "base/error.h"
+#include "gl/buffer.h"
 
 namespace fascia::gl {
 
@@ -41,18 +41,14 @@ Texture::Texture(std::string label, GLenum internal_format, int width, int heigh
     fail();
   }
   ObjectLabel(GL_TEXTURE, id_, static_cast<GLsizei>(std::min<std::size_t>(label.size(), 100)), label.c_str());
-  bytes_ = bytes_per_texel(internal_format) * static_cast<std::size_t>(width) *
-           static_cast<std::size_t>(height) * static_cast<std::size_t>(std::max(samples, 1));
+  bytes_ = bytes_per_texel(internal_format) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+           static_cast<std::size_t>(std::max(samples, 1));
   count_bytes(static_cast<std::ptrdiff_t>(bytes_));
 }
 
-Texture::~Texture() {
-  release();
-}
+Texture::~Texture() { release(); }
 
-Texture::Texture(Texture&& other) noexcept {
-  *this = std::move(other);
-}
+Texture::Texture(Texture&& other) noexcept { *this = std::move(other); }
 
 Texture& Texture::operator=(Texture&& other) noexcept {
   if (this == &other) return *this;

@@ -11,8 +11,8 @@ class Texture {
   Texture() = default;
   /// samples 0: GL_TEXTURE_2D with linear filtering, clamped; else GL_TEXTURE_2D_MULTISAMPLE. `pixels` in
   /// `format`/`type`.
-  Texture(std::string label, GLenum internal_format, int width, int height, int samples = 0,
-          GLenum format = GL_RGBA, GLenum type = GL_UNSIGNED_BYTE, const void* pixels = nullptr);
+  Texture(std::string label, GLenum internal_format, int width, int height, int samples = 0, GLenum format = GL_RGBA,
+          GLenum type = GL_UNSIGNED_BYTE, const void* pixels = nullptr);
   ~Texture();
   Texture(Texture&& other) noexcept;
   Texture& operator=(Texture&& other) noexcept;

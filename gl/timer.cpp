@@ -13,7 +13,8 @@ Timer::~Timer() {
 }
 
 void Timer::begin() {
-  measuring_ = pending_ < kPairs;  // else the GPU is far behind, or nobody takes: this one goes unmeasured rather than waited for
+  measuring_ = pending_ <
+               kPairs;  // else the GPU is far behind, or nobody takes: this one goes unmeasured rather than waited for
   if (!measuring_) return;
   if (timestamps_) {
     QueryCounter(queries_[2 * next_], GL_TIMESTAMP);
@@ -30,7 +31,8 @@ void Timer::end(int steps, bool compiled) {
     QueryCounter(queries_[2 * next_ + 1], GL_TIMESTAMP);
   } else {
     Finish();
-    measurement.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+    measurement.milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
   }
   next_ = (next_ + 1) % kPairs;
   ++pending_;

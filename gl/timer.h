@@ -30,7 +30,7 @@ class Timer {
  private:
   static constexpr unsigned kPairs = 4;  // measurements that may be under way
   const bool timestamps_;
-  std::array<GLuint, 2 * kPairs> queries_{};      // begin, end, begin, end, ...
+  std::array<GLuint, 2 * kPairs> queries_{};  // begin, end, begin, end, ...
   std::array<Measurement, kPairs> measurements_{};
   unsigned next_ = 0, pending_ = 0;  // pair to use next; pairs not taken yet
   bool measuring_ = false;

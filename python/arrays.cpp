@@ -22,8 +22,8 @@ py::buffer_info info_of(const T* data, std::size_t size, std::size_t columns, bo
     shape.push_back(width);
     strides.push_back(item);
   }
-  return py::buffer_info(const_cast<T*>(data), item, py::format_descriptor<T>::format(), static_cast<py::ssize_t>(shape.size()), shape, strides,
-                         read_only);
+  return py::buffer_info(const_cast<T*>(data), item, py::format_descriptor<T>::format(),
+                         static_cast<py::ssize_t>(shape.size()), shape, strides, read_only);
 }
 
 /// numpy, or None.
@@ -48,14 +48,19 @@ void collect(const py::handle& value, std::vector<double>& to) {
     to.push_back(value.cast<double>());
     return;
   }
-  if (!py::isinstance<py::iterable>(value) || py::isinstance<py::str>(value)) throw py::type_error("expected an array of numbers");
+  if (!py::isinstance<py::iterable>(value) || py::isinstance<py::str>(value))
+    throw py::type_error("expected an array of numbers");
   for (const py::handle element : value) collect(element, to);
 }
 
 }  // namespace
 
-py::object array_of(std::vector<double> numbers, std::size_t columns) { return shown({std::move(numbers), columns, py::none()}); }
-py::object view_of(std::span<const double> numbers, std::size_t columns, const py::object& owner) { return shown({numbers, columns, owner}); }
+py::object array_of(std::vector<double> numbers, std::size_t columns) {
+  return shown({std::move(numbers), columns, py::none()});
+}
+py::object view_of(std::span<const double> numbers, std::size_t columns, const py::object& owner) {
+  return shown({numbers, columns, owner});
+}
 py::object view_of(std::span<const std::uint32_t> numbers, std::size_t columns, const py::object& owner) {
   return shown({numbers, columns, owner});
 }
@@ -78,7 +83,8 @@ std::vector<double> numbers_of(const py::object& array) {
 std::vector<std::uint32_t> indices_of(const py::object& array) {
   std::vector<std::uint32_t> indices;
   for (const double number : numbers_of(array)) {
-    if (!(number >= 0 && number <= 4294967295.0 && number == std::floor(number))) throw py::value_error("expected indices from 0");
+    if (!(number >= 0 && number <= 4294967295.0 && number == std::floor(number)))
+      throw py::value_error("expected indices from 0");
     indices.push_back(static_cast<std::uint32_t>(number));
   }
   return indices;

@@ -1,5 +1,6 @@
-// Arrays between Python and C++. Results are numpy arrays where numpy can be imported, else memoryviews of the same shape; either way the
-// numbers are not copied again. What is given may be anything with such a shape: numpy arrays, other buffers, lists of lists.
+// Arrays between Python and C++. Results are numpy arrays where numpy can be imported, else memoryviews of the same
+// shape; either way the numbers are not copied again. What is given may be anything with such a shape: numpy arrays,
+// other buffers, lists of lists.
 #pragma once
 #include <pybind11/pybind11.h>
 
@@ -17,7 +18,8 @@ py::object array_of(std::vector<double> numbers, std::size_t columns = 1);
 py::object view_of(std::span<const double> numbers, std::size_t columns, const py::object& owner);
 py::object view_of(std::span<const std::uint32_t> numbers, std::size_t columns, const py::object& owner);
 
-/// The numbers of any shape one after the other, the last index fastest. Throws TypeError for what is no array of numbers.
+/// The numbers of any shape one after the other, the last index fastest. Throws TypeError for what is no array of
+/// numbers.
 std::vector<double> numbers_of(const py::object& array);
 /// Throws ValueError for numbers that are no index.
 std::vector<std::uint32_t> indices_of(const py::object& array);

@@ -3,20 +3,19 @@
 #include <cassert>
 
 #include "render/passes/ambient_occlusion.h"
-#include "render/view/frame_uniforms.h"
 #include "render/passes/ground.h"
 #include "render/passes/marks.h"
 #include "render/passes/shadow_map.h"
 #include "render/passes/surface_renderer.h"
 #include "render/passes/tet_renderer.h"
+#include "render/view/frame_uniforms.h"
 
 namespace fascia {
 namespace {
 
 FrameUniforms frame_uniforms(const Camera& camera, const Look& look, int width, int height) {
   FrameUniforms frame{};
-  const Eigen::Matrix4f view_projection =
-      camera.projection(double(width) / height, look.radius) * camera.view();
+  const Eigen::Matrix4f view_projection = camera.projection(double(width) / height, look.radius) * camera.view();
   for (int column = 0; column < 4; ++column) frame.view_projection[column] = view_projection.col(column);
   frame.eye << camera.eye.cast<float>(), 1;
   frame.up << look.up.normalized().cast<float>(), 0;
@@ -26,7 +25,8 @@ FrameUniforms frame_uniforms(const Camera& camera, const Look& look, int width, 
   for (int c = 0; c < 3; ++c) frame.base_color[c] = linear_of_srgb(look.color[c]);
   const Eigen::Vector2f ends = map_range(look);
   const float span = ends.y() - ends.x(), scale = span != 0 ? 1 / span : 0;
-  const float first = (look.range.x() - ends.x()) * scale, last = look.neutral ? (look.range.y() - ends.x()) * scale : 1;
+  const float first = (look.range.x() - ends.x()) * scale,
+              last = look.neutral ? (look.range.y() - ends.x()) * scale : 1;
   frame.heat_range << ends.x(), scale, first, last;
   for (int k = 0; k < 7; ++k) {
     const auto& c = look.color_map->coefficients[static_cast<std::size_t>(k)];
@@ -48,10 +48,11 @@ FrameUniforms frame_uniforms(const Camera& camera, const Look& look, int width, 
 }  // namespace
 
 struct SceneRenderer::Impl {
-  Impl(gl::ProgramCache& program_cache, std::span<const std::array<std::uint32_t, 3>> triangles,
-       std::uint32_t vertices, std::span<const std::uint32_t> marked,
-       std::span<const Eigen::Vector3d> rest_positions, std::span<const std::uint32_t> colors)
-      : programs(program_cache), vertex_count(vertices),
+  Impl(gl::ProgramCache& program_cache, std::span<const std::array<std::uint32_t, 3>> triangles, std::uint32_t vertices,
+       std::span<const std::uint32_t> marked, std::span<const Eigen::Vector3d> rest_positions,
+       std::span<const std::uint32_t> colors)
+      : programs(program_cache),
+        vertex_count(vertices),
         surface(programs, make_surface_corners(triangles, vertices, rest_positions, colors)),
         shadow(programs),
         ground(programs),
@@ -65,9 +66,9 @@ struct SceneRenderer::Impl {
     return occlusion ? &*occlusion : nullptr;
   }
 
-  // The cut of a closed surface with tets inside that end elsewhere. What a pixel's ray meets of the surface beyond the plane, counted
-  // with its sign, is the winding number of the surface where the ray meets the plane: there the cut belongs, in the color of the
-  // tets where they are and of flesh where the surface stands off them.
+  // The cut of a closed surface with tets inside that end elsewhere. What a pixel's ray meets of the surface beyond the
+  // plane, counted with its sign, is the winding number of the surface where the ray meets the plane: there the cut
+  // belongs, in the color of the tets where they are and of flesh where the surface stands off them.
   void draw_cut_within_surface(const Look& look, const gl::Buffer& positions) const {
     gl::Enable(GL_STENCIL_TEST);
     gl::StencilFunc(GL_ALWAYS, 0, 0xff);
@@ -99,20 +100,19 @@ struct SceneRenderer::Impl {
   gl::Buffer frame;
 };
 
-SceneRenderer::SceneRenderer(gl::ProgramCache& programs,
-                             std::span<const std::array<std::uint32_t, 3>> triangles,
+SceneRenderer::SceneRenderer(gl::ProgramCache& programs, std::span<const std::array<std::uint32_t, 3>> triangles,
                              std::uint32_t vertex_count, std::span<const std::uint32_t> marked,
                              std::span<const Eigen::Vector3d> rest_positions, std::span<const std::uint32_t> colors)
     : impl_(std::make_unique<Impl>(programs, triangles, vertex_count, marked, rest_positions, colors)) {}
 
 SceneRenderer::~SceneRenderer() = default;
 
-void SceneRenderer::set_grabbed(std::span<const std::uint32_t> vertices) {
-  impl_->marks.set_grabbed(vertices);
-}
+void SceneRenderer::set_grabbed(std::span<const std::uint32_t> vertices) { impl_->marks.set_grabbed(vertices); }
 
 void SceneRenderer::set_tets(const TetView& view) { impl_->tet_view = view; }
-void SceneRenderer::set_regions(std::span<const std::uint32_t> triangle_region) { impl_->surface.set_regions(triangle_region); }
+void SceneRenderer::set_regions(std::span<const std::uint32_t> triangle_region) {
+  impl_->surface.set_regions(triangle_region);
+}
 bool SceneRenderer::has_regions() const { return impl_->surface.has_regions(); }
 
 void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const Look& asked,

@@ -6,27 +6,26 @@
 #include <memory>
 #include <span>
 
-#include "render/view/camera.h"
-#include "render/target/framebuffer.h"
 #include "gl/buffer.h"
 #include "gl/program.h"
-#include "render/view/look.h"
 #include "render/passes/tet_renderer.h"
+#include "render/target/framebuffer.h"
+#include "render/view/camera.h"
+#include "render/view/look.h"
 
 namespace fascia {
 
 /// Where the surface is this frame. Handed over by the solver, owned by it.
 struct SurfaceView {
-  const gl::Buffer* positions =
-      nullptr;  // vec4 [vertex_count]: x, y, z [m], w the scalar shown by the heat map
+  const gl::Buffer* positions = nullptr;  // vec4 [vertex_count]: x, y, z [m], w the scalar shown by the heat map
 };
 
 class SceneRenderer {
  public:
   /// `triangles` index the vertices of SurfaceView::positions. `marked` are vertices drawn as dots (fixed
   /// ones). With `rest_positions` [vertex_count], edges that are sharp at rest (a box's) stay sharp in the
-  /// shading; without, everything is shaded smooth. `colors` [3 * triangle_count] of the triangles' corners, sRGB 0xAABBGGRR, replace
-  /// Look::color where AA is ff; without, they cost nothing.
+  /// shading; without, everything is shaded smooth. `colors` [3 * triangle_count] of the triangles' corners, sRGB
+  /// 0xAABBGGRR, replace Look::color where AA is ff; without, they cost nothing.
   SceneRenderer(gl::ProgramCache& programs, std::span<const std::array<std::uint32_t, 3>> triangles,
                 std::uint32_t vertex_count, std::span<const std::uint32_t> marked,
                 std::span<const Eigen::Vector3d> rest_positions = {}, std::span<const std::uint32_t> colors = {});
@@ -35,7 +34,8 @@ class SceneRenderer {
   /// Vertices of the grabbed patch, drawn as brighter dots; empty lets go.
   void set_grabbed(std::span<const std::uint32_t> vertices);
 
-  /// What looks with a section plane or separate tets draw; the spans must outlive the renderer. Uploaded while a look needs it.
+  /// What looks with a section plane or separate tets draw; the spans must outlive the renderer. Uploaded while a look
+  /// needs it.
   void set_tets(const TetView& view);
   /// The region of every triangle, for looks that color by it; empty frees it, and colors are the tissue's.
   void set_regions(std::span<const std::uint32_t> triangle_region);
@@ -43,8 +43,8 @@ class SceneRenderer {
 
   /// Over the whole of `target`, which need not be cleared and is left bound, depth test on and blending off. On a
   /// transparent backdrop colors are premultiplied by alpha.
-  void draw(const SurfaceView& surface, const Camera& camera, const Look& look,
-            std::span<const GrabMark> hands, const Framebuffer& target);
+  void draw(const SurfaceView& surface, const Camera& camera, const Look& look, std::span<const GrabMark> hands,
+            const Framebuffer& target);
 
  private:
   struct Impl;

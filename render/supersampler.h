@@ -1,11 +1,12 @@
-// Pictures with more samples per pixel than the renderer has: drawn several times, each time shifted by a part of a pixel, and averaged.
+// Pictures with more samples per pixel than the renderer has: drawn several times, each time shifted by a part of a
+// pixel, and averaged.
 #pragma once
 #include <cstdint>
 #include <functional>
 #include <vector>
 
-#include "render/view/camera.h"
 #include "render/target/framebuffer.h"
+#include "render/view/camera.h"
 
 namespace fascia {
 
@@ -19,7 +20,8 @@ class Supersampler {
   /// At least so many samples per pixel, up to kMostSamples. Throws Error.
   Supersampler(int width, int height, int samples);
 
-  /// `draw_scene` draws into the framebuffer and resolves it. The result is its resolved picture, for panels to be drawn over.
+  /// `draw_scene` draws into the framebuffer and resolves it. The result is its resolved picture, for panels to be
+  /// drawn over.
   Framebuffer& draw(Camera& camera, const std::function<void(Framebuffer&)>& draw_scene);
   Framebuffer& framebuffer() { return framebuffer_; }
 

@@ -8,10 +8,10 @@
 #include <thread>
 
 #include "app/bench/gnuplot.h"
-#include "base/interrupt.h"
 #include "base/byte_hash.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "sim/replay/replay.h"
 
 namespace fascia {
@@ -21,14 +21,16 @@ namespace {
 fs::path made_folder(const std::string& name) {
   std::error_code ec;
   fs::create_directories(name, ec);
-  if (ec || !fs::is_directory(name, ec)) throw Error(name, "cannot be made: " + ec.message(), "expected a folder for the output");
+  if (ec || !fs::is_directory(name, ec))
+    throw Error(name, "cannot be made: " + ec.message(), "expected a folder for the output");
   return name;
 }
 
 std::string processor() {
   std::ifstream in("/proc/cpuinfo");
   for (std::string line; std::getline(in, line);)
-    if (line.rfind("model name", 0) == 0 && line.find(": ") != std::string::npos) return line.substr(line.find(": ") + 2);
+    if (line.rfind("model name", 0) == 0 && line.find(": ") != std::string::npos)
+      return line.substr(line.find(": ") + 2);
   return "unknown processor";
 }
 
@@ -52,8 +54,7 @@ Bench::Bench(const BenchOptions& o, const std::string& name)
     : options(o), folder(made_folder(o.out)), graphics(open_graphics(o, false)), has_gnuplot(gnuplot_installed()) {
   const char* threads = std::getenv("LP_NUM_THREADS");
   notes_ = {std::string("fascia ") + FASCIA_VERSION + ", bench " + name + (options.quick ? " --quick" : ""),
-            "build: " + build_hash(graphics.data_dir / "shaders"),
-            "renderer: " + describe(graphics),
+            "build: " + build_hash(graphics.data_dir / "shaders"), "renderer: " + describe(graphics),
             "machine: " + processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores",
             std::string("LP_NUM_THREADS: ") + (threads ? threads : "not set")};
 }
@@ -77,7 +78,8 @@ void Bench::write(const std::string& name, const Image& picture, Session& sessio
   // Without --out: these pictures are made to be shown, and the user's folders are nobody's business.
   const std::string command = std::string("fascia bench figures") + (options.quick ? " --quick" : "");
   write_png(folder / (name + ".png"), picture,
-            provenance_of(simulation.scene, simulation.model, session.renderer_description(), command, step, simulation.time()));
+            provenance_of(simulation.scene, simulation.model, session.renderer_description(), command, step,
+                          simulation.time()));
 }
 
 void Bench::draw(const std::string& name, const Chart& chart) const {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "app/bench/table.h"
 #include "app/bench/chart.h"
+#include "app/bench/table.h"
 #include "app/session/graphics.h"
-#include "sim/output/run_provenance.h"
 #include "app/session/session.h"
+#include "sim/output/run_provenance.h"
 
 namespace fascia {
 

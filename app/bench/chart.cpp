@@ -65,7 +65,8 @@ std::string script_of(const Chart& chart, const std::string& terminal) {
   write_axis(out, 'y', chart.y);
   for (std::size_t i = 0; i < chart.series.size(); ++i) write_points(out, i, chart.series[i], chart);
   for (const Level& level : chart.levels)
-    out << "set label " << gnuplot_quoted(level.name) << " at graph 0.01, first " << level.y << " left offset 0,0.6 front\n";
+    out << "set label " << gnuplot_quoted(level.name) << " at graph 0.01, first " << level.y
+        << " left offset 0,0.6 front\n";
   const char* separator = "plot ";
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     out << separator;

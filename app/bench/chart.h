@@ -15,10 +15,10 @@ struct Axis {
 };
 
 struct Series {
-  std::string name;  // in the legend; empty: none
+  std::string name;                     // in the legend; empty: none
   std::vector<Eigen::Vector2d> points;  // what is not finite, or not positive on a logarithmic axis, is a gap
-  int color = 0;     // number of a palette that color-blind people can tell apart, from 0
-  int dash = 0;      // 0: solid
+  int color = 0;                        // number of a palette that color-blind people can tell apart, from 0
+  int dash = 0;                         // 0: solid
   bool line = true, marks = false;
 };
 
@@ -34,7 +34,8 @@ struct Chart {
   std::vector<Level> levels;
 };
 
-/// Draws `path`.svg and `path`.png; the legend stands below, in three columns. Throws Error, also when gnuplot is not installed.
+/// Draws `path`.svg and `path`.png; the legend stands below, in three columns. Throws Error, also when gnuplot is not
+/// installed.
 void write_chart(const std::filesystem::path& path, const Chart& chart);
 
 /// A text as a gnuplot string.

@@ -36,7 +36,9 @@ DeviceSpeed measure_device(gl::ProgramCache& programs, std::size_t bytes) {
     return 1e3 / kDispatches * milliseconds_of([&] {
              const auto start = std::chrono::steady_clock::now();
              for (int i = 0; i < kDispatches; ++i) pass.run();
-             submitted.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count() / kDispatches);
+             submitted.push_back(
+                 std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count() /
+                 kDispatches);
            });
   });
   speed.dispatch_submit_us = spread_of(std::move(submitted)).median;
@@ -51,8 +53,9 @@ DeviceSpeed measure_device(gl::ProgramCache& programs, std::size_t bytes) {
 
 Table table_of(const DeviceSpeed& speed) {
   Table table;
-  table.notes = {"copy: a large buffer to another one, bytes read and written; dispatch: of one work group, one after the other, each waiting "
-                 "for the one before it; submit: what of that the CPU is busy with; read: of four bytes"};
+  table.notes = {
+      "copy: a large buffer to another one, bytes read and written; dispatch: of one work group, one after the other, "
+      "each waiting for the one before it; submit: what of that the CPU is busy with; read: of four bytes"};
   table.columns = {"copy_gigabytes_per_s", "dispatch_us", "dispatch_submit_us", "read_us"};
   table.rows = {{speed.copy_gigabytes_per_s, speed.dispatch_us, speed.dispatch_submit_us, speed.read_us}};
   return table;

@@ -84,7 +84,8 @@ void run_gnuplot(const fs::path& path, const std::string& script) {
   const int status = run(path, files);
   std::error_code ec;
   if (status != 0 || fs::file_size(files.picture, ec) == 0 || ec)
-    throw Error(path.string(), "gnuplot ended with status " + std::to_string(status) + " (" + last_line(files.log) + ")",
+    throw Error(path.string(),
+                "gnuplot ended with status " + std::to_string(status) + " (" + last_line(files.log) + ")",
                 "expected a working gnuplot and free disk space");
   replace_file(files.picture, path);
 }

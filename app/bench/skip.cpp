@@ -81,9 +81,7 @@ std::vector<Feature> features() {
   const auto accelerate = [](Acceleration acceleration) {
     return [=](Subject& s) { set(s, [=](SolverSettings& settings) { settings.acceleration = acceleration; }); };
   };
-  const auto color = [](ColorBy by) {
-    return [=](Subject& s) { s.solver->set_color(by); };
-  };
+  const auto color = [](ColorBy by) { return [=](Subject& s) { s.solver->set_color(by); }; };
   const auto tolerate = [](double residual) {
     return [=](Subject& s) { set(s, [=](SolverSettings& settings) { settings.tolerance = residual; }); };
   };
@@ -93,16 +91,18 @@ std::vector<Feature> features() {
   std::vector<Feature> list;
   for (const Pair& pair : {two_level, jacobi}) {
     list.push_back({"damping", pair, damp(0.01), damp(0)});
-    list.push_back({"grab", pair, [](Subject& s) { s.solver->set_grab(hand(s.model)); }, [](Subject& s) { s.solver->set_grab({}); }});
+    list.push_back({"grab", pair, [](Subject& s) { s.solver->set_grab(hand(s.model)); },
+                    [](Subject& s) { s.solver->set_grab({}); }});
     list.push_back({"tolerance", pair, tolerate(1e-9), tolerate(0)});
     list.push_back({"stress colors", pair, color(ColorBy::von_mises), color(ColorBy::none)});
-    list.push_back({"signed stretches", pair, obey(MaterialModel::signed_st_venant_kirchhoff), obey(MaterialModel::st_venant_kirchhoff), nullptr,
-                    MaterialModel::st_venant_kirchhoff});
+    list.push_back({"signed stretches", pair, obey(MaterialModel::signed_st_venant_kirchhoff),
+                    obey(MaterialModel::st_venant_kirchhoff), nullptr, MaterialModel::st_venant_kirchhoff});
   }
   list.push_back({"double displacements", two_level, [](Subject& s) { s.solver->set_compensated(true); },
                   [](Subject& s) { s.solver->set_compensated(false); }});
   list.push_back({"chebyshev", jacobi, accelerate(Acceleration::chebyshev), accelerate(Acceleration::none)});
-  list.push_back({"anderson_positions", jacobi, accelerate(Acceleration::anderson_positions), accelerate(Acceleration::none)});
+  list.push_back(
+      {"anderson_positions", jacobi, accelerate(Acceleration::anderson_positions), accelerate(Acceleration::none)});
   list.push_back({"phantoms", sweep, limit(8), limit(0)});
   list.push_back({"second material", two_level, {}, {}, with_second_material});
   list.push_back({"prescribed motion", two_level, {}, {}, with_motion});
@@ -115,10 +115,13 @@ std::vector<std::string> bench_skip(Bench& bench) {
   Model model = box_model(cells_of(bench.full_or_quick(5'000, 500)));
   const int repetitions = bench.full_or_quick(25, 3);
   Table table;
-  table.notes = {std::to_string(model.tets.size()) + " tets, 10 iterations; a step and the positions for drawing after it",
-                 "never: a solver that never had the feature; off: one where it was switched on and off again; on",
-                 "the three take turns; ms: medians, _low, _high: a tenth is below, above"};
-  table.columns = {"feature", "method", "acceleration", "state", "dispatches_per_step", "gpu_bytes", "bytes_per_iteration", "ms", "ms_low", "ms_high"};
+  table.notes = {
+      std::to_string(model.tets.size()) + " tets, 10 iterations; a step and the positions for drawing after it",
+      "never: a solver that never had the feature; off: one where it was switched on and off again; on",
+      "the three take turns; ms: medians, _low, _high: a tenth is below, above"};
+  table.columns = {
+      "feature", "method", "acceleration", "state", "dispatches_per_step", "gpu_bytes", "bytes_per_iteration",
+      "ms",      "ms_low", "ms_high"};
   std::vector<std::string> costly;
   const State start = bent_beam(model);
   for (const Feature& feature : features()) {
@@ -163,14 +166,17 @@ std::vector<std::string> bench_skip(Bench& bench) {
       }
     for (std::size_t i = 0; i < subjects.size(); ++i) {
       const Spread ms = spread_of(times[i]);
-      table.rows.push_back({feature.name, name_of(feature.pair.method), name_of(feature.pair.acceleration), states[i], dispatches[i],
-                            subjects[i]->bytes, subjects[i]->solver->bytes_per_iteration(), ms.median, ms.low, ms.high});
+      table.rows.push_back({feature.name, name_of(feature.pair.method), name_of(feature.pair.acceleration), states[i],
+                            dispatches[i], subjects[i]->bytes, subjects[i]->solver->bytes_per_iteration(), ms.median,
+                            ms.low, ms.high});
     }
     const std::string name = feature.name + ", " + name_of(feature.pair) + ": ";
     if (feature.off && dispatches[1] != dispatches[0])
-      costly.push_back(name + std::to_string(dispatches[1]) + " dispatches when off, " + std::to_string(dispatches[0]) + " without");
+      costly.push_back(name + std::to_string(dispatches[1]) + " dispatches when off, " + std::to_string(dispatches[0]) +
+                       " without");
     if (feature.off && subjects[1]->bytes != subjects[0]->bytes)
-      costly.push_back(name + std::to_string(subjects[1]->bytes) + " bytes when off, " + std::to_string(subjects[0]->bytes) + " without");
+      costly.push_back(name + std::to_string(subjects[1]->bytes) + " bytes when off, " +
+                       std::to_string(subjects[0]->bytes) + " without");
   }
   bench.write("skip", std::move(table));
   if (costly.empty()) bench.say("skip: what is off takes as many dispatches and bytes as what never was");

@@ -1,4 +1,5 @@
-// fascia bench skip: the cost of every feature that a scene may do without, when it was never there, when it has been switched off, and on.
+// fascia bench skip: the cost of every feature that a scene may do without, when it was never there, when it has been
+// switched off, and on.
 #pragma once
 #include <string>
 #include <vector>

@@ -7,8 +7,8 @@
 #include "app/system/process_memory.h"
 #include "render/target/framebuffer.h"
 #include "sim/grab/build_model.h"
-#include "sim/mesh/mesh_generate.h"
 #include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
 
 namespace fascia {
 namespace {
@@ -36,16 +36,30 @@ Table speed_table() {
   Table table;
   table.notes = {"boxes of cells cut into 6 tets, one end held, E = 1e6 Pa, nu = 0.3, from a bend and twist at rest; " +
                      std::to_string(kIterations) + " iterations a step of 1/60 s",
-                 "the pairs take turns; ms_per_step: medians, prediction and velocities included; _low, _high: a tenth is below, above",
-                 "bytes_per_iteration: every buffer that a kernel uses, once; gigabytes_per_s: that over the time; share_of_copy: of what copying "
-                 "a buffer reaches (device.csv)"};
-  table.columns = {"tets", "vertices", "method", "acceleration", "repetitions", "dispatches_per_step", "gpu_bytes", "bytes_per_iteration",
-                   "ms_per_step", "ms_per_step_low", "ms_per_step_high", "ns_per_tet_iteration", "gigabytes_per_s", "share_of_copy"};
+                 "the pairs take turns; ms_per_step: medians, prediction and velocities included; _low, _high: a tenth "
+                 "is below, above",
+                 "bytes_per_iteration: every buffer that a kernel uses, once; gigabytes_per_s: that over the time; "
+                 "share_of_copy: of what copying a buffer reaches (device.csv)"};
+  table.columns = {"tets",
+                   "vertices",
+                   "method",
+                   "acceleration",
+                   "repetitions",
+                   "dispatches_per_step",
+                   "gpu_bytes",
+                   "bytes_per_iteration",
+                   "ms_per_step",
+                   "ms_per_step_low",
+                   "ms_per_step_high",
+                   "ns_per_tet_iteration",
+                   "gigabytes_per_s",
+                   "share_of_copy"};
   return table;
 }
 
 // Every pair on one mesh; adds to both tables.
-void measure_pairs(Bench& bench, const Model& model, const DeviceSpeed& device, Table& table, std::vector<SpeedRow>& rows) {
+void measure_pairs(Bench& bench, const Model& model, const DeviceSpeed& device, Table& table,
+                   std::vector<SpeedRow>& rows) {
   const bool one_of_each = bench.options.quick || model.tets.size() >= kFewPairs;
   std::vector<Pair> pairs;
   const int repetitions = repetitions_for(bench, model.tets.size());
@@ -55,7 +69,9 @@ void measure_pairs(Bench& bench, const Model& model, const DeviceSpeed& device, 
   std::vector<std::size_t> bytes;
   for (const Pair& pair : legal_pairs()) {
     bench.stop_if_interrupted();
-    if (one_of_each && std::any_of(pairs.begin(), pairs.end(), [&](const Pair& other) { return other.method == pair.method; })) continue;
+    if (one_of_each &&
+        std::any_of(pairs.begin(), pairs.end(), [&](const Pair& other) { return other.method == pair.method; }))
+      continue;
     const std::size_t before = gl::allocated_bytes();
     try {
       solvers.push_back(std::make_unique<GpuSolver>(*bench.graphics.programs, model, settings_of(pair)));
@@ -71,7 +87,8 @@ void measure_pairs(Bench& bench, const Model& model, const DeviceSpeed& device, 
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     Spread ms = spreads[i];
     for (double* value : {&ms.median, &ms.low, &ms.high}) *value *= kIterations;
-    const double ns = 1e6 * spreads[i].median / static_cast<double>(model.tets.size()), moved = timed[i]->bytes_per_iteration();
+    const double ns = 1e6 * spreads[i].median / static_cast<double>(model.tets.size()),
+                 moved = timed[i]->bytes_per_iteration();
     const double gigabytes_per_s = moved / (1e6 * spreads[i].median);
     const std::string method = name_of(pairs[i].method), acceleration = name_of(pairs[i].acceleration);
     table.rows.push_back({model.tets.size(), model.rest_positions.size(), method, acceleration, repetitions,
@@ -103,7 +120,8 @@ void measure_kernels(Bench& bench, const Model& model, Table& table) {
   last["the whole step, untimed"].runs = 1;
   for (auto& [kernel, values] : times) {
     const double ms = spread_of(std::move(values)).median;
-    table.rows.push_back({model.tets.size(), kernel, last[kernel].runs, ms, 1e6 * ms / static_cast<double>(last[kernel].runs * model.tets.size())});
+    table.rows.push_back({model.tets.size(), kernel, last[kernel].runs, ms,
+                          1e6 * ms / static_cast<double>(last[kernel].runs * model.tets.size())});
   }
 }
 
@@ -147,11 +165,13 @@ void measure_opening(Bench& bench, const Eigen::Vector3i& cells, Table& table) {
 
 std::vector<SpeedRow> bench_speed(Bench& bench) {
   Table speed = speed_table(), meshes, kernels;
-  meshes.notes = {"a mesh file opened as the window opens it, with the default material and solver; read_ms: file to model; open_ms: model to a "
-                  "scene that can step and be drawn",
-                  "first_ms: the first step and picture; step_ms, draw_ms: medians of those after it, " +
-                      std::to_string(bench.options.width) + "x" + std::to_string(bench.options.height) + " pixels"};
-  meshes.columns = {"tets", "vertices", "file_bytes", "read_ms", "open_ms", "first_ms", "step_ms", "draw_ms", "gpu_bytes", "resident_bytes"};
+  meshes.notes = {
+      "a mesh file opened as the window opens it, with the default material and solver; read_ms: file to model; "
+      "open_ms: model to a scene that can step and be drawn",
+      "first_ms: the first step and picture; step_ms, draw_ms: medians of those after it, " +
+          std::to_string(bench.options.width) + "x" + std::to_string(bench.options.height) + " pixels"};
+  meshes.columns = {"tets",     "vertices", "file_bytes", "read_ms",   "open_ms",
+                    "first_ms", "step_ms",  "draw_ms",    "gpu_bytes", "resident_bytes"};
   kernels.notes = {"one step with " + name_of(legal_pairs().front()) + "; ms: of all runs of the step, median; " +
                    (gl::device().timestamp_bits == 0 ? "every pass waited for" : "between timestamps of the device")};
   kernels.columns = {"tets", "kernel", "runs", "ms", "ns_per_tet_run"};
@@ -175,7 +195,8 @@ std::vector<SpeedRow> bench_speed(Bench& bench) {
   return rows;
 }
 
-std::vector<std::string> compare_with(Bench& bench, const std::filesystem::path& against, const std::vector<SpeedRow>& now) {
+std::vector<std::string> compare_with(Bench& bench, const std::filesystem::path& against,
+                                      const std::vector<SpeedRow>& now) {
   Table table;
   table.notes = {"against: " + against.string(), "ratio: median now over median then"};
   table.columns = {"what", "ratio", "slower"};

@@ -1,5 +1,5 @@
-// fascia bench speed: what steps cost, for every pair of method and acceleration and meshes from 500 to a million tets; what it takes to
-// open such a mesh and to draw it; and where the time of a step goes.
+// fascia bench speed: what steps cost, for every pair of method and acceleration and meshes from 500 to a million tets;
+// what it takes to open such a mesh and to draw it; and where the time of a step goes.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -14,6 +14,7 @@ namespace fascia {
 std::vector<SpeedRow> bench_speed(Bench& bench);
 
 /// compared.csv, `now` over what the file holds. Returns the lines that name what became slower beyond the noise.
-std::vector<std::string> compare_with(Bench& bench, const std::filesystem::path& against, const std::vector<SpeedRow>& now);
+std::vector<std::string> compare_with(Bench& bench, const std::filesystem::path& against,
+                                      const std::vector<SpeedRow>& now);
 
 }  // namespace fascia

@@ -62,7 +62,8 @@ std::vector<SpeedChange> compare_speeds(const std::vector<SpeedRow>& then, const
   for (const SpeedRow& row : now) {
     const auto old = std::find_if(then.begin(), then.end(), [&](const SpeedRow& r) { return r.name == row.name; });
     if (old == then.end()) continue;
-    changes.push_back({row.name, row.ms.median / old->ms.median, row.ms.median > kTolerated * old->ms.median && row.ms.low > old->ms.high});
+    changes.push_back({row.name, row.ms.median / old->ms.median,
+                       row.ms.median > kTolerated * old->ms.median && row.ms.low > old->ms.high});
   }
   return changes;
 }

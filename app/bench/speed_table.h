@@ -19,7 +19,8 @@ std::vector<SpeedRow> read_speeds(const std::filesystem::path& path);
 struct SpeedChange {
   std::string name;
   double ratio;  // of the medians, now over then
-  bool slower;   // beyond the noise: the median by a tenth, and a tenth of the times at most as short as the longest tenth of then
+  bool slower;   // beyond the noise: the median by a tenth, and a tenth of the times at most as short as the longest
+                 // tenth of then
 };
 /// Rows that both have, in the order of `now`.
 std::vector<SpeedChange> compare_speeds(const std::vector<SpeedRow>& then, const std::vector<SpeedRow>& now);

@@ -7,7 +7,8 @@
 
 namespace fascia {
 
-/// A text, an integer, or a number with the seven digits that float32 results are good for. Empty: there is no such number.
+/// A text, an integer, or a number with the seven digits that float32 results are good for. Empty: there is no such
+/// number.
 class Cell {
  public:
   Cell() = default;

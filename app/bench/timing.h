@@ -16,8 +16,9 @@ struct Spread {
 };
 Spread spread_of(std::vector<double> values);
 
-/// Milliseconds per iteration, prediction and velocity update included, of one step of each solver from `start`. The solvers take
-/// turns, so that a disturbance hits all of them alike; a first turn, in which kernels are compiled, does not count.
+/// Milliseconds per iteration, prediction and velocity update included, of one step of each solver from `start`. The
+/// solvers take turns, so that a disturbance hits all of them alike; a first turn, in which kernels are compiled, does
+/// not count.
 std::vector<Spread> time_iterations(const std::vector<GpuSolver*>& solvers, const State& start, int repetitions);
 
 }  // namespace fascia

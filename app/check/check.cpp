@@ -3,11 +3,11 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "app/system/child_process.h"
 #include "app/golden/golden.h"
 #include "app/headless/headless.h"
-#include "base/interrupt.h"
+#include "app/system/child_process.h"
 #include "base/error.h"
+#include "base/interrupt.h"
 
 namespace fascia {
 namespace {
@@ -19,8 +19,10 @@ fs::path left_behind(const CheckOptions& options, const CheckCase& check, const 
   return fs::path(options.out) / (check.name + ending);
 }
 
-void keep_failure(const CheckOptions& options, const CheckCase& check, const Outcome& outcome, const Comparison& comparison) {
-  if (!check.options.compare.empty()) write_png(left_behind(options, check, ".new.png"), outcome.picture, outcome.provenance);
+void keep_failure(const CheckOptions& options, const CheckCase& check, const Outcome& outcome,
+                  const Comparison& comparison) {
+  if (!check.options.compare.empty())
+    write_png(left_behind(options, check, ".new.png"), outcome.picture, outcome.provenance);
   if (!check.options.state.empty()) write_state(left_behind(options, check, ".new.csv"), outcome.mesh, outcome.fields);
   if (comparison.picture) write_png(left_behind(options, check, ".diff.png"), *comparison.picture, outcome.provenance);
 }
@@ -32,7 +34,8 @@ std::string text_of(const json& found) { return found.dump(-1, ' ', false, json:
 std::string judge(const CheckCase& check, const CheckOptions& options) {
   Headless headless(check.options);
   headless.run();
-  if (interrupted()) throw Error(check.name, "was interrupted", "expected time for all of its steps");  // and nothing of it is written
+  if (interrupted())
+    throw Error(check.name, "was interrupted", "expected time for all of its steps");  // and nothing of it is written
   const Outcome outcome = headless.outcome();
   if (options.update) return text_of(json{{"lines", update_goldens(outcome, check.options.goldens())}});
   const Comparison comparison = compare(outcome, check.options.goldens(), check.options.limits);

@@ -11,11 +11,11 @@ namespace fascia {
 
 struct CheckOptions : CommonOptions {
   std::string folder;
-  std::string out;          // folder for what failures leave; empty: they leave nothing
-  std::string junit;        // XML
-  std::string only;         // pattern
+  std::string out;    // folder for what failures leave; empty: they leave nothing
+  std::string junit;  // XML
+  std::string only;   // pattern
   bool update = false;
-  double timeout = 600;     // [s] of a scene
+  double timeout = 600;  // [s] of a scene
 };
 
 struct CheckResult {

@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "app/golden/tolerance.h"
-#include "render/supersampler.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/json/json_document.h"
 #include "base/json/json_node.h"
+#include "render/supersampler.h"
 
 namespace fascia {
 namespace {
@@ -24,8 +24,9 @@ struct CheckSettings {
 };
 
 const std::vector<std::string>& setting_keys() {
-  static const std::vector<std::string> keys{"size",  "samples",  "steps",     "time",            "static",  "set",
-                                             "ui",    "max_mean", "max_share", "state_tolerance", "picture", "state"};
+  static const std::vector<std::string> keys{"size",    "samples", "steps",    "time",      "static",
+                                             "set",     "ui",      "max_mean", "max_share", "state_tolerance",
+                                             "picture", "state"};
   return keys;
 }
 
@@ -56,7 +57,8 @@ void read_settings(const Node& node, CheckSettings& settings) {
   read_flag(node, "ui", options.panels);
   if (const auto set = node.find("set")) {
     options.sets.clear();
-    for (const Node& text : set->elements("a list of texts KEY=VALUE")) options.sets.push_back(text.text("a text KEY=VALUE"));
+    for (const Node& text : set->elements("a list of texts KEY=VALUE"))
+      options.sets.push_back(text.text("a text KEY=VALUE"));
   }
   read_tolerance(node, "max_mean", options.limits.mean);
   read_tolerance(node, "max_share", options.limits.share);
@@ -76,14 +78,20 @@ std::map<std::string, fs::path> files_of(const fs::path& folder) {
   std::map<std::string, fs::path> files;
   std::error_code ec;
   fs::directory_iterator entry(folder, ec);
-  if (ec) throw Error(folder.string(), "cannot be listed: " + ec.message(), "expected a folder of scenes (.json) and replays (.fascia)");
+  if (ec)
+    throw Error(folder.string(), "cannot be listed: " + ec.message(),
+                "expected a folder of scenes (.json) and replays (.fascia)");
   for (; entry != fs::directory_iterator(); entry.increment(ec)) {
     const fs::path& file = entry->path();
     const std::string ending = lower_ending(file);
-    if ((ending != ".json" && ending != ".fascia") || file.filename() == kSettingsName || file.filename().string()[0] == '.') continue;
+    if ((ending != ".json" && ending != ".fascia") || file.filename() == kSettingsName ||
+        file.filename().string()[0] == '.')
+      continue;
     if (lower_ending(file.stem()) == ".csv") continue;  // what made an exported state
     const auto [other, added] = files.emplace(file.stem().string(), file);
-    if (!added) throw Error(file.string(), "has the same goldens as " + other->second.filename().string(), "expected another name");
+    if (!added)
+      throw Error(file.string(), "has the same goldens as " + other->second.filename().string(),
+                  "expected another name");
   }
   return files;
 }
@@ -114,13 +122,16 @@ std::vector<CheckCase> read_check_folder(const fs::path& folder) {
         node.expect_object(keys);
         require_file_name(node, name);
         const auto input = node.find("scene");
-        if (!input && !files.contains(name)) node.fail("there is no " + name + ".json or .fascia", "such a file beside, or a key scene");
-        if (input && files.contains(name)) input->fail(files[name].filename().string() + " has the same goldens", "another name");
+        if (!input && !files.contains(name))
+          node.fail("there is no " + name + ".json or .fascia", "such a file beside, or a key scene");
+        if (input && files.contains(name))
+          input->fail(files[name].filename().string() + " has the same goldens", "another name");
         if (input) files[name] = folder / input->text("a scene, mesh or replay, relative to this file");
         read_settings(node, cases.emplace(name, defaults).first->second);
       }
   }
-  if (files.empty()) throw Error(folder.string(), "has no scenes", "expected NAME.json, NAME.fascia, or scenes named in check.json");
+  if (files.empty())
+    throw Error(folder.string(), "has no scenes", "expected NAME.json, NAME.fascia, or scenes named in check.json");
   std::vector<CheckCase> result;
   for (const auto& [name, input] : files) {
     CheckSettings settings = cases.contains(name) ? cases[name] : defaults;

@@ -1,5 +1,6 @@
-// A folder of scenes whose pictures and states are to stay what they are: its scenes (NAME.json) and replays (NAME.fascia), the goldens
-// beside them (NAME.golden.png, NAME.golden.csv), and, where defaults do not do, a strict check.json (format: docs/guide/regression.md).
+// A folder of scenes whose pictures and states are to stay what they are: its scenes (NAME.json) and replays
+// (NAME.fascia), the goldens beside them (NAME.golden.png, NAME.golden.csv), and, where defaults do not do, a strict
+// check.json (format: docs/guide/regression.md).
 #pragma once
 #include <filesystem>
 #include <string>

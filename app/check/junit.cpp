@@ -8,7 +8,8 @@
 namespace fascia {
 namespace {
 
-// Bytes of the UTF-8 character that a text begins with, or 0 if it begins with something else, or with what XML 1.0 forbids.
+// Bytes of the UTF-8 character that a text begins with, or 0 if it begins with something else, or with what XML 1.0
+// forbids.
 std::size_t character_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const unsigned first = byte(0);
@@ -30,13 +31,26 @@ std::string escaped(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = character_length(text);
     switch (length == 0 ? '?' : text[0]) {
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '&': result += "&amp;"; break;
-      case '"': result += "&quot;"; break;
-      case '\n': result += "&#10;"; break;  // an attribute's plain line break would be read as a space
-      case '\t': result += "&#9;"; break;
-      default: result += length == 0 ? "?" : text.substr(0, length);
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '&':
+        result += "&amp;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\n':
+        result += "&#10;";
+        break;  // an attribute's plain line break would be read as a space
+      case '\t':
+        result += "&#9;";
+        break;
+      default:
+        result += length == 0 ? "?" : text.substr(0, length);
     }
     text.remove_prefix(std::max<std::size_t>(length, 1));
   }
@@ -51,19 +65,22 @@ std::string seconds_text(double seconds) {
 
 std::string counts(const std::vector<JunitCase>& cases) {
   const auto count = [&](JunitCase::Verdict verdict) {
-    return std::to_string(std::count_if(cases.begin(), cases.end(), [&](const JunitCase& c) { return c.verdict == verdict; }));
+    return std::to_string(
+        std::count_if(cases.begin(), cases.end(), [&](const JunitCase& c) { return c.verdict == verdict; }));
   };
   double seconds = 0;
   for (const JunitCase& c : cases) seconds += c.seconds;
-  return " tests=\"" + std::to_string(cases.size()) + "\" failures=\"" + count(JunitCase::Verdict::failed) + "\" errors=\"" +
-         count(JunitCase::Verdict::error) + "\" time=\"" + seconds_text(seconds) + "\"";
+  return " tests=\"" + std::to_string(cases.size()) + "\" failures=\"" + count(JunitCase::Verdict::failed) +
+         "\" errors=\"" + count(JunitCase::Verdict::error) + "\" time=\"" + seconds_text(seconds) + "\"";
 }
 
 std::string case_xml(const std::string& suite, const JunitCase& c) {
-  std::string xml = "    <testcase classname=\"" + escaped(suite) + "\" name=\"" + escaped(c.name) + "\" time=\"" + seconds_text(c.seconds) + "\">\n";
+  std::string xml = "    <testcase classname=\"" + escaped(suite) + "\" name=\"" + escaped(c.name) + "\" time=\"" +
+                    seconds_text(c.seconds) + "\">\n";
   if (c.verdict != JunitCase::Verdict::passed) {
     const std::string kind = c.verdict == JunitCase::Verdict::failed ? "failure" : "error";
-    xml += "      <" + kind + " message=\"" + escaped(c.message) + "\" type=\"" + kind + "\">" + escaped(c.details) + "</" + kind + ">\n";
+    xml += "      <" + kind + " message=\"" + escaped(c.message) + "\" type=\"" + kind + "\">" + escaped(c.details) +
+           "</" + kind + ">\n";
   }
   if (!c.output.empty()) xml += "      <system-out>" + escaped(c.output) + "</system-out>\n";
   return xml + "    </testcase>\n";
@@ -72,8 +89,9 @@ std::string case_xml(const std::string& suite, const JunitCase& c) {
 }  // namespace
 
 std::string junit_xml(const std::string& suite, const std::string& timestamp, const std::vector<JunitCase>& cases) {
-  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + counts(cases) + ">\n  <testsuite name=\"" + escaped(suite) +
-                    "\"" + counts(cases) + " skipped=\"0\" timestamp=\"" + escaped(timestamp) + "\">\n";
+  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + counts(cases) +
+                    ">\n  <testsuite name=\"" + escaped(suite) + "\"" + counts(cases) + " skipped=\"0\" timestamp=\"" +
+                    escaped(timestamp) + "\">\n";
   for (const JunitCase& c : cases) xml += case_xml(suite, c);
   return xml + "  </testsuite>\n</testsuites>\n";
 }

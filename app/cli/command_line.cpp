@@ -14,7 +14,8 @@ namespace {
 
 constexpr const char* kAbout =
     "fascia: interactive soft tissue on the GPU. SI units everywhere.\n"
-    "The manual: fascia man | man -l -, and once installed man fascia. Scene files and their keys: docs/guide/scenes.md";
+    "The manual: fascia man | man -l -, and once installed man fascia. Scene files and their keys: "
+    "docs/guide/scenes.md";
 
 // "--samples INT in [1 - 256] [4]": what an option takes and what it is without, shorter than CLI11 says it.
 class HelpFormatter : public CLI::Formatter {
@@ -46,7 +47,8 @@ void refuse_dashes(CLI::App& command) {
     const std::string expected = is_file ? "a file, ./- if that is its name" : "a folder, ./- if that is its name";
     option->check(CLI::Validator(
         [expected](std::string& value) {
-          return value == kStandardInput ? "- is standard input or output, which it does not take; expected " + expected : std::string();
+          return value == kStandardInput ? "- is standard input or output, which it does not take; expected " + expected
+                                         : std::string();
         },
         ""));
   }
@@ -56,10 +58,10 @@ void refuse_dashes(CLI::App& command) {
 // What other programs call the same.
 std::string command_for(const std::string& word) {
   static const std::map<std::string, std::string> others{
-      {"simulate", "run"},    {"simulation", "run"},    {"sim", "run"},        {"solve", "run"},       {"open", "view"},
-      {"show", "view"},       {"gui", "view"},          {"window", "view"},    {"draw", "render"},     {"screenshot", "render"},
-      {"picture", "render"},  {"video", "render"},      {"test", "check"},     {"compare", "check"},   {"benchmark", "bench"},
-      {"inspect", "info"},    {"describe", "info"},     {"manual", "man"},     {"help", "--help"},     {"version", "--version"}};
+      {"simulate", "run"},   {"simulation", "run"}, {"sim", "run"},     {"solve", "run"},     {"open", "view"},
+      {"show", "view"},      {"gui", "view"},       {"window", "view"}, {"draw", "render"},   {"screenshot", "render"},
+      {"picture", "render"}, {"video", "render"},   {"test", "check"},  {"compare", "check"}, {"benchmark", "bench"},
+      {"inspect", "info"},   {"describe", "info"},  {"manual", "man"},  {"help", "--help"},   {"version", "--version"}};
   const auto found = others.find(word);
   return found == others.end() ? "" : found->second;
 }
@@ -101,8 +103,10 @@ std::string better_reason(const CLI::App& program, const CLI::App& command, cons
     for (const std::string& scene : command.get_option("scene")->results())
       if (may_be_command(scene)) return unknown_command(command, scene);
   const bool needs_command = command.get_require_subcommand_min() > 0 && command.get_subcommands().empty();
-  if (needs_command && !words.empty() && !words.front().starts_with("-")) return unknown_command(command, words.front());
-  if (needs_command && !is_extra) return "fascia " + command.get_name() + ": no command named; expected one of " + join(names_below(command));
+  if (needs_command && !words.empty() && !words.front().starts_with("-"))
+    return unknown_command(command, words.front());
+  if (needs_command && !is_extra)
+    return "fascia " + command.get_name() + ": no command named; expected one of " + join(names_below(command));
   return left_over(command, words, is_extra);
 }
 
@@ -114,7 +118,8 @@ bool may_be_command(const std::string& word) {
 }
 
 void refuse_mistyped_command(const CLI::App& program, const std::string& scene) {
-  if (may_be_command(scene) && !near_command(program, scene).empty()) throw CLI::ValidationError(unknown_command(program, scene));
+  if (may_be_command(scene) && !near_command(program, scene).empty())
+    throw CLI::ValidationError(unknown_command(program, scene));
 }
 
 std::unique_ptr<CLI::App> make_command_line(Invocation& invocation) {
@@ -143,7 +148,8 @@ std::string usage_message(const CLI::App& program, const CLI::ParseError& error)
   if (text.empty()) text = error.what();
   std::replace(text.begin(), text.end(), '\n', ' ');
   std::string path;
-  for (const CLI::App* named = &command; named->get_parent(); named = named->get_parent()) path = named->get_name() + " " + path;
+  for (const CLI::App* named = &command; named->get_parent(); named = named->get_parent())
+    path = named->get_name() + " " + path;
   const std::string help = "see fascia " + path + "--help";
   return text.find("; ") == std::string::npos ? text + "; " + help : text + " (" + help + ")";
 }

@@ -1,5 +1,6 @@
-// The command line: one function per command, each in command_line_<name>.cpp, which adds its options and says what to run. An option
-// is added in its command's file and nowhere else: help, man page and completion are made from these tables.
+// The command line: one function per command, each in command_line_<name>.cpp, which adds its options and says what to
+// run. An option is added in its command's file and nowhere else: help, man page and completion are made from these
+// tables.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -43,18 +44,21 @@ inline constexpr const char* kOrDash = " or -";
 CLI::Validator at_least(double least);
 
 /// One of `choices`, which the help shows as a|b|c. `name` begins with "--", or is a positional's.
-CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& field, const std::vector<std::string>& choices,
-                        const std::string& help);
+CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& field,
+                        const std::vector<std::string>& choices, const std::string& help);
 
-/// Ends the command's help: command lines that do something useful, and exit codes where 1 means more than that the work failed.
-void add_examples(CLI::App& command, const std::vector<std::string>& lines, const std::string& failed = "the work failed");
+/// Ends the command's help: command lines that do something useful, and exit codes where 1 means more than that the
+/// work failed.
+void add_examples(CLI::App& command, const std::vector<std::string>& lines,
+                  const std::string& failed = "the work failed");
 
 /// Whether a scene's name could be meant as that of a command: no file, and neither ending nor folder.
 bool may_be_command(const std::string& word);
 /// Throws CLI::ValidationError where the scene is none, and nearly the name of a command.
 void refuse_mistyped_command(const CLI::App& program, const std::string& scene);
 
-/// What a wrong command line is answered with, in one line: the error and, where a word is nearly one that is known, that word.
+/// What a wrong command line is answered with, in one line: the error and, where a word is nearly one that is known,
+/// that word.
 std::string usage_message(const CLI::App& program, const CLI::ParseError& error);
 
 }  // namespace fascia

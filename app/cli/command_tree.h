@@ -8,9 +8,9 @@ namespace fascia {
 
 struct OptionEntry {
   enum class Takes { nothing, anything, choice, file, folder, scene_value };
-  std::string name;                  // "--set"; of a positional "scene"
-  std::string value;                 // "KEY=VALUE"; empty: it is a flag
-  std::string help, fallback;        // fallback: the default, where it is worth a word
+  std::string name;            // "--set"; of a positional "scene"
+  std::string value;           // "KEY=VALUE"; empty: it is a flag
+  std::string help, fallback;  // fallback: the default, where it is worth a word
   Takes takes = Takes::anything;
   std::vector<std::string> choices;  // of Takes::choice
   std::string ending;                // of Takes::file: ".png"; empty: any

@@ -1,4 +1,5 @@
-// Completion for shells, written from the command line's own tables: commands, options, choices, files by their ending, keys of --set.
+// Completion for shells, written from the command line's own tables: commands, options, choices, files by their ending,
+// keys of --set.
 #pragma once
 #include <string>
 

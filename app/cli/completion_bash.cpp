@@ -15,12 +15,17 @@ std::string slashed(const std::vector<std::string>& path) {
 
 std::string bash_action(const OptionEntry& option) {
   switch (option.takes) {
-    case Takes::choice: return "_fascia_words '" + spaced(option.choices) + "'";
-    case Takes::file: return "_fascia_files '" + option.ending + "'";
-    case Takes::folder: return "_fascia_folders";
-    case Takes::scene_value: return "_fascia_keys";
+    case Takes::choice:
+      return "_fascia_words '" + spaced(option.choices) + "'";
+    case Takes::file:
+      return "_fascia_files '" + option.ending + "'";
+    case Takes::folder:
+      return "_fascia_folders";
+    case Takes::scene_value:
+      return "_fascia_keys";
     case Takes::anything:
-    case Takes::nothing: break;
+    case Takes::nothing:
+      break;
   }
   return ":";
 }
@@ -44,7 +49,8 @@ std::string branch(const CommandEntry& command) {
 std::string bash_completion(const CommandEntry& program) {
   std::string paths, branches, keys, values;
   for (const CommandEntry* command : all_commands(program)) {
-    if (!command->path.empty()) paths += "      '" + slashed(command->path) + "') path=" + slashed(command->path) + " ;;\n";
+    if (!command->path.empty())
+      paths += "      '" + slashed(command->path) + "') path=" + slashed(command->path) + " ;;\n";
     branches += branch(*command);
   }
   for (const SceneKey& key : scene_keys()) {
@@ -66,7 +72,9 @@ std::string bash_completion(const CommandEntry& program) {
          "}\n"
          "_fascia_keys() {\n"
          "  compopt -o nospace 2>/dev/null\n"
-         "  _fascia_words '" + keys + "'\n"
+         "  _fascia_words '" +
+         keys +
+         "'\n"
          "}\n"
          "_fascia() {\n"
          "  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} path= i\n"
@@ -74,13 +82,16 @@ std::string bash_completion(const CommandEntry& program) {
          "  # bash cuts words at \"=\": --context=egl is three of them, and so is solver.method=jacobi.\n"
          "  if [[ $cur == = ]]; then cur=; else [[ $prev == = ]] && prev=${COMP_WORDS[COMP_CWORD - 2]}; fi\n"
          "  for ((i = 1; i < COMP_CWORD; ++i)); do\n"
-         "    case $path/${COMP_WORDS[i]} in\n" + paths +
+         "    case $path/${COMP_WORDS[i]} in\n" +
+         paths +
          "    esac\n"
          "  done\n"
-         "  case $prev in\n" + values +
+         "  case $prev in\n" +
+         values +
          "  esac\n"
          "  ((${#COMPREPLY[@]})) && return\n"
-         "  case $path in\n" + branches +
+         "  case $path in\n" +
+         branches +
          "  esac\n"
          "}\n"
          "complete -F _fascia fascia\n";

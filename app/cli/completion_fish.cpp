@@ -24,19 +24,27 @@ std::string names_of(const std::vector<CommandEntry>& commands) {
 // Where a command's own words may stand: it was typed, and none below it.
 std::string condition(const CommandEntry& command) {
   std::string text;
-  for (const std::string& word : command.path) text += (text.empty() ? "" : "; and ") + ("__fish_seen_subcommand_from " + word);
-  if (!command.commands.empty()) text += (text.empty() ? "" : "; and ") + ("not __fish_seen_subcommand_from " + names_of(command.commands));
+  for (const std::string& word : command.path)
+    text += (text.empty() ? "" : "; and ") + ("__fish_seen_subcommand_from " + word);
+  if (!command.commands.empty())
+    text += (text.empty() ? "" : "; and ") + ("not __fish_seen_subcommand_from " + names_of(command.commands));
   return in_quotes(text);
 }
 
 std::string value(const OptionEntry& option) {
   switch (option.takes) {
-    case Takes::nothing: return "";
-    case Takes::choice: return " -x -a " + in_quotes(spaced(option.choices));
-    case Takes::file: return option.ending.empty() ? " -r -F" : " -x -a " + in_quotes("(__fish_complete_suffix " + option.ending + ")");
-    case Takes::folder: return " -x -a '(__fish_complete_directories)'";
-    case Takes::scene_value: return " -x -a '(__fascia_keys)'";
-    case Takes::anything: break;
+    case Takes::nothing:
+      return "";
+    case Takes::choice:
+      return " -x -a " + in_quotes(spaced(option.choices));
+    case Takes::file:
+      return option.ending.empty() ? " -r -F" : " -x -a " + in_quotes("(__fish_complete_suffix " + option.ending + ")");
+    case Takes::folder:
+      return " -x -a '(__fish_complete_directories)'";
+    case Takes::scene_value:
+      return " -x -a '(__fascia_keys)'";
+    case Takes::anything:
+      break;
   }
   return " -x";
 }
@@ -52,7 +60,8 @@ std::string fish_completion(const CommandEntry& program) {
   text += "end\n";
   for (const CommandEntry* command : all_commands(program)) {
     const std::string where = "complete -c fascia -n " + condition(*command);
-    for (const CommandEntry& child : command->commands) text += where + " -a " + child.path.back() + " -d " + in_quotes(child.help) + "\n";
+    for (const CommandEntry& child : command->commands)
+      text += where + " -a " + child.path.back() + " -d " + in_quotes(child.help) + "\n";
     for (const OptionEntry& option : command->options)
       text += where + " -l " + option.name.substr(2) + value(option) + " -d " + in_quotes(option.help) + "\n";
   }

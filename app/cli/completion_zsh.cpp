@@ -28,12 +28,17 @@ std::string function_name(const CommandEntry& command) {
 
 std::string zsh_action(const OptionEntry& option) {
   switch (option.takes) {
-    case Takes::choice: return "(" + spaced(option.choices) + ")";
-    case Takes::file: return option.ending.empty() ? "_files" : "_files -g \"*" + option.ending + "\"";
-    case Takes::folder: return "_files -/";
-    case Takes::scene_value: return "_fascia_keys";
+    case Takes::choice:
+      return "(" + spaced(option.choices) + ")";
+    case Takes::file:
+      return option.ending.empty() ? "_files" : "_files -g \"*" + option.ending + "\"";
+    case Takes::folder:
+      return "_files -/";
+    case Takes::scene_value:
+      return "_fascia_keys";
     case Takes::anything:
-    case Takes::nothing: break;
+    case Takes::nothing:
+      break;
   }
   return " ";
 }
@@ -50,7 +55,8 @@ std::string function(const CommandEntry& command) {
   for (const OptionEntry& option : command.options) options += option_line(option);
   if (command.commands.empty()) {
     std::string text = function_name(command) + "() {\n  _arguments \\\n" + options;
-    for (const OptionEntry& p : command.positionals) text += "    '" + std::string(p.many ? "*" : "") + ":" + quoted(p.name) + ":" + zsh_action(p) + "' \\\n";
+    for (const OptionEntry& p : command.positionals)
+      text += "    '" + std::string(p.many ? "*" : "") + ":" + quoted(p.name) + ":" + zsh_action(p) + "' \\\n";
     return text + "    && return\n}\n";
   }
   std::string names, branches;
@@ -58,15 +64,19 @@ std::string function(const CommandEntry& command) {
     names += "    '" + child.path.back() + ":" + quoted(child.help) + "'\n";
     branches += "      " + child.path.back() + ") " + function_name(child) + " ;;\n";
   }
-  return function_name(command) + "() {\n  local curcontext=$curcontext state line\n  local -a commands=(\n" + names + "  )\n  _arguments -C \\\n" + options +
+  return function_name(command) + "() {\n  local curcontext=$curcontext state line\n  local -a commands=(\n" + names +
+         "  )\n  _arguments -C \\\n" + options +
          "    '1: :->first' '*:: :->rest'\n  case $state in\n    first)\n      _describe command commands\n" +
-         (command.positionals.empty() ? "" : "      _files\n") + "      ;;\n    rest) case $line[1] in\n" + branches + "      esac ;;\n  esac\n}\n";
+         (command.positionals.empty() ? "" : "      _files\n") + "      ;;\n    rest) case $line[1] in\n" + branches +
+         "      esac ;;\n  esac\n}\n";
 }
 
 }  // namespace
 
 std::string zsh_completion(const CommandEntry& program) {
-  std::string text = "#compdef fascia\n# Completion of fascia for zsh, written by: fascia completion zsh\n_fascia_keys() {\n  case $PREFIX in\n";
+  std::string text =
+      "#compdef fascia\n# Completion of fascia for zsh, written by: fascia completion zsh\n_fascia_keys() {\n  case "
+      "$PREFIX in\n";
   std::string keys;
   for (const SceneKey& key : scene_keys()) {
     keys += (keys.empty() ? "" : " ") + key.name;

@@ -53,26 +53,33 @@ std::string section(const CommandEntry& command) {
 }  // namespace
 
 std::string manual_page(const CommandEntry& program) {
-  std::string text = ".TH FASCIA 1 \"\" \"fascia " FASCIA_VERSION "\" \"User Commands\"\n.SH NAME\nfascia \\- interactive soft tissue on the GPU\n.SH SYNOPSIS\n";
+  std::string text = ".TH FASCIA 1 \"\" \"fascia " FASCIA_VERSION
+                     "\" \"User Commands\"\n.SH NAME\nfascia \\- interactive soft tissue on the GPU\n.SH SYNOPSIS\n";
   for (const CommandEntry* command : all_commands(program))
     if (command->commands.empty() || command->path.empty()) text += synopsis(*command) + ".br\n";
   text +=
       ".SH DESCRIPTION\n"
-      "fascia steps tetrahedral meshes in OpenGL 4.3 compute shaders: in a window in which tissue can be grabbed, or without one as\n"
+      "fascia steps tetrahedral meshes in OpenGL 4.3 compute shaders: in a window in which tissue can be grabbed, or "
+      "without one as\n"
       "pictures, videos, exported states, measurements and regression checks. SI units everywhere; y is up.\n"
       "Scene files are strict JSON; docs/guide/scenes.md lists their keys (FILES says where it is).\n"
-      "A command that takes a scene or writes a table takes \\- for standard input or output, where its options say so: a scene is then\n"
+      "A command that takes a scene or writes a table takes \\- for standard input or output, where its options say "
+      "so: a scene is then\n"
       "read with paths from the working folder, and nothing else is printed on standard output.\n.SH COMMANDS\n";
   for (const CommandEntry* command : all_commands(program))
     if (command->commands.empty() || command->path.empty()) text += section(*command);
   text +=
       ".SH EXIT STATUS\n"
-      ".TP\n0\ndone\n.TP\n1\nthe work failed or a comparison did: one line on stderr says where, what, and what was expected\n"
-      ".TP\n2\nwrong usage\n.TP\n130\ninterrupted; the file being written is the old one or the new one, never half of it\n"
+      ".TP\n0\ndone\n.TP\n1\nthe work failed or a comparison did: one line on stderr says where, what, and what was "
+      "expected\n"
+      ".TP\n2\nwrong usage\n.TP\n130\ninterrupted; the file being written is the old one or the new one, never half of "
+      "it\n"
       ".SH FILES\n"
-      ".TP\ndocs/guide/scenes.md\nkeys of scene files: in share/doc/fascia beside the folder bin of the installed program, else in the source tree. So are\n"
+      ".TP\ndocs/guide/scenes.md\nkeys of scene files: in share/doc/fascia beside the folder bin of the installed "
+      "program, else in the source tree. So are\n"
       "README.md and the other pages of docs\n"
-      ".TP\nshare/man/man1/fascia.1\nthis page of the installed program. The program prints it: fascia man | man \\-l \\-\n"
+      ".TP\nshare/man/man1/fascia.1\nthis page of the installed program. The program prints it: fascia man | man \\-l "
+      "\\-\n"
       ".SH ENVIRONMENT\n"
       ".TP\nFASCIA_DATA_DIR\nfolder that holds shaders/ and assets/\n"
       ".TP\nFASCIA_GL_DEBUG\nset to anything: OpenGL's debug messages on stderr\n"

@@ -10,40 +10,40 @@
 namespace fascia {
 
 struct CommonOptions {
-  std::string input;                 // scene or mesh; empty: the default scene
-  std::vector<std::string> sets;     // --set KEY=VALUE
-  std::vector<std::string> grabs;    // --grab TEXT (sim/scene/grab_text.h)
-  std::string replay;                // recorded inputs, with their scene
-  std::string context = "auto";      // auto, window, egl, osmesa
-  std::string loads = "auto";        // how kernels read: auto, ssbo, texel
-  std::string data_dir;              // shaders and assets; empty: found beside the program or in the source tree
-  std::optional<long> steps;         // --steps
-  std::optional<double> time;        // --time [s]
-  bool static_equilibrium = false;   // --static
-  bool reference = false;            // --reference
+  std::string input;                // scene or mesh; empty: the default scene
+  std::vector<std::string> sets;    // --set KEY=VALUE
+  std::vector<std::string> grabs;   // --grab TEXT (sim/scene/grab_text.h)
+  std::string replay;               // recorded inputs, with their scene
+  std::string context = "auto";     // auto, window, egl, osmesa
+  std::string loads = "auto";       // how kernels read: auto, ssbo, texel
+  std::string data_dir;             // shaders and assets; empty: found beside the program or in the source tree
+  std::optional<long> steps;        // --steps
+  std::optional<double> time;       // --time [s]
+  bool static_equilibrium = false;  // --static
+  bool reference = false;           // --reference
   bool quiet = false;
-  std::string command_line;          // as typed, for provenance
+  std::string command_line;  // as typed, for provenance
 };
 
 struct RenderOptions : CommonOptions {
-  std::string out;            // PNG
-  std::string video;          // MP4 or whatever ffmpeg knows by its ending, or a pattern of pictures, frames/%05d.png
+  std::string out;    // PNG
+  std::string video;  // MP4 or whatever ffmpeg knows by its ending, or a pattern of pictures, frames/%05d.png
   int width = 1280, height = 720;
   int samples = 4;
   double fps = 60;
-  double slow = 1;            // times slower than life
+  double slow = 1;                // times slower than life
   std::string camera = "follow";  // follow a replay's, scene, a file that has one, or eye and target as six numbers
-  bool hash = false;          // of the last state and of all frames
-  bool panels = false;        // --ui
-  std::string color;          // overrides display.color
+  bool hash = false;              // of the last state and of all frames
+  bool panels = false;            // --ui
+  std::string color;              // overrides display.color
   bool wireframe = false;
-  std::string compare;        // golden PNG
-  std::string state;          // golden CSV
+  std::string compare;  // golden PNG
+  std::string state;    // golden CSV
   GoldenLimits limits;
-  std::string difference;     // --diff, PNG
-  bool update = false;        // the goldens, instead of comparing
+  std::string difference;  // --diff, PNG
+  bool update = false;     // the goldens, instead of comparing
   GoldenFiles goldens() const { return {compare, state}; }
-  std::string split;          // --set texts, with semicolons between, for a second side
+  std::string split;  // --set texts, with semicolons between, for a second side
 };
 
 struct RunOptions : CommonOptions {
@@ -51,10 +51,11 @@ struct RunOptions : CommonOptions {
   long every = 0;           // 0: the end only
   std::string history;      // a CSV row every history_every-th step
   long history_every = 1;
-  std::optional<std::uint32_t> probe;  // vertex whose displacement the history has; none: the one farthest from the supports
-  std::string stats;        // stats.json
-  bool error = false;       // of the last step, against the exact one
-  bool hash = false;        // of the last state
+  std::optional<std::uint32_t>
+      probe;           // vertex whose displacement the history has; none: the one farthest from the supports
+  std::string stats;   // stats.json
+  bool error = false;  // of the last step, against the exact one
+  bool hash = false;   // of the last state
 };
 
 struct ViewOptions : CommonOptions {

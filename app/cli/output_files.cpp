@@ -14,10 +14,10 @@ namespace fs = std::filesystem;
 
 // Endings that say what a file is. Others, such as .txt, .log or none, say nothing.
 constexpr auto kKinds = std::to_array<std::string_view>(
-    {".png", ".jpg", ".jpeg", ".gif", ".bmp",  ".tif",  ".tiff", ".webp", ".svg",  ".ppm", ".tga",  // pictures
-     ".mp4", ".m4v", ".mov",  ".mkv", ".webm", ".avi",  ".ogv",  ".mpg",  ".mpeg", ".wmv", ".flv",  // videos
-     ".msh", ".vtk", ".vtu",  ".pvd", ".node", ".ele",  ".mesh", ".obj",  ".stl",  ".ply",          // meshes
-     ".csv", ".json", ".xml", ".html", ".pdf", ".zip",  ".gz",   ".fascia"});
+    {".png", ".jpg",  ".jpeg", ".gif",  ".bmp",  ".tif", ".tiff", ".webp",  ".svg",  ".ppm", ".tga",  // pictures
+     ".mp4", ".m4v",  ".mov",  ".mkv",  ".webm", ".avi", ".ogv",  ".mpg",   ".mpeg", ".wmv", ".flv",  // videos
+     ".msh", ".vtk",  ".vtu",  ".pvd",  ".node", ".ele", ".mesh", ".obj",   ".stl",  ".ply",          // meshes
+     ".csv", ".json", ".xml",  ".html", ".pdf",  ".zip", ".gz",   ".fascia"});
 
 bool is_special(const fs::path& path) {
   std::error_code ec;
@@ -36,7 +36,8 @@ bool same_file(const fs::path& a, const fs::path& b) {
 
 std::string listed(const std::vector<std::string>& words) {
   std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
   return text;
 }
 
@@ -47,7 +48,8 @@ void require_ending(const OutputFile& output) {
   if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
   const bool any = output.takes == OutputFile::Takes::all_but_foreign;
   if (any && std::find(kKinds.begin(), kKinds.end(), ending) == kKinds.end()) return;
-  throw UsageError(output.option + " " + output.path, "has an ending that it cannot write", "expected " + listed(endings));
+  throw UsageError(output.option + " " + output.path, "has an ending that it cannot write",
+                   "expected " + listed(endings));
 }
 
 }  // namespace
@@ -59,7 +61,8 @@ void require_outputs(const std::vector<OutputFile>& outputs, const std::vector<f
     if (output->path.empty()) continue;
     for (auto other = outputs.begin(); other != output; ++other)
       if (!other->path.empty() && same_file(output->path, other->path))
-        throw UsageError(output->option + " " + output->path, "is the file of " + other->option, "expected another one");
+        throw UsageError(output->option + " " + output->path, "is the file of " + other->option,
+                         "expected another one");
     for (const fs::path& input : inputs)
       if (!input.empty() && same_file(output->path, input))
         throw UsageError(output->option + " " + output->path, "is a file that is read", "expected another one");

@@ -1,4 +1,5 @@
-// The files that a command is going to write, looked at before its work begins: a mistyped folder must not cost hours of it.
+// The files that a command is going to write, looked at before its work begins: a mistyped folder must not cost hours
+// of it.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -15,8 +16,9 @@ struct OutputFile {
   } takes = Takes::these;
 };
 
-/// Throws UsageError for an ending that the option does not know, and where two outputs, or an output and one of `inputs`, are one file;
-/// Error where a file cannot be written. A command asks twice: before it opens anything, and again once it knows what it reads.
+/// Throws UsageError for an ending that the option does not know, and where two outputs, or an output and one of
+/// `inputs`, are one file; Error where a file cannot be written. A command asks twice: before it opens anything, and
+/// again once it knows what it reads.
 void require_outputs(const std::vector<OutputFile>& outputs, const std::vector<std::filesystem::path>& inputs = {});
 
 }  // namespace fascia

@@ -24,8 +24,8 @@ CLI::Validator at_least(double least) {
       "");
 }
 
-CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& field, const std::vector<std::string>& choices,
-                        const std::string& help) {
+CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& field,
+                        const std::vector<std::string>& choices, const std::string& help) {
   std::string names;
   for (const std::string& choice : choices) names += (names.empty() ? "" : "|") + choice;
   const CLI::Validator is_choice(
@@ -51,7 +51,8 @@ void add_size(CLI::App& command, int& width, int& height) {
             char end = 0;
             if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &end) != 2 || width < 16 || height < 16 ||
                 width > 16384 || height > 16384)
-              throw CLI::ValidationError("--size", text + " is not a size; expected WIDTHxHEIGHT, 16x16 to 16384x16384");
+              throw CLI::ValidationError("--size",
+                                         text + " is not a size; expected WIDTHxHEIGHT, 16x16 to 16384x16384");
           },
           "picture size in pixels")
       ->type_name("WxH")
@@ -59,7 +60,8 @@ void add_size(CLI::App& command, int& width, int& height) {
 }
 
 void add_graphics(CLI::App& command, CommonOptions& options) {
-  add_choice(command, "--context", options.context, {"auto", "window", "egl", "osmesa"}, "where OpenGL comes from")->capture_default_str();
+  add_choice(command, "--context", options.context, {"auto", "window", "egl", "osmesa"}, "where OpenGL comes from")
+      ->capture_default_str();
   add_choice(command, "--loads", options.loads, {"auto", "ssbo", "texel"},
              "how kernels read buffers; auto: ssbo on GPUs with 14 storage blocks a kernel and more, else texel")
       ->capture_default_str();
@@ -68,15 +70,22 @@ void add_graphics(CLI::App& command, CommonOptions& options) {
 }
 
 void add_common(CLI::App& command, CommonOptions& options) {
-  command.add_option("scene", options.input, "scene (.json), tetrahedral mesh, surface (.obj) or replay (.fascia); - is a scene on standard input, with paths from the working folder; default: the shipped liver")
+  command
+      .add_option("scene", options.input,
+                  "scene (.json), tetrahedral mesh, surface (.obj) or replay (.fascia); - is a scene on standard "
+                  "input, with paths from the working folder; default: the shipped liver")
       ->type_name(std::string("FILE") + kOrDash);
   command.add_option("--set", options.sets, "override a scene value, e.g. solver.iterations=40")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--grab", options.grabs, "one more hand, as in the scene's grabs: \"at=0.1,0.05,0;translate=0,0.1,0;start=0.2;duration=0.5;release=1.5;radius=0.02\"")
+  command
+      .add_option("--grab", options.grabs,
+                  "one more hand, as in the scene's grabs: "
+                  "\"at=0.1,0.05,0;translate=0,0.1,0;start=0.2;duration=0.5;release=1.5;radius=0.02\"")
       ->type_name("KEY=VALUE;...")
       ->allow_extra_args(false);
-  command.add_option("--replay", options.replay, "recorded inputs, with the scene they were made on")->type_name("FILE.fascia");
+  command.add_option("--replay", options.replay, "recorded inputs, with the scene they were made on")
+      ->type_name("FILE.fascia");
   auto* steps = command.add_option("--steps", options.steps, "steps to simulate")->check(at_least(0));
   command.add_option("--time", options.time, "seconds to simulate; default: the scene's duration")
       ->type_name("SECONDS")

@@ -9,7 +9,8 @@ class UsageError : public Error {
   using Error::Error;
 };
 
-/// What `open` returns; an Error that begins with an option's name ("--set ...") is a UsageError: the option's fault, not the file's.
+/// What `open` returns; an Error that begins with an option's name ("--set ...") is a UsageError: the option's fault,
+/// not the file's.
 template <class Open>
 auto blaming_options(Open&& open) {
   try {

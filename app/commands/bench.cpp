@@ -6,19 +6,20 @@
 #include <functional>
 #include <iostream>
 
-#include "app/bench/bench.h"
 #include "app/bench/accuracy/accuracy.h"
+#include "app/bench/bench.h"
+#include "app/bench/gnuplot.h"
 #include "app/bench/skip.h"
 #include "app/bench/speed.h"
 #include "app/commands/command.h"
-#include "app/bench/gnuplot.h"
 #include "base/error.h"
 
 namespace fascia {
 namespace {
 
 // `measure` returns what it found wrong, a line each.
-int run_bench(const BenchOptions& options, const std::string& name, const std::function<std::vector<std::string>(Bench&)>& measure) {
+int run_bench(const BenchOptions& options, const std::string& name,
+              const std::function<std::vector<std::string>(Bench&)>& measure) {
   const auto start = std::chrono::steady_clock::now();
   try {
     Bench bench(options, name);

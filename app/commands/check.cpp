@@ -5,14 +5,14 @@
 #include <iostream>
 
 #include "app/check/check.h"
-#include "app/commands/command.h"
-#include "base/interrupt.h"
 #include "app/check/junit.h"
 #include "app/cli/name_pattern.h"
 #include "app/cli/output_files.h"
+#include "app/commands/command.h"
 #include "app/golden/tolerance.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 
 namespace fascia {
 namespace {
@@ -22,18 +22,22 @@ using Verdict = CheckResult::Verdict;
 
 const char* name_of(Verdict verdict) {
   switch (verdict) {
-    case Verdict::passed: return "passed";
-    case Verdict::failed: return "FAILED";
-    case Verdict::error: return "ERROR";
-    case Verdict::updated: return "updated";
+    case Verdict::passed:
+      return "passed";
+    case Verdict::failed:
+      return "FAILED";
+    case Verdict::error:
+      return "ERROR";
+    case Verdict::updated:
+      return "updated";
   }
   return "";
 }
 
 std::string row(const std::vector<std::string>& cells, std::size_t name_width) {
   char text[128];
-  std::snprintf(text, sizeof text, "  %-8s %10s %10s %10s %8s", cells[1].c_str(), cells[2].c_str(), cells[3].c_str(), cells[4].c_str(),
-                cells[5].c_str());
+  std::snprintf(text, sizeof text, "  %-8s %10s %10s %10s %8s", cells[1].c_str(), cells[2].c_str(), cells[3].c_str(),
+                cells[4].c_str(), cells[5].c_str());
   return cells[0] + std::string(name_width - cells[0].size(), ' ') + text;
 }
 
@@ -44,7 +48,9 @@ void print(const CheckCase& check, const CheckResult& result, std::size_t name_w
   if (quiet && good) return;
   char seconds[24];
   std::snprintf(seconds, sizeof seconds, "%.1f", result.seconds);
-  std::cout << row({check.name, name_of(result.verdict), cell(result.mean), cell(result.share), cell(result.deviation), seconds}, name_width)
+  std::cout << row({check.name, name_of(result.verdict), cell(result.mean), cell(result.share), cell(result.deviation),
+                    seconds},
+                   name_width)
             << '\n';
   for (const std::string& line : result.lines) std::cout << "    " << line << '\n';
   std::cout.flush();
@@ -77,7 +83,8 @@ std::vector<CheckCase> chosen_cases(const CheckOptions& options) {
   std::string names;
   for (const CheckCase& check : cases) names += (names.empty() ? "" : ", ") + check.name;
   std::erase_if(cases, [&](const CheckCase& check) { return !matches(check.name, options.only); });
-  if (cases.empty()) throw Error("--only " + options.only, "matches no scene of " + options.folder, "expected a part of " + names);
+  if (cases.empty())
+    throw Error("--only " + options.only, "matches no scene of " + options.folder, "expected a part of " + names);
   return cases;
 }
 
@@ -102,12 +109,16 @@ int command_check(const CheckOptions& options) {
     report.push_back(junit_case(check, result));
     if (interrupted()) break;
   }
-  const auto bad = std::count_if(report.begin(), report.end(), [](const JunitCase& c) { return c.verdict != JunitCase::Verdict::passed; });
+  const auto bad = std::count_if(report.begin(), report.end(),
+                                 [](const JunitCase& c) { return c.verdict != JunitCase::Verdict::passed; });
   if (!options.junit.empty())
-    write_file(options.junit, junit_xml("fascia check " + fs::path(options.folder).lexically_normal().string(), now(), report));
+    write_file(options.junit,
+               junit_xml("fascia check " + fs::path(options.folder).lexically_normal().string(), now(), report));
   if (interrupted()) return exit_interrupted;
-  if (bad > 0 && !options.out.empty()) std::cout << "new pictures, states and differences are in " << options.out << '\n';
-  if (bad > 0 || !options.quiet) std::cout << report.size() << (report.size() == 1 ? " scene, " : " scenes, ") << bad << " failed\n";
+  if (bad > 0 && !options.out.empty())
+    std::cout << "new pictures, states and differences are in " << options.out << '\n';
+  if (bad > 0 || !options.quiet)
+    std::cout << report.size() << (report.size() == 1 ? " scene, " : " scenes, ") << bad << " failed\n";
   return bad > 0 ? exit_failed : exit_done;
 }
 

@@ -1,19 +1,19 @@
-// fascia convert: between mesh formats, keeping vertex order, regions and names where the format can; scenes and replays to such that carry
-// their meshes.
+// fascia convert: between mesh formats, keeping vertex order, regions and names where the format can; scenes and
+// replays to such that carry their meshes.
 #include <iostream>
 #include <optional>
 
-#include "app/commands/command.h"
-#include "base/interrupt.h"
-#include "app/session/open_input.h"
-#include "app/session/opening_progress.h"
 #include "app/cli/output_files.h"
 #include "app/cli/usage_error.h"
+#include "app/commands/command.h"
+#include "app/session/open_input.h"
+#include "app/session/opening_progress.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "base/text.h"
+#include "sim/mesh/vertex_check.h"
 #include "sim/scene/scene_carry.h"
 #include "sim/surface/surface_fill.h"
-#include "sim/mesh/vertex_check.h"
 
 namespace fascia {
 
@@ -40,14 +40,17 @@ int write_self_contained(const ConvertOptions& options) {
 int command_convert(const ConvertOptions& options) {
   if (options.with_mesh) return write_self_contained(options);
   if (const std::string ending = lower_ending(options.in); ending == ".json" || ending == ".fascia")
-    throw UsageError(options.in, ending == ".json" ? "is a scene" : "is a replay", "expected a mesh, or --with-mesh for a copy with its meshes in it");
+    throw UsageError(options.in, ending == ".json" ? "is a scene" : "is a replay",
+                     "expected a mesh, or --with-mesh for a copy with its meshes in it");
   const auto files_of = [](const std::string& path) {  // TetGen's are two
     const std::string ending = lower_ending(path);
     std::vector<std::filesystem::path> files{path};
-    if (ending == ".node" || ending == ".ele") files.push_back(std::filesystem::path(path).replace_extension(ending == ".node" ? ".ele" : ".node"));
+    if (ending == ".node" || ending == ".ele")
+      files.push_back(std::filesystem::path(path).replace_extension(ending == ".node" ? ".ele" : ".node"));
     return files;
   };
-  for (const std::filesystem::path& out : files_of(options.out)) require_outputs({{"OUT", out.string(), mesh_endings}}, files_of(options.in));
+  for (const std::filesystem::path& out : files_of(options.out))
+    require_outputs({{"OUT", out.string(), mesh_endings}}, files_of(options.in));
   std::optional<EndAtOnce> opening(std::in_place);
   MeshFile file = read_mesh_or_fill(options.in, {}, opening_progress(options.in));
   opening.reset();
@@ -55,8 +58,10 @@ int command_convert(const ConvertOptions& options) {
   write_mesh(options.out, file.mesh);
   std::cerr << "fascia: " << options.out << ": " << plural(file.mesh.positions.size(), "vertex") << ", "
             << plural(file.mesh.tets.size(), "tet") << ", from " << file.format << '\n';
-  if (options.weld) std::cerr << "fascia: --weld: " << plural(welded, "vertex") << " at the place of an earlier one left out\n";
-  if (const std::string lost = names_left_out(options.out, file.mesh); !lost.empty()) std::cerr << "fascia: " << lost << '\n';
+  if (options.weld)
+    std::cerr << "fascia: --weld: " << plural(welded, "vertex") << " at the place of an earlier one left out\n";
+  if (const std::string lost = names_left_out(options.out, file.mesh); !lost.empty())
+    std::cerr << "fascia: " << lost << '\n';
   for (const std::string& note : file.notes) std::cerr << "fascia: " << note << '\n';
   return exit_done;
 }

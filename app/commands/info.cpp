@@ -4,22 +4,22 @@
 #include <iostream>
 #include <numeric>
 
+#include "app/cli/usage_error.h"
 #include "app/commands/command.h"
 #include "app/session/file_provenance.h"
-#include "base/interrupt.h"
 #include "app/session/open_input.h"
 #include "app/session/opening_progress.h"
-#include "app/cli/usage_error.h"
-#include "sim/grab/build_model.h"
-#include "sim/ordering/graph_coloring.h"
 #include "base/file.h"
-#include "sim/model/file_reader.h"
-#include "sim/ordering/morton_order.h"
-#include "sim/mesh/mesh_check.h"
-#include "sim/model/model.h"
+#include "base/interrupt.h"
 #include "base/text.h"
-#include "sim/surface/surface_fill.h"
+#include "sim/grab/build_model.h"
 #include "sim/material/tissues.h"
+#include "sim/mesh/mesh_check.h"
+#include "sim/model/file_reader.h"
+#include "sim/model/model.h"
+#include "sim/ordering/graph_coloring.h"
+#include "sim/ordering/morton_order.h"
+#include "sim/surface/surface_fill.h"
 
 namespace fascia {
 
@@ -42,17 +42,22 @@ void print_colorings(const Model& model, int asked) {
   const std::vector<std::uint32_t> visit = curve_order(model.rest_positions, model.tets);
   print_coloring("plain", model, color_tets(model.tets, held, visit));
   for (const int colors : {16, 8})
-    if (colors != asked) print_coloring("at most " + std::to_string(colors), model, color_tets(model.tets, held, visit, static_cast<std::uint32_t>(colors)));
+    if (colors != asked)
+      print_coloring("at most " + std::to_string(colors), model,
+                     color_tets(model.tets, held, visit, static_cast<std::uint32_t>(colors)));
   if (asked > 0)
-    print_coloring("solver.colors " + std::to_string(asked), model, color_tets(model.tets, held, visit, static_cast<std::uint32_t>(asked)));
+    print_coloring("solver.colors " + std::to_string(asked), model,
+                   color_tets(model.tets, held, visit, static_cast<std::uint32_t>(asked)));
 }
 
-/// The tets of a surface, after the report about it. That comes first: a surface that cannot be filled is described, too.
+/// The tets of a surface, after the report about it. That comes first: a surface that cannot be filled is described,
+/// too.
 MeshFile filled_mesh(SurfaceMesh surface, const std::string& where, const Body& body, const Progress& progress) {
   print_report(std::cout, surface, repair(surface, part_of(progress, 0.1, 0.3)), part_of(progress, 0.3, 0.5));
   FilledSurface filled = fill_surface(std::move(surface), where, body.resolution, part_of(progress, 0.5, 1));
   std::cout << "\nfilled with tets, resolution " << filled.resolution << '\n';
-  filled.file.notes.erase(filled.file.notes.begin(), filled.file.notes.begin() + filled.notes_of_surface);  // told already
+  filled.file.notes.erase(filled.file.notes.begin(),
+                          filled.file.notes.begin() + filled.notes_of_surface);  // told already
   return std::move(filled.file);
 }
 
@@ -66,7 +71,8 @@ int command_info(const InfoOptions& options) {
   }
   if (const auto provenance = provenance_of_file(options.input)) {
     std::cout << options.input << '\n';
-    for (const auto& [keyword, text] : *provenance) std::cout << "  " << std::left << std::setw(12) << keyword << ' ' << text << (text.ends_with('\n') ? "" : "\n");
+    for (const auto& [keyword, text] : *provenance)
+      std::cout << "  " << std::left << std::setw(12) << keyword << ' ' << text << (text.ends_with('\n') ? "" : "\n");
     const std::string ending = lower_ending(options.input);
     if (ending != ".vtu" && ending != ".msh") return exit_done;  // those are meshes, too
   }
@@ -75,10 +81,12 @@ int command_info(const InfoOptions& options) {
     const Body& body = scene.bodies[b];
     const Progress progress = opening_progress(body.mesh);
     FileReader files(scene);
-    const FileReader::File found = files.read(body.mesh, "bodies[" + std::to_string(b) + "].mesh", part_of(progress, 0, 0.1));
+    const FileReader::File found =
+        files.read(body.mesh, "bodies[" + std::to_string(b) + "].mesh", part_of(progress, 0, 0.1));
     std::cout << found.place.string() << '\n';
-    const MeshFile file =
-        is_surface_file(found.place) ? filled_mesh(files.surface(found), found.place.string(), body, progress) : files.tets(found);
+    const MeshFile file = is_surface_file(found.place)
+                              ? filled_mesh(files.surface(found), found.place.string(), body, progress)
+                              : files.tets(found);
     const MeshRepair repaired = repair(file.mesh);
     print_report(std::cout, file, repaired, examine(file.mesh, repaired));
   }
@@ -92,12 +100,13 @@ int command_info(const InfoOptions& options) {
   std::cout << "  prescribed   " << plural(prescribed, "vertex") << '\n';
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     const Material& m = model.materials[i];
-    std::cout << "  material     " << model.material_names[i] << ": E " << m.young_modulus << " Pa, nu " << m.poisson_ratio
-              << ", density " << m.density << " kg/m^3, damping " << m.damping << " s\n";
+    std::cout << "  material     " << model.material_names[i] << ": E " << m.young_modulus << " Pa, nu "
+              << m.poisson_ratio << ", density " << m.density << " kg/m^3, damping " << m.damping << " s\n";
   }
   print_colorings(model, scene.solver.colors);
   if (const EmbeddedPoints& drawn = model.embedded; !drawn.points.empty())
-    std::cout << "  surface      " << plural(drawn.points.size(), "vertex") << ", " << drawn.outside << " of them outside of the tets, at most " << drawn.farthest << " m\n";
+    std::cout << "  surface      " << plural(drawn.points.size(), "vertex") << ", " << drawn.outside
+              << " of them outside of the tets, at most " << drawn.farthest << " m\n";
   for (const std::string& note : model.notes) std::cout << "  note         " << note << '\n';
   return exit_done;
 }

@@ -2,17 +2,17 @@
 #include <filesystem>
 #include <iostream>
 
-#include "sim/simulation/breakdown.h"
-#include "app/commands/command.h"
-#include "app/video/frame_sink.h"
-#include "app/headless/headless.h"
-#include "base/interrupt.h"
-#include "app/session/open_input.h"
 #include "app/cli/output_files.h"
 #include "app/cli/usage_error.h"
+#include "app/commands/command.h"
+#include "app/headless/headless.h"
 #include "app/headless/video_render.h"
+#include "app/session/open_input.h"
+#include "app/video/frame_sink.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/interrupt.h"
+#include "sim/simulation/breakdown.h"
 
 namespace fascia {
 namespace {
@@ -20,7 +20,9 @@ namespace {
 std::vector<OutputFile> outputs_of(const RenderOptions& options) {
   if (!options.video.empty()) require_frames("--video", options.video);
   const bool pictures = lower_ending(options.video) == ".png";
-  return {{"--out", options.out, {".png"}}, {"--diff", options.difference, {".png"}}, {"--video", pictures ? "" : options.video, {}}};
+  return {{"--out", options.out, {".png"}},
+          {"--diff", options.difference, {".png"}},
+          {"--video", pictures ? "" : options.video, {}}};
 }
 
 // The exit code.
@@ -30,12 +32,14 @@ int judge(const RenderOptions& options, const Outcome& outcome) {
       if (!options.quiet) std::cerr << "fascia: " << change << '\n';
     return exit_done;
   }
-  if (std::error_code ignored; !options.difference.empty()) std::filesystem::remove(options.difference, ignored);  // of an earlier run
+  if (std::error_code ignored; !options.difference.empty())
+    std::filesystem::remove(options.difference, ignored);  // of an earlier run
   const Comparison comparison = compare(outcome, options.goldens(), options.limits);
   for (const Finding& finding : comparison.findings)
     if (!finding.passed || !options.quiet) std::cerr << "fascia: " << finding.text << '\n';
   for (const std::string& reason : comparison.reasons) std::cerr << "fascia: " << reason << '\n';
-  if (!options.difference.empty() && comparison.picture) write_png(options.difference, *comparison.picture, outcome.provenance);
+  if (!options.difference.empty() && comparison.picture)
+    write_png(options.difference, *comparison.picture, outcome.provenance);
   return comparison.passed() ? exit_done : exit_failed;
 }
 
@@ -43,22 +47,26 @@ int judge(const RenderOptions& options, const Outcome& outcome) {
 
 int command_render(const RenderOptions& options) {
   const bool compares = !options.compare.empty() || !options.state.empty();
-  if (options.update && !compares) throw UsageError("--update", "has no golden to write", "expected --compare GOLDEN.png, --state GOLDEN.csv or both");
+  if (options.update && !compares)
+    throw UsageError("--update", "has no golden to write", "expected --compare GOLDEN.png, --state GOLDEN.csv or both");
   if (options.out.empty() && options.video.empty() && !options.hash && !compares)
-    throw UsageError("fascia render", "no output named", "expected --out FILE.png, --video FILE.mp4, --compare GOLDEN.png or several of them");
+    throw UsageError("fascia render", "no output named",
+                     "expected --out FILE.png, --video FILE.mp4, --compare GOLDEN.png or several of them");
   if (options.static_equilibrium && !options.video.empty())
     throw UsageError("--static", "has no motion to put into " + options.video, "leave out --video");
   require_steps_or_static(options);
   const std::vector<OutputFile> outputs = outputs_of(options);
   require_outputs(outputs);
   if (options.update)
-    require_outputs({{"--compare", options.compare, {".png"}, OutputFile::Takes::all_but_foreign}, {"--state", options.state, {".csv"}}});
+    require_outputs({{"--compare", options.compare, {".png"}, OutputFile::Takes::all_but_foreign},
+                     {"--state", options.state, {".csv"}}});
   std::optional<EndAtOnce> opening(std::in_place);
   Headless headless(options);
   opening.reset();
   std::vector<std::filesystem::path> inputs = input_files(headless.session().simulation.scene);
   inputs.insert(inputs.end(), {options.compare, options.state});
-  if (const std::vector<std::string> missing = missing_goldens(options.goldens()); !options.update && !missing.empty()) {
+  if (const std::vector<std::string> missing = missing_goldens(options.goldens());
+      !options.update && !missing.empty()) {
     for (const std::string& line : missing) std::cerr << "fascia: " << line << '\n';
     return exit_failed;
   }

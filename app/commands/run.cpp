@@ -2,23 +2,23 @@
 #include <chrono>
 #include <iostream>
 
-#include "sim/simulation/breakdown.h"
+#include "app/cli/output_files.h"
+#include "app/cli/usage_error.h"
 #include "app/commands/command.h"
 #include "app/session/graphics.h"
-#include "base/interrupt.h"
 #include "app/session/open_input.h"
-#include "app/cli/output_files.h"
-#include "sim/output/sample.h"
-#include "sim/simulation/simulation.h"
-#include "sim/output/stats.h"
-#include "sim/simulation/true_error.h"
-#include "app/cli/usage_error.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "base/provenance.h"
-#include "sim/reference/newton.h"
 #include "base/text.h"
+#include "sim/output/sample.h"
 #include "sim/output/state_export.h"
+#include "sim/output/stats.h"
+#include "sim/reference/newton.h"
+#include "sim/simulation/breakdown.h"
+#include "sim/simulation/simulation.h"
+#include "sim/simulation/true_error.h"
 
 namespace fascia {
 namespace {
@@ -41,10 +41,14 @@ void require_finite(const State& state, const Scene& scene) {
 class HistoryFile {
  public:
   HistoryFile(const RunOptions& options, const std::string& renderer, Simulation& simulation)
-      : options_(options), renderer_(renderer), simulation_(simulation), probe_(options.probe ? *options.probe : tip_vertex(simulation.model)) {
+      : options_(options),
+        renderer_(renderer),
+        simulation_(simulation),
+        probe_(options.probe ? *options.probe : tip_vertex(simulation.model)) {
     const std::size_t vertices = simulation.model.rest_positions.size();
     if (probe_ >= vertices)
-      throw Error("--probe " + std::to_string(probe_), "is no vertex of this scene", "expected an index below " + std::to_string(vertices));
+      throw Error("--probe " + std::to_string(probe_), "is no vertex of this scene",
+                  "expected an index below " + std::to_string(vertices));
   }
   void add(double step_ms = Sample::kUnknown) {
     if (simulation_.steps_made() % options_.history_every != 0) return;
@@ -53,7 +57,8 @@ class HistoryFile {
   }
   void write() const {
     write_samples(options_.history, samples_, simulation_.model,
-                  provenance_of(simulation_.scene, simulation_.model, renderer_, options_.command_line, simulation_.steps_made(), simulation_.time()),
+                  provenance_of(simulation_.scene, simulation_.model, renderer_, options_.command_line,
+                                simulation_.steps_made(), simulation_.time()),
                   probe_);
   }
 
@@ -78,17 +83,20 @@ void require_free_standard_output(const RunOptions& options) {
   if (options.every > 0 && is_it(options.export_path))
     throw UsageError("--export -", "is one file, and --every writes many", "expected a file name, or no --every");
   if (options.hash && (is_it(options.export_path) || is_it(options.history) || is_it(options.stats)))
-    throw UsageError("--hash", "prints on standard output, which another option writes", "expected a file name instead of -");
+    throw UsageError("--hash", "prints on standard output, which another option writes",
+                     "expected a file name instead of -");
 }
 
 }  // namespace
 
 int command_run(const RunOptions& options) {
   if (options.error && (options.static_equilibrium || options.reference))
-    throw UsageError("--error", "compares steps of the GPU with the reference solver", "leave out --static and --reference");
+    throw UsageError("--error", "compares steps of the GPU with the reference solver",
+                     "leave out --static and --reference");
   if (options.every > 0 && (options.export_path.empty() || options.static_equilibrium))
-    throw UsageError("--every", options.export_path.empty() ? "exports nothing" : "has no steps to export with --static",
-                options.export_path.empty() ? "expected --export FILE beside it" : "leave out one of them");
+    throw UsageError("--every",
+                     options.export_path.empty() ? "exports nothing" : "has no steps to export with --static",
+                     options.export_path.empty() ? "expected --export FILE beside it" : "leave out one of them");
   if (!options.history.empty() && options.static_equilibrium)
     throw UsageError("--history", "has no steps to follow with --static", "leave out one of them");
   require_steps_or_static(options);
@@ -99,7 +107,9 @@ int command_run(const RunOptions& options) {
   Opened opened = open_input(options, options.sets);
   require_outputs(outputs, input_files(opened.scene));
   Graphics graphics;
-  if (!options.reference) graphics = open_graphics(options, false, 16, 16, workload_of(opened.scene, opened.model, options.static_equilibrium, false));
+  if (!options.reference)
+    graphics = open_graphics(options, false, 16, 16,
+                             workload_of(opened.scene, opened.model, options.static_equilibrium, false));
   Simulation simulation(std::move(opened.scene), std::move(opened.model), graphics.programs.get(), options.reference);
   opening.reset();
   if (opened.replay) simulation.play(std::move(*opened.replay));
@@ -110,7 +120,8 @@ int command_run(const RunOptions& options) {
   stats.renderer = options.reference ? "reference solver, double precision" : describe(graphics);
   std::optional<StateSeries> series;
   const auto made_by = [&] {
-    return provenance_of(simulation.scene, simulation.model, stats.renderer, options.command_line, stats.steps, simulation.time());
+    return provenance_of(simulation.scene, simulation.model, stats.renderer, options.command_line, stats.steps,
+                         simulation.time());
   };
   if (options.every > 0 && !options.export_path.empty()) series.emplace(options.export_path);
   const auto export_frame = [&] {
@@ -186,19 +197,22 @@ int command_run(const RunOptions& options) {
   const std::uint64_t hash = state_hash(last);
   const bool overridden = !options.sets.empty() || !options.grabs.empty() || options.reference;
   if (options.hash) std::cout << "state " << hash_text(hash) << '\n';
-  if (const auto& replay = simulation.replay(); replay && replay->hash && replay->steps == stats.steps && !options.quiet)
+  if (const auto& replay = simulation.replay();
+      replay && replay->hash && replay->steps == stats.steps && !options.quiet)
     std::cerr << "fascia: "
               << (hash == *replay->hash ? "to the bit what was recorded\n"
                   : overridden          ? "another state than was recorded, with other values, hands or solver\n"
                                         : "not to the bit what was recorded: another device, program or mesh\n");
   if (!series && !options.export_path.empty())
-    write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last), stats.provenance);
+    write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last),
+                stats.provenance);
   if (inverted > 0 && !options.quiet)
-    std::cerr << "fascia: " << inverted << " of " << plural(simulation.model.tets.size(), "tet") << (inverted == 1 ? " is" : " are")
-              << " inside out at the end\n";
+    std::cerr << "fascia: " << inverted << " of " << plural(simulation.model.tets.size(), "tet")
+              << (inverted == 1 ? " is" : " are") << " inside out at the end\n";
   if (!options.quiet)
-    std::cerr << "fascia: " << plural(static_cast<std::size_t>(stats.steps), "step") << ", " << last.time << " s simulated in " << stats.wall_s << " s, median "
-              << percentiles(stats.solve_ms).median << " ms a step\n";
+    std::cerr << "fascia: " << plural(static_cast<std::size_t>(stats.steps), "step") << ", " << last.time
+              << " s simulated in " << stats.wall_s << " s, median " << percentiles(stats.solve_ms).median
+              << " ms a step\n";
   return interrupted() ? exit_interrupted : exit_done;
 }
 

@@ -1,8 +1,8 @@
 // fascia soak: long runs, and what creeps in them.
+#include "app/stress/soak.h"
 #include "app/bench/bench.h"
 #include "app/commands/command.h"
 #include "app/system/paths.h"
-#include "app/stress/soak.h"
 
 namespace fascia {
 

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "app/bench/bench.h"
-#include "app/commands/command.h"
 #include "app/cli/name_pattern.h"
+#include "app/commands/command.h"
 #include "app/stress/stress.h"
 #include "base/error.h"
 #include "base/file.h"
@@ -24,7 +24,9 @@ struct Row {
   bool passed() const { return result.failures.empty(); }
 };
 
-std::string full_name(const StressCase& made, const Pair& pair) { return made.group + "/" + made.name + "/" + name_of(pair); }
+std::string full_name(const StressCase& made, const Pair& pair) {
+  return made.group + "/" + made.name + "/" + name_of(pair);
+}
 
 std::string file_name(std::string name) {
   for (char& c : name)
@@ -59,13 +61,15 @@ void keep_failure(Bench& bench, Row& row) {
 
 Table table_of(const std::vector<Row>& rows) {
   Table table;
-  table.columns = {"group",       "case",         "method",      "acceleration",  "passed", "failures",       "steps",
-                   "recovered_s", "rms_sizes",    "farthest_sizes", "energy_growth", "momentum_growth", "inverted", "replay"};
+  table.columns = {"group",    "case",        "method",    "acceleration",   "passed",        "failures",
+                   "steps",    "recovered_s", "rms_sizes", "farthest_sizes", "energy_growth", "momentum_growth",
+                   "inverted", "replay"};
   for (const Row& row : rows) {
     const StressResult& r = row.result;
-    table.rows.push_back({row.made.group, row.made.name, name_of(row.pair.method), name_of(row.pair.acceleration), row.passed() ? 1 : 0,
-                          joined(r.failures, "; "), r.steps, r.recovered_after >= 0 ? Cell(r.recovered_after) : Cell(), r.rms, r.farthest,
-                          r.energy_growth, r.momentum_growth, r.inverted, row.replay.string()});
+    table.rows.push_back({row.made.group, row.made.name, name_of(row.pair.method), name_of(row.pair.acceleration),
+                          row.passed() ? 1 : 0, joined(r.failures, "; "), r.steps,
+                          r.recovered_after >= 0 ? Cell(r.recovered_after) : Cell(), r.rms, r.farthest, r.energy_growth,
+                          r.momentum_growth, r.inverted, row.replay.string()});
   }
   return table;
 }
@@ -96,14 +100,16 @@ std::string summary_of(const Bench& bench, const std::vector<Row>& rows) {
     text += "\n| " + name_of(pairs[p]) + " |";
     for (const std::string& group : groups) {
       const auto found = counts.find({p, group});
-      text += found == counts.end() ? " |" : " " + std::to_string(found->second.first) + " / " + std::to_string(found->second.second) + " |";
+      text += found == counts.end()
+                  ? " |"
+                  : " " + std::to_string(found->second.first) + " / " + std::to_string(found->second.second) + " |";
     }
   }
   text += "\n\nFailures:\n\n| case | pair | what | replay |\n|---|---|---|---|\n";
   for (const Row& row : rows)
     if (!row.passed())
-      text += "| " + row.made.group + ": " + row.made.name + " | " + name_of(row.pair) + " | " + joined(row.result.failures, "; ") + " | " +
-              row.replay.string() + " |\n";
+      text += "| " + row.made.group + ": " + row.made.name + " | " + name_of(row.pair) + " | " +
+              joined(row.result.failures, "; ") + " | " + row.replay.string() + " |\n";
   return text;
 }
 
@@ -135,12 +141,14 @@ int command_stress(const BenchOptions& options, const std::string& only, Materia
   } catch (const Interrupted&) {
     stopped = true;
   }
-  if (rows.empty() && !stopped) throw Error("--only " + only, "matches no case", "expected a part of group/case/method + acceleration");
+  if (rows.empty() && !stopped)
+    throw Error("--only " + only, "matches no case", "expected a part of group/case/method + acceleration");
   bench.write("stress", table_of(rows));
   write_file(bench.folder / "summary.md", summary_of(bench, rows));
   const auto failed = std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.passed(); });
   if (!options.quiet)
-    std::cerr << "fascia: " << rows.size() << " cases, " << failed << " failed: " << (bench.folder / "summary.md").string() << '\n';
+    std::cerr << "fascia: " << rows.size() << " cases, " << failed
+              << " failed: " << (bench.folder / "summary.md").string() << '\n';
   return stopped ? exit_interrupted : failed > 0 ? exit_failed : exit_done;
 }
 

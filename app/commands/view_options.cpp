@@ -8,18 +8,27 @@ namespace {
 
 void add_view_options(CLI::App& command, ViewOptions& options) {
   add_common(command, options);
-  command.get_option("scene")  // not from standard input: a window reads its scene again
+  command
+      .get_option("scene")  // not from standard input: a window reads its scene again
       ->type_name("FILE")
       ->description("scene (.json), tetrahedral mesh, surface (.obj) or replay (.fascia); default: the shipped liver");
-  command.get_option("--steps")->description("steps after which the window closes by itself; it then keeps no settings, no session and no recent files. Default: it stays open");
-  command.get_option("--time")->description("simulated seconds after which the window closes by itself, as with --steps");
+  command.get_option("--steps")->description(
+      "steps after which the window closes by itself; it then keeps no settings, no session and no recent files. "
+      "Default: it stays open");
+  command.get_option("--time")->description(
+      "simulated seconds after which the window closes by itself, as with --steps");
   add_size(command, options.width, options.height);
-  command.add_option("--samples", options.samples, "samples per pixel; the window takes as many of them as the renderer has")
+  command
+      .add_option("--samples", options.samples,
+                  "samples per pixel; the window takes as many of them as the renderer has")
       ->check(CLI::Range(1, kMostSamples))
       ->default_str("4, on software renderers 1");
-  command.add_option("--export", options.export_path, "the state when the window closes: .vtu, .csv, .msh or .obj; to standard output as CSV")
+  command
+      .add_option("--export", options.export_path,
+                  "the state when the window closes: .vtu, .csv, .msh or .obj; to standard output as CSV")
       ->type_name(std::string("FILE") + kOrDash);
-  command.add_option("--stats", options.stats, "numbers about the run, when the window closes")->type_name(std::string("FILE.json") + kOrDash);
+  command.add_option("--stats", options.stats, "numbers about the run, when the window closes")
+      ->type_name(std::string("FILE.json") + kOrDash);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 #include "app/panels/panels.h"
 #include "app/ui/style.h"
-#include "app/ui/widgets.h"
 #include "app/ui/units.h"
+#include "app/ui/widgets.h"
 #include "base/error.h"
 #include "sim/material/tissues.h"
 
@@ -25,7 +25,8 @@ std::string material_text(const Material& m) {
 
 }  // namespace
 
-std::string side_result(const Session& session, const std::optional<Diagnostics>& diagnostics, double step_ms, bool measured) {
+std::string side_result(const Session& session, const std::optional<Diagnostics>& diagnostics, double step_ms,
+                        bool measured) {
   char text[64];
   std::string result;
   if (const auto& error = session.true_error.result(); error && error->converged) {
@@ -65,7 +66,8 @@ std::string side_text(const Session& session, const Session& other) {
   if (s.substeps > 1) text += ", " + std::to_string(s.substeps) + " substeps";
   const Model& model = session.simulation.model;
   if (const auto i = first_other_material(model, other.simulation.model))
-    text += "\n" + (model.materials.size() > 1 ? model.material_names[*i] + ": " : "") + material_text(model.materials[*i]);
+    text +=
+        "\n" + (model.materials.size() > 1 ? model.material_names[*i] + ": " : "") + material_text(model.materials[*i]);
   return text;
 }
 
@@ -74,7 +76,8 @@ std::string side_text(const Session& session, const Session& other) {
 SplitView::SplitView(Graphics& graphics, const Session& a, Scene scene, Model model) : shared_(shared_of(a)) {
   const auto fail = [&](const char* what, const char* expected) { throw Error(scene.file.string(), what, expected); };
   if (a.simulation.uses_reference()) fail("the reference solver has no settings to compare", "leave out --reference");
-  if (model.rest_positions.size() != a.simulation.model.rest_positions.size() || model.tets.size() != a.simulation.model.tets.size())
+  if (model.rest_positions.size() != a.simulation.model.rest_positions.size() ||
+      model.tets.size() != a.simulation.model.tets.size())
     fail("the second side has another mesh", "expected settings and materials of the same bodies");
   b_ = std::make_unique<Session>(graphics, std::move(scene), std::move(model), false);
   apply(shared_, *b_);
@@ -130,7 +133,8 @@ void SplitView::make_step(Session& session, Side& side) {
   side.timer.begin();
   session.simulation.step();
   side.timer.end();
-  while (const auto took = side.timer.take()) side.step_ms = side.step_ms > 0 ? 0.9 * side.step_ms + 0.1 * took->milliseconds : took->milliseconds;
+  while (const auto took = side.timer.take())
+    side.step_ms = side.step_ms > 0 ? 0.9 * side.step_ms + 0.1 * took->milliseconds : took->milliseconds;
 }
 
 void SplitView::follow(Session& a, const std::function<void()>& change_a) {
@@ -175,25 +179,29 @@ bool SplitView::take_diagnostics(bool wait) {
 }
 
 MarkArea SplitView::area_of(ImDrawList& list, const Area& area, int height, float scale) {
-  return {list, static_cast<float>(area.x) / scale, static_cast<float>(area.width) / scale, static_cast<float>(height) / scale};
+  return {list, static_cast<float>(area.x) / scale, static_cast<float>(area.width) / scale,
+          static_cast<float>(height) / scale};
 }
 
 std::array<SplitView::Area, 2> SplitView::areas(int width, const Margins& margins) {
-  const int left = static_cast<int>(margins.left), right = static_cast<int>(margins.right), each = std::max(1, (width - left - right - kDivider) / 2);
+  const int left = static_cast<int>(margins.left), right = static_cast<int>(margins.right),
+            each = std::max(1, (width - left - right - kDivider) / 2);
   const int begin = left + each + kDivider;
   return {Area{left, each}, Area{begin, right > 0 ? width - begin : each}};
 }
 
 Framebuffer& SplitView::picture_of(int width, int height, int samples) {
   for (const std::unique_ptr<Framebuffer>& picture : pictures_)
-    if (picture && picture->width() == width && picture->height() == height && picture->samples() == samples) return *picture;
+    if (picture && picture->width() == width && picture->height() == height && picture->samples() == samples)
+      return *picture;
   std::swap(pictures_[0], pictures_[1]);
   pictures_[0].reset();  // before the new one: both may not fit
   pictures_[0] = std::make_unique<Framebuffer>(width, height, samples);
   return *pictures_[0];
 }
 
-SplitView::SideHands SplitView::hands(const Session& a, const std::optional<Diagnostics>& of_a, const Hands* of_user) const {
+SplitView::SideHands SplitView::hands(const Session& a, const std::optional<Diagnostics>& of_a,
+                                      const Hands* of_user) const {
   const auto marks = [&](const Session& side, const std::optional<Diagnostics>& diagnostics) {
     return hand_marks(side.simulation, diagnostics ? diagnostics->hand_forces : std::vector<HandForce>(), of_user);
   };
@@ -210,8 +218,9 @@ void SplitView::draw(Session& a, Framebuffer& framebuffer, const Margins& margin
   gl::Clear(GL_COLOR_BUFFER_BIT);
   const std::array<Area, 2> places = areas(framebuffer.width(), margins);
   for (std::size_t i = 0; i < 2; ++i) {
-    frame_picture(i == 0 ? a.camera : b_->camera, a.extent,
-                  {places[i].width, framebuffer.height(), {0, static_cast<double>(places[i].width - places[0].width)}, true});
+    frame_picture(
+        i == 0 ? a.camera : b_->camera, a.extent,
+        {places[i].width, framebuffer.height(), {0, static_cast<double>(places[i].width - places[0].width)}, true});
     Framebuffer& picture = picture_of(places[i].width, framebuffer.height(), framebuffer.samples());
     (i == 0 ? a : *b_).draw(picture, arrows(hands[i]));
     if (drawn) drawn(i, picture);
@@ -219,8 +228,8 @@ void SplitView::draw(Session& a, Framebuffer& framebuffer, const Margins& margin
   }
 }
 
-void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int height, const Margins& margins, float scale,
-                            const Labels& labels) const {
+void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int height, const Margins& margins,
+                            float scale, const Labels& labels) const {
   const std::array<Area, 2> places = areas(width, margins);
   const float bottom = static_cast<float>(height) / scale, line = static_cast<float>(places[1].x - kDivider) / scale;
   list.AddRectFilled({line, 0}, {static_cast<float>(places[1].x) / scale, bottom}, ImGui::GetColorU32(ui::kAccent));
@@ -231,7 +240,8 @@ void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int h
     LabelPlaces free({left, 0, left + room, bottom}, ui::px(kLabelGap));
     for (const Box& box : labels.covered) free.keep_clear(box);
     const bool edited = labels.measured && (i == 1) == labels.editing_b;  // without a clock there is nobody who edits
-    free.keep_clear(ui::pill(list, (i == 0 ? "A   " : "B   ") + side_text(session, other), middle, ui::px(46), edited ? ui::kAccent : ui::kText, widest));
+    free.keep_clear(ui::pill(list, (i == 0 ? "A   " : "B   ") + side_text(session, other), middle, ui::px(46),
+                             edited ? ui::kAccent : ui::kText, widest));
     std::string result = side_result(session, i == 0 ? labels.of_a : diagnostics_, sides_[i].step_ms, labels.measured);
     if (i == 1 && lost_ > 0) result += "  |  came apart " + std::to_string(lost_) + (lost_ == 1 ? " time" : " times");
     if (!result.empty()) free.keep_clear(ui::pill(list, result, middle, bottom - ui::px(78), ui::kText, widest));

@@ -1,5 +1,6 @@
-// Two settings of one scene side by side: A is the session that is open, B another of the same bodies with other settings. Both make the
-// same steps under the same hand and are drawn with the same camera. Exists only while two are compared.
+// Two settings of one scene side by side: A is the session that is open, B another of the same bodies with other
+// settings. Both make the same steps under the same hand and are drawn with the same camera. Exists only while two are
+// compared.
 #pragma once
 #include <array>
 #include <functional>
@@ -8,10 +9,10 @@
 #include <span>
 #include <string>
 
-#include "app/state/undo_history.h"
-#include "app/session/framing.h"
 #include "app/overlay/grab_marks.h"
+#include "app/session/framing.h"
 #include "app/session/session.h"
+#include "app/state/undo_history.h"
 #include "gl/timer.h"
 
 struct ImDrawList;
@@ -19,12 +20,13 @@ struct ImDrawList;
 namespace fascia {
 
 /// What a side costs and reaches, in one line; the time of a step, or that it sleeps, only where it is `measured`.
-std::string side_result(const Session& session, const std::optional<Diagnostics>& diagnostics, double step_ms, bool measured);
+std::string side_result(const Session& session, const std::optional<Diagnostics>& diagnostics, double step_ms,
+                        bool measured);
 
 class SplitView {
  public:
-  /// B is `scene` in the state that A is in; `model` goes with it. Throws Error if it has other vertices than A, or where one of them is
-  /// solved by the reference solver.
+  /// B is `scene` in the state that A is in; `model` goes with it. Throws Error if it has other vertices than A, or
+  /// where one of them is solved by the reference solver.
   SplitView(Graphics& graphics, const Session& a, Scene scene, Model model);
 
   Session& b() { return *b_; }
@@ -33,8 +35,8 @@ class SplitView {
 
   /// The other side gets the springs of `hand`, which is one of them, or of A while a replay leads it.
   void lead(Session& a, Session& hand);
-  /// One step of both, led so. What a replay does to A happens to B, too: hands, gravity, time step, resets; settings and materials where
-  /// both have the same.
+  /// One step of both, led so. What a replay does to A happens to B, too: hands, gravity, time step, resets; settings
+  /// and materials where both have the same.
   void step(Session& a, Session& hand);
   void reset(Session& a);               // both to where A starts
   void restart_from(const Session& a);  // B into the state that A is in
@@ -44,8 +46,8 @@ class SplitView {
   void swap(std::unique_ptr<Session>& a);
   bool asleep() const { return b_->simulation.asleep(); }
 
-  void request_diagnostics() { b_->simulation.gpu()->request_diagnostics(); }  // of B's state of now
-  bool take_diagnostics(bool wait);                                             // whether there were any that are new
+  void request_diagnostics() { b_->simulation.gpu()->request_diagnostics(); }     // of B's state of now
+  bool take_diagnostics(bool wait);                                               // whether there were any that are new
   const std::optional<Diagnostics>& diagnostics() const { return diagnostics_; }  // the last ones taken
   bool busy() const { return b_->true_error.busy() || b_->simulation.gpu()->diagnosing(); }  // results are under way
 
@@ -69,9 +71,10 @@ class SplitView {
     const SideHands& hands;
     std::vector<Box> covered;  // by windows and the like
   };
-  /// Over a picture of `width` x `height` pixels with the same margins: what each side is, what it costs and reaches, and its hands. The
-  /// list's unit is `scale` pixels.
-  void draw_labels(ImDrawList& list, const Session& a, int width, int height, const Margins& margins, float scale, const Labels& labels) const;
+  /// Over a picture of `width` x `height` pixels with the same margins: what each side is, what it costs and reaches,
+  /// and its hands. The list's unit is `scale` pixels.
+  void draw_labels(ImDrawList& list, const Session& a, int width, int height, const Margins& margins, float scale,
+                   const Labels& labels) const;
 
  private:
   struct Side {

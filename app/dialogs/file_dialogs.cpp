@@ -30,7 +30,9 @@ void FileDialogs::ask_open(const fs::path& open_file) {
   if (!browser_.folder().empty())
     go_to(fs::path(browser_.folder()));
   else
-    go_to(!open_file.empty() && !shipped(open_file) ? beside : fs::is_directory(before, ec) ? before : started_folder());
+    go_to(!open_file.empty() && !shipped(open_file) ? beside
+          : fs::is_directory(before, ec)            ? before
+                                                    : started_folder());
   if (list_folder(browser_.folder(), openable_kinds()[kind_]).empty()) go_to(assets_ / "scenes");
   start_open_ = true;
 }
@@ -73,8 +75,10 @@ void FileDialogs::recent_files(Requests& requests) {
     std::error_code ec;
     const bool there = fs::exists(file, ec);
     ImGui::PushID(file.c_str());
-    if (ImGui::Selectable(file.filename().c_str(), false, there ? 0 : ImGuiSelectableFlags_Disabled)) requests.open = file;
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s%s", file.c_str(), there ? "" : " (is not there any more)");
+    if (ImGui::Selectable(file.filename().c_str(), false, there ? 0 : ImGuiSelectableFlags_Disabled))
+      requests.open = file;
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+      ImGui::SetTooltip("%s%s", file.c_str(), there ? "" : " (is not there any more)");
     ImGui::PopID();
   }
 }
@@ -96,7 +100,8 @@ void FileDialogs::draw_open(Requests& requests) {
   browser_.walk_by_keys();
   if (typed_ != listed_for_) {  // a part of a name narrows the list; a path is taken as it is
     listed_for_ = typed_;
-    browser_.go_to(fs::path(browser_.folder()), openable_kinds()[kind_], typed_.find('/') == std::string::npos ? typed_ : "");
+    browser_.go_to(fs::path(browser_.folder()), openable_kinds()[kind_],
+                   typed_.find('/') == std::string::npos ? typed_ : "");
   }
   const std::vector<Place> places{{"Examples", assets_ / "scenes"},
                                   {"Example meshes", assets_ / "meshes"},
@@ -153,7 +158,8 @@ void FileDialogs::draw(Requests& requests) {
   draw_open(requests);
   draw_recent(requests);
   std::vector<Place> beside;
-  if (!scene_folder_.empty() && scene_folder_ != started_folder()) beside.push_back({"Beside the scene", scene_folder_});
+  if (!scene_folder_.empty() && scene_folder_ != started_folder())
+    beside.push_back({"Beside the scene", scene_folder_});
   const auto came_with = [&](const fs::path& file) { return shipped(file); };
   if (auto path = scene_.draw(beside, came_with)) {
     requests.save = std::move(path);

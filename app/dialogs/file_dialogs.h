@@ -1,4 +1,5 @@
-// Asking for a path: to open something, to save the scene, the state or a replay; and the files that were opened before.
+// Asking for a path: to open something, to save the scene, the state or a replay; and the files that were opened
+// before.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -6,8 +7,8 @@
 
 #include "app/dialogs/folder_browser.h"
 #include "app/dialogs/save_dialog.h"
-#include "app/system/user_settings.h"
 #include "app/state/window_state.h"
+#include "app/system/user_settings.h"
 
 namespace fascia {
 
@@ -15,12 +16,14 @@ class FileDialogs {
  public:
   FileDialogs(const std::filesystem::path& data_dir, UserStore& user) : assets_(data_dir / "assets"), user_(user) {}
 
-  void ask_open(const std::filesystem::path& open_file);  // begins in its folder, unless it was shipped
-  void ask_save(const std::filesystem::path& scene_file);  // suggests its name
+  void ask_open(const std::filesystem::path& open_file);     // begins in its folder, unless it was shipped
+  void ask_save(const std::filesystem::path& scene_file);    // suggests its name
   void ask_export(const std::filesystem::path& scene_file);  // suggests its name
-  void ask_replay();  // suggests a dated name
-  void ask_recent();  // a menu at the mouse
-  void set_last_session(const std::filesystem::path& file) { last_session_ = file; }  // to continue from that menu; empty: none
+  void ask_replay();                                         // suggests a dated name
+  void ask_recent();                                         // a menu at the mouse
+  void set_last_session(const std::filesystem::path& file) {
+    last_session_ = file;
+  }                                                // to continue from that menu; empty: none
   void opened(const std::filesystem::path& path);  // for the list of recent ones
   /// Between ImGui::NewFrame and ImGui::Render; what was chosen is in `requests`.
   void draw(Requests& requests);
@@ -41,8 +44,11 @@ class FileDialogs {
   bool focus_ = false;
   std::string typed_, listed_for_;
   std::filesystem::path scene_folder_;  // empty: of a shipped one
-  SaveDialog scene_{"Save the scene", {{".json", ""}},
-                    {"Save with mesh", "The file carries its meshes and tables and opens anywhere.\nOtherwise it refers to them by their paths."}};
+  SaveDialog scene_{
+      "Save the scene",
+      {{".json", ""}},
+      {"Save with mesh",
+       "The file carries its meshes and tables and opens anywhere.\nOtherwise it refers to them by their paths."}};
   SaveDialog state_{"Export the state",
                     {{".vtu", "ParaView: displacement, velocity, strain, stress, J"},
                      {".csv", "index,x,y,z of every vertex [m]"},

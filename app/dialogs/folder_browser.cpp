@@ -11,7 +11,9 @@ namespace fascia {
 namespace fs = std::filesystem;
 namespace {
 
-float files_width() { return std::min(ui::px(420), ImGui::GetIO().DisplaySize.x - FolderBrowser::places_width() - ui::px(56)); }
+float files_width() {
+  return std::min(ui::px(420), ImGui::GetIO().DisplaySize.x - FolderBrowser::places_width() - ui::px(56));
+}
 
 // Absolute, without a slash at its end.
 fs::path plain_folder(const fs::path& folder) {
@@ -58,7 +60,8 @@ std::optional<FolderEntry> FolderBrowser::draw(const std::vector<Place>& places,
   std::optional<FolderEntry> clicked;
   ImGui::BeginChild("places", {places_width(), height});
   for (const Place& place : places) {
-    if (ImGui::Selectable(place.name.c_str(), folder_ == plain_folder(place.folder), ImGuiSelectableFlags_DontClosePopups))
+    if (ImGui::Selectable(place.name.c_str(), folder_ == plain_folder(place.folder),
+                          ImGuiSelectableFlags_DontClosePopups))
       clicked = {place.folder, true};
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", place.folder.c_str());
   }
@@ -76,7 +79,8 @@ std::optional<FolderEntry> FolderBrowser::draw_entries() {
   for (int i = 0; i < static_cast<int>(entries_.size()); ++i) {
     const FolderEntry& entry = entries_[static_cast<std::size_t>(i)];
     ImGui::PushID(i);
-    const std::string name = i == 0 && has_parent_ ? "../" : entry.path.filename().string() + (entry.is_folder ? "/" : "");
+    const std::string name =
+        i == 0 && has_parent_ ? "../" : entry.path.filename().string() + (entry.is_folder ? "/" : "");
     if (ImGui::Selectable(name.c_str(), marked_ == i, ImGuiSelectableFlags_DontClosePopups)) {
       marked_ = i;
       clicked = entry;

@@ -1,4 +1,5 @@
-// The lists that dialogs for opening and saving share: places at the left, at the right what a folder holds, walked by mouse and keys.
+// The lists that dialogs for opening and saving share: places at the left, at the right what a folder holds, walked by
+// mouse and keys.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -33,7 +34,7 @@ class FolderBrowser {
 
   /// What was clicked; `more` draws below the places.
   std::optional<FolderEntry> draw(const std::vector<Place>& places, const std::function<void()>& more = {});
-  static float width();         // of both lists [pixels]
+  static float width();  // of both lists [pixels]
   static float places_width();
 
  private:

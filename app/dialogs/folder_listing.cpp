@@ -34,7 +34,8 @@ std::vector<FolderEntry> list_folder(const fs::path& folder, const FileKind& kin
     const std::string name = it->path().filename().string();
     std::error_code unreadable;
     const bool is_folder = it->is_directory(unreadable);
-    const bool known = std::find(kind.endings.begin(), kind.endings.end(), lower_ending(it->path())) != kind.endings.end();
+    const bool known =
+        std::find(kind.endings.begin(), kind.endings.end(), lower_ending(it->path())) != kind.endings.end();
     if (name.front() == '.' || !(is_folder || known) || lower(name).find(wanted) == std::string::npos) continue;
     entries.push_back({it->path(), is_folder});
   }

@@ -18,7 +18,9 @@ struct FolderEntry {
   bool is_folder = false;
 };
 
-/// Hidden ones are left out. `part`: only names that have it, whatever the case. Nothing for a folder that cannot be read.
-std::vector<FolderEntry> list_folder(const std::filesystem::path& folder, const FileKind& kind, const std::string& part = "");
+/// Hidden ones are left out. `part`: only names that have it, whatever the case. Nothing for a folder that cannot be
+/// read.
+std::vector<FolderEntry> list_folder(const std::filesystem::path& folder, const FileKind& kind,
+                                     const std::string& part = "");
 
 }  // namespace fascia

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/ui/style.h"
-#include "render/target/image.h"
 #include "base/file.h"
+#include "render/target/image.h"
 
 namespace fascia {
 namespace fs = std::filesystem;
@@ -27,7 +27,8 @@ std::vector<Example> shipped_examples(const fs::path& assets) {
     const fs::path stem = it->path().stem();
     try {
       const auto scene = nlohmann::json::parse(read_file(it->path()));
-      examples.push_back({it->path(), assets / "pictures" / "scenes" / (stem.string() + ".png"), scene.value("title", stem.string()), ""});
+      examples.push_back({it->path(), assets / "pictures" / "scenes" / (stem.string() + ".png"),
+                          scene.value("title", stem.string()), ""});
     } catch (const std::exception&) {
       continue;
     }
@@ -36,7 +37,9 @@ std::vector<Example> shipped_examples(const fs::path& assets) {
   try {
     auto next = examples.begin();
     for (const auto& entry : nlohmann::json::parse(read_file(assets / "gallery.json"))) {
-      const auto named = std::find_if(next, examples.end(), [&](const Example& e) { return e.scene.stem() == entry.at("scene").get<std::string>(); });
+      const auto named = std::find_if(next, examples.end(), [&](const Example& e) {
+        return e.scene.stem() == entry.at("scene").get<std::string>();
+      });
       if (named == examples.end()) continue;
       named->says = entry.at("says").get<std::string>();
       std::rotate(next, named, named + 1);
@@ -54,7 +57,8 @@ void Gallery::load() {
   for (const Example& example : examples_) {
     try {
       const Image image = read_png(example.picture);
-      pictures_.emplace_back("example picture", GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+      pictures_.emplace_back("example picture", GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                             image.rgba.data());
     } catch (const std::exception&) {
       pictures_.emplace_back();
     }
@@ -73,7 +77,9 @@ bool Gallery::draw(Requests& requests) {
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({0, 0}, {screen.x, 0.94f * screen.y});
   bool stays = true;
-  if (ImGui::BeginPopupModal(kGalleryTitle, &stays, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove)) {
+  if (ImGui::BeginPopupModal(
+          kGalleryTitle, &stays,
+          ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove)) {
     const ImVec2 size{ui::px(kPictureWidth), ui::px(kPictureHeight)};
     const int columns = std::clamp(static_cast<int>((screen.x - ui::px(60)) / (size.x + ui::px(28))), 1, 3);
     if (ImGui::BeginTable("examples", columns)) {
@@ -81,8 +87,9 @@ bool Gallery::draw(Requests& requests) {
         ImGui::TableNextColumn();
         ImGui::PushID(static_cast<int>(i));
         const auto picture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(pictures_[i].id()));
-        const bool chosen = pictures_[i].id() ? ImGui::ImageButton(picture, size, {0, 0}, {1, 1}, static_cast<int>(ui::px(4)))
-                                              : ImGui::Button(examples_[i].title.c_str(), {size.x + ui::px(8), size.y + ui::px(8)});
+        const bool chosen = pictures_[i].id()
+                                ? ImGui::ImageButton(picture, size, {0, 0}, {1, 1}, static_cast<int>(ui::px(4)))
+                                : ImGui::Button(examples_[i].title.c_str(), {size.x + ui::px(8), size.y + ui::px(8)});
         if (chosen) requests.open = examples_[i].scene;
         ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x + ui::px(8));
         ImGui::PushFont(ui::bold_font());

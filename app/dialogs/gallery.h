@@ -14,15 +14,16 @@ struct Example {
   std::string title, says;
 };
 
-/// Scenes of assets/scenes: in the order of assets/gallery.json, which also says what each is, then those that it does not name. What cannot
-/// be read is left out.
+/// Scenes of assets/scenes: in the order of assets/gallery.json, which also says what each is, then those that it does
+/// not name. What cannot be read is left out.
 std::vector<Example> shipped_examples(const std::filesystem::path& assets);
 
 class Gallery {
  public:
   explicit Gallery(const std::filesystem::path& data_dir) : assets_(data_dir / "assets") {}
   void ask() { start_ = true; }
-  /// Between ImGui::NewFrame and ImGui::Render; needs a current context. True once, when it was closed, whatever was chosen.
+  /// Between ImGui::NewFrame and ImGui::Render; needs a current context. True once, when it was closed, whatever was
+  /// chosen.
   bool draw(Requests& requests);
 
  private:

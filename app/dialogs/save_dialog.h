@@ -1,4 +1,5 @@
-// Asks where a file is to go: a name, and the folders to put it in. A file that is there already is replaced only after a question.
+// Asks where a file is to go: a name, and the folders to put it in. A file that is there already is replaced only after
+// a question.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -19,7 +20,8 @@ class SaveDialog {
   struct Option {
     std::string label, help;  // no label: there is none
   };
-  /// Of several formats one is chosen by the ending of the name; a name without one gets the first. `option`: a box to tick, off at first.
+  /// Of several formats one is chosen by the ending of the name; a name without one gets the first. `option`: a box to
+  /// tick, off at first.
   SaveDialog(const char* title, std::vector<Format> formats, Option option = {});
 
   /// Opens with this name, at first in the working folder, then in the folder that was saved to last.

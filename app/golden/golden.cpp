@@ -7,9 +7,9 @@
 #include "app/golden/difference_picture.h"
 #include "app/golden/provenance_difference.h"
 #include "app/golden/tolerance.h"
-#include "sim/model/vertex_csv.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "sim/model/vertex_csv.h"
 
 namespace fascia {
 namespace {
@@ -25,12 +25,14 @@ std::string size_text(const Image& image) { return std::to_string(image.width) +
 
 void require_golden(const fs::path& path) {
   std::error_code ec;
-  if (!fs::exists(path, ec)) throw Error(path.string(), "no golden yet", "expected one, made with --update and looked at");
+  if (!fs::exists(path, ec))
+    throw Error(path.string(), "no golden yet", "expected one, made with --update and looked at");
 }
 
 ImageDifference picture_difference(const Image& picture, const Image& golden, const fs::path& path) {
   if (picture.width != golden.width || picture.height != golden.height)
-    throw Error(path.string(), "is a picture of " + size_text(golden), "expected the new picture's " + size_text(picture));
+    throw Error(path.string(), "is a picture of " + size_text(golden),
+                "expected the new picture's " + size_text(picture));
   return difference(golden, picture, kPixelBound);
 }
 
@@ -38,8 +40,10 @@ std::vector<Eigen::Vector3d> read_state(const fs::path& path, std::size_t vertic
   constexpr std::size_t kAnyVertex = std::numeric_limits<std::uint32_t>::max();  // their number is judged as a whole
   VertexTable table = read_vertex_csv(path, kAnyVertex);
   if (table.vertices.size() != vertices || table.vertices.back() != vertices - 1)
-    throw Error(path.string(), "has " + std::to_string(table.vertices.size()) + " vertices up to " + std::to_string(table.vertices.back()),
-                "expected 0 to " + std::to_string(vertices - 1) + " of the scene's mesh");
+    throw Error(
+        path.string(),
+        "has " + std::to_string(table.vertices.size()) + " vertices up to " + std::to_string(table.vertices.back()),
+        "expected 0 to " + std::to_string(vertices - 1) + " of the scene's mesh");
   return std::move(table.values);
 }
 
@@ -52,9 +56,12 @@ Deviation deviation(const Outcome& outcome, const std::vector<Eigen::Vector3d>& 
   return result;
 }
 
-std::string against(double value, double limit) { return three_digits(value) + " (at most " + three_digits(limit) + ")"; }
+std::string against(double value, double limit) {
+  return three_digits(value) + " (at most " + three_digits(limit) + ")";
+}
 
-Finding compare_picture(const Outcome& outcome, const fs::path& path, const GoldenLimits& limits, Comparison& comparison) {
+Finding compare_picture(const Outcome& outcome, const fs::path& path, const GoldenLimits& limits,
+                        Comparison& comparison) {
   require_golden(path);
   const Image golden = read_png(path);
   const ImageDifference d = picture_difference(outcome.picture, golden, path);
@@ -62,18 +69,20 @@ Finding compare_picture(const Outcome& outcome, const fs::path& path, const Gold
   comparison.share = d.share;
   comparison.picture = difference_picture(golden, outcome.picture, kPixelBound);
   const bool passed = d.mean <= limits.mean && d.share <= limits.share;
-  return {passed, path.string() + ": " + (passed ? "same picture" : "another picture") + ", mean difference " + against(d.mean, limits.mean) +
-                      ", share of pixels off by more than 8/255 " + against(d.share, limits.share)};
+  return {passed, path.string() + ": " + (passed ? "same picture" : "another picture") + ", mean difference " +
+                      against(d.mean, limits.mean) + ", share of pixels off by more than 8/255 " +
+                      against(d.share, limits.share)};
 }
 
-Finding compare_state(const Outcome& outcome, const fs::path& path, const GoldenLimits& limits, Comparison& comparison) {
+Finding compare_state(const Outcome& outcome, const fs::path& path, const GoldenLimits& limits,
+                      Comparison& comparison) {
   require_golden(path);
   const Deviation d = deviation(outcome, read_state(path, outcome.mesh.positions.size()));
   comparison.deviation = d.largest / outcome.size;
   const bool passed = *comparison.deviation <= limits.state;
   return {passed, path.string() + ": " + (passed ? "same state" : "another state") + ", largest deviation " +
-                      against(*comparison.deviation, limits.state) + " of the scene's size, " + three_digits(d.largest) + " m at vertex " +
-                      std::to_string(d.vertex)};
+                      against(*comparison.deviation, limits.state) + " of the scene's size, " +
+                      three_digits(d.largest) + " m at vertex " + std::to_string(d.vertex)};
 }
 
 template <class F>
@@ -91,7 +100,8 @@ std::string update_picture(const Outcome& outcome, const fs::path& path) {
   if (std::error_code ec; fs::exists(path, ec)) {
     try {
       const ImageDifference d = picture_difference(outcome.picture, read_png(path), path);
-      if (d.mean == 0 && provenance_differences(read_png_metadata(path), outcome.provenance).empty()) return path.string() + ": unchanged";
+      if (d.mean == 0 && provenance_differences(read_png_metadata(path), outcome.provenance).empty())
+        return path.string() + ": unchanged";
       change = d.mean == 0 ? "same pixels, new provenance"
                            : "changed, mean difference " + three_digits(d.mean) + ", share " + three_digits(d.share);
     } catch (const Error&) {
@@ -108,8 +118,8 @@ std::string update_state(const Outcome& outcome, const fs::path& path) {
     try {
       const Deviation d = deviation(outcome, read_state(path, outcome.mesh.positions.size()));
       if (d.largest == 0) return path.string() + ": unchanged";
-      change = "changed, largest deviation " + three_digits(d.largest / outcome.size) + " of the scene's size, " + three_digits(d.largest) +
-               " m at vertex " + std::to_string(d.vertex);
+      change = "changed, largest deviation " + three_digits(d.largest / outcome.size) + " of the scene's size, " +
+               three_digits(d.largest) + " m at vertex " + std::to_string(d.vertex);
     } catch (const Error&) {
       change = "replaced a state of another mesh or kind";
     }
@@ -140,9 +150,11 @@ std::vector<std::string> missing_goldens(const GoldenFiles& goldens) {
 Comparison compare(const Outcome& outcome, const GoldenFiles& goldens, const GoldenLimits& limits) {
   Comparison comparison;
   if (!goldens.picture.empty())
-    comparison.findings.push_back(finding_of([&] { return compare_picture(outcome, goldens.picture, limits, comparison); }));
+    comparison.findings.push_back(
+        finding_of([&] { return compare_picture(outcome, goldens.picture, limits, comparison); }));
   if (!goldens.state.empty())
-    comparison.findings.push_back(finding_of([&] { return compare_state(outcome, goldens.state, limits, comparison); }));
+    comparison.findings.push_back(
+        finding_of([&] { return compare_state(outcome, goldens.state, limits, comparison); }));
   if (comparison.passed() || goldens.picture.empty()) return comparison;
   try {
     comparison.reasons = provenance_differences(read_png_metadata(goldens.picture), outcome.provenance);

@@ -12,7 +12,8 @@ struct GoldenFiles {
 struct GoldenLimits {
   double mean = 0.5 / 255;  // of absolute channel differences, 0 to 1
   double share = 0.001;     // of pixels with a channel off by more than kPixelBound
-  double state = 1e-5;      // largest distance of a vertex from its golden, in sizes of the scene (diagonal of its box at rest)
+  // Largest distance of a vertex from its golden, in sizes of the scene (diagonal of its box at rest)
+  double state = 1e-5;
 };
 inline constexpr double kPixelBound = 8.0 / 255;
 

@@ -32,9 +32,12 @@ std::vector<std::string> parameter_differences(const std::string& golden, const 
   if (before.is_discarded() || after.is_discarded()) return {now_and_then("parameters", "not readable", "others")};
   const nlohmann::json a = before.flatten(), b = after.flatten();
   std::vector<std::string> lines;
-  const auto value = [](const nlohmann::json& flat, const std::string& key) { return flat.contains(key) ? excerpt(flat[key]) : "none"; };
+  const auto value = [](const nlohmann::json& flat, const std::string& key) {
+    return flat.contains(key) ? excerpt(flat[key]) : "none";
+  };
   for (const auto& [key, ignored] : a.items())
-    if (!b.contains(key) || a[key] != b[key]) lines.push_back(now_and_then(dotted(key), excerpt(a[key]), value(b, key)));
+    if (!b.contains(key) || a[key] != b[key])
+      lines.push_back(now_and_then(dotted(key), excerpt(a[key]), value(b, key)));
   for (const auto& [key, ignored] : b.items())
     if (!a.contains(key)) lines.push_back(now_and_then(dotted(key), "none", excerpt(b[key])));
   return lines;

@@ -24,7 +24,8 @@ double parse_tolerance(std::string_view text, const std::string& where) {
   const std::optional<double> above = number(text.substr(0, slash));
   const std::optional<double> below = slash == std::string_view::npos ? 1.0 : number(text.substr(slash + 1));
   const double value = above && below && *below > 0 ? *above / *below : -1;
-  if (!(value >= 0 && value <= 1)) throw Error(where, "is " + on_one_line(text), "expected a share from 0 to 1, such as 0.002 or 0.5/255");
+  if (!(value >= 0 && value <= 1))
+    throw Error(where, "is " + on_one_line(text), "expected a share from 0 to 1, such as 0.002 or 0.5/255");
   return value;
 }
 

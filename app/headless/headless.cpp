@@ -7,12 +7,12 @@
 #include <iostream>
 #include <sstream>
 
-#include "sim/simulation/breakdown.h"
-#include "app/overlay/color_bar.h"
-#include "base/interrupt.h"
 #include "app/headless/interpolated_frames.h"
+#include "app/overlay/color_bar.h"
 #include "app/panels/panels.h"
 #include "base/error.h"
+#include "base/interrupt.h"
+#include "sim/simulation/breakdown.h"
 
 namespace fascia {
 namespace {
@@ -38,7 +38,8 @@ Headless::Headless(const RenderOptions& options) : Headless(options, open_with_d
 
 Headless::Headless(const RenderOptions& options, Opened opened)
     : options_(options),
-      graphics_(open_graphics(options, false, options.width, options.height, workload_of(opened.scene, opened.model, options.static_equilibrium))),
+      graphics_(open_graphics(options, false, options.width, options.height,
+                              workload_of(opened.scene, opened.model, options.static_equilibrium))),
       session_(graphics_, std::move(opened.scene), std::move(opened.model), options.reference),
       picture_(options.width, options.height, options.samples),
       camera_(options.camera, session_.simulation.scene, opened.replay ? &*opened.replay : nullptr),
@@ -49,7 +50,8 @@ Headless::Headless(const RenderOptions& options, Opened opened)
   Simulation& simulation = session_.simulation;
   // What is chosen here for the display holds for all of a replay.
   const auto names_display = [](const std::string& set) { return set.starts_with("display."); };
-  const bool chosen = !options.color.empty() || options.wireframe || std::any_of(options.sets.begin(), options.sets.end(), names_display);
+  const bool chosen = !options.color.empty() || options.wireframe ||
+                      std::any_of(options.sets.begin(), options.sets.end(), names_display);
   if (opened.replay && !chosen) view_ = ReplayView(*opened.replay);
   if (opened.replay) simulation.play(std::move(*opened.replay));
   if (session_.display().color == ColorBy::error) simulation.gpu()->solve_everything();
@@ -57,7 +59,8 @@ Headless::Headless(const RenderOptions& options, Opened opened)
     Opened other = open_with_display(options, options.split);
     const Scene &a = session_.simulation.scene, &b = other.scene;
     if (a.gravity != b.gravity || a.display != b.display || a.solver.time_step != b.solver.time_step)
-      throw Error("--split " + options.split, "changes gravity, the time step or the display, which both sides share", "expected them in --set");
+      throw Error("--split " + options.split, "changes gravity, the time step or the display, which both sides share",
+                  "expected them in --set");
     split_.emplace(graphics_, session_, std::move(other.scene), std::move(other.model));
     if (session_.display().color == ColorBy::error) split_->b().simulation.gpu()->solve_everything();
   }
@@ -135,7 +138,8 @@ Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
 
 Margins Headless::margins(bool bar) {
   const Framebuffer& picture = picture_.framebuffer();
-  return {options_.panels ? panel_space() : 0, bar ? legend_space(session_, picture.width(), picture.height(), 1) : 0.0};
+  return {options_.panels ? panel_space() : 0,
+          bar ? legend_space(session_, picture.width(), picture.height(), 1) : 0.0};
 }
 
 std::optional<Diagnostics> Headless::diagnose() {
@@ -144,7 +148,9 @@ std::optional<Diagnostics> Headless::diagnose() {
   return solver.take_diagnostics(true);
 }
 
-std::optional<Diagnostics> Headless::diagnose_hands() { return session_.simulation.springs().empty() ? std::nullopt : diagnose(); }
+std::optional<Diagnostics> Headless::diagnose_hands() {
+  return session_.simulation.springs().empty() ? std::nullopt : diagnose();
+}
 
 void Headless::remember_hands() {
   remembered_hands_.push_back(marks_of(session_.simulation, diagnose_hands()));
@@ -159,18 +165,17 @@ Framebuffer& Headless::draw_split(const std::optional<Diagnostics>& diagnostics)
   const SplitView::SideHands hands = split_->hands(session_, diagnostics, nullptr);
   Framebuffer& framebuffer =
       picture_.draw(session_.camera, [&](Framebuffer& target) { split_->draw(session_, target, edges, hands); });
-  overlay_.draw_headless(session_, framebuffer, options_.panels, diagnostics, {},
-                         [&] {
-                           split_->draw_labels(*ImGui::GetBackgroundDrawList(), session_, framebuffer.width(), framebuffer.height(), edges, 1,
-                                               {diagnostics, false, false, hands, overlay_.covered()});
-                         });
+  overlay_.draw_headless(session_, framebuffer, options_.panels, diagnostics, {}, [&] {
+    split_->draw_labels(*ImGui::GetBackgroundDrawList(), session_, framebuffer.width(), framebuffer.height(), edges, 1,
+                        {diagnostics, false, false, hands, overlay_.covered()});
+  });
   return framebuffer;
 }
 
 Provenance Headless::provenance() const {
   const Simulation& simulation = session_.simulation;
-  return provenance_of(simulation.scene, simulation.model, session_.renderer_description(), options_.command_line, step_,
-                       simulation.time());
+  return provenance_of(simulation.scene, simulation.model, session_.renderer_description(), options_.command_line,
+                       step_, simulation.time());
 }
 
 Outcome Headless::outcome() {

@@ -8,7 +8,8 @@ namespace {
 
 using shared::vec4;
 
-constexpr std::size_t kKept = 6;  // steps: one before the interval, its two ends, those ahead, and one that is being replaced
+// Steps: one before the interval, its two ends, those ahead, and one that is being replaced
+constexpr std::size_t kKept = 6;
 
 }  // namespace
 
@@ -16,7 +17,8 @@ Moments::Moments(const std::optional<Replay>& replay) {
   if (!replay) return;
   for (const Input& input : replay->inputs)
     if (std::holds_alternative<ResetInput>(input.change) || std::holds_alternative<SoundInput>(input.change))
-      jumps_.insert(input.step == replay->steps ? input.step - 1 : input.step);  // what ends a session acts after its last step
+      jumps_.insert(input.step == replay->steps ? input.step - 1
+                                                : input.step);  // what ends a session acts after its last step
 }
 
 void Moments::add(long step, Simulation& simulation) {
@@ -35,7 +37,8 @@ bool Moments::joined(long from, long to) const {
 }
 
 const gl::Buffer& Moments::at(double step) {
-  const long before = std::clamp(static_cast<long>(std::floor(step)), first_, first_ + static_cast<long>(known_.size()) - 1);
+  const long before =
+      std::clamp(static_cast<long>(std::floor(step)), first_, first_ + static_cast<long>(known_.size()) - 1);
   const double t = step - static_cast<double>(before);
   std::vector<vec4> result = positions(before);
   if (t > 0 && joined(before, before + 1)) {
@@ -47,11 +50,13 @@ const gl::Buffer& Moments::at(double step) {
     const double wa = 2 * t3 - 3 * t2 + 1, ma = t3 - 2 * t2 + t, wb = 3 * t2 - 2 * t3, mb = t3 - t2;
     const auto between = [&](std::size_t v, float vec4::*k) {
       const double xa = a[v].*k, xb = b[v].*k;
-      const double slope_a = earlier ? 0.5 * (xb - (*earlier)[v].*k) : xb - xa, slope_b = later ? 0.5 * ((*later)[v].*k - xa) : xb - xa;
+      const double slope_a = earlier ? 0.5 * (xb - (*earlier)[v].*k) : xb - xa,
+                   slope_b = later ? 0.5 * ((*later)[v].*k - xa) : xb - xa;
       return static_cast<float>(wa * xa + ma * slope_a + wb * xb + mb * slope_b);
     };
     for (std::size_t v = 0; v < result.size(); ++v) {
-      result[v] = {between(v, &vec4::x), between(v, &vec4::y), between(v, &vec4::z), static_cast<float>((1 - t) * a[v].w + t * b[v].w)};
+      result[v] = {between(v, &vec4::x), between(v, &vec4::y), between(v, &vec4::z),
+                   static_cast<float>((1 - t) * a[v].w + t * b[v].w)};
     }
   }
   const std::size_t bytes = result.size() * sizeof(vec4);

@@ -1,13 +1,13 @@
-// Drawn positions between two steps, for frames that fall there: on a smooth path through those of the steps (Catmull and Rom 1974), but
-// never across a reset. The simulation must be some steps ahead of the picture.
+// Drawn positions between two steps, for frames that fall there: on a smooth path through those of the steps (Catmull
+// and Rom 1974), but never across a reset. The simulation must be some steps ahead of the picture.
 #pragma once
 #include <deque>
 #include <set>
 #include <vector>
 
-#include "sim/simulation/simulation.h"
 #include "gl/buffer.h"
 #include "shaders/shared/types.h"
+#include "sim/simulation/simulation.h"
 
 namespace fascia {
 
@@ -18,8 +18,8 @@ class Moments {
   explicit Moments(const std::optional<Replay>& replay);  // whose resets are jumps
   /// The simulation's positions, after step `step`; each step once.
   void add(long step, Simulation& simulation);
-  /// Positions after `step` steps, whole or not: vec4, as GpuSolver::positions, with what colors them. Of the steps around it those
-  /// must have been added.
+  /// Positions after `step` steps, whole or not: vec4, as GpuSolver::positions, with what colors them. Of the steps
+  /// around it those must have been added.
   const gl::Buffer& at(double step);
 
  private:

@@ -23,7 +23,8 @@ std::optional<CameraSettings> read_eye_and_target(const std::string& text, Camer
   camera.target = {numbers[3], numbers[4], numbers[5]};
   const Eigen::Vector3d view = camera.target - camera.eye;
   if (!(view.cross(camera.up).norm() > 1e-6 * view.norm() * camera.up.norm()))
-    throw Error("--camera " + text, "looks along the scene's up direction, or at its own place", "expected an eye beside or before its target");
+    throw Error("--camera " + text, "looks along the scene's up direction, or at its own place",
+                "expected an eye beside or before its target");
   return camera;
 }
 
@@ -42,7 +43,8 @@ RenderCamera::RenderCamera(const std::string& choice, const Scene& scene, const 
     return;
   }
   if (lower_ending(choice) != ".json")
-    throw UsageError("--camera " + choice, "is no camera" + perhaps(choice, {"follow", "scene"}), "expected follow, scene, a scene or replay file, or EYE,TARGET as six numbers");
+    throw UsageError("--camera " + choice, "is no camera" + perhaps(choice, {"follow", "scene"}),
+                     "expected follow, scene, a scene or replay file, or EYE,TARGET as six numbers");
   still_ = open_scene(choice).camera;
   if (!still_) throw Error("--camera " + choice, "has no camera", "expected a scene with the key camera");
 }

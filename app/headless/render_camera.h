@@ -9,8 +9,8 @@ namespace fascia {
 
 class RenderCamera {
  public:
-  /// `choice`: "follow" (that of `replay`, where there is one), "scene", eye and target as six numbers with commas between them, a
-  /// scene file that has a camera, or a replay whose camera is followed. Throws Error.
+  /// `choice`: "follow" (that of `replay`, where there is one), "scene", eye and target as six numbers with commas
+  /// between them, a scene file that has a camera, or a replay whose camera is followed. Throws Error.
   RenderCamera(const std::string& choice, const Scene& scene, const Replay* replay);
   /// After `step` steps, whole or not; nothing: as it is.
   std::optional<CameraSettings> at(double step) const;

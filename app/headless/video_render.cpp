@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/replay/replay_time.h"
 #include "base/error.h"
+#include "sim/replay/replay_time.h"
 
 namespace fascia {
 namespace {

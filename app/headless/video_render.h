@@ -5,18 +5,18 @@
 #include <optional>
 #include <vector>
 
-#include "app/video/frame_sink.h"
 #include "app/headless/headless.h"
 #include "app/headless/interpolated_frames.h"
+#include "app/video/frame_sink.h"
 #include "base/byte_hash.h"
 
 namespace fascia {
 
 class VideoRender {
  public:
-  /// Frames go to `options.video`. A video that runs at the speed of life, or as much slower as is asked for, whatever the time step, also
-  /// where a replay changes it: where there are more steps than frames, a frame shows the nearest step, else the tissue moves between
-  /// steps (Moments). Throws Error.
+  /// Frames go to `options.video`. A video that runs at the speed of life, or as much slower as is asked for, whatever
+  /// the time step, also where a replay changes it: where there are more steps than frames, a frame shows the nearest
+  /// step, else the tissue moves between steps (Moments). Throws Error.
   VideoRender(const RenderOptions& options, Headless& headless);
 
   void after_step();  // writes the frames that can be drawn by now. Throws Error
@@ -30,7 +30,7 @@ class VideoRender {
 
   const RenderOptions& options_;
   Headless& headless_;
-  double rate_;                      // frames per simulated second
+  double rate_;                        // frames per simulated second
   std::vector<double> frame_of_step_;  // where the steps lie between the frames [steps made + 1]
   std::optional<Moments> moments_;
   std::unique_ptr<FrameSink> sink_;

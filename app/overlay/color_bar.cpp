@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <optional>
 
-#include "app/ui/ticks.h"
 #include "app/ui/style.h"
+#include "app/ui/ticks.h"
 #include "app/ui/units.h"
 
 namespace fascia {
@@ -30,7 +30,8 @@ Ink ink_on(Backdrop backdrop) {
   return {kBlack, kBlack, {1, 1, 1, 1}};
 }
 
-// White on dark can be read whatever a transparent picture is laid upon; a light plate would stand out on everything but white.
+// White on dark can be read whatever a transparent picture is laid upon; a light plate would stand out on everything
+// but white.
 Ink ink_of_bar(Backdrop backdrop) { return ink_on(backdrop == Backdrop::transparent ? Backdrop::black : backdrop); }
 
 constexpr float kPad = 10, kEdge = 12;  // inside a plate, and to the picture's edge [points]
@@ -58,7 +59,8 @@ std::string tick_text(double value, double step, int digits, const std::string& 
   const double size = std::max(std::abs(value), step);
   if (!unit.empty() || size < 1e-4 || size >= 1e5) return engineering(value, unit, std::max(digits, 3));
   char text[32];
-  std::snprintf(text, sizeof text, "%.*f", std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 8), value);
+  std::snprintf(text, sizeof text, "%.*f", std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 8),
+                value);
   return text;
 }
 
@@ -75,14 +77,20 @@ Ticks ticks_of(const Eigen::Vector2d& range) {
   for (const int most : {kUsual, 4, 3, 2, 6, 7, 8, 9, 10}) {
     const Ticks ticks = linear_ticks(range.x(), range.y(), most);
     const double rounding = 1e-6 * range.cwiseAbs().maxCoeff();
-    if (std::abs(ticks.values.front() - range.x()) <= rounding && std::abs(ticks.values.back() - range.y()) <= rounding) return ticks;
+    if (std::abs(ticks.values.front() - range.x()) <= rounding && std::abs(ticks.values.back() - range.y()) <= rounding)
+      return ticks;
   }
   return linear_ticks(range.x(), range.y(), kUsual);
 }
 
 Bar bar_in(const Box& picture, const Look& look, const Quantity& quantity) {
-  Bar bar{ticks_of(look.range.cast<double>()), {}, ui::px(14), ui::px(8), std::min(ui::px(220), 0.5f * picture.bottom),
-          2 * ImGui::GetFontSize(), {}};
+  Bar bar{ticks_of(look.range.cast<double>()),
+          {},
+          ui::px(14),
+          ui::px(8),
+          std::min(ui::px(220), 0.5f * picture.bottom),
+          2 * ImGui::GetFontSize(),
+          {}};
   const std::vector<double>& ticks = bar.ticks.values;
   // So wide that the plate, and the tissue beside it, stay where they are while the range follows the values.
   float text_width = ImGui::CalcTextSize(*quantity.unit ? "-500 kPa" : "-0.05").x;
@@ -92,7 +100,8 @@ Bar bar_in(const Box& picture, const Look& look, const Quantity& quantity) {
   }
   // Labels reach half a line over the bar's ends, and the upper one stays as much below the title.
   const float below = 0.5f * ImGui::GetFontSize();
-  bar.plate = plate_for(std::max(bar.width + bar.gap + text_width, ImGui::CalcTextSize(quantity.title).x), bar.above + bar.height + below, picture);
+  bar.plate = plate_for(std::max(bar.width + bar.gap + text_width, ImGui::CalcTextSize(quantity.title).x),
+                        bar.above + bar.height + below, picture);
   return bar;
 }
 
@@ -115,7 +124,8 @@ void draw_bar(const MarkArea& area, const Look& look, const Quantity& quantity) 
   for (int i = 0; i < kBands; ++i) {
     const float t0 = static_cast<float>(i) / kBands, t1 = static_cast<float>(i + 1) / kBands;
     const ImU32 upper = color_at(1 - t0), lower = color_at(1 - t1);
-    list.AddRectFilledMultiColor({left, top + t0 * height}, {left + width, top + t1 * height}, upper, upper, lower, lower);
+    list.AddRectFilledMultiColor({left, top + t0 * height}, {left + width, top + t1 * height}, upper, upper, lower,
+                                 lower);
   }
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     const double share = (ticks[i] - look.range.x()) / (static_cast<double>(look.range.y()) - look.range.x());
@@ -138,7 +148,8 @@ RegionList regions_in(const Box& picture, const std::vector<std::string>& names)
   RegionList list{std::min(names.size(), kMost), "", 1.35f * line, ui::px(8), {}};
   if (names.size() > list.shown) list.more = "and " + std::to_string(names.size() - list.shown) + " more";
   float width = ImGui::CalcTextSize(list.more.c_str()).x;
-  for (std::size_t i = 0; i < list.shown; ++i) width = std::max(width, ImGui::CalcTextSize(names[i].c_str()).x + line + list.gap);
+  for (std::size_t i = 0; i < list.shown; ++i)
+    width = std::max(width, ImGui::CalcTextSize(names[i].c_str()).x + line + list.gap);
   const float rows = static_cast<float>(list.shown + (list.more.empty() ? 0 : 1));
   list.plate = plate_for(width, rows * list.row - 0.35f * line, picture);
   return list;

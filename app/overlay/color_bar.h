@@ -13,8 +13,8 @@ std::optional<Box> legend_box(const Box& picture, const Session& session);
 double legend_space(const Session& session, int width, int height, float scale);
 inline bool has_legend(const Session& session) { return session.look.heat_map || session.look.regions; }
 
-/// On a plate at the right edge of the picture; not in pictures so small that it would hide much of them. Between ImGui::NewFrame and
-/// the next one.
+/// On a plate at the right edge of the picture; not in pictures so small that it would hide much of them. Between
+/// ImGui::NewFrame and the next one.
 void draw_legend(const MarkArea& area, const Session& session);
 
 }  // namespace fascia

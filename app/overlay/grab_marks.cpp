@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "app/ui/style.h"
-#include "app/ui/widgets.h"
 #include "app/ui/units.h"
+#include "app/ui/widgets.h"
 
 namespace fascia {
 
@@ -24,7 +24,8 @@ std::optional<ImVec2> place_of(const MarkArea& area, const Session& session, con
 
 }  // namespace
 
-std::vector<HandMark> hand_marks(const Simulation& simulation, const std::vector<HandForce>& forces, const Hands* hands) {
+std::vector<HandMark> hand_marks(const Simulation& simulation, const std::vector<HandForce>& forces,
+                                 const Hands* hands) {
   const std::vector<GrabSpring>& springs = simulation.springs();
   std::vector<HandMark> marks;
   for (std::size_t begin = 0, end = 0; begin < springs.size(); begin = end) {
@@ -46,7 +47,9 @@ std::vector<HandMark> hand_marks(const Simulation& simulation, const std::vector
         if (hands->all()[i].id == hand) {
           const Grab& grab = hands->all()[i].grab;
           mark.arrow = {grab.anchor().cast<float>(), grab.pointer().cast<float>()};
-          if (observed) mark.arrow.from += ((grab.force() - force) / grab.stiffness()).cast<float>();  // of this simulation's tissue
+          if (observed)
+            mark.arrow.from +=
+                ((grab.force() - force) / grab.stiffness()).cast<float>();  // of this simulation's tissue
           mark.stays = !hands->follows(i);
         }
     marks.push_back(mark);
@@ -73,20 +76,23 @@ MarkArea MarkArea::whole() {
   return {*ImGui::GetBackgroundDrawList(), 0, size.x, size.y};
 }
 
-void draw_hand_marks(const MarkArea& area, const Session& session, const std::vector<HandMark>& marks, LabelPlaces& places) {
+void draw_hand_marks(const MarkArea& area, const Session& session, const std::vector<HandMark>& marks,
+                     LabelPlaces& places) {
   ImDrawList& list = area.list;
   list.PushClipRect({area.x, 0}, {area.x + area.width, area.height}, true);
   std::vector<std::optional<ImVec2>> hands;
   for (const HandMark& mark : marks) {
     const auto place = place_of(area, session, mark.arrow.to.cast<double>());
-    const bool shown = place && place->x >= area.x && place->x < area.x + area.width && place->y >= 0 && place->y < area.height;
+    const bool shown =
+        place && place->x >= area.x && place->x < area.x + area.width && place->y >= 0 && place->y < area.height;
     hands.push_back(shown ? place : std::nullopt);
     if (!shown) continue;
     const float reach = ui::px(8);
     places.keep_clear({place->x - reach, place->y - reach, place->x + reach, place->y + reach});
     if (mark.stays) {
       const float radius = static_cast<float>(kMarkRadius) * area.height / 720;
-      list.AddCircleFilled(*place, radius, ImGui::GetColorU32(ImVec4(ui::kAccent.x, ui::kAccent.y, ui::kAccent.z, 0.35f)));
+      list.AddCircleFilled(*place, radius,
+                           ImGui::GetColorU32(ImVec4(ui::kAccent.x, ui::kAccent.y, ui::kAccent.z, 0.35f)));
       list.AddCircle(*place, radius, ImGui::GetColorU32({1, 1, 1, 0.95f}), 0, ui::px(2));
     }
   }
@@ -99,7 +105,8 @@ void draw_hand_marks(const MarkArea& area, const Session& session, const std::ve
   list.PopClipRect();
 }
 
-void draw_patch_ring(const MarkArea& area, const Session& session, const Vector3d& place, const Vector3d& normal, double radius) {
+void draw_patch_ring(const MarkArea& area, const Session& session, const Vector3d& place, const Vector3d& normal,
+                     double radius) {
   const Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
   constexpr int kCorners = 64;
   std::vector<ImVec2> ring;

@@ -1,32 +1,34 @@
-// Where the hands are and how hard they pull, drawn over the tissue: those of the user, of the scene and of a replay alike. And what else
-// marks places of it.
+// Where the hands are and how hard they pull, drawn over the tissue: those of the user, of the scene and of a replay
+// alike. And what else marks places of it.
 #pragma once
 #include <optional>
 #include <vector>
 
-#include "sim/grab/grab_set.h"
-#include "app/ui/label_places.h"
 #include "app/session/session.h"
+#include "app/ui/label_places.h"
+#include "sim/grab/grab_set.h"
 
 struct ImDrawList;
 
 namespace fascia {
 
-inline constexpr float kLabelGap = 3;  // between labels [points]
+inline constexpr float kLabelGap = 3;      // between labels [points]
 inline constexpr double kMarkRadius = 11;  // of the handle of a hand [1/720 of the picture's height]
 
 struct HandMark {
-  GrabMark arrow;               // from the tissue to where it is pulled: along the force, as long as the springs are
-  Eigen::Vector3d force;        // [N]
-  bool stays = false;           // a hand of the user that does not follow the mouse: can be taken up by its handle
+  GrabMark arrow;         // from the tissue to where it is pulled: along the force, as long as the springs are
+  Eigen::Vector3d force;  // [N]
+  bool stays = false;     // a hand of the user that does not follow the mouse: can be taken up by its handle
 };
 
 /// `forces` as last observed; `hands` of the user, null where there is none.
-std::vector<HandMark> hand_marks(const Simulation& simulation, const std::vector<HandForce>& forces, const Hands* hands);
+std::vector<HandMark> hand_marks(const Simulation& simulation, const std::vector<HandForce>& forces,
+                                 const Hands* hands);
 std::vector<GrabMark> arrows(const std::vector<HandMark>& marks);
 
 /// Pixel of a place in a picture of the session; nothing behind the eye.
-std::optional<Eigen::Vector2d> pixel_of(const Session& session, const Eigen::Vector3d& place, double width, double height);
+std::optional<Eigen::Vector2d> pixel_of(const Session& session, const Eigen::Vector3d& place, double width,
+                                        double height);
 
 /// A list to draw into and where the picture of a session is in it, in the list's units.
 struct MarkArea {
@@ -37,10 +39,12 @@ struct MarkArea {
 };
 
 /// Handles and forces in newtons, these where `places` has room for them.
-void draw_hand_marks(const MarkArea& area, const Session& session, const std::vector<HandMark>& marks, LabelPlaces& places);
+void draw_hand_marks(const MarkArea& area, const Session& session, const std::vector<HandMark>& marks,
+                     LabelPlaces& places);
 
 /// A circle of the patch's radius [m] on the tissue at this place, square to `normal`.
-void draw_patch_ring(const MarkArea& area, const Session& session, const Eigen::Vector3d& place, const Eigen::Vector3d& normal, double radius);
+void draw_patch_ring(const MarkArea& area, const Session& session, const Eigen::Vector3d& place,
+                     const Eigen::Vector3d& normal, double radius);
 
 /// A dot on the vertex that is plotted; `place` is where it is [m].
 void draw_probe(const MarkArea& area, const Session& session, const Eigen::Vector3d& place);

@@ -9,8 +9,8 @@
 #include <algorithm>
 
 #include "app/overlay/color_bar.h"
-#include "app/session/framing.h"
 #include "app/panels/panels.h"
+#include "app/session/framing.h"
 #include "app/ui/style.h"
 #include "app/ui/widgets.h"
 #include "app/ui/window_input.h"
@@ -24,7 +24,8 @@ Overlay::Overlay(Graphics& graphics) : graphics_(graphics) {
   io.IniFilename = nullptr;
   if (GLFWwindow* window = graphics.context->window()) {
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    ImGui_ImplGlfw_InitForOther(window, false);  // its callbacks are called by WindowInput, which sees every event first
+    ImGui_ImplGlfw_InitForOther(window,
+                                false);  // its callbacks are called by WindowInput, which sees every event first
   }
 }
 
@@ -70,7 +71,8 @@ void Overlay::end() {
 
 void Overlay::draw_lists(const Framebuffer& framebuffer, bool foreground) {
   ImDrawData data = *ImGui::GetDrawData();
-  const bool has_foreground = data.CmdListsCount > 0 && data.CmdLists[data.CmdListsCount - 1] == ImGui::GetForegroundDrawList();
+  const bool has_foreground =
+      data.CmdListsCount > 0 && data.CmdLists[data.CmdListsCount - 1] == ImGui::GetForegroundDrawList();
   if (foreground) {
     if (!has_foreground) return;
     data.CmdLists += data.CmdListsCount - 1;
@@ -87,12 +89,14 @@ void Overlay::draw_foreground(const Framebuffer& framebuffer) { draw_lists(frame
 
 void Overlay::draw_onto(const Framebuffer& framebuffer, bool panels) {
   ImDrawData data = *ImGui::GetDrawData();
-  if (data.CmdListsCount > 0 && data.CmdLists[data.CmdListsCount - 1] == ImGui::GetForegroundDrawList()) --data.CmdListsCount;
+  if (data.CmdListsCount > 0 && data.CmdLists[data.CmdListsCount - 1] == ImGui::GetForegroundDrawList())
+    --data.CmdListsCount;
   const bool has_background = data.CmdListsCount > 0 && data.CmdLists[0] == ImGui::GetBackgroundDrawList();
   if (!panels) data.CmdListsCount = has_background ? 1 : 0;
   const float scale = scale_onto(framebuffer);
   data.FramebufferScale = {scale, scale};
-  data.DisplaySize = {static_cast<float>(framebuffer.width()) / scale, static_cast<float>(framebuffer.height()) / scale};
+  data.DisplaySize = {static_cast<float>(framebuffer.width()) / scale,
+                      static_cast<float>(framebuffer.height()) / scale};
   framebuffer.bind_resolved();
   renderer_->draw(data);
 }
@@ -100,7 +104,8 @@ void Overlay::draw_onto(const Framebuffer& framebuffer, bool panels) {
 std::vector<Box> Overlay::covered() const {
   std::vector<Box> boxes = ui::background_pills();
   for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
-    if (window->Active && !window->Hidden && !window->IsFallbackWindow && !(window->Flags & ImGuiWindowFlags_ChildWindow)) {
+    if (window->Active && !window->Hidden && !window->IsFallbackWindow &&
+        !(window->Flags & ImGuiWindowFlags_ChildWindow)) {
       const ImRect box = window->Rect();
       boxes.push_back({box.Min.x, box.Min.y, box.Max.x, box.Max.y});
     }
@@ -132,8 +137,9 @@ void Overlay::draw_list(const Framebuffer& framebuffer, float scale, const std::
   renderer_->draw(data);
 }
 
-void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool panels, const std::optional<Diagnostics>& diagnostics,
-                            const std::vector<HandMark>& hands, const std::function<void()>& more) {
+void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool panels,
+                            const std::optional<Diagnostics>& diagnostics, const std::vector<HandMark>& hands,
+                            const std::function<void()>& more) {
   scale_to(framebuffer.height());
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(framebuffer.width()), static_cast<float>(framebuffer.height())};
@@ -149,7 +155,8 @@ void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool pan
     const MarkArea area = MarkArea::whole();
     draw_legend(area, session);
     constexpr float kFar = 1e6f;
-    LabelPlaces places(framebuffer.height() >= kLeastRows ? area.box() : Box{-kFar, -kFar, kFar, kFar}, ui::px(kLabelGap));
+    LabelPlaces places(framebuffer.height() >= kLeastRows ? area.box() : Box{-kFar, -kFar, kFar, kFar},
+                       ui::px(kLabelGap));
     for (const Box& box : covered()) places.keep_clear(box);
     if (const auto legend = legend_box(area.box(), session)) places.keep_clear(*legend);
     draw_hand_marks(area, session, hands, places);

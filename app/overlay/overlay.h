@@ -1,12 +1,13 @@
-// What is drawn over the picture: the panels, and lists of marks and labels. Owns the ImGui context; works in a window and headless.
-// Everything is laid out in pixels of the picture, so that a window, a screenshot and a headless rendering look alike.
+// What is drawn over the picture: the panels, and lists of marks and labels. Owns the ImGui context; works in a window
+// and headless. Everything is laid out in pixels of the picture, so that a window, a screenshot and a headless
+// rendering look alike.
 #pragma once
 #include <functional>
 #include <memory>
 #include <optional>
 
-#include "app/session/graphics.h"
 #include "app/overlay/grab_marks.h"
+#include "app/session/graphics.h"
 #include "app/session/session.h"
 #include "render/passes/imgui_renderer.h"
 
@@ -23,13 +24,15 @@ class Overlay {
 
   /// One frame of panels (if wanted), color bar and forces of hands over the resolved framebuffer, without a window.
   /// `more` is called with ImGui to draw what else belongs to the picture.
-  void draw_headless(Session& session, Framebuffer& framebuffer, bool panels, const std::optional<Diagnostics>& diagnostics,
-                     const std::vector<HandMark>& hands, const std::function<void()>& more = {});
+  void draw_headless(Session& session, Framebuffer& framebuffer, bool panels,
+                     const std::optional<Diagnostics>& diagnostics, const std::vector<HandMark>& hands,
+                     const std::function<void()>& more = {});
   /// So that lengths in pixels and texts are measured right before the first picture of this height.
   void scale_to(int height);
 
-  /// A window's frame: begin, which gives ImGui the next input (WindowInput::feed), then any ImGui calls, then end; then draw over the
-  /// resolved framebuffer, first what belongs to the picture, then what does not (ImGui's foreground layer).
+  /// A window's frame: begin, which gives ImGui the next input (WindowInput::feed), then any ImGui calls, then end;
+  /// then draw over the resolved framebuffer, first what belongs to the picture, then what does not (ImGui's foreground
+  /// layer).
   void begin(int width, int height);
   void end();
   void draw(const Framebuffer& framebuffer);

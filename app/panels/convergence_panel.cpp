@@ -1,10 +1,11 @@
-// How the iterations of a step converge: the residual over the iterations, for the settings in use and for those pinned beside them.
+// How the iterations of a step converge: the residual over the iterations, for the settings in use and for those pinned
+// beside them.
 #include <imgui.h>
 
 #include <cstdio>
 
-#include "app/ui/log_plot.h"
 #include "app/panels/panels.h"
+#include "app/ui/log_plot.h"
 #include "app/ui/style.h"
 #include "app/ui/widgets.h"
 
@@ -18,8 +19,8 @@ bool line_row(const Convergence::Line& line, std::size_t index) {
   ImGui::PushID(static_cast<int>(index));
   const float size = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddRectFilled({corner.x, corner.y + 0.2f * size}, {corner.x + 0.6f * size, corner.y + 0.8f * size},
-                                            ui::curve_color(index));
+  ImGui::GetWindowDrawList()->AddRectFilled({corner.x, corner.y + 0.2f * size},
+                                            {corner.x + 0.6f * size, corner.y + 0.8f * size}, ui::curve_color(index));
   ImGui::Dummy({0.6f * size, size});
   ImGui::SameLine();
   char end[32] = "";
@@ -33,7 +34,9 @@ bool line_row(const Convergence::Line& line, std::size_t index) {
     ui::tooltip("Take this line away");
     ImGui::SameLine();
   }
-  ui::fact(line.name.c_str(), end, index == 0 ? "The settings in use, on the step that comes next" : "Pinned: solves the same step with its own method");
+  ui::fact(line.name.c_str(), end,
+           index == 0 ? "The settings in use, on the step that comes next"
+                      : "Pinned: solves the same step with its own method");
   ImGui::PopID();
   return removed;
 }
@@ -56,8 +59,9 @@ void convergence_panel(const Simulation& simulation, Convergence& convergence) {
   const SolverSettings& settings = simulation.scene.solver;
   if (convergence.can_pin(settings)) {
     if (ui::button("Pin these settings", ImGui::GetContentRegionAvail().x)) convergence.pin(settings);
-    ui::tooltip("Keeps the method and acceleration in use as a line, to compare others with. Each line solves a step of its own, in "
-                "turn, one a frame");
+    ui::tooltip(
+        "Keeps the method and acceleration in use as a line, to compare others with. Each line solves a step of its "
+        "own, in turn, one a frame");
   }
 }
 

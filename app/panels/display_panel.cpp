@@ -13,37 +13,57 @@ namespace {
 
 const char* help_of(ColorBy color) {
   switch (color) {
-    case ColorBy::none: return "The tissue's own color. Costs nothing";
-    case ColorBy::region: return "Regions of the mesh, in colors that color-blind people tell apart. Costs nothing in a step";
-    case ColorBy::strain: return "Green strain of the tets, averaged at vertices [-]. One pass over the tets a frame";
-    case ColorBy::von_mises: return "Of the Cauchy stress, averaged at vertices [Pa]. One pass over the tets a frame";
-    case ColorBy::displacement: return "Distance from the place at rest [m]. Costs next to nothing";
-    case ColorBy::velocity: return "Speed of the vertices [m/s]. Costs next to nothing";
-    case ColorBy::volume_ratio: return "J, volume over volume at rest [-]: 1 is unchanged, below 0 turned inside out. One pass over the tets a frame";
-    case ColorBy::largest_stress: return "Of the Cauchy stress [Pa]: positive where the tissue is pulled. One pass over the tets a frame";
-    case ColorBy::smallest_stress: return "Of the Cauchy stress [Pa]: negative where the tissue is pressed. One pass over the tets a frame";
-    case ColorBy::error: return "Distance of the last substep to the exact one [m], solved on another thread";
+    case ColorBy::none:
+      return "The tissue's own color. Costs nothing";
+    case ColorBy::region:
+      return "Regions of the mesh, in colors that color-blind people tell apart. Costs nothing in a step";
+    case ColorBy::strain:
+      return "Green strain of the tets, averaged at vertices [-]. One pass over the tets a frame";
+    case ColorBy::von_mises:
+      return "Of the Cauchy stress, averaged at vertices [Pa]. One pass over the tets a frame";
+    case ColorBy::displacement:
+      return "Distance from the place at rest [m]. Costs next to nothing";
+    case ColorBy::velocity:
+      return "Speed of the vertices [m/s]. Costs next to nothing";
+    case ColorBy::volume_ratio:
+      return "J, volume over volume at rest [-]: 1 is unchanged, below 0 turned inside out. One pass over the tets a "
+             "frame";
+    case ColorBy::largest_stress:
+      return "Of the Cauchy stress [Pa]: positive where the tissue is pulled. One pass over the tets a frame";
+    case ColorBy::smallest_stress:
+      return "Of the Cauchy stress [Pa]: negative where the tissue is pressed. One pass over the tets a frame";
+    case ColorBy::error:
+      return "Distance of the last substep to the exact one [m], solved on another thread";
   }
   return "";
 }
 
 const char* help_of(ColorMap map) {
   switch (map) {
-    case ColorMap::automatic: return "dusk; polar for J and principal stresses";
-    case ColorMap::dusk: return "Violet over green to yellow, always lighter";
-    case ColorMap::ember: return "Black over red to yellow, always lighter";
-    case ColorMap::polar: return "Blue, white, red: white is the neutral value of J (1) and principal stresses (0), else the middle";
-    case ColorMap::grey: return "Dark to light, for print";
+    case ColorMap::automatic:
+      return "dusk; polar for J and principal stresses";
+    case ColorMap::dusk:
+      return "Violet over green to yellow, always lighter";
+    case ColorMap::ember:
+      return "Black over red to yellow, always lighter";
+    case ColorMap::polar:
+      return "Blue, white, red: white is the neutral value of J (1) and principal stresses (0), else the middle";
+    case ColorMap::grey:
+      return "Dark to light, for print";
   }
   return "";
 }
 
 const char* help_of(Background background) {
   switch (background) {
-    case Background::gradient: return "A grey room";
-    case Background::white: return "For papers";
-    case Background::black: return "For slides";
-    case Background::transparent: return "Pictures get an alpha channel; of the ground only the shadow is kept. No videos";
+    case Background::gradient:
+      return "A grey room";
+    case Background::white:
+      return "For papers";
+    case Background::black:
+      return "For slides";
+    case Background::transparent:
+      return "Pictures get an alpha channel; of the ground only the shadow is kept. No videos";
   }
   return "";
 }
@@ -51,7 +71,9 @@ const char* help_of(Background background) {
 // Whether the range follows the values, and where it ends if not.
 bool range_rows(const Session& session, DisplaySettings& display) {
   bool changed = false, automatic = !display.range;
-  ui::label("Range", "Automatic: to a round number above the largest value of the moment, from 0 or as far to the other side of a neutral value");
+  ui::label("Range",
+            "Automatic: to a round number above the largest value of the moment, from 0 or as far to the other side of "
+            "a neutral value");
   if (ui::checkbox("automatic", automatic, "Follows the values; off: the range stays as it is and can be typed")) {
     display.range.reset();
     if (!automatic) display.range = session.look.range.cast<double>();
@@ -63,8 +85,10 @@ bool range_rows(const Session& session, DisplaySettings& display) {
   const double least = stress ? 1 : length ? 1e-9 : 1e-4, most = stress ? 1e9 : 10;
   Eigen::Vector2d range = *display.range;
   const double lowest = quantity.neutral ? *quantity.neutral - most : 0;
-  const bool low = ui::number({"from", quantity.unit, lowest, range.y(), -1e14, 1e14, false, false, "Value of the first color"}, range.x());
-  const bool high = ui::number({"to", quantity.unit, least, most, -1e14, 1e14, true, false, "Value of the last color"}, range.y());
+  const bool low = ui::number(
+      {"from", quantity.unit, lowest, range.y(), -1e14, 1e14, false, false, "Value of the first color"}, range.x());
+  const bool high =
+      ui::number({"to", quantity.unit, least, most, -1e14, 1e14, true, false, "Value of the last color"}, range.y());
   if ((low || high) && range.x() < range.y()) {
     display.range = range;
     changed = true;
@@ -79,10 +103,13 @@ bool section_rows(const Session& session, DisplaySettings& display) {
     if (on) display.section = SectionPlane{Eigen::Vector3d::UnitX(), session.look.center.x()};
     changed = true;
   }
-  ui::tooltip("Cuts the picture of the body open; what is inside shows in the colors of the heat map. One pass over the tets a frame");
+  ui::tooltip(
+      "Cuts the picture of the body open; what is inside shows in the colors of the heat map. One pass over the tets a "
+      "frame");
   if (!display.section) return changed;
   SectionPlane& section = *display.section;
-  ui::label("Across", "The axis that the plane lies across, or its opposite: what lies beyond the plane along it is left out");
+  ui::label("Across",
+            "The axis that the plane lies across, or its opposite: what lies beyond the plane along it is left out");
   constexpr const char* kAxes[] = {"x", "y", "z", "-x", "-y", "-z"};
   for (int i = 0; i < 6; ++i) {
     const Eigen::Vector3d axis = (i < 3 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(i % 3);
@@ -106,10 +133,14 @@ bool tets_rows(DisplaySettings& display) {
     if (on) display.tets.emplace();
     changed = true;
   }
-  ui::tooltip("Draws every tet on its own instead of the surface: 4 triangles a tet. With a section whole tets are left out");
+  ui::tooltip(
+      "Draws every tet on its own instead of the surface: 4 triangles a tet. With a section whole tets are left out");
   if (!display.tets) return changed;
-  changed |= ui::number({"Shrink", "", 0.1, 1, 0.01, 1, false, false, "Size of every tet about its centroid [-]"}, display.tets->shrink);
-  changed |= ui::number({"Spread", "", 0, 2, 0, 10, false, false, "How much farther from the middle tets are drawn [-]"}, display.tets->spread);
+  changed |= ui::number({"Shrink", "", 0.1, 1, 0.01, 1, false, false, "Size of every tet about its centroid [-]"},
+                        display.tets->shrink);
+  changed |=
+      ui::number({"Spread", "", 0, 2, 0, 10, false, false, "How much farther from the middle tets are drawn [-]"},
+                 display.tets->spread);
   return changed;
 }
 
@@ -123,12 +154,16 @@ bool light_rows(DisplaySettings& display) {
   ImGui::SameLine(left + 2.15f * column);
   changed |= ImGui::Checkbox("Ground", &display.ground);
   ui::tooltip("A floor with a grid; every line is a round number of metres");
-  changed |= ui::number({"Occlusion", "", 0, 1, 0, 1, false, false,
-                         "Darkens creases and what stands close together [-]. 0 costs nothing; software renderers pay for every pixel"},
-                        display.ambient_occlusion);
-  changed |= ui::number({"Depth cue", "", 0, 1, 0, 1, false, false, "How far the back of the scene fades into the background [-]"}, display.depth_cue);
-  changed |= ui::choice("Background", all_backgrounds(), display.background, [](Background b) { return name_of(b); },
-                        [](Background b) { return std::string(help_of(b)); });
+  changed |= ui::number(
+      {"Occlusion", "", 0, 1, 0, 1, false, false,
+       "Darkens creases and what stands close together [-]. 0 costs nothing; software renderers pay for every pixel"},
+      display.ambient_occlusion);
+  changed |= ui::number(
+      {"Depth cue", "", 0, 1, 0, 1, false, false, "How far the back of the scene fades into the background [-]"},
+      display.depth_cue);
+  changed |= ui::choice(
+      "Background", all_backgrounds(), display.background, [](Background b) { return name_of(b); },
+      [](Background b) { return std::string(help_of(b)); });
   return changed;
 }
 
@@ -145,14 +180,16 @@ void theme_row() {
 void display_panel(Session& session) {
   DisplaySettings display = session.display();
   bool changed = false;
-  if (ui::choice("Color", all_colors(), display.color, [](ColorBy c) { return quantity_of(c).title; },
-                 [](ColorBy c) { return std::string(help_of(c)); })) {
+  if (ui::choice(
+          "Color", all_colors(), display.color, [](ColorBy c) { return quantity_of(c).title; },
+          [](ColorBy c) { return std::string(help_of(c)); })) {
     display.range.reset();  // it was of another quantity
     changed = true;
   }
   if (is_heat_map(display.color)) {
-    changed |= ui::choice("Color map", all_color_maps(), display.color_map, [](ColorMap m) { return name_of(m); },
-                          [](ColorMap m) { return std::string(help_of(m)); });
+    changed |= ui::choice(
+        "Color map", all_color_maps(), display.color_map, [](ColorMap m) { return name_of(m); },
+        [](ColorMap m) { return std::string(help_of(m)); });
     changed |= range_rows(session, display);
   }
   changed |= light_rows(display);

@@ -5,8 +5,8 @@
 
 #include "app/panels/panels.h"
 #include "app/ui/style.h"
-#include "app/ui/widgets.h"
 #include "app/ui/units.h"
+#include "app/ui/widgets.h"
 
 namespace fascia {
 namespace {
@@ -14,8 +14,8 @@ namespace {
 constexpr double kBalanced = 0.01, kAlmost = 0.1;  // imbalance up to which the badge is green, amber
 
 std::string in_newtons(const Eigen::Vector3d& force) {
-  return engineering(force.norm(), "N") + "  (" + engineering(force.x(), "N") + ", " + engineering(force.y(), "N") + ", " +
-         engineering(force.z(), "N") + ")";
+  return engineering(force.norm(), "N") + "  (" + engineering(force.x(), "N") + ", " + engineering(force.y(), "N") +
+         ", " + engineering(force.z(), "N") + ")";
 }
 
 }  // namespace
@@ -23,8 +23,10 @@ std::string in_newtons(const Eigen::Vector3d& force) {
 void grab_panel(const Session& session, ViewState& state, Requests& requests) {
   const double size = session.look.radius;
   double radius = state.grab.radius * size;
-  if (ui::number({"Radius", "m", 0.01 * size, 0.4 * size, 0.001 * size, size, true, false,
-                  "Of the patch that a hand holds: the ring on the tissue under the mouse. [ and ], or Ctrl and the wheel"}, radius))
+  if (ui::number(
+          {"Radius", "m", 0.01 * size, 0.4 * size, 0.001 * size, size, true, false,
+           "Of the patch that a hand holds: the ring on the tissue under the mouse. [ and ], or Ctrl and the wheel"},
+          radius))
     state.grab.radius = radius / size;
   ui::number({"Grip", "", 0.3, 30, 1e-3, 1e3, true, false,
               "Stiffness of a hand's springs relative to the tissue's: higher follows more closely and pulls harder"},
@@ -33,10 +35,13 @@ void grab_panel(const Session& session, ViewState& state, Requests& requests) {
   ui::tooltip("A press pushes into the surface, the wheel deeper; Alt does the opposite of this for one press");
   ImGui::SameLine(0, ui::px(14));
   ImGui::Checkbox("Stay (Ctrl)", &state.grab.stay);
-  ui::tooltip("Hands stay where they are released, as with Ctrl or T; left on their mark takes one up, right or Delete lets it go");
+  ui::tooltip(
+      "Hands stay where they are released, as with Ctrl or T; left on their mark takes one up, right or Delete lets it "
+      "go");
   if (state.hands == 0) return;
-  requests.let_go |= ui::button(("Let go of " + std::to_string(state.hands) + (state.hands == 1 ? " hand" : " hands")).c_str(),
-                                ImGui::GetContentRegionAvail().x);
+  requests.let_go |=
+      ui::button(("Let go of " + std::to_string(state.hands) + (state.hands == 1 ? " hand" : " hands")).c_str(),
+                 ImGui::GetContentRegionAvail().x);
   ui::tooltip("All that stay (Esc)");
 }
 
@@ -52,10 +57,14 @@ void balance_rows(const Simulation& simulation, const SceneFacts& facts, const D
   ImGui::PushStyleColor(ImGuiCol_Text, color);
   ui::fact("Balance", text);
   ImGui::PopStyleColor();
-  ui::tooltip("Supports + weight + hands - mass times acceleration, over the largest of them. Inside the body all forces cancel, so\n"
-              "nothing is left of a step that is solved; what is left tells how far the iterations are from that. More of them help.\n"
-              "Supports  " + in_newtons(d.reaction) + "\nWeight  " + in_newtons(weight) + "\nHands  " + in_newtons(d.grab_force) +
-              "\nMass times acceleration  " + in_newtons(d.inertia));
+  ui::tooltip(
+      "Supports + weight + hands - mass times acceleration, over the largest of them. Inside the body all forces "
+      "cancel, so\n"
+      "nothing is left of a step that is solved; what is left tells how far the iterations are from that. More of them "
+      "help.\n"
+      "Supports  " +
+      in_newtons(d.reaction) + "\nWeight  " + in_newtons(weight) + "\nHands  " + in_newtons(d.grab_force) +
+      "\nMass times acceleration  " + in_newtons(d.inertia));
 }
 
 }  // namespace fascia

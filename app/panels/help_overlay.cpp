@@ -45,7 +45,8 @@ const std::vector<std::vector<Theme>>& help_columns() {
          {"Ctrl+Z, Ctrl+Y", "take a change back, do it again"},
          {"B", "compare two settings side by side"},
          {"Ctrl+Tab, arrows, Enter", "the panels by keyboard; Esc leaves them"}}}},
-      {{"View", {{"F", "frame the body as it is"}, {"W", "wireframe"}, {"H", "hide the panels"}, {"F3", "plots over time"}}},
+      {{"View",
+        {{"F", "frame the body as it is"}, {"W", "wireframe"}, {"H", "hide the panels"}, {"F3", "plots over time"}}},
        {"Files",
         {{"Ctrl+O", "open; or drop a file on the window"},
          {"Ctrl+Shift+O", "opened before"},
@@ -72,10 +73,12 @@ void draw_help(ViewState& state) {
   const ImVec2 size = ImGui::GetIO().DisplaySize, most{size.x - ui::px(16), size.y - ui::px(16)};
   const ImGuiWindow* before = ImGui::FindWindowByName(name);
   const float half = before ? before->Size.x / 2 : 0, right_most = size.x - ui::px(8) - half;
-  ImGui::SetNextWindowPos({std::min((size.x + panel_width()) / 2, right_most), size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowPos({std::min((size.x + panel_width()) / 2, right_most), size.y / 2}, ImGuiCond_Always,
+                          {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({0, 0}, most);
   ImGui::SetNextWindowBgAlpha(0.98f);  // it may lie over plots
-  constexpr ImGuiWindowFlags kFlags = (kPlain & ~ImGuiWindowFlags_NoTitleBar) | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_HorizontalScrollbar;
+  constexpr ImGuiWindowFlags kFlags =
+      (kPlain & ~ImGuiWindowFlags_NoTitleBar) | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_HorizontalScrollbar;
   if (ImGui::Begin(name, &state.show_help, kFlags)) {
     const auto& columns = help_columns();
     for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -114,7 +117,8 @@ void draw_hints(const Hints& hints, const Room& room) {
   if (hints.wanted("grab")) ui::pill("Drag the tissue to pull at it", middle, below - line, ui::kText);
   if (hints.wanted("orbit")) ui::pill("Drag beside it to turn the view, wheel: zoom", middle, below, ui::kText);
   const char* tune = "Move a slider: the tissue changes at once";
-  if (hints.wanted("tune")) ui::pill(tune, left + 0.5f * ImGui::CalcTextSize(tune).x + ui::px(10), 0.36f * size.y, ui::kText);
+  if (hints.wanted("tune"))
+    ui::pill(tune, left + 0.5f * ImGui::CalcTextSize(tune).x + ui::px(10), 0.36f * size.y, ui::kText);
 }
 
 void draw_left_behind(const std::string& scene, Requests& requests) {
@@ -122,7 +126,8 @@ void draw_left_behind(const std::string& scene, Requests& requests) {
   ImGui::SetNextWindowPos({(size.x + panel_width()) / 2, ui::px(50)}, ImGuiCond_Always, {0.5f, 0});
   if (ImGui::Begin("left behind", nullptr, kPlain)) {
     // Over plots, but not over dialogs.
-    if (!ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+    if (!ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+      ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     ImGui::AlignTextToFramePadding();
     ImGui::Text("A window ended before it was closed, with %s.", scene.c_str());
     ImGui::SameLine();
@@ -153,7 +158,8 @@ void draw_recording_dot(double seconds, long dropped) {
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   char text[64];
   const int length = std::snprintf(text, sizeof text, "%.1f s", seconds);
-  if (dropped > 0) std::snprintf(text + length, sizeof text - static_cast<std::size_t>(length), ", dropped frames: %ld", dropped);
+  if (dropped > 0)
+    std::snprintf(text + length, sizeof text - static_cast<std::size_t>(length), ", dropped frames: %ld", dropped);
   const ImVec2 at{ImGui::GetIO().DisplaySize.x - ui::px(24), ui::px(26)};
   list.AddCircleFilled(at, ui::px(8), ImGui::GetColorU32(ui::kDanger));
   const float width = ImGui::CalcTextSize(text).x;
@@ -172,7 +178,8 @@ bool draw_message(const std::string& text, bool is_error) {
     ImGui::PopTextWrapPos();
     if (is_error) {
       close = ImGui::Button("Close (Esc)");
-      close |= ImGui::IsMouseHoveringRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()) && ImGui::IsMouseClicked(0);  // past a dialog
+      close |= ImGui::IsMouseHoveringRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()) &&
+               ImGui::IsMouseClicked(0);  // past a dialog
       ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     }
   }

@@ -1,4 +1,5 @@
-// Short hints for somebody who is new here: each is shown until what it is about was done once, in this window or in one before.
+// Short hints for somebody who is new here: each is shown until what it is about was done once, in this window or in
+// one before.
 #pragma once
 #include <string>
 

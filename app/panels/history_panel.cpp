@@ -10,15 +10,18 @@
 namespace fascia {
 
 void history_panel(const DialHistory& history, Requests& requests) {
-  requests.copy_command |= ui::button("Copy command line", "Copies the command line that opens this scene with the values of the sliders (Ctrl+Shift+C)",
-                                      ImGui::GetContentRegionAvail().x);
+  requests.copy_command |=
+      ui::button("Copy command line",
+                 "Copies the command line that opens this scene with the values of the sliders (Ctrl+Shift+C)",
+                 ImGui::GetContentRegionAvail().x);
   constexpr float kRows = 8;  // more of them scroll
   const std::size_t count = history.entries().size();
   if (count == 0) {
     ImGui::TextWrapped("Nothing was changed yet.");
     return;
   }
-  ImGui::BeginChild("entries", {0, std::min(kRows, static_cast<float>(count) + 1) * ImGui::GetTextLineHeightWithSpacing()});
+  ImGui::BeginChild("entries",
+                    {0, std::min(kRows, static_cast<float>(count) + 1) * ImGui::GetTextLineHeightWithSpacing()});
   for (std::size_t i = count + 1; i-- > 0;) {
     ImGui::PushID(static_cast<int>(i));
     const bool undone = i > history.done();
@@ -26,7 +29,9 @@ void history_panel(const DialHistory& history, Requests& requests) {
     if (undone) ImGui::PushStyleColor(ImGuiCol_Text, ui::kDim);
     if (ImGui::Selectable(text.c_str(), i == history.done()) && i != history.done()) requests.history = i;
     if (undone) ImGui::PopStyleColor();
-    ui::tooltip(text + (undone ? ". A click does it again, and all up to it" : i == history.done() ? ". As it is now" : ". A click takes back all that came after it"));
+    ui::tooltip(text + (undone                ? ". A click does it again, and all up to it"
+                        : i == history.done() ? ". As it is now"
+                                              : ". A click takes back all that came after it"));
     ImGui::PopID();
   }
   ImGui::EndChild();

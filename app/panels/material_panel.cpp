@@ -1,16 +1,17 @@
-// Regions and materials: which material has how much of the tissue, and the sliders of the chosen one, made from the material table.
+// Regions and materials: which material has how much of the tissue, and the sliders of the chosen one, made from the
+// material table.
 #include <imgui.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
 
-#include "app/ui/field_labels.h"
-#include "app/session/advice.h"
 #include "app/panels/panels.h"
+#include "app/session/advice.h"
+#include "app/ui/field_labels.h"
 #include "app/ui/style.h"
-#include "app/ui/widgets.h"
 #include "app/ui/units.h"
+#include "app/ui/widgets.h"
 #include "render/view/color_map.h"
 #include "sim/material/law.h"
 #include "sim/material/tissues.h"
@@ -18,7 +19,8 @@
 namespace fascia {
 namespace {
 
-// What the table does not say: the range that a slider is useful in, the least that may be typed, and what the choice costs.
+// What the table does not say: the range that a slider is useful in, the least that may be typed, and what the choice
+// costs.
 struct Extra {
   const char* name;
   double min, max, least;
@@ -29,9 +31,11 @@ constexpr Extra kExtras[] = {
     {"young_modulus", 1e3, 1e10, 1, true,
      "Fat and brain about 1 to 10 kPa, muscle 10 to 100 kPa, ligament 0.1 to 1 GPa. Costs nothing, but stiffer tissue "
      "needs more iterations to act as stiff as it is."},
-    {"poisson_ratio", -0.9, 0.499, -1, false, "Most soft tissue is near 0.45. Costs nothing; above 0.45 linear tets lock and move too little."},
+    {"poisson_ratio", -0.9, 0.499, -1, false,
+     "Most soft tissue is near 0.45. Costs nothing; above 0.45 linear tets lock and move too little."},
     {"density", 100, 20000, 0, true, "Water has 1000. Costs nothing; heavier tissue sags more and swings slower."},
-    {"damping", 0, 1, 0, true, "0 leaves only the damping of the time step. Turning it on costs a few percent of a step."},
+    {"damping", 0, 1, 0, true,
+     "0 leaves only the damping of the time step. Turning it on costs a few percent of a step."},
 };
 
 const char* label_of_model(MaterialModel model) { return law_of(model).label; }
@@ -46,8 +50,8 @@ const Extra* extra_of(const char* name) {
 std::string label_of_tissue(const Tissue* tissue) { return tissue ? tissue->label : "own values"; }
 std::string help_of_tissue(const Tissue* tissue) {
   return tissue ? std::string(tissue->label) + ": " + about(*tissue)
-                : "Values of a tissue from the literature, with their source: Young's modulus, Poisson's ratio and density. Damping and model stay. "
-                  "Costs nothing.";
+                : "Values of a tissue from the literature, with their source: Young's modulus, Poisson's ratio and "
+                  "density. Damping and model stay. Costs nothing.";
 }
 
 bool tissue_combo(Material& material) {
@@ -57,8 +61,9 @@ bool tissue_combo(Material& material) {
     return all;
   }();
   const Tissue* chosen = tissue_of(material);
-  if (!ui::choice("Tissue", choices, chosen, [](const Tissue* t) { return label_of_tissue(t); },
-                  [](const Tissue* t) { return help_of_tissue(t); }))
+  if (!ui::choice(
+          "Tissue", choices, chosen, [](const Tissue* t) { return label_of_tissue(t); },
+          [](const Tissue* t) { return help_of_tissue(t); }))
     return false;
   apply(*chosen, material);
   return true;
@@ -67,8 +72,8 @@ bool tissue_combo(Material& material) {
 void material_sliders(Simulation& simulation, std::size_t index, HintBoard& hints) {
   Material material = simulation.model.materials[index];
   bool changed = tissue_combo(material);
-  visit_material(material, [&](double& value, const char* name, const char* unit, double min, double max, bool logarithmic,
-                               const char* help) {
+  visit_material(material, [&](double& value, const char* name, const char* unit, double min, double max,
+                               bool logarithmic, const char* help) {
     if (!reads(material.model, name)) return;
     const Extra* extra = extra_of(name);
     const ui::NumberField field{label_of_field(name),
@@ -95,7 +100,8 @@ void swatch(std::size_t region) {
   const float size = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const Eigen::Vector3f color = region_color(static_cast<unsigned>(region));
-  ImGui::GetWindowDrawList()->AddRectFilled({corner.x, corner.y + 0.15f * size}, {corner.x + 0.7f * size, corner.y + 0.85f * size},
+  ImGui::GetWindowDrawList()->AddRectFilled({corner.x, corner.y + 0.15f * size},
+                                            {corner.x + 0.7f * size, corner.y + 0.85f * size},
                                             ImGui::GetColorU32(ImVec4(color.x(), color.y(), color.z(), 1)));
   ImGui::Dummy({0.7f * size, size});
   ImGui::SameLine();
@@ -118,32 +124,41 @@ std::string percent_text(double share) {
 std::vector<MaterialEntries> with_region(const Simulation& simulation, const SceneFacts::Region& region, bool own) {
   std::vector<MaterialEntries> all = material_entries(simulation.scene, simulation.model, simulation.model.materials);
   auto& entries = all[region.body].region_materials;
-  const std::string& name = simulation.model.bodies[region.body].regions.at(region.number);  // of several regions, it may be
-  std::erase_if(entries, [&](const auto& entry) { return entry.first == region.key || entry.first == std::to_string(region.number) || entry.first == name; });
+  // Of several regions, it may be
+  const std::string& name = simulation.model.bodies[region.body].regions.at(region.number);
+  std::erase_if(entries, [&](const auto& entry) {
+    return entry.first == region.key || entry.first == std::to_string(region.number) || entry.first == name;
+  });
   if (own) entries.emplace_back(region.key, MaterialOverride{});
   std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   return all;
 }
 
-// One line: color, name, share of the volume; a click chooses the material. A region without a material of its own has a button for one.
-void region_row(const Simulation& simulation, const SceneFacts& facts, std::size_t index, std::size_t& chosen, Requests& requests) {
+// One line: color, name, share of the volume; a click chooses the material. A region without a material of its own has
+// a button for one.
+void region_row(const Simulation& simulation, const SceneFacts& facts, std::size_t index, std::size_t& chosen,
+                Requests& requests) {
   const SceneFacts::Region& region = facts.regions[index];
   const Model& model = simulation.model;
   const bool own = region.material != model.bodies[region.body].material_begin;
-  const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x, button = ImGui::CalcTextSize("share").x + ui::px(12);
+  const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x,
+              button = ImGui::CalcTextSize("share").x + ui::px(12);
   swatch(index);
-  if (ImGui::Selectable((region.label + "##region").c_str(), chosen == region.material, ImGuiSelectableFlags_AllowItemOverlap,
+  if (ImGui::Selectable((region.label + "##region").c_str(), chosen == region.material,
+                        ImGuiSelectableFlags_AllowItemOverlap,
                         {ImGui::GetContentRegionAvail().x - button - ui::px(6), 0}))
     chosen = region.material;
-  ui::tooltip("Region " + std::to_string(region.number) + ", " + engineering(1e6 * region.volume, "ml") + ", " +
-              engineering(region.volume * model.materials[region.material].density, "kg") +
-              (own ? ". Has a material of its own" : ". Has the default material, as all regions without one of their own"));
+  ui::tooltip(
+      "Region " + std::to_string(region.number) + ", " + engineering(1e6 * region.volume, "ml") + ", " +
+      engineering(region.volume * model.materials[region.material].density, "kg") +
+      (own ? ". Has a material of its own" : ". Has the default material, as all regions without one of their own"));
   text_right(percent_text(region.volume / facts.volume), end - button - ui::px(6));
   ImGui::SameLine(end - button);
   if (ui::small_button(own ? "share" : "own",
-                       own ? "Gives up the material of its own: the region has the default again. The solver is made anew, the state stays"
-                           : "Gives the region a material of its own, which starts as the default and is saved with the scene. The solver is made "
-                             "anew, the state stays",
+                       own ? "Gives up the material of its own: the region has the default again. The solver is made "
+                             "anew, the state stays"
+                           : "Gives the region a material of its own, which starts as the default and is saved with "
+                             "the scene. The solver is made anew, the state stays",
                        button))
     requests.materials = with_region(simulation, region, !own);
 }
@@ -168,9 +183,11 @@ void material_panel(Simulation& simulation, ViewState& state, Requests& requests
     }
     if (scrolls) ImGui::EndChild();
     const double volume = facts.material_volume[state.chosen_material];
-    ui::fact(facts.material_names[state.chosen_material].c_str(),
-             percent_text(volume / facts.volume) + ", " + engineering(volume * simulation.model.materials[state.chosen_material].density, "kg"),
-             "The material that the sliders below change: its share of the volume, and its mass at the present density");
+    ui::fact(
+        facts.material_names[state.chosen_material].c_str(),
+        percent_text(volume / facts.volume) + ", " +
+            engineering(volume * simulation.model.materials[state.chosen_material].density, "kg"),
+        "The material that the sliders below change: its share of the volume, and its mass at the present density");
   }
   material_sliders(simulation, state.chosen_material, state.hints);
 }

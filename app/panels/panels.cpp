@@ -21,8 +21,8 @@ void draw_panels(Session& session, ViewState& state, Requests& requests) {
   ImGui::SetNextWindowPos({margin, margin});
   ImGui::SetNextWindowSize({panel_width(), ImGui::GetIO().DisplaySize.y - 2 * margin});
   ImGui::Begin("panels", nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBringToFrontOnFocus);
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
   scene_panel(session, state, requests);
   if (state.comparing && ui::section("Compare")) compare_panel(state, requests);
   if (ui::section("Material")) material_panel(session.simulation, state, requests);
@@ -33,7 +33,8 @@ void draw_panels(Session& session, ViewState& state, Requests& requests) {
   if (ui::section("Statistics")) statistics_panel(session, state);
   if (ui::section("Grab", false)) grab_panel(session, state, requests);
   if (ui::section("History", false)) history_panel(state.history, requests);
-  if (ui::button("Recording...", ImGui::GetContentRegionAvail().x, state.show_recording)) state.show_recording = !state.show_recording;
+  if (ui::button("Recording...", ImGui::GetContentRegionAvail().x, state.show_recording))
+    state.show_recording = !state.show_recording;
   ui::tooltip("What videos are to be (Shift+V), and a replay of this session");
   ImGui::End();
 }

@@ -1,5 +1,6 @@
-// What is shown over the picture. Each panel reads the session and changes it at once; what must wait until the frame is done is
-// asked for in Requests. Between ImGui::NewFrame and ImGui::Render; the size of the picture is ImGui's display size.
+// What is shown over the picture. Each panel reads the session and changes it at once; what must wait until the frame
+// is done is asked for in Requests. Between ImGui::NewFrame and ImGui::Render; the size of the picture is ImGui's
+// display size.
 #pragma once
 #include <string>
 

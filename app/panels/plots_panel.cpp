@@ -9,8 +9,8 @@
 #include "app/panels/panels.h"
 #include "app/panels/time_plot.h"
 #include "app/ui/style.h"
-#include "app/ui/widgets.h"
 #include "app/ui/units.h"
+#include "app/ui/widgets.h"
 
 namespace fascia {
 namespace {
@@ -34,21 +34,20 @@ constexpr TimeCurve kIterationCurves[] = {{"", [](const Sample& s) { return s.it
 constexpr TimeCurve kClock[] = {{"frame", [](const Sample& s) { return s.frame_ms / 1000; }},
                                 {"step", [](const Sample& s) { return s.step_ms / 1000; }}};
 
-const TimeChart kCharts[] = {{"Energy", "J", false, kEnergy},
-                             {"Volume", "", false, kVolume},
-                             {"Force", "N", false, kForce},
-                             {"Displacement", "m", false, kDisplacement},
-                             {"Residual", "", true, kResidual},
-                             {"Iterations", "", false, kIterationCurves},
+const TimeChart kCharts[] = {{"Energy", "J", false, kEnergy},   {"Volume", "", false, kVolume},
+                             {"Force", "N", false, kForce},     {"Displacement", "m", false, kDisplacement},
+                             {"Residual", "", true, kResidual}, {"Iterations", "", false, kIterationCurves},
                              {"Clock", "s", false, kClock}};
-const char* const kChartHelp[] = {"Kinetic, elastic, of gravity (0 at the rest positions) and their sum: what is lost is damped, by the tissue or by the time step",
-                             "Of all tissue, over its volume at rest",
-                             "What the mouse pulls with, and what the supports hold with",
-                             "Of the point that is marked in the picture: at first the one farthest from the supports",
-                             "How far each step is from solved: 0 is solved, 1 is not begun",
-                             "Of each step, per substep",
-                             "From picture to picture, and one time step on the GPU",
-                             "The residual over the iterations of the next step"};
+const char* const kChartHelp[] = {
+    "Kinetic, elastic, of gravity (0 at the rest positions) and their sum: what is lost is damped, by the tissue or by "
+    "the time step",
+    "Of all tissue, over its volume at rest",
+    "What the mouse pulls with, and what the supports hold with",
+    "Of the point that is marked in the picture: at first the one farthest from the supports",
+    "How far each step is from solved: 0 is solved, 1 is not begun",
+    "Of each step, per substep",
+    "From picture to picture, and one time step on the GPU",
+    "The residual over the iterations of the next step"};
 static_assert(std::size(kCharts) + 1 == Plots::kCharts && std::size(kChartHelp) == Plots::kCharts);
 constexpr std::size_t kConvergence = Plots::kCharts - 1;
 
@@ -79,7 +78,8 @@ void buttons(Plots& plots, Requests& requests) {
   ui::tooltip("The time that is shown, all quantities, with their units and what made them, in the current folder");
   ImGui::SameLine();
   requests.plot_picture |= ui::button("PNG", width);
-  if (!requests.plot_picture) ui::tooltip("This panel as a picture, in the current folder");  // which the picture would show
+  if (!requests.plot_picture)
+    ui::tooltip("This panel as a picture, in the current folder");  // which the picture would show
 }
 
 }  // namespace
@@ -91,13 +91,15 @@ void draw_plots(const Simulation& simulation, ViewState& state, Requests& reques
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float margin = ui::px(10), least_width = ui::px(260), least_height = ui::px(180);
   const float width = std::floor(std::max(least_width, std::min(ui::px(430), 0.45f * screen.x)));
-  const std::array<float, 4> dock{screen.x - width - margin, margin, width, std::max(least_height, screen.y - 2 * margin)};
+  const std::array<float, 4> dock{screen.x - width - margin, margin, width,
+                                  std::max(least_height, screen.y - 2 * margin)};
   const bool dock_moved = std::exchange(plots.dock, dock) != dock;
   if (plots.docked && dock_moved) {
     ImGui::SetNextWindowPos({dock[0], dock[1]});
     ImGui::SetNextWindowSize({dock[2], dock[3]});
   }
-  ImGui::SetNextWindowSizeConstraints({least_width, least_height}, {std::max(least_width, screen.x), std::max(least_height, screen.y)});
+  ImGui::SetNextWindowSizeConstraints({least_width, least_height},
+                                      {std::max(least_width, screen.x), std::max(least_height, screen.y)});
   const char* title = state.comparing ? "Plots of side A###Plots" : "Plots###Plots";
   if (ImGui::Begin(title, &plots.shown, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing)) {
     ui::keep_inside();
@@ -115,9 +117,12 @@ void draw_plots(const Simulation& simulation, ViewState& state, Requests& reques
         last = i;
         lines += kCharts[i].curves.size() > 2 ? 2 : 1;  // of the legend, at the usual width
       }
-    const float room = ImGui::GetContentRegionAvail().y / ui::px(1) - (plots.chosen[kConvergence] ? kConvergenceHeight : 0);
-    const float legends = static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing() + static_cast<float>(chosen) * ImGui::GetStyle().ItemSpacing.y;
-    const float height = std::max(64.0f, (room - legends / ui::px(1)) / static_cast<float>(std::max<std::size_t>(chosen, 1)));
+    const float room =
+        ImGui::GetContentRegionAvail().y / ui::px(1) - (plots.chosen[kConvergence] ? kConvergenceHeight : 0);
+    const float legends = static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing() +
+                          static_cast<float>(chosen) * ImGui::GetStyle().ItemSpacing.y;
+    const float height =
+        std::max(64.0f, (room - legends / ui::px(1)) / static_cast<float>(std::max<std::size_t>(chosen, 1)));
     plots.cursor = std::exchange(plots.cursor_next, std::nullopt);
     for (std::size_t i = 0; i < std::size(kCharts); ++i)
       if (plots.chosen[i]) ui::time_plot(kCharts[i], plots, height, i == last);

@@ -16,7 +16,8 @@ struct Size {
   const char* label;
   int width, height;
 };
-constexpr std::array<Size, 4> kSizes{{{"Window", 0, 0}, {"720p", 1280, 720}, {"1080p", 1920, 1080}, {"4K", 3840, 2160}}};
+constexpr std::array<Size, 4> kSizes{
+    {{"Window", 0, 0}, {"720p", 1280, 720}, {"1080p", 1920, 1080}, {"4K", 3840, 2160}}};
 constexpr std::array<std::pair<const char*, VideoKind>, 3> kKinds{
     {{"MP4", VideoKind::mp4}, {"WebM", VideoKind::webm}, {"PNGs", VideoKind::pictures}}};
 constexpr int kLeastPixels = 16, kMostPixels = 16384;  // as of --size
@@ -46,7 +47,8 @@ void size_fields(VideoSettings& video) {
 void draw_recording_settings(ViewState& state, Requests& requests) {
   ImGui::SetNextWindowPos({panel_width() + ui::px(24), ui::px(100)}, ImGuiCond_Appearing);
   if (ImGui::Begin("Recording", &state.show_recording,
-                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize)) {
+                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                       ImGuiWindowFlags_AlwaysAutoResize)) {
     ui::keep_inside();
     VideoSettings& video = state.video;
     ImGui::BeginDisabled(state.recording);
@@ -58,7 +60,8 @@ void draw_recording_settings(ViewState& state, Requests& requests) {
     ImGui::NewLine();
     label("Size");
     for (const Size& size : kSizes) {
-      if (ui::button(size.label, ui::px(66), video.width == size.width && (video.height == size.height || size.width == 0))) {
+      if (ui::button(size.label, ui::px(66),
+                     video.width == size.width && (video.height == size.height || size.width == 0))) {
         video.width = size.width;
         video.height = size.height;
       }
@@ -81,8 +84,9 @@ void draw_recording_settings(ViewState& state, Requests& requests) {
     requests.video |= ui::button(state.recording ? "Stop video (V)" : "Record video (V)", ui::px(180), state.recording);
     ImGui::Separator();
     requests.save_replay_dialog |= ui::button("Save replay... (Ctrl+R)", ui::px(180), false);
-    ui::tooltip("All that was done to this scene since it was opened, or since its regions or sides changed, as a small file that repeats it "
-                "to the bit");
+    ui::tooltip(
+        "All that was done to this scene since it was opened, or since its regions or sides changed, as a small file "
+        "that repeats it to the bit");
   }
   ImGui::End();
 }

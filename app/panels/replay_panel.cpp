@@ -4,9 +4,9 @@
 #include <cstdio>
 
 #include "app/panels/panels.h"
-#include "sim/replay/replay_time.h"
 #include "app/ui/style.h"
 #include "app/ui/widgets.h"
+#include "sim/replay/replay_time.h"
 
 namespace fascia {
 
@@ -16,8 +16,9 @@ void draw_replay_badge(const Simulation& simulation, ViewState& state, Requests&
   const float left = state.show_panels ? panel_width() : 0;
   ImGui::SetNextWindowPos({(ImGui::GetIO().DisplaySize.x + left) / 2, ui::px(44)}, ImGuiCond_Always, {0.5f, 0});
   if (ImGui::Begin("replay", nullptr,
-                   ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing)) {
+                   ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                       ImGuiWindowFlags_NoFocusOnAppearing)) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(ui::kAccent, "Replay");
     ImGui::SameLine();

@@ -5,8 +5,8 @@
 
 #include "app/panels/panels.h"
 #include "app/ui/style.h"
-#include "app/ui/widgets.h"
 #include "app/ui/units.h"
+#include "app/ui/widgets.h"
 
 namespace fascia {
 namespace {
@@ -40,28 +40,37 @@ void scene_panel(const Session& session, ViewState& state, Requests& requests) {
   requests.step |= clock.add("Step", "One time step (.)");
   requests.reset |= clock.add("Reset", "Back to the start of the scene (R)");
   ui::ButtonRow pictures(3);
-  requests.screenshot |= pictures.add("Screenshot", "A PNG in the current folder (P); hide the panels with H to leave them out");
-  requests.video |= pictures.add(state.recording ? "Stop video" : "Video", "A video in the current folder (V; Shift+V chooses what it is to be)", state.recording);
+  requests.screenshot |=
+      pictures.add("Screenshot", "A PNG in the current folder (P); hide the panels with H to leave them out");
+  requests.video |=
+      pictures.add(state.recording ? "Stop video" : "Video",
+                   "A video in the current folder (V; Shift+V chooses what it is to be)", state.recording);
   if (pictures.add("Plots", "Curves over time (F3)", state.plots.shown)) state.plots.shown = !state.plots.shown;
 
   const DialHistory& history = state.history;
   ui::ButtonRow changes(3);
-  if (changes.add("Undo", history.can_undo() ? "Takes back: " + history.undone_next().text + " (Ctrl+Z)" : "Nothing to take back (Ctrl+Z)") &&
+  if (changes.add("Undo", history.can_undo() ? "Takes back: " + history.undone_next().text + " (Ctrl+Z)"
+                                             : "Nothing to take back (Ctrl+Z)") &&
       history.can_undo())
     requests.history = history.done() - 1;
-  if (changes.add("Redo", history.can_redo() ? "Does again: " + history.redone_next().text + " (Ctrl+Y)" : "Nothing was taken back (Ctrl+Y)") &&
+  if (changes.add("Redo", history.can_redo() ? "Does again: " + history.redone_next().text + " (Ctrl+Y)"
+                                             : "Nothing was taken back (Ctrl+Y)") &&
       history.can_redo())
     requests.history = history.done() + 1;
-  if (changes.add("Compare", "Two settings side by side under the same hand (B)", state.comparing)) requests.compare = CompareAsk::open_or_close;
+  if (changes.add("Compare", "Two settings side by side under the same hand (B)", state.comparing))
+    requests.compare = CompareAsk::open_or_close;
 
   const Model& model = simulation.model;
   const Statistics& clock_now = state.statistics;
-  ui::fact("Mesh", grouped(model.rest_positions.size()) + " vertices, " + grouped(model.tets.size()) + (model.tets.size() == 1 ? " tet" : " tets"),
+  ui::fact("Mesh",
+           grouped(model.rest_positions.size()) + " vertices, " + grouped(model.tets.size()) +
+               (model.tets.size() == 1 ? " tet" : " tets"),
            "Of all bodies, as simulated: what is degenerate is left out");
   ui::fact("Mass", engineering(state.facts.mass(model), "kg"), "At the present densities; lumped to the vertices");
   char text[64];
   if (clock_now.measured)
-    std::snprintf(text, sizeof text, "%.2f s at %.0f %% of real time", simulation.time(), state.paused ? 0 : 100 * clock_now.speed);
+    std::snprintf(text, sizeof text, "%.2f s at %.0f %% of real time", simulation.time(),
+                  state.paused ? 0 : 100 * clock_now.speed);
   else
     std::snprintf(text, sizeof text, "%.2f s", simulation.time());
   ui::fact("Time", text, "Simulated since the start of the scene");

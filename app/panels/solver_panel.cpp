@@ -8,8 +8,8 @@
 
 #include "app/panels/panels.h"
 #include "app/ui/style.h"
-#include "app/ui/widgets.h"
 #include "app/ui/units.h"
+#include "app/ui/widgets.h"
 #include "base/text.h"
 
 namespace fascia {
@@ -22,14 +22,14 @@ struct SolverSlider {
   bool logarithmic;
 };
 constexpr SolverSlider kSolverSliders[] = {{"iterations", "Iterations", 1, 200, true},
-                             {"tolerance", "Tolerance", 0, 0.1, true},
-                             {"time_step", "Time step", 1e-3, 0.1, true},
-                             {"substeps", "Substeps", 1, 30, true},
-                             {"frame_budget", "Frame budget", 0, 50, false},
-                             {"colors", "Colors", 0, 40, false},
-                             {"spectral_radius", "Spectral radius", 0, 0.9999, false},
-                             {"window", "Window", 1, 10, false},
-                             {"rest_speed", "Rest speed", 0, 1e-2, true}};
+                                           {"tolerance", "Tolerance", 0, 0.1, true},
+                                           {"time_step", "Time step", 1e-3, 0.1, true},
+                                           {"substeps", "Substeps", 1, 30, true},
+                                           {"frame_budget", "Frame budget", 0, 50, false},
+                                           {"colors", "Colors", 0, 40, false},
+                                           {"spectral_radius", "Spectral radius", 0, 0.9999, false},
+                                           {"window", "Window", 1, 10, false},
+                                           {"rest_speed", "Rest speed", 0, 1e-2, true}};
 
 // Found by overload for either kind of choice.
 constexpr auto kLabelOf = [](auto choice) { return label_of(choice); };
@@ -38,8 +38,8 @@ constexpr auto kHelpOf = [](auto choice) { return help_of(choice); };
 bool pair_combos(SolverSettings& settings, const std::vector<Material>& materials) {
   std::vector<Method> able;
   for (const Pair& pair : legal_pairs()) {
-    const bool carried =
-        std::all_of(materials.begin(), materials.end(), [&](const Material& m) { return carries(pair.method, m.model); });
+    const bool carried = std::all_of(materials.begin(), materials.end(),
+                                     [&](const Material& m) { return carries(pair.method, m.model); });
     if (carried && std::find(able.begin(), able.end(), pair.method) == able.end()) able.push_back(pair.method);
   }
   bool changed = ui::choice("Method", able, settings.method, kLabelOf, kHelpOf);
@@ -61,7 +61,8 @@ void gravity_row(Simulation& simulation) {
   const float speed = 0.05f;
   const double least = -100, most = 100;
   ImGui::PushItemWidth(-FLT_MIN);
-  if (ImGui::DragScalarN("##gravity", ImGuiDataType_Double, gravity.data(), 3, speed, &least, &most, "%.2f", ImGuiSliderFlags_AlwaysClamp))
+  if (ImGui::DragScalarN("##gravity", ImGuiDataType_Double, gravity.data(), 3, speed, &least, &most, "%.2f",
+                         ImGuiSliderFlags_AlwaysClamp))
     simulation.set_gravity(gravity);
   ImGui::PopItemWidth();
   ui::tooltip(kHelp);
@@ -71,8 +72,8 @@ void gravity_row(Simulation& simulation) {
 void error_row(Session& session) {
   if (session.simulation.uses_reference()) return;
   constexpr const char* kHelp =
-      "Distance of the last substep's shape to the exact one, by the reference solver on another thread, in percent of the distance "
-      "between the exact shape and where inertia and gravity alone lead";
+      "Distance of the last substep's shape to the exact one, by the reference solver on another thread, in percent of "
+      "the distance between the exact shape and where inertia and gravity alone lead";
   TrueError& error = session.true_error;
   if (session.simulation.model.tets.size() > TrueError::kMostTets) {
     ui::fact("True error", "mesh too large", kHelp);
@@ -82,10 +83,12 @@ void error_row(Session& session) {
   if (const auto& result = error.result()) {
     char percent[32];
     std::snprintf(percent, sizeof percent, "%.2g %%", 100 * result->relative);
-    text = result->converged ? std::string(percent) + " (" + engineering(result->largest, "m") + ")" : "no exact step found";
+    text = result->converged ? std::string(percent) + " (" + engineering(result->largest, "m") + ")"
+                             : "no exact step found";
   }
   ui::fact("True error", text, kHelp);
-  if (ui::button("Measure", "Compares the next step with the exact one, on another thread", 0.5f * ImGui::GetContentRegionAvail().x))
+  if (ui::button("Measure", "Compares the next step with the exact one, on another thread",
+                 0.5f * ImGui::GetContentRegionAvail().x))
     error.request();
   ImGui::SameLine();
   ui::checkbox("continuously", session.follow_true_error,
@@ -99,13 +102,16 @@ void solver_panel(Session& session, ViewState& state) {
   SolverSettings settings = simulation.scene.solver;
   bool changed = false;
   if (simulation.uses_reference())
-    ui::fact("Method", "Newton, double precision", "The reference solver on the CPU: exact, slow, and deaf to grabbing");
+    ui::fact("Method", "Newton, double precision",
+             "The reference solver on the CPU: exact, slow, and deaf to grabbing");
   else
     changed = pair_combos(settings, simulation.model.materials);
-  visit_settings(settings, [&](auto& value, const char* name, const char* unit, auto min, auto max, bool logarithmic, const char* help) {
+  visit_settings(settings, [&](auto& value, const char* name, const char* unit, auto min, auto max, bool logarithmic,
+                               const char* help) {
     if (!applies(name, settings.pair())) return;
     using Value = std::remove_reference_t<decltype(value)>;
-    ui::NumberField field{name, unit, double(min), double(max), double(min), double(max), logarithmic, std::is_same_v<Value, int>, help};
+    ui::NumberField field{
+        name, unit, double(min), double(max), double(min), double(max), logarithmic, std::is_same_v<Value, int>, help};
     for (const SolverSlider& extra : kSolverSliders) {
       if (std::strcmp(extra.name, name) != 0) continue;
       field.label = extra.label;
@@ -126,8 +132,10 @@ void solver_panel(Session& session, ViewState& state) {
   if (changed) simulation.set_settings(settings);
   if (const GpuSolver* gpu = simulation.gpu(); gpu && gpu->gauss_seidel()) {
     const Coloring& coloring = gpu->gauss_seidel()->coloring();
-    ui::fact("In use", plural(coloring.color_count(), "color") + ", " + plural(coloring.phantom_vertex.size(), "phantom"),
-             "Each color waits for the one before it; phantoms are copies of vertices that more colors than allowed would move");
+    ui::fact("In use",
+             plural(coloring.color_count(), "color") + ", " + plural(coloring.phantom_vertex.size(), "phantom"),
+             "Each color waits for the one before it; phantoms are copies of vertices that more colors than allowed "
+             "would move");
   }
   gravity_row(simulation);
   error_row(session);

@@ -7,8 +7,8 @@
 
 #include "app/panels/panels.h"
 #include "app/ui/style.h"
-#include "app/ui/widgets.h"
 #include "app/ui/units.h"
+#include "app/ui/widgets.h"
 #include "gl/buffer.h"
 
 namespace fascia {
@@ -21,17 +21,23 @@ std::string printed(const char* format, double a, double b = 0) {
 }
 
 void clock_rows(const Statistics& s) {
-  const auto milliseconds = [&](const RecentValues& history) { return s.measured ? printed("%.1f ms", history.median()) : "-"; };
+  const auto milliseconds = [&](const RecentValues& history) {
+    return s.measured ? printed("%.1f ms", history.median()) : "-";
+  };
   const double frame = s.frame.median();
-  ui::fact("Frame", s.measured ? printed("%.1f ms, %.0f per second", frame, frame > 0 ? 1000 / frame : 0) : "-",
-           "From picture to picture, everything included: the median of the last 30. The line below shows the last 200");
+  ui::fact(
+      "Frame", s.measured ? printed("%.1f ms, %.0f per second", frame, frame > 0 ? 1000 / frame : 0) : "-",
+      "From picture to picture, everything included: the median of the last 30. The line below shows the last 200");
   if (s.measured) ui::plot("##frame", s.frame, 26);
   ui::fact("Solve", milliseconds(s.solve),
-           "One time step on the GPU: the median of the last 30 steps. In stats.json solve_ms_per_step is the same of all steps");
+           "One time step on the GPU: the median of the last 30 steps. In stats.json solve_ms_per_step is the same of "
+           "all steps");
   if (s.measured) ui::plot("##solve", s.solve, 26);
-  ui::fact("Render", milliseconds(s.render), "Surface, shadow and ground on the GPU: the median of the last 30 pictures");
+  ui::fact("Render", milliseconds(s.render),
+           "Surface, shadow and ground on the GPU: the median of the last 30 pictures");
   if (s.measured) ui::plot("##render", s.render, 26);
-  ui::fact("Real time", s.measured ? printed("%.0f %%", 100 * s.speed) : "-", "Simulated time over the time of your clock");
+  ui::fact("Real time", s.measured ? printed("%.0f %%", 100 * s.speed) : "-",
+           "Simulated time over the time of your clock");
 }
 
 }  // namespace
@@ -45,24 +51,31 @@ void statistics_panel(Session& session, const ViewState& state) {
     const char* limit = run < granted ? " (tolerance)" : run < asked.iterations ? " (frame budget)" : "";
     ui::fact("Iterations", std::to_string(run) + limit,
              "Of the last step, per substep, and what ended them if not the number asked for");
-    ui::fact("Residual", printed("%.2g", d->residual), "How far the last step is from solved: 0 is solved, 1 is not begun");
-    ui::fact("J", printed("%.3f to %.3f", d->min_det_f, d->max_det_f), "Smallest and largest volume of a tet over its volume at rest");
+    ui::fact("Residual", printed("%.2g", d->residual),
+             "How far the last step is from solved: 0 is solved, 1 is not begun");
+    ui::fact("J", printed("%.3f to %.3f", d->min_det_f, d->max_det_f),
+             "Smallest and largest volume of a tet over its volume at rest");
     ui::fact("Volume", printed("%.2f %%", 100 * d->volume_ratio), "Of all tissue, over its volume at rest");
     ui::fact("Inverted tets", std::to_string(d->inverted), "Tets turned inside out: J below 0");
     ui::fact("Largest strain", printed("%.3g", d->max_strain), "Frobenius norm of the Green strain");
     ui::fact("Largest stress", engineering(d->max_von_mises, "Pa"), "Von Mises");
-    ui::fact("Energy", engineering(d->elastic, "J") + ", " + engineering(d->kinetic, "J"), "Elastic, kinetic; F3 draws them over time");
+    ui::fact("Energy", engineering(d->elastic, "J") + ", " + engineering(d->kinetic, "J"),
+             "Elastic, kinetic; F3 draws them over time");
     balance_rows(session.simulation, state.facts, *d);
   }
   ui::fact("Motion", session.simulation.asleep() ? "at rest, asleep" : "awake",
            "A body at rest costs nothing until something changes (rest speed)");
   if (const GpuSolver* gpu = session.simulation.gpu()) {
     const std::size_t present = session.simulation.model.tets.size();
-    ui::fact("Tets solved", printed("%.0f %%", 100 * gpu->share_solved() * gpu->buffers().tet_count / static_cast<double>(present)),
+    ui::fact("Tets solved",
+             printed("%.0f %%", 100 * gpu->share_solved() * gpu->buffers().tet_count / static_cast<double>(present)),
              "Of all tets, on average over the steps: those that are fixed and parts at rest are left out");
-    ui::fact("Dispatches", std::to_string(gpu->dispatches_per_step()) + " per step", "Compute dispatches of one time step that is solved");
-    ui::fact("Kernels", std::to_string(session.simulation.programs()->size()), "Compiled so far, each for what the scene uses");
-    ui::fact("Moved", bytes_text(gpu->bytes_per_iteration()) + " per iteration", "Estimated: every buffer that a kernel uses, once");
+    ui::fact("Dispatches", std::to_string(gpu->dispatches_per_step()) + " per step",
+             "Compute dispatches of one time step that is solved");
+    ui::fact("Kernels", std::to_string(session.simulation.programs()->size()),
+             "Compiled so far, each for what the scene uses");
+    ui::fact("Moved", bytes_text(gpu->bytes_per_iteration()) + " per iteration",
+             "Estimated: every buffer that a kernel uses, once");
   }
   std::string buffers = "All buffers and pictures of the program. The largest buffers:";
   std::vector<std::pair<std::size_t, std::string>> sizes;

@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "app/ui/log_plot.h"
-#include "app/ui/ticks.h"
 #include "app/ui/style.h"
+#include "app/ui/ticks.h"
 #include "app/ui/units.h"
 
 namespace fascia::ui {
 namespace {
 
-constexpr float kAxis = 62;               // room for the labels at the left [points]
-constexpr double kLeastShare = 1e-4;      // of the largest value that an axis is high: less would show rounding
+constexpr float kAxis = 62;           // room for the labels at the left [points]
+constexpr double kLeastShare = 1e-4;  // of the largest value that an axis is high: less would show rounding
 constexpr double kShortest = 0.05, kLongest = 1200;  // seconds shown
 
 struct Area {
@@ -25,7 +25,8 @@ struct Area {
 
   float x(double time) const { return low.x + (high.x - low.x) * static_cast<float>((time - begin) / (end - begin)); }
   float y(double value) const {
-    const double share = logarithmic ? std::log(value / bottom) / std::log(top / bottom) : (value - bottom) / (top - bottom);
+    const double share =
+        logarithmic ? std::log(value / bottom) / std::log(top / bottom) : (value - bottom) / (top - bottom);
     return high.y - (high.y - low.y) * static_cast<float>(std::clamp(share, -1.0, 2.0));
   }
   bool shows(double value) const { return std::isfinite(value) && (!logarithmic || value > 0); }
@@ -56,14 +57,17 @@ void draw_axes(ImDrawList& draw, const Area& area, const char* unit, bool times)
   const ImU32 grid = ImGui::GetColorU32(ImGuiCol_HeaderHovered), text = ImGui::GetColorU32(kDim);
   const float line = ImGui::GetFontSize();
   const int most = std::max(2, static_cast<int>((area.high.y - area.low.y) / (1.6f * line)));
-  const Ticks values = area.logarithmic ? decade_ticks(area.bottom, area.top, most) : linear_ticks(area.bottom, area.top, most);
+  const Ticks values =
+      area.logarithmic ? decade_ticks(area.bottom, area.top, most) : linear_ticks(area.bottom, area.top, most);
   for (const double value : values.values) {
     const float y = area.y(value);
-    const std::string label = engineering(std::abs(value) < 1e-12 * (area.top - area.bottom) ? 0 : value, unit, values.digits);
+    const std::string label =
+        engineering(std::abs(value) < 1e-12 * (area.top - area.bottom) ? 0 : value, unit, values.digits);
     draw.AddLine({area.low.x, y}, {area.high.x, y}, grid);
     draw.AddText({area.low.x - ImGui::CalcTextSize(label.c_str()).x - px(4), y - 0.5f * line}, text, label.c_str());
   }
-  const Ticks seconds = linear_ticks(area.begin, area.end, std::max(2, static_cast<int>((area.high.x - area.low.x) / px(64))));
+  const Ticks seconds =
+      linear_ticks(area.begin, area.end, std::max(2, static_cast<int>((area.high.x - area.low.x) / px(64))));
   for (const double time : seconds.values) {
     const float x = area.x(time);
     draw.AddLine({x, area.low.y}, {x, area.high.y}, grid);
@@ -74,7 +78,8 @@ void draw_axes(ImDrawList& draw, const Area& area, const char* unit, bool times)
 }
 
 // Of the samples in one column of pixels, the lowest and the highest.
-void draw_curve(ImDrawList& draw, const Area& area, const TimeCurve& curve, std::span<const Sample> samples, ImU32 color) {
+void draw_curve(ImDrawList& draw, const Area& area, const TimeCurve& curve, std::span<const Sample> samples,
+                ImU32 color) {
   std::vector<ImVec2> points;
   const auto flush = [&] {
     if (points.size() == 1) draw.AddCircleFilled(points[0], px(1.5f), color);
@@ -110,7 +115,8 @@ void draw_legend(const TimeChart& chart, const Sample* at) {
   ImGui::PopFont();
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
     const double value = at ? chart.curves[i].value(*at) : Sample::kUnknown;
-    const std::string text = std::string(chart.curves[i].name) + (chart.curves[i].name[0] ? " " : "") + engineering(value, chart.unit, chart.unit[0] ? 4 : 6);
+    const std::string text = std::string(chart.curves[i].name) + (chart.curves[i].name[0] ? " " : "") +
+                             engineering(value, chart.unit, chart.unit[0] ? 4 : 6);
     ImGui::SameLine(0, px(10));
     if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(text.c_str()).x) ImGui::NewLine();
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(curve_color(i)), "%s", text.c_str());
@@ -153,12 +159,18 @@ void time_plot(const TimeChart& chart, Plots& plots, float height, bool times) {
   ImGui::SetItemUsingMouseWheel();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float bottom = times ? ImGui::GetFontSize() + px(4) : px(2);
-  Area area{{corner.x + px(kAxis), corner.y + px(3)}, {corner.x + size.x - px(6), corner.y + size.y - bottom}, begin, end, 0, 1,
+  Area area{{corner.x + px(kAxis), corner.y + px(3)},
+            {corner.x + size.x - px(6), corner.y + size.y - bottom},
+            begin,
+            end,
+            0,
+            1,
             chart.logarithmic};
   fit(area, chart, samples);
   draw_axes(draw, area, chart.unit, times);
   draw.PushClipRect(area.low, area.high, true);
-  for (std::size_t i = 0; i < chart.curves.size(); ++i) draw_curve(draw, area, chart.curves[i], samples, curve_color(i));
+  for (std::size_t i = 0; i < chart.curves.size(); ++i)
+    draw_curve(draw, area, chart.curves[i], samples, curve_color(i));
   if (const Sample* at = plots.cursor ? plots.history.nearest(*plots.cursor) : nullptr) {
     draw.AddLine({area.x(at->time), area.low.y}, {area.x(at->time), area.high.y}, ImGui::GetColorU32(kDim));
     for (std::size_t i = 0; i < chart.curves.size(); ++i)

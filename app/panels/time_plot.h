@@ -1,4 +1,5 @@
-// A chart over time inside a panel: curves of samples with axes, read at a cursor. All charts of a panel share the time and the cursor.
+// A chart over time inside a panel: curves of samples with axes, read at a cursor. All charts of a panel share the time
+// and the cursor.
 #pragma once
 #include <span>
 #include <string>
@@ -21,8 +22,9 @@ struct TimeChart {
   std::span<const TimeCurve> curves;
 };
 
-/// As wide as the panel, `height` points high, with a line of names and values above: those at the cursor, or the latest. The wheel zooms in
-/// time, a drag scrolls, a double click follows the latest again. With `times`, the axis of time is labelled.
+/// As wide as the panel, `height` points high, with a line of names and values above: those at the cursor, or the
+/// latest. The wheel zooms in time, a drag scrolls, a double click follows the latest again. With `times`, the axis of
+/// time is labelled.
 void time_plot(const TimeChart& chart, Plots& plots, float height, bool times);
 
 }  // namespace fascia::ui

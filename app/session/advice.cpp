@@ -7,8 +7,8 @@
 #include <cstdio>
 
 #include "app/ui/style.h"
-#include "app/ui/widgets.h"
 #include "app/ui/units.h"
+#include "app/ui/widgets.h"
 #include "sim/mesh/mesh_check.h"
 
 namespace fascia {
@@ -16,8 +16,9 @@ namespace fascia {
 std::optional<Hint> locking_hint(double poisson_ratio) {
   if (poisson_ratio <= kLockingPoissonRatio) return std::nullopt;
   return Hint{"locking", "Linear tets lock above 0.45: too stiff.",
-              "A linear tet has one strain, and near 0.5 nearly no way to bend without changing its volume: the body moves too little, the "
-              "coarser the mesh the worse. Take 0.45, or a finer mesh, and more iterations: 0.49 needs about three times as many.",
+              "A linear tet has one strain, and near 0.5 nearly no way to bend without changing its volume: the body "
+              "moves too little, the coarser the mesh the worse. Take 0.45, or a finer mesh, and more iterations: 0.49 "
+              "needs about three times as many.",
               ""};
 }
 
@@ -30,8 +31,13 @@ std::optional<UnitHint> unit_hint(const Scene& scene, const Model& model) {
   const std::string advice = guess_unit(extent, scene.bodies.front().transform.scale);
   const double scale = scale_to_metres(extent);
   if (advice.empty() || scale == 1) return std::nullopt;
-  const std::string unit = scale == 1e-3 ? "millimetres" : scale == 1e-2 ? "centimetres" : scale == 1e-6 ? "micrometres" : "another unit";
-  return UnitHint{{"unit", engineering(extent, "m") + " wide: made in " + unit + "?", advice, "Scale to " + engineering(scale * extent, "m")}, scale};
+  const std::string unit = scale == 1e-3   ? "millimetres"
+                           : scale == 1e-2 ? "centimetres"
+                           : scale == 1e-6 ? "micrometres"
+                                           : "another unit";
+  return UnitHint{{"unit", engineering(extent, "m") + " wide: made in " + unit + "?", advice,
+                   "Scale to " + engineering(scale * extent, "m")},
+                  scale};
 }
 
 std::optional<Hint> iterations_hint(const SolverSettings& settings, const std::optional<Diagnostics>& diagnostics) {
@@ -42,9 +48,10 @@ std::optional<Hint> iterations_hint(const SolverSettings& settings, const std::o
   std::snprintf(text, sizeof text, "Residual %.2g: too few iterations?", diagnostics->residual);
   const bool default_pair = settings.pair() == legal_pairs().front();
   return Hint{"iterations", text,
-              std::string("The last step was left unsolved by this share, so the tissue acts softer or slower than its material is. More iterations, "
-                          "shorter steps or more substeps") +
-                  (default_pair ? "" : ", or the method two_level") + " help. At rest, and in the first steps of a grab, a large share of nearly nothing means little.",
+              std::string("The last step was left unsolved by this share, so the tissue acts softer or slower than its "
+                          "material is. More iterations, shorter steps or more substeps") +
+                  (default_pair ? "" : ", or the method two_level") +
+                  " help. At rest, and in the first steps of a grab, a large share of nearly nothing means little.",
               ""};
 }
 
@@ -52,15 +59,16 @@ std::optional<Hint> time_step_hint(const SolverSettings& settings) {
   constexpr double kLongest = 1.0 / 29;  // [s]
   if (settings.substep() < kLongest) return std::nullopt;
   return Hint{"time step", "Long steps damp motion strongly.",
-              "Implicit Euler takes energy out of every motion that is not much longer than a substep: tissue swings less and settles sooner than it "
-              "would. Shorter steps, or more substeps, keep the motion.",
+              "Implicit Euler takes energy out of every motion that is not much longer than a substep: tissue swings "
+              "less and settles sooner than it would. Shorter steps, or more substeps, keep the motion.",
               ""};
 }
 
 bool hint_row(HintBoard& board, const std::optional<Hint>& hint) {
   if (!hint || board.dismissed.count(hint->name)) return false;
   ImGui::PushID(hint->name.c_str());
-  const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x, button = ImGui::GetFontSize() + ui::px(4);
+  const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x,
+              button = ImGui::GetFontSize() + ui::px(4);
   ImGui::BeginGroup();
   ImGui::PushStyleColor(ImGuiCol_Text, ui::kWarning);
   ImGui::PushTextWrapPos(end - button - ui::px(4));

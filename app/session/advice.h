@@ -1,4 +1,5 @@
-// Advice beside the field that it is about: what is likely wrong, why, and what to do. Quiet, and gone for good once clicked away.
+// Advice beside the field that it is about: what is likely wrong, why, and what to do. Quiet, and gone for good once
+// clicked away.
 #pragma once
 #include <optional>
 #include <set>

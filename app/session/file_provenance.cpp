@@ -6,12 +6,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "sim/replay/replay_time.h"
 #include "app/session/reproduce.h"
-#include "render/target/image.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "render/target/image.h"
 #include "sim/replay/replay.h"
+#include "sim/replay/replay_time.h"
 
 namespace fascia {
 namespace fs = std::filesystem;
@@ -28,13 +28,15 @@ std::string keyword_of(std::string text) {
 
 Provenance of_video(const fs::path& path) {
   if (std::ifstream in(path); in.peek() == std::ifstream::traits_type::eof()) read_file(path);  // for its errors
-  const std::string command = "ffprobe -v error -show_entries format_tags -of json " + shell_quoted(fs::absolute(path).string()) + " 2>/dev/null";
+  const std::string command = "ffprobe -v error -show_entries format_tags -of json " +
+                              shell_quoted(fs::absolute(path).string()) + " 2>/dev/null";
   FILE* const pipe = popen(command.c_str(), "r");
   std::string text;
   char block[4096];
   for (std::size_t n; pipe && (n = std::fread(block, 1, sizeof block, pipe)) > 0;) text.append(block, n);
   constexpr int kNoSuchCommand = 127;
-  if (const int status = pipe ? pclose(pipe) : -1; status == -1 || (WIFEXITED(status) && WEXITSTATUS(status) == kNoSuchCommand))
+  if (const int status = pipe ? pclose(pipe) : -1;
+      status == -1 || (WIFEXITED(status) && WEXITSTATUS(status) == kNoSuchCommand))
     throw Error(path.string(), "cannot be examined: ffprobe did not start", "expected ffmpeg to be installed");
   const Json document = Json::parse(text, nullptr, false);
   Provenance provenance;
@@ -44,7 +46,8 @@ Provenance of_video(const fs::path& path) {
     if (!value.is_string()) continue;
     const std::string name = keyword_of(keyword), said = value.get<std::string>();
     ours |= name == "Software" && said.starts_with("fascia");
-    if (name != "Major brand" && name != "Minor version" && name != "Compatible brands" && name != "Encoder") provenance.emplace_back(name, said);
+    if (name != "Major brand" && name != "Minor version" && name != "Compatible brands" && name != "Encoder")
+      provenance.emplace_back(name, said);
   }
   return ours ? provenance : Provenance{};
 }
@@ -63,8 +66,8 @@ Provenance of_replay(const fs::path& path) {
   Provenance provenance = replay.made_by;
   provenance.emplace_back("Title", replay.scene.title);
   char text[160];
-  std::snprintf(text, sizeof text, "%ld steps, %.9g s, %zu inputs", replay.steps, ReplayTime(replay).seconds(replay.steps),
-                replay.inputs.size());
+  std::snprintf(text, sizeof text, "%ld steps, %.9g s, %zu inputs", replay.steps,
+                ReplayTime(replay).seconds(replay.steps), replay.inputs.size());
   provenance.emplace_back("Replay", text);
   std::string carried;
   for (const KnownFile& file : replay.scene.files)

@@ -7,8 +7,8 @@
 
 namespace fascia {
 
-/// Of a picture, a video, a replay, an exported state or stats.json. Nothing if it is none of fascia's. Throws Error for a file that
-/// cannot be read.
+/// Of a picture, a video, a replay, an exported state or stats.json. Nothing if it is none of fascia's. Throws Error
+/// for a file that cannot be read.
 std::optional<Provenance> provenance_of_file(const std::filesystem::path& path);
 
 }  // namespace fascia

@@ -4,8 +4,8 @@
 #include <iostream>
 
 #include "app/system/paths.h"
-#include "gl/debug.h"
 #include "base/error.h"
+#include "gl/debug.h"
 
 namespace fascia {
 namespace {
@@ -13,7 +13,8 @@ namespace {
 gl::LoadPath choose_loads(const std::string& name) {
   const int blocks = gl::device().max_compute_storage_blocks;
   if (name == "ssbo" && blocks < gl::kMostStorageBlocks)
-    throw Error("--loads ssbo", gl::device().renderer + " has " + std::to_string(blocks) + " storage blocks in a kernel",
+    throw Error("--loads ssbo",
+                gl::device().renderer + " has " + std::to_string(blocks) + " storage blocks in a kernel",
                 "expected " + std::to_string(gl::kMostStorageBlocks) + ", or --loads texel");
   if (name == "ssbo") return gl::LoadPath::storage;
   if (name == "texel") return gl::LoadPath::texel;

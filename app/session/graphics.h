@@ -7,8 +7,8 @@
 
 #include "app/cli/options.h"
 #include "app/session/software_threads.h"
-#include "render/context/context.h"
 #include "gl/program.h"
+#include "render/context/context.h"
 
 namespace fascia {
 
@@ -18,15 +18,16 @@ struct Graphics {
   std::unique_ptr<gl::ProgramCache> programs;
 };
 
-/// Makes the context that the options ask for. On software renderers the number of worker threads is chosen first (LP_NUM_THREADS, if the
-/// user did not set it); it cannot be changed later.
-Graphics open_graphics(const CommonOptions& options, bool for_view, int width = 16, int height = 16, const Workload& workload = {});
+/// Makes the context that the options ask for. On software renderers the number of worker threads is chosen first
+/// (LP_NUM_THREADS, if the user did not set it); it cannot be changed later.
+Graphics open_graphics(const CommonOptions& options, bool for_view, int width = 16, int height = 16,
+                       const Workload& workload = {});
 
 /// "llvmpipe (LLVM 15.0.6, 256 bits) through osmesa, kernels read by texel"
 std::string describe(const Graphics& graphics);
 
-/// Says on stderr, unless quiet, what the command works with: the renderer, if there is one, and what the model's makers noted. After
-/// loading, so that a failed load says one line only.
+/// Says on stderr, unless quiet, what the command works with: the renderer, if there is one, and what the model's
+/// makers noted. After loading, so that a failed load says one line only.
 void announce(const CommonOptions& options, const Graphics& graphics, const std::vector<std::string>& notes);
 
 }  // namespace fascia

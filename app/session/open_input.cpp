@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/cli/usage_error.h"
 #include "app/session/advice.h"
-#include "base/interrupt.h"
 #include "app/session/opening_progress.h"
 #include "app/system/paths.h"
-#include "sim/replay/replay_time.h"
-#include "app/cli/usage_error.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/interrupt.h"
+#include "sim/replay/replay_time.h"
 #include "sim/scene/scene_paths.h"
 
 namespace fascia {
@@ -23,10 +23,15 @@ Opened open_replay(const std::filesystem::path& path, const std::vector<std::str
   Opened opened{std::move(scene), std::move(replay), std::move(model)};
   const Replay& read = *opened.replay;
   if (!read.note.empty()) opened.model.notes.push_back(read.note);
-  const auto mesh = std::find_if(read.made_by.begin(), read.made_by.end(), [](const auto& entry) { return entry.first == "Mesh hash"; });
-  if (mesh == read.made_by.end() || mesh->second == hash_text(mesh_hash(opened.model.file_mesh)) || !read.scene.files.empty()) return opened;
+  const auto mesh = std::find_if(read.made_by.begin(), read.made_by.end(),
+                                 [](const auto& entry) { return entry.first == "Mesh hash"; });
+  if (mesh == read.made_by.end() || mesh->second == hash_text(mesh_hash(opened.model.file_mesh)) ||
+      !read.scene.files.empty())
+    return opened;
   // Without a note of its files, a replay shows only here that what was found by its name elsewhere is another mesh.
-  if (!read.scene.notes.empty()) throw Error(read.scene.notes.front(), "another mesh than that of the recording", "expected that one beside the replay");
+  if (!read.scene.notes.empty())
+    throw Error(read.scene.notes.front(), "another mesh than that of the recording",
+                "expected that one beside the replay");
   opened.model.notes.push_back(path.string() + ": recorded with another mesh than its file holds now");
   return opened;
 }
@@ -64,20 +69,23 @@ Opened open_input(const CommonOptions& options, const std::vector<std::string>& 
   if (!options.data_dir.empty()) find_data_dir(options.data_dir);  // where "assets:" leads
   std::vector<std::string> overrides = sets;
   for (const std::string& grab : options.grabs) overrides.push_back("--grab " + grab);
-  if (!options.replay.empty() && !options.input.empty()) throw UsageError("--replay", "has a scene of its own", "leave out " + options.input);
+  if (!options.replay.empty() && !options.input.empty())
+    throw UsageError("--replay", "has a scene of its own", "leave out " + options.input);
   return blaming_options([&] {
     const EndAtOnce opening;
     const std::filesystem::path path = !options.replay.empty() ? std::filesystem::path(options.replay)
                                        : options.input.empty() ? default_scene(find_data_dir(options.data_dir))
                                                                : std::filesystem::path(options.input);
     const Progress progress = options.quiet ? Progress() : opening_progress(path.string());
-    Opened opened = !options.replay.empty() ? open_replay(path, overrides, progress) : open_file(path, overrides, progress);
+    Opened opened =
+        !options.replay.empty() ? open_replay(path, overrides, progress) : open_file(path, overrides, progress);
     if (const auto unit = unit_hint(opened.scene, opened.model)) opened.model.notes.push_back(unit->hint.help);
     const auto names = [&](const std::string& key) {
       return std::any_of(sets.begin(), sets.end(), [&](const std::string& set) { return set.starts_with(key); });
     };
     if (names("solver.method=") != names("solver.acceleration="))  // the other one may have changed with it
-      opened.model.notes.push_back(std::string("solver: ") + name_of(opened.scene.solver.method) + " + " + name_of(opened.scene.solver.acceleration));
+      opened.model.notes.push_back(std::string("solver: ") + name_of(opened.scene.solver.method) + " + " +
+                                   name_of(opened.scene.solver.acceleration));
     return opened;
   });
 }
@@ -89,10 +97,12 @@ long steps_to_run(const CommonOptions& options, const Simulation& simulation) {
   if (options.time) {
     constexpr double kMostSteps = 1e15;
     if (*options.time > kMostSteps * time_step)
-      throw UsageError("--time", "is more than " + std::to_string(static_cast<long>(kMostSteps)) + " steps", "expected less");
+      throw UsageError("--time", "is more than " + std::to_string(static_cast<long>(kMostSteps)) + " steps",
+                       "expected less");
     const long steps = std::lround(*options.time / time_step);
     if (steps == 0 && *options.time > 0)
-      throw UsageError("--time " + std::to_string(*options.time), "is less than half a step", "expected at least " + std::to_string(time_step) + " s, or 0");
+      throw UsageError("--time " + std::to_string(*options.time), "is less than half a step",
+                       "expected at least " + std::to_string(time_step) + " s, or 0");
     return steps;
   }
   return simulation.replay() ? simulation.replay()->steps : std::lround(simulation.scene.duration / time_step);

@@ -19,7 +19,8 @@ struct Opened {
 /// As open_scene(); "-" is a scene on standard input, its paths relative to the working folder.
 Scene open_scene_or_input(const std::filesystem::path& path, const std::vector<std::string>& sets = {});
 /// A replay by its ending .fascia.
-Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets = {}, const Progress& progress = {});
+Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets = {},
+                 const Progress& progress = {});
 /// With a line on stderr now and then where it takes long, unless quiet. A signal ends the program at once meanwhile.
 Opened open_input(const CommonOptions& options, const std::vector<std::string>& sets);
 /// Steps that a command makes: --steps, else --time, else those of the replay, else the scene's duration.

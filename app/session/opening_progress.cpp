@@ -17,7 +17,8 @@ constexpr double kLeastShare = 0.02;                 // done, before it says any
 
 std::string line_of(const std::string& name, double share, const char* what, double seconds) {
   char rest[64] = "";
-  if (share >= kLeastShare) std::snprintf(rest, sizeof rest, ", about %.0f s left", std::ceil(seconds * (1 - share) / share));
+  if (share >= kLeastShare)
+    std::snprintf(rest, sizeof rest, ", about %.0f s left", std::ceil(seconds * (1 - share) / share));
   char done[32];
   std::snprintf(done, sizeof done, "%.0f %%", std::floor(100 * share));
   return "fascia: " + name + ": " + what + ", " + done + rest + "\n";
@@ -31,7 +32,8 @@ Progress opening_progress(const std::string& name) {
     double next = kFirstLine;
   };
   // Shared: parts of the work have copies of the callback.
-  return [name = std::filesystem::path(name).filename().string(), clocks = std::make_shared<Clocks>()](double share, const char* what) {
+  return [name = std::filesystem::path(name).filename().string(), clocks = std::make_shared<Clocks>()](
+             double share, const char* what) {
     const double seconds = std::chrono::duration<double>(Clock::now() - clocks->start).count();
     if (seconds < clocks->next) return;
     clocks->next = seconds + kBetweenLines;

@@ -10,7 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// [s] between pictures that were drawn one after the other: what is longer apart is a camera that stood still in between.
+// [s] between pictures that were drawn one after the other: what is longer apart is a camera that stood still in
+// between.
 constexpr double kLongestMove = 0.15;
 
 bool same_lens(const CameraSettings& a, const CameraSettings& b) { return a.up == b.up && a.fov_deg == b.fov_deg; }
@@ -41,16 +42,19 @@ ReplayView::ReplayView(const Replay& replay) {
     const double gap = kLongestMove / time.time_step(input.step);
     if (!keys_.empty() && keys_.back().step == step) keys_.pop_back();
     // A camera that stood still begins to move one picture before it is seen elsewhere.
-    if (!keys_.empty() && step - keys_.back().step > std::max(gap, 1.0)) keys_.push_back({step - std::max(gap / 4, 1.0), keys_.back().camera});
+    if (!keys_.empty() && step - keys_.back().step > std::max(gap, 1.0))
+      keys_.push_back({step - std::max(gap / 4, 1.0), keys_.back().camera});
     keys_.push_back({step, *camera});
   }
 }
 
 std::optional<CameraSettings> ReplayView::camera(double step) const {
-  const auto next = std::upper_bound(keys_.begin(), keys_.end(), step, [](double s, const Key& key) { return s < key.step; });
+  const auto next =
+      std::upper_bound(keys_.begin(), keys_.end(), step, [](double s, const Key& key) { return s < key.step; });
   if (next == keys_.begin()) return std::nullopt;
   const auto from = next - 1;
-  if (next == keys_.end() || from->camera == next->camera || !same_lens(from->camera, next->camera)) return from->camera;
+  if (next == keys_.end() || from->camera == next->camera || !same_lens(from->camera, next->camera))
+    return from->camera;
   const Pose a(from->camera), b(next->camera);
   if (a.direction.dot(b.direction) < 0) return from->camera;  // another view, not a turn
   const double length = next->step - from->step, t = (step - from->step) / length;
@@ -76,8 +80,8 @@ std::optional<CameraSettings> ReplayView::camera(double step) const {
 }
 
 std::optional<DisplaySettings> ReplayView::display(double step) const {
-  const auto next =
-      std::upper_bound(displays_.begin(), displays_.end(), step, [](double s, const auto& entry) { return s < entry.first; });
+  const auto next = std::upper_bound(displays_.begin(), displays_.end(), step,
+                                     [](double s, const auto& entry) { return s < entry.first; });
   if (next == displays_.begin()) return std::nullopt;
   return (next - 1)->second;
 }

@@ -13,8 +13,9 @@ class ReplayView {
   ReplayView() = default;
   explicit ReplayView(const Replay& replay);
 
-  /// After `step` steps, whole or not. The camera goes through what was recorded on a smooth path (Catmull and Rom 1974, in the
-  /// target, the direction and the logarithm of the distance), and stands where it stood. Nothing if none was recorded by then.
+  /// After `step` steps, whole or not. The camera goes through what was recorded on a smooth path (Catmull and Rom
+  /// 1974, in the target, the direction and the logarithm of the distance), and stands where it stood. Nothing if none
+  /// was recorded by then.
   std::optional<CameraSettings> camera(double step) const;
   std::optional<DisplaySettings> display(double step) const;
 

@@ -6,8 +6,8 @@
 #include "app/system/paths.h"
 #include "base/error.h"
 #include "base/file.h"
-#include "sim/replay/replay.h"
 #include "base/json/json_document.h"
+#include "sim/replay/replay.h"
 #include "sim/scene/scene_write.h"
 
 namespace fascia {
@@ -28,7 +28,10 @@ std::string text_of_value(const OrderedJson& value) {
 }
 
 /// To the bit: -0 is not 0.
-bool same(const OrderedJson& a, const OrderedJson& b) { return a == b && a.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) == b.dump(-1, ' ', false, OrderedJson::error_handler_t::replace); }
+bool same(const OrderedJson& a, const OrderedJson& b) {
+  return a == b && a.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) ==
+                       b.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
 
 bool can_be_segment(const std::string& key) { return !key.empty() && key.find_first_of(".[]=") == std::string::npos; }
 
@@ -71,7 +74,8 @@ std::vector<std::string> sets_between(const Scene& from, const Scene& to) {
   const std::filesystem::path folder = to.file.parent_path();
   const OrderedJson before = scene_document(from, folder), after = scene_document(to, folder);
   for (const auto& item : before.items())
-    if (!after.contains(item.key())) throw Error(to.file.string(), "has \"" + item.key() + "\", which no --set takes away", "save the scene instead");
+    if (!after.contains(item.key()))
+      throw Error(to.file.string(), "has \"" + item.key() + "\", which no --set takes away", "save the scene instead");
   std::vector<std::string> sets;
   collect("", before, after, sets);
   // Half a pair means the best that goes with it, not what the file has.

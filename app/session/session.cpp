@@ -15,7 +15,9 @@ std::vector<Eigen::Vector3d> places_of(const Model& model, const std::vector<Eig
     for (const std::uint32_t v : tet) used[v] = 1;
   std::vector<Eigen::Vector3d> places;
   for (std::size_t v = 0; v < used.size(); ++v)
-    if (used[v]) places.push_back(displacement.empty() ? model.rest_positions[v] : Eigen::Vector3d(model.rest_positions[v] + displacement[v]));
+    if (used[v])
+      places.push_back(displacement.empty() ? model.rest_positions[v]
+                                            : Eigen::Vector3d(model.rest_positions[v] + displacement[v]));
   return places;
 }
 
@@ -25,8 +27,9 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
     : simulation(std::move(scene), std::move(built), graphics.programs.get(), use_reference, progress),
       surface_(drawn_surface(simulation.model)),
       description_(describe(graphics)) {
-  renderer_.emplace(*simulation.programs(), surface_.triangles, static_cast<std::uint32_t>(surface_.rest_positions.size()),
-                    simulation.model.fixed, surface_.rest_positions, surface_.colors);
+  renderer_.emplace(*simulation.programs(), surface_.triangles,
+                    static_cast<std::uint32_t>(surface_.rest_positions.size()), simulation.model.fixed,
+                    surface_.rest_positions, surface_.colors);
   const Model& model = simulation.model;
   box_min_.setConstant(1e300);
   box_max_.setConstant(-1e300);
@@ -77,9 +80,12 @@ void Session::set_display(const DisplaySettings& display) {
   if (other_range) forget_range();
   show(display, look);
   const bool by_region = display.color == ColorBy::region;
-  if ((by_region || display.section || display.tets) && !regions_) regions_ = drawn_regions(simulation.scene, simulation.model, surface_);
-  if (by_region != renderer_->has_regions()) renderer_->set_regions(by_region ? regions_->of_triangle : std::vector<std::uint32_t>());
-  if (display.section || display.tets) renderer_->set_tets({simulation.model.tets, regions_->of_tet, closed_around_tets(simulation.model)});
+  if ((by_region || display.section || display.tets) && !regions_)
+    regions_ = drawn_regions(simulation.scene, simulation.model, surface_);
+  if (by_region != renderer_->has_regions())
+    renderer_->set_regions(by_region ? regions_->of_triangle : std::vector<std::uint32_t>());
+  if (display.section || display.tets)
+    renderer_->set_tets({simulation.model.tets, regions_->of_tet, closed_around_tets(simulation.model)});
   if (display.color == ColorBy::error && true_error.result()) show_error();
 }
 
@@ -111,7 +117,8 @@ std::optional<Eigen::Vector2d> Session::measure_shown(bool now) {
 void Session::follow_range(Session* beside, bool now) {
   if (!simulation.gpu()->shown_range() || display().range) return;
   std::optional<Eigen::Vector2d> shown = measure_shown(now);
-  if (const auto other = beside && beside->display().color == display().color ? beside->measure_shown(now) : std::nullopt)
+  if (const auto other =
+          beside && beside->display().color == display().color ? beside->measure_shown(now) : std::nullopt)
     shown = shown ? Eigen::Vector2d(std::min(shown->x(), other->x()), std::max(shown->y(), other->y())) : *other;
   if (shown) fascia::follow_range(*shown, display().color, range_);
   if (range_) look.range = *range_;

@@ -16,19 +16,27 @@ double round_up(double value) {
 
 const ColorMapCurve& curve_of(ColorMap map) {
   switch (map) {
-    case ColorMap::ember: return color_maps::ember;
-    case ColorMap::polar: return color_maps::polar;
-    case ColorMap::grey: return color_maps::grey;
-    default: return color_maps::dusk;
+    case ColorMap::ember:
+      return color_maps::ember;
+    case ColorMap::polar:
+      return color_maps::polar;
+    case ColorMap::grey:
+      return color_maps::grey;
+    default:
+      return color_maps::dusk;
   }
 }
 
 Backdrop backdrop_of(Background background) {
   switch (background) {
-    case Background::white: return Backdrop::white;
-    case Background::black: return Backdrop::black;
-    case Background::transparent: return Backdrop::transparent;
-    default: return Backdrop::gradient;
+    case Background::white:
+      return Backdrop::white;
+    case Background::black:
+      return Backdrop::black;
+    case Background::transparent:
+      return Backdrop::transparent;
+    default:
+      return Backdrop::gradient;
   }
 }
 
@@ -41,10 +49,12 @@ void show(const DisplaySettings& display, Look& look) {
   const ColorMap map = chosen_map(display.color_map, display.color);
   look.color_map = &curve_of(map);
   look.neutral.reset();
-  if (const auto neutral = quantity_of(display.color).neutral; neutral && map == ColorMap::polar) look.neutral = static_cast<float>(*neutral);
+  if (const auto neutral = quantity_of(display.color).neutral; neutral && map == ColorMap::polar)
+    look.neutral = static_cast<float>(*neutral);
   look.wireframe = display.wireframe;
   look.section.reset();
-  if (display.section) look.section = {display.section->normal.normalized().cast<float>(), static_cast<float>(display.section->offset)};
+  if (display.section)
+    look.section = {display.section->normal.normalized().cast<float>(), static_cast<float>(display.section->offset)};
   look.tets.reset();
   if (display.tets) look.tets = {static_cast<float>(display.tets->shrink), static_cast<float>(display.tets->spread)};
   look.shadow = display.shadow;

@@ -18,11 +18,16 @@ constexpr std::size_t kMostThreads = 16;  // of llvmpipe 22
 std::size_t dispatches_of(Method method) {
   switch (method) {
     case Method::jacobi:
-    case Method::mass_splitting: return 3;
-    case Method::gauss_seidel: return 32;
-    case Method::exact_xpbd: return 6;
-    case Method::vertex_descent: return 10;
-    case Method::two_level: return 8;
+    case Method::mass_splitting:
+      return 3;
+    case Method::gauss_seidel:
+      return 32;
+    case Method::exact_xpbd:
+      return 6;
+    case Method::vertex_descent:
+      return 10;
+    case Method::two_level:
+      return 8;
   }
   return 1;
 }
@@ -70,13 +75,13 @@ Workload workload_of(const Scene& scene, const Model& model, bool static_equilib
   return {scene.solver.method, model.tets.size(), drawn, static_equilibrium || scene.solver.tolerance == 0};
 }
 
-// llvmpipe's worker threads cost something where they wait for each other: in a step of fused passes (gl/fused_pass.h) after every
-// kernel, of which colors make many; else they are woken and awaited in every dispatch, which takes as long as they save on some
-// thousands of tets. The rasteriser gains from every core, more than a step loses.
+// llvmpipe's worker threads cost something where they wait for each other: in a step of fused passes (gl/fused_pass.h)
+// after every kernel, of which colors make many; else they are woken and awaited in every dispatch, which takes as long
+// as they save on some thousands of tets. The rasteriser gains from every core, more than a step loses.
 SoftwareThreads::SoftwareThreads(const Workload& workload) : before_(threads_of_this_program()) {
   constexpr std::size_t kTetsFused = 2000, kTetsOfColors = 8'000, kTetsPerDispatch = 5000;
   const std::size_t cores = std::clamp<std::size_t>(cores_of_this_program().size(), 1, kMostThreads);
-  const std::size_t least = !workload.fused                           ? kTetsPerDispatch * dispatches_of(workload.method)
+  const std::size_t least = !workload.fused ? kTetsPerDispatch * dispatches_of(workload.method)
                             : workload.method == Method::gauss_seidel ? kTetsOfColors
                                                                       : kTetsFused;
   setenv("LP_NUM_THREADS", std::to_string(workload.drawn || workload.tets >= least ? cores : 0).c_str(), 0);

@@ -13,7 +13,8 @@ struct Workload {
   Method method = Method::jacobi;
   std::size_t tets = 0;
   bool drawn = true;
-  bool fused = true;  // whether the passes of a step are (gl/fused_pass.h): not with solver.tolerance, which --static has another way
+  bool fused = true;  // whether the passes of a step are (gl/fused_pass.h): not with solver.tolerance, which --static
+                      // has another way
 };
 Workload workload_of(const Scene& scene, const Model& model, bool static_equilibrium, bool drawn = true);
 
@@ -23,8 +24,9 @@ class SoftwareThreads {
   /// Chooses how many there will be (LP_NUM_THREADS, if the user did not set it); it cannot be changed later.
   explicit SoftwareThreads(const Workload& workload);
 
-  /// Gives each of the threads that run kernels a core of its own, where there are as many of both: left to itself Linux at times runs
-  /// two of them on one (docs/concepts/performance.md has what it brings). Without a word where it is no Linux or there are no such threads.
+  /// Gives each of the threads that run kernels a core of its own, where there are as many of both: left to itself
+  /// Linux at times runs two of them on one (docs/concepts/performance.md has what it brings). Without a word where it
+  /// is no Linux or there are no such threads.
   void spread() const;
 
  private:

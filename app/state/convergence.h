@@ -1,5 +1,6 @@
-// How the residual falls within one substep, for the settings in use and for others that the user pins: each has a solver of its own
-// that starts from the state of the simulation, so that all of them solve the same step. Exists while its panel is open.
+// How the residual falls within one substep, for the settings in use and for others that the user pins: each has a
+// solver of its own that starts from the state of the simulation, so that all of them solve the same step. Exists while
+// its panel is open.
 #pragma once
 #include <memory>
 #include <string>

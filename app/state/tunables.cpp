@@ -7,16 +7,18 @@
 
 #include "app/ui/field_labels.h"
 #include "app/ui/units.h"
+#include "sim/material/tissues.h"
 #include "sim/model/region_materials.h"
 #include "sim/scene/scene_write.h"
-#include "sim/material/tissues.h"
 
 namespace fascia {
 namespace {
 
 class ChangeList {
  public:
-  void add(const std::string& what, const std::string& from, const std::string& to) { lines.push_back(what + ": " + from + " to " + to); }
+  void add(const std::string& what, const std::string& from, const std::string& to) {
+    lines.push_back(what + ": " + from + " to " + to);
+  }
   template <class Value>
   void number(const std::string& what, const Value& from, const Value& to, const std::string& unit) {
     if (from == to) return;
@@ -34,14 +36,18 @@ void visit_both(Visit visit, F f) {
   std::vector<double> values;
   visit(false, [&](const auto& value, auto&&...) { values.push_back(double(value)); });
   std::size_t next = 0;
-  visit(true, [&](const auto& value, const char* name, const char* unit, auto&&...) { f(values[next++], double(value), name, unit); });
+  visit(true, [&](const auto& value, const char* name, const char* unit, auto&&...) {
+    f(values[next++], double(value), name, unit);
+  });
 }
 
 void compare_settings(const SolverSettings& from, const SolverSettings& to, ChangeList& list) {
   if (from.method != to.method) list.add("Method", label_of(from.method), label_of(to.method));
-  if (from.acceleration != to.acceleration) list.add("Acceleration", label_of(from.acceleration), label_of(to.acceleration));
-  visit_both([&](bool second, auto f) { visit_settings(second ? to : from, f); },
-             [&](double a, double b, const char* name, const char* unit) { list.number(label_of_field(name), a, b, unit); });
+  if (from.acceleration != to.acceleration)
+    list.add("Acceleration", label_of(from.acceleration), label_of(to.acceleration));
+  visit_both(
+      [&](bool second, auto f) { visit_settings(second ? to : from, f); },
+      [&](double a, double b, const char* name, const char* unit) { list.number(label_of_field(name), a, b, unit); });
 }
 
 void compare_materials(const Material& from, const Material& to, const std::string& where, ChangeList& list) {
@@ -61,7 +67,8 @@ void compare_materials(const Material& from, const Material& to, const std::stri
   if (from.model != to.model) list.add("Model" + where, name_of(from.model), name_of(to.model));
 }
 
-void compare_entries(const MaterialEntries& from, const MaterialEntries& to, bool only_body, const std::string& body, ChangeList& list) {
+void compare_entries(const MaterialEntries& from, const MaterialEntries& to, bool only_body, const std::string& body,
+                     ChangeList& list) {
   const std::string of_body = only_body ? "" : ", " + body;
   const auto find = [](const MaterialEntries& entries, const std::string& key) -> const MaterialOverride* {
     for (const auto& [name, values] : entries.region_materials)
@@ -72,8 +79,8 @@ void compare_entries(const MaterialEntries& from, const MaterialEntries& to, boo
   for (const auto& [key, values] : to.region_materials) {
     const MaterialOverride* before = find(from, key);
     if (!before) list.lines.push_back("A material of its own" + of_body + ", " + key);
-    compare_materials(before ? with_override(from.material, *before) : from.material, with_override(to.material, values), of_body + ", " + key,
-                      list);
+    compare_materials(before ? with_override(from.material, *before) : from.material,
+                      with_override(to.material, values), of_body + ", " + key, list);
   }
   for (const auto& [key, values] : from.region_materials)
     if (!find(to, key)) list.lines.push_back("The default material" + of_body + ", " + key);
@@ -87,10 +94,13 @@ void compare_display(const DisplaySettings& from, const DisplaySettings& to, Cha
     return scene_document(scene, "").at("display");
   };
   const nlohmann::ordered_json before = document(from), after = document(to);
-  const auto text = [](const nlohmann::ordered_json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); };
+  const auto text = [](const nlohmann::ordered_json& value) {
+    return value.is_string() ? value.get<std::string>() : value.dump();
+  };
   for (const auto& [key, value] : after.items()) {
     const bool had = before.contains(key);
-    if (!had || before.at(key) != value) list.add(label_of_field(key), had ? text(before.at(key)) : "automatic", text(value));
+    if (!had || before.at(key) != value)
+      list.add(label_of_field(key), had ? text(before.at(key)) : "automatic", text(value));
   }
   for (const auto& [key, value] : before.items())
     if (!after.contains(key)) list.add(label_of_field(key), text(value), "automatic");
@@ -123,7 +133,8 @@ std::vector<std::string> changes(const Dials& from, const Dials& to) {
   compare_settings(from.solver, to.solver, list);
   for (std::size_t b = 0; b < std::min(from.materials.size(), to.materials.size()); ++b)
     compare_entries(from.materials[b], to.materials[b], to.materials.size() == 1, "body " + std::to_string(b), list);
-  for (int axis = 0; axis < 3; ++axis) list.number(std::string("Gravity ") + "xyz"[axis], from.gravity[axis], to.gravity[axis], "m/s^2");
+  for (int axis = 0; axis < 3; ++axis)
+    list.number(std::string("Gravity ") + "xyz"[axis], from.gravity[axis], to.gravity[axis], "m/s^2");
   compare_display(from.display, to.display, list);
   list.number("Grab radius", 100 * from.grab.radius, 100 * to.grab.radius, "%");
   list.number("Grip", from.grab.grip, to.grab.grip, "");

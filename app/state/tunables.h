@@ -1,12 +1,12 @@
-// Everything that a user can turn while a scene is simulated, as one value: what undo goes back to, what two sides of a comparison
-// differ in. The camera is no dial.
+// Everything that a user can turn while a scene is simulated, as one value: what undo goes back to, what two sides of a
+// comparison differ in. The camera is no dial.
 #pragma once
 #include <string>
 #include <vector>
 
+#include "app/session/session.h"
 #include "sim/grab/interactive_grab.h"
 #include "sim/simulation/scene_edits.h"
-#include "app/session/session.h"
 
 namespace fascia {
 

@@ -1,5 +1,6 @@
-// Undo and redo of everything that a user turns. The window shows it the dials once nobody holds one: what differs from the last time
-// is one entry, whatever made it, so a drag of a slider, a key and a combo are each undone in one piece. Knows values only.
+// Undo and redo of everything that a user turns. The window shows it the dials once nobody holds one: what differs from
+// the last time is one entry, whatever made it, so a drag of a slider, a key and a combo are each undone in one piece.
+// Knows values only.
 #pragma once
 #include <deque>
 #include <string>
@@ -32,7 +33,7 @@ class DialHistory {
   Dials redo() { return entries_[done_++].after; }
 
   const std::deque<Entry>& entries() const { return entries_; }
-  std::size_t done() const { return done_; }  // entries that are not undone
+  std::size_t done() const { return done_; }   // entries that are not undone
   bool complete() const { return complete_; }  // false: there were more than kMostEntries, the first ones are gone
 
  private:

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/output/stats.h"
-#include "sim/model/region_materials.h"
 #include "sim/mesh/tet_mesh.h"
+#include "sim/model/region_materials.h"
+#include "sim/output/stats.h"
 
 namespace fascia {
 
@@ -37,7 +37,8 @@ SceneFacts::SceneFacts(const Scene& scene, const Model& model)
       region.key = key_of_region(part.regions, number);
       const auto named = part.regions.find(number);
       const bool has_name = named != part.regions.end() && !named->second.empty();
-      region.label = (one_body ? "" : part.name + ": ") + (has_name ? named->second : "region " + std::to_string(number));
+      region.label =
+          (one_body ? "" : part.name + ": ") + (has_name ? named->second : "region " + std::to_string(number));
       regions.push_back(std::move(region));
     }
   }

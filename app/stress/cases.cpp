@@ -1,4 +1,5 @@
-// The torture: starts, numbers at the ends of their ranges, meshes nobody should have made, and hands that know no mercy.
+// The torture: starts, numbers at the ends of their ranges, meshes nobody should have made, and hands that know no
+// mercy.
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
@@ -7,8 +8,8 @@
 #include "app/stress/stress.h"
 #include "base/error.h"
 #include "sim/grab/build_model.h"
-#include "sim/mesh/mesh_generate.h"
 #include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
 #include "sim/model/model.h"
 
 namespace fascia {
@@ -77,7 +78,8 @@ struct Maker {
     });
   }
 
-  StressCase& add(const std::string& group, const std::string& name, Scene scene, std::optional<State> state, long steps) {
+  StressCase& add(const std::string& group, const std::string& name, Scene scene, std::optional<State> state,
+                  long steps) {
     StressCase& made = cases.emplace_back();
     made.group = group;
     made.name = name;
@@ -101,7 +103,8 @@ struct Maker {
         return Vector3d(0.5 * kBarLength, 0.5 * kBarWidth, 0.5 * kBarWidth) + kBarLength * Vector3d(x, y, z);
       });
       torture("flattened", [](const Vector3d& x) { return Vector3d(x.x(), 0.5 * kBarWidth, x.z()); });
-      torture("collapsed to a point", [](const Vector3d&) { return Vector3d(0.5 * kBarLength, 0.5 * kBarWidth, 0.5 * kBarWidth); });
+      torture("collapsed to a point",
+              [](const Vector3d&) { return Vector3d(0.5 * kBarLength, 0.5 * kBarWidth, 0.5 * kBarWidth); });
       torture("mirrored", [](const Vector3d& x) { return Vector3d(-x.x(), x.y(), x.z()); });
       torture("half mirrored", [](const Vector3d& x) {
         return Vector3d(x.x() > 0.5 * kBarLength ? kBarLength - x.x() : x.x(), x.y(), x.z());
@@ -154,8 +157,9 @@ struct Maker {
       change(s.bodies[0], s.bodies[0].region_materials.emplace_back("2", MaterialOverride{}).second);
       return released("number", name, s, steps);
     };
-    // Soft layers of 10 kPa would be crushed by the weight of the beam in the exact solution, too. These are turned inside out by the
-    // stiff ones, and in the exact solution, too, some of their tets still are after 90 steps; none after 180.
+    // Soft layers of 10 kPa would be crushed by the weight of the beam in the exact solution, too. These are turned
+    // inside out by the stiff ones, and in the exact solution, too, some of their tets still are after 90 steps; none
+    // after 180.
     halves("layers of E 1:1e6", 180, [](Body& body, MaterialOverride& m) {
       body.material.young_modulus = 3e4;
       m.young_modulus = 3e10;
@@ -195,7 +199,8 @@ struct Maker {
     const std::vector<char> held = built.held();
     for (; v < edge.size(); ++v)
       if (!held[v] && count[v] > 0)
-        state.displacement[v] = rounded(edge[v] / count[v] * Vector3d(uniform(random), uniform(random), uniform(random)));
+        state.displacement[v] =
+            rounded(edge[v] / count[v] * Vector3d(uniform(random), uniform(random), uniform(random)));
     return state;
   }
 
@@ -229,7 +234,8 @@ struct Maker {
     // Every second layer of cells squashed until its tets have dihedral angles of 0.1 degrees.
     TetMesh slivers = beam();
     const int along = quick ? 4 : 8;
-    const double cell = kBarLength / along, thin = (kBarWidth / (quick ? 2 : 4)) * std::tan(0.1 * std::numbers::pi / 180);
+    const double cell = kBarLength / along,
+                 thin = (kBarWidth / (quick ? 2 : 4)) * std::tan(0.1 * std::numbers::pi / 180);
     deform(slivers, [&](const Vector3d& x) -> Vector3d {
       const int layer = static_cast<int>(std::lround(x.x() / cell));
       const int pairs = layer / 2;
@@ -245,7 +251,8 @@ struct Maker {
     for (const double offset : {0.3, 0.6}) {
       const auto base = static_cast<std::uint32_t>(parts.positions.size());
       for (const Vector3d& x : one.positions) parts.positions.push_back(x + Vector3d(0, offset, 0));
-      for (const Tet& tet : one.tets) parts.tets.push_back({tet[0] + base, tet[1] + base, tet[2] + base, tet[3] + base});
+      for (const Tet& tet : one.tets)
+        parts.tets.push_back({tet[0] + base, tet[1] + base, tet[2] + base, tet[3] + base});
       parts.regions.resize(parts.tets.size(), 0);
     }
     shape("disconnected parts", parts, true).criteria.recovers = true;
@@ -267,14 +274,17 @@ struct Maker {
   }
 
   // `during` makes the inputs of the first 80 steps; then all is let go and 160 more follow.
-  void handled(const std::string& name, double farthest, const std::function<void(long step, const Model&, std::vector<Input>&)>& during) {
+  void handled(const std::string& name, double farthest,
+               const std::function<void(long step, const Model&, std::vector<Input>&)>& during) {
     constexpr long kHandled = 80, kFreed = 160;
     Scene s = beam_scene();
     const Model built = build_model(s);
     StressCase& made = add("handling", name, s, std::nullopt, kHandled + kFreed);
     for (long step = 0; step < kHandled; ++step) during(step, built, made.replay.inputs);
-    for (Input& back : std::vector<Input>{{kHandled, s.solver}, {kHandled, MaterialInput{0, s.bodies[0].material}},
-                                          {kHandled, GravityInput{s.gravity}}, {kHandled, GrabInput{}}})
+    for (Input& back : std::vector<Input>{{kHandled, s.solver},
+                                          {kHandled, MaterialInput{0, s.bodies[0].material}},
+                                          {kHandled, GravityInput{s.gravity}},
+                                          {kHandled, GrabInput{}}})
       made.replay.inputs.push_back(std::move(back));
     made.criteria.recovers = true;
     made.criteria.farthest = farthest;
@@ -293,7 +303,9 @@ struct Maker {
     });
     std::mt19937 random(5);
     handled("sliders scrubbed every frame", 100, [&](long step, const Model&, std::vector<Input>& inputs) {
-      const auto between = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+      const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+      };
       Material m;
       m.model = model;
       m.young_modulus = std::pow(10.0, between(2, 10));

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "sim/simulation/simulation.h"
 #include "app/stress/stress.h"
+#include "sim/simulation/simulation.h"
 
 namespace fascia {
 namespace {
@@ -57,7 +57,8 @@ class Ledger {
  private:
   double energy(const reference::Measures& measures, const State& state) const {
     double potential = 0;
-    for (std::size_t v = 0; v < masses_.size(); ++v) potential -= masses_[v] * model_.gravity.dot(state.displacement[v]);
+    for (std::size_t v = 0; v < masses_.size(); ++v)
+      potential -= masses_[v] * model_.gravity.dot(state.displacement[v]);
     return measures.kinetic + measures.elastic + potential;
   }
 
@@ -115,8 +116,10 @@ StressResult run_stress_case(Simulation& simulation, const StressCriteria& crite
   if (result.farthest > criteria.farthest) fail("moved by ", result.farthest, " sizes");
   if (criteria.keeps_upright && result.inverted > 0) fail(result.inverted, " tets inside out at the end");
   if (criteria.recovers && result.rms >= kRecovered) fail("off its rest shape by ", result.rms, " sizes RMS");
-  if (criteria.creates_no_energy && result.energy_growth > kGrowth) fail("energy grew by ", 100 * result.energy_growth, " %");
-  if (criteria.creates_no_momentum && result.momentum_growth > kGrowth) fail("momentum grew by ", 100 * result.momentum_growth, " %");
+  if (criteria.creates_no_energy && result.energy_growth > kGrowth)
+    fail("energy grew by ", 100 * result.energy_growth, " %");
+  if (criteria.creates_no_momentum && result.momentum_growth > kGrowth)
+    fail("momentum grew by ", 100 * result.momentum_growth, " %");
   return result;
 }
 

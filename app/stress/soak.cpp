@@ -2,19 +2,20 @@
 
 #include <cmath>
 
-#include "sim/grab/build_model.h"
-#include "sim/simulation/breakdown.h"
 #include "app/system/process_memory.h"
+#include "sim/grab/build_model.h"
 #include "sim/replay/replay.h"
+#include "sim/simulation/breakdown.h"
 
 namespace fascia {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr long kPull = 60, kHold = 60, kPeriod = 600;  // steps: to the target, there, and of a grab with the rest after it
-constexpr int kDirections = 4;                         // grabs of a round
-constexpr double kFarthestPull = 0.2;                  // of the body's size
+constexpr long kPull = 60, kHold = 60,
+               kPeriod = 600;          // steps: to the target, there, and of a grab with the rest after it
+constexpr int kDirections = 4;         // grabs of a round
+constexpr double kFarthestPull = 0.2;  // of the body's size
 
 // The vertices farthest from the supports, as stiff together as their tissue under a disc.
 struct Patch {
@@ -60,7 +61,8 @@ SoakRun soak(Bench& bench, const Scene& scene, long steps) {
   for (long step = 0; step < steps; ++step) {
     const long grab = step / kPeriod, within = step % kPeriod;
     if (within < kPull)
-      simulation.set_grab(patch.springs(kFarthestPull * patch.size * static_cast<double>(within + 1) / kPull * directions[grab % kDirections]));
+      simulation.set_grab(patch.springs(kFarthestPull * patch.size * static_cast<double>(within + 1) / kPull *
+                                        directions[grab % kDirections]));
     if (within == kPull + kHold) {
       run.strained = std::max(run.strained, reference::measure(simulation.model, simulation.state()).elastic);
       simulation.set_grab({});
@@ -85,12 +87,13 @@ SoakRun soak(Bench& bench, const Scene& scene, long steps) {
 }
 
 std::vector<std::string> soak_failures(const SoakRun& first, const SoakRun& second) {
-  constexpr double kDrift = 1e-3;               // of the energy that the grabs bring in
-  constexpr std::size_t kGrowth = 4u << 20;     // [bytes] that an allocator may keep for later
+  constexpr double kDrift = 1e-3;            // of the energy that the grabs bring in
+  constexpr std::size_t kGrowth = 4u << 20;  // [bytes] that an allocator may keep for later
   std::vector<std::string> failures;
   if (first.hash != second.hash) failures.push_back("two runs end in different states");
   for (const SoakRun* run : {&first, &second}) {
-    if (!(std::abs(run->elastic_last - run->elastic_first) < kDrift * run->strained)) failures.push_back("the elastic energy at rest drifts");
+    if (!(std::abs(run->elastic_last - run->elastic_first) < kDrift * run->strained))
+      failures.push_back("the elastic energy at rest drifts");
     if (!(run->kinetic_last < kDrift * run->strained)) failures.push_back("the body does not come to rest");
     if (run->gpu_last != run->gpu_first) failures.push_back("GPU memory grows");
     if (run->memory_last > run->memory_first + kGrowth) failures.push_back("memory grows");
@@ -100,8 +103,20 @@ std::vector<std::string> soak_failures(const SoakRun& first, const SoakRun& seco
 
 int soak_scenes(Bench& bench, const std::vector<std::filesystem::path>& inputs, long steps) {
   Table table;
-  table.columns = {"scene", "tets", "steps", "run", "hash", "elastic_first_J", "elastic_last_J", "kinetic_last_J", "elastic_grabbed_J",
-                   "gpu_first_bytes", "gpu_last_bytes", "memory_first_bytes", "memory_last_bytes", "failures"};
+  table.columns = {"scene",
+                   "tets",
+                   "steps",
+                   "run",
+                   "hash",
+                   "elastic_first_J",
+                   "elastic_last_J",
+                   "kinetic_last_J",
+                   "elastic_grabbed_J",
+                   "gpu_first_bytes",
+                   "gpu_last_bytes",
+                   "memory_first_bytes",
+                   "memory_last_bytes",
+                   "failures"};
   int failed = 0;
   for (const std::filesystem::path& input : inputs) {
     const Scene scene = open_scene(input);
@@ -113,8 +128,9 @@ int soak_scenes(Bench& bench, const std::vector<std::filesystem::path>& inputs, 
     failed += !what.empty();
     for (int k = 0; k < 2; ++k) {
       const SoakRun& run = runs[k];
-      table.rows.push_back({name, tets, steps, k + 1, hash_text(run.hash), run.elastic_first, run.elastic_last, run.kinetic_last, run.strained,
-                            run.gpu_first, run.gpu_last, run.memory_first, run.memory_last, what});
+      table.rows.push_back({name, tets, steps, k + 1, hash_text(run.hash), run.elastic_first, run.elastic_last,
+                            run.kinetic_last, run.strained, run.gpu_first, run.gpu_last, run.memory_first,
+                            run.memory_last, what});
     }
     bench.write("soak", table);
     bench.say(name + ": " + (what.empty() ? "passed" : what));

@@ -10,16 +10,16 @@
 namespace fascia {
 
 struct SoakRun {
-  std::uint64_t hash = 0;                  // of the last state (state_hash)
-  double elastic_first = 0, elastic_last = 0;  // at rest, after the first round of grabs and after the last one [J]
-  double kinetic_last = 0;                 // at rest [J]
-  double strained = 0;                     // largest elastic energy seen while grabbed [J]
-  std::size_t gpu_first = 0, gpu_last = 0;  // bytes, after the first round and at the end
+  std::uint64_t hash = 0;                         // of the last state (state_hash)
+  double elastic_first = 0, elastic_last = 0;     // at rest, after the first round of grabs and after the last one [J]
+  double kinetic_last = 0;                        // at rest [J]
+  double strained = 0;                            // largest elastic energy seen while grabbed [J]
+  std::size_t gpu_first = 0, gpu_last = 0;        // bytes, after the first round and at the end
   std::size_t memory_first = 0, memory_last = 0;  // resident set of the process, the same [bytes]
 };
 
-/// `steps` of the scene, in rounds of four grabs in different directions with time to rest after each. Throws Error when the state is
-/// lost.
+/// `steps` of the scene, in rounds of four grabs in different directions with time to rest after each. Throws Error
+/// when the state is lost.
 SoakRun soak(Bench& bench, const Scene& scene, long steps);
 
 /// What is wrong with two runs of the same: one text each; empty: nothing.

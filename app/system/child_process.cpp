@@ -14,8 +14,8 @@
 #include <memory>
 #include <new>
 
-#include "base/interrupt.h"
 #include "base/error.h"
+#include "base/interrupt.h"
 
 namespace fascia {
 namespace {
@@ -115,7 +115,8 @@ ChildReport run_in_child(const std::function<std::string()>& work, double timeou
   } else if (WIFSIGNALED(status)) {
     report.failure = std::string("crashed (") + strsignal(WTERMSIG(status)) + ")";
   } else if (message.empty() || message[0] != kDone) {
-    report.failure = message.size() > 1 ? message.substr(1) : "ended without a result, exit code " + std::to_string(WEXITSTATUS(status));
+    report.failure = message.size() > 1 ? message.substr(1)
+                                        : "ended without a result, exit code " + std::to_string(WEXITSTATUS(status));
   } else {
     report.answer = message.substr(1);
   }

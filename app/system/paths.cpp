@@ -8,7 +8,8 @@ namespace fs = std::filesystem;
 
 fs::path find_data_dir(const std::string& data_dir) {
   if (!data_dir.empty()) {
-    if (!holds_shaders(data_dir)) throw Error("--data-dir " + data_dir, "has no folder shaders", "expected fascia's data folder");
+    if (!holds_shaders(data_dir))
+      throw Error("--data-dir " + data_dir, "has no folder shaders", "expected fascia's data folder");
     set_data_folder(data_dir);
     return data_dir;
   }

@@ -1,5 +1,5 @@
-// Where a user's own files belong (XDG Base Directory Specification): settings, pictures that can be made again, the state of a session.
-// In each, a folder "fascia". Empty where there is no home: then nothing is kept.
+// Where a user's own files belong (XDG Base Directory Specification): settings, pictures that can be made again, the
+// state of a session. In each, a folder "fascia". Empty where there is no home: then nothing is kept.
 #pragma once
 #include <filesystem>
 

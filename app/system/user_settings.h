@@ -1,5 +1,5 @@
-// What the window remembers of its user from one start to the next: files opened, the folder last looked into, hints that were
-// understood, theme. A small JSON file, strict as scenes are; one that is broken never stops the window.
+// What the window remembers of its user from one start to the next: files opened, the folder last looked into, hints
+// that were understood, theme. A small JSON file, strict as scenes are; one that is broken never stops the window.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -15,8 +15,8 @@ struct UserSettings {
   std::vector<std::filesystem::path> recent;  // absolute, the latest first
   std::filesystem::path folder;               // of the dialogs; empty: none yet
   std::set<std::string> hints_done;
-  bool welcomed = false;                      // has seen the examples
-  bool light = false;                         // theme of the panels
+  bool welcomed = false;  // has seen the examples
+  bool light = false;     // theme of the panels
 
   void opened(const std::filesystem::path& file);
   bool operator==(const UserSettings&) const = default;
@@ -26,13 +26,15 @@ struct UserSettings {
 UserSettings read_user_settings(const std::filesystem::path& file);
 void write_user_settings(const std::filesystem::path& file, const UserSettings& settings);
 
-/// The settings of a running window and their file, which other windows change, too: every change is made to what the file holds then.
+/// The settings of a running window and their file, which other windows change, too: every change is made to what the
+/// file holds then.
 class UserStore {
  public:
   /// An empty folder: nothing is read or written.
   explicit UserStore(const std::filesystem::path& folder);
   const UserSettings& now() const { return settings_; }
-  /// Of reading or writing, one line; empty when all is well. A broken file is kept beside the new one, as settings.json.broken.
+  /// Of reading or writing, one line; empty when all is well. A broken file is kept beside the new one, as
+  /// settings.json.broken.
   const std::string& complaint() const { return complaint_; }
   void change(const std::function<void(UserSettings&)>& change);
 

@@ -1,4 +1,5 @@
-// Names for people of the keys that scene files have: "young_modulus" is "Young's modulus" in panels, history and labels alike.
+// Names for people of the keys that scene files have: "young_modulus" is "Young's modulus" in panels, history and
+// labels alike.
 #pragma once
 #include <string>
 

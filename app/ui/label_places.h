@@ -15,8 +15,11 @@ class LabelPlaces {
   /// `gap` between labels and all else.
   LabelPlaces(const Box& picture, float gap) : picture_(picture), gap_(gap) {}
 
-  void keep_clear(const Box& box) { taken_.push_back({box.left - gap_, box.top - gap_, box.right + gap_, box.bottom + gap_}); }
-  /// The free place for a label that is nearest to where it is wanted; where none is free, the one that hides least. It is taken then.
+  void keep_clear(const Box& box) {
+    taken_.push_back({box.left - gap_, box.top - gap_, box.right + gap_, box.bottom + gap_});
+  }
+  /// The free place for a label that is nearest to where it is wanted; where none is free, the one that hides least. It
+  /// is taken then.
   Box place(const Box& wanted);
 
  private:

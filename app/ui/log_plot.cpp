@@ -10,11 +10,13 @@ namespace fascia::ui {
 namespace {
 
 struct Frame {
-  ImVec2 low, high;   // of the area inside the axes, in pixels
-  int most = 1;       // iterations at the right edge
+  ImVec2 low, high;         // of the area inside the axes, in pixels
+  int most = 1;             // iterations at the right edge
   int bottom = 0, top = 1;  // decades
 
-  float x(std::size_t iteration) const { return low.x + (high.x - low.x) * static_cast<float>(iteration) / static_cast<float>(most); }
+  float x(std::size_t iteration) const {
+    return low.x + (high.x - low.x) * static_cast<float>(iteration) / static_cast<float>(most);
+  }
   float y(float value) const {
     const float share = (std::log10(value) - static_cast<float>(bottom)) / static_cast<float>(top - bottom);
     return high.y - (high.y - low.y) * std::clamp(share, 0.0f, 1.0f);
@@ -86,7 +88,7 @@ void log_plot(const char* id, const std::vector<Curve>& curves, float height) {
 }
 
 ImU32 curve_color(std::size_t index) {
-  constexpr ImU32 kColors[] = {IM_COL32(240, 228, 66, 255), IM_COL32(86, 180, 233, 255), IM_COL32(230, 159, 0, 255),
+  constexpr ImU32 kColors[] = {IM_COL32(240, 228, 66, 255), IM_COL32(86, 180, 233, 255),  IM_COL32(230, 159, 0, 255),
                                IM_COL32(0, 158, 115, 255),  IM_COL32(204, 121, 167, 255), IM_COL32(213, 94, 0, 255)};
   return kColors[index % std::size(kColors)];
 }

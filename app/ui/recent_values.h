@@ -12,7 +12,9 @@ class RecentValues {
   double latest() const { return count_ ? values_[(next_ + values_.size() - 1) % values_.size()] : 0; }
   double median() const;  // of the last 30, as in stats.json (sim/output/stats.h)
   int count() const { return static_cast<int>(count_); }
-  float at(int i) const { return values_[(next_ + values_.size() - count_ + static_cast<std::size_t>(i)) % values_.size()]; }
+  float at(int i) const {
+    return values_[(next_ + values_.size() - count_ + static_cast<std::size_t>(i)) % values_.size()];
+  }
 
  private:
   std::array<float, 200> values_{};

@@ -22,7 +22,8 @@ ImFont* load_font(const char* file, float size) {
     const std::filesystem::path path = std::filesystem::path(folder) / file;
     std::error_code ec;
     if (std::filesystem::is_regular_file(path, ec))
-      return ImGui::GetIO().Fonts->AddFontFromFileTTF(path.c_str(), size, nullptr, ImGui::GetIO().Fonts->GetGlyphRangesDefault());
+      return ImGui::GetIO().Fonts->AddFontFromFileTTF(path.c_str(), size, nullptr,
+                                                      ImGui::GetIO().Fonts->GetGlyphRangesDefault());
   }
   return nullptr;
 }
@@ -46,12 +47,32 @@ struct Palette {
   ImVec4 frame, frame_hovered, frame_active, title, tab;
   float shade;  // 1: marks on panels are white, 0: black; how strongly is the same
 };
-const Palette kDark{{0.91f, 0.47f, 0.38f, 1}, {0.91f, 0.92f, 0.93f, 1}, {0.62f, 0.65f, 0.69f, 1}, {0.45f, 0.80f, 0.45f, 1}, {0.97f, 0.76f, 0.36f, 1},
-                        {0.95f, 0.30f, 0.26f, 1}, {0.085f, 0.095f, 0.11f, 0.93f}, {0.17f, 0.185f, 0.21f, 1}, {0.22f, 0.24f, 0.27f, 1},
-                        {0.26f, 0.28f, 0.32f, 1}, {0.12f, 0.13f, 0.15f, 1}, {0.42f, 0.25f, 0.22f, 1}, 1};
-const Palette kLight{{0.78f, 0.29f, 0.20f, 1}, {0.10f, 0.11f, 0.13f, 1}, {0.38f, 0.41f, 0.45f, 1}, {0.10f, 0.45f, 0.14f, 1}, {0.62f, 0.40f, 0.02f, 1},
-                         {0.75f, 0.10f, 0.08f, 1}, {0.965f, 0.97f, 0.975f, 0.95f}, {0.885f, 0.895f, 0.91f, 1}, {0.84f, 0.855f, 0.875f, 1},
-                         {0.79f, 0.81f, 0.84f, 1}, {0.91f, 0.92f, 0.93f, 1}, {0.96f, 0.79f, 0.74f, 1}, 0};
+const Palette kDark{{0.91f, 0.47f, 0.38f, 1},
+                    {0.91f, 0.92f, 0.93f, 1},
+                    {0.62f, 0.65f, 0.69f, 1},
+                    {0.45f, 0.80f, 0.45f, 1},
+                    {0.97f, 0.76f, 0.36f, 1},
+                    {0.95f, 0.30f, 0.26f, 1},
+                    {0.085f, 0.095f, 0.11f, 0.93f},
+                    {0.17f, 0.185f, 0.21f, 1},
+                    {0.22f, 0.24f, 0.27f, 1},
+                    {0.26f, 0.28f, 0.32f, 1},
+                    {0.12f, 0.13f, 0.15f, 1},
+                    {0.42f, 0.25f, 0.22f, 1},
+                    1};
+const Palette kLight{{0.78f, 0.29f, 0.20f, 1},
+                     {0.10f, 0.11f, 0.13f, 1},
+                     {0.38f, 0.41f, 0.45f, 1},
+                     {0.10f, 0.45f, 0.14f, 1},
+                     {0.62f, 0.40f, 0.02f, 1},
+                     {0.75f, 0.10f, 0.08f, 1},
+                     {0.965f, 0.97f, 0.975f, 0.95f},
+                     {0.885f, 0.895f, 0.91f, 1},
+                     {0.84f, 0.855f, 0.875f, 1},
+                     {0.79f, 0.81f, 0.84f, 1},
+                     {0.91f, 0.92f, 0.93f, 1},
+                     {0.96f, 0.79f, 0.74f, 1},
+                     0};
 
 Theme chosen = Theme::dark;
 Palette now = kDark;
@@ -101,8 +122,8 @@ void set_colors(ImGuiStyle& style) {
 
 }  // namespace
 
-const ImVec4 &kAccent = now.accent, &kText = now.text, &kDim = now.dim, &kGood = now.good, &kWarning = now.warning, &kDanger = now.danger,
-             &kPanel = now.panel;
+const ImVec4 &kAccent = now.accent, &kText = now.text, &kDim = now.dim, &kGood = now.good, &kWarning = now.warning,
+             &kDanger = now.danger, &kPanel = now.panel;
 
 float px(float points) { return points * style_scale; }
 ImFont* bold_font() { return heading_font; }

@@ -6,7 +6,8 @@ struct ImVec4;
 
 namespace fascia::ui {
 
-/// Sets style and fonts of the current ImGui context for a scale (1: 96 dots per inch). The font atlas must be uploaded again.
+/// Sets style and fonts of the current ImGui context for a scale (1: 96 dots per inch). The font atlas must be uploaded
+/// again.
 void apply_style(float scale);
 
 /// Pixels of a length that is `points` at scale 1.

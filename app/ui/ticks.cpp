@@ -12,7 +12,8 @@ Ticks linear_ticks(double low, double high, int most) {
   const double rough = (high - low) / most, decade = std::pow(10.0, std::floor(std::log10(rough)));
   double step = 10 * decade;
   // Ranges may come from float32: an end that is a multiple of the step in decimal digits is a little off it.
-  const double largest = std::max(std::abs(low), std::abs(high)), rounding = std::numeric_limits<float>::epsilon() * largest;
+  const double largest = std::max(std::abs(low), std::abs(high)),
+               rounding = std::numeric_limits<float>::epsilon() * largest;
   for (const double factor : {5.0, 2.0, 1.0})
     if (factor * decade * most >= high - low - std::max(2 * rounding, 1e-6 * (high - low))) step = factor * decade;
   const double slack = std::min(rounding / step + 1e-9, 0.25);  // [steps]
@@ -22,7 +23,8 @@ Ticks linear_ticks(double low, double high, int most) {
 }
 
 Ticks decade_ticks(double low, double high, int most) {
-  const int first = static_cast<int>(std::ceil(std::log10(low) - 1e-9)), last = static_cast<int>(std::floor(std::log10(high) + 1e-9));
+  const int first = static_cast<int>(std::ceil(std::log10(low) - 1e-9)),
+            last = static_cast<int>(std::floor(std::log10(high) + 1e-9));
   const int every = std::max(1, (last - first + most) / most);
   Ticks ticks{{}, 1};
   for (int decade = first; decade <= last; decade += every) ticks.values.push_back(std::pow(10.0, decade));

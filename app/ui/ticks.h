@@ -10,7 +10,8 @@ struct Ticks {
   int digits = 3;              // that tell each from its neighbor
 };
 
-/// At multiples of 1, 2 or 5 times a power of ten, at most `most` intervals (2 or more). An end that is such a multiple has a mark.
+/// At multiples of 1, 2 or 5 times a power of ten, at most `most` intervals (2 or more). An end that is such a multiple
+/// has a mark.
 Ticks linear_ticks(double low, double high, int most);
 /// At powers of ten, every so many that there are `most` at most; low > 0.
 Ticks decade_ticks(double low, double high, int most);

@@ -5,7 +5,8 @@
 
 namespace fascia {
 
-/// Three or four digits; an SI prefix for Pa, N, J, m, m/s and s, none for other units: "12.5 kPa", "1000 kg/m^3", "0.3", "-".
+/// Three or four digits; an SI prefix for Pa, N, J, m, m/s and s, none for other units: "12.5 kPa", "1000 kg/m^3",
+/// "0.3", "-".
 std::string engineering(double value, const std::string& unit, int digits = 3);
 
 /// "12.5 kPa", "12.5k", "3e4": a number, then maybe a prefix, then maybe the unit.

@@ -53,7 +53,8 @@ bool typed_number(const NumberField& field, double& value) {
                                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   if (typing.wrong) {
     ImGui::PopStyleColor();
-    say_below("Expected a number from " + engineering(field.min, field.unit) + " to " + engineering(field.max, field.unit));
+    say_below("Expected a number from " + engineering(field.min, field.unit) + " to " +
+              engineering(field.max, field.unit));
   }
   if (typing.fresh) {
     typing.fresh = false;
@@ -80,7 +81,8 @@ void expect_help(const char* label, const std::string& help) {
 }
 
 bool wants_to_type() {
-  return (ImGui::IsItemHovered() && (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl))) ||
+  return (ImGui::IsItemHovered() &&
+          (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl))) ||
          (ImGui::IsItemFocused() && ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressedMap(ImGuiKey_Enter));
 }
 
@@ -117,7 +119,8 @@ bool section(const char* title, bool open_at_first) {
 }
 
 void tooltip(const std::string& text) {
-  if (text.empty() || !ImGui::IsItemHovered() || ImGui::IsItemActive()) return;  // it would cover the value that is being changed
+  if (text.empty() || !ImGui::IsItemHovered() || ImGui::IsItemActive())
+    return;  // it would cover the value that is being changed
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(px(300));
   ImGui::TextUnformatted(text.c_str());
@@ -168,7 +171,8 @@ bool number(const NumberField& field, double& value) {
     ImGui::SetNextItemWidth(std::min(kSliderShare * row, (1 - kLabelShare) * row - widest_value - gap));
     const ImGuiSliderFlags flags = ImGuiSliderFlags_NoInput | (field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
     const double before = value;
-    changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &field.slider_min, &field.slider_max, "", flags);
+    changed =
+        ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &field.slider_min, &field.slider_max, "", flags);
     tooltip(field.help);
     const bool asked_at_slider = wants_to_type();
     if (asked_at_slider) {  // the clicks that ask for it have moved the knob
@@ -198,9 +202,10 @@ Box pill_box(const std::string& text, float x, float y, float widest) {
 
 Box pill(ImDrawList& list, const std::string& text, float x, float y, const ImVec4& color, float widest) {
   const Box box = pill_box(text, x, y, widest);
-  list.AddRectFilled({box.left, box.top}, {box.right, box.bottom}, ImGui::GetColorU32(ImVec4(kPanel.x, kPanel.y, kPanel.z, 0.78f)), px(7));
-  list.AddText(nullptr, 0, {box.left + pill_pad().x, box.top + pill_pad().y}, ImGui::GetColorU32(color), text.c_str(), nullptr,
-               widest > 0 ? widest : 0);
+  list.AddRectFilled({box.left, box.top}, {box.right, box.bottom},
+                     ImGui::GetColorU32(ImVec4(kPanel.x, kPanel.y, kPanel.z, 0.78f)), px(7));
+  list.AddText(nullptr, 0, {box.left + pill_pad().x, box.top + pill_pad().y}, ImGui::GetColorU32(color), text.c_str(),
+               nullptr, widest > 0 ? widest : 0);
   return box;
 }
 
@@ -245,7 +250,8 @@ bool small_button(const char* text, const std::string& help, float width) {
 }
 
 ButtonRow::ButtonRow(int count)
-    : width_((ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) / static_cast<float>(count)) {}
+    : width_((ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) /
+             static_cast<float>(count)) {}
 
 bool ButtonRow::add(const char* text, const std::string& help, bool lit) {
   if (!first_) ImGui::SameLine();
@@ -255,7 +261,8 @@ bool ButtonRow::add(const char* text, const std::string& help, bool lit) {
 
 void keep_inside() {
   const ImVec2 screen = ImGui::GetIO().DisplaySize, at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  const ImVec2 inside{std::clamp(at.x, 0.0f, std::max(0.0f, screen.x - size.x)), std::clamp(at.y, 0.0f, std::max(0.0f, screen.y - size.y))};
+  const ImVec2 inside{std::clamp(at.x, 0.0f, std::max(0.0f, screen.x - size.x)),
+                      std::clamp(at.y, 0.0f, std::max(0.0f, screen.y - size.y))};
   if (inside.x != at.x || inside.y != at.y) ImGui::SetWindowPos(inside);
 }
 

@@ -27,7 +27,8 @@ struct NumberField {
   bool integer = false;
   std::string help;
 };
-/// A slider and its value in engineering notation; a click on the value, or a double click on the slider, lets the user type
+/// A slider and its value in engineering notation; a click on the value, or a double click on the slider, lets the user
+/// type
 /// ("12.5 kPa"). True when the value changed.
 bool number(const NumberField& field, double& value);
 
@@ -56,8 +57,8 @@ bool choice(const char* name, const std::vector<Choice>& choices, Choice& chosen
   return changed;
 }
 
-/// Text on a dark pill, centered on x, wrapped where it is wider than `widest` (0: never); without a list in the background layer.
-/// Returns the pill.
+/// Text on a dark pill, centered on x, wrapped where it is wider than `widest` (0: never); without a list in the
+/// background layer. Returns the pill.
 Box pill(ImDrawList& list, const std::string& text, float x, float y, const ImVec4& color, float widest = 0);
 void pill(const std::string& text, float x, float y, const ImVec4& color);
 Box pill_box(const std::string& text, float x, float y, float widest = 0);  // of such a pill

@@ -16,13 +16,17 @@ using Kind = InputEvent::Kind;
 constexpr int kSettlingFrames = 4;  // a dialog: asked for, opened, measured, shown with its field active
 
 // Of several in a row nothing is lost in one frame of ImGui.
-bool merges(Kind kind) { return kind == Kind::move || kind == Kind::scroll || kind == Kind::text || kind == Kind::key_up; }
+bool merges(Kind kind) {
+  return kind == Kind::move || kind == Kind::scroll || kind == Kind::text || kind == Kind::key_up;
+}
 
 bool unsettles(Kind kind) { return kind == Kind::press || kind == Kind::release || kind == Kind::key; }
 
 }  // namespace
 
-WindowInput& WindowInput::of(GLFWwindow* window) { return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window)); }
+WindowInput& WindowInput::of(GLFWwindow* window) {
+  return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window));
+}
 
 Eigen::Vector2d WindowInput::pixel(const Eigen::Vector2d& at) const {
   int window_width = 0, window_height = 0, width = 0, height = 0;
@@ -45,12 +49,21 @@ void WindowInput::give(const InputEvent& event) {
     case Kind::release:
       if (button < given_down_.size()) given_down_[button] = event.kind == Kind::press;
       break;
-    case Kind::scroll: ImGui_ImplGlfw_ScrollCallback(window_, event.scroll.x(), event.scroll.y()); break;
-    case Kind::key: ImGui_ImplGlfw_KeyCallback(window_, event.code, 0, GLFW_PRESS, event.mods); break;
-    case Kind::key_up: ImGui_ImplGlfw_KeyCallback(window_, event.code, 0, GLFW_RELEASE, event.mods); break;
-    case Kind::text: ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned int>(event.code)); break;
+    case Kind::scroll:
+      ImGui_ImplGlfw_ScrollCallback(window_, event.scroll.x(), event.scroll.y());
+      break;
+    case Kind::key:
+      ImGui_ImplGlfw_KeyCallback(window_, event.code, 0, GLFW_PRESS, event.mods);
+      break;
+    case Kind::key_up:
+      ImGui_ImplGlfw_KeyCallback(window_, event.code, 0, GLFW_RELEASE, event.mods);
+      break;
+    case Kind::text:
+      ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned int>(event.code));
+      break;
     case Kind::move:
-    case Kind::drop: break;
+    case Kind::drop:
+      break;
   }
 }
 
@@ -82,7 +95,8 @@ bool WindowInput::take_key(int key) {
 }
 
 void WindowInput::discard() {
-  std::erase_if(waiting_, [](const InputEvent& event) { return event.kind != Kind::release && event.kind != Kind::key_up; });
+  std::erase_if(waiting_,
+                [](const InputEvent& event) { return event.kind != Kind::release && event.kind != Kind::key_up; });
   given_.clear();
 }
 
@@ -110,7 +124,9 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
     if (action == GLFW_REPEAT && (key != GLFW_KEY_PERIOD || of(w).waiting())) return;
     of(w).add({action == GLFW_RELEASE ? Kind::key_up : Kind::key, key, mods});
   });
-  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int character) { of(w).add({Kind::text, static_cast<int>(character)}); });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int character) {
+    of(w).add({Kind::text, static_cast<int>(character)});
+  });
   glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
     of(w).stirred_ = true;
     ImGui_ImplGlfw_WindowFocusCallback(w, focused);

@@ -1,6 +1,7 @@
-// Mouse, keys and dropped files of a GLFW window, in the order and at the place where they happened. At a low frame rate many of them
-// come between two pictures, and an ImGui frame can tell apart only one: it knows where the mouse and which keys are down at that
-// moment. So ImGui makes as many frames for a picture as there are inputs, each of one input, and the scene gets the same inputs.
+// Mouse, keys and dropped files of a GLFW window, in the order and at the place where they happened. At a low frame
+// rate many of them come between two pictures, and an ImGui frame can tell apart only one: it knows where the mouse and
+// which keys are down at that moment. So ImGui makes as many frames for a picture as there are inputs, each of one
+// input, and the scene gets the same inputs.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -31,8 +32,8 @@ class WindowInput {
   WindowInput& operator=(const WindowInput&) = delete;
   static WindowInput& of(GLFWwindow* window);
 
-  /// Before ImGui's frame: gives it the next input. After a press it first gets some frames without any, in which what was pressed opens
-  /// and takes the keyboard.
+  /// Before ImGui's frame: gives it the next input. After a press it first gets some frames without any, in which what
+  /// was pressed opens and takes the keyboard.
   void feed();
   bool waiting() const { return !waiting_.empty(); }  // for another feed()
   std::vector<InputEvent> take();                     // what feed() has given since the last call
@@ -49,8 +50,8 @@ class WindowInput {
   Eigen::Vector2d pixel(const Eigen::Vector2d& at) const;
 
   GLFWwindow* window_;
-  Eigen::Vector2d at_{0, 0};     // in GLFW's screen coordinates
-  Eigen::Vector2d given_at_{0, 0};  // in pixels, as ImGui knows it
+  Eigen::Vector2d at_{0, 0};          // in GLFW's screen coordinates
+  Eigen::Vector2d given_at_{0, 0};    // in pixels, as ImGui knows it
   std::array<bool, 5> given_down_{};  // buttons, as ImGui knows them
   std::deque<InputEvent> waiting_;
   std::vector<InputEvent> given_;

@@ -10,9 +10,12 @@ namespace fs = std::filesystem;
 
 void VideoCapture::start(const VideoSettings& settings, const Framebuffer& window, const Provenance& provenance) {
   size_ = settings.size_in({window.width(), window.height()});
-  fs::path path = dated_name(settings.kind == VideoKind::mp4 ? ".mp4" : settings.kind == VideoKind::webm ? ".webm" : "");
+  fs::path path = dated_name(settings.kind == VideoKind::mp4    ? ".mp4"
+                             : settings.kind == VideoKind::webm ? ".webm"
+                                                                : "");
   const fs::path target = settings.kind == VideoKind::pictures ? path / "%05d.png" : path;
-  queue_ = std::make_unique<FrameQueue>(open_frames(target, {size_.width, size_.height, settings.fps, true}, provenance));
+  queue_ =
+      std::make_unique<FrameQueue>(open_frames(target, {size_.width, size_.height, settings.fps, true}, provenance));
   path_ = std::move(path);
   settings_ = settings;
   owed_ = 1;
@@ -41,12 +44,14 @@ Framebuffer& VideoCapture::canvas(Framebuffer& window, bool shows_panels) {
 }
 
 void VideoCapture::write(const Framebuffer& canvas) {
-  const std::size_t row = 4 * static_cast<std::size_t>(canvas.width()), own_row = 4 * static_cast<std::size_t>(size_.width);
+  const std::size_t row = 4 * static_cast<std::size_t>(canvas.width()),
+                    own_row = 4 * static_cast<std::size_t>(size_.width);
   pixels_.resize(row * static_cast<std::size_t>(canvas.height()));
   canvas.read_into(pixels_.data());
   std::vector<std::uint8_t> frame(own_row * static_cast<std::size_t>(size_.height));
   for (std::size_t y = 0; y < static_cast<std::size_t>(size_.height); ++y)
-    std::copy_n(pixels_.begin() + static_cast<std::ptrdiff_t>(y * row), own_row, frame.begin() + static_cast<std::ptrdiff_t>(y * own_row));
+    std::copy_n(pixels_.begin() + static_cast<std::ptrdiff_t>(y * row), own_row,
+                frame.begin() + static_cast<std::ptrdiff_t>(y * own_row));
   const int count = static_cast<int>(std::floor(owed_ + 0.5));
   owed_ -= count;
   try {

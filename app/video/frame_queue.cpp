@@ -4,7 +4,8 @@
 
 namespace fascia {
 
-FrameQueue::FrameQueue(std::unique_ptr<FrameSink> sink) : sink_(std::move(sink)), worker_([this](std::stop_token stop) { work(std::move(stop)); }) {}
+FrameQueue::FrameQueue(std::unique_ptr<FrameSink> sink)
+    : sink_(std::move(sink)), worker_([this](std::stop_token stop) { work(std::move(stop)); }) {}
 
 FrameQueue::~FrameQueue() {
   worker_.request_stop();

@@ -1,5 +1,5 @@
-// Frames on their way from a window to a video. A thread of its own brings them there, so that no encoder holds up a window; of those
-// that it cannot keep up with the one before is shown for longer, and counted.
+// Frames on their way from a window to a video. A thread of its own brings them there, so that no encoder holds up a
+// window; of those that it cannot keep up with the one before is shown for longer, and counted.
 #pragma once
 #include <condition_variable>
 #include <deque>
@@ -19,8 +19,8 @@ class FrameQueue {
   FrameQueue(const FrameQueue&) = delete;
   FrameQueue& operator=(const FrameQueue&) = delete;
 
-  /// The picture, shown for `count` frames. Returns how many of them the video shows another picture for: of more than one all but the
-  /// first, and all where there is no room. Throws Error when the sink failed.
+  /// The picture, shown for `count` frames. Returns how many of them the video shows another picture for: of more than
+  /// one all but the first, and all where there is no room. Throws Error when the sink failed.
   int add(std::vector<std::uint8_t> rgba, int count);
   /// Waits until all is written. Throws Error when the sink failed.
   void finish();

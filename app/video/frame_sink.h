@@ -25,12 +25,14 @@ struct FrameFormat {
   bool live = false;  // an encoder that keeps up with a window, at the price of larger files
 };
 
-/// Throws UsageError that names `option` for a path that open_frames() cannot write, and Error for a folder that is missing: to be asked
-/// before long work.
+/// Throws UsageError that names `option` for a path that open_frames() cannot write, and Error for a folder that is
+/// missing: to be asked before long work.
 void require_frames(const std::string& option, const std::filesystem::path& path);
 
-/// A path with a place for the number, as frames/%05d.png, is a sequence of pictures from 0 on; any other ending names a video's container
+/// A path with a place for the number, as frames/%05d.png, is a sequence of pictures from 0 on; any other ending names
+/// a video's container
 /// (.mp4, .webm, .gif and what else ffmpeg knows). Throws Error.
-std::unique_ptr<FrameSink> open_frames(const std::filesystem::path& path, const FrameFormat& format, const Provenance& provenance);
+std::unique_ptr<FrameSink> open_frames(const std::filesystem::path& path, const FrameFormat& format,
+                                       const Provenance& provenance);
 
 }  // namespace fascia

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <system_error>
 
-#include "render/target/image.h"
 #include "base/error.h"
+#include "render/target/image.h"
 
 namespace fascia {
 namespace fs = std::filesystem;
@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 std::optional<PictureNames> picture_names(const fs::path& pattern) {
   const std::string name = pattern.filename().string();
   const std::size_t percent = name.find('%'), end = name.find('d', percent);
-  if (percent == std::string::npos || end == std::string::npos || name.find('%', percent + 1) != std::string::npos) return std::nullopt;
+  if (percent == std::string::npos || end == std::string::npos || name.find('%', percent + 1) != std::string::npos)
+    return std::nullopt;
   PictureNames names{name.substr(0, percent), name.substr(end + 1), 0};
   const char* const first = name.data() + percent + 1;
   const char* const last = name.data() + end;
@@ -26,7 +27,8 @@ std::optional<PictureNames> picture_names(const fs::path& pattern) {
 PictureSequence::PictureSequence(fs::path pattern, const FrameFormat& format, Provenance provenance)
     : folder_(pattern.parent_path()), format_(format), provenance_(std::move(provenance)) {
   const std::optional<PictureNames> names = picture_names(pattern);
-  if (!names) throw Error(pattern.string(), "has no place for the number of a picture", "expected one as in frames/%05d.png");
+  if (!names)
+    throw Error(pattern.string(), "has no place for the number of a picture", "expected one as in frames/%05d.png");
   names_ = *names;
   std::error_code ec;
   if (!folder_.empty()) fs::create_directories(folder_, ec);

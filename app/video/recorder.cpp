@@ -43,23 +43,29 @@ std::string metadata_text(const Provenance& provenance) {
     return result;
   };
   std::string text = ";FFMETADATA1\n";
-  for (const auto& [key, value] : provenance) text += escaped(key == "Title" ? "title" : key) + "=" + escaped(value) + "\n";
+  for (const auto& [key, value] : provenance)
+    text += escaped(key == "Title" ? "title" : key) + "=" + escaped(value) + "\n";
   return text;
 }
 
 // Of the encoder, by the container.
 std::vector<std::string> encoder(const std::string& ending, bool live) {
   if (ending == ".mp4" || ending == ".mkv" || ending == ".mov")
-    return {"-c:v", "libx264", "-preset", live ? "ultrafast" : "veryfast", "-crf", "18", "-movflags", "+faststart+use_metadata_tags"};
+    return {"-c:v", "libx264", "-preset",   live ? "ultrafast" : "veryfast",
+            "-crf", "18",      "-movflags", "+faststart+use_metadata_tags"};
   if (ending == ".webm")
-    return {"-c:v", "libvpx-vp9", "-crf", "28", "-b:v", "0", "-row-mt", "1", "-deadline", live ? "realtime" : "good", "-cpu-used", live ? "8" : "4"};
+    return {"-c:v",      "libvpx-vp9",    "-crf", "28",        "-b:v",
+            "0",         "-row-mt",       "1",    "-deadline", live ? "realtime" : "good",
+            "-cpu-used", live ? "8" : "4"};
   return {};
 }
 
 }  // namespace
 
 Recorder::Recorder(fs::path path, const FrameFormat& format, const Provenance& provenance)
-    : path_(std::move(path)), temporary_(temporary_name(path_)), frame_bytes_(std::size_t{4} * format.width * format.height) {
+    : path_(std::move(path)),
+      temporary_(temporary_name(path_)),
+      frame_bytes_(std::size_t{4} * format.width * format.height) {
   const int width = format.width, height = format.height;
   log_ = temporary_;
   log_ += ".log";
@@ -75,10 +81,31 @@ Recorder::Recorder(fs::path path, const FrameFormat& format, const Provenance& p
   } catch (const Error&) {  // of a file that the user did not name
     throw Error(path_.string(), "cannot be written", "expected a writable folder with free space");
   }
-  std::vector<std::string> arguments{"ffmpeg", "-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgba",
-                                     "-s", std::to_string(width) + "x" + std::to_string(height), "-r", std::to_string(format.fps),
-                                     "-i", "-", "-f", "ffmetadata", "-i", "file:" + metadata_.string(), "-map", "0:v", "-map_metadata", "1",
-                                     "-pix_fmt", "yuv420p"};
+  std::vector<std::string> arguments{"ffmpeg",
+                                     "-hide_banner",
+                                     "-loglevel",
+                                     "error",
+                                     "-y",
+                                     "-f",
+                                     "rawvideo",
+                                     "-pix_fmt",
+                                     "rgba",
+                                     "-s",
+                                     std::to_string(width) + "x" + std::to_string(height),
+                                     "-r",
+                                     std::to_string(format.fps),
+                                     "-i",
+                                     "-",
+                                     "-f",
+                                     "ffmetadata",
+                                     "-i",
+                                     "file:" + metadata_.string(),
+                                     "-map",
+                                     "0:v",
+                                     "-map_metadata",
+                                     "1",
+                                     "-pix_fmt",
+                                     "yuv420p"};
   for (std::string& argument : encoder(lower_ending(path_), format.live)) arguments.push_back(std::move(argument));
   arguments.push_back("file:" + temporary_.string());  // a name may look like an address
   std::vector<char*> argv;
@@ -120,7 +147,8 @@ void Recorder::remove_files() {
 }
 
 void Recorder::write(const std::vector<std::uint8_t>& rgba) {
-  if (rgba.size() != frame_bytes_) throw Error(path_.string(), "a frame of another size", "expected the size it was opened with");
+  if (rgba.size() != frame_bytes_)
+    throw Error(path_.string(), "a frame of another size", "expected the size it was opened with");
   std::size_t written = 0;
   while (written < rgba.size()) {
     const ssize_t n = ::write(pipe_, rgba.data() + written, rgba.size() - written);

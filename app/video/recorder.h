@@ -8,8 +8,8 @@ namespace fascia {
 
 class Recorder : public FrameSink {
  public:
-  /// `path` ending decides the container (.mp4: H.264, .webm: VP9). Width and height must be even. Throws Error when ffmpeg is not
-  /// installed.
+  /// `path` ending decides the container (.mp4: H.264, .webm: VP9). Width and height must be even. Throws Error when
+  /// ffmpeg is not installed.
   Recorder(std::filesystem::path path, const FrameFormat& format, const Provenance& provenance);
   ~Recorder() override;
   Recorder(const Recorder&) = delete;

@@ -35,7 +35,8 @@ std::vector<fs::path> sessions_in(const fs::path& folder) {
 // "20250131-235959-1234.fascia" and "...-1234-2.fascia" are of the process 1234.
 bool still_recorded(const fs::path& file) {
   int process = 0;
-  if (std::sscanf(file.filename().c_str(), "%*d-%*d-%d", &process) != 1 || process <= 0 || process == getpid()) return false;
+  if (std::sscanf(file.filename().c_str(), "%*d-%*d-%d", &process) != 1 || process <= 0 || process == getpid())
+    return false;
   return kill(process, 0) == 0 || errno == EPERM;
 }
 
@@ -62,11 +63,16 @@ fs::path session_file() {
 }
 
 SessionRecording::SessionRecording(fs::path path, Replay beginning)
-    : path_(std::move(path)), beginning_(std::move(beginning)), out_(path_, std::ios::binary | std::ios::trunc), flushed_(Clock::now()) {
+    : path_(std::move(path)),
+      beginning_(std::move(beginning)),
+      out_(path_, std::ios::binary | std::ios::trunc),
+      flushed_(Clock::now()) {
   beginning_.timed = true;
   out_ << replay_header(beginning_, path_.parent_path());
   out_.flush();
-  if (!out_) throw Error(path_.string(), std::string("cannot be written: ") + std::strerror(errno), "expected a folder for recorded sessions");
+  if (!out_)
+    throw Error(path_.string(), std::string("cannot be written: ") + std::strerror(errno),
+                "expected a folder for recorded sessions");
 }
 
 SessionRecording::~SessionRecording() {
@@ -128,24 +134,29 @@ void SessionRecording::flush() {
   out_.flush();
   if (out_) return;
   failed_ = true;
-  throw Error(path_.string(), std::string("the session is no longer recorded: ") + std::strerror(errno), "expected free disk space");
+  throw Error(path_.string(), std::string("the session is no longer recorded: ") + std::strerror(errno),
+              "expected free disk space");
 }
 
 bool SessionRecording::carry_files(std::vector<ReadFile>& read) {
   const auto carried = [&] {
     const std::vector<KnownFile>& files = beginning_.scene.files;
-    return !files.empty() && std::all_of(files.begin(), files.end(), [](const KnownFile& file) { return file.deflated != nullptr; });
+    return !files.empty() &&
+           std::all_of(files.begin(), files.end(), [](const KnownFile& file) { return file.deflated != nullptr; });
   };
   if (!carried()) beginning_.scene = self_contained_if_possible(std::move(beginning_.scene), read);
   return carried();
 }
 
 void SessionRecording::save_as(const fs::path& path) {
-  if (failed_) throw Error(path_.string(), "the session is recorded in part only", "expected free disk space all the time");
+  if (failed_)
+    throw Error(path_.string(), "the session is recorded in part only", "expected free disk space all the time");
   std::error_code ec;
-  if (fs::equivalent(path, path_, ec)) throw Error(path.string(), "is where the session is being recorded", "expected another file");
+  if (fs::equivalent(path, path_, ec))
+    throw Error(path.string(), "is where the session is being recorded", "expected another file");
   const std::string recorded = read_file(path_);
-  write_file(path, replay_header(beginning_, path.parent_path()) + recorded.substr(std::min(recorded.find('\n') + 1, recorded.size())));
+  write_file(path, replay_header(beginning_, path.parent_path()) +
+                       recorded.substr(std::min(recorded.find('\n') + 1, recorded.size())));
 }
 
 }  // namespace fascia

@@ -1,5 +1,5 @@
-// A session on its way into a replay file: every input as it acts, and where the camera was. The file grows while the session goes on and
-// can be replayed at any moment, whatever becomes of this process: what is a second old is in it.
+// A session on its way into a replay file: every input as it acts, and where the camera was. The file grows while the
+// session goes on and can be replayed at any moment, whatever becomes of this process: what is a second old is in it.
 #pragma once
 #include <chrono>
 #include <cstdint>
@@ -11,8 +11,9 @@
 
 namespace fascia {
 
-/// A new file for a session, in the folder `sessions` of the user's state folder. Of those there all but the last few are removed, though
-/// none of another process that is still there. Empty where there is no home. Throws Error when that folder cannot be made.
+/// A new file for a session, in the folder `sessions` of the user's state folder. Of those there all but the last few
+/// are removed, though none of another process that is still there. Empty where there is no home. Throws Error when
+/// that folder cannot be made.
 std::filesystem::path session_file();
 
 class SessionRecording {
@@ -26,14 +27,16 @@ class SessionRecording {
   void add(const Input& input);
   /// What the picture before step `steps` shows. Of several before one step the last counts.
   void look(long steps, const CameraSettings& camera, const DisplaySettings& display);
-  /// Once a frame, and now and then while there are none: brings to the file what is older than a second. Throws Error, once, when the
-  /// disk is full; nothing is recorded from then on.
+  /// Once a frame, and now and then while there are none: brings to the file what is older than a second. Throws Error,
+  /// once, when the disk is full; nothing is recorded from then on.
   void breathe(long steps);
   /// The file ends here for now, with the hash of the state after so many steps. Throws Error, as breathe does.
   void note_state(long steps, std::uint64_t hash);
-  /// The scene of copies that are saved has its files in it from now on. False where that cannot be (self_contained_if_possible).
+  /// The scene of copies that are saved has its files in it from now on. False where that cannot be
+  /// (self_contained_if_possible).
   bool carry_files(std::vector<ReadFile>& read);
-  /// A copy, with the paths of its scene as seen from there. Throws Error, also where the session is not recorded to its end.
+  /// A copy, with the paths of its scene as seen from there. Throws Error, also where the session is not recorded to
+  /// its end.
   void save_as(const std::filesystem::path& path);
 
  private:

@@ -14,17 +14,19 @@ namespace fascia {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr auto kPause = std::chrono::seconds(5);   // between two writings
-constexpr double kMostShare = 0.02;                // of the time of one processor
+constexpr auto kPause = std::chrono::seconds(5);  // between two writings
+constexpr double kMostShare = 0.02;               // of the time of one processor
 constexpr auto kForgotten = std::chrono::hours(24 * 14);
 constexpr const char* kLast = ".last";  // in the place of the process
 
-// When the process was started, in ticks since the machine was: with its number it names a process for ever. Empty: no such process.
+// When the process was started, in ticks since the machine was: with its number it names a process for ever. Empty: no
+// such process.
 std::string start_of(const std::string& process) {
   std::ifstream in("/proc/" + process + "/stat");
   std::string line, field;
   if (!std::getline(in, line)) return "";
-  std::istringstream fields(line.substr(std::min(line.size(), line.rfind(')') + 1)));  // the name before may hold anything
+  std::istringstream fields(
+      line.substr(std::min(line.size(), line.rfind(')') + 1)));  // the name before may hold anything
   fields >> field;
   if (field == "Z") return "";  // ended, but nobody has asked how
   for (int i = 4; i <= 22; ++i) fields >> field;
@@ -73,14 +75,15 @@ void Autosave::keep(std::shared_ptr<const Replay> replay, const std::string& nam
   std::replace(stem.begin(), stem.end(), '.', '_');
   const fs::path before = std::exchange(file_, folder_ / (stem + "." + process + "-" + start_of(process) + ".fascia"));
   if (!before.empty() && before != file_) outdated_.push_back(before);  // of the scene that was open before
-  writing_ = std::async(std::launch::async, [replay = std::move(replay), file = file_, outdated = std::exchange(outdated_, {})] {
-    const Clock::time_point start = Clock::now();
-    fs::create_directories(file.parent_path());
-    write_replay(file, *replay);
-    std::error_code ec;
-    for (const fs::path& old : outdated) fs::remove(old, ec);
-    return std::chrono::duration<double>(Clock::now() - start);
-  });
+  writing_ = std::async(std::launch::async,
+                        [replay = std::move(replay), file = file_, outdated = std::exchange(outdated_, {})] {
+                          const Clock::time_point start = Clock::now();
+                          fs::create_directories(file.parent_path());
+                          write_replay(file, *replay);
+                          std::error_code ec;
+                          for (const fs::path& old : outdated) fs::remove(old, ec);
+                          return std::chrono::duration<double>(Clock::now() - start);
+                        });
 }
 
 void Autosave::finish() {

@@ -1,5 +1,5 @@
-// The state of a window, written now and then beside the frames, so that a crash loses some seconds only. Every window has a file of its
-// own, named after its process; a window that ends well leaves it as the one that was last.
+// The state of a window, written now and then beside the frames, so that a crash loses some seconds only. Every window
+// has a file of its own, named after its process; a window that ends well leaves it as the one that was last.
 #pragma once
 #include <chrono>
 #include <filesystem>
@@ -19,10 +19,12 @@ class Autosave {
   explicit Autosave(std::filesystem::path folder);
   ~Autosave();  // waits for what is being written
 
-  /// Whether it is time to look again: some seconds after the last time, more where writing takes long, and nothing is being written.
+  /// Whether it is time to look again: some seconds after the last time, more where writing takes long, and nothing is
+  /// being written.
   bool due() const;
   void wait_a_while();  // nothing is due for some seconds
-  /// Begins to write, on another thread. `name`: of the scene. Throws what the last writing threw; then nothing more is written.
+  /// Begins to write, on another thread. `name`: of the scene. Throws what the last writing threw; then nothing more is
+  /// written.
   void keep(std::shared_ptr<const Replay> replay, const std::string& name);
   /// `file`, of another window, is removed once what is kept next is written.
   void replace(std::filesystem::path file) { outdated_.push_back(std::move(file)); }

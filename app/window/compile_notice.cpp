@@ -16,15 +16,18 @@ constexpr double kUnnoticed = 0.3;  // [s]: shorter waits show nothing
 }  // namespace
 
 CompileNotice::CompileNotice(Graphics& graphics, Overlay& overlay, const Framebuffer& picture, int left)
-    : graphics_(graphics), overlay_(overlay), picture_(picture), left_(left), first_runs_(*graphics.programs, [this] { tell(); }) {}
+    : graphics_(graphics), overlay_(overlay), picture_(picture), left_(left), first_runs_(*graphics.programs, [this] {
+        tell();
+      }) {}
 
 void CompileNotice::tell() {
   ++kernels_;
   if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() < kUnnoticed) return;
   glfwPollEvents();  // or the desktop takes the program for dead; what they ask for waits for the next frame
   overlay_.draw_list(picture_, 1, [&](ImDrawList& list) {
-    ui::pill(list, "Compiling kernels for this graphics driver, the first time only", static_cast<float>(left_ + picture_.width()) / 2,
-             ui::px(52), ui::kText);  // below what the window says at the top
+    ui::pill(list, "Compiling kernels for this graphics driver, the first time only",
+             static_cast<float>(left_ + picture_.width()) / 2, ui::px(52),
+             ui::kText);  // below what the window says at the top
   });
   picture_.present(picture_.width(), picture_.height());
   glfwSwapBuffers(graphics_.context->window());

@@ -1,5 +1,5 @@
-// Says why the window stands still while kernels are compiled. A driver that translates a kernel when it first runs takes seconds for all
-// of a method's, or of a first hand's; later starts find them in the driver's cache.
+// Says why the window stands still while kernels are compiled. A driver that translates a kernel when it first runs
+// takes seconds for all of a method's, or of a first hand's; later starts find them in the driver's cache.
 #pragma once
 #include <chrono>
 
@@ -9,7 +9,8 @@ namespace fascia {
 
 class CompileNotice {
  public:
-  /// As long as it lives, which is while steps are made. Shown over `picture`, the last one, whose first `left` columns the panels cover.
+  /// As long as it lives, which is while steps are made. Shown over `picture`, the last one, whose first `left` columns
+  /// the panels cover.
   CompileNotice(Graphics& graphics, Overlay& overlay, const Framebuffer& picture, int left);
   int kernels() const { return kernels_; }  // that ran for the first time meanwhile
 

@@ -10,7 +10,8 @@ void Hover::look(const Framebuffer& framebuffer, const Session& session, std::op
     const double above_ground = spot_->point.dot(look.up.normalized()) - look.ground_height;
     if (look.ground && std::abs(above_ground) < 1e-3 * look.radius) spot_.reset();
   }
-  const bool inside = pixel && pixel->x() >= 0 && pixel->y() >= 0 && pixel->x() < framebuffer.width() && pixel->y() < framebuffer.height();
+  const bool inside = pixel && pixel->x() >= 0 && pixel->y() >= 0 && pixel->x() < framebuffer.width() &&
+                      pixel->y() < framebuffer.height();
   if (!inside) {
     spot_.reset();
     return;

@@ -1,4 +1,5 @@
-// What the mouse points at while it holds nothing: a place on the tissue, from the depth of the last picture. Nothing waits for it.
+// What the mouse points at while it holds nothing: a place on the tissue, from the depth of the last picture. Nothing
+// waits for it.
 #pragma once
 #include <optional>
 

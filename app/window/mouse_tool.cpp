@@ -5,14 +5,14 @@
 #include <numbers>
 
 #include "app/overlay/grab_marks.h"
-#include "sim/visual/picking.h"
 #include "shaders/shared/types.h"
+#include "sim/visual/picking.h"
 
 namespace fascia {
 namespace {
 
-constexpr double kDepthPerNotch = 0.04;  // of the wheel, in scene radii
-constexpr double kPushPerNotch = 0.2;    // in patch radii
+constexpr double kDepthPerNotch = 0.04;            // of the wheel, in scene radii
+constexpr double kPushPerNotch = 0.2;              // in patch radii
 constexpr double kSmallest = 0.001, kLargest = 1;  // radius of a patch, in scene radii
 
 // One readback, at the moment of the press only.
@@ -26,7 +26,8 @@ std::vector<Eigen::Vector3d> deformed_positions(Session& session) {
   return positions;
 }
 
-// Where the line from `center` along the unit vector `normal` comes closest to what is seen at a place of the picture [m].
+// Where the line from `center` along the unit vector `normal` comes closest to what is seen at a place of the picture
+// [m].
 double along(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, const Ray& ray) {
   const Eigen::Vector3d to_eye = ray.origin - center;
   const double cosine = ray.direction.dot(normal);
@@ -34,16 +35,20 @@ double along(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, const
   return (to_eye.dot(normal) - to_eye.dot(ray.direction) * cosine) / std::max(1 - cosine * cosine, kLeastSine2);
 }
 
-void drag_section(const Eigen::Vector2d& from, const Eigen::Vector2d& to, MouseTool::Picture picture, Session& session) {
+void drag_section(const Eigen::Vector2d& from, const Eigen::Vector2d& to, MouseTool::Picture picture,
+                  Session& session) {
   DisplaySettings display = session.display();
   if (!display.section) return;
   const Eigen::Vector3d normal = display.section->normal.normalized(), center = session.look.center;
   const Camera& camera = session.camera;
-  constexpr double kHeadOn = 0.97;  // cosine beyond which the normal has no direction in the picture to speak of: up is along it then
+  // Cosine beyond which the normal has no direction in the picture to speak of: up is along it then
+  constexpr double kHeadOn = 0.97;
   if (std::abs(camera.forward().dot(normal)) > kHeadOn) {
     display.section->offset += (from.y() - to.y()) * camera.pixel_size(center, picture.width, picture.height);
   } else {
-    const auto place = [&](const Eigen::Vector2d& at) { return along(center, normal, camera.ray(at.x(), at.y(), picture.width, picture.height)); };
+    const auto place = [&](const Eigen::Vector2d& at) {
+      return along(center, normal, camera.ray(at.x(), at.y(), picture.width, picture.height));
+    };
     display.section->offset += place(to) - place(from);
   }
   session.set_display(display);
@@ -58,7 +63,8 @@ void MouseTool::press_section(Button button, const Eigen::Vector2d& at) {
   tool_ = Tool::section;
 }
 
-std::optional<std::size_t> MouseTool::mark_at(const Eigen::Vector2d& at, Picture picture, const Session& session) const {
+std::optional<std::size_t> MouseTool::mark_at(const Eigen::Vector2d& at, Picture picture,
+                                              const Session& session) const {
   const double reach = kMarkRadius * picture.height / 720.0;
   for (std::size_t i = hands_.all().size(); i-- > 0;) {
     if (hands_.follows(i)) continue;
@@ -89,10 +95,12 @@ void MouseTool::press(Button button, Keys keys, const Eigen::Vector2d& at, Pictu
   const Ray ray = session.camera.ray(at.x(), at.y(), picture.width, picture.height);
   const std::vector<Eigen::Vector3d> positions = deformed_positions(session);
   const std::vector<Triangle>& triangles = session.surface().triangles;
-  const auto hit = keys.shift ? pick_nearest(ray, triangles, positions, shown_cut(session.look)) : pick(ray, triangles, positions, shown_cut(session.look));
+  const auto hit = keys.shift ? pick_nearest(ray, triangles, positions, shown_cut(session.look))
+                              : pick(ray, triangles, positions, shown_cut(session.look));
   GrabSettings how = settings;
   how.push = settings.push != keys.alt;
-  if (!hit || !hands_.take(session.simulation.model, session.surface(), positions, *hit, session.look.radius, how)) return;
+  if (!hit || !hands_.take(session.simulation.model, session.surface(), positions, *hit, session.look.radius, how))
+    return;
   tool_ = Tool::grab;
   if (keys.shift) move(at, picture, session);  // the mouse may be beside the tissue
 }
@@ -101,14 +109,21 @@ void MouseTool::move(const Eigen::Vector2d& at, Picture picture, Session& sessio
   const Eigen::Vector2d from = last_, change = (at - from) / std::min(picture.width, picture.height);
   last_ = at;
   switch (tool_) {
-    case Tool::none: break;
+    case Tool::none:
+      break;
     case Tool::grab:
       if (Grab* grab = hands_.following())
         grab->point_at(session.camera.ray(at.x(), at.y(), picture.width, picture.height), session.camera.forward());
       break;
-    case Tool::orbit: session.camera.orbit(std::numbers::pi * change.x(), std::numbers::pi * change.y()); break;
-    case Tool::section: drag_section(from, at, picture, session); break;
-    case Tool::pan: session.camera.pan(change.x(), change.y()); break;
+    case Tool::orbit:
+      session.camera.orbit(std::numbers::pi * change.x(), std::numbers::pi * change.y());
+      break;
+    case Tool::section:
+      drag_section(from, at, picture, session);
+      break;
+    case Tool::pan:
+      session.camera.pan(change.x(), change.y());
+      break;
   }
 }
 
@@ -132,8 +147,9 @@ bool MouseTool::scroll(double notches, Keys keys, Session& session, GrabSettings
   }
   Grab* grab = hands_.following();
   if (!grab || tool_ != Tool::grab) return false;
-  grab->go_deeper(notches * (grab->pushes() ? kPushPerNotch * grab->patch_radius() : kDepthPerNotch * session.look.radius),
-                  session.camera.forward());
+  grab->go_deeper(
+      notches * (grab->pushes() ? kPushPerNotch * grab->patch_radius() : kDepthPerNotch * session.look.radius),
+      session.camera.forward());
   return true;
 }
 

@@ -1,10 +1,11 @@
-// What the mouse does to the scene: take hold of tissue, push it, take up a hand that was left, orbit, pan, or move the section plane.
+// What the mouse does to the scene: take hold of tissue, push it, take up a hand that was left, orbit, pan, or move the
+// section plane.
 #pragma once
 #include <Eigen/Core>
 #include <optional>
 
-#include "sim/grab/grab_set.h"
 #include "app/session/session.h"
+#include "sim/grab/grab_set.h"
 
 namespace fascia {
 
@@ -18,15 +19,17 @@ class MouseTool {
     bool shift = false, control = false, alt = false;
   };
 
-  /// Left on tissue takes hold of it, with Alt pushes it, elsewhere orbits; with Shift it takes the nearest tissue; on the mark of a
-  /// hand that stays it takes that up again, right lets go of it. Others pan.
-  void press(Button button, Keys keys, const Eigen::Vector2d& at, Picture picture, Session& session, const GrabSettings& settings);
+  /// Left on tissue takes hold of it, with Alt pushes it, elsewhere orbits; with Shift it takes the nearest tissue; on
+  /// the mark of a hand that stays it takes that up again, right lets go of it. Others pan.
+  void press(Button button, Keys keys, const Eigen::Vector2d& at, Picture picture, Session& session,
+             const GrabSettings& settings);
   /// Instead of press: the section plane of the picture follows the mouse along its normal.
   void press_section(Button button, const Eigen::Vector2d& at);
   void move(const Eigen::Vector2d& at, Picture picture, Session& session);
   /// With Control, or settings.stay, the hand stays where it is.
   void release(Button button, Keys keys, Session& session, const GrabSettings& settings);
-  /// What the wheel does to hands: the depth of the one that follows the mouse, with Control the size of patches. False: nothing.
+  /// What the wheel does to hands: the depth of the one that follows the mouse, with Control the size of patches.
+  /// False: nothing.
   bool scroll(double notches, Keys keys, Session& session, GrabSettings& settings);
   /// Size of patches times `factor`, that of the hand that follows the mouse at once.
   void resize(double factor, Session& session, GrabSettings& settings);
@@ -44,7 +47,8 @@ class MouseTool {
   Hands& hands() { return hands_; }
   /// Springs of the next step, to the simulation.
   void pull(Session& session);
-  /// Those of now: for what was let go of, which pulls no more although no step follows, and for a simulation that has to hold on.
+  /// Those of now: for what was let go of, which pulls no more although no step follows, and for a simulation that has
+  /// to hold on.
   void hold(Session& session);
 
  private:

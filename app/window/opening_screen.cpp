@@ -8,8 +8,8 @@
 
 #include "app/ui/style.h"
 #include "app/ui/window_input.h"
-#include "render/target/framebuffer.h"
 #include "gl/loader.h"
+#include "render/target/framebuffer.h"
 
 namespace fascia {
 namespace {
@@ -39,8 +39,7 @@ void OpeningScreen::show(double share, const char* what) {
   gl::Clear(GL_COLOR_BUFFER_BIT);
   framebuffer.resolve();
   bool cancelled = false;
-  do
-    cancelled = draw(width, height, share, what);
+  do cancelled = draw(width, height, share, what);
   while (!cancelled && WindowInput::of(window).waiting());
   overlay_.draw(framebuffer);
   framebuffer.present(width, height);
@@ -54,13 +53,15 @@ bool OpeningScreen::draw(int width, int height, double share, const char* what) 
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   // A height of its own: what ImGui has to measure first it does not show in the first frame.
   ImGui::SetNextWindowSize({std::min(ui::px(420), 0.8f * size.x), ui::px(126)});
-  ImGui::Begin("opening", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::Begin("opening", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
   ImGui::Text("Opening %s", name_.c_str());
   ImGui::ProgressBar(static_cast<float>(share), {-1, 0});
   ImGui::TextColored(ui::kDim, "%s", what);
   ImGui::Button("Cancel", {-1, 0});
   // Frames are rare here: the press counts, not the release.
-  const bool cancelled = (ImGui::IsItemHovered() && ImGui::IsMouseClicked(0)) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  const bool cancelled =
+      (ImGui::IsItemHovered() && ImGui::IsMouseClicked(0)) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   ImGui::End();
   overlay_.end();
   return cancelled;

@@ -18,8 +18,8 @@ class OpeningScreen {
   ~OpeningScreen();  // what was pressed while it was shown is not for the scene
   OpeningScreen(const OpeningScreen&) = delete;
   OpeningScreen& operator=(const OpeningScreen&) = delete;
-  /// A frame with the bar at `share`, if opening has taken long enough for anybody to wonder. Throws Cancelled when Escape or Cancel was
-  /// pressed, or the window closed.
+  /// A frame with the bar at `share`, if opening has taken long enough for anybody to wonder. Throws Cancelled when
+  /// Escape or Cancel was pressed, or the window closed.
   void show(double share, const char* what);
 
  private:

@@ -8,23 +8,24 @@
 #include <cmath>
 #include <iostream>
 
-#include "sim/simulation/breakdown.h"
 #include "app/overlay/color_bar.h"
-#include "app/window/compile_notice.h"
-#include "base/interrupt.h"
 #include "app/panels/panels.h"
 #include "app/system/paths.h"
-#include "app/ui/style.h"
 #include "app/system/user_files.h"
-#include "render/supersampler.h"
+#include "app/ui/style.h"
+#include "app/window/compile_notice.h"
 #include "base/error.h"
+#include "base/interrupt.h"
+#include "render/supersampler.h"
+#include "sim/simulation/breakdown.h"
 
 namespace fascia {
 namespace {
 
-constexpr double kLongestWait = 1;      // [s] to look after signals and the device, which do not wake a window
-constexpr double kUnsettledWait = 1.0 / 30;  // [s] between frames while something is under way that no event will tell of
-constexpr int kFramesToSettle = 3;      // after an event: panels find their size and what they show over some frames
+constexpr double kLongestWait = 1;  // [s] to look after signals and the device, which do not wake a window
+// [s] between frames while something is under way that no event will tell of
+constexpr double kUnsettledWait = 1.0 / 30;
+constexpr int kFramesToSettle = 3;        // after an event: panels find their size and what they show over some frames
 constexpr double kShortestFrame = 0.004;  // [s] where the display does not set the pace
 
 }  // namespace
@@ -34,12 +35,15 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
       options_(options),
       input_(graphics.context->window()),
       overlay_(graphics),
-      user_(options.steps || options.time ? std::filesystem::path() : config_folder()),  // a scripted window leaves nothing
+      user_(options.steps || options.time ? std::filesystem::path()
+                                          : config_folder()),  // a scripted window leaves nothing
       autosave_(options.steps || options.time ? std::filesystem::path() : state_folder()),
       dialogs_(graphics.data_dir, user_),
       gallery_(graphics.data_dir),
       hints_(user_),
-      samples_(options.samples > 0 ? std::min(options.samples, samples_of_renderer()) : gl::device().software ? 1 : 4) {
+      samples_(options.samples > 0     ? std::min(options.samples, samples_of_renderer())
+               : gl::device().software ? 1
+                                       : 4) {
   state_.video.width = options.width;  // as asked for, whatever the window has got
   state_.video.height = options.height;
   if (user_.now().light) ui::set_theme(ui::Theme::light);
@@ -49,7 +53,8 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
   } catch (const Cancelled& cancelled) {
     say(cancelled.name + " was not opened");
     opened = open_file(default_scene(graphics.data_dir));
-    session_ = std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model), options_.reference);
+    session_ =
+        std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model), options_.reference);
   }
   if (options.static_equilibrium) {
     const StaticReport report = session_->simulation.solve_static();
@@ -62,7 +67,9 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
   if (!user_.complaint().empty()) say(user_.complaint() + ". Went on without it", true);
   left_behind_ = autosave_.left_behind();
   dialogs_.set_last_session(autosave_.last());
-  if (!user_.now().welcomed && !config_folder().empty() && options.input.empty() && options.replay.empty() && steps_left_ < 0) gallery_.ask();
+  if (!user_.now().welcomed && !config_folder().empty() && options.input.empty() && options.replay.empty() &&
+      steps_left_ < 0)
+    gallery_.ask();
   glfwSwapInterval(1);
 }
 
@@ -135,7 +142,8 @@ void ViewWindow::require_device() const {
 
 double ViewWindow::idle_time() const {
   if (glfwGetWindowAttrib(graphics_.context->window(), GLFW_ICONIFIED)) return kLongestWait;
-  const bool under_way = video_.running() || session_->true_error.busy() || (split_ && split_->busy()) || session_->simulation.gpu()->diagnosing();
+  const bool under_way = video_.running() || session_->true_error.busy() || (split_ && split_->busy()) ||
+                         session_->simulation.gpu()->diagnosing();
   if (!still() || under_way || ImGui::IsAnyItemActive()) return 0;
   if (!message_) return kLongestWait;
   return std::clamp(std::chrono::duration<double>(message_->until - Clock::now()).count(), 0.0, kLongestWait);
@@ -154,7 +162,8 @@ void ViewWindow::wait_for_events() {
   settled_ = false;
 }
 
-// Before the window waits: numbers that the GPU gives back some frames late have come, and what is shown is drawn once more with them.
+// Before the window waits: numbers that the GPU gives back some frames late have come, and what is shown is drawn once
+// more with them.
 void ViewWindow::settle() {
   attempt([&] { session_->settle_range(split_ ? &split_->b() : nullptr); });
   frames_to_settle_ = kFramesToSettle;
@@ -188,13 +197,15 @@ void ViewWindow::frame(double elapsed) {
   Requests requests;
   do {
     requests = {};
-    if (message_ && message_->is_error && input_.take_key(GLFW_KEY_ESCAPE)) message_.reset();  // it lies in front of all else
+    if (message_ && message_->is_error && input_.take_key(GLFW_KEY_ESCAPE))
+      message_.reset();  // it lies in front of all else
     overlay_.begin(framebuffer_->width(), framebuffer_->height());
     const Camera view = session_->camera;
     attempt([&] { handle_input(requests); });
     if (view.eye != session_->camera.eye || view.target != session_->camera.target) state_.replay_camera = false;
     attempt([&] { build_panels(requests); });
-    panels_take_escape_ = ImGui::IsAnyItemActive() || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    panels_take_escape_ = ImGui::IsAnyItemActive() ||
+                          ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     overlay_.end();
     attempt([&] { carry_out(requests); });
   } while (input_.waiting() && !requests.wait_for_picture());
@@ -253,7 +264,9 @@ void ViewWindow::build_panels(Requests& requests) {
     user_.change([&](UserSettings& settings) { settings.light = light; });
   const bool news = message_ && !message_->is_error;
   // A screenshot shows the scene, not the news of the screenshot before it.
-  if (message_ && !(news && requests.screenshot) && (draw_message(message_->text, message_->is_error) || Clock::now() > message_->until)) message_.reset();
+  if (message_ && !(news && requests.screenshot) &&
+      (draw_message(message_->text, message_->is_error) || Clock::now() > message_->until))
+    message_.reset();
   if (video_.running()) draw_recording_dot(video_.seconds(), video_.dropped());
   if (split_) split_->share(*session_);
   follow_dials();
@@ -261,7 +274,8 @@ void ViewWindow::build_panels(Requests& requests) {
 
 void ViewWindow::make_step() {
   mouse_.pull(held());
-  if ((state_.show_panels && state_.show_convergence) || shows_convergence(state_.plots)) state_.convergence.measure(tuned().simulation, *graphics_.programs);
+  if ((state_.show_panels && state_.show_convergence) || shows_convergence(state_.plots))
+    state_.convergence.measure(tuned().simulation, *graphics_.programs);
   const bool slept = asleep();
   if (split_)
     split_->step(*session_, held());
@@ -283,7 +297,9 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
   if (!state_.paused && ready) {
     const bool replaying = session_->simulation.replaying();
     steps = pacing_.advance(elapsed * (replaying ? state_.replay_speed : 1), time_step, s.step_ms / 1000);
-    if (replaying) steps = static_cast<int>(std::min<long>(steps, session_->simulation.replay()->steps - session_->simulation.replayed_steps()));
+    if (replaying)
+      steps = static_cast<int>(
+          std::min<long>(steps, session_->simulation.replay()->steps - session_->simulation.replayed_steps()));
   } else {
     pacing_.restart();
     steps = state_.paused && requests.step ? 1 : 0;
@@ -297,7 +313,8 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
     for (int i = 0; i < steps; ++i) make_step();
     solve_timer_.end(steps, notice.kernels() > 0);
   }
-  while (const auto took = solve_timer_.take()) s.add_steps(took->milliseconds, took->steps, took->compiled, stats_.step_ms);
+  while (const auto took = solve_timer_.take())
+    s.add_steps(took->milliseconds, took->steps, took->compiled, stats_.step_ms);
   if (still()) pacing_.forget_speed();  // nothing is solved that could be slow
   if (repeats) accept_dials();
   if (const auto lost = session_->simulation.astray()) go_back(*lost);
@@ -311,7 +328,8 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
   }
 }
 
-// Once or twice the tissue starts again where all was well, at rest and let go. What then comes apart again would do so for ever.
+// Once or twice the tissue starts again where all was well, at rest and let go. What then comes apart again would do so
+// for ever.
 void ViewWindow::go_back(std::uint32_t lost) {
   constexpr long kForgiven = 600;  // steps
   constexpr long kMostTimes = 3;
@@ -336,7 +354,8 @@ void ViewWindow::go_back(std::uint32_t lost) {
     return say(error.what(), true);
   }
   const Breakdown breakdown = find_breakdown(simulation, lost);
-  const std::string text = breakdown.text(simulation.model) + ". Paused at the last sound state; R goes back to the start. ";
+  const std::string text =
+      breakdown.text(simulation.model) + ". Paused at the last sound state; R goes back to the start. ";
   say(text + "More iterations or substeps, or softer tissue, may help", true);
   say(text + keep_replay(breakdown.replay).string() + " repeats it", true);
 }

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <memory>
 
-#include "base/interrupt.h"
 #include "app/window/opening_screen.h"
-#include "sim/simulation/scene_edits.h"
 #include "app/window/window.h"
 #include "base/file.h"
+#include "base/interrupt.h"
+#include "sim/output/state_export.h"
 #include "sim/scene/scene_carry.h"
 #include "sim/scene/scene_write.h"
-#include "sim/output/state_export.h"
+#include "sim/simulation/scene_edits.h"
 
 namespace fascia {
 namespace fs = std::filesystem;
@@ -54,10 +54,15 @@ void ViewWindow::handle_input(Requests& requests) {
           mouse_.press_section(button_of(event.code), event.at);
         else
           mouse_.press(button_of(event.code), keys_of(event.mods), event.at, picture, held(), state_.grab);
-        if (!mouse_.hands().all().empty() && session_->simulation.replaying()) end_replay("You took over from the replay");
+        if (!mouse_.hands().all().empty() && session_->simulation.replaying())
+          end_replay("You took over from the replay");
         break;
-      case Kind::release: mouse_.release(button_of(event.code), keys_of(event.mods), held(), state_.grab); break;
-      case Kind::move: mouse_.move(event.at, picture, held()); break;
+      case Kind::release:
+        mouse_.release(button_of(event.code), keys_of(event.mods), held(), state_.grab);
+        break;
+      case Kind::move:
+        mouse_.move(event.at, picture, held());
+        break;
       case Kind::scroll:
         if (!io.WantCaptureMouse && !mouse_.scroll(event.scroll.y(), keys_of(event.mods), held(), state_.grab))
           held().camera.zoom(std::pow(0.9, event.scroll.y()));
@@ -65,14 +70,16 @@ void ViewWindow::handle_input(Requests& requests) {
       case Kind::key:
         // With a visible cursor in the panels, keys belong to them; text always does.
         if (!io.WantTextInput && !(panels_take_escape_ && event.code == GLFW_KEY_ESCAPE) &&
-            !(io.NavVisible && (event.code == GLFW_KEY_SPACE || event.code == GLFW_KEY_ENTER || event.code == GLFW_KEY_ESCAPE)))
+            !(io.NavVisible &&
+              (event.code == GLFW_KEY_SPACE || event.code == GLFW_KEY_ENTER || event.code == GLFW_KEY_ESCAPE)))
           press_key(event.code, event.mods, requests);
         break;
       case Kind::drop:
         if (!event.files.empty()) requests.open = event.files.front();
         break;
       case Kind::key_up:
-      case Kind::text: break;
+      case Kind::text:
+        break;
     }
     if (split_) after_mouse();
   }
@@ -90,53 +97,95 @@ void ViewWindow::press_key(int key, int mods, Requests& requests) {
       case GLFW_KEY_Y:
         if (history.can_redo()) requests.history = history.done() + 1;
         break;
-      case GLFW_KEY_C: requests.copy_command |= shift; break;
-      case GLFW_KEY_O: (mods & GLFW_MOD_SHIFT ? requests.recent : requests.open_dialog) = true; break;
-      case GLFW_KEY_E: requests.export_dialog = true; break;
-      case GLFW_KEY_S: requests.save_dialog = true; break;
-      case GLFW_KEY_R: requests.save_replay_dialog = true; break;
-      case GLFW_KEY_Q: requests.close = true; break;
+      case GLFW_KEY_C:
+        requests.copy_command |= shift;
+        break;
+      case GLFW_KEY_O:
+        (mods & GLFW_MOD_SHIFT ? requests.recent : requests.open_dialog) = true;
+        break;
+      case GLFW_KEY_E:
+        requests.export_dialog = true;
+        break;
+      case GLFW_KEY_S:
+        requests.save_dialog = true;
+        break;
+      case GLFW_KEY_R:
+        requests.save_replay_dialog = true;
+        break;
+      case GLFW_KEY_Q:
+        requests.close = true;
+        break;
     }
     return;
   }
   switch (key) {
-    case GLFW_KEY_F: requests.frame_view = true; break;
-    case GLFW_KEY_SPACE: state_.paused = !state_.paused; break;
-    case GLFW_KEY_PERIOD: requests.step = true; break;
-    case GLFW_KEY_R: requests.reset = true; break;
+    case GLFW_KEY_F:
+      requests.frame_view = true;
+      break;
+    case GLFW_KEY_SPACE:
+      state_.paused = !state_.paused;
+      break;
+    case GLFW_KEY_PERIOD:
+      requests.step = true;
+      break;
+    case GLFW_KEY_R:
+      requests.reset = true;
+      break;
     case GLFW_KEY_W: {
       DisplaySettings display = session_->display();
       display.wireframe = !display.wireframe;
       session_->set_display(display);
       break;
     }
-    case GLFW_KEY_H: state_.show_panels = !state_.show_panels; break;
-    case GLFW_KEY_P: requests.screenshot = true; break;
-    case GLFW_KEY_B: requests.compare = CompareAsk::open_or_close; break;
+    case GLFW_KEY_H:
+      state_.show_panels = !state_.show_panels;
+      break;
+    case GLFW_KEY_P:
+      requests.screenshot = true;
+      break;
+    case GLFW_KEY_B:
+      requests.compare = CompareAsk::open_or_close;
+      break;
     case GLFW_KEY_V:
       if (mods & GLFW_MOD_SHIFT)
         state_.show_recording = !state_.show_recording;
       else
         requests.video = true;
       break;
-    case GLFW_KEY_T: mouse_.stay(); break;
-    case GLFW_KEY_X: state_.grab.push = !state_.grab.push; break;
-    case GLFW_KEY_LEFT_BRACKET: mouse_.resize(1 / kResize, held(), state_.grab); break;
-    case GLFW_KEY_RIGHT_BRACKET: mouse_.resize(kResize, held(), state_.grab); break;
-    case GLFW_KEY_DELETE: mouse_.let_go(pointer_in_side(hand_in_b_), picture_of_hand(), held()); break;
+    case GLFW_KEY_T:
+      mouse_.stay();
+      break;
+    case GLFW_KEY_X:
+      state_.grab.push = !state_.grab.push;
+      break;
+    case GLFW_KEY_LEFT_BRACKET:
+      mouse_.resize(1 / kResize, held(), state_.grab);
+      break;
+    case GLFW_KEY_RIGHT_BRACKET:
+      mouse_.resize(kResize, held(), state_.grab);
+      break;
+    case GLFW_KEY_DELETE:
+      mouse_.let_go(pointer_in_side(hand_in_b_), picture_of_hand(), held());
+      break;
     case GLFW_KEY_ESCAPE:
       if (state_.show_help || state_.show_recording)
         state_.show_help = state_.show_recording = false;
       else
         mouse_.let_go_staying(held());
       break;
-    case GLFW_KEY_F1: state_.show_help = !state_.show_help; break;
-    case GLFW_KEY_F2: requests.gallery = true; break;
+    case GLFW_KEY_F1:
+      state_.show_help = !state_.show_help;
+      break;
+    case GLFW_KEY_F2:
+      requests.gallery = true;
+      break;
     case GLFW_KEY_F3:
       state_.plots.shown = !state_.plots.shown;
       diagnose_ = true;  // for the point
       break;
-    case GLFW_KEY_F5: requests.reload_shaders = true; break;
+    case GLFW_KEY_F5:
+      requests.reload_shaders = true;
+      break;
   }
 }
 
@@ -167,7 +216,8 @@ void ViewWindow::carry_out(const Requests& requests) {
   if (requests.step) state_.paused = true;
   if (requests.frame_view) {
     const Margins edges = margins();
-    const double width = framebuffer_->width(), shown = std::max(0.1 * width, width - edges.left - edges.right), aspect = 1.0 / framebuffer_->height();
+    const double width = framebuffer_->width(), shown = std::max(0.1 * width, width - edges.left - edges.right),
+                 aspect = 1.0 / framebuffer_->height();
     if (split_)
       session_->frame_bodies(0.5 * shown * aspect, {1, 1});
     else
@@ -203,10 +253,13 @@ void ViewWindow::resume(const fs::path& path) {
   remember();
 }
 
-// On another thread, so that the window answers and somebody may think better of it: then reading ends at its next report.
+// On another thread, so that the window answers and somebody may think better of it: then reading ends at its next
+// report.
 Opened ViewWindow::read(const fs::path& path, OpeningScreen& screen) {
   constexpr auto kFrame = std::chrono::milliseconds(30);
-  std::erase_if(given_up_, [](const std::future<Opened>& f) { return f.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
+  std::erase_if(given_up_, [](const std::future<Opened>& f) {
+    return f.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  });
   struct Report {
     std::atomic<bool> given_up{false};
     std::atomic<double> share{0};
@@ -218,15 +271,18 @@ Opened ViewWindow::read(const fs::path& path, OpeningScreen& screen) {
     report->share = share;
     report->what = what;
   };
-  std::future<Opened> reading = std::async(std::launch::async, [path, progress] { return open_file(path, {}, progress); });
+  std::future<Opened> reading =
+      std::async(std::launch::async, [path, progress] { return open_file(path, {}, progress); });
   const Clock::time_point start = Clock::now();
   while (reading.wait_for(kFrame) != std::future_status::ready) {
     // How long parsing takes nobody knows: the bar goes on, ever slower.
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count(), guess = 1 - std::exp(-0.3 * seconds);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count(),
+                 guess = 1 - std::exp(-0.3 * seconds);
     const char* const what = report->what;
     try {
       if (interrupted()) throw Cancelled{path.filename().string()};
-      screen.show(kReadShare * std::max(0.5 * guess, report->share.load()), (std::string(what ? what : "Reading") + "; Escape goes back").c_str());
+      screen.show(kReadShare * std::max(0.5 * guess, report->share.load()),
+                  (std::string(what ? what : "Reading") + "; Escape goes back").c_str());
     } catch (const Cancelled&) {
       report->given_up = true;
       given_up_.push_back(std::move(reading));
@@ -237,8 +293,11 @@ Opened ViewWindow::read(const fs::path& path, OpeningScreen& screen) {
 }
 
 std::unique_ptr<Session> ViewWindow::make_session(Opened& opened, OpeningScreen& screen, double share_done) {
-  const Progress progress = [&](double share, const char* what) { screen.show(share_done + (1 - share_done) * share, what); };
-  auto session = std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model), options_.reference, progress);
+  const Progress progress = [&](double share, const char* what) {
+    screen.show(share_done + (1 - share_done) * share, what);
+  };
+  auto session = std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model),
+                                           options_.reference, progress);
   if (opened.replay) session->simulation.play(std::move(*opened.replay));
   return session;
 }
@@ -295,7 +354,8 @@ void ViewWindow::save(const fs::path& path, bool with_mesh) {
 
 void ViewWindow::export_state(const fs::path& path) {
   const Simulation& simulation = session_->simulation;
-  write_state(path, simulation.model.file_mesh, reference::export_fields(simulation.model, simulation.state()), provenance());
+  write_state(path, simulation.model.file_mesh, reference::export_fields(simulation.model, simulation.state()),
+              provenance());
   say("Exported " + path.string());
 }
 
@@ -305,7 +365,9 @@ void ViewWindow::follow_hints() {
   if (mouse_.hands().following()) hints_.done("grab");
   if (mouse_.orbiting()) hints_.done("orbit");
   if (state_.show_help) hints_.done("help");
-  if (hints_.wanted("tune") && ImGui::IsAnyItemActive() && tuned_from_.size() == materials.size() && tuned_from_ != materials) hints_.done("tune");
+  if (hints_.wanted("tune") && ImGui::IsAnyItemActive() && tuned_from_.size() == materials.size() &&
+      tuned_from_ != materials)
+    hints_.done("tune");
   if (hints_.wanted("tune")) tuned_from_ = materials;
 }
 

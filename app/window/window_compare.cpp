@@ -9,8 +9,9 @@ namespace fascia {
 
 int ViewWindow::panels_cover() const { return state_.show_panels ? static_cast<int>(panel_space()) : 0; }
 
-Margins ViewWindow::margins() const { 
-  return {static_cast<double>(panels_cover()), legend_space(*session_, framebuffer_->width(), framebuffer_->height(), 1)};
+Margins ViewWindow::margins() const {
+  return {static_cast<double>(panels_cover()),
+          legend_space(*session_, framebuffer_->width(), framebuffer_->height(), 1)};
 }
 
 // The panels show the other side: its facts, and its history.
@@ -30,7 +31,8 @@ void ViewWindow::compare(CompareAsk ask) {
   mouse_.end_drag(held());
   if (split_) lead();  // the other side, too, is let go of
   switch (ask) {
-    case CompareAsk::nothing: break;
+    case CompareAsk::nothing:
+      break;
     case CompareAsk::open_or_close: {
       if (split_) {
         edit(false);
@@ -44,8 +46,12 @@ void ViewWindow::compare(CompareAsk ask) {
       edit(true);  // A is as it was: what one wants to turn is the other
       break;
     }
-    case CompareAsk::edit_a: edit(false); break;
-    case CompareAsk::edit_b: edit(true); break;
+    case CompareAsk::edit_a:
+      edit(false);
+      break;
+    case CompareAsk::edit_b:
+      edit(true);
+      break;
     case CompareAsk::copy_a: {
       GrabSettings grab = state_.grab;
       set_dials(split_->b(), grab, dials_of(*session_, grab));
@@ -116,7 +122,8 @@ void ViewWindow::draw_comparison(Framebuffer& picture, float scale, int left,
   const Margins edges{static_cast<double>(left), legend_space(*session_, picture.width(), picture.height(), scale)};
   split_->draw(*session_, picture, edges, hands, drawn);
   overlay_.draw_list(picture, scale, [&](ImDrawList& list) {
-    draw_legend({list, 0, static_cast<float>(picture.width()) / scale, static_cast<float>(picture.height()) / scale}, *session_);
+    draw_legend({list, 0, static_cast<float>(picture.width()) / scale, static_cast<float>(picture.height()) / scale},
+                *session_);
     split_->draw_labels(list, *session_, picture.width(), picture.height(), edges, scale,
                         {diagnostics_of_a_, true, state_.editing_b, hands, covered(picture)});
     const bool ring_in_b = mouse_.hands().following() ? hand_in_b_ : points_at_b();

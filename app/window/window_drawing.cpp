@@ -33,7 +33,8 @@ void ViewWindow::draw_scene(Framebuffer& picture, float scale, int left) {
   frame_picture(session.camera, session.extent, {picture.width(), picture.height(), edges});
   session.draw(picture, arrows(hands));
   overlay_.draw_list(picture, scale, [&](ImDrawList& list) {
-    const MarkArea area{list, 0, static_cast<float>(picture.width()) / scale, static_cast<float>(picture.height()) / scale};
+    const MarkArea area{list, 0, static_cast<float>(picture.width()) / scale,
+                        static_cast<float>(picture.height()) / scale};
     draw_legend(area, session);  // with the range that the colors have just been drawn with
     LabelPlaces places({static_cast<float>(left) / scale, 0, area.width, area.height}, ui::px(kLabelGap));
     for (const Box& box : covered(picture)) places.keep_clear(box);
@@ -41,7 +42,8 @@ void ViewWindow::draw_scene(Framebuffer& picture, float scale, int left) {
     draw_hand_marks(area, session, hands, places);
     draw_ring(area, session);
     const auto& d = state_.statistics.diagnostics;
-    if (state_.plots.shown && d && d->probe) draw_probe(area, session, session.simulation.model.rest_positions[*state_.plots.probe] + *d->probe);
+    if (state_.plots.shown && d && d->probe)
+      draw_probe(area, session, session.simulation.model.rest_positions[*state_.plots.probe] + *d->probe);
   });
 }
 
@@ -51,7 +53,8 @@ void ViewWindow::draw() {
   if (split_) {
     draw_comparison(*framebuffer_, 1, panels_cover(), [&](std::size_t side, const Framebuffer& picture) {
       const bool b = side == 1;
-      if (b == points_at_b()) hover_.look(picture, b ? split_->b() : *session_, aims ? std::optional(pointer_in_side(b)) : std::nullopt);
+      if (b == points_at_b())
+        hover_.look(picture, b ? split_->b() : *session_, aims ? std::optional(pointer_in_side(b)) : std::nullopt);
     });
   } else {
     draw_scene(*framebuffer_, 1, panels_cover());

@@ -1,4 +1,5 @@
-// What the window measures of the tissue: asks for it and shares it out, feeds the plots, chooses their point, writes them to files.
+// What the window measures of the tissue: asks for it and shares it out, feeds the plots, chooses their point, writes
+// them to files.
 #include <algorithm>
 
 #include "app/window/window.h"
@@ -75,14 +76,17 @@ void ViewWindow::write_plots(const Requests& requests) {
   const Plots& plots = state_.plots;
   if (requests.plot_table && plots.probe) {
     const std::filesystem::path path = dated_name(".csv");
-    write_samples(path, plots.history.between(plots.right_edge() - plots.span, plots.right_edge()), session_->simulation.model,
-                  provenance(), *plots.probe);
+    write_samples(path, plots.history.between(plots.right_edge() - plots.span, plots.right_edge()),
+                  session_->simulation.model, provenance(), *plots.probe);
     say(path.string());
   }
   if (!requests.plot_picture) return;
   const Image whole = framebuffer_->read();
-  const int left = std::clamp(static_cast<int>(plots.left), 0, whole.width - 1), top = std::clamp(static_cast<int>(plots.top), 0, whole.height - 1);
-  Image part{std::min(static_cast<int>(plots.width), whole.width - left), std::min(static_cast<int>(plots.height), whole.height - top), {}};
+  const int left = std::clamp(static_cast<int>(plots.left), 0, whole.width - 1),
+            top = std::clamp(static_cast<int>(plots.top), 0, whole.height - 1);
+  Image part{std::min(static_cast<int>(plots.width), whole.width - left),
+             std::min(static_cast<int>(plots.height), whole.height - top),
+             {}};
   for (int y = top; y < top + part.height; ++y) {
     const auto row = whole.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * whole.width + left);
     part.rgba.insert(part.rgba.end(), row, row + 4 * part.width);

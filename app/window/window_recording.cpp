@@ -26,12 +26,14 @@ void ViewWindow::begin_recording() {
   const fs::path path = session_file();
   if (path.empty()) return;
   recorded_from_ = simulation.steps_made();
-  Replay beginning{self_contained_if_possible(scene_now(), simulation.model.files, kCarriedFromTheStart), simulation.start(), {}, 0};
+  Replay beginning{
+      self_contained_if_possible(scene_now(), simulation.model.files, kCarriedFromTheStart), simulation.start(), {}, 0};
   const bool gone_on_from = simulation.time() != (beginning.start ? beginning.start->time : 0);
   begins_at_start_ = recorded_from_ == 0 && !gone_on_from;
   if (!begins_at_start_) beginning.start = simulation.go_on_as_replay();
   for (auto& entry : provenance())
-    if (entry.first != "Parameters" && entry.first != "Title" && entry.first != "Moment") beginning.made_by.push_back(std::move(entry));
+    if (entry.first != "Parameters" && entry.first != "Title" && entry.first != "Moment")
+      beginning.made_by.push_back(std::move(entry));
   recording_ = std::make_unique<SessionRecording>(path, std::move(beginning));
   simulation.set_listener([this](const Input& input) {
     if (recording_) recording_->add({input.step - recorded_from_, input.change});
@@ -69,12 +71,14 @@ void ViewWindow::record_anew() {
 
 void ViewWindow::save_replay(const fs::path& path) {
   if (!recording_)
-    throw Error(path.string(), "this session is not recorded",
-                "expected neither --steps, --time nor --static, and a folder for the state of programs (XDG_STATE_HOME)");
+    throw Error(
+        path.string(), "this session is not recorded",
+        "expected neither --steps, --time nor --static, and a folder for the state of programs (XDG_STATE_HOME)");
   end_recording();
   const bool whole = recording_->carry_files(session_->simulation.model.files);
   recording_->save_as(path);
-  say("Saved " + path.string() + (whole ? "" : ", without its mesh, which has changed or is too large") + ". fascia render --replay makes a video of it");
+  say("Saved " + path.string() + (whole ? "" : ", without its mesh, which has changed or is too large") +
+      ". fascia render --replay makes a video of it");
 }
 
 void ViewWindow::begin_replay() {
@@ -93,8 +97,7 @@ void ViewWindow::follow_replay() {
     return;
   }
   const auto step = static_cast<double>(simulation.replayed_steps());
-  if (const auto camera = replay_view_.camera(step); camera && state_.replay_camera)
-    session_->look_from(*camera);
+  if (const auto camera = replay_view_.camera(step); camera && state_.replay_camera) session_->look_from(*camera);
   if (const auto display = replay_view_.display(step); display && display != replayed_display_) {
     replayed_display_ = display;
     session_->set_display(*display);
@@ -118,7 +121,8 @@ void ViewWindow::toggle_video() {
   char text[64];
   std::snprintf(text, sizeof text, ", %.1f s", video_.seconds());
   std::string news = text;
-  if (video_.dropped() > 0) news += ", " + std::to_string(video_.dropped()) + (video_.dropped() == 1 ? " frame" : " frames") + " dropped";
+  if (video_.dropped() > 0)
+    news += ", " + std::to_string(video_.dropped()) + (video_.dropped() == 1 ? " frame" : " frames") + " dropped";
   const fs::path path = video_.finish();
   say(path.string() + news);
 }

@@ -1,10 +1,10 @@
-// Changes to the open scene that are more than a slider: taking them back, regions with a material of their own, another unit, and the
-// command line that brings them all back.
+// Changes to the open scene that are more than a slider: taking them back, regions with a material of their own,
+// another unit, and the command line that brings them all back.
 #include <imgui.h>
 
-#include "app/window/opening_screen.h"
 #include "app/session/reproduce.h"
 #include "app/ui/units.h"
+#include "app/window/opening_screen.h"
 #include "app/window/window.h"
 #include "sim/grab/build_model.h"
 #include "sim/scene/scene_scale.h"
@@ -12,7 +12,8 @@
 namespace fascia {
 
 void ViewWindow::follow_dials() {
-  if (ImGui::IsAnyItemActive() || mouse_.dragging()) return;  // a slider or a section plane that is held is not yet where it will be
+  if (ImGui::IsAnyItemActive() || mouse_.dragging())
+    return;  // a slider or a section plane that is held is not yet where it will be
   const Dials now = dials_of(tuned(), state_.grab);
   if (tuned().simulation.repeating())
     state_.history.accept(now);
@@ -61,7 +62,8 @@ void ViewWindow::rescale(double factor) {
   Opened opened{std::move(scene), std::nullopt, std::move(model)};
   OpeningScreen screen(graphics_, overlay_, opened.scene.file.filename().string());
   take_over(make_session(opened, screen, 0));
-  say("Scaled by " + engineering(factor, "") + ": the scene begins anew, and with it what can be undone. Ctrl+S saves it so");
+  say("Scaled by " + engineering(factor, "") +
+      ": the scene begins anew, and with it what can be undone. Ctrl+S saves it so");
 }
 
 // A camera that nobody moved is the file's, or none.

@@ -62,8 +62,8 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
   std::string path() const {
     std::string path;
     for (std::size_t depth = 0; depth + 1 < open_.size(); ++depth) {
-      path = open_[depth]->is_array() ? path_of_element(path, open_[depth]->size() - 1)
-                                      : path_of_key(path, keys_[depth]);
+      path =
+          open_[depth]->is_array() ? path_of_element(path, open_[depth]->size() - 1) : path_of_key(path, keys_[depth]);
     }
     return path;
   }
@@ -81,8 +81,7 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
   }
   bool open(json value) {
     if (open_.size() == kDeepestNesting) {
-      throw Error(where_, "is nested deeper than " + std::to_string(kDeepestNesting) + " levels",
-                  "expected a scene");
+      throw Error(where_, "is nested deeper than " + std::to_string(kDeepestNesting) + " levels", "expected a scene");
     }
     open_.push_back(&place(std::move(value)));
     keys_.emplace_back();
@@ -97,7 +96,7 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
   std::string_view text_;
   std::string where_;
   json root_;
-  std::vector<json*> open_;  // from the root to the innermost open container; only the innermost one grows,
+  std::vector<json*> open_;        // from the root to the innermost open container; only the innermost one grows,
   std::vector<std::string> keys_;  // so the pointers stay valid. The key last read in each of them.
 };
 

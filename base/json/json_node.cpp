@@ -34,9 +34,7 @@ void Node::fail(const std::string& what, const std::string& expected) const {
   throw Error(origin_->where(path_), what, "expected " + expected);
 }
 
-void Node::refuse(const std::string& expected) const {
-  fail("is " + excerpt(*value_), expected);
-}
+void Node::refuse(const std::string& expected) const { fail("is " + excerpt(*value_), expected); }
 
 void Node::expect_object(const std::vector<std::string>& known) const {
   if (!value_->is_object()) refuse("an object with " + join(known));
@@ -111,8 +109,7 @@ Eigen::Vector3d Node::vector(double min, double max, const std::string& unit) co
   return {nodes[0].number(min, max, unit), nodes[1].number(min, max, unit), nodes[2].number(min, max, unit)};
 }
 
-void Node::read(const std::string& key, double& field, double min, double max,
-                const std::string& unit) const {
+void Node::read(const std::string& key, double& field, double min, double max, const std::string& unit) const {
   if (const auto node = find(key)) field = node->number(min, max, unit);
 }
 
@@ -120,8 +117,7 @@ void Node::read(const std::string& key, int& field, int min, int max) const {
   if (const auto node = find(key)) field = node->integer(min, max);
 }
 
-void Node::read(const std::string& key, Eigen::Vector3d& field, double min, double max,
-                const std::string& unit) const {
+void Node::read(const std::string& key, Eigen::Vector3d& field, double min, double max, const std::string& unit) const {
   if (const auto node = find(key)) field = node->vector(min, max, unit);
 }
 

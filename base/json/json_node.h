@@ -57,8 +57,7 @@ class Node {
   // The same for a key that may be missing: the field keeps its default then.
   void read(const std::string& key, double& field, double min, double max, const std::string& unit) const;
   void read(const std::string& key, int& field, int min, int max) const;
-  void read(const std::string& key, Eigen::Vector3d& field, double min, double max,
-            const std::string& unit) const;
+  void read(const std::string& key, Eigen::Vector3d& field, double min, double max, const std::string& unit) const;
 
  private:
   const nlohmann::json* value_;

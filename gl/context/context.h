@@ -1,5 +1,6 @@
-// A current OpenGL 4.3 core context, however it was made, and the two kinds that need no window: EGL and OSMesa. One implementation file
-// per kind; the window's is render/context. Drawing goes to our own framebuffers everywhere, so the context's own surface can be tiny.
+// A current OpenGL 4.3 core context, however it was made, and the two kinds that need no window: EGL and OSMesa. One
+// implementation file per kind; the window's is render/context. Drawing goes to our own framebuffers everywhere, so the
+// context's own surface can be tiny.
 #pragma once
 #include <memory>
 #include <string>
@@ -21,14 +22,14 @@ class Context {
 
 struct ContextRequest {
   std::string name = "auto";  // auto, window, egl, osmesa
-  bool for_view = false;  // auto takes the window then; else EGL on a GPU, else OSMesa, else EGL on software
+  bool for_view = false;      // auto takes the window then; else EGL on a GPU, else OSMesa, else EGL on software
   int width = 1280, height = 720;
   std::string title = "fascia";
   bool debug = false;  // KHR_debug output, synchronous
 };
 
-/// auto, egl or osmesa. Made current and loaded (gl::load). Throws Error with what was tried and why each failed, or what compute
-/// support is missing.
+/// auto, egl or osmesa. Made current and loaded (gl::load). Throws Error with what was tried and why each failed, or
+/// what compute support is missing.
 std::unique_ptr<Context> make_headless_context(const ContextRequest& request);
 
 // What make_headless_context tries; each throws Error when it cannot.

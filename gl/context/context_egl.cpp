@@ -9,9 +9,9 @@
 #include <array>
 #include <cstdio>
 
+#include "base/error.h"
 #include "gl/context/context.h"
 #include "gl/loader.h"
-#include "base/error.h"
 
 namespace fascia {
 namespace {
@@ -38,8 +38,7 @@ bool has_word(const char* list, const std::string& word) {
 const EglLibrary& egl() {
   static const EglLibrary opened = [] {
     void* handle = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-    if (!handle)
-      throw Error("egl", std::string("cannot open it: ") + dlerror(), "expected the package libegl1");
+    if (!handle) throw Error("egl", std::string("cannot open it: ") + dlerror(), "expected the package libegl1");
     EglLibrary lib{};
     const auto symbol = [&](auto& function, const char* name) {
       function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(handle, name));
@@ -54,8 +53,7 @@ const EglLibrary& egl() {
     if (!lib.get_platform_display) throw Error("egl", "no EGL_EXT_platform_base", "expected EGL 1.5");
     const char* client = lib.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (has_word(client, "EGL_EXT_device_base") || has_word(client, "EGL_EXT_device_enumeration"))
-      lib.query_devices =
-          reinterpret_cast<decltype(&::eglQueryDevicesEXT)>(lib.get_proc("eglQueryDevicesEXT"));
+      lib.query_devices = reinterpret_cast<decltype(&::eglQueryDevicesEXT)>(lib.get_proc("eglQueryDevicesEXT"));
     return lib;
   }();
   return opened;
@@ -76,8 +74,7 @@ std::vector<Candidate> candidates() {
   if (has_word(client, "EGL_EXT_platform_device") && egl().query_devices &&
       egl().query_devices(static_cast<EGLint>(devices.size()), devices.data(), &count))
     for (EGLint i = 0; i < count; ++i)
-      found.push_back(
-          {"device " + std::to_string(i), EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(i)]});
+      found.push_back({"device " + std::to_string(i), EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(i)]});
   if (has_word(client, "EGL_MESA_platform_surfaceless"))
     found.push_back({"surfaceless", EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY});
   return found;
@@ -95,15 +92,13 @@ class EglContext : public Context {
   void create(bool debug) {
     // Displays are shared by everyone in the process who asks for the same one, so they are never terminated.
     display_ = egl().get_platform_display(where_.platform, where_.native, nullptr);
-    if (display_ == EGL_NO_DISPLAY || !egl().Initialize(display_, nullptr, nullptr))
-      fail(where_, "no display");
+    if (display_ == EGL_NO_DISPLAY || !egl().Initialize(display_, nullptr, nullptr)) fail(where_, "no display");
     if (!egl().BindAPI(EGL_OPENGL_API)) fail(where_, "no OpenGL");
     const char* extensions = egl().QueryString(display_, EGL_EXTENSIONS);
     const bool surfaceless = has_word(extensions, "EGL_KHR_surfaceless_context");
     EGLConfig config = EGL_NO_CONFIG_KHR;
     if (!surfaceless || !has_word(extensions, "EGL_KHR_no_config_context")) {
-      const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
-                               EGL_NONE};
+      const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
       EGLint count = 0;
       if (!egl().ChooseConfig(display_, wanted, &config, 1, &count) || count == 0) fail(where_, "no config");
     }
@@ -135,8 +130,7 @@ class EglContext : public Context {
     if (surface_ == EGL_NO_SURFACE) fail(where_, "no pbuffer surface");
   }
   ~EglContext() override {
-    if (display_ != EGL_NO_DISPLAY)
-      egl().MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (display_ != EGL_NO_DISPLAY) egl().MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (surface_ != EGL_NO_SURFACE) egl().DestroySurface(display_, surface_);
     if (context_ != EGL_NO_CONTEXT) egl().DestroyContext(display_, context_);
   }
@@ -150,8 +144,7 @@ class EglContext : public Context {
     // current in between.
     egl().MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     egl().BindAPI(EGL_OPENGL_API);
-    if (!egl().MakeCurrent(display_, surface_, surface_, context_))
-      fail(where_, "the context cannot be made current");
+    if (!egl().MakeCurrent(display_, surface_, surface_, context_)) fail(where_, "the context cannot be made current");
     gl::load([](const char* name) { return reinterpret_cast<void*>(egl().get_proc(name)); });
   }
 
@@ -186,8 +179,7 @@ std::unique_ptr<Context> make_egl_context(const ContextRequest& request, EglDevi
   if (tried.empty()) tried = "none: neither EGL_EXT_platform_device nor EGL_MESA_platform_surfaceless";
   if (devices == EglDevices::hardware_only)
     throw Error("egl", "no GPU; found " + tried, "expected a hardware renderer");
-  if (!on_software)
-    throw Error("egl", "no context; tried " + tried, "expected a device or the surfaceless platform");
+  if (!on_software) throw Error("egl", "no context; tried " + tried, "expected a device or the surfaceless platform");
   on_software->make_current();
   return on_software;
 }

@@ -5,9 +5,9 @@
 #include <array>
 #include <cstdint>
 
+#include "base/error.h"
 #include "gl/context/context.h"
 #include "gl/loader.h"
-#include "base/error.h"
 
 #ifdef __SANITIZE_ADDRESS__
 // OSMesa keeps a few hundred bytes of every context it has destroyed; that must not hide leaks of our own.
@@ -19,8 +19,8 @@ extern "C" __attribute__((visibility("default"))) const char* __lsan_default_sup
 namespace fascia {
 namespace {
 
-constexpr int kRgba = GL_RGBA, kFormat = 0x22, kDepthBits = 0x30, kProfile = 0x33, kCoreProfile = 0x34,
-              kMajor = 0x36, kMinor = 0x37;
+constexpr int kRgba = GL_RGBA, kFormat = 0x22, kDepthBits = 0x30, kProfile = 0x33, kCoreProfile = 0x34, kMajor = 0x36,
+              kMinor = 0x37;
 
 struct OsMesaLibrary {
   using Handle = void*;
@@ -35,8 +35,7 @@ struct OsMesaLibrary {
 const OsMesaLibrary& library() {
   static const OsMesaLibrary opened = [] {
     void* handle = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
-    if (!handle)
-      throw Error("osmesa", std::string("cannot open it: ") + dlerror(), "expected the package libosmesa6");
+    if (!handle) throw Error("osmesa", std::string("cannot open it: ") + dlerror(), "expected the package libosmesa6");
     OsMesaLibrary lib{};
     const auto symbol = [&](auto& function, const char* name) {
       function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(handle, name));
@@ -55,8 +54,7 @@ const OsMesaLibrary& library() {
 class OsmesaContext : public Context {
  public:
   OsmesaContext(int major, int minor) {
-    const int attributes[] = {kFormat, kRgba, kDepthBits, 0,     kProfile, kCoreProfile,
-                              kMajor,  major, kMinor,     minor, 0};
+    const int attributes[] = {kFormat, kRgba, kDepthBits, 0, kProfile, kCoreProfile, kMajor, major, kMinor, minor, 0};
     handle_ = library().create(attributes, nullptr);
   }
   ~OsmesaContext() override {

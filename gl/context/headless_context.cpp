@@ -9,8 +9,7 @@ namespace fascia {
 std::unique_ptr<Context> make_headless_context(const ContextRequest& request) {
   if (request.name == "osmesa") return make_osmesa_context(request);
   if (request.name == "egl") return make_egl_context(request, EglDevices::any);
-  if (request.name != "auto")
-    throw Error("context " + request.name, "unknown", "expected auto, egl or osmesa");
+  if (request.name != "auto") throw Error("context " + request.name, "unknown", "expected auto, egl or osmesa");
 
   std::string tried;
   using Make = std::function<std::unique_ptr<Context>()>;

@@ -6,13 +6,12 @@
 
 namespace fascia {
 FASCIA_INLINE namespace api {
-
-/// Displacements rather than positions, since these are what the solvers hold: restoring gives back the same bits.
-struct State {
-  std::vector<double> displacements{};  // [vertex_count][3] u = x - X [m]
-  std::vector<double> velocities{};   // [vertex_count][3] v [m/s]
-  double time = 0;                    // [s]
-};
+  /// Displacements rather than positions, since these are what the solvers hold: restoring gives back the same bits.
+  struct State {
+    std::vector<double> displacements{};  // [vertex_count][3] u = x - X [m]
+    std::vector<double> velocities{};     // [vertex_count][3] v [m/s]
+    double time = 0;                      // [s]
+  };
 
 }  // namespace api
 }  // namespace fascia

@@ -2,9 +2,9 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "render/context/context.h"
-#include "gl/loader.h"
 #include "base/error.h"
+#include "gl/loader.h"
+#include "render/context/context.h"
 
 namespace fascia {
 namespace {
@@ -20,16 +20,17 @@ class GlfwContext : public Context {
  public:
   explicit GlfwContext(const ContextRequest& request) {
     if (!glfwInit())
-      throw Error("window", "no display: " + glfw_error(),
-                  "expected a graphical session (DISPLAY or WAYLAND_DISPLAY); without one use render or "
-                  "--context osmesa");
+      throw Error(
+          "window", "no display: " + glfw_error(),
+          "expected a graphical session (DISPLAY or WAYLAND_DISPLAY); without one use render or --context osmesa");
     // An older one than 4.3 only serves to say, in gl::load, what was found instead (macOS ends at 4.1).
     // Not every driver tells of a device that was reset.
     struct Attempt {
       int major, minor, robustness;
     };
     for (const auto& [major, minor, robustness] :
-         {Attempt{4, 3, GLFW_LOSE_CONTEXT_ON_RESET}, Attempt{4, 3, GLFW_NO_ROBUSTNESS}, Attempt{3, 2, GLFW_NO_ROBUSTNESS}}) {
+         {Attempt{4, 3, GLFW_LOSE_CONTEXT_ON_RESET}, Attempt{4, 3, GLFW_NO_ROBUSTNESS},
+          Attempt{3, 2, GLFW_NO_ROBUSTNESS}}) {
       glfwDefaultWindowHints();
       glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
       glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);

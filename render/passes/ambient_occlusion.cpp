@@ -35,7 +35,8 @@ void AmbientOcclusion::darken(const Camera& camera, const Look& look, const Fram
   const auto describe = [&](const gl::Program& program) {
     program.use();
     program.set("unproject", 1 / projection(0, 0), 1 / projection(1, 1), projection(2, 2), projection(2, 3));
-    program.set("occlusion", static_cast<float>(kReach * look.radius), look.ambient_occlusion, projection(0, 2), projection(1, 2));
+    program.set("occlusion", static_cast<float>(kReach * look.radius), look.ambient_occlusion, projection(0, 2),
+                projection(1, 2));
   };
   gl::Disable(GL_DEPTH_TEST);
   no_vertices_.bind();

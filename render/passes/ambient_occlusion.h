@@ -1,11 +1,11 @@
-// Ambient occlusion from the depth of the picture: creases, folds and gaps between tets get less light from around. It needs no
-// geometry of its own, so it works for everything that is drawn, and its pattern stands still in the picture.
+// Ambient occlusion from the depth of the picture: creases, folds and gaps between tets get less light from around. It
+// needs no geometry of its own, so it works for everything that is drawn, and its pattern stands still in the picture.
 #pragma once
-#include "render/view/camera.h"
-#include "render/target/framebuffer.h"
 #include "gl/program.h"
-#include "render/view/look.h"
 #include "render/passes/vertex_array.h"
+#include "render/target/framebuffer.h"
+#include "render/view/camera.h"
+#include "render/view/look.h"
 
 namespace fascia {
 
@@ -16,7 +16,9 @@ class AmbientOcclusion {
   AmbientOcclusion(const AmbientOcclusion&) = delete;
   AmbientOcclusion& operator=(const AmbientOcclusion&) = delete;
 
-  bool fits(const Framebuffer& target) const { return target.width() == depth_.width() && target.height() == depth_.height(); }
+  bool fits(const Framebuffer& target) const {
+    return target.width() == depth_.width() && target.height() == depth_.height();
+  }
   /// Darkens what `target`, which is bound before and after, shows so far; where nothing was drawn it stays as it is.
   void darken(const Camera& camera, const Look& look, const Framebuffer& target) const;
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "render/view/camera.h"
 #include "render/passes/look_defines.h"
+#include "render/view/camera.h"
 
 namespace fascia {
 

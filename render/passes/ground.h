@@ -1,9 +1,9 @@
 // The stage: a ground plane with a grid that fades into the background, and the background itself.
 #pragma once
-#include "render/view/frame_uniforms.h"
 #include "gl/program.h"
-#include "render/view/look.h"
 #include "render/passes/vertex_array.h"
+#include "render/view/frame_uniforms.h"
+#include "render/view/look.h"
 
 namespace fascia {
 

@@ -15,9 +15,7 @@ gl::Texture font_atlas() {
   return gl::Texture("panel font", GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
 }
 
-const void* offset(std::size_t bytes) {
-  return reinterpret_cast<const void*>(bytes);
-}
+const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
 template <class T>
 void stream(GLenum target, const ImVector<T>& data) {
@@ -89,11 +87,9 @@ void ImguiRenderer::draw(const ImDrawData& data) {
       const int bottom = static_cast<int>((clip.w - origin.y) * scale.y);
       if (right <= left || bottom <= top) continue;
       gl::Scissor(left, height - bottom, right - left, bottom - top);
-      gl::BindTexture(GL_TEXTURE_2D,
-                      static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
+      gl::BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
       gl::DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), kIndexType,
-                                 offset(command.IdxOffset * sizeof(ImDrawIdx)),
-                                 static_cast<GLint>(command.VtxOffset));
+                                 offset(command.IdxOffset * sizeof(ImDrawIdx)), static_cast<GLint>(command.VtxOffset));
     }
   }
   gl::Disable(GL_SCISSOR_TEST);

@@ -23,7 +23,8 @@ gl::Defines tissue_defines(const Look& look, bool cap, int triangles, bool color
 }
 
 gl::Defines depth_defines(const Look& look) {
-  return {{"DEPTH_ONLY", "1"}, {"BASE_COLOR", "0"}, {"HEAT_MAP", "0"}, {"SHADOW", "0"}, {"WIREFRAME", "0"}, {"SECTION", flag(look.section.has_value())}};
+  return {{"DEPTH_ONLY", "1"}, {"BASE_COLOR", "0"}, {"HEAT_MAP", "0"},
+          {"SHADOW", "0"},     {"WIREFRAME", "0"},  {"SECTION", flag(look.section.has_value())}};
 }
 
 }  // namespace fascia

@@ -5,14 +5,11 @@
 namespace fascia {
 
 Marks::Marks(gl::ProgramCache& programs, std::span<const std::uint32_t> fixed)
-    : programs_(programs),
-      arrow_program_(programs.draw("draw/arrow.vert", "draw/arrow.frag")) {
+    : programs_(programs), arrow_program_(programs.draw("draw/arrow.vert", "draw/arrow.frag")) {
   fixed_.set("fixed dots", fixed);
 }
 
-void Marks::set_grabbed(std::span<const std::uint32_t> vertices) {
-  grabbed_.set("grabbed dots", vertices);
-}
+void Marks::set_grabbed(std::span<const std::uint32_t> vertices) { grabbed_.set("grabbed dots", vertices); }
 
 void Marks::Dots::set(const char* label, std::span<const std::uint32_t> list) {
   count = static_cast<GLsizei>(list.size());
@@ -41,7 +38,8 @@ void Marks::draw(const Look& look, const gl::Buffer& positions, std::span<const 
   gl::Enable(GL_BLEND);
   gl::BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl::DepthMask(GL_FALSE);
-  const gl::Program& dots = programs_.draw("draw/dots.vert", "draw/dots.frag", {{"SECTION", flag(look.section.has_value())}});
+  const gl::Program& dots =
+      programs_.draw("draw/dots.vert", "draw/dots.frag", {{"SECTION", flag(look.section.has_value())}});
   dots.use();
   gl::ActiveTexture(GL_TEXTURE0);
   gl::BindTexture(GL_TEXTURE_BUFFER, positions.texel_view(GL_RGBA32F));

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "gl/program.h"
-#include "render/view/look.h"
 #include "render/passes/vertex_array.h"
+#include "render/view/look.h"
 
 namespace fascia {
 

@@ -9,9 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kHalfSide = 1.8;  // half the map's side in scene radii: room for a body that is pulled about
-constexpr double kDepthReach =
-    4;  // half the map's depth in scene radii; what lies beyond is clamped, not lost
+constexpr double kHalfSide = 1.8;    // half the map's side in scene radii: room for a body that is pulled about
+constexpr double kDepthReach = 4;    // half the map's depth in scene radii; what lies beyond is clamped, not lost
 constexpr double kLampSlope = 0.16;  // the lamp's size as the tangent of the angle that it fills
 
 void set_compare(const gl::Texture& texture, GLint mode) {

@@ -2,11 +2,11 @@
 #pragma once
 #include <functional>
 
-#include "render/view/frame_uniforms.h"
 #include "gl/program.h"
 #include "gl/texture.h"
-#include "render/view/look.h"
 #include "render/passes/vertex_array.h"
+#include "render/view/frame_uniforms.h"
+#include "render/view/look.h"
 
 namespace fascia {
 

@@ -19,8 +19,7 @@ using Triangles = std::span<const std::array<std::uint32_t, 3>>;
 std::vector<Eigen::Vector3d> face_normals(Triangles triangles, std::span<const Eigen::Vector3d> x) {
   std::vector<Eigen::Vector3d> normals;
   normals.reserve(triangles.size());
-  for (const auto& [a, b, c] : triangles)
-    normals.push_back((x[b] - x[a]).cross(x[c] - x[a]).stableNormalized());
+  for (const auto& [a, b, c] : triangles) normals.push_back((x[b] - x[a]).cross(x[c] - x[a]).stableNormalized());
   return normals;
 }
 
@@ -45,8 +44,7 @@ class Fans {
 struct Places {  // (3 * triangle + k) around every vertex, in the order of triangles
   std::vector<std::uint32_t> begin, around;
 
-  Places(Triangles triangles, std::uint32_t vertex_count)
-      : begin(vertex_count + 1, 0), around(3 * triangles.size()) {
+  Places(Triangles triangles, std::uint32_t vertex_count) : begin(vertex_count + 1, 0), around(3 * triangles.size()) {
     for (const auto& triangle : triangles)
       for (const std::uint32_t v : triangle) ++begin[v + 1];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
@@ -70,8 +68,7 @@ std::vector<std::uint32_t> first_of_fan(Triangles triangles, std::uint32_t verte
     return first;
   }
   const std::vector<Eigen::Vector3d> normals = face_normals(triangles, rest_positions);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>
-      spokes;  // other vertex of an edge, which triangle here
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> spokes;  // other vertex of an edge, which triangle here
   for (std::uint32_t v = 0; v < vertex_count; ++v) {
     const std::span<const std::uint32_t> here = places.of(v);
     spokes.clear();
@@ -94,8 +91,7 @@ std::vector<std::uint32_t> first_of_fan(Triangles triangles, std::uint32_t verte
 
 }  // namespace
 
-SurfaceCorners make_surface_corners(std::span<const std::array<std::uint32_t, 3>> triangles,
-                                    std::uint32_t vertex_count,
+SurfaceCorners make_surface_corners(std::span<const std::array<std::uint32_t, 3>> triangles, std::uint32_t vertex_count,
                                     std::span<const Eigen::Vector3d> rest_positions,
                                     std::span<const std::uint32_t> colors) {
   for (const auto& triangle : triangles)
@@ -112,7 +108,7 @@ SurfaceCorners make_surface_corners(std::span<const std::array<std::uint32_t, 3>
   const auto places = static_cast<std::uint32_t>(first.size());
   SurfaceCorners result;
   std::vector<std::uint32_t> newest(places, kNone);  // corner of the fan that starts at a place
-  std::vector<std::uint32_t> older, fan_of;          // [corner_count] of the same fan in another color; first place of the fan
+  std::vector<std::uint32_t> older, fan_of;  // [corner_count] of the same fan in another color; first place of the fan
   for (std::uint32_t place = 0; place < places; ++place) {
     std::uint32_t id = newest[first[place]];
     while (id != kNone && !colors.empty() && result.colors[id] != colors[place]) id = older[id];

@@ -74,7 +74,8 @@ void SurfaceRenderer::draw_bare(const Look& look) const {
 
 void SurfaceRenderer::draw(const Look& look) const {
   const bool colored = color_ && !look.heat_map && !look.regions;
-  const GLuint regions = look.regions ? regions_.texel_view(GL_R32UI) : 0, colors = look.wireframe && colored ? color_.texel_view(GL_RGBA32F) : 0;
+  const GLuint regions = look.regions ? regions_.texel_view(GL_R32UI) : 0,
+               colors = look.wireframe && colored ? color_.texel_view(GL_RGBA32F) : 0;
   programs_.draw("draw/surface.vert", "draw/surface.frag", tissue_defines(look, false, 1, colored)).use();
   const auto bind = [](GLuint unit, GLuint view) {
     gl::ActiveTexture(GL_TEXTURE0 + unit);
@@ -87,7 +88,8 @@ void SurfaceRenderer::draw(const Look& look) const {
     return;
   }
   // All are made before any is bound: making one leaves it bound to the unit that is active.
-  const GLuint views[] = {indices_.texel_view(GL_R32UI), position_.texel_view(GL_RGBA32F), normal_.texel_view(GL_RGBA32F)};
+  const GLuint views[] = {indices_.texel_view(GL_R32UI), position_.texel_view(GL_RGBA32F),
+                          normal_.texel_view(GL_RGBA32F)};
   for (GLuint i = 0; i < 3; ++i) bind(1 + i, views[i]);
   if (look.regions || colored) bind(4, look.regions ? regions : colors);
   no_vertices_.bind();

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "gl/compute_pass.h"
-#include "render/view/look.h"
 #include "render/passes/surface_corners.h"
 #include "render/passes/vertex_array.h"
+#include "render/view/look.h"
 
 namespace fascia {
 

@@ -17,7 +17,8 @@ TetRenderer::TetRenderer(gl::ProgramCache& programs, const TetView& view)
 
 void TetRenderer::draw(const gl::Program& program, const gl::Buffer& positions, GLsizei vertices) const {
   program.use();
-  const GLuint views[] = {tets_.texel_view(GL_RGBA32UI), positions.texel_view(GL_RGBA32F), 0, region_.texel_view(GL_R32UI)};
+  const GLuint views[] = {tets_.texel_view(GL_RGBA32UI), positions.texel_view(GL_RGBA32F), 0,
+                          region_.texel_view(GL_R32UI)};
   for (GLuint i = 0; i < 4; ++i) {
     gl::ActiveTexture(GL_TEXTURE1 + i);
     gl::BindTexture(GL_TEXTURE_BUFFER, views[i]);
@@ -40,7 +41,8 @@ void TetRenderer::draw_flesh(const Look& look) const {
 }
 
 void TetRenderer::draw_tets(const Look& look, const gl::Buffer& positions) const {
-  draw(programs_.draw("draw/tets.vert", "draw/surface.frag", tissue_defines(look, false, kFaces)), positions, 3 * kFaces * tet_count_);
+  draw(programs_.draw("draw/tets.vert", "draw/surface.frag", tissue_defines(look, false, kFaces)), positions,
+       3 * kFaces * tet_count_);
 }
 
 void TetRenderer::draw_depth(const Look& look, const gl::Buffer& positions) const {

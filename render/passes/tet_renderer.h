@@ -1,12 +1,13 @@
-// Tets drawn from the solver's own positions, without a buffer of triangles: the cut of a section plane, and every tet on its own.
+// Tets drawn from the solver's own positions, without a buffer of triangles: the cut of a section plane, and every tet
+// on its own.
 #pragma once
 #include <array>
 #include <cstdint>
 #include <span>
 
 #include "gl/program.h"
-#include "render/view/look.h"
 #include "render/passes/vertex_array.h"
+#include "render/view/look.h"
 
 namespace fascia {
 
@@ -14,7 +15,8 @@ namespace fascia {
 struct TetView {
   std::span<const std::array<std::uint32_t, 4>> tets;
   std::span<const std::uint32_t> region;  // [tets]
-  bool within_surface = false;  // the drawn surface is closed and not the boundary of these tets: a section ends where it does
+  // The drawn surface is closed and not the boundary of these tets: a section ends where it does
+  bool within_surface = false;
 };
 
 class TetRenderer {

@@ -35,7 +35,8 @@ void DepthProbe::request(const Framebuffer& framebuffer, int x, int y, const Eig
     }
     gl::BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
     gl::Disable(GL_SCISSOR_TEST);
-    gl::BlitFramebuffer(left_, bottom_, left_ + kSize, bottom_ + kSize, 0, 0, kSize, kSize, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    gl::BlitFramebuffer(left_, bottom_, left_ + kSize, bottom_ + kSize, 0, 0, kSize, kSize, GL_DEPTH_BUFFER_BIT,
+                        GL_NEAREST);
     gl::BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
     read_left = read_bottom = 0;
   }
@@ -52,8 +53,8 @@ bool DepthProbe::take(std::optional<Spot>& spot) {
   spot.reset();
   const auto point = [&](int column, int row) {
     const double d = depth[static_cast<std::size_t>(kSize * row + column)];
-    const Eigen::Vector4d p =
-        from_clip_ * Eigen::Vector4d(2 * (left_ + column + 0.5) / width_ - 1, 2 * (bottom_ + row + 0.5) / height_ - 1, 2 * d - 1, 1);
+    const Eigen::Vector4d p = from_clip_ * Eigen::Vector4d(2 * (left_ + column + 0.5) / width_ - 1,
+                                                           2 * (bottom_ + row + 0.5) / height_ - 1, 2 * d - 1, 1);
     return Vector3d(p.head<3>() / p.w());
   };
   constexpr int kMiddle = kSize / 2, kLast = kSize - 1;

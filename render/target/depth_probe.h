@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "render/target/framebuffer.h"
 #include "gl/buffer.h"
 #include "gl/fence.h"
+#include "render/target/framebuffer.h"
 
 namespace fascia {
 
@@ -20,15 +20,15 @@ class DepthProbe {
   DepthProbe(const DepthProbe&) = delete;
   DepthProbe& operator=(const DepthProbe&) = delete;
 
-  /// Queues the reading around pixel (x, y) from the top left, of a picture drawn by this world-to-clip transform. The pixel must lie
-  /// in the picture.
+  /// Queues the reading around pixel (x, y) from the top left, of a picture drawn by this world-to-clip transform. The
+  /// pixel must lie in the picture.
   void request(const Framebuffer& framebuffer, int x, int y, const Eigen::Matrix4d& to_clip);
   bool pending() const { return fence_.is_set(); }
   /// True when a request was answered, which `spot` then holds; it is empty where nothing was drawn.
   bool take(std::optional<Spot>& spot);
 
  private:
-  static constexpr int kSize = 5;  // pixels of the square that is read: enough for a normal
+  static constexpr int kSize = 5;       // pixels of the square that is read: enough for a normal
   GLuint framebuffer_ = 0, depth_ = 0;  // single-sampled, made when a multisampled picture is first read
   gl::Buffer staging_;
   gl::Fence fence_;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "gl/buffer.h"
 #include "base/error.h"
+#include "gl/buffer.h"
 
 namespace fascia {
 namespace {
@@ -58,9 +58,7 @@ Framebuffer::Framebuffer(int width, int height, int samples)
               "expected a size and sample count that " + gl::device().renderer + " can draw");
 }
 
-Framebuffer::~Framebuffer() {
-  release();
-}
+Framebuffer::~Framebuffer() { release(); }
 
 void Framebuffer::release() {
   const GLuint framebuffers[] = {draw_, resolved_}, renderbuffers[] = {color_, depth_};  // zeros are ignored
@@ -107,7 +105,8 @@ void Framebuffer::replace(const std::uint8_t* rgba) {
   const auto row = 4 * static_cast<std::size_t>(width_);
   gl::BindTexture(GL_TEXTURE_2D, resolved_color_.id());
   for (int y = 0; y < height_; ++y)
-    gl::TexSubImage2D(GL_TEXTURE_2D, 0, 0, height_ - 1 - y, width_, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba + static_cast<std::size_t>(y) * row);
+    gl::TexSubImage2D(GL_TEXTURE_2D, 0, 0, height_ - 1 - y, width_, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                      rgba + static_cast<std::size_t>(y) * row);
 }
 
 void Framebuffer::copy_to(const Framebuffer& target, int x) const {

@@ -17,14 +17,15 @@ class Framebuffer {
   int width() const { return width_; }
   int height() const { return height_; }
   int samples() const { return samples_; }
-  void bind() const;     // for drawing, viewport set
+  void bind() const;                        // for drawing, viewport set
   GLuint draw_id() const { return draw_; }  // the framebuffer that bind() binds
-  void resolve() const;  // multisample to single; afterwards bind_resolved() draws over it (panels)
+  void resolve() const;                     // multisample to single; afterwards bind_resolved() draws over it (panels)
   void bind_resolved() const;
   Image read() const;                        // resolved picture, its alpha straight as files want it
   void read_into(std::uint8_t* rgba) const;  // [4 * width * height], top row first, no allocation; premultiplied
   void replace(const std::uint8_t* rgba);    // the resolved picture, by one as read_into gives it
-  void copy_to(const Framebuffer& target, int x) const;  // the resolved picture, into that of a wider one of the same height
+  void copy_to(const Framebuffer& target,
+               int x) const;  // the resolved picture, into that of a wider one of the same height
   void present(int window_width, int window_height) const;  // blit to the window's framebuffer
 
  private:

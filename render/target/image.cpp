@@ -43,8 +43,7 @@ std::uint32_t checksum(std::string_view bytes) {
 }
 
 std::string chunk(const std::string& type, const std::string& data) {
-  return big_endian(static_cast<std::uint32_t>(data.size())) + type + data +
-         big_endian(checksum(type + data));
+  return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(checksum(type + data));
 }
 
 bool is_ascii(const std::string& text) {
@@ -60,8 +59,7 @@ std::string text_chunk(const std::string& keyword, const std::string& text) {
 void check_text(const std::filesystem::path& path, const std::string& keyword, const std::string& text) {
   if (keyword.empty() || keyword.size() > 79 ||
       !std::all_of(keyword.begin(), keyword.end(), [](unsigned char c) { return c >= 0x20 && c < 0x7f; }))
-    throw Error(path.string(), "metadata keyword '" + keyword + "'",
-                "expected 1 to 79 printable ASCII characters");
+    throw Error(path.string(), "metadata keyword '" + keyword + "'", "expected 1 to 79 printable ASCII characters");
   if (text.find('\0') != std::string::npos)
     throw Error(path.string(), "metadata " + keyword + " contains a zero byte", "expected text");
 }
@@ -86,9 +84,7 @@ struct Chunk {
 
 /// Every chunk up to IEND, lengths and checksums verified.
 std::vector<Chunk> chunks_of(const std::filesystem::path& path, std::string_view file) {
-  const auto bad = [&](const std::string& what) {
-    return Error(path.string(), what, "expected a PNG picture");
-  };
+  const auto bad = [&](const std::string& what) { return Error(path.string(), what, "expected a PNG picture"); };
   if (file.substr(0, kSignature.size()) != kSignature) throw bad("no PNG signature");
   std::vector<Chunk> chunks;
   for (std::size_t at = kSignature.size(); chunks.empty() || chunks.back().type != "IEND";) {
@@ -102,8 +98,7 @@ std::vector<Chunk> chunks_of(const std::filesystem::path& path, std::string_view
     chunks.push_back({file.substr(at + 4, 4), file.substr(at + 8, length)});
     at += 12 + length;
   }
-  if (chunks.front().type != "IHDR" || chunks.front().data.size() != 13)
-    throw bad("no IHDR chunk at its start");
+  if (chunks.front().type != "IHDR" || chunks.front().data.size() != 13) throw bad("no IHDR chunk at its start");
   return chunks;
 }
 
@@ -113,17 +108,18 @@ void straighten(std::vector<std::uint8_t>& rgba) {
   for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
     const int alpha = rgba[i + 3];
     if (alpha == 0 || alpha == 255) continue;
-    for (std::size_t c = i; c < i + 3; ++c) rgba[c] = static_cast<std::uint8_t>(std::min(255, (255 * rgba[c] + alpha / 2) / alpha));
+    for (std::size_t c = i; c < i + 3; ++c)
+      rgba[c] = static_cast<std::uint8_t>(std::min(255, (255 * rgba[c] + alpha / 2) / alpha));
   }
 }
 
 void write_png(const std::filesystem::path& path, const Image& image, const Metadata& metadata) {
-  const std::size_t pixels = static_cast<std::size_t>(std::max(image.width, 0)) *
-                             static_cast<std::size_t>(std::max(image.height, 0));
+  const std::size_t pixels =
+      static_cast<std::size_t>(std::max(image.width, 0)) * static_cast<std::size_t>(std::max(image.height, 0));
   if (pixels == 0 || image.rgba.size() != 4 * pixels)
     throw Error(path.string(),
-                "picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                    " with " + std::to_string(image.rgba.size()) + " bytes",
+                "picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " with " +
+                    std::to_string(image.rgba.size()) + " bytes",
                 "expected 4 bytes for each pixel, and at least one pixel");
   std::string texts;
   for (const auto& [keyword, text] : metadata) {
@@ -132,19 +128,16 @@ void write_png(const std::filesystem::path& path, const Image& image, const Meta
   }
   int length = 0;
   const std::unique_ptr<unsigned char, decltype(&std::free)> png(
-      stbi_write_png_to_mem(image.rgba.data(), 4 * image.width, image.width, image.height, 4, &length),
-      std::free);
+      stbi_write_png_to_mem(image.rgba.data(), 4 * image.width, image.width, image.height, 4, &length), std::free);
   if (!png) throw Error(path.string(), "no memory to write a picture", "expected a smaller picture");
   const std::string_view content(reinterpret_cast<const char*>(png.get()), static_cast<std::size_t>(length));
-  write_file(path,
-             std::string(content.substr(0, kHeaderEnd)) + texts + std::string(content.substr(kHeaderEnd)));
+  write_file(path, std::string(content.substr(0, kHeaderEnd)) + texts + std::string(content.substr(kHeaderEnd)));
 }
 
 Image read_png(const std::filesystem::path& path) {
   const std::string file = read_file(path);
   const std::vector<Chunk> chunks = chunks_of(path, file);
-  const std::uint64_t width = big_endian(chunks.front().data),
-                      height = big_endian(chunks.front().data.substr(4));
+  const std::uint64_t width = big_endian(chunks.front().data), height = big_endian(chunks.front().data.substr(4));
   // Deflate cannot grow data by more than 1032, and a pixel has at least one bit: a header that claims more
   // lies.
   constexpr std::uint64_t kMostPixels = 1 << 26, kMostBytes = 1 << 30;
@@ -156,15 +149,13 @@ Image read_png(const std::filesystem::path& path) {
                 "expected a PNG picture");
   int w = 0, h = 0, channels = 0;
   const std::unique_ptr<unsigned char, decltype(&std::free)> pixels(
-      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.data()), static_cast<int>(file.size()), &w,
-                            &h, &channels, 4),
+      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.data()), static_cast<int>(file.size()), &w, &h,
+                            &channels, 4),
       std::free);
   if (!pixels)
-    throw Error(path.string(), std::string("cannot be decoded: ") + stbi_failure_reason(),
-                "expected a PNG picture");
+    throw Error(path.string(), std::string("cannot be decoded: ") + stbi_failure_reason(), "expected a PNG picture");
   Image image{w, h, {}};
-  image.rgba.assign(pixels.get(),
-                    pixels.get() + 4 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
+  image.rgba.assign(pixels.get(), pixels.get() + 4 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
   return image;
 }
 

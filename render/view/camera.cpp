@@ -15,7 +15,7 @@ constexpr double kRadians = std::numbers::pi / 180;
 constexpr double kMargin = 0.88;             // share of the picture that fit() lets the box take
 constexpr double kSteepest = 89 * kRadians;  // elevation at which orbit() stops
 constexpr double kNearShare = 0.02;          // near plane as a share of the distance to the target
-constexpr double kFarRadii = 20;  // far plane behind the target, in scene radii: holds the faded ground
+constexpr double kFarRadii = 20;             // far plane behind the target, in scene radii: holds the faded ground
 
 /// The horizontal axis that a front view shows to the right: +x for y up and for z up.
 Vector3d front_right(const Vector3d& up) {
@@ -38,9 +38,7 @@ Vector3d Camera::forward() const {
   return -standing_axes(up).col(2);
 }
 
-double Camera::slope() const {
-  return reach * std::tan(fov_deg * kRadians / 2);
-}
+double Camera::slope() const { return reach * std::tan(fov_deg * kRadians / 2); }
 
 Eigen::Vector2d Camera::slopes(double aspect) const {
   return slope() * Eigen::Vector2d(std::max(aspect, 1.0), std::max(1 / aspect, 1.0));
@@ -66,8 +64,7 @@ void Camera::frame(const Vector3d& box_min, const Vector3d& box_max) {
   constexpr double kAzimuth = 28 * kRadians, kElevation = 20 * kRadians;
   const Vector3d unit_up = up.normalized(), right = front_right(unit_up), front = right.cross(unit_up);
   const Vector3d direction =
-      std::cos(kElevation) * (std::cos(kAzimuth) * front + std::sin(kAzimuth) * right) +
-      std::sin(kElevation) * unit_up;
+      std::cos(kElevation) * (std::cos(kAzimuth) * front + std::sin(kAzimuth) * right) + std::sin(kElevation) * unit_up;
   const double size = (box_max - box_min).norm();
   target = (box_min + box_max) / 2;
   eye = target + direction * (size > 0 ? size : 1.0);
@@ -103,8 +100,7 @@ void Camera::orbit(double dx, double dy) {
   if (length == 0) return;
   const double elevation = std::asin(std::clamp(offset.dot(unit_up) / length, -1.0, 1.0));
   Vector3d horizontal = offset - unit_up * offset.dot(unit_up);
-  horizontal =
-      horizontal.norm() > 1e-9 * length ? Vector3d(horizontal.normalized()) : axes().col(0).cross(unit_up);
+  horizontal = horizontal.norm() > 1e-9 * length ? Vector3d(horizontal.normalized()) : axes().col(0).cross(unit_up);
   horizontal = Eigen::AngleAxisd(-dx, unit_up) * horizontal;
   const double steepness = std::clamp(elevation + dy, -kSteepest, kSteepest);
   eye = target + length * (std::cos(steepness) * horizontal + std::sin(steepness) * unit_up);
@@ -117,9 +113,7 @@ void Camera::pan(double dx, double dy) {
   target += shift;
 }
 
-void Camera::zoom(double factor) {
-  eye = target + (eye - target) * factor;
-}
+void Camera::zoom(double factor) { eye = target + (eye - target) * factor; }
 
 Eigen::Matrix4f Camera::view() const {
   const Eigen::Matrix3d rotation = axes().transpose();
@@ -145,7 +139,8 @@ Eigen::Matrix4f Camera::projection(double aspect, double scene_radius) const {
 
 Ray Camera::ray(double x, double y, int width, int height) const {
   const double per_pixel = 2 * slope() / std::min(width, height);
-  const Vector3d in_view((x - (1 + middle.x()) * width / 2) * per_pixel, ((1 - middle.y()) * height / 2 - y) * per_pixel, -1);
+  const Vector3d in_view((x - (1 + middle.x()) * width / 2) * per_pixel,
+                         ((1 - middle.y()) * height / 2 - y) * per_pixel, -1);
   return {eye, (axes() * in_view).normalized()};
 }
 

@@ -16,8 +16,9 @@ class Camera {
  public:
   Eigen::Vector3d eye{0, 0.3, 1}, target{0, 0, 0}, up{0, 1, 0};
   double fov_deg = 40;  // across the shorter side of the picture, so that a narrow one still shows the body whole
-  Eigen::Vector2d middle{0, 0};  // where the picture shows the target: from its middle to the right and up, in halves of its size
-  double reach = 1;              // the picture spans so many times what fov_deg says: above 1 the scene is shown smaller
+  Eigen::Vector2d middle{
+      0, 0};         // where the picture shows the target: from its middle to the right and up, in halves of its size
+  double reach = 1;  // the picture spans so many times what fov_deg says: above 1 the scene is shown smaller
   Eigen::Vector2d jitter{0, 0};  // of the picture, right and up, in halves of its width and height (Supersampler)
 
   /// The same place, direction and lens as `other`, in a picture of its own.
@@ -25,9 +26,10 @@ class Camera {
   /// Looks at the whole box from the front, a little to the right and above, whatever the picture's shape
   /// (down to a square).
   void frame(const Eigen::Vector3d& box_min, const Eigen::Vector3d& box_max);
-  /// Keeps the direction of view and moves so that the box fills this part of the picture's width and height, around `middle`, but for a
-  /// margin. The target becomes the point on the line of sight at the depth of the box's center.
-  void fit(const Eigen::Vector3d& box_min, const Eigen::Vector3d& box_max, double aspect, const Eigen::Vector2d& part = {1, 1});
+  /// Keeps the direction of view and moves so that the box fills this part of the picture's width and height, around
+  /// `middle`, but for a margin. The target becomes the point on the line of sight at the depth of the box's center.
+  void fit(const Eigen::Vector3d& box_min, const Eigen::Vector3d& box_max, double aspect,
+           const Eigen::Vector2d& part = {1, 1});
   void orbit(double dx, double dy);  // radians about up and the right axis; never over the pole
   void pan(double dx, double dy);    // shares of the picture's shorter side at the target's depth
   void zoom(double factor);          // distance to the target times factor
@@ -39,8 +41,8 @@ class Camera {
   /// x, y in pixels from the top left corner of a width x height picture; (0.5, 0.5) is the first pixel's
   /// center.
   Ray ray(double x, double y, int width, int height) const;
-  /// From where to where the points before the eye are seen along a picture's width, in halves of the shorter side that fov_deg spans, 0 on
-  /// the line of sight. (-1, 1) if there are none.
+  /// From where to where the points before the eye are seen along a picture's width, in halves of the shorter side that
+  /// fov_deg spans, 0 on the line of sight. (-1, 1) if there are none.
   Eigen::Vector2d extent(std::span<const Eigen::Vector3d> points) const;
   /// Metres per pixel at the depth of `point`.
   double pixel_size(const Eigen::Vector3d& point, int width, int height) const;
@@ -48,8 +50,8 @@ class Camera {
 
  private:
   double distance() const { return (target - eye).norm(); }
-  Eigen::Matrix3d axes() const;  // columns: right, up, backward
-  double slope() const;                        // tangent of half of what is seen across the shorter side
+  Eigen::Matrix3d axes() const;                 // columns: right, up, backward
+  double slope() const;                         // tangent of half of what is seen across the shorter side
   Eigen::Vector2d slopes(double aspect) const;  // the same across width and height
 };
 

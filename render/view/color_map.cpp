@@ -46,9 +46,11 @@ const ColorMapCurve grey{{{{0.1040f, 0.1040f, 0.1040f},
 }  // namespace color_maps
 
 Eigen::Vector3f region_color(unsigned n) {
-  static const std::array<std::uint32_t, kRegionColors> colors{0xE69F00, 0x56B4E9, 0x009E73, 0xCC79A7, 0xF0E442, 0x0072B2, 0xD55E00, 0xA0A0A0};
+  static const std::array<std::uint32_t, kRegionColors> colors{0xE69F00, 0x56B4E9, 0x009E73, 0xCC79A7,
+                                                               0xF0E442, 0x0072B2, 0xD55E00, 0xA0A0A0};
   const std::uint32_t c = colors[n % kRegionColors];
-  return Eigen::Vector3f(static_cast<float>(c >> 16), static_cast<float>(c >> 8 & 255), static_cast<float>(c & 255)) / 255;
+  return Eigen::Vector3f(static_cast<float>(c >> 16), static_cast<float>(c >> 8 & 255), static_cast<float>(c & 255)) /
+         255;
 }
 
 }  // namespace fascia

@@ -11,7 +11,8 @@ namespace fascia {
 
 enum class Backdrop { gradient, white, black, transparent };
 
-/// Every tet on its own: shrunk about its centroid, which is moved away from the scene's center by `spread` times its distance.
+/// Every tet on its own: shrunk about its centroid, which is moved away from the scene's center by `spread` times its
+/// distance.
 struct TetSpread {
   float shrink, spread;
 };
@@ -22,7 +23,8 @@ struct Look {
   bool regions = false;   // color by region; else by `color`
   Eigen::Vector2f range{0, 1};
   const ColorMapCurve* color_map = &color_maps::dusk;
-  std::optional<float> neutral;  // the scalar in the middle of the map, which then reaches equally far to both sides of it
+  std::optional<float>
+      neutral;  // the scalar in the middle of the map, which then reaches equally far to both sides of it
   Eigen::Vector3f color{0.80f, 0.34f, 0.29f};  // tissue, sRGB
   bool shadow = true, ground = true;
   float ambient_occlusion = 0;  // strength, 0 to 1
@@ -48,11 +50,13 @@ struct GrabMark {
   Eigen::Vector3f from, to;
 };
 
-/// Color of the heat map's default curve at t in [0, 1], sRGB. The shader uses the same numbers, and a surface in full light shows
-/// them unchanged.
+/// Color of the heat map's default curve at t in [0, 1], sRGB. The shader uses the same numbers, and a surface in full
+/// light shows them unchanged.
 inline Eigen::Vector3f heat_color(float t) { return color_maps::dusk(t); }
 
-inline float linear_of_srgb(float srgb) { return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f); }
+inline float linear_of_srgb(float srgb) {
+  return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
+}
 
 /// The cut of a picture; none where whole tets are left out instead.
 inline std::optional<SectionCut> shown_cut(const Look& look) { return look.tets ? std::nullopt : look.section; }

@@ -11,22 +11,25 @@ struct vec4 {
 // What every kernel of a substep knows (uniform block Step).
 struct StepValues {
   vec4 gravity;   // xyz acceleration [m/s^2], w substep h [s]
-  vec4 solver;    // x spectral radius for Chebyshev acceleration, 0: estimated; y iterations, z tolerance, w 1 / mean mass [1/kg]
-  vec4 material;  // of a scene with one material: x Young's modulus E [Pa], y Poisson's ratio [-], z damping [s], w model
+  vec4 solver;    // x spectral radius for Chebyshev acceleration, 0: estimated; y iterations, z tolerance, w 1 / mean
+                  // mass [1/kg]
+  vec4 material;  // of a scene with one material: x Young's modulus E [Pa], y Poisson's ratio [-], z damping [s], w
+                  // model
   vec4 guard;     // x distance from its prediction at which a vertex is taken for lost [m]
 };
 
 // Partial sums of one invocation of the diagnostic kernels; the CPU adds them up in double precision.
 struct TetPartial {
-  vec4 range;   // x smallest J, y largest J, z largest |strain| (Frobenius), w largest von Mises stress [Pa]
-  vec4 sums;    // x elastic energy [J], y inverted tets, z growth of the volume [m^3], w volume * |strain|^2 [m^3]
+  vec4 range;  // x smallest J, y largest J, z largest |strain| (Frobenius), w largest von Mises stress [Pa]
+  vec4 sums;   // x elastic energy [J], y inverted tets, z growth of the volume [m^3], w volume * |strain|^2 [m^3]
 };
 struct VertexPartial {
-  vec4 momentum;   // xyz [kg m/s], w kinetic energy [J]
-  vec4 angular;    // xyz about the origin [kg m^2/s], w potential energy of gravity, 0 at rest positions [J]
-  vec4 reaction;   // xyz force of the supports on the body [N], w largest speed squared [m^2/s^2]
-  vec4 residual;   // of free vertices, M over the mean mass: x |g|^2, y |M (u - u~)|^2, z |h^2 f|^2 + |h^2 M gravity|^2 [m^2], w |M v|^2
-  vec4 inertia;    // xyz mass times acceleration of free vertices [N], w of what forces its terms are differences [N]
+  vec4 momentum;  // xyz [kg m/s], w kinetic energy [J]
+  vec4 angular;   // xyz about the origin [kg m^2/s], w potential energy of gravity, 0 at rest positions [J]
+  vec4 reaction;  // xyz force of the supports on the body [N], w largest speed squared [m^2/s^2]
+  vec4 residual;  // of free vertices, M over the mean mass: x |g|^2, y |M (u - u~)|^2, z |h^2 f|^2 + |h^2 M gravity|^2
+                  // [m^2], w |M v|^2
+  vec4 inertia;   // xyz mass times acceleration of free vertices [N], w of what forces its terms are differences [N]
 };
 
 #ifdef __cplusplus

@@ -47,7 +47,8 @@ CoarseGather make_coarse_gather(const Model& model, const CoarseSpace& space) {
     share.clear();
     for (const std::uint32_t v : model.tets[t])
       for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k) {
-        const auto same = std::find_if(share.begin(), share.end(), [&](const auto& s) { return s.first == space.node[k]; });
+        const auto same =
+            std::find_if(share.begin(), share.end(), [&](const auto& s) { return s.first == space.node[k]; });
         if (same == share.end())
           share.emplace_back(space.node[k], space.weight[k]);
         else
@@ -70,7 +71,8 @@ CoarseGather make_coarse_gather(const Model& model, const CoarseSpace& space) {
       if (s < kInner * largest[node]) continue;
       sum[node] += v * s;
       for (int a = 0; a < 4; ++a) {
-        const Vector3d b = a == 0 ? Vector3d(-inv_dm.colwise().sum().transpose()) : Vector3d(inv_dm.row(a - 1).transpose());
+        const Vector3d b =
+            a == 0 ? Vector3d(-inv_dm.colwise().sum().transpose()) : Vector3d(inv_dm.row(a - 1).transpose());
         entry(tet[static_cast<std::size_t>(a)], node).gradient += v * s * b;
       }
     }

@@ -12,10 +12,10 @@ struct CoarseTranspose {
 };
 CoarseTranspose transpose(const CoarseSpace& space);
 
-/// The mean deformation gradient around every coarse node as a weighted sum of displacements, M_j = I + sum_a u_a c_ja^T, which
-/// holds because F is linear in u. A tet counts by its volume, stiffness and the node's weight in it: beside stiff tissue soft tets may
-/// turn any way. Those whose stiffness times weight is below half the node's largest are left out, which saves most of the entries
-/// and turns stiff bodies no worse. Entries begin[j] to begin[j + 1].
+/// The mean deformation gradient around every coarse node as a weighted sum of displacements, M_j = I + sum_a u_a
+/// c_ja^T, which holds because F is linear in u. A tet counts by its volume, stiffness and the node's weight in it:
+/// beside stiff tissue soft tets may turn any way. Those whose stiffness times weight is below half the node's largest
+/// are left out, which saves most of the entries and turns stiff bodies no worse. Entries begin[j] to begin[j + 1].
 struct CoarseGather {
   std::vector<std::uint32_t> begin;  // [node_count + 1]
   std::vector<std::uint32_t> vertex;

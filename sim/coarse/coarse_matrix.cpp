@@ -15,7 +15,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-// (L L^T)^-1 = L^-T L^-1, by blocks of columns, without what is known to be zero: a third of the work of solving for the identity.
+// (L L^T)^-1 = L^-T L^-1, by blocks of columns, without what is known to be zero: a third of the work of solving for
+// the identity.
 MatrixXd inverse_of(const MatrixXd& factor) {
   constexpr Eigen::Index kBlock = 64;
   const Eigen::Index n = factor.rows();
@@ -27,14 +28,15 @@ MatrixXd inverse_of(const MatrixXd& factor) {
   }
   for (Eigen::Index i = 0; i < n; i += kBlock) {
     const Eigen::Index width = std::min(kBlock, n - i), rest = n - i;
-    inverse.block(i, 0, width, i + width).noalias() = lower.block(i, i, rest, width).transpose() * lower.block(i, 0, rest, i + width);
+    inverse.block(i, 0, width, i + width).noalias() =
+        lower.block(i, i, rest, width).transpose() * lower.block(i, 0, rest, i + width);
   }
   return inverse.selfadjointView<Eigen::Lower>();
 }
 
-// Tets of one material that follow each other and lie under the same coarse functions, as those within a cell of the lattice do: the
-// stiffness between two functions with gradients p and q is lambda p q^T + mu (q p^T + p.q I) times the volume, linear in the sum of
-// V p q^T over them, which is made once.
+// Tets of one material that follow each other and lie under the same coarse functions, as those within a cell of the
+// lattice do: the stiffness between two functions with gradients p and q is lambda p q^T + mu (q p^T + p.q I) times the
+// volume, linear in the sum of V p q^T over them, which is made once.
 class AlikeTets {
  public:
   bool takes(const std::vector<std::uint32_t>& nodes, const Material& material) const {
@@ -54,7 +56,8 @@ class AlikeTets {
   /// To the lower triangle of `a`.
   void add_stiffness(MatrixXd& a, double h) {
     if (count_ == 0) return;
-    const double scale = h * h * (1 + material_.damping / h), lambda = scale * material_.lame_lambda(), mu = scale * material_.lame_mu();
+    const double scale = h * h * (1 + material_.damping / h), lambda = scale * material_.lame_lambda(),
+                 mu = scale * material_.lame_mu();
     sum_.noalias() = scaled_.leftCols(count_) * scaled_.leftCols(count_).transpose();
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       for (std::size_t j = 0; j < nodes_.size(); ++j) {
@@ -89,10 +92,12 @@ MatrixXd coarse_matrix(const Model& model, const CoarseSpace& space, double h) {
     nodes.clear();
     gradients.clear();
     for (int corner = 0; corner < 4; ++corner) {
-      const Vector3d b = corner == 0 ? Vector3d(-inv_dm.colwise().sum().transpose()) : Vector3d(inv_dm.row(corner - 1).transpose());
+      const Vector3d b =
+          corner == 0 ? Vector3d(-inv_dm.colwise().sum().transpose()) : Vector3d(inv_dm.row(corner - 1).transpose());
       const std::uint32_t v = tet[static_cast<std::size_t>(corner)];
       for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k) {
-        const auto place = static_cast<std::size_t>(std::find(nodes.begin(), nodes.end(), space.node[k]) - nodes.begin());
+        const auto place =
+            static_cast<std::size_t>(std::find(nodes.begin(), nodes.end(), space.node[k]) - nodes.begin());
         if (place == nodes.size()) {
           nodes.push_back(space.node[k]);
           gradients.emplace_back(Vector3d::Zero());
@@ -129,8 +134,9 @@ Eigen::MatrixXf coarse_inverse(MatrixXd matrix) {
   return Eigen::MatrixXf::Zero(matrix.rows(), matrix.cols());  // not finite: the fine level works alone
 }
 
-Eigen::MatrixXf with_stiffness(const Eigen::MatrixXf& inverse, const CoarseSpace& space, const std::vector<VertexStiffness>& springs, double h) {
-  constexpr double kLeast = 1e-3;  // of the stiffest function
+Eigen::MatrixXf with_stiffness(const Eigen::MatrixXf& inverse, const CoarseSpace& space,
+                               const std::vector<VertexStiffness>& springs, double h) {
+  constexpr double kLeast = 1e-3;                 // of the stiffest function
   std::map<std::uint32_t, Eigen::Index> touched;  // node and its place among them
   for (const VertexStiffness& s : springs)
     for (std::uint32_t k = space.begin[s.vertex]; k < space.begin[s.vertex + 1]; ++k)
@@ -141,7 +147,8 @@ Eigen::MatrixXf with_stiffness(const Eigen::MatrixXf& inverse, const CoarseSpace
   for (const VertexStiffness& s : springs)
     for (std::uint32_t k = space.begin[s.vertex]; k < space.begin[s.vertex + 1]; ++k)
       for (std::uint32_t l = space.begin[s.vertex]; l < space.begin[s.vertex + 1]; ++l)
-        stiffness(touched.at(space.node[k]), touched.at(space.node[l])) += h * h * s.stiffness * space.weight[k] * space.weight[l];
+        stiffness(touched.at(space.node[k]), touched.at(space.node[l])) +=
+            h * h * s.stiffness * space.weight[k] * space.weight[l];
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(stiffness);
   const double least = kLeast * eigen.eigenvalues()[count - 1];
   Eigen::Index first = 0;
@@ -153,7 +160,8 @@ Eigen::MatrixXf with_stiffness(const Eigen::MatrixXf& inverse, const CoarseSpace
   for (Eigen::Index m = 0; m < rank; ++m) {
     compliance[m] = 1 / eigen.eigenvalues()[first + m / 3];
     for (const auto& [node, place] : touched)
-      functions(3 * static_cast<Eigen::Index>(node) + m % 3, m) = static_cast<float>(eigen.eigenvectors()(place, first + m / 3));
+      functions(3 * static_cast<Eigen::Index>(node) + m % 3, m) =
+          static_cast<float>(eigen.eigenvectors()(place, first + m / 3));
   }
   const Eigen::MatrixXf moved = inverse * functions;
   MatrixXd small = (functions.transpose() * moved).cast<double>();

@@ -11,12 +11,12 @@ namespace fascia {
 namespace {
 
 using Eigen::Vector3d;
-constexpr double kWeakNode = 0.1;        // of the mean mass
-constexpr double kLeastWeight = 1e-12;   // of a lattice corner that counts
-constexpr double kEnough = 0.85;         // of the wanted nodes
+constexpr double kWeakNode = 0.1;         // of the mean mass
+constexpr double kLeastWeight = 1e-12;    // of a lattice corner that counts
+constexpr double kEnough = 0.85;          // of the wanted nodes
 constexpr int kMostCoarseCells = 100;     // along an axis
 constexpr std::uint32_t kNeighbors = 64;  // nodes among which they are sorted by their entries
-constexpr std::size_t kFewVertices = 24; // below: more lattice nodes than vertices, and nothing to gain
+constexpr std::size_t kFewVertices = 24;  // below: more lattice nodes than vertices, and nothing to gain
 
 struct CoarseLattice {
   Vector3d low, extent;
@@ -86,10 +86,10 @@ Edges free_edges(const Model& model, const std::vector<char>& held, bool cut_mat
   return edges;
 }
 
-/// Pieces that `members` fall into when only edges between them count: [members] number of the piece of each. `local` [vertex_count]
-/// is scratch, all -1 before and after.
-std::vector<std::uint32_t> pieces(const std::vector<std::uint32_t>& members, const Edges& edges, std::vector<int>& local,
-                                  std::uint32_t& count) {
+/// Pieces that `members` fall into when only edges between them count: [members] number of the piece of each. `local`
+/// [vertex_count] is scratch, all -1 before and after.
+std::vector<std::uint32_t> pieces(const std::vector<std::uint32_t>& members, const Edges& edges,
+                                  std::vector<int>& local, std::uint32_t& count) {
   for (std::size_t i = 0; i < members.size(); ++i) local[members[i]] = static_cast<int>(i);
   constexpr std::uint32_t kNone = ~0u;
   std::vector<std::uint32_t> piece(members.size(), kNone), stack;
@@ -115,7 +115,8 @@ std::vector<std::uint32_t> pieces(const std::vector<std::uint32_t>& members, con
 }
 
 /// Cells as near to cubes as the box allows, so many that about `target` lattice nodes have a vertex in reach.
-CoarseLattice fit_lattice(const std::vector<Vector3d>& positions, const std::vector<std::uint32_t>& free, std::uint32_t target) {
+CoarseLattice fit_lattice(const std::vector<Vector3d>& positions, const std::vector<std::uint32_t>& free,
+                          std::uint32_t target) {
   CoarseLattice lattice;
   Vector3d high = positions[free.front()];
   lattice.low = high;
@@ -127,7 +128,8 @@ CoarseLattice fit_lattice(const std::vector<Vector3d>& positions, const std::vec
   const double longest = lattice.extent.maxCoeff();
   const auto with_cell = [&](double size) {
     CoarseLattice l = lattice;
-    for (int k = 0; k < 3; ++k) l.cells[k] = std::clamp(static_cast<int>(std::lround(l.extent[k] / size)), 1, kMostCoarseCells);
+    for (int k = 0; k < 3; ++k)
+      l.cells[k] = std::clamp(static_cast<int>(std::lround(l.extent[k] / size)), 1, kMostCoarseCells);
     return l;
   };
   std::vector<char> reached;
@@ -160,8 +162,9 @@ CoarseLattice fit_lattice(const std::vector<Vector3d>& positions, const std::vec
   return best;
 }
 
-/// Numbers nodes in the order of the vertices in their reach, so that who computes those reads what they are made of, and then, among
-/// neighbors, those with as many vertices side by side: invocations that go in step take as long as the one with the most.
+/// Numbers nodes in the order of the vertices in their reach, so that who computes those reads what they are made of,
+/// and then, among neighbors, those with as many vertices side by side: invocations that go in step take as long as the
+/// one with the most.
 void order_nodes(CoarseSpace& space) {
   const std::uint32_t n = space.node_count;
   std::vector<std::uint32_t> entries(n, 0), order(n), number(n);
@@ -183,10 +186,10 @@ void order_nodes(CoarseSpace& space) {
   for (std::uint32_t& node : space.node) node = number[node];
 }
 
-/// Of about `target` lattice nodes, and of at most `most` functions: where that is too few for all parts of the mesh, the lightest have
-/// none and `complete` becomes false.
-CoarseSpace lattice_space(const Model& model, const std::vector<std::uint32_t>& free, const Edges& edges, std::uint32_t target,
-                          std::uint32_t most, bool& complete) {
+/// Of about `target` lattice nodes, and of at most `most` functions: where that is too few for all parts of the mesh,
+/// the lightest have none and `complete` becomes false.
+CoarseSpace lattice_space(const Model& model, const std::vector<std::uint32_t>& free, const Edges& edges,
+                          std::uint32_t target, std::uint32_t most, bool& complete) {
   const std::size_t vertex_count = model.rest_positions.size();
   const std::vector<double> masses = lumped_masses(model);
   const CoarseLattice lattice = fit_lattice(model.rest_positions, free, target);
@@ -213,7 +216,8 @@ CoarseSpace lattice_space(const Model& model, const std::vector<std::uint32_t>& 
   for (std::size_t first = 0; first < reaches.size();) {
     std::size_t last = first;
     std::vector<std::uint32_t> members;
-    while (last < reaches.size() && reaches[last].node == reaches[first].node) members.push_back(reaches[last++].vertex);
+    while (last < reaches.size() && reaches[last].node == reaches[first].node)
+      members.push_back(reaches[last++].vertex);
     std::uint32_t count = 0;
     const std::vector<std::uint32_t> piece = pieces(members, edges, local, count);
     const auto base = static_cast<std::uint32_t>(node_mass.size());
@@ -232,12 +236,15 @@ CoarseSpace lattice_space(const Model& model, const std::vector<std::uint32_t>& 
     part_mass[node_part[j]] += node_mass[j];
     ++part_nodes[node_part[j]];
   }
-  const auto strong = [&](std::size_t j) { return node_mass[j] > kWeakNode * part_mass[node_part[j]] / part_nodes[node_part[j]]; };
+  const auto strong = [&](std::size_t j) {
+    return node_mass[j] > kWeakNode * part_mass[node_part[j]] / part_nodes[node_part[j]];
+  };
   // The heaviest parts come first while there is room.
   std::vector<std::uint32_t> strong_nodes(part_count, 0), by_mass(part_count);
   for (std::size_t j = 0; j < node_mass.size(); ++j) strong_nodes[node_part[j]] += strong(j);
   std::iota(by_mass.begin(), by_mass.end(), 0u);
-  std::stable_sort(by_mass.begin(), by_mass.end(), [&](std::uint32_t a, std::uint32_t b) { return part_mass[a] > part_mass[b]; });
+  std::stable_sort(by_mass.begin(), by_mass.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return part_mass[a] > part_mass[b]; });
   std::vector<char> part_kept(part_count, 0);
   std::uint32_t room = most;
   complete = true;

@@ -93,7 +93,8 @@ bool Regions::list(const SolverSettings& settings, const std::vector<VertexStiff
   const double h = settings.substep();
   std::vector<char> stirred(region_count()), moving(region_count());
   for (std::uint32_t r = 0; r < region_count(); ++r) {
-    const double speed = std::sqrt(static_cast<double>(motion[2 * r])), displacement = std::sqrt(static_cast<double>(motion[2 * r + 1]));
+    const double speed = std::sqrt(static_cast<double>(motion[2 * r])),
+                 displacement = std::sqrt(static_cast<double>(motion[2 * r + 1]));
     stirred[r] = !is_still(speed * h, h, displacement, settings, buffers_.size);
   }
   for (const VertexStiffness& spring : springs) stirred[vertex_region_[spring.vertex]] = 1;
@@ -121,7 +122,9 @@ bool Regions::list(const SolverSettings& settings, const std::vector<VertexStiff
   for (const std::uint32_t t : tets)
     for (const std::uint32_t v : buffers_.tets[t]) beside[v] = !moving[vertex_region_[v]];
   for (std::uint32_t r = 0; r < region_count(); ++r)
-    if (moving[r]) vertices.insert(vertices.end(), region_vertices_.begin() + region_begin_[r], region_vertices_.begin() + region_begin_[r + 1]);
+    if (moving[r])
+      vertices.insert(vertices.end(), region_vertices_.begin() + region_begin_[r],
+                      region_vertices_.begin() + region_begin_[r + 1]);
   active_.moving_count = static_cast<std::uint32_t>(vertices.size());
   for (const std::uint32_t v : region_vertices_)
     if (beside[v]) vertices.push_back(v);

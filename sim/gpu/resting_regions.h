@@ -1,7 +1,8 @@
-// Regions of the tissue that are at rest are left out of most steps. Two of eight steps solve everything; what rests in both of them and
-// has no moving region beside it goes on resting in the six that follow: its speed was below solver.rest_speed after both. A resting region is held where it is, so that a step is what it would be if that region were fixed; what it
-// would have done in the meantime it does in the next whole step. Nothing is remembered from one round to the next, so that steps from
-// any state repeat to the bit.
+// Regions of the tissue that are at rest are left out of most steps. Two of eight steps solve everything; what rests in
+// both of them and has no moving region beside it goes on resting in the six that follow: its speed was below
+// solver.rest_speed after both. A resting region is held where it is, so that a step is what it would be if that region
+// were fixed; what it would have done in the meantime it does in the next whole step. Nothing is remembered from one
+// round to the next, so that steps from any state repeat to the bit.
 #pragma once
 #include <vector>
 
@@ -19,7 +20,8 @@ class Regions {
   /// `buffers` must outlive this, with the tets in the order they have now.
   Regions(gl::ProgramCache& programs, const SimBuffers& buffers);
 
-  /// Decides about the next step. True: active() holds what it solves; false: it solves everything. Waits for the GPU once in a round.
+  /// Decides about the next step. True: active() holds what it solves; false: it solves everything. Waits for the GPU
+  /// once in a round.
   bool begin_step(const SolverSettings& settings, const std::vector<VertexStiffness>& springs);
   void end_step();
   /// Something acts on all of it, or the state is another one or one to go back to: a round begins, with whole steps.
@@ -33,10 +35,10 @@ class Regions {
   bool list(const SolverSettings& settings, const std::vector<VertexStiffness>& springs);
 
   const SimBuffers& buffers_;
-  std::vector<std::uint32_t> vertex_region_;           // [vertex_count]
+  std::vector<std::uint32_t> vertex_region_;                   // [vertex_count]
   std::vector<std::uint32_t> region_begin_, region_vertices_;  // vertices by region
-  std::vector<std::vector<std::uint32_t>> neighbors_;  // [region_count]
-  std::vector<char> listed_;                           // [region_count] moving when the lists were made; empty: there are none
+  std::vector<std::vector<std::uint32_t>> neighbors_;          // [region_count]
+  std::vector<char> listed_;  // [region_count] moving when the lists were made; empty: there are none
   ActiveSet active_;
   gl::Buffer begin_, vertices_, motion_, measured_;
   std::vector<gl::ComputePass> measure_;  // after the first step of a round, after the second

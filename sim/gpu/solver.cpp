@@ -2,21 +2,21 @@
 
 #include <tuple>
 
-#include "sim/gpu/passes/compute_probe.h"
+#include "base/error.h"
 #include "sim/gpu/methods/exact_xpbd.h"
 #include "sim/gpu/methods/jacobi.h"
 #include "sim/gpu/methods/two_level.h"
 #include "sim/gpu/methods/vertex_descent.h"
-#include "base/error.h"
+#include "sim/gpu/passes/compute_probe.h"
 
 namespace fascia {
 
-GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings, const EmbeddedPoints& drawn,
-                     const Progress& progress)
+GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
+                     const EmbeddedPoints& drawn, const Progress& progress)
     : GpuSolver(programs, model, settings, drawn, progress, placement_of(model)) {}
 
-GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings, const EmbeddedPoints& drawn,
-                     const Progress& progress, Placement placement)
+GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
+                     const EmbeddedPoints& drawn, const Progress& progress, Placement placement)
     : programs_(programs),
       given_(model),
       model_(placed(model, placement)),
@@ -40,7 +40,8 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
 
 void GpuSolver::make_method() {
   const GaussSeidelMethod* sweep = gauss_seidel();
-  const bool colors_stay = sweep && settings_.method == Method::gauss_seidel && sweep->colors_asked() == settings_.colors;
+  const bool colors_stay =
+      sweep && settings_.method == Method::gauss_seidel && sweep->colors_asked() == settings_.colors;
   // Not by the method that was: one that found no room for all of it may have left its order.
   const bool order_goes = settings_.method != Method::gauss_seidel && buffers_.pair_count == 0;
   auto* two_level = dynamic_cast<TwoLevelMethod*>(method_.get());
@@ -51,7 +52,8 @@ void GpuSolver::make_method() {
     buffers_.set_tet_order(model_, buffers_.placement.tets);
     buffers_.set_phantom_count(0);
   }
-  const bool joint = settings_.acceleration == Acceleration::anderson && settings_.method != Method::two_level;  // which does its own
+  // Which does its own
+  const bool joint = settings_.acceleration == Acceleration::anderson && settings_.method != Method::two_level;
   switch (settings_.method) {
     case Method::jacobi:
     case Method::mass_splitting:
@@ -84,10 +86,12 @@ void GpuSolver::make_method() {
   multiplier_weight_ = {};
   if (settings_.acceleration == Acceleration::chebyshev) chebyshev_.emplace(programs_, buffers_.vertex_count);
   if (settings_.acceleration == Acceleration::anderson_positions)
-    anderson_.emplace(programs_, std::vector<AndersonPart>{{&buffers_.displacement, buffers_.vertex_count, nullptr}}, settings_.window);
+    anderson_.emplace(programs_, std::vector<AndersonPart>{{&buffers_.displacement, buffers_.vertex_count, nullptr}},
+                      settings_.window);
   if (joint) {
     const auto* exact = dynamic_cast<const ExactXpbdMethod*>(method_.get());
-    std::vector<AndersonPart> parts{{&buffers_.displacement, buffers_.vertex_count, exact ? &exact->raised_mass() : &buffers_.mass}};
+    std::vector<AndersonPart> parts{
+        {&buffers_.displacement, buffers_.vertex_count, exact ? &exact->raised_mass() : &buffers_.mass}};
     if (method_->multiplier()) {
       multiplier_weight_ = gl::Buffer("multiplier_weight", 2 * sizeof(float) * buffers_.tet_count);
       parts.push_back({method_->multiplier(), 2 * buffers_.tet_count, &multiplier_weight_});
@@ -100,16 +104,17 @@ void GpuSolver::record() {
   if (!features_.damping) previous_strain_ = {};
   if (features_.damping && !previous_strain_)
     previous_strain_ = gl::Buffer("previous_strain", 2 * sizeof(shared::vec4) * buffers_.tet_count);
-  const bool may_rest = settings_.method == Method::two_level && settings_.acceleration != Acceleration::anderson && !stop_ &&
-                        settings_.rest_speed > 0 && !buffers_.displacement_low && buffers_.tet_count >= Regions::kLeastTets &&
-                        !always_whole_;
+  const bool may_rest = settings_.method == Method::two_level && settings_.acceleration != Acceleration::anderson &&
+                        !stop_ && settings_.rest_speed > 0 && !buffers_.displacement_low &&
+                        buffers_.tet_count >= Regions::kLeastTets && !always_whole_;
   if (!may_rest) regions_.reset();
   if (may_rest && !regions_) regions_.emplace(programs_, buffers_);
   fuses_ = !stop_ && gl::fuses(programs_);
   // A GPU jumps over a branch that none of a few neighbors takes; a second dispatch and its copies would only cost.
   const bool branches_skip = programs_.load_path() == gl::LoadPath::storage;
   const Deferral most_deferred = method_->most_deferred(buffers_, fuses_);
-  const bool may_defer = features_.models.contains(MaterialModel::signed_st_venant_kirchhoff) && most_deferred.items > 0 && !branches_skip;
+  const bool may_defer =
+      features_.models.contains(MaterialModel::signed_st_venant_kirchhoff) && most_deferred.items > 0 && !branches_skip;
   if (!may_defer) deferred_.reset();
   if (may_defer && (!deferred_ || deferred_->most != most_deferred)) deferred_.emplace(most_deferred);
   method_->prepare(recording(nullptr));
@@ -131,8 +136,8 @@ std::optional<GpuSolver::FusedStep> GpuSolver::fuse(const StepPasses& passes) {
     for (const Passes* list : lists) append(all, *list);
     return gl::FusedPasses(programs_, all);
   };
-  return FusedStep{joined({&passes.begin}), joined({&passes.before_first, &passes.first_iteration}), joined({&passes.refresh}),
-                   joined({&passes.before, &passes.iteration}), joined({&passes.end})};
+  return FusedStep{joined({&passes.begin}), joined({&passes.before_first, &passes.first_iteration}),
+                   joined({&passes.refresh}), joined({&passes.before, &passes.iteration}), joined({&passes.end})};
 }
 
 Start GpuSolver::start() {
@@ -147,16 +152,17 @@ Recording GpuSolver::recording(const ActiveSet* active) {
 }
 
 GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
-  const gl::ProgramCache::Postponed postponed(programs_);  // kernels that are part of another program need no program of their own
+  const gl::ProgramCache::Postponed postponed(
+      programs_);  // kernels that are part of another program need no program of their own
   const Recording r = recording(active);
   StepPasses passes;
   passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), start(), active));
   if (!motions_.empty()) passes.begin.push_back(motions_.pass(programs_, buffers_));
   if (features_.damping) {
-    passes.begin.push_back(r.over_pairs("sim/step/previous_strain.comp", {},
-                                       with_pairs({{"previous_displacement", &buffers_.previous_displacement},
-                                                   {"previous_strain", &previous_strain_}},
-                                                  buffers_)));
+    passes.begin.push_back(r.over_pairs(
+        "sim/step/previous_strain.comp", {},
+        with_pairs({{"previous_displacement", &buffers_.previous_displacement}, {"previous_strain", &previous_strain_}},
+                   buffers_)));
     passes.begin.back().loops(0);
   }
   append(passes.begin, method_->begin(r));
@@ -176,7 +182,8 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
   passes.iteration = iteration(r, false);
   passes.end = method_->end(r);
   if (stop_) {
-    stop_->record(r, passes.before_first, passes.before, {&passes.refresh, &passes.first_iteration, &passes.iteration, &passes.end});
+    stop_->record(r, passes.before_first, passes.before,
+                  {&passes.refresh, &passes.first_iteration, &passes.iteration, &passes.end});
     before_every_ = stop_->interval();
   }
   passes.end.push_back(r.over_vertices("sim/step/velocity.comp", {},
@@ -203,7 +210,8 @@ bool GpuSolver::ready() const {
 Passes GpuSolver::iteration(const Recording& r, bool first) {
   Passes passes = method_->iteration(r, first);
   // Chebyshev acceleration goes with methods whose iterations start at the prediction.
-  if (chebyshev_) append(passes, chebyshev_->passes(programs_, buffers_.step, buffers_.predicted, buffers_.displacement, first));
+  if (chebyshev_)
+    append(passes, chebyshev_->passes(programs_, buffers_.step, buffers_.predicted, buffers_.displacement, first));
   if (anderson_) append(passes, anderson_->passes(programs_, first));
   return passes;
 }
@@ -219,7 +227,8 @@ void GpuSolver::upload(const State& state) {
 
 void GpuSolver::restore_sound(bool at_rest) {
   time_ = guard_.restore(buffers_);
-  if (at_rest) buffers_.velocity.upload(0, buffers_.velocity.bytes(), std::vector<shared::vec4>(buffers_.vertex_count).data());
+  if (at_rest)
+    buffers_.velocity.upload(0, buffers_.velocity.bytes(), std::vector<shared::vec4>(buffers_.vertex_count).data());
   state_changed();
 }
 
@@ -264,11 +273,14 @@ void GpuSolver::solve_everything() {
 
 void GpuSolver::set_settings(const SolverSettings& settings) {
   require_carried(settings.method, given_.materials, "solver.method");
-  const auto needs = [](const SolverSettings& s) { return std::tuple(s.method, s.acceleration, s.colors, s.window, s.tolerance > 0, s.rest_speed > 0); };
+  const auto needs = [](const SolverSettings& s) {
+    return std::tuple(s.method, s.acceleration, s.colors, s.window, s.tolerance > 0, s.rest_speed > 0);
+  };
   const bool same_passes = needs(settings) == needs(settings_);
   SolverSettings before = settings_;
   before.iterations = settings.iterations;
-  const bool same_step = before == settings;  // but for the number of iterations, which a frame budget changes all the time
+  // But for the number of iterations, which a frame budget changes all the time
+  const bool same_step = before == settings;
   before = settings_;
   settings_ = settings;
   if (same_step) {
@@ -349,11 +361,14 @@ void GpuSolver::follow(const GpuSolver& leader) {
   state_changed();
 }
 
-void GpuSolver::request_diagnostics() { diagnostics_.request(grab_, settings_.substep(), time_, stop_ ? &stop_->state() : nullptr); }
+void GpuSolver::request_diagnostics() {
+  diagnostics_.request(grab_, settings_.substep(), time_, stop_ ? &stop_->state() : nullptr);
+}
 
 void GpuSolver::set_compensated(bool compensated) {
   const State state = download();
-  buffers_.displacement_low = compensated ? gl::Buffer("displacement_low", sizeof(shared::vec4) * buffers_.vertex_count) : gl::Buffer();
+  buffers_.displacement_low =
+      compensated ? gl::Buffer("displacement_low", sizeof(shared::vec4) * buffers_.vertex_count) : gl::Buffer();
   upload(state);
   record();
 }

@@ -8,7 +8,8 @@ namespace fascia {
 
 int GpuSolver::last_iterations() const {
   if (!stop_ || substeps_ == 0) return settings_.iterations;
-  return static_cast<int>(std::min(stop_->state().read<std::uint32_t>().front(), static_cast<std::uint32_t>(settings_.iterations)));
+  return static_cast<int>(
+      std::min(stop_->state().read<std::uint32_t>().front(), static_cast<std::uint32_t>(settings_.iterations)));
 }
 
 double GpuSolver::mean_iterations() const {
@@ -26,10 +27,12 @@ double GpuSolver::bytes_per_iteration() const {
     double bytes = 0;
     std::set<const gl::Program*> counted;  // the colors of a sweep share what they go through
     for (const gl::ComputePass& pass : passes)
-      if (!(deferred_ && pass.arguments() == &deferred_->lists) && counted.insert(&pass.program()).second) bytes += static_cast<double>(pass.bytes());
+      if (!(deferred_ && pass.arguments() == &deferred_->lists) && counted.insert(&pass.program()).second)
+        bytes += static_cast<double>(pass.bytes());
     return bytes;
   };
-  return bytes_of(whole_.iteration) + bytes_of(whole_.before) / before_every_ + bytes_of(whole_.refresh) * refreshes() / settings_.iterations;
+  return bytes_of(whole_.iteration) + bytes_of(whole_.before) / before_every_ +
+         bytes_of(whole_.refresh) * refreshes() / settings_.iterations;
 }
 
 int GpuSolver::refreshes() const {
@@ -48,8 +51,9 @@ std::uint64_t GpuSolver::dispatches_per_step() const {
     return settings_.substeps * count;
   }
   const std::uint64_t others = (settings_.iterations - 1) / before_every_;  // runs of before_ after the first
-  const std::uint64_t iterations = whole_.before_first.size() + others * whole_.before.size() + whole_.first_iteration.size() +
-                                   (settings_.iterations - 1) * whole_.iteration.size() + refreshes() * whole_.refresh.size();
+  const std::uint64_t iterations =
+      whole_.before_first.size() + others * whole_.before.size() + whole_.first_iteration.size() +
+      (settings_.iterations - 1) * whole_.iteration.size() + refreshes() * whole_.refresh.size();
   return settings_.substeps * (whole_.begin.size() + iterations + whole_.end.size());
 }
 

@@ -97,7 +97,8 @@ void GpuSolver::choose_passes() {
     partial_fused_ = fuse(partial_);
   }
   if (passes_ == &partial_ && after_whole) {
-    // Vertices beside resting tets sum what those, or a heat map or diagnostics since, left in their slots into the objective.
+    // Vertices beside resting tets sum what those, or a heat map or diagnostics since, left in their slots into the
+    // objective.
     buffers_.correction.clear();
     method_->begin_partial();
   }

@@ -9,9 +9,10 @@
 namespace fascia {
 namespace {
 
-constexpr int kIterations = 30;        // of the method per step
-constexpr int kPatience = 12;          // steps that may gain nothing
-constexpr double kStill = 1e-4;        // of the body's size: less is no way. A slender body falls over for long with one residual
+constexpr int kIterations = 30;  // of the method per step
+constexpr int kPatience = 12;    // steps that may gain nothing
+// Of the body's size: less is no way. A slender body falls over for long with one residual
+constexpr double kStill = 1e-4;
 constexpr int kMostSteps = 400;
 constexpr double kFirstStep = 1.0 / 30;  // [s]
 constexpr double kLongestStep = 300;     // [s] inertia is nothing for whatever fits on a table
@@ -72,8 +73,8 @@ class AsBefore {
 
 }  // namespace
 
-reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance, State& equilibrium,
-                                             const std::stop_token& stop,
+reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance,
+                                             State& equilibrium, const std::stop_token& stop,
                                              const std::function<void(const reference::NewtonReport&)>& news) {
   reference::require_supports(model);
   AsBefore as_before(solver);
@@ -114,7 +115,8 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
   const reference::StaticResidual residual_of(model);
   report.relative_residual = residual_of(state, springs);
   double last = report.relative_residual;
-  for (int steps = 0, idle = 0; steps < kMostSteps && idle < kPatience && report.relative_residual > tolerance; ++steps) {
+  for (int steps = 0, idle = 0; steps < kMostSteps && idle < kPatience && report.relative_residual > tolerance;
+       ++steps) {
     if (stop.stop_requested()) break;
     const State before = state;
     step_to(end);

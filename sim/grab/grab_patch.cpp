@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCorner = 0.3;        // weight of a point's own tet beside that of vertices in the middle of the patch
+constexpr double kCorner = 0.3;  // weight of a point's own tet beside that of vertices in the middle of the patch
 constexpr double kRoundedWeight = 1e-6;  // barycentric: less is rounding
 
 // Mean Young's modulus of the tets around every vertex of a body; 0 where there are none.
@@ -68,8 +68,8 @@ double scene_radius(const Model& model) {
   return 0.5 * (high - low).norm();
 }
 
-std::vector<PatchVertex> grab_patch(const Model& model, std::span<const Vector3d> positions, const Vector3d& point, double radius,
-                                    const EmbeddedPoint& place) {
+std::vector<PatchVertex> grab_patch(const Model& model, std::span<const Vector3d> positions, const Vector3d& point,
+                                    double radius, const EmbeddedPoint& place) {
   const BodyPart& body = model.bodies[body_of(model, place.vertices[0])];
   const std::vector<char> held = model.held();
   const std::vector<double> modulus = local_modulus(model, body);
@@ -79,7 +79,8 @@ std::vector<PatchVertex> grab_patch(const Model& model, std::span<const Vector3d
     const double inside = 1 - (positions[v] - point).squaredNorm() / (radius * radius);
     double weight = inside > 0 ? inside * inside : 0;
     for (std::size_t a = 0; a < 4; ++a)
-      if (place.vertices[a] == v && place.weights[a] > kRoundedWeight) weight = std::max(weight, kCorner * std::min(place.weights[a], 1.0));
+      if (place.vertices[a] == v && place.weights[a] > kRoundedWeight)
+        weight = std::max(weight, kCorner * std::min(place.weights[a], 1.0));
     if (weight > 0) patch.push_back({v, weight, modulus[v - body.vertex_begin]});
   }
   make_shares_of_weights(patch);

@@ -2,8 +2,8 @@
 
 namespace fascia {
 
-bool Hands::take(const Model& model, const DrawnSurface& surface, std::span<const Eigen::Vector3d> positions, const Hit& hit,
-                 double scene_radius, const GrabSettings& settings) {
+bool Hands::take(const Model& model, const DrawnSurface& surface, std::span<const Eigen::Vector3d> positions,
+                 const Hit& hit, double scene_radius, const GrabSettings& settings) {
   Grab grab;
   if (!grab.take(model, surface, positions, hit, scene_radius, settings)) return false;
   hands_.push_back({next_id_, std::move(grab)});

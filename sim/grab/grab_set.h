@@ -1,4 +1,5 @@
-// The hands of a user on the tissue: one follows the mouse, others stay where they were left until they are taken up again or let go.
+// The hands of a user on the tissue: one follows the mouse, others stay where they were left until they are taken up
+// again or let go.
 #pragma once
 #include <optional>
 #include <vector>

@@ -6,7 +6,8 @@ namespace fascia {
 namespace {
 
 constexpr std::size_t kMostParts = 8;  // hands; more is no move but another grip
-// A hand adds its offset to where it took a vertex: two such sums differ by the offsets' difference but for some roundings.
+// A hand adds its offset to where it took a vertex: two such sums differ by the offsets' difference but for some
+// roundings.
 constexpr double kRoundings = 16 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
@@ -21,7 +22,8 @@ std::optional<GrabMove> GrabTrack::follow(std::vector<GrabSpring>& springs) cons
     const Eigen::Vector3d& target = springs[i].target;
     const auto lead = [&](const Eigen::Vector3d& offset) {
       led.target = base_[i].target + offset;
-      const double scale = std::max({target.lpNorm<Eigen::Infinity>(), base_[i].target.lpNorm<Eigen::Infinity>(), offset.lpNorm<Eigen::Infinity>()});
+      const double scale = std::max({target.lpNorm<Eigen::Infinity>(), base_[i].target.lpNorm<Eigen::Infinity>(),
+                                     offset.lpNorm<Eigen::Infinity>()});
       return (led.target - target).lpNorm<Eigen::Infinity>() <= kRoundings * scale;
     };
     if (move.parts.empty() || !lead(move.parts.back().offset)) {

@@ -1,5 +1,6 @@
-// Springs that follow hands for thousands of steps, as little as has to be kept of them: once all of them, then how far each hand has led
-// its own. What is kept gives back the same bits, so the springs themselves are first put where it says.
+// Springs that follow hands for thousands of steps, as little as has to be kept of them: once all of them, then how far
+// each hand has led its own. What is kept gives back the same bits, so the springs themselves are first put where it
+// says.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -23,7 +24,8 @@ struct GrabMove {
 class GrabTrack {
  public:
   void restart(std::vector<GrabSpring> springs) { base_ = std::move(springs); }
-  /// The move that `springs` are, which may change in their last bits to be exactly that one. Nothing if they are no move of the others.
+  /// The move that `springs` are, which may change in their last bits to be exactly that one. Nothing if they are no
+  /// move of the others.
   std::optional<GrabMove> follow(std::vector<GrabSpring>& springs) const;
   bool fits(const GrabMove& move) const;
   std::vector<GrabSpring> moved(const GrabMove& move) const;  // which fits

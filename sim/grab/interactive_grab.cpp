@@ -10,26 +10,32 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kReach = 0.5;       // lead of the springs over the tissue, in scene radii
-constexpr double kStride = 0.1;      // of the targets in one step, in scene radii, however long the step
-constexpr double kFirstPush = 0.5;   // depth at once, in patch radii
+constexpr double kReach = 0.5;      // lead of the springs over the tissue, in scene radii
+constexpr double kStride = 0.1;     // of the targets in one step, in scene radii, however long the step
+constexpr double kFirstPush = 0.5;  // depth at once, in patch radii
 
 Vector3d shortened(const Vector3d& v, double length) {
   const double norm = v.norm();
   return norm > length ? Vector3d(v * (length / norm)) : v;
 }
 
-// The hit point by the vertices that carry it: corners of a boundary triangle, of the tet below an embedded one, or of the tet that was cut.
-EmbeddedPoint place_of(const Model& model, const DrawnSurface& surface, std::span<const Vector3d> positions, const Hit& hit) {
+// The hit point by the vertices that carry it: corners of a boundary triangle, of the tet below an embedded one, or of
+// the tet that was cut.
+EmbeddedPoint place_of(const Model& model, const DrawnSurface& surface, std::span<const Vector3d> positions,
+                       const Hit& hit) {
   if (hit.on_cut) return tet_at(model.tets, positions, hit.point);
   const Triangle& t = surface.triangles[hit.triangle];
-  const Vector3d &a = positions[t[0]], ab = positions[t[1]] - a, ac = positions[t[2]] - a, normal = ab.cross(ac), at = hit.point - a;
+  const Vector3d &a = positions[t[0]], ab = positions[t[1]] - a, ac = positions[t[2]] - a, normal = ab.cross(ac),
+                 at = hit.point - a;
   const double area2 = normal.squaredNorm();
-  const double v = area2 > 0 ? at.cross(ac).dot(normal) / area2 : 0, w = area2 > 0 ? ab.cross(at).dot(normal) / area2 : 0, u = 1 - v - w;
+  const double v = area2 > 0 ? at.cross(ac).dot(normal) / area2 : 0,
+               w = area2 > 0 ? ab.cross(at).dot(normal) / area2 : 0, u = 1 - v - w;
   if (t[0] < model.rest_positions.size()) return {{t[0], t[1], t[2], t[0]}, {u, v, w, 0}};
   const auto& rest = surface.rest_positions;
-  const BodyPart& body = model.bodies[body_of(model, model.embedded.ties[t[0] - model.rest_positions.size()].vertices[0])];
-  return tet_at(std::span(model.tets).subspan(body.tet_begin, body.tet_count), model.rest_positions, u * rest[t[0]] + v * rest[t[1]] + w * rest[t[2]]);
+  const BodyPart& body =
+      model.bodies[body_of(model, model.embedded.ties[t[0] - model.rest_positions.size()].vertices[0])];
+  return tet_at(std::span(model.tets).subspan(body.tet_begin, body.tet_count), model.rest_positions,
+                u * rest[t[0]] + v * rest[t[1]] + w * rest[t[2]]);
 }
 
 }  // namespace
@@ -56,7 +62,8 @@ bool Grab::grip(const Model& model, const GrabSettings& settings) {
   radius_ = radius;
   stiffness_ = patch_stiffness(patch, radius_, settings.grip);
   patch_.clear();
-  for (const PatchVertex& p : patch) patch_.push_back({p.vertex, taken_[p.vertex] - model.rest_positions[p.vertex], p.share * stiffness_});
+  for (const PatchVertex& p : patch)
+    patch_.push_back({p.vertex, taken_[p.vertex] - model.rest_positions[p.vertex], p.share * stiffness_});
   return true;
 }
 

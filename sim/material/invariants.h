@@ -1,4 +1,5 @@
-// Functions of a deformation gradient F that laws share: J = det F, its cofactors, and what replaces log J for tets that are flat or inside out.
+// Functions of a deformation gradient F that laws share: J = det F, its cofactors, and what replaces log J for tets
+// that are flat or inside out.
 #pragma once
 #include <Eigen/Core>
 
@@ -11,8 +12,8 @@ inline Eigen::Map<const Eigen::Matrix<double, 9, 1>> flat(const Eigen::Matrix3d&
   return Eigen::Map<const Eigen::Matrix<double, 9, 1>>(m.data());
 }
 
-/// The tensor cross product A x B (Bonet, Gil, Ortigosa 2015, eq. 7): bilinear, symmetric, F x F = 2 cof F. The derivative of cof F along A is
-/// F x A, the second derivative of J along A and B is F : (A x B).
+/// The tensor cross product A x B (Bonet, Gil, Ortigosa 2015, eq. 7): bilinear, symmetric, F x F = 2 cof F. The
+/// derivative of cof F along A is F x A, the second derivative of J along A and B is F : (A x B).
 Eigen::Matrix3d tensor_cross(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b);
 
 /// A function of J with its first and second derivative.
@@ -20,11 +21,13 @@ struct OfVolume {
   double value, first, second;
 };
 
-/// log J, and below kLeastVolumeRatio its parabola there: finite and ever steeper through J = 0, so that an inverted tet turns back.
+/// log J, and below kLeastVolumeRatio its parabola there: finite and ever steeper through J = 0, so that an inverted
+/// tet turns back.
 inline constexpr double kLeastVolumeRatio = 0.2;
 OfVolume extended_log(double j);
 
-/// k v(J): v = (J - 1)^2 / 2, and (log J)^2 / 2 where k < 0 and J > 1, for a negative multiple of a parabola has no lower bound.
+/// k v(J): v = (J - 1)^2 / 2, and (log J)^2 / 2 where k < 0 and J > 1, for a negative multiple of a parabola has no
+/// lower bound.
 OfVolume volume_term(double j, double k);
 
 }  // namespace fascia

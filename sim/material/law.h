@@ -1,5 +1,5 @@
-// A hyperelastic law: what a MaterialModel makes of a deformation. Each law is one file here, one in shaders/sim/material and one row of the
-// table in laws.cpp; docs/developers/adding.md adds one step by step.
+// A hyperelastic law: what a MaterialModel makes of a deformation. Each law is one file here, one in
+// shaders/sim/material and one row of the table in laws.cpp; docs/developers/adding.md adds one step by step.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
@@ -10,7 +10,8 @@ namespace fascia {
 
 using Matrix9d = Eigen::Matrix<double, 9, 9>;
 
-/// Energy density Psi [J/m^3] at a deformation gradient F, and its derivatives by the components of F, column by column [Pa].
+/// Energy density Psi [J/m^3] at a deformation gradient F, and its derivatives by the components of F, column by column
+/// [Pa].
 struct Density {
   double energy = 0;
   Eigen::Matrix3d first = Eigen::Matrix3d::Zero();  // first Piola stress P
@@ -23,7 +24,8 @@ struct MaterialLaw {
   const char* label;  // in the panel
   const char* help;
   const char* own_field;  // of Material, that this law alone reads; null: none
-  bool of_strain;  // Psi is a function of the Green strain that kernels see by deformation_of(), which the XPBD methods need
+  bool of_strain;  // Psi is a function of the Green strain that kernels see by deformation_of(), which the XPBD methods
+                   // need
   /// Where Psi is St. Venant-Kirchhoff's, whose formulas keep more digits; null: nowhere.
   bool (*is_st_venant_kirchhoff)(const Eigen::Matrix3d& f);
   Density (*density)(const Eigen::Matrix3d& f, const Material& material, bool with_second);

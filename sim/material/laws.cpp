@@ -5,18 +5,20 @@
 namespace fascia {
 
 const std::vector<const MaterialLaw*>& material_laws() {
-  static const std::vector<const MaterialLaw*> laws = {&kSignedStVenantKirchhoff, &kStVenantKirchhoff, &kStableNeoHookean, &kNeoHookean,
-                                                       &kMooneyRivlin};
+  static const std::vector<const MaterialLaw*> laws = {&kSignedStVenantKirchhoff, &kStVenantKirchhoff,
+                                                       &kStableNeoHookean, &kNeoHookean, &kMooneyRivlin};
   return laws;
 }
 
 const MaterialLaw& law_of(MaterialModel model) {
-  return **std::find_if(material_laws().begin(), material_laws().end(), [&](const MaterialLaw* law) { return law->model == model; });
+  return **std::find_if(material_laws().begin(), material_laws().end(),
+                        [&](const MaterialLaw* law) { return law->model == model; });
 }
 
 bool reads(MaterialModel model, std::string_view field) {
-  return std::all_of(material_laws().begin(), material_laws().end(),
-                     [&](const MaterialLaw* law) { return law->model == model || !law->own_field || field != law->own_field; });
+  return std::all_of(material_laws().begin(), material_laws().end(), [&](const MaterialLaw* law) {
+    return law->model == model || !law->own_field || field != law->own_field;
+  });
 }
 
 const std::vector<MaterialModel>& material_models() {

@@ -7,9 +7,15 @@
 
 namespace fascia {
 
-/// The laws (sim/material/law.h) by name. signed_st_venant_kirchhoff is St. Venant-Kirchhoff where no direction is compressed below 0.6, and
-/// keeps on resisting where one is.
-enum class MaterialModel { signed_st_venant_kirchhoff, st_venant_kirchhoff, stable_neo_hookean, neo_hookean, mooney_rivlin };
+/// The laws (sim/material/law.h) by name. signed_st_venant_kirchhoff is St. Venant-Kirchhoff where no direction is
+/// compressed below 0.6, and keeps on resisting where one is.
+enum class MaterialModel {
+  signed_st_venant_kirchhoff,
+  st_venant_kirchhoff,
+  stable_neo_hookean,
+  neo_hookean,
+  mooney_rivlin
+};
 
 const std::vector<MaterialModel>& material_models();  // that exist
 const char* name_of(MaterialModel model);             // "st_venant_kirchhoff", as in scene files
@@ -22,13 +28,11 @@ struct Material {
   double young_modulus = 1e5;  // E [Pa]
   double poisson_ratio = 0.3;  // nu [-], -0.9 to 0.499
   double density = 1000;       // [kg/m^3]
-  double damping = 0;  // ratio of viscosity to stiffness [s] (Kelvin-Voigt: S = D (eps + damping * d eps/dt))
+  double damping = 0;          // ratio of viscosity to stiffness [s] (Kelvin-Voigt: S = D (eps + damping * d eps/dt))
   MaterialModel model = MaterialModel::signed_st_venant_kirchhoff;
   double mooney_ratio = 0.2;  // of mooney_rivlin alone: C01 / (C10 + C01) [-]
 
-  double lame_lambda() const {
-    return young_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio));
-  }
+  double lame_lambda() const { return young_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio)); }
   double lame_mu() const { return young_modulus / (2 * (1 + poisson_ratio)); }
   bool operator==(const Material&) const = default;
 };
@@ -37,14 +41,14 @@ struct Material {
 /// --set, the sliders and the provenance stamp are all made from it.
 template <class M, class F>
 void visit_material(M& m, F&& f) {
-  f(m.young_modulus, "young_modulus", "Pa", 1e-3, 1e14, true,
-    "stiffness: stress per strain under uniaxial load");
+  f(m.young_modulus, "young_modulus", "Pa", 1e-3, 1e14, true, "stiffness: stress per strain under uniaxial load");
   f(m.poisson_ratio, "poisson_ratio", "", -0.9, 0.499, false,
     "how much a pulled piece thins; near 0.5 it keeps its volume");
   f(m.density, "density", "kg/m^3", 1e-3, 1e6, true, "mass per volume at rest");
   f(m.damping, "damping", "s", 0.0, 10.0, false,
     "viscosity over stiffness: motion of period T decays faster the nearer this is to T");
-  f(m.mooney_ratio, "mooney_ratio", "", 0.0, 1.0, false, "C01 / (C10 + C01) of the model mooney_rivlin, which alone reads it");
+  f(m.mooney_ratio, "mooney_ratio", "", 0.0, 1.0, false,
+    "C01 / (C10 + C01) of the model mooney_rivlin, which alone reads it");
 }
 
 }  // namespace fascia

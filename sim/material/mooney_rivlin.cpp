@@ -1,7 +1,8 @@
 // Compressible Mooney-Rivlin material (Ciarlet 1988, section 4.10; Holzapfel 2000, eq. 6.147):
 //   Psi = c1 (I1 - 3) + c2 (I2 - 3) - 2 (c1 + 2 c2) log J + k/2 (J - 1)^2, I1 = |F|^2, I2 = |cof F|^2
 //   c1 = (1 - r) mu/2, c2 = r mu/2, k = lambda - 2 r mu, r = Material::mooney_ratio
-// so that small strains see Lame's parameters for any r; r = 0 is neo_hookean. invariants.h says how log J and the last term go on.
+// so that small strains see Lame's parameters for any r; r = 0 is neo_hookean. invariants.h says how log J and the last
+// term go on.
 #include <Eigen/LU>
 
 #include "sim/material/invariants.h"
@@ -26,22 +27,24 @@ Density mooney_rivlin_density(const Matrix3d& f, const Material& material, bool 
     Matrix3d e = Matrix3d::Zero();
     e(k % 3, k / 3) = 1;
     const Matrix3d change = tensor_cross(f, e);  // of the cofactors
-    Eigen::Map<Matrix3d>(density.second.col(k).data()) =
-        2 * c1 * e + 2 * c2 * (tensor_cross(e, c) + tensor_cross(f, change)) + g2 * c.cwiseProduct(e).sum() * c + g1 * change;
+    Eigen::Map<Matrix3d>(density.second.col(k).data()) = 2 * c1 * e +
+                                                         2 * c2 * (tensor_cross(e, c) + tensor_cross(f, change)) +
+                                                         g2 * c.cwiseProduct(e).sum() * c + g1 * change;
   }
   return density;
 }
 
 }  // namespace
 
-const MaterialLaw kMooneyRivlin{MaterialModel::mooney_rivlin,
-                                "mooney_rivlin",
-                                "Mooney-Rivlin",
-                                "Rubber of two constants, compressible (Ciarlet 1988): mooney_ratio is the share of the second one. Stiffer than "
-                                "neo-Hookean under compression and biaxial tension. For two_level and vertex_descent.",
-                                "mooney_ratio",
-                                false,
-                                nullptr,
-                                mooney_rivlin_density};
+const MaterialLaw kMooneyRivlin{
+    MaterialModel::mooney_rivlin,
+    "mooney_rivlin",
+    "Mooney-Rivlin",
+    "Rubber of two constants, compressible (Ciarlet 1988): mooney_ratio is the share of the second one. Stiffer than "
+    "neo-Hookean under compression and biaxial tension. For two_level and vertex_descent.",
+    "mooney_ratio",
+    false,
+    nullptr,
+    mooney_rivlin_density};
 
 }  // namespace fascia

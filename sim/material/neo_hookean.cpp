@@ -23,7 +23,8 @@ Density neo_hookean_density(const Matrix3d& f, const Material& material, bool wi
   for (int k = 0; k < 9; ++k) {
     Matrix3d e = Matrix3d::Zero();
     e(k % 3, k / 3) = 1;
-    Eigen::Map<Matrix3d>(density.second.col(k).data()) = mu * e + g2 * c.cwiseProduct(e).sum() * c + g1 * tensor_cross(f, e);
+    Eigen::Map<Matrix3d>(density.second.col(k).data()) =
+        mu * e + g2 * c.cwiseProduct(e).sum() * c + g1 * tensor_cross(f, e);
   }
   return density;
 }
@@ -33,7 +34,8 @@ Density neo_hookean_density(const Matrix3d& f, const Material& material, bool wi
 const MaterialLaw kNeoHookean{MaterialModel::neo_hookean,
                               "neo_hookean",
                               "Neo-Hookean",
-                              "Rubber, compressible (Simo, Pister 1984): softens in tension, resists compression ever more. For two_level and vertex_descent.",
+                              "Rubber, compressible (Simo, Pister 1984): softens in tension, resists compression ever "
+                              "more. For two_level and vertex_descent.",
                               nullptr,
                               false,
                               nullptr,

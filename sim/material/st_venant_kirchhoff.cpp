@@ -13,18 +13,21 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Whether St. Venant-Kirchhoff's own formulas hold: all singular values at least kLeastStretch and none of them negative.
+// Whether St. Venant-Kirchhoff's own formulas hold: all singular values at least kLeastStretch and none of them
+// negative.
 bool upright(const Matrix3d& f) {
   Matrix3d c = f.transpose() * f;
   c.diagonal().array() -= kLeastStretch * kLeastStretch;
-  return c(0, 0) > 0 && c(0, 0) * c(1, 1) > c(0, 1) * c(0, 1) && c.determinant() > 0 && f.determinant() > 0;  // Sylvester
+  return c(0, 0) > 0 && c(0, 0) * c(1, 1) > c(0, 1) * c(0, 1) && c.determinant() > 0 &&
+         f.determinant() > 0;  // Sylvester
 }
 
 }  // namespace
 
-// St. Venant-Kirchhoff of the strains e(s) = (s^2 - 1) / 2 of the signed singular values, and its tangent below kLeastStretch (after
-// Irving, Teran, Fedkiw 2004). The second derivative acts on U^T dF V: the diagonal by that of the energy in s, pairs (i, j) by
-// (w_i - w_j) / (s_i - s_j) on their symmetric and (w_i + w_j) / (s_i + s_j) on their antisymmetric part, w = dPsi/ds.
+// St. Venant-Kirchhoff of the strains e(s) = (s^2 - 1) / 2 of the signed singular values, and its tangent below
+// kLeastStretch (after Irving, Teran, Fedkiw 2004). The second derivative acts on U^T dF V: the diagonal by that of the
+// energy in s, pairs (i, j) by (w_i - w_j) / (s_i - s_j) on their symmetric and (w_i + w_j) / (s_i + s_j) on their
+// antisymmetric part, w = dPsi/ds.
 Density signed_st_venant_kirchhoff_density(const Matrix3d& f, const Material& material, bool with_second) {
   const double lambda = material.lame_lambda(), mu = material.lame_mu();
   const SignedSvd svd = signed_svd(f);
@@ -34,7 +37,8 @@ Density signed_st_venant_kirchhoff_density(const Matrix3d& f, const Material& ma
     const bool straight = s < kLeastStretch;
     slope[i] = straight ? kLeastStretch : s;
     bend[i] = straight ? 0 : 1;
-    e[i] = straight ? 0.5 * (kLeastStretch * kLeastStretch - 1) + kLeastStretch * (s - kLeastStretch) : 0.5 * (s * s - 1);
+    e[i] =
+        straight ? 0.5 * (kLeastStretch * kLeastStretch - 1) + kLeastStretch * (s - kLeastStretch) : 0.5 * (s * s - 1);
   }
   const Vector3d stress = lambda * e.sum() * Vector3d::Ones() + 2 * mu * e, w = slope.cwiseProduct(stress);
   Density density;
@@ -49,32 +53,34 @@ Density signed_st_venant_kirchhoff_density(const Matrix3d& f, const Material& ma
       density.second += by_stretch(i, j) * flat(mode(i, i)) * flat(mode(j, j)).transpose();
       if (i >= j) continue;
       const double difference = svd.s[i] - svd.s[j], sum = svd.s[i] + svd.s[j];
-      const double symmetric =
-          difference > 1e-8 ? (w[i] - w[j]) / difference : by_stretch(i, i) - by_stretch(i, j);
+      const double symmetric = difference > 1e-8 ? (w[i] - w[j]) / difference : by_stretch(i, i) - by_stretch(i, j);
       const double antisymmetric = (w[i] + w[j]) / std::max(sum, 1e-8);
-      const Matrix3d even = (mode(i, j) + mode(j, i)) / std::sqrt(2.0), odd = (mode(i, j) - mode(j, i)) / std::sqrt(2.0);
-      density.second += symmetric * flat(even) * flat(even).transpose() + antisymmetric * flat(odd) * flat(odd).transpose();
+      const Matrix3d even = (mode(i, j) + mode(j, i)) / std::sqrt(2.0),
+                     odd = (mode(i, j) - mode(j, i)) / std::sqrt(2.0);
+      density.second +=
+          symmetric * flat(even) * flat(even).transpose() + antisymmetric * flat(odd) * flat(odd).transpose();
     }
   return density;
 }
 
-const MaterialLaw kSignedStVenantKirchhoff{
-    MaterialModel::signed_st_venant_kirchhoff,
-    "signed_st_venant_kirchhoff",
-    "St. Venant-Kirchhoff",
-    "Linear in the Green strain; goes on resisting where it is compressed below 60 % or turned inside out, and so comes back.",
+const MaterialLaw kSignedStVenantKirchhoff{MaterialModel::signed_st_venant_kirchhoff,
+                                           "signed_st_venant_kirchhoff",
+                                           "St. Venant-Kirchhoff",
+                                           "Linear in the Green strain; goes on resisting where it is compressed below "
+                                           "60 % or turned inside out, and so comes back.",
+                                           nullptr,
+                                           true,
+                                           upright,
+                                           signed_st_venant_kirchhoff_density};
+
+const MaterialLaw kStVenantKirchhoff{
+    MaterialModel::st_venant_kirchhoff,
+    "st_venant_kirchhoff",
+    "St. Venant-Kirchhoff, plain",
+    "Linear in the Green strain to the end: softens under strong compression, and is content inside out.",
     nullptr,
     true,
-    upright,
+    [](const Matrix3d&) { return true; },
     signed_st_venant_kirchhoff_density};
-
-const MaterialLaw kStVenantKirchhoff{MaterialModel::st_venant_kirchhoff,
-                                     "st_venant_kirchhoff",
-                                     "St. Venant-Kirchhoff, plain",
-                                     "Linear in the Green strain to the end: softens under strong compression, and is content inside out.",
-                                     nullptr,
-                                     true,
-                                     [](const Matrix3d&) { return true; },
-                                     signed_st_venant_kirchhoff_density};
 
 }  // namespace fascia

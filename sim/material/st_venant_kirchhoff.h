@@ -6,7 +6,8 @@
 
 namespace fascia {
 
-inline constexpr double kLeastStretch = 0.6;  // of signed_st_venant_kirchhoff: below, the strain of a principal direction falls linearly
+// Of signed_st_venant_kirchhoff: below, the strain of a principal direction falls linearly
+inline constexpr double kLeastStretch = 0.6;
 
 /// Psi of signed_st_venant_kirchhoff; of st_venant_kirchhoff where no stretch is below kLeastStretch.
 Density signed_st_venant_kirchhoff_density(const Eigen::Matrix3d& f, const Material& material, bool with_second);

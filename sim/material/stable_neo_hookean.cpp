@@ -17,8 +17,9 @@ Matrix3d cross_matrix(const Vector3d& v) {
   return m;
 }
 
-// Smith, de Goes, Kim 2018, eq. 14, with their Lame parameters (section 3.4), so that small strains see Young's modulus and Poisson's
-// ratio: Psi = mu/2 (I - 3) + lambda/2 (J - alpha)^2 - mu/2 log(I + 1), I = |F|^2, less its value at rest.
+// Smith, de Goes, Kim 2018, eq. 14, with their Lame parameters (section 3.4), so that small strains see Young's modulus
+// and Poisson's ratio: Psi = mu/2 (I - 3) + lambda/2 (J - alpha)^2 - mu/2 log(I + 1), I = |F|^2, less its value at
+// rest.
 Density stable_neo_hookean_density(const Matrix3d& f, const Material& material, bool with_second) {
   const double mu = 4.0 / 3.0 * material.lame_mu(), lambda = material.lame_lambda() + 5.0 / 6.0 * material.lame_mu();
   const double alpha = 1 + 0.75 * mu / lambda;
@@ -29,7 +30,8 @@ Density stable_neo_hookean_density(const Matrix3d& f, const Material& material, 
                    0.5 * mu * std::log((i + 1) / 4);
   density.first = mu * (1 - 1 / (i + 1)) * f + lambda * (j - alpha) * c;
   if (!with_second) return density;
-  density.second = mu * (1 - 1 / (i + 1)) * Matrix9d::Identity() + 2 * mu / ((i + 1) * (i + 1)) * flat(f) * flat(f).transpose() +
+  density.second = mu * (1 - 1 / (i + 1)) * Matrix9d::Identity() +
+                   2 * mu / ((i + 1) * (i + 1)) * flat(f) * flat(f).transpose() +
                    lambda * flat(c) * flat(c).transpose();
   for (int k = 0; k < 3; ++k) {  // of J: columns of F against each other
     const Matrix3d cross = lambda * (j - alpha) * cross_matrix(f.col(k));
@@ -42,15 +44,14 @@ Density stable_neo_hookean_density(const Matrix3d& f, const Material& material, 
 
 }  // namespace
 
-const MaterialLaw kStableNeoHookean{
-    MaterialModel::stable_neo_hookean,
-    "stable_neo_hookean",
-    "Neo-Hookean, stable",
-    "Rubber (Smith, de Goes, Kim 2018): softer than the others in tension, stiffer in compression, comes back from inside out. "
-    "For two_level and vertex_descent.",
-    nullptr,
-    false,
-    nullptr,
-    stable_neo_hookean_density};
+const MaterialLaw kStableNeoHookean{MaterialModel::stable_neo_hookean,
+                                    "stable_neo_hookean",
+                                    "Neo-Hookean, stable",
+                                    "Rubber (Smith, de Goes, Kim 2018): softer than the others in tension, stiffer in "
+                                    "compression, comes back from inside out. For two_level and vertex_descent.",
+                                    nullptr,
+                                    false,
+                                    nullptr,
+                                    stable_neo_hookean_density};
 
 }  // namespace fascia

@@ -61,14 +61,11 @@ TetShape measure(const TetMesh& mesh, const Tet& tet) {
   return shape;
 }
 
-double degrees(double cosine) {
-  return std::acos(cosine) * 180 / std::numbers::pi;
-}
+double degrees(double cosine) { return std::acos(cosine) * 180 / std::numbers::pi; }
 
 void examine_tets(const TetMesh& mesh, const MeshRepair& repaired, MeshReport& report) {
   std::map<int, MeshReport::Region> regions;
-  double shortest2 = std::numeric_limits<double>::infinity(), longest2 = 0, largest_cosine = -1,
-         smallest_cosine = 1;
+  double shortest2 = std::numeric_limits<double>::infinity(), longest2 = 0, largest_cosine = -1, smallest_cosine = 1;
   const double sliver_cosine = std::cos(kSliverDeg * std::numbers::pi / 180);
   std::vector<MeshReport::Sliver> slivers;
   for (std::size_t t = 0; t < repaired.tets.size(); ++t) {
@@ -81,8 +78,7 @@ void examine_tets(const TetMesh& mesh, const MeshRepair& repaired, MeshReport& r
     smallest_cosine = std::min(smallest_cosine, shape.smallest_cosine);
     if (shape.largest_cosine > sliver_cosine) slivers.push_back({source, degrees(shape.largest_cosine)});
     const int number = mesh.regions[source];
-    MeshReport::Region& region =
-        regions.try_emplace(number, MeshReport::Region{number, "", 0, 0}).first->second;
+    MeshReport::Region& region = regions.try_emplace(number, MeshReport::Region{number, "", 0, 0}).first->second;
     ++region.tets;
     region.volume += shape.volume;
   }
@@ -92,15 +88,13 @@ void examine_tets(const TetMesh& mesh, const MeshRepair& repaired, MeshReport& r
   report.smallest_dihedral_deg = degrees(largest_cosine);
   report.largest_dihedral_deg = degrees(smallest_cosine);
   report.slivers = slivers.size();
-  std::stable_sort(slivers.begin(), slivers.end(),
-                   [](const MeshReport::Sliver& a, const MeshReport::Sliver& b) {
-                     return a.smallest_dihedral_deg < b.smallest_dihedral_deg;
-                   });
+  std::stable_sort(slivers.begin(), slivers.end(), [](const MeshReport::Sliver& a, const MeshReport::Sliver& b) {
+    return a.smallest_dihedral_deg < b.smallest_dihedral_deg;
+  });
   slivers.resize(std::min(slivers.size(), kNamedTets));
   report.worst_slivers = slivers;
   for (auto& [number, region] : regions) {
-    if (const auto name = mesh.region_names.find(number); name != mesh.region_names.end())
-      region.name = name->second;
+    if (const auto name = mesh.region_names.find(number); name != mesh.region_names.end()) region.name = name->second;
     report.regions.push_back(region);
   }
 }
@@ -166,10 +160,9 @@ void examine_boundary(const std::vector<Triangle>& triangles, std::size_t vertex
     fans[one.high] -= corners.join(one.high_corner, other.high_corner);
   }
   report.boundary_triangles = triangles.size();
-  report.nonmanifold_vertices = static_cast<std::size_t>(
-      std::count_if(fans.begin(), fans.end(), [](std::uint32_t count) { return count > 1; }));
-  report.boundary_manifold =
-      !triangles.empty() && report.nonmanifold_edges == 0 && report.nonmanifold_vertices == 0;
+  report.nonmanifold_vertices =
+      static_cast<std::size_t>(std::count_if(fans.begin(), fans.end(), [](std::uint32_t count) { return count > 1; }));
+  report.boundary_manifold = !triangles.empty() && report.nonmanifold_edges == 0 && report.nonmanifold_vertices == 0;
 }
 
 }  // namespace

@@ -50,20 +50,19 @@ struct MeshReport {
     double volume;  // [m^3]
   };
   std::vector<Region> regions;  // ascending numbers
-  std::string
-      unit_guess;  // empty if the size is plausible in metres, else advice: "6.5 m wide: ... try --set ..."
+  std::string unit_guess;  // empty if the size is plausible in metres, else advice: "6.5 m wide: ... try --set ..."
 };
 MeshReport examine(const TetMesh& mesh, const MeshRepair& repaired);
 
-/// Advice for a mesh whose largest extent [m], scaled by `scale` as it is, is no size of tissue, in words and as a --set; empty if it is
-/// plausible.
+/// Advice for a mesh whose largest extent [m], scaled by `scale` as it is, is no size of tissue, in words and as a
+/// --set; empty if it is plausible.
 std::string guess_unit(double extent, double scale = 1);
 
-/// The scale that makes a mesh of this largest extent [m] the size of tissue, if its file was in another unit; 1 for none that would.
+/// The scale that makes a mesh of this largest extent [m] the size of tissue, if its file was in another unit; 1 for
+/// none that would.
 double scale_to_metres(double extent);
 
 /// The text of `fascia info` for one mesh; names at most kNamedTets of each kind.
-void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired,
-                  const MeshReport& report);
+void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired, const MeshReport& report);
 
 }  // namespace fascia

@@ -6,17 +6,15 @@ namespace fascia {
 
 TetMesh make_box(int nx, int ny, int nz, const Eigen::Vector3d& size) {
   const auto vertex = [=](int i, int j, int k) {
-    const std::size_t row = static_cast<std::size_t>(nx) + 1,
-                      layer = row * (static_cast<std::size_t>(ny) + 1);
-    return static_cast<std::uint32_t>(static_cast<std::size_t>(k) * layer +
-                                      static_cast<std::size_t>(j) * row + static_cast<std::size_t>(i));
+    const std::size_t row = static_cast<std::size_t>(nx) + 1, layer = row * (static_cast<std::size_t>(ny) + 1);
+    return static_cast<std::uint32_t>(static_cast<std::size_t>(k) * layer + static_cast<std::size_t>(j) * row +
+                                      static_cast<std::size_t>(i));
   };
   TetMesh mesh;
   for (int k = 0; k <= nz; ++k) {
     for (int j = 0; j <= ny; ++j) {
       for (int i = 0; i <= nx; ++i) {
-        mesh.positions.push_back(
-            size.cwiseProduct(Eigen::Vector3d(double(i) / nx, double(j) / ny, double(k) / nz)));
+        mesh.positions.push_back(size.cwiseProduct(Eigen::Vector3d(double(i) / nx, double(j) / ny, double(k) / nz)));
       }
     }
   }

@@ -4,8 +4,8 @@
 #include <span>
 #include <sstream>
 
-#include "sim/mesh/mesh_check.h"
 #include "base/text.h"
+#include "sim/mesh/mesh_check.h"
 
 namespace fascia {
 namespace {
@@ -15,8 +15,7 @@ constexpr std::size_t kNamedVertices = 3;
 constexpr double kSmallestTissue = 1e-3, kLargestTissue = 3;  // [m]
 
 /// "degenerate  3 tets left out: ...: 0, 7, 12"; nothing if the list is empty.
-void print_tets(std::ostream& out, const char* label, const std::vector<std::uint32_t>& tets,
-                const char* what) {
+void print_tets(std::ostream& out, const char* label, const std::vector<std::uint32_t>& tets, const char* what) {
   if (tets.empty()) return;
   line(out, label) << plural(tets.size(), "tet") << " " << what << ": ";
   for (std::size_t k = 0; k < tets.size() && k < kNamedTets; ++k) out << (k ? ", " : "") << tets[k];
@@ -26,7 +25,8 @@ void print_tets(std::ostream& out, const char* label, const std::vector<std::uin
 
 void print_far(std::ostream& out, const TetMesh& mesh, const std::vector<std::uint32_t>& vertices) {
   if (vertices.empty()) return;
-  line(out, "far off") << vertices.size() << (vertices.size() == 1 ? " vertex" : " vertices") << " far from all others: ";
+  line(out, "far off") << vertices.size() << (vertices.size() == 1 ? " vertex" : " vertices")
+                       << " far from all others: ";
   for (std::size_t k = 0; k < vertices.size() && k < kNamedVertices; ++k)
     out << (k ? ", " : "") << vertices[k] << " at " << point(mesh.positions[vertices[k]]);
   if (vertices.size() > kNamedVertices) out << " and " << vertices.size() - kNamedVertices << " more";
@@ -48,15 +48,14 @@ void print_slivers(std::ostream& out, const MeshReport& report) {
 
 void print_shape(std::ostream& out, const MeshReport& report) {
   const Eigen::Vector3d size = report.box_max - report.box_min;
-  line(out, "box") << number(size.x()) << " x " << number(size.y()) << " x " << number(size.z())
-                   << " m, from " << point(report.box_min) << " to " << point(report.box_max) << "\n";
+  line(out, "box") << number(size.x()) << " x " << number(size.y()) << " x " << number(size.z()) << " m, from "
+                   << point(report.box_min) << " to " << point(report.box_max) << "\n";
   line(out, "volume") << number(report.volume) << " m^3\n";
   line(out, "edges") << length(report.shortest_edge) << " to " << length(report.longest_edge) << "\n";
-  line(out, "dihedral") << number(report.smallest_dihedral_deg) << " to "
-                        << number(report.largest_dihedral_deg) << " degrees\n";
+  line(out, "dihedral") << number(report.smallest_dihedral_deg) << " to " << number(report.largest_dihedral_deg)
+                        << " degrees\n";
   line(out, "components") << report.components
-                          << (report.components > 1 ? ", which share no vertex and so move independently\n"
-                                                    : "\n");
+                          << (report.components > 1 ? ", which share no vertex and so move independently\n" : "\n");
   line(out, "boundary") << plural(report.boundary_triangles, "triangle");
   if (report.boundary_manifold) {
     out << ", manifold\n";
@@ -72,18 +71,16 @@ void print_regions(std::ostream& out, const std::vector<MeshReport::Region>& reg
   for (const MeshReport::Region& region : regions) name_width = std::max(name_width, region.name.size());
   for (std::size_t k = 0; k < regions.size(); ++k) {
     const MeshReport::Region& region = regions[k];
-    line(out, k == 0 ? "regions" : "")
-        << region.number << "  " << region.name
-        << std::string(name_width - region.name.size() + (name_width ? 2 : 0), ' ')
-        << plural(region.tets, "tet") << ", " << number(region.volume) << " m^3\n";
+    line(out, k == 0 ? "regions" : "") << region.number << "  " << region.name
+                                       << std::string(name_width - region.name.size() + (name_width ? 2 : 0), ' ')
+                                       << plural(region.tets, "tet") << ", " << number(region.volume) << " m^3\n";
   }
 }
 
 void print_groups(std::ostream& out, const TetMesh& mesh) {
   const char* label = "groups";
   for (const auto& [name, vertices] : mesh.groups) {
-    line(out, label) << name << ": " << vertices.size()
-                     << (vertices.size() == 1 ? " vertex\n" : " vertices\n");
+    line(out, label) << name << ": " << vertices.size() << (vertices.size() == 1 ? " vertex\n" : " vertices\n");
     label = "";
   }
 }
@@ -104,8 +101,10 @@ struct UnitGuess {
   const char* question;
   double scale;
 };
-constexpr UnitGuess kTooLarge[] = {{"made in millimetres?", 1e-3}, {"in centimetres?", 1e-2}, {"in micrometres?", 1e-6}};
-constexpr UnitGuess kTooSmall[] = {{"converted from millimetres twice?", 1e3}, {"converted from micrometres twice?", 1e6}};
+constexpr UnitGuess kTooLarge[] = {
+    {"made in millimetres?", 1e-3}, {"in centimetres?", 1e-2}, {"in micrometres?", 1e-6}};
+constexpr UnitGuess kTooSmall[] = {{"converted from millimetres twice?", 1e3},
+                                   {"converted from micrometres twice?", 1e6}};
 
 bool is_tissue(double extent) { return extent >= kSmallestTissue && extent <= kLargestTissue; }
 
@@ -126,7 +125,8 @@ std::string guess_unit(double extent, double scale) {
   std::string advice;
   for (const UnitGuess& guess : unit_guesses(extent))
     advice += std::string(advice.empty() ? "was the file " : "; or ") + guess.question +
-              " try --set bodies.0.transform.scale=" + number(guess.scale * scale) + " (" + length(extent * guess.scale) + " wide)";
+              " try --set bodies.0.transform.scale=" + number(guess.scale * scale) + " (" +
+              length(extent * guess.scale) + " wide)";
   if (advice.empty()) advice = "for 10 cm, try --set bodies.0.transform.scale=" + number(0.1 / extent * scale);
   return length(extent) + " wide, too " + (extent > kLargestTissue ? "large" : "small") + " for tissue: " + advice;
 }
@@ -136,13 +136,13 @@ double scale_to_metres(double extent) {
   return guesses.empty() ? 1 : guesses.front().scale;
 }
 
-void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired,
-                  const MeshReport& report) {
+void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired, const MeshReport& report) {
   line(out, "format") << file.format << "\n";
   line(out, "vertices") << report.vertex_count;
   if (report.unused_vertices > 0) out << ", " << report.unused_vertices << " of them in no usable tet";
   if (report.coincident_vertices > 0)
-    out << ", " << report.coincident_vertices << " of them at the place of an earlier one, not joined: convert --weld makes them one";
+    out << ", " << report.coincident_vertices
+        << " of them at the place of an earlier one, not joined: convert --weld makes them one";
   out << "\n";
   line(out, "tets") << report.tet_count;
   if (report.usable_tets != report.tet_count) out << ", " << report.usable_tets << " of them usable";

@@ -28,8 +28,7 @@ Face make_face(const std::vector<Tet>& tets, std::size_t id) {
 }
 
 /// All faces, grouped by their lowest vertex: a counting sort, so that only short runs are left to compare.
-std::vector<Face> faces_by_lowest_vertex(const std::vector<Tet>& tets,
-                                         std::vector<std::size_t>& group_begin) {
+std::vector<Face> faces_by_lowest_vertex(const std::vector<Tet>& tets, std::vector<std::size_t>& group_begin) {
   std::uint32_t last = 0;
   for (const Tet& tet : tets) last = std::max(last, *std::max_element(tet.begin(), tet.end()));
   group_begin.assign(std::size_t{last} + 2, 0);

@@ -12,7 +12,6 @@ std::vector<Triangle> boundary_triangles(const std::vector<Tet>& tets);
 /// [boundary triangle] the tet that it bounds, in the order of boundary_triangles.
 std::vector<std::uint32_t> tets_at_boundary(const std::vector<Tet>& tets);
 
-
 constexpr std::uint32_t kNoTet = ~0u;
 /// [4 * tet_count] the tet across the face opposite to each corner; kNoTet where there is none, or more than one.
 std::vector<std::uint32_t> tets_across_faces(const std::vector<Tet>& tets);

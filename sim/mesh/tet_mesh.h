@@ -14,16 +14,17 @@ using Tet = std::array<std::uint32_t, 4>;
 using Triangle = std::array<std::uint32_t, 3>;
 
 struct TetMesh {
-  std::vector<Eigen::Vector3d> positions;     // [vertex_count] rest positions [m], unreferenced vertices included
-  std::vector<Tet> tets;                      // [tet_count] in the file's order and winding
-  std::vector<int> regions;                   // [tet_count] region number (Gmsh physical tag, TetGen attribute); 0 if none
-  std::map<int, std::string> region_names;    // names of region numbers, where the file has them
+  std::vector<Eigen::Vector3d> positions;  // [vertex_count] rest positions [m], unreferenced vertices included
+  std::vector<Tet> tets;                   // [tet_count] in the file's order and winding
+  std::vector<int> regions;                // [tet_count] region number (Gmsh physical tag, TetGen attribute); 0 if none
+  std::map<int, std::string> region_names;  // names of region numbers, where the file has them
   /// Vertex sets that scenes select by name: every physical group of the file, of any dimension, under its name
   /// (under its number in decimal if it has none). Ascending vertex indices.
   std::map<std::string, std::vector<std::uint32_t>> groups;
 };
 
-/// Six times the signed volume of the tet (a, b, c, d); positive when d lies on the side that b-a, c-a span right-handedly.
+/// Six times the signed volume of the tet (a, b, c, d); positive when d lies on the side that b-a, c-a span
+/// right-handedly.
 inline double signed_volume6(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                              const Eigen::Vector3d& d) {
   return (b - a).cross(c - a).dot(d - a);

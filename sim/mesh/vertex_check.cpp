@@ -7,7 +7,8 @@
 namespace fascia {
 namespace {
 
-constexpr double kFarLengths = 1e4;  // of the length that holds the middle half of the vertices; graded meshes stay well below
+// Of the length that holds the middle half of the vertices; graded meshes stay well below
+constexpr double kFarLengths = 1e4;
 
 std::vector<char> vertices_of(const std::vector<Tet>& tets, std::size_t vertex_count) {
   std::vector<char> used(vertex_count, 0);
@@ -23,8 +24,11 @@ using Eigen::Vector3d;
 std::vector<std::uint32_t> first_at_place(const std::vector<Vector3d>& positions) {
   std::vector<std::uint32_t> order(positions.size()), first(positions.size());
   std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t v) { return std::array<double, 3>{positions[v].x(), positions[v].y(), positions[v].z()}; };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+  const auto key = [&](std::uint32_t v) {
+    return std::array<double, 3>{positions[v].x(), positions[v].y(), positions[v].z()};
+  };
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
     first[order[i]] = same ? first[order[i - 1]] : order[i];

@@ -1,5 +1,5 @@
-// Vertices where no mesh should have them: several at one place, at which it comes apart without a gap to be seen, and single ones far
-// from all others.
+// Vertices where no mesh should have them: several at one place, at which it comes apart without a gap to be seen, and
+// single ones far from all others.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,8 @@ std::size_t count_coincident(const std::vector<Eigen::Vector3d>& positions, cons
 /// Makes vertices at one place one, the first of them; the others keep their order. Returns how many are gone.
 std::size_t weld(TetMesh& mesh);
 
-/// Ascending vertices of the tets that lie 10,000 times as far out as most: slips of a digit or an exponent, hardly a shape.
+/// Ascending vertices of the tets that lie 10,000 times as far out as most: slips of a digit or an exponent, hardly a
+/// shape.
 std::vector<std::uint32_t> far_vertices(const TetMesh& mesh);
 
 }  // namespace fascia

@@ -25,7 +25,8 @@ FileReader::File FileReader::read(const std::string& path, const std::string& ke
     } catch (const Error& error) {
       throw Error(named + error.what());
     }
-    if (file.place != scene_.resolve(path)) notes.push_back(named + path + ": no such file; read " + file.place.string());
+    if (file.place != scene_.resolve(path))
+      notes.push_back(named + path + ": no such file; read " + file.place.string());
   }
   remember(file);
   return file;
@@ -40,7 +41,8 @@ FileReader::File FileReader::find_beside(const File& file, const std::string& na
   }
   if (std::error_code ec; !fs::exists(other.place, ec)) {
     const Search searched = scene_.carries(file.path) ? Search{} : search(scene_, other.path);
-    if (!searched.found) throw Error(other.place.string(), "no such file", "expected beside " + file.place.filename().string());
+    if (!searched.found)
+      throw Error(other.place.string(), "no such file", "expected beside " + file.place.filename().string());
     other.place = *searched.found;
   }
   other.content = read_file(other.place);
@@ -55,7 +57,8 @@ void FileReader::remember(const File& file, const std::string& name) {
     if (known->size != read.file.size || known->hash != read.file.hash)
       notes.push_back(file.place.string() + ": has changed since " + where() + " was written");
   }
-  if (std::none_of(files.begin(), files.end(), [&](const ReadFile& f) { return f.key == file.key && f.name == name; })) files.push_back(std::move(read));
+  if (std::none_of(files.begin(), files.end(), [&](const ReadFile& f) { return f.key == file.key && f.name == name; }))
+    files.push_back(std::move(read));
 }
 
 SurfaceMesh FileReader::surface(const File& file) {

@@ -1,10 +1,11 @@
-// Reads the files of a scene: what the scene carries, or what lies on disk. Notes what it found, so that a recording can carry it.
+// Reads the files of a scene: what the scene carries, or what lies on disk. Notes what it found, so that a recording
+// can carry it.
 #pragma once
 #include <string>
 #include <vector>
 
-#include "sim/mesh/io/mesh_io.h"
 #include "base/progress.h"
+#include "sim/mesh/io/mesh_io.h"
 #include "sim/scene/scene.h"
 #include "sim/surface/surface_mesh.h"
 
@@ -15,9 +16,9 @@ class FileReader {
   explicit FileReader(const Scene& scene) : scene_(scene) {}
 
   struct File {
-    std::string path;                 // as the scene has it
-    std::string key;                  // that names it: "bodies[0].mesh"
-    std::filesystem::path place;      // on disk, or as errors name what the scene carries: scene.json/m.msh
+    std::string path;             // as the scene has it
+    std::string key;              // that names it: "bodies[0].mesh"
+    std::filesystem::path place;  // on disk, or as errors name what the scene carries: scene.json/m.msh
     std::string content;
   };
   /// Throws Error "scene.json: bodies[0].mesh: m.msh: ..." for a file that cannot be read.

@@ -34,7 +34,8 @@ HandForce& entry(std::vector<HandForce>& forces, std::uint32_t hand) {
 }  // namespace
 
 std::vector<HandForce> forces_of_hands(const std::vector<GrabSpring>& springs, const std::vector<GrabSpring>& joined,
-                                       const std::vector<std::uint32_t>& place, const std::vector<Eigen::Vector3d>& forces) {
+                                       const std::vector<std::uint32_t>& place,
+                                       const std::vector<Eigen::Vector3d>& forces) {
   std::vector<HandForce> result;
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const GrabSpring &part = springs[i], &whole = joined[place[i]];
@@ -45,7 +46,8 @@ std::vector<HandForce> forces_of_hands(const std::vector<GrabSpring>& springs, c
   return result;
 }
 
-std::vector<HandForce> forces_of_hands(const std::vector<GrabSpring>& springs, const std::vector<Eigen::Vector3d>& displacement) {
+std::vector<HandForce> forces_of_hands(const std::vector<GrabSpring>& springs,
+                                       const std::vector<Eigen::Vector3d>& displacement) {
   std::vector<HandForce> result;
   for (const GrabSpring& s : springs) entry(result, s.hand).force += s.stiffness * (s.target - displacement[s.vertex]);
   return result;

@@ -17,9 +17,9 @@ struct GrabSpring {
 /// Hands of a scene's "grabs" count from here, those of the mouse from 0.
 inline constexpr std::uint32_t kFirstScriptedHand = 1u << 16;
 
-/// One spring per vertex that pulls as all of a vertex together do: the sum of their stiffnesses, at the mean of their targets that
-/// the stiffnesses weigh. In the order in which the vertices first appear; a vertex with one spring keeps its numbers. `place`
-/// receives [springs.size()] where the spring went.
+/// One spring per vertex that pulls as all of a vertex together do: the sum of their stiffnesses, at the mean of their
+/// targets that the stiffnesses weigh. In the order in which the vertices first appear; a vertex with one spring keeps
+/// its numbers. `place` receives [springs.size()] where the spring went.
 std::vector<GrabSpring> joined(const std::vector<GrabSpring>& springs, std::vector<std::uint32_t>& place);
 
 struct HandForce {
@@ -27,12 +27,14 @@ struct HandForce {
   Eigen::Vector3d force{0, 0, 0};  // on the tissue [N]
 };
 
-/// What each hand has of the forces [N] of joined springs, [joined.size()]: they add up to the whole, whoever solved it. In the
-/// order in which the hands first appear.
+/// What each hand has of the forces [N] of joined springs, [joined.size()]: they add up to the whole, whoever solved
+/// it. In the order in which the hands first appear.
 std::vector<HandForce> forces_of_hands(const std::vector<GrabSpring>& springs, const std::vector<GrabSpring>& joined,
-                                       const std::vector<std::uint32_t>& place, const std::vector<Eigen::Vector3d>& forces);
+                                       const std::vector<std::uint32_t>& place,
+                                       const std::vector<Eigen::Vector3d>& forces);
 
 /// The same from displacements [vertex_count] [m].
-std::vector<HandForce> forces_of_hands(const std::vector<GrabSpring>& springs, const std::vector<Eigen::Vector3d>& displacement);
+std::vector<HandForce> forces_of_hands(const std::vector<GrabSpring>& springs,
+                                       const std::vector<Eigen::Vector3d>& displacement);
 
 }  // namespace fascia

@@ -5,25 +5,26 @@
 #include <bit>
 #include <utility>
 
-#include "sim/model/vertex_csv.h"
 #include "base/error.h"
-#include "sim/model/file_reader.h"
-#include "sim/model/unconstrained_parts.h"
-#include "sim/mesh/mesh_check.h"
-#include "sim/mesh/io/mesh_io.h"
-#include "sim/model/region_materials.h"
-#include "sim/model/prescribed_motion.h"
-#include "sim/model/vertex_selection.h"
 #include "base/text.h"
-#include "sim/surface/surface_fill.h"
+#include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_check.h"
 #include "sim/mesh/vertex_check.h"
+#include "sim/model/file_reader.h"
+#include "sim/model/prescribed_motion.h"
+#include "sim/model/region_materials.h"
+#include "sim/model/unconstrained_parts.h"
+#include "sim/model/vertex_csv.h"
+#include "sim/model/vertex_selection.h"
+#include "sim/surface/surface_fill.h"
 
 namespace fascia {
 namespace {
 
 using Eigen::Vector3d;
 
-/// Edges of a tet that a surface may stand off before anybody is told: a filled surface always does a little, between its vertices.
+/// Edges of a tet that a surface may stand off before anybody is told: a filled surface always does a little, between
+/// its vertices.
 constexpr double kNotedDistance = 0.4;
 
 /// One body on its way into the model.
@@ -46,10 +47,10 @@ LoadedBody begin_body(const Scene& scene, std::size_t index, FileReader& files) 
 void repair_body(LoadedBody& loaded, const std::string& mesh_name) {
   loaded.repaired = repair(loaded.file.mesh);
   if (loaded.repaired.tets.empty()) {
-    throw Error(
-        mesh_name,
-        "has no tet higher than 1e-7 of its longest edge (" + std::to_string(loaded.repaired.degenerate.size()) + " degenerate)",
-        "expected at least one");
+    throw Error(mesh_name,
+                "has no tet higher than 1e-7 of its longest edge (" +
+                    std::to_string(loaded.repaired.degenerate.size()) + " degenerate)",
+                "expected at least one");
   }
   loaded.used = used_vertices(loaded.repaired.tets, loaded.file.mesh.positions.size());
 }
@@ -62,7 +63,8 @@ LoadedBody load(const Scene& scene, std::size_t index, FileReader& files, const 
   const std::filesystem::path path = mesh.place;
   if (is_surface_file(path)) {
     SurfaceMesh surface = files.surface(std::exchange(mesh, {}));
-    FilledSurface filled = fill_surface(std::move(surface), path.string(), body.resolution, part_of(progress, 0.1, 0.9));
+    FilledSurface filled =
+        fill_surface(std::move(surface), path.string(), body.resolution, part_of(progress, 0.1, 0.9));
     loaded.file = std::move(filled.file);
     loaded.surface = std::move(filled.surface);
   } else {
@@ -134,12 +136,13 @@ std::vector<char> add_constraints(const LoadedBody& loaded, std::uint32_t vertex
   std::vector<std::size_t> motion_of(mesh.positions.size(), kNone);
   for (std::size_t m = 0; m < loaded.body.prescribed.size(); ++m) {
     const std::string element = ".prescribed[" + std::to_string(m) + "]", where = loaded.where + element;
-    Motion motion = resolve_motion(loaded.body.prescribed[m], loaded.files, mesh, loaded.used, where, loaded.key + element);
+    Motion motion =
+        resolve_motion(loaded.body.prescribed[m], loaded.files, mesh, loaded.used, where, loaded.key + element);
     for (std::uint32_t& vertex : motion.vertices) {
       if (motion_of[vertex] != kNone) {
         throw Error(where,
-                    "moves vertex " + std::to_string(vertex) + ", as prescribed[" +
-                        std::to_string(motion_of[vertex]) + "] does",
+                    "moves vertex " + std::to_string(vertex) + ", as prescribed[" + std::to_string(motion_of[vertex]) +
+                        "] does",
                     "expected each vertex in one motion");
       }
       motion_of[vertex] = m;
@@ -150,8 +153,7 @@ std::vector<char> add_constraints(const LoadedBody& loaded, std::uint32_t vertex
   std::vector<char> held(mesh.positions.size(), 0);
   for (std::size_t s = 0; s < loaded.body.fixed.size(); ++s) {
     const std::string where = loaded.where + ".fixed[" + std::to_string(s) + "]";
-    for (const std::uint32_t vertex : select_vertices(loaded.body.fixed[s], mesh, loaded.used, where))
-      held[vertex] = 1;
+    for (const std::uint32_t vertex : select_vertices(loaded.body.fixed[s], mesh, loaded.used, where)) held[vertex] = 1;
   }
   for (std::uint32_t v = 0; v < held.size(); ++v) {
     const bool is_moved = motion_of[v] != kNone;
@@ -203,7 +205,8 @@ void add_surface(LoadedBody loaded, const BodyPart& part, Model& model) {
   if (surface.triangles.empty()) return;
   const Eigen::Affine3d place = placement(loaded.body.transform);
   for (Vector3d& p : surface.positions) p = place * p;
-  EmbeddedPoints own = embed(surface.positions, model.file_mesh.positions, {model.tets.begin() + part.tet_begin, model.tets.end()});
+  EmbeddedPoints own =
+      embed(surface.positions, model.file_mesh.positions, {model.tets.begin() + part.tet_begin, model.tets.end()});
   EmbeddedPoints& all = model.embedded;
   all.points.insert(all.points.end(), own.points.begin(), own.points.end());
   all.ties.insert(all.ties.end(), own.ties.begin(), own.ties.end());
@@ -217,7 +220,8 @@ void add_surface(LoadedBody loaded, const BodyPart& part, Model& model) {
   const double size = std::cbrt(6 * std::sqrt(2.0) * volume / part.tet_count);  // edge of a regular tet
   if (own.outside > 0 && own.farthest > kNotedDistance * size)
     model.notes.push_back(part.name + ": " + std::to_string(own.outside) + " of " + std::to_string(own.points.size()) +
-                          " vertices of the surface outside of the tets, at most " + length(own.farthest) + " away: tied to the nearest tet");
+                          " vertices of the surface outside of the tets, at most " + length(own.farthest) +
+                          " away: tied to the nearest tet");
 }
 
 void add_body(LoadedBody loaded, Model& model) {
@@ -242,8 +246,11 @@ Model build_bodies(const Scene& scene, const Progress& progress) {
   model.gravity = scene.gravity;
   model.notes = scene.notes;
   FileReader files(scene);
-  const auto share = [&](std::size_t bodies) { return static_cast<double>(bodies) / static_cast<double>(scene.bodies.size()); };
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(load(scene, b, files, part_of(progress, share(b), share(b + 1))), model);
+  const auto share = [&](std::size_t bodies) {
+    return static_cast<double>(bodies) / static_cast<double>(scene.bodies.size());
+  };
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    add_body(load(scene, b, files, part_of(progress, share(b), share(b + 1))), model);
   model.notes.insert(model.notes.end(), files.notes.begin(), files.notes.end());
   model.files = std::move(files.files);
   model.rest_positions = model.file_mesh.positions;

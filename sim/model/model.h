@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "sim/surface/embedding.h"
-#include "sim/material/material.h"
 #include "base/progress.h"
-#include "sim/scene/scene.h"
-#include "sim/model/scripted_hand.h"
-#include "sim/surface/surface_mesh.h"
+#include "sim/material/material.h"
 #include "sim/mesh/tet_mesh.h"
+#include "sim/model/scripted_hand.h"
+#include "sim/scene/scene.h"
+#include "sim/surface/embedding.h"
+#include "sim/surface/surface_mesh.h"
 
 namespace fascia {
 
@@ -51,8 +51,9 @@ struct Model {
   Eigen::Vector3d gravity{0, -9.81, 0};           // [m/s^2]
   std::vector<BodyPart> bodies;
 
-  std::vector<SurfaceMesh> surfaces;  // [body] placed, drawn instead of the boundary of its tets; without triangles where that is drawn
-  EmbeddedPoints embedded;            // the vertices of all surfaces, one after the other, tied to the tets of their bodies
+  std::vector<SurfaceMesh>
+      surfaces;  // [body] placed, drawn instead of the boundary of its tets; without triangles where that is drawn
+  EmbeddedPoints embedded;  // the vertices of all surfaces, one after the other, tied to the tets of their bodies
 
   TetMesh file_mesh;                      // every vertex and tet of the files (placed), for exports
   std::vector<std::uint32_t> tet_source;  // [tet_count] index of each tet in file_mesh.tets
@@ -64,10 +65,12 @@ struct Model {
   double end_of_hands() const;     // [s] when the last scripted hand has arrived or let go; 0 without any
 };
 
-/// Reads the meshes, surfaces and CSV files of the scene's bodies, without what pulls at them (sim/grab/build_model.h). Throws Error for
-/// anything unreadable, a selection of nothing, a material key that names no region, prescribed targets that miss vertices.
+/// Reads the meshes, surfaces and CSV files of the scene's bodies, without what pulls at them (sim/grab/build_model.h).
+/// Throws Error for anything unreadable, a selection of nothing, a material key that names no region, prescribed
+/// targets that miss vertices.
 Model build_bodies(const Scene& scene, const Progress& progress = {});
-/// The same from meshes in memory, [body], instead of the files that the bodies name. Their vertex indices and positions are taken on trust.
+/// The same from meshes in memory, [body], instead of the files that the bodies name. Their vertex indices and
+/// positions are taken on trust.
 Model build_bodies(const Scene& scene, std::vector<TetMesh> meshes);
 
 /// Lumped masses [vertex_count] [kg]: a quarter of density * volume of each tet per vertex. Zero for

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "sim/model/vertex_csv.h"
 #include "base/error.h"
+#include "sim/model/vertex_csv.h"
 #include "sim/model/vertex_selection.h"
 
 namespace fascia {
@@ -21,8 +21,8 @@ Vector3d Motion::position(std::size_t k, const Vector3d& rest, double t) const {
   return center + (1 + share * (scale - 1)) * (rotation * (rest - center)) + share * translate;
 }
 
-Motion resolve_motion(const PrescribedMotion& motion, FileReader& files, const TetMesh& mesh, const std::vector<char>& used,
-                      const std::string& where, const std::string& key) {
+Motion resolve_motion(const PrescribedMotion& motion, FileReader& files, const TetMesh& mesh,
+                      const std::vector<char>& used, const std::string& where, const std::string& key) {
   Motion result;
   result.start = motion.start;
   result.duration = motion.duration;
@@ -45,9 +45,9 @@ Motion resolve_motion(const PrescribedMotion& motion, FileReader& files, const T
   for (const std::uint32_t vertex : result.vertices) {
     const auto row = std::lower_bound(table.vertices.begin(), table.vertices.end(), vertex);
     if (row == table.vertices.end() || *row != vertex) {
-      throw Error(
-          file.place.string(), "misses vertex " + std::to_string(vertex) + ", which " + where + ".select selects",
-          "expected a line for each of the " + std::to_string(result.vertices.size()) + " selected vertices");
+      throw Error(file.place.string(),
+                  "misses vertex " + std::to_string(vertex) + ", which " + where + ".select selects",
+                  "expected a line for each of the " + std::to_string(result.vertices.size()) + " selected vertices");
     }
     result.targets.push_back(table.values[static_cast<std::size_t>(row - table.vertices.begin())]);
   }

@@ -38,7 +38,8 @@ std::vector<int> named(const std::string& key, const std::map<int, std::string>&
   return found;
 }
 
-[[noreturn]] void fail_unknown(const std::string& key, const std::map<int, std::string>& regions, const std::string& where) {
+[[noreturn]] void fail_unknown(const std::string& key, const std::map<int, std::string>& regions,
+                               const std::string& where) {
   std::vector<std::string> names{"default"}, listed;
   for (const auto& [number, name] : regions) {
     if (!name.empty()) names.push_back(name);

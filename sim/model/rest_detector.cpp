@@ -7,7 +7,8 @@ namespace {
 
 constexpr double kQuiet = 0.25;  // [s] that a pendulum may stand still at its turn
 constexpr int kLooks = 2;        // at least, however long the steps
-// Of a displacement, in float32: what an iteration that has converged goes on moving it by was never seen above half of this.
+// Of a displacement, in float32: what an iteration that has converged goes on moving it by was never seen above half of
+// this.
 constexpr double kRounding = 6e-6;
 
 }  // namespace
@@ -17,7 +18,9 @@ bool is_still(double way, double seconds, double displacement, const SolverSetti
 }
 
 bool RestWatch::add(const Movement& movement, const SolverSettings& settings, double size) {
-  const auto still = [&](double way, double seconds) { return is_still(way, seconds, movement.displacement, settings, size); };
+  const auto still = [&](double way, double seconds) {
+    return is_still(way, seconds, movement.displacement, settings, size);
+  };
   const double h = settings.substep();
   if (still(movement.way, movement.duration) && still(h * movement.speed, h)) {
     quiet_ += movement.duration;

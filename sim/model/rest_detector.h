@@ -1,4 +1,5 @@
-// When a body is at rest: nothing in it has moved for a while by more than what counts (solver.rest_speed) or what float32 rounds.
+// When a body is at rest: nothing in it has moved for a while by more than what counts (solver.rest_speed) or what
+// float32 rounds.
 #pragma once
 #include "sim/scene/settings/solver_settings.h"
 
@@ -12,8 +13,8 @@ struct Movement {
   double displacement = 0;  // now [m]
 };
 
-/// Whether a way [m] within `seconds` is no movement: below solver.rest_speed, or what float32 rounds of a displacement [m]. `size` of the
-/// scene [m].
+/// Whether a way [m] within `seconds` is no movement: below solver.rest_speed, or what float32 rounds of a displacement
+/// [m]. `size` of the scene [m].
 bool is_still(double way, double seconds, double displacement, const SolverSettings& settings, double size);
 
 class RestWatch {
@@ -22,11 +23,14 @@ class RestWatch {
   bool add(const Movement& motion, const SolverSettings& settings, double size);
   double quiet() const { return quiet_; }  // [s] at rest without a break
   /// Something acts on it anew.
-  void restart() { quiet_ = 0; looks_ = 0; }
+  void restart() {
+    quiet_ = 0;
+    looks_ = 0;
+  }
 
  private:
   double quiet_ = 0;
-  int looks_ = 0;     // in that time
+  int looks_ = 0;  // in that time
 };
 
 }  // namespace fascia

@@ -18,9 +18,7 @@ Vector3d ScriptedHand::displacement(double t) const {
   return path.back().displacement;
 }
 
-double ScriptedHand::end() const {
-  return std::isfinite(release) ? release : std::max(start, path.back().time);
-}
+double ScriptedHand::end() const { return std::isfinite(release) ? release : std::max(start, path.back().time); }
 
 namespace {
 

@@ -1,4 +1,5 @@
-// Springs that pull at vertices of a model along a path: a function of time alone, so that steps repeat to the bit from wherever they start.
+// Springs that pull at vertices of a model along a path: a function of time alone, so that steps repeat to the bit from
+// wherever they start.
 #pragma once
 #include <limits>
 #include <span>
@@ -10,13 +11,13 @@
 namespace fascia {
 
 struct ScriptedHand {
-  std::vector<GrabSpring> grip;  // at rest: targets are zero
+  std::vector<GrabSpring> grip;         // at rest: targets are zero
   std::vector<ScriptedGrab::Key> path;  // in seconds of the scene; one key at least
   bool smooth = false;
   double start = 0, release = std::numeric_limits<double>::infinity();  // [s]
 
   Eigen::Vector3d displacement(double t) const;  // of the springs' targets [m]
-  double end() const;  // [s] from then on nothing changes
+  double end() const;                            // [s] from then on nothing changes
 };
 
 /// Springs of all hands of the script that hold at the end of a step at time t [s], after those of others.

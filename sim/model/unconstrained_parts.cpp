@@ -52,8 +52,9 @@ std::string note_of_loose_parts(const Model& model) {
     for (const GrabSpring& spring : hand.grip) held[spring.vertex] = 1;
   const LooseParts loose = loose_parts(model, held);
   if (loose.parts == 0 || loose.held_parts == 0) return "";
-  return plural(loose.parts, "part") + " of " + std::to_string(loose.vertices) + " vertices in all " + (loose.parts == 1 ? "is" : "are") +
-         " held nowhere and will fall (" + vertex_name(model, loose.first) + "): no vertex shared with what is fixed or prescribed";
+  return plural(loose.parts, "part") + " of " + std::to_string(loose.vertices) + " vertices in all " +
+         (loose.parts == 1 ? "is" : "are") + " held nowhere and will fall (" + vertex_name(model, loose.first) +
+         "): no vertex shared with what is fixed or prescribed";
 }
 
 }  // namespace fascia

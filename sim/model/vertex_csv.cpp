@@ -46,8 +46,7 @@ std::optional<std::array<std::string_view, 4>> split(std::string_view line) {
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t kLongest = 40;
-  std::string copy =
-      text.size() > kLongest ? std::string(text.substr(0, kLongest)) + "..." : std::string(text);
+  std::string copy = text.size() > kLongest ? std::string(text.substr(0, kLongest)) + "..." : std::string(text);
   for (char& c : copy) c = static_cast<unsigned char>(c) < ' ' ? '?' : c;
   return "\"" + copy + "\"";
 }
@@ -58,8 +57,7 @@ struct Row {
   Eigen::Vector3d value;
 };
 
-Row parse_row(const std::array<std::string_view, 4>& fields, const std::string& where,
-              std::size_t vertex_count) {
+Row parse_row(const std::array<std::string_view, 4>& fields, const std::string& where, std::size_t vertex_count) {
   const auto index = parse<std::int64_t>(fields[0]);
   if (!index) throw Error(where, quoted(fields[0]) + " is no vertex index", "expected index,x,y,z");
   if (*index < 0 || static_cast<std::size_t>(*index) >= vertex_count) {
@@ -109,10 +107,10 @@ VertexTable read_vertex_csv_content(const std::filesystem::path& path, std::stri
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.vertex < b.vertex; });
   for (std::size_t r = 1; r < rows.size(); ++r) {
     if (rows[r].vertex != rows[r - 1].vertex) continue;
-    throw Error(path.string() + ":" + std::to_string(rows[r].line),
-                "vertex " + std::to_string(rows[r].vertex) + " stands on line " +
-                    std::to_string(rows[r - 1].line) + " already",
-                "expected each vertex once");
+    throw Error(
+        path.string() + ":" + std::to_string(rows[r].line),
+        "vertex " + std::to_string(rows[r].vertex) + " stands on line " + std::to_string(rows[r - 1].line) + " already",
+        "expected each vertex once");
   }
   VertexTable table;
   for (const Row& row : rows) {
@@ -126,14 +124,15 @@ std::vector<Eigen::Vector3d> read_complete_vertex_csv(const std::filesystem::pat
   return read_complete_vertex_csv(path, read_file(path), vertex_count);
 }
 
-std::vector<Eigen::Vector3d> read_complete_vertex_csv(const std::filesystem::path& path, std::string_view content, std::size_t vertex_count) {
+std::vector<Eigen::Vector3d> read_complete_vertex_csv(const std::filesystem::path& path, std::string_view content,
+                                                      std::size_t vertex_count) {
   VertexTable table = read_vertex_csv_content(path, content, vertex_count);
   if (table.vertices.size() == vertex_count) return std::move(table.values);
   std::size_t missing = 0;  // the first row that does not hold the vertex of its number
   while (missing < table.vertices.size() && table.vertices[missing] == missing) ++missing;
   throw Error(path.string(),
-              "misses " + std::to_string(vertex_count - table.vertices.size()) + " of " +
-                  std::to_string(vertex_count) + " vertices, the first is " + std::to_string(missing),
+              "misses " + std::to_string(vertex_count - table.vertices.size()) + " of " + std::to_string(vertex_count) +
+                  " vertices, the first is " + std::to_string(missing),
               "expected a line for every vertex");
 }
 

@@ -24,6 +24,7 @@ VertexTable read_vertex_csv_content(const std::filesystem::path& path, std::stri
 
 /// The same, and every vertex must have a row: [vertex_count].
 std::vector<Eigen::Vector3d> read_complete_vertex_csv(const std::filesystem::path& path, std::size_t vertex_count);
-std::vector<Eigen::Vector3d> read_complete_vertex_csv(const std::filesystem::path& path, std::string_view content, std::size_t vertex_count);
+std::vector<Eigen::Vector3d> read_complete_vertex_csv(const std::filesystem::path& path, std::string_view content,
+                                                      std::size_t vertex_count);
 
 }  // namespace fascia

@@ -33,8 +33,7 @@ struct Selector {
     });
   }
   std::vector<std::uint32_t> operator()(const SphereSelection& sphere) const {
-    return all_where(
-        [&](std::uint32_t v) { return (mesh.positions[v] - sphere.center).norm() <= sphere.radius; });
+    return all_where([&](std::uint32_t v) { return (mesh.positions[v] - sphere.center).norm() <= sphere.radius; });
   }
   std::vector<std::uint32_t> operator()(const VertexSelection& selection) const {
     std::vector<std::uint32_t> vertices = selection.vertices;
@@ -84,8 +83,8 @@ std::string extent_of(const TetMesh& mesh, const std::vector<char>& used) {
     high = high.cwiseMax(mesh.positions[v]);
   }
   char text[200];
-  std::snprintf(text, sizeof text, "%zu vertices, from (%g, %g, %g) to (%g, %g, %g)", count, low.x(), low.y(),
-                low.z(), high.x(), high.y(), high.z());
+  std::snprintf(text, sizeof text, "%zu vertices, from (%g, %g, %g) to (%g, %g, %g)", count, low.x(), low.y(), low.z(),
+                high.x(), high.y(), high.z());
   return text;
 }
 
@@ -103,9 +102,9 @@ std::vector<std::uint32_t> select_vertices(const Selection& selection, const Tet
                                            const std::vector<char>& used, const std::string& where) {
   std::vector<std::uint32_t> vertices = std::visit(Selector{mesh, used, where}, selection);
   if (std::none_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return used[v]; })) {
-    const std::string found =
-        vertices.empty() ? "selects nothing"
-                         : "selects no vertex of a tet (" + std::to_string(vertices.size()) + " unused)";
+    const std::string found = vertices.empty()
+                                  ? "selects nothing"
+                                  : "selects no vertex of a tet (" + std::to_string(vertices.size()) + " unused)";
     throw Error(where, found, "expected some of the " + extent_of(mesh, used));
   }
   return vertices;

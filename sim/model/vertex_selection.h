@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/scene.h"
 #include "sim/mesh/tet_mesh.h"
+#include "sim/scene/scene.h"
 
 namespace fascia {
 

@@ -36,8 +36,8 @@ class UsedColors {
 };
 
 // Sorts tets by color and finishes the coloring.
-void sort_by_color(Coloring& coloring, const std::vector<std::uint32_t>& visit, const std::vector<std::uint32_t>& color_of,
-                   const std::vector<std::uint32_t>& size) {
+void sort_by_color(Coloring& coloring, const std::vector<std::uint32_t>& visit,
+                   const std::vector<std::uint32_t>& color_of, const std::vector<std::uint32_t>& size) {
   coloring.begin.assign(size.size() + 1, 0);
   std::partial_sum(size.begin(), size.end(), coloring.begin.begin() + 1);
   std::vector<std::uint32_t> next(coloring.begin.begin(), coloring.begin.end() - 1);
@@ -45,7 +45,8 @@ void sort_by_color(Coloring& coloring, const std::vector<std::uint32_t>& visit, 
   for (const std::uint32_t t : visit) coloring.order[next[color_of[t]]++] = t;
 }
 
-Coloring color_exactly(const std::vector<Tet>& tets, const std::vector<char>& held, const std::vector<std::uint32_t>& visit) {
+Coloring color_exactly(const std::vector<Tet>& tets, const std::vector<char>& held,
+                       const std::vector<std::uint32_t>& visit) {
   UsedColors used(held.size());
   std::vector<std::uint32_t> color_of(tets.size()), size;
   const auto allowed = [&](const Tet& tet, std::uint32_t color) {
@@ -146,8 +147,8 @@ Coloring color_with_phantoms(const std::vector<Tet>& tets, const std::vector<cha
 
 }  // namespace
 
-Coloring color_tets(const std::vector<Tet>& tets, const std::vector<char>& held, const std::vector<std::uint32_t>& visit,
-                    std::uint32_t max_colors) {
+Coloring color_tets(const std::vector<Tet>& tets, const std::vector<char>& held,
+                    const std::vector<std::uint32_t>& visit, std::uint32_t max_colors) {
   return max_colors == 0 ? color_exactly(tets, held, visit)
                          : color_with_phantoms(tets, held, visit, std::min<std::uint32_t>(max_colors, 64));
 }

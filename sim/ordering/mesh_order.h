@@ -1,5 +1,6 @@
-// Where a solver keeps a model's tets and vertices: along a space-filling curve, so that what a kernel reads of neighbors lies close
-// together whatever order the mesh file had. Everything outside of the solver counts vertices as the model does.
+// Where a solver keeps a model's tets and vertices: along a space-filling curve, so that what a kernel reads of
+// neighbors lies close together whatever order the mesh file had. Everything outside of the solver counts vertices as
+// the model does.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -15,7 +16,8 @@ struct Placement {
   std::vector<std::uint32_t> place;   // [vertex_count] of each of the model's vertices
 };
 
-/// Vertices in the order in which the tets meet them, then, among neighbors, those with as many tets side by side; those with none come last.
+/// Vertices in the order in which the tets meet them, then, among neighbors, those with as many tets side by side;
+/// those with none come last.
 Placement placement_of(const Model& model);
 /// Vertices where they are in the model.
 Placement unmoved(const Model& model);

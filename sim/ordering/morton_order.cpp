@@ -30,7 +30,8 @@ std::vector<std::uint32_t> curve_order(const std::vector<Eigen::Vector3d>& posit
   std::vector<std::uint32_t> code(tets.size()), order(tets.size());
   for (std::size_t t = 0; t < tets.size(); ++t) {
     const Tet& tet = tets[t];
-    const Eigen::Vector3d center = 0.25 * (positions[tet[0]] + positions[tet[1]] + positions[tet[2]] + positions[tet[3]]);
+    const Eigen::Vector3d center =
+        0.25 * (positions[tet[0]] + positions[tet[1]] + positions[tet[2]] + positions[tet[3]]);
     const Eigen::Vector3d cell = scale * (center - least);
     for (int axis = 0; axis < 3; ++axis) code[t] |= spread(static_cast<std::uint32_t>(cell[axis])) << axis;
   }
@@ -53,7 +54,9 @@ std::vector<std::uint32_t> solved_tets(const Model& model) {
 TetPairing paired_tets(const Model& model) {
   TetPairing pairing = pair_tets(model.tets, solved_tets(model));
   const auto volume = [&](std::uint32_t t) {
-    const auto edge = [&](int k) -> Eigen::Vector3d { return model.rest_positions[model.tets[t][k]] - model.rest_positions[model.tets[t][0]]; };
+    const auto edge = [&](int k) -> Eigen::Vector3d {
+      return model.rest_positions[model.tets[t][k]] - model.rest_positions[model.tets[t][0]];
+    };
     return edge(1).cross(edge(2)).dot(edge(3));
   };
   for (std::size_t i = 0; i < pairing.pair_count; ++i) {

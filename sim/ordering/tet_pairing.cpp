@@ -30,7 +30,8 @@ Tet with_last(const Tet& tet, int corner) {
 // Matches tets across faces.
 class Matching {
  public:
-  explicit Matching(const std::vector<Tet>& tets) : tets_(tets), across_(tets_across_faces(tets)), partner_(tets.size(), kNoTet), choices_(tets.size(), 0) {
+  explicit Matching(const std::vector<Tet>& tets)
+      : tets_(tets), across_(tets_across_faces(tets)), partner_(tets.size(), kNoTet), choices_(tets.size(), 0) {
     for (std::size_t k = 0; k < across_.size(); ++k) choices_[k / 4] += across_[k] != kNoTet;
     for (std::uint32_t t = 0; t < tets.size(); ++t)
       if (choices_[t] == 1) forced_.push_back(t);
@@ -82,7 +83,8 @@ bool align_at_face(Tet& a, Tet& b) {
   if (x < 0 || y < 0) return false;
   const Tet first = with_last(a, x);
   Tet second = with_last(b, y);
-  for (int turn = 0; turn < 3 && second[0] != first[0]; ++turn) std::rotate(second.begin(), second.begin() + 1, second.begin() + 3);
+  for (int turn = 0; turn < 3 && second[0] != first[0]; ++turn)
+    std::rotate(second.begin(), second.begin() + 1, second.begin() + 3);
   if (second[0] != first[0] || second[1] != first[2] || second[2] != first[1]) return false;
   a = first;
   b = second;

@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
-#include "sim/model/model.h"
 #include "base/provenance.h"
+#include "sim/model/model.h"
 #include "sim/scene/scene.h"
 
 namespace fascia {

@@ -115,12 +115,13 @@ Sample sample_now(Simulation& simulation, std::uint32_t probe) {
   return s;
 }
 
-void write_samples(const std::filesystem::path& path, std::span<const Sample> samples, const Model& model, const Provenance& provenance,
-                   std::uint32_t probe) {
+void write_samples(const std::filesystem::path& path, std::span<const Sample> samples, const Model& model,
+                   const Provenance& provenance, std::uint32_t probe) {
   NumberText out;
   for (const auto& [keyword, text] : provenance) out.add("# ").add(keyword).add(": ").add(one_line(text)).add('\n');
   out.add("# Probe: vertex ").add(probe).add('\n');
-  const std::vector<reference::Support> supports = samples.empty() ? std::vector<reference::Support>{} : samples.front().supports;
+  const std::vector<reference::Support> supports =
+      samples.empty() ? std::vector<reference::Support>{} : samples.front().supports;
   for (std::size_t k = 0; k < supports.size(); ++k) {
     out.add("# Support ").add(k).add(": ").add(one_line(model.bodies[supports[k].body].name));
     if (const auto motion = supports[k].motion)
@@ -151,7 +152,8 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
 }
 
 std::uint32_t tip_vertex(const Model& model) {
-  constexpr std::size_t kMostSupports = 256;  // looked at, evenly spread: enough to tell a tip from a root, however fine the mesh
+  // Looked at, evenly spread: enough to tell a tip from a root, however fine the mesh
+  constexpr std::size_t kMostSupports = 256;
   const std::vector<char> held = model.held();
   std::vector<Eigen::Vector3d> supports;
   for (std::size_t v = 0; v < held.size(); ++v)

@@ -5,10 +5,10 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "sim/mesh/mesh_check.h"
-#include "sim/mesh/io/formats.h"
 #include "base/number_text.h"
+#include "sim/mesh/io/formats.h"
 #include "sim/mesh/io/vtk/vtu_write.h"
+#include "sim/mesh/mesh_check.h"
 #include "sim/mesh/tet_faces.h"
 
 namespace fascia {
@@ -29,8 +29,7 @@ std::string vtu(const TetMesh& rest, const StateFields& fields) {
   std::vector<std::int32_t> regions(rest.regions.begin(), rest.regions.end());
   regions.resize(rest.tets.size(), 0);
   VtuGrid grid{points, rest.tets, {}, {}, {}};
-  const auto add = [](std::vector<VtuArray>& to, const char* name, const auto& components,
-                      const auto& values) {
+  const auto add = [](std::vector<VtuArray>& to, const char* name, const auto& components, const auto& values) {
     if (!values.empty()) to.push_back({name, "Float64", components, bytes_of(values)});
   };
   add(grid.point_arrays, "displacement", vector, fields.displacement);
@@ -110,7 +109,8 @@ void write_state(const fs::path& path, const TetMesh& rest, const StateFields& f
     write_file(path, with_provenance(vtu(rest, fields), ending, provenance));
   } else if (ending == ".csv") {
     write_file(path, csv(rest, fields));
-    if (!provenance.empty()) write_file(provenance_beside(path), "{\"provenance\":" + provenance_json(provenance) + "}\n");
+    if (!provenance.empty())
+      write_file(provenance_beside(path), "{\"provenance\":" + provenance_json(provenance) + "}\n");
   } else if (ending == ".msh") {
     write_file(path, with_provenance(msh(path, rest, fields), ending, provenance));
   } else if (ending == ".obj") {
@@ -136,11 +136,7 @@ void StateSeries::write(double time_s, const TetMesh& rest, const StateFields& f
   NumberText out;
   out.add("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n");
   for (const auto& [time, name] : written_) {
-    out.add("<DataSet timestep=\"")
-        .add(time)
-        .add("\" part=\"0\" file=\"")
-        .add(xml_escaped(name))
-        .add("\"/>\n");
+    out.add("<DataSet timestep=\"").add(time).add("\" part=\"0\" file=\"").add(xml_escaped(name)).add("\"/>\n");
   }
   out.add("</Collection>\n</VTKFile>\n");
   write_file(fs::path(path_).replace_extension(".pvd"), out.take());

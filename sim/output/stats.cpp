@@ -15,14 +15,16 @@ Json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 Json to_json(const Percentiles& p) { return {{"median", p.median}, {"p95", p.p95}, {"max", p.max}}; }
 
-// Of the hands that pull at the end: a scene's by their place in its "grabs", those of the mouse or a replay by when they took hold.
+// Of the hands that pull at the end: a scene's by their place in its "grabs", those of the mouse or a replay by when
+// they took hold.
 Json grab_forces(const Simulation& simulation, const State& last) {
   Eigen::Vector3d total(0, 0, 0);
   Json hands = Json::array();
   for (const HandForce& f : forces_of_hands(simulation.springs(), last.displacement)) {
     total += f.force;
     const bool scripted = f.hand >= kFirstScriptedHand;
-    hands.push_back({{scripted ? "grabs" : "hand", scripted ? f.hand - kFirstScriptedHand : f.hand}, {"force", to_json(f.force)}});
+    hands.push_back(
+        {{scripted ? "grabs" : "hand", scripted ? f.hand - kFirstScriptedHand : f.hand}, {"force", to_json(f.force)}});
   }
   return {{"total", to_json(total)}, {"hands", hands}};
 }
@@ -46,7 +48,9 @@ Json supports_of(const Model& model, const State& last) {
 Percentiles percentiles(std::vector<double> values) {
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());
-  const auto at = [&](double share) { return values[static_cast<std::size_t>(std::lround(share * (values.size() - 1)))]; };
+  const auto at = [&](double share) {
+    return values[static_cast<std::size_t>(std::lround(share * (values.size() - 1)))];
+  };
   return {at(0.5), at(0.95), values.back()};
 }
 
@@ -63,37 +67,38 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
   const auto finite = [](const Eigen::Vector3d& v) { return v.allFinite(); };
   const bool nan = !std::all_of(last.displacement.begin(), last.displacement.end(), finite) ||
                    !std::all_of(last.velocity.begin(), last.velocity.end(), finite);
-  Json json{{"version", FASCIA_VERSION},
-                  {"renderer", stats.renderer},
-                  {"method", simulation.uses_reference() ? "newton" : name_of(simulation.scene.solver.method)},
-                  {"acceleration", simulation.uses_reference() ? "none" : name_of(simulation.scene.solver.acceleration)},
-                  {"vertices", simulation.model.rest_positions.size()},
-                  {"tets", simulation.model.tets.size()},
-                  {"steps", stats.steps},
-                  {"steps_asleep", simulation.steps_asleep()},
-                  {"time_step", simulation.scene.solver.time_step},
-                  {"substeps", simulation.scene.solver.substeps},
-                  {"time", last.time},
-                  {"iterations_per_step", simulation.mean_iterations() * simulation.scene.solver.substeps},
-                  {"wall_s", stats.wall_s},
-                  {"ms_per_step", to_json(percentiles(stats.step_ms))},
-                  {"solve_ms_per_step", to_json(percentiles(stats.solve_ms))},
-                  {"residual", stats.residual},
-                  {"nan", nan},
-                  {"inverted", measures.inverted},
-                  {"J", {measures.min_det_f, measures.max_det_f}},
-                  {"kinetic_J", measures.kinetic},
-                  {"elastic_J", measures.elastic},
-                  {"gravitational_J", measures.gravitational},
-                  {"volume_ratio", measures.volume_ratio},
-                  {"momentum", to_json(measures.momentum)},
-                  {"angular_momentum", to_json(measures.angular_momentum)},
-                  {"reaction_N", {{"fixed", to_json(measures.fixed_reaction)}, {"supports", supports_of(simulation.model, last)}}},
-                  {"grab_N", grab_forces(simulation, last)},
-                  {"dispatches_per_step", stats.dispatches_per_step},
-                  {"kernels", stats.kernels},
-                  {"gpu_bytes", stats.gpu_bytes},
-                  {"gpu_buffers", stats.gpu_buffers}};
+  Json json{
+      {"version", FASCIA_VERSION},
+      {"renderer", stats.renderer},
+      {"method", simulation.uses_reference() ? "newton" : name_of(simulation.scene.solver.method)},
+      {"acceleration", simulation.uses_reference() ? "none" : name_of(simulation.scene.solver.acceleration)},
+      {"vertices", simulation.model.rest_positions.size()},
+      {"tets", simulation.model.tets.size()},
+      {"steps", stats.steps},
+      {"steps_asleep", simulation.steps_asleep()},
+      {"time_step", simulation.scene.solver.time_step},
+      {"substeps", simulation.scene.solver.substeps},
+      {"time", last.time},
+      {"iterations_per_step", simulation.mean_iterations() * simulation.scene.solver.substeps},
+      {"wall_s", stats.wall_s},
+      {"ms_per_step", to_json(percentiles(stats.step_ms))},
+      {"solve_ms_per_step", to_json(percentiles(stats.solve_ms))},
+      {"residual", stats.residual},
+      {"nan", nan},
+      {"inverted", measures.inverted},
+      {"J", {measures.min_det_f, measures.max_det_f}},
+      {"kinetic_J", measures.kinetic},
+      {"elastic_J", measures.elastic},
+      {"gravitational_J", measures.gravitational},
+      {"volume_ratio", measures.volume_ratio},
+      {"momentum", to_json(measures.momentum)},
+      {"angular_momentum", to_json(measures.angular_momentum)},
+      {"reaction_N", {{"fixed", to_json(measures.fixed_reaction)}, {"supports", supports_of(simulation.model, last)}}},
+      {"grab_N", grab_forces(simulation, last)},
+      {"dispatches_per_step", stats.dispatches_per_step},
+      {"kernels", stats.kernels},
+      {"gpu_bytes", stats.gpu_bytes},
+      {"gpu_buffers", stats.gpu_buffers}};
   if (const GpuSolver* gpu = simulation.gpu(); gpu && !simulation.uses_reference()) {
     json["tets_solved"] = gpu->buffers().tet_count;
     json["share_solved"] = gpu->share_solved();

@@ -17,12 +17,13 @@ struct RunStats {
   Provenance provenance;
   long steps = 0;
   double wall_s = 0;
-  std::vector<double> step_ms, solve_ms;   // [steps]; solve: without exports and other work between steps (docs/guide/command-line.md)
-  double residual = 0;                     // of the last step, relative
-  std::optional<double> imbalance;         // of the forces in the last step of the GPU (Diagnostics::imbalance)
-  std::optional<double> error;             // of the last step, as in StepError; where it was asked for
-  std::uint64_t dispatches_per_step = 0;   // of a step that is solved
-  std::size_t kernels = 0;                 // variants compiled
+  std::vector<double> step_ms,
+      solve_ms;         // [steps]; solve: without exports and other work between steps (docs/guide/command-line.md)
+  double residual = 0;  // of the last step, relative
+  std::optional<double> imbalance;        // of the forces in the last step of the GPU (Diagnostics::imbalance)
+  std::optional<double> error;            // of the last step, as in StepError; where it was asked for
+  std::uint64_t dispatches_per_step = 0;  // of a step that is solved
+  std::size_t kernels = 0;                // variants compiled
   std::size_t gpu_bytes = 0;
   std::map<std::string, std::size_t> gpu_buffers;  // bytes by name
 };
@@ -30,7 +31,8 @@ struct RunStats {
 /// What the GPU has and does for the simulation as it is now.
 void count_work(RunStats& stats, Simulation& simulation);
 
-/// How times are summed up, here and in the window: the median, so that one step that waited for something else does not count.
+/// How times are summed up, here and in the window: the median, so that one step that waited for something else does
+/// not count.
 struct Percentiles {
   double median = 0, p95 = 0, max = 0;
 };

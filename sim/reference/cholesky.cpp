@@ -28,7 +28,8 @@ Cholesky::Cholesky(const SparseMatrix& pattern, const EliminationTree& tree) {
       front.boundary.push_back(v);
     };
     for (int v = node.begin; v < node.end; ++v) std::for_each(later[v].begin(), later[v].end(), pass_on);
-    for (const int child : front.children) std::for_each(fronts_[child].boundary.begin(), fronts_[child].boundary.end(), pass_on);
+    for (const int child : front.children)
+      std::for_each(fronts_[child].boundary.begin(), fronts_[child].boundary.end(), pass_on);
     std::sort(front.boundary.begin(), front.boundary.end());
     if (node.parent >= 0) fronts_[node.parent].children.push_back(static_cast<int>(n));
   }
@@ -46,13 +47,15 @@ Cholesky::Cholesky(const SparseMatrix& pattern, const EliminationTree& tree) {
     for (int v = 0; v < own; ++v) local[first + v] = v;
     for (std::size_t b = 0; b < front.boundary.size(); ++b) local[front.boundary[b]] = own + static_cast<int>(b);
     for (int v = first; v < first + own; ++v)
-      for (const Entry& e : entries[v]) front.entries.push_back({e.value, 3 * local[e.row / 3] + e.row % 3, e.column - front.begin});
+      for (const Entry& e : entries[v])
+        front.entries.push_back({e.value, 3 * local[e.row / 3] + e.row % 3, e.column - front.begin});
     for (const int child : front.children)
       for (const int v : fronts_[child].boundary) fronts_[child].into_parent.push_back(local[v]);
   }
 }
 
-MatrixXd Cholesky::assemble(const Front& front, const SparseMatrix& matrix, double shift, std::vector<MatrixXd>& updates) const {
+MatrixXd Cholesky::assemble(const Front& front, const SparseMatrix& matrix, double shift,
+                            std::vector<MatrixXd>& updates) const {
   const auto size = front.pivots + 3 * static_cast<Eigen::Index>(front.boundary.size());
   MatrixXd sum = MatrixXd::Zero(size, size);
   for (const Entry& e : front.entries) sum(e.row, e.column) += matrix.valuePtr()[e.value];
@@ -62,7 +65,8 @@ MatrixXd Cholesky::assemble(const Front& front, const SparseMatrix& matrix, doub
     const MatrixXd update = std::move(updates[child]);
     for (std::size_t j = 0; j < to.size(); ++j)
       for (std::size_t i = j; i < to.size(); ++i)
-        sum.block<3, 3>(3 * to[i], 3 * to[j]) += update.block<3, 3>(3 * static_cast<Eigen::Index>(i), 3 * static_cast<Eigen::Index>(j));
+        sum.block<3, 3>(3 * to[i], 3 * to[j]) +=
+            update.block<3, 3>(3 * static_cast<Eigen::Index>(i), 3 * static_cast<Eigen::Index>(j));
   }
   return sum;
 }
@@ -93,11 +97,13 @@ VectorXd Cholesky::solve(const VectorXd& right) const {
     auto own = x.segment(front.begin, front.pivots);
     front.factor.topRows(front.pivots).triangularView<Eigen::Lower>().solveInPlace(own);
     const VectorXd passed_on = front.factor.bottomRows(3 * front.boundary.size()) * own;
-    for (std::size_t b = 0; b < front.boundary.size(); ++b) x.segment<3>(3 * front.boundary[b]) -= passed_on.segment<3>(3 * static_cast<Eigen::Index>(b));
+    for (std::size_t b = 0; b < front.boundary.size(); ++b)
+      x.segment<3>(3 * front.boundary[b]) -= passed_on.segment<3>(3 * static_cast<Eigen::Index>(b));
   }
   for (auto front = fronts_.rbegin(); front != fronts_.rend(); ++front) {
     VectorXd above(3 * front->boundary.size());
-    for (std::size_t b = 0; b < front->boundary.size(); ++b) above.segment<3>(3 * static_cast<Eigen::Index>(b)) = x.segment<3>(3 * front->boundary[b]);
+    for (std::size_t b = 0; b < front->boundary.size(); ++b)
+      above.segment<3>(3 * static_cast<Eigen::Index>(b)) = x.segment<3>(3 * front->boundary[b]);
     auto own = x.segment(front->begin, front->pivots);
     own -= front->factor.bottomRows(above.size()).transpose() * above;
     front->factor.topRows(front->pivots).triangularView<Eigen::Lower>().transpose().solveInPlace(own);

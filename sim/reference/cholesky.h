@@ -1,5 +1,5 @@
-// Cholesky factor of a mesh's Hessian, front by front (multifrontal: Duff, Reid 1983): all that is eliminated together is one dense matrix,
-// so that the work is dense products, several times as fast as one column after the other.
+// Cholesky factor of a mesh's Hessian, front by front (multifrontal: Duff, Reid 1983): all that is eliminated together
+// is one dense matrix, so that the work is dense products, several times as fast as one column after the other.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -17,8 +17,8 @@ class Cholesky {
   /// `pattern`: upper triangle, three unknowns per vertex, in the order of the tree.
   Cholesky(const SparseMatrix& pattern, const EliminationTree& tree);
 
-  /// Of `matrix`, which has the entries of the pattern, plus `shift` times the identity. False: it is not positive definite, and there is
-  /// no factor.
+  /// Of `matrix`, which has the entries of the pattern, plus `shift` times the identity. False: it is not positive
+  /// definite, and there is no factor.
   bool factorize(const SparseMatrix& matrix, double shift = 0);
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
@@ -27,14 +27,15 @@ class Cholesky {
     int value, row, column;  // from the matrix's values, to the front
   };
   struct Front {
-    int begin = 0, pivots = 0;     // unknowns that it eliminates
-    std::vector<int> boundary;     // vertices that it passes on to, ascending
+    int begin = 0, pivots = 0;  // unknowns that it eliminates
+    std::vector<int> boundary;  // vertices that it passes on to, ascending
     std::vector<int> children;
     std::vector<int> into_parent;  // [boundary] vertex of the parent's front
     std::vector<Entry> entries;
-    Eigen::MatrixXd factor;        // [pivots + 3 * boundary] [pivots], lower triangle
+    Eigen::MatrixXd factor;  // [pivots + 3 * boundary] [pivots], lower triangle
   };
-  Eigen::MatrixXd assemble(const Front& front, const SparseMatrix& matrix, double shift, std::vector<Eigen::MatrixXd>& updates) const;
+  Eigen::MatrixXd assemble(const Front& front, const SparseMatrix& matrix, double shift,
+                           std::vector<Eigen::MatrixXd>& updates) const;
 
   std::vector<Front> fronts_;  // children before parents
 };

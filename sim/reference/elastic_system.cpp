@@ -57,8 +57,7 @@ ElasticSystem::ElasticSystem(const Model& model) : model_(model) {
   const int free_count = static_cast<int>(tree_.place.size());
   dof_count_ = 3 * free_count;
   first_dof_.resize(order.size());
-  std::transform(order.begin(), order.end(), first_dof_.begin(),
-                 [](int place) { return place < 0 ? -1 : 3 * place; });
+  std::transform(order.begin(), order.end(), first_dof_.begin(), [](int place) { return place < 0 ? -1 : 3 * place; });
 
   // Ascending row blocks of the upper triangle, per block column.
   std::vector<std::vector<int>> rows(free_count);
@@ -111,17 +110,16 @@ void ElasticSystem::add_to_free(const VectorXd& free, double factor, VectorXd& a
 }
 
 Corners ElasticSystem::corners(const VectorXd& u, const Tet& tet) const {
-  return {u.segment<3>(3 * tet[0]), u.segment<3>(3 * tet[1]), u.segment<3>(3 * tet[2]),
-          u.segment<3>(3 * tet[3])};
+  return {u.segment<3>(3 * tet[0]), u.segment<3>(3 * tet[1]), u.segment<3>(3 * tet[2]), u.segment<3>(3 * tet[3])};
 }
 
-Derivatives ElasticSystem::derivatives(std::size_t t, const VectorXd& u, const ViscousStep& viscous,
-                                       bool with_hessian, bool project) const {
+Derivatives ElasticSystem::derivatives(std::size_t t, const VectorXd& u, const ViscousStep& viscous, bool with_hessian,
+                                       bool project) const {
   const Material& material = model_.materials[model_.tet_material[t]];
   const bool damped = !viscous.previous_strain.empty();
   const Matrix3d previous = damped ? viscous.previous_strain[t] : Matrix3d::Zero();
-  return elastic(rest_[t], corners(u, model_.tets[t]), material, damped ? material.damping / viscous.h : 0,
-                 previous, with_hessian, project);
+  return elastic(rest_[t], corners(u, model_.tets[t]), material, damped ? material.damping / viscous.h : 0, previous,
+                 with_hessian, project);
 }
 
 double ElasticSystem::evaluate(const VectorXd& u, const ViscousStep& viscous, VectorXd& gradient) const {
@@ -135,8 +133,8 @@ double ElasticSystem::evaluate(const VectorXd& u, const ViscousStep& viscous, Ve
   return energy;
 }
 
-void ElasticSystem::assemble(const VectorXd& u, const ViscousStep& viscous, bool project,
-                             SparseMatrix& hessian, VectorXd& scale) const {
+void ElasticSystem::assemble(const VectorXd& u, const ViscousStep& viscous, bool project, SparseMatrix& hessian,
+                             VectorXd& scale) const {
   double* values = hessian.valuePtr();
   const int* column_begin = hessian.outerIndexPtr();
   std::fill(values, values + hessian.nonZeros(), 0.0);
@@ -162,8 +160,7 @@ void ElasticSystem::assemble(const VectorXd& u, const ViscousStep& viscous, bool
   }
 }
 
-VectorXd ElasticSystem::hessian_times(const VectorXd& u, const ViscousStep& viscous,
-                                      const VectorXd& direction) const {
+VectorXd ElasticSystem::hessian_times(const VectorXd& u, const ViscousStep& viscous, const VectorXd& direction) const {
   VectorXd product = VectorXd::Zero(u.size());
   for (std::size_t t = 0; t < rest_.size(); ++t) {
     const Tet& tet = model_.tets[t];
@@ -177,14 +174,12 @@ VectorXd ElasticSystem::hessian_times(const VectorXd& u, const ViscousStep& visc
 }
 
 bool ElasticSystem::viscous() const {
-  return std::any_of(model_.materials.begin(), model_.materials.end(),
-                     [](const Material& m) { return m.damping > 0; });
+  return std::any_of(model_.materials.begin(), model_.materials.end(), [](const Material& m) { return m.damping > 0; });
 }
 
 std::vector<Matrix3d> ElasticSystem::strains(const VectorXd& u) const {
   std::vector<Matrix3d> result(rest_.size());
-  for (std::size_t t = 0; t < rest_.size(); ++t)
-    result[t] = green_strain_matrix(rest_[t], corners(u, model_.tets[t]));
+  for (std::size_t t = 0; t < rest_.size(); ++t) result[t] = green_strain_matrix(rest_[t], corners(u, model_.tets[t]));
   return result;
 }
 

@@ -52,8 +52,8 @@ class ElasticSystem {
  private:
   void make_pattern(const std::vector<std::vector<int>>& rows);  // ascending row blocks of every block column
   Corners corners(const Eigen::VectorXd& u, const Tet& tet) const;
-  Derivatives derivatives(std::size_t t, const Eigen::VectorXd& u, const ViscousStep& viscous,
-                          bool with_hessian, bool project) const;
+  Derivatives derivatives(std::size_t t, const Eigen::VectorXd& u, const ViscousStep& viscous, bool with_hessian,
+                          bool project) const;
 
   const Model& model_;
   std::vector<RestTet> rest_;

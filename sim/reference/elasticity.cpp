@@ -23,9 +23,7 @@ Matrix3d displacement_gradient(const RestTet& rest, const Corners& u) {
   return h;
 }
 
-Matrix3d strain_of(const Matrix3d& h) {
-  return 0.5 * (h + h.transpose() + h.transpose() * h);
-}
+Matrix3d strain_of(const Matrix3d& h) { return 0.5 * (h + h.transpose() + h.transpose() * h); }
 
 double energy_density(const Matrix3d& strain, const Material& material) {
   const double trace = strain.trace();
@@ -88,8 +86,8 @@ double von_mises(const Matrix3d& f, const Material& material) {
 }
 
 // The viscous part always acts on the Green strain itself: it is smooth, whatever the tet looks like.
-Derivatives elastic(const RestTet& rest, const Corners& displacements, const Material& material,
-                    double damping_over_h, const Matrix3d& previous_strain, bool with_hessian, bool project) {
+Derivatives elastic(const RestTet& rest, const Corners& displacements, const Material& material, double damping_over_h,
+                    const Matrix3d& previous_strain, bool with_hessian, bool project) {
   const Matrix3d h = displacement_gradient(rest, displacements);
   const Matrix3d f = Matrix3d::Identity() + h;
   const Matrix3d strain = strain_of(h);
@@ -127,7 +125,8 @@ Derivatives elastic(const RestTet& rest, const Corners& displacements, const Mat
       if (!plain)
         for (int k = 0; k < 3; ++k)
           for (int l = 0; l < 3; ++l)
-            block += rest.volume * rest.gradients(k, a) * rest.gradients(l, b) * density.second.block<3, 3>(3 * k, 3 * l);
+            block +=
+                rest.volume * rest.gradients(k, a) * rest.gradients(l, b) * density.second.block<3, 3>(3 * k, 3 * l);
       result.hessian.block<3, 3>(3 * a, 3 * b) = block;
       if (a != b) result.hessian.block<3, 3>(3 * b, 3 * a) = block.transpose();
     }

@@ -30,9 +30,11 @@ Eigen::Matrix3d deformation_gradient(const RestTet& rest, const Corners& displac
 Vector6d green_strain(const Eigen::Matrix3d& f);  // xx, yy, zz, yz, xz, xy; tensor shears
 /// The same as a matrix, without the digits that forming F costs: small strains keep full relative accuracy.
 Eigen::Matrix3d green_strain_matrix(const RestTet& rest, const Corners& displacements);
-Eigen::Matrix3d second_piola_stress(const Eigen::Matrix3d& strain, const Material& material);  // S [Pa] of St. Venant-Kirchhoff
+Eigen::Matrix3d second_piola_stress(const Eigen::Matrix3d& strain,
+                                    const Material& material);  // S [Pa] of St. Venant-Kirchhoff
 
-Eigen::Matrix3d first_piola_stress(const Eigen::Matrix3d& f, const Material& material);  // P = dPsi/dF [Pa], elastic part
+Eigen::Matrix3d first_piola_stress(const Eigen::Matrix3d& f,
+                                   const Material& material);  // P = dPsi/dF [Pa], elastic part
 /// Of the Cauchy stress F S F^T / J [Pa].
 double von_mises(const Eigen::Matrix3d& f, const Material& material);
 
@@ -44,8 +46,7 @@ struct Derivatives {
 /// `previous_strain` and `damping_over_h` (damping / h, 0 without) carry the viscous part. With `project`,
 /// negative eigenvalues of the Hessian are clamped to zero (Teran et al. 2005). `with_hessian` false leaves
 /// the Hessian unset.
-Derivatives elastic(const RestTet& rest, const Corners& displacements, const Material& material,
-                    double damping_over_h, const Eigen::Matrix3d& previous_strain, bool with_hessian,
-                    bool project);
+Derivatives elastic(const RestTet& rest, const Corners& displacements, const Material& material, double damping_over_h,
+                    const Eigen::Matrix3d& previous_strain, bool with_hessian, bool project);
 
 }  // namespace fascia::reference

@@ -44,9 +44,7 @@ void HeldPath::place(double s, VectorXd& u) const {
     for (const std::uint32_t v : motion.vertices) u.segment<3>(3 * v) = held.segment<3>(3 * v);
 }
 
-bool HeldPath::moves() const {
-  return positions(to_) != positions(from_) + offset_;
-}
+bool HeldPath::moves() const { return positions(to_) != positions(from_) + offset_; }
 
 double HeldPath::largest_increment() const {
   double increment = 1;

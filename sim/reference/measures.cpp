@@ -61,7 +61,9 @@ std::vector<Support> support_forces(const Model& model, const State& state) {
   std::vector<std::size_t> support_of(model.rest_positions.size(), kFree);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyPart& body = model.bodies[b];
-    const auto is_inside = [&](std::uint32_t v) { return v >= body.vertex_begin && v < body.vertex_begin + body.vertex_count; };
+    const auto is_inside = [&](std::uint32_t v) {
+      return v >= body.vertex_begin && v < body.vertex_begin + body.vertex_count;
+    };
     const auto add = [&](const std::vector<std::uint32_t>& vertices, std::optional<std::size_t> motion) {
       for (const std::uint32_t v : vertices)
         if (is_inside(v)) support_of[v] = supports.size();
@@ -80,7 +82,8 @@ std::vector<Support> support_forces(const Model& model, const State& state) {
     const Tet& tet = model.tets[t];
     if (std::all_of(tet.begin(), tet.end(), [&](std::uint32_t v) { return support_of[v] == kFree; })) continue;
     const RestTet rest(gather(model.rest_positions, tet));
-    const Derivatives d = elastic(rest, gather(state.displacement, tet), model.materials[model.tet_material[t]], 0, Eigen::Matrix3d::Zero(), false, false);
+    const Derivatives d = elastic(rest, gather(state.displacement, tet), model.materials[model.tet_material[t]], 0,
+                                  Eigen::Matrix3d::Zero(), false, false);
     for (int a = 0; a < 4; ++a)
       if (support_of[tet[a]] != kFree) supports[support_of[tet[a]]].force += d.gradient.segment<3>(3 * a);
   }

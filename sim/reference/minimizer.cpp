@@ -30,8 +30,7 @@ Minimizer::Value Minimizer::evaluate(const Potential& potential, const VectorXd&
     if (system_.first_dof()[v] < 0) continue;
     for (std::size_t i = 3 * v; i < 3 * v + 3; ++i) {
       const double distance = u[i] - potential.target[i];
-      const double kinetic = 0.5 * potential.inertia[i] * distance * distance,
-                   work = potential.force[i] * u[i];
+      const double kinetic = 0.5 * potential.inertia[i] * distance * distance, work = potential.force[i] * u[i];
       value.energy += kinetic - work;
       value.magnitude += kinetic + std::abs(work);
       gradient[i] += potential.inertia[i] * distance - potential.force[i];
@@ -51,8 +50,7 @@ void Minimizer::factorize(const Potential& potential, const VectorXd& u) {
     system_.assemble(u, potential.viscous, project, hessian_, scale);
     hessian_.diagonal() += inertia;
     if (!project) {
-      scale += potential.inertia.cwiseProduct(u.cwiseAbs() + potential.target.cwiseAbs()) +
-               potential.force.cwiseAbs();
+      scale += potential.inertia.cwiseProduct(u.cwiseAbs() + potential.target.cwiseAbs()) + potential.force.cwiseAbs();
       rounding_ = epsilon * system_.free_part(scale).norm();
     }
     if (cholesky_.factorize(hessian_)) return;
@@ -95,8 +93,7 @@ void Minimizer::move_held(const Potential& potential, const VectorXd& change, Ve
   if (!inside_out && evaluate(potential, taken_along).energy < evaluate(potential, u).energy) u = taken_along;
 }
 
-NewtonReport Minimizer::minimize(const Potential& potential, double tolerance, const Limits& limits,
-                                 VectorXd& u) {
+NewtonReport Minimizer::minimize(const Potential& potential, double tolerance, const Limits& limits, VectorXd& u) {
   NewtonReport report;
   Value value = evaluate(potential, u);
   bool reuse = false;
@@ -108,7 +105,8 @@ NewtonReport Minimizer::minimize(const Potential& potential, double tolerance, c
     const bool at_rounding = residual <= rounding_ && residual > 0.5 * previous;
     const bool inside_out = limits.upright && system_.min_det_f(u) <= 0;
     report.converged = !inside_out && (report.relative_residual <= tolerance || at_rounding);
-    if (report.converged || inside_out || report.iterations == limits.iterations || limits.stop.stop_requested()) return report;
+    if (report.converged || inside_out || report.iterations == limits.iterations || limits.stop.stop_requested())
+      return report;
 
     if (!reuse) factorize(potential, u);
     const VectorXd direction = -cholesky_.solve(value.gradient);

@@ -34,8 +34,7 @@ class Minimizer {
   };
   /// Minimises from `u` with its held entries as they are, to |gradient| <= tolerance * force scale
   /// (NewtonReport) or to the rounding of the gradient, whichever is larger.
-  NewtonReport minimize(const Potential& potential, double tolerance, const Limits& limits,
-                        Eigen::VectorXd& u);
+  NewtonReport minimize(const Potential& potential, double tolerance, const Limits& limits, Eigen::VectorXd& u);
 
  private:
   struct Value {
@@ -46,8 +45,8 @@ class Minimizer {
   };
   Value evaluate(const Potential& potential, const Eigen::VectorXd& u) const;
   void factorize(const Potential& potential, const Eigen::VectorXd& u);
-  bool line_search(const Potential& potential, const Eigen::VectorXd& direction, Eigen::VectorXd& u,
-                   Value& value, double& step) const;
+  bool line_search(const Potential& potential, const Eigen::VectorXd& direction, Eigen::VectorXd& u, Value& value,
+                   double& step) const;
 
   const ElasticSystem& system_;
   SparseMatrix hessian_;

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kLeaf = 32;      // vertices that are not parted any more
+constexpr std::size_t kLeaf = 32;     // vertices that are not parted any more
 constexpr double kWorthTrying = 0.5;  // of the longest side: planes across shorter ones cut more
 
 class Dissection {
@@ -65,8 +65,9 @@ class Dissection {
 
   Cut cut_across(int axis, std::vector<int>& vertices) {
     auto middle = vertices.begin() + static_cast<std::ptrdiff_t>(vertices.size() / 2);
-    std::nth_element(vertices.begin(), middle, vertices.end(),
-                     [&](int a, int b) { return std::pair(positions_[a][axis], a) < std::pair(positions_[b][axis], b); });
+    std::nth_element(vertices.begin(), middle, vertices.end(), [&](int a, int b) {
+      return std::pair(positions_[a][axis], a) < std::pair(positions_[b][axis], b);
+    });
     // Vertices in one plane, as those of a layer of a box, stay together where that leaves halves worth the name.
     const auto is_before = [&, plane = positions_[*middle][axis]](int v) { return positions_[v][axis] < plane; };
     if (3 * static_cast<std::size_t>(std::count_if(vertices.begin(), vertices.end(), is_before)) >= vertices.size())
@@ -99,7 +100,8 @@ class Dissection {
 
 }  // namespace
 
-EliminationTree nested_dissection(const std::vector<std::vector<int>>& neighbors, const std::vector<Vector3d>& positions) {
+EliminationTree nested_dissection(const std::vector<std::vector<int>>& neighbors,
+                                  const std::vector<Vector3d>& positions) {
   if (positions.empty()) return {};
   return Dissection(neighbors, positions).tree();
 }

@@ -1,6 +1,6 @@
-// The order in which a mesh's unknowns are eliminated, so that the Cholesky factor stays small: nested dissection (George 1973). A plane
-// across the longer sides of what is left parts its vertices in two halves; those of one half that have neighbors in the other one are
-// eliminated after both.
+// The order in which a mesh's unknowns are eliminated, so that the Cholesky factor stays small: nested dissection
+// (George 1973). A plane across the longer sides of what is left parts its vertices in two halves; those of one half
+// that have neighbors in the other one are eliminated after both.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
@@ -17,6 +17,7 @@ struct EliminationTree {
 };
 
 /// `neighbors` of each vertex, in both directions; `positions` [vertex].
-EliminationTree nested_dissection(const std::vector<std::vector<int>>& neighbors, const std::vector<Eigen::Vector3d>& positions);
+EliminationTree nested_dissection(const std::vector<std::vector<int>>& neighbors,
+                                  const std::vector<Eigen::Vector3d>& positions);
 
 }  // namespace fascia::reference

@@ -62,8 +62,8 @@ struct NewtonSolver::Impl {
   /// Minimises potential(1) with the held vertices at the end of their path, from `u`, by the largest
   /// increments of s in (0, 1] that Newton's method survives with every tet upright. `divisible` says whether
   /// smaller increments are smaller problems.
-  NewtonReport follow(const HeldPath& path, const std::function<Potential(double s)>& potential,
-                      bool divisible, double tolerance, VectorXd& u);
+  NewtonReport follow(const HeldPath& path, const std::function<Potential(double s)>& potential, bool divisible,
+                      double tolerance, VectorXd& u);
 
   const Model& model;
   const SolverSettings settings;
@@ -75,9 +75,8 @@ struct NewtonSolver::Impl {
   const VectorXd gravity;  // [3 * vertex_count] [m/s^2]
 };
 
-NewtonReport NewtonSolver::Impl::follow(const HeldPath& path,
-                                        const std::function<Potential(double)>& potential, bool divisible,
-                                        double tolerance, VectorXd& u) {
+NewtonReport NewtonSolver::Impl::follow(const HeldPath& path, const std::function<Potential(double)>& potential,
+                                        bool divisible, double tolerance, VectorXd& u) {
   NewtonReport total;
   const double largest = path.largest_increment();
   // Where small increments do not help either, or there are none, whatever comes is accepted.
@@ -91,8 +90,7 @@ NewtonReport NewtonSolver::Impl::follow(const HeldPath& path,
     path.place(next, target);
     if (const VectorXd change = target - u; !change.isZero(0)) minimizer.move_held(problem, change, trial);
     const Minimizer::Limits limits{careful ? patience : last_patience, careful && upright, stop};
-    const NewtonReport report =
-        minimizer.minimize(problem, next < 1 ? increment_tolerance : tolerance, limits, trial);
+    const NewtonReport report = minimizer.minimize(problem, next < 1 ? increment_tolerance : tolerance, limits, trial);
     total.iterations += report.iterations;
     if (careful && !report.converged) {
       increment = (next - done) / 2;

@@ -14,9 +14,9 @@
 
 #include "sim/model/grab_spring.h"
 #include "sim/model/model.h"
-#include "sim/scene/settings/solver_settings.h"
 #include "sim/model/state.h"
 #include "sim/model/state_fields.h"
+#include "sim/scene/settings/solver_settings.h"
 
 namespace fascia::reference {
 
@@ -38,7 +38,7 @@ Measures measure(const Model& model, const State& state);
 
 /// What a body is held by: all of its fixed vertices, or those of one of its prescribed motions.
 struct Support {
-  std::size_t body;                  // in Model::bodies
+  std::size_t body;                   // in Model::bodies
   std::optional<std::size_t> motion;  // which of the body's, from 0; none: the fixed vertices
   Eigen::Vector3d force{0, 0, 0};     // on the body [N], as Measures::fixed_reaction, of which these are the parts
 };

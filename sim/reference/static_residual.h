@@ -9,8 +9,9 @@ class StaticResidual {
  public:
   /// `model` must outlive it, and its gravity and materials stay.
   explicit StaticResidual(const Model& model);
-  /// Norm over the free vertices of the elastic energy's gradient minus the weight and the springs' forces, over the larger norm, of the
-  /// weight or of the gradient at all vertices, which at held ones is the reaction. 0 without any forces.
+  /// Norm over the free vertices of the elastic energy's gradient minus the weight and the springs' forces, over the
+  /// larger norm, of the weight or of the gradient at all vertices, which at held ones is the reaction. 0 without any
+  /// forces.
   double operator()(const State& state, const std::vector<GrabSpring>& springs = {}) const;
 
  private:

@@ -26,7 +26,7 @@ class InputLog {
   void forget_before(long step);
 
   long begin() const { return begin_; }
-  const Tuning& tuning() const { return tuning_; }           // when the log begins
+  const Tuning& tuning() const { return tuning_; }              // when the log begins
   const std::vector<Input>& inputs() const { return inputs_; }  // since then
 
  private:

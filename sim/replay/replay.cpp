@@ -22,20 +22,24 @@ constexpr int kMostSteps = 1'000'000'000, kMostVertices = kMostSteps;
 
 std::vector<Vector3d> read_vectors(const Node& node) {
   std::vector<Vector3d> vectors;
-  for (const Node& v : node.elements("a list of vectors, one per vertex")) vectors.push_back(v.vector(-kAnything, kAnything, ""));
+  for (const Node& v : node.elements("a list of vectors, one per vertex"))
+    vectors.push_back(v.vector(-kAnything, kAnything, ""));
   return vectors;
 }
 
 GrabInput read_springs(const Node& node) {
-  const std::string expected = "a spring [vertex, x, y, z, stiffness, hand]: the displacement it pulls to [m], N/m, a number if it is not 0";
+  const std::string expected =
+      "a spring [vertex, x, y, z, stiffness, hand]: the displacement it pulls to [m], N/m, a number if it is not 0";
   GrabInput springs;
   for (const Node& spring : node.elements("a list of springs")) {
     const std::vector<Node> values = spring.elements(expected);
     if (values.size() != 5 && values.size() != 6) spring.refuse(expected);
     const auto coordinate = [&](std::size_t k) { return values[k].number(-kAnything, kAnything, "m"); };
-    springs.push_back({static_cast<std::uint32_t>(values[0].integer(0, kMostVertices)), {coordinate(1), coordinate(2), coordinate(3)},
-                       values[4].number(0, kAnything, "N/m"),
-                       values.size() == 6 ? static_cast<std::uint32_t>(values[5].integer(0, kFirstScriptedHand - 1)) : 0});
+    springs.push_back(
+        {static_cast<std::uint32_t>(values[0].integer(0, kMostVertices)),
+         {coordinate(1), coordinate(2), coordinate(3)},
+         values[4].number(0, kAnything, "N/m"),
+         values.size() == 6 ? static_cast<std::uint32_t>(values[5].integer(0, kFirstScriptedHand - 1)) : 0});
   }
   return springs;
 }
@@ -47,7 +51,8 @@ GrabMove read_move(const Node& node) {
     const std::vector<Node> values = part.elements(expected);
     if (values.size() != 4) part.refuse(expected);
     const auto coordinate = [&](std::size_t k) { return values[k].number(-kAnything, kAnything, "m"); };
-    move.parts.push_back({static_cast<std::size_t>(values[0].integer(1, kMostVertices)), {coordinate(1), coordinate(2), coordinate(3)}});
+    move.parts.push_back(
+        {static_cast<std::size_t>(values[0].integer(1, kMostVertices)), {coordinate(1), coordinate(2), coordinate(3)}});
   }
   return move;
 }
@@ -114,13 +119,15 @@ State read_start(const Node& start) {
   state.displacement = read_vectors(start.at("displacement", "a vector per vertex [m]"));
   state.velocity = read_vectors(start.at("velocity", "a vector per vertex [m/s]"));
   if (state.displacement.size() != state.velocity.size())
-    start.fail(std::to_string(state.displacement.size()) + " displacements, " + std::to_string(state.velocity.size()) + " velocities",
+    start.fail(std::to_string(state.displacement.size()) + " displacements, " + std::to_string(state.velocity.size()) +
+                   " velocities",
                "one of each per vertex");
   return state;
 }
 
 // What both forms have: scene and start.
-Replay read_beginning(nlohmann::json& document, const Node& root, const std::vector<std::string>& overrides, DocumentOrigin& origin) {
+Replay read_beginning(nlohmann::json& document, const Node& root, const std::vector<std::string>& overrides,
+                      DocumentOrigin& origin) {
   root.at("scene", "the scene that was open");
   apply_overrides(document["scene"], overrides, origin);
   Replay replay;
@@ -152,7 +159,8 @@ Replay read_header(nlohmann::json document, const std::string& file, const std::
   Replay replay = read_beginning(document, root, overrides, origin);
   if (const auto timed = root.find("timed")) replay.timed = timed->boolean();
   if (const auto made_by = root.find("made_by"))
-    for (const auto& [keyword, text] : made_by->members("what made it")) replay.made_by.emplace_back(keyword, text.text("a text"));
+    for (const auto& [keyword, text] : made_by->members("what made it"))
+      replay.made_by.emplace_back(keyword, text.text("a text"));
   return replay;
 }
 
@@ -171,7 +179,8 @@ void read_line(const Node& line, Replay& replay) {
   if (hash) replay.hash = read_hash(*hash);
 }
 
-Replay read_lines(nlohmann::json header, const std::string& file, std::string_view lines, const std::vector<std::string>& overrides) {
+Replay read_lines(nlohmann::json header, const std::string& file, std::string_view lines,
+                  const std::vector<std::string>& overrides) {
   Replay replay = read_header(std::move(header), file, overrides);
   for (long number = 2; !lines.empty(); ++number) {
     const std::size_t end = std::min(lines.find('\n'), lines.size());
@@ -199,14 +208,17 @@ Replay read_replay(const std::filesystem::path& path, const std::vector<std::str
   return replay;
 }
 
-Replay read_replay_content(const std::filesystem::path& path, std::string_view content, const std::vector<std::string>& overrides) {
+Replay read_replay_content(const std::filesystem::path& path, std::string_view content,
+                           const std::vector<std::string>& overrides) {
   const std::size_t first_end = std::min(content.find('\n'), content.size());
   const std::string_view first = content.substr(0, first_end);
   const bool whole = nlohmann::json::accept(first);
   nlohmann::json document = parse_json(whole ? first : content, path.string());
-  const bool in_lines = whole && document.is_object() && document.contains("fascia_replay") && document["fascia_replay"] == 2;
+  const bool in_lines =
+      whole && document.is_object() && document.contains("fascia_replay") && document["fascia_replay"] == 2;
   if (whole && !in_lines) document = parse_json(content, path.string());  // nothing may follow
-  Replay replay = in_lines ? read_lines(std::move(document), path.string(), content.substr(std::min(first_end + 1, content.size())), overrides)
+  Replay replay = in_lines ? read_lines(std::move(document), path.string(),
+                                        content.substr(std::min(first_end + 1, content.size())), overrides)
                            : read_object(std::move(document), path.string(), overrides);
   replay.scene.file = path;
   return replay;

@@ -17,7 +17,8 @@ ReplayTime::ReplayTime(const Replay& replay) : parts_{{0, 0, replay.scene.solver
 }
 
 const ReplayTime::Part& ReplayTime::part_of(long step) const {
-  return *std::prev(std::upper_bound(parts_.begin() + 1, parts_.end(), step, [](long s, const Part& part) { return s < part.step; }));
+  return *std::prev(
+      std::upper_bound(parts_.begin() + 1, parts_.end(), step, [](long s, const Part& part) { return s < part.step; }));
 }
 
 double ReplayTime::seconds(long steps) const {
@@ -26,7 +27,8 @@ double ReplayTime::seconds(long steps) const {
 }
 
 long ReplayTime::steps(double seconds) const {
-  const auto next = std::upper_bound(parts_.begin() + 1, parts_.end(), seconds, [](double s, const Part& part) { return s < part.begin; });
+  const auto next = std::upper_bound(parts_.begin() + 1, parts_.end(), seconds,
+                                     [](double s, const Part& part) { return s < part.begin; });
   const Part& part = *std::prev(next);
   return part.step + std::lround((seconds - part.begin) / part.time_step);
 }
@@ -34,7 +36,9 @@ long ReplayTime::steps(double seconds) const {
 double ReplayTime::time_step(long step) const { return part_of(step).time_step; }
 
 double ReplayTime::longest_step() const {
-  return std::max_element(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) { return a.time_step < b.time_step; })->time_step;
+  return std::max_element(parts_.begin(), parts_.end(),
+                          [](const Part& a, const Part& b) { return a.time_step < b.time_step; })
+      ->time_step;
 }
 
 }  // namespace fascia

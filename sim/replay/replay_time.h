@@ -17,7 +17,7 @@ class ReplayTime {
 
  private:
   struct Part {
-    long step;  // the first one
+    long step;                // the first one
     double begin, time_step;  // [s]
   };
   const Part& part_of(long step) const;

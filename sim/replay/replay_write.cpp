@@ -30,7 +30,9 @@ Json document_of(const GrabMove& move) {
   return list;
 }
 
-std::string line_of(const Json& document) { return document.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string line_of(const Json& document) {
+  return document.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 }  // namespace
 
@@ -39,7 +41,9 @@ std::string replay_line(const Input& input) {
   struct Writer {
     Json& object;
     void operator()(const SolverSettings& settings) { object["solver"] = solver_document(settings); }
-    void operator()(const MaterialInput& m) { object["material"] = {{"index", m.index}, {"values", material_document(m.material)}}; }
+    void operator()(const MaterialInput& m) {
+      object["material"] = {{"index", m.index}, {"values", material_document(m.material)}};
+    }
     void operator()(const GravityInput& g) { object["gravity"] = vector_document(g.gravity); }
     void operator()(const GrabInput& springs) { object["grab"] = document_of(springs); }
     void operator()(const GrabMove& move) { object["move"] = document_of(move); }

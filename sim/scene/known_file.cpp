@@ -18,7 +18,8 @@ std::uint64_t content_hash(std::string_view content) {
 
 bool has_content(const std::filesystem::path& place, const KnownFile& file) {
   std::error_code ec;
-  if (!std::filesystem::is_regular_file(place, ec) || std::filesystem::file_size(place, ec) != file.size || ec) return false;
+  if (!std::filesystem::is_regular_file(place, ec) || std::filesystem::file_size(place, ec) != file.size || ec)
+    return false;
   try {
     return content_hash(read_file(place)) == file.hash;
   } catch (const Error&) {

@@ -26,8 +26,10 @@ char first_character(const std::filesystem::path& path) {
   std::ifstream file;
   std::istringstream kept;
   const bool is_file = std::filesystem::is_regular_file(path, ec);
-  if (is_file) file.open(path, std::ios::binary);
-  else kept.str(read_file(path));  // what a stream takes of a pipe is gone
+  if (is_file)
+    file.open(path, std::ios::binary);
+  else
+    kept.str(read_file(path));  // what a stream takes of a pipe is gone
   std::istream& in = is_file ? static_cast<std::istream&>(file) : kept;
   for (char c = 0; in >> c;)
     if (kByteOrderMark.find(c) == kByteOrderMark.npos) return c;
@@ -40,7 +42,8 @@ bool is_scene(const std::filesystem::path& path) {
   return first == '{' || path.extension() == ".json";
 }
 
-Scene read_document(nlohmann::json document, const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+Scene read_document(nlohmann::json document, const std::filesystem::path& path,
+                    const std::vector<std::string>& overrides) {
   DocumentOrigin origin{path.string(), {}};
   apply_overrides(document, overrides, origin);
   Scene scene = read_scene(Node(document, "", origin));
@@ -51,7 +54,8 @@ Scene read_document(nlohmann::json document, const std::filesystem::path& path, 
 }  // namespace
 
 std::filesystem::path Scene::resolve(const std::string& path) const {
-  if (const auto assets = asset_folder(); path.starts_with(kAssetPrefix) && !assets.empty()) return assets / path.substr(kAssetPrefix.size());
+  if (const auto assets = asset_folder(); path.starts_with(kAssetPrefix) && !assets.empty())
+    return assets / path.substr(kAssetPrefix.size());
   return file.parent_path() / path;  // an absolute path replaces the folder
 }
 
@@ -79,7 +83,8 @@ Scene open_scene(const std::filesystem::path& path, const std::vector<std::strin
   return read_document(std::move(document), path, overrides);
 }
 
-Scene read_scene_content(const std::filesystem::path& path, std::string_view content, const std::vector<std::string>& overrides) {
+Scene read_scene_content(const std::filesystem::path& path, std::string_view content,
+                         const std::vector<std::string>& overrides) {
   return read_document(parse_json(content, path.string()), path, overrides);
 }
 

@@ -13,11 +13,11 @@
 #include <variant>
 #include <vector>
 
-#include "sim/scene/settings/display.h"
 #include "sim/material/material.h"
 #include "sim/scene/known_file.h"
 #include "sim/scene/scene_grab.h"
 #include "sim/scene/scene_selection.h"
+#include "sim/scene/settings/display.h"
 #include "sim/scene/settings/solver_settings.h"
 
 namespace fascia {
@@ -61,9 +61,8 @@ struct Body {
   std::vector<std::pair<std::string, MaterialOverride>> region_materials;  // region number or group name
   std::vector<Selection> fixed;
   std::vector<PrescribedMotion> prescribed;
-  std::variant<Eigen::Vector3d, std::string> initial_velocity =
-      Eigen::Vector3d(0, 0, 0);  // [m/s] or CSV path
-  std::string surface;           // .obj drawn instead of the tets' boundary
+  std::variant<Eigen::Vector3d, std::string> initial_velocity = Eigen::Vector3d(0, 0, 0);  // [m/s] or CSV path
+  std::string surface;  // .obj drawn instead of the tets' boundary
   bool operator==(const Body&) const = default;
 };
 
@@ -82,7 +81,7 @@ struct Scene {
   SolverSettings solver;
   std::optional<CameraSettings> camera;  // absent: framed on the bodies
   DisplaySettings display;
-  double duration = 2;  // [s] of `run` and `--video` when neither --steps nor --time is given
+  double duration = 2;             // [s] of `run` and `--video` when neither --steps nor --time is given
   std::vector<KnownFile> files;    // what is known of the files that the paths above name, or all of them
   std::vector<std::string> notes;  // of the reader, one line each: files that it found elsewhere
   bool operator==(const Scene&) const = default;
@@ -94,14 +93,15 @@ struct Scene {
 };
 
 /// Opens a scene (JSON) or a mesh alone (default material, lowest 2 percent fixed). `overrides` are --set
-/// texts "KEY=VALUE", or "--grab TEXT" (sim/scene/grab_text.h); a KEY that starts with a key of bodies (materials., fixed., transform., ...) means body
-/// 0. An override's error names "--set KEY".
+/// texts "KEY=VALUE", or "--grab TEXT" (sim/scene/grab_text.h); a KEY that starts with a key of bodies (materials.,
+/// fixed., transform., ...) means body 0. An override's error names "--set KEY".
 Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 /// As open_scene of a scene file with this content.
 Scene read_scene_content(const std::filesystem::path& path, std::string_view content,
                          const std::vector<std::string>& overrides = {});
 
-/// The scene as JSON text that open_scene reads back to the same scene, with paths as seen from `folder` (sim/scene/scene_paths.h).
+/// The scene as JSON text that open_scene reads back to the same scene, with paths as seen from `folder`
+/// (sim/scene/scene_paths.h).
 std::string scene_to_json(const Scene& scene, const std::filesystem::path& folder);
 /// The same without `files`: what says how the scene is, and not where it comes from.
 std::string parameters_to_json(const Scene& scene, const std::filesystem::path& folder);

@@ -35,7 +35,8 @@ Scene with_files(Scene scene, const std::vector<ReadFile>& read, const Rename& r
       if (r.key != key) continue;
       KnownFile file = r.file;
       file.path = r.name.empty() ? renamed : path_beside(renamed, r.name);
-      const bool known = std::any_of(files.begin(), files.end(), [&](const KnownFile& f) { return f.path == file.path; });
+      const bool known =
+          std::any_of(files.begin(), files.end(), [&](const KnownFile& f) { return f.path == file.path; });
       if (!known) files.push_back(std::move(file));
     }
     path = renamed;
@@ -47,7 +48,8 @@ Scene with_files(Scene scene, const std::vector<ReadFile>& read, const Rename& r
 /// Without their folders. Where there are several of these they get numbers, for their files may have the same names.
 Rename short_names(const Scene& scene) {
   std::map<std::string, std::string> folders;
-  for_each_path(scene, [&](const std::string& path, const std::string&) { folders.emplace(path_beside(path, ""), ""); });
+  for_each_path(scene,
+                [&](const std::string& path, const std::string&) { folders.emplace(path_beside(path, ""), ""); });
   if (std::size_t number = 0; folders.size() > 1)
     for (auto& [folder, name] : folders) name = std::to_string(++number) + "/";
   return [folders = std::move(folders)](const std::string& path) {

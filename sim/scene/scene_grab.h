@@ -1,5 +1,5 @@
-// A hand by script (scene key "grabs", option --grab): takes hold of a patch at a time, leads it along a path and lets go. So tests,
-// demos and measurements need no mouse.
+// A hand by script (scene key "grabs", option --grab): takes hold of a patch at a time, leads it along a path and lets
+// go. So tests, demos and measurements need no mouse.
 #pragma once
 #include <optional>
 #include <string>
@@ -15,12 +15,12 @@ namespace fascia {
 struct ScriptedGrab {
   /// "at": a place on or near the tissue at rest, with transforms applied [m]; or "select": vertices of `body`.
   std::variant<Eigen::Vector3d, Selection> where = Eigen::Vector3d(0, 0, 0);
-  std::string body;                          // by name; empty: the one at that place, or the first one
-  std::optional<double> radius;              // of the patch around "at" [m]; absent: 0.08 of half the scene's diagonal
-  std::optional<double> stiffness;           // of all springs together [N/m]; absent: from the tissue
-  double start = 0, duration = 0;            // [s]
-  std::optional<double> release;             // [s] absent: never
-  bool smooth = false;                       // eases in and out at every key of the path
+  std::string body;                 // by name; empty: the one at that place, or the first one
+  std::optional<double> radius;     // of the patch around "at" [m]; absent: 0.08 of half the scene's diagonal
+  std::optional<double> stiffness;  // of all springs together [N/m]; absent: from the tissue
+  double start = 0, duration = 0;   // [s]
+  std::optional<double> release;    // [s] absent: never
+  bool smooth = false;              // eases in and out at every key of the path
 
   struct Key {
     double time;                   // after start [s]

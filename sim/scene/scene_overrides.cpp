@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "base/error.h"
-#include "sim/scene/grab_text.h"
-#include "sim/scene/scene.h"
 #include "base/json/json_document.h"
 #include "base/suggest.h"
+#include "sim/scene/grab_text.h"
+#include "sim/scene/scene.h"
 #include "sim/surface/surface_fill.h"
 
 namespace fascia {
@@ -56,8 +56,7 @@ std::vector<std::string> segments_of(const std::string& key) {
   for (const std::string& segment : segments) {
     if (segment.empty()) return {};
   }
-  if (template_document()["bodies"][0].contains(segments.front()))
-    segments.insert(segments.begin(), {"bodies", "0"});
+  if (template_document()["bodies"][0].contains(segments.front())) segments.insert(segments.begin(), {"bodies", "0"});
   return segments;
 }
 
@@ -69,19 +68,23 @@ void collect_keys(const json& object, const std::string& path, std::vector<std::
   }
 }
 
-/// The known key that a first segment is nearest to: of a scene, of a body, or of what lies in them, which is then named with its path.
+/// The known key that a first segment is nearest to: of a scene, of a body, or of what lies in them, which is then
+/// named with its path.
 std::string near_key(const std::string& segment, const std::vector<std::string>& first_keys) {
   const json &scene = template_document(), &body = scene["bodies"][0];
   std::vector<std::string> paths = first_keys, names;
-  for (const char* section : {"solver", "display", "camera"}) collect_keys(scene[section], std::string(section) + ".", paths);
+  for (const char* section : {"solver", "display", "camera"})
+    collect_keys(scene[section], std::string(section) + ".", paths);
   collect_keys(body["materials"]["default"], "materials.default.", paths);
   collect_keys(body["transform"], "transform.", paths);
   for (const std::string& path : paths) names.push_back(path.substr(path.rfind('.') + 1));  // npos + 1 is 0
   const std::string near = nearest(segment, names);
-  return near.empty() ? "" : paths[static_cast<std::size_t>(std::find(names.begin(), names.end(), near) - names.begin())];
+  return near.empty() ? ""
+                      : paths[static_cast<std::size_t>(std::find(names.begin(), names.end(), near) - names.begin())];
 }
 
-/// Keys of bodies may begin a KEY, so the reader of the scene, which sees them at its top level only, would not suggest them.
+/// Keys of bodies may begin a KEY, so the reader of the scene, which sees them at its top level only, would not suggest
+/// them.
 void require_known(const json& document, const std::string& key, const std::string& segment) {
   if (!document.is_object() || document.contains(segment) || template_document().contains(segment)) return;
   std::vector<std::string> known;
@@ -124,10 +127,9 @@ void apply(json& document, const std::string& key, const std::vector<std::string
     } else if (node->is_array()) {
       const auto index = index_of(segment);
       if (!index || *index > node->size()) {
-        throw Error(
-            where,
-            excerpt(segment) + " is no element of " + path + ", which has " + std::to_string(node->size()),
-            "expected 0 to " + std::to_string(node->size()) + " (the end: a new element)");
+        throw Error(where,
+                    excerpt(segment) + " is no element of " + path + ", which has " + std::to_string(node->size()),
+                    "expected 0 to " + std::to_string(node->size()) + " (the end: a new element)");
       }
       path = path_of_element(path, *index);
       is_new = *index == node->size();
@@ -142,16 +144,19 @@ void apply(json& document, const std::string& key, const std::vector<std::string
   origin.overrides.push_back({key, path, touched});
 }
 
-/// A preset from the command line replaces the numbers that the file gives the material; those from the command line stay.
+/// A preset from the command line replaces the numbers that the file gives the material; those from the command line
+/// stay.
 void clear_preset_values(json& document, const std::vector<std::string>& segments, const DocumentOrigin& origin) {
   if (segments.size() < 4 || segments.back() != "preset" || segments[segments.size() - 3] != "materials") return;
   json* material = &document;
-  for (std::size_t s = 0; s + 1 < segments.size(); ++s) material = &(material->is_array() ? (*material)[*index_of(segments[s])] : (*material)[segments[s]]);
+  for (std::size_t s = 0; s + 1 < segments.size(); ++s)
+    material = &(material->is_array() ? (*material)[*index_of(segments[s])] : (*material)[segments[s]]);
   const std::string& path = origin.overrides.back().path;
   const std::string parent = path.substr(0, path.rfind('.'));
   for (const char* key : {"young_modulus", "poisson_ratio", "density"}) {
-    const bool asked = std::any_of(origin.overrides.begin(), origin.overrides.end(),
-                                   [&](const DocumentOrigin::Override& o) { return o.path == path_of_key(parent, key); });
+    const bool asked =
+        std::any_of(origin.overrides.begin(), origin.overrides.end(),
+                    [&](const DocumentOrigin::Override& o) { return o.path == path_of_key(parent, key); });
     if (!asked) material->erase(key);
   }
 }

@@ -12,9 +12,9 @@ namespace fascia {
 /// KEY is a dotted path ("bodies.0.materials.2.young_modulus", "gravity.1"; "bodies[0].mesh" as errors print
 /// it is understood too). A KEY that starts with a key of bodies (materials, fixed, transform...) means body
 /// 0. VALUE is JSON, or else a text. Missing objects, list elements at the end, and vectors (from their
-/// defaults) are created. A material's preset takes away the numbers of the file that it stands for. What each override touched is noted in `origin`. Throws Error for a text without
+/// defaults) are created. A material's preset takes away the numbers of the file that it stands for. What each override
+/// touched is noted in `origin`. Throws Error for a text without
 /// '=', for a KEY that begins as none of a scene or body does, and for a path that leads into a number or past a list.
-void apply_overrides(nlohmann::json& document, const std::vector<std::string>& overrides,
-                     DocumentOrigin& origin);
+void apply_overrides(nlohmann::json& document, const std::vector<std::string>& overrides, DocumentOrigin& origin);
 
 }  // namespace fascia

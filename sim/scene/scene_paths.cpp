@@ -42,7 +42,8 @@ template <class Iterator>
 std::optional<fs::path> find_content(Iterator entry, const KnownFile& file) {
   std::error_code ec;
   for (; entry != Iterator(); entry.increment(ec)) {
-    if (lower_ending(entry->path()) == lower_ending(file.path) && has_content(entry->path(), file)) return entry->path();
+    if (lower_ending(entry->path()) == lower_ending(file.path) && has_content(entry->path(), file))
+      return entry->path();
     if (ec) break;
   }
   return std::nullopt;
@@ -56,7 +57,8 @@ std::optional<fs::path> find_by_content(const fs::path& folder, const fs::path& 
 
 /// Shipped scenes, and copies of them, have their meshes at ../meshes/NAME or .../assets/meshes/NAME.
 fs::path shipped_place(const fs::path& assets, const fs::path& path) {
-  return !assets.empty() && path.parent_path().filename() == "meshes" ? assets / "meshes" / path.filename() : fs::path();
+  return !assets.empty() && path.parent_path().filename() == "meshes" ? assets / "meshes" / path.filename()
+                                                                      : fs::path();
 }
 
 }  // namespace
@@ -64,8 +66,10 @@ fs::path shipped_place(const fs::path& assets, const fs::path& path) {
 std::string path_from(const fs::path& folder, const Scene& scene, const std::string& path) {
   if (scene.carries(path) || path.starts_with(kAssetPrefix)) return path;
   const fs::path target = whole(scene.resolve(path)), base = whole_folder(folder), assets = whole_assets();
-  const bool same_folder = whole_folder(scene.file.parent_path()) == base, in_assets = !assets.empty() && (base == assets || below(assets, base));
-  if (const auto shipped = below(assets, target); shipped && !(same_folder && in_assets)) return std::string(kAssetPrefix) + shipped->string();
+  const bool same_folder = whole_folder(scene.file.parent_path()) == base,
+             in_assets = !assets.empty() && (base == assets || below(assets, base));
+  if (const auto shipped = below(assets, target); shipped && !(same_folder && in_assets))
+    return std::string(kAssetPrefix) + shipped->string();
   if (same_folder || fs::path(path).is_absolute()) return path;
   return below(base, target).value_or(target).string();
 }
@@ -73,14 +77,17 @@ std::string path_from(const fs::path& folder, const Scene& scene, const std::str
 std::string path_beside(const std::string& path, const std::string& name) {
   if (fs::path(name).is_absolute()) return name;
   const std::size_t slash = path.rfind('/');
-  const std::size_t folder = slash != std::string::npos ? slash + 1 : path.starts_with(kAssetPrefix) ? kAssetPrefix.size() : 0;
+  const std::size_t folder = slash != std::string::npos       ? slash + 1
+                             : path.starts_with(kAssetPrefix) ? kAssetPrefix.size()
+                                                              : 0;
   return path.substr(0, folder) + name;
 }
 
 Search search(const Scene& scene, const std::string& path) {
   const fs::path written = scene.resolve(path), folder = scene.file.parent_path(), assets = asset_folder();
   std::error_code ec;
-  if (fs::status(written, ec).type() != fs::file_type::not_found) return {written, {}};  // reading says what is wrong with it
+  if (fs::status(written, ec).type() != fs::file_type::not_found)
+    return {written, {}};  // reading says what is wrong with it
   Search result{{}, shown(written.parent_path())};
   if (written.filename().empty()) return result;
   const KnownFile* file = scene.recorded(path);
@@ -113,7 +120,8 @@ void find_moved_files(Scene& scene) {
       known.push_back(std::move(file));
     }
     scene.files.insert(scene.files.end(), known.begin(), known.end());
-    scene.notes.push_back(scene.file.string() + ": " + key + ": " + before + ": no such file; read " + searched.found->string());
+    scene.notes.push_back(scene.file.string() + ": " + key + ": " + before + ": no such file; read " +
+                          searched.found->string());
   });
 }
 

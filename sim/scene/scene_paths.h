@@ -13,8 +13,9 @@ namespace fascia {
 /// At the beginning of a path: below asset_folder() (base/data_folder.h), wherever the program is installed.
 inline constexpr std::string_view kAssetPrefix = "assets:";
 
-/// `path` of `scene` as a scene in `folder` (empty: the working folder) has it. One of a shipped file begins with "assets:"; one in the
-/// same folder as before, and one that is absolute, stays; any other is relative where it leads below `folder`, else absolute.
+/// `path` of `scene` as a scene in `folder` (empty: the working folder) has it. One of a shipped file begins with
+/// "assets:"; one in the same folder as before, and one that is absolute, stays; any other is relative where it leads
+/// below `folder`, else absolute.
 std::string path_from(const std::filesystem::path& folder, const Scene& scene, const std::string& path);
 
 /// The path of the file that the one at `path` calls `name`: kidney.mtl of meshes/kidney.obj.
@@ -25,8 +26,8 @@ struct Search {
   std::optional<std::filesystem::path> found;
   std::string looked;  // the places, for people; and what was there but is another file
 };
-/// At `path`, then, by its name, in the scene's folder, then, by the content that `scene` knows of it, there and among shipped files.
-/// One that was found by its name and has another content than that is not taken.
+/// At `path`, then, by its name, in the scene's folder, then, by the content that `scene` knows of it, there and among
+/// shipped files. One that was found by its name and has another content than that is not taken.
 Search search(const Scene& scene, const std::string& path);
 
 /// Files that are found elsewhere than the scene's paths say: these lead there, with a note for each.
@@ -42,7 +43,8 @@ void for_each_path(S& scene, const Visit& visit) {
     visit(body.mesh, key + "mesh");
     if (!body.surface.empty()) visit(body.surface, key + "surface");
     for (std::size_t m = 0; m < body.prescribed.size(); ++m)
-      if (Text& targets = body.prescribed[m].targets; !targets.empty()) visit(targets, key + "prescribed[" + std::to_string(m) + "].targets");
+      if (Text& targets = body.prescribed[m].targets; !targets.empty())
+        visit(targets, key + "prescribed[" + std::to_string(m) + "].targets");
     if (Text* velocity = std::get_if<std::string>(&body.initial_velocity)) visit(*velocity, key + "initial_velocity");
   }
 }

@@ -60,8 +60,7 @@ SolverSettings read_solver(const Node& node) {
     acceleration_node->fail("is " + excerpt(*acceleration) + perhaps(*acceleration, accelerations), expected);
   }
   const auto pair = find_pair(method, acceleration);
-  if (!pair)
-    acceleration_node->fail(excerpt(*acceleration) + " does not go with " + excerpt(*method), expected);
+  if (!pair) acceleration_node->fail(excerpt(*acceleration) + " does not go with " + excerpt(*method), expected);
   solver.method = pair->method;
   solver.acceleration = pair->acceleration;
   return solver;
@@ -76,8 +75,7 @@ Scene read_scene(const Node& root) {
   root.read("gravity", scene.gravity, -kLargestAcceleration, kLargestAcceleration, "m/s^2");
   root.read("duration", scene.duration, 0, kLongestTime, "s");
   const Node bodies = root.at("bodies", "a list of at least one body");
-  for (const Node& body : bodies.elements("a list of at least one body"))
-    scene.bodies.push_back(read_body(body));
+  for (const Node& body : bodies.elements("a list of at least one body")) scene.bodies.push_back(read_body(body));
   if (scene.bodies.empty()) bodies.refuse("a list of at least one body");
   if (const auto grabs = root.find("grabs"))
     for (const Node& grab : grabs->elements("a list of hands")) scene.grabs.push_back(read_grab(grab));

@@ -2,8 +2,8 @@
 #pragma once
 #include <nlohmann/json.hpp>
 
-#include "sim/scene/scene.h"
 #include "base/json/json_node.h"
+#include "sim/scene/scene.h"
 
 namespace fascia {
 

@@ -3,10 +3,10 @@
 #include <limits>
 
 #include "base/json/json_document.h"
-#include "sim/scene/scene_read.h"
 #include "base/suggest.h"
-#include "sim/surface/surface_fill.h"
 #include "sim/material/tissues.h"
+#include "sim/scene/scene_read.h"
+#include "sim/surface/surface_fill.h"
 
 namespace fascia {
 namespace {
@@ -35,7 +35,8 @@ const Tissue& read_preset(const Node& node) {
   return *tissue;
 }
 
-/// Into a Material or a MaterialOverride: the given keys replace what `material` holds, and a preset's values what is not given.
+/// Into a Material or a MaterialOverride: the given keys replace what `material` holds, and a preset's values what is
+/// not given.
 template <class M>
 void read_material(const Node& node, M& material) {
   std::vector<std::string> known = {"model", "preset"};
@@ -47,10 +48,9 @@ void read_material(const Node& node, M& material) {
     material.poisson_ratio = tissue.poisson_ratio;
     material.density = tissue.density;
   }
-  visit_material(material,
-                 [&](auto& field, const char* name, const char* unit, double min, double max, auto&&...) {
-                   if (const auto value = node.find(name)) field = value->number(min, max, unit);
-                 });
+  visit_material(material, [&](auto& field, const char* name, const char* unit, double min, double max, auto&&...) {
+    if (const auto value = node.find(name)) field = value->number(min, max, unit);
+  });
   if (const auto model = node.find("model")) material.model = read_model(*model);
 }
 
@@ -58,8 +58,7 @@ void read_materials(const Node& node, Body& body) {
   const std::string expected = "an object of materials: \"default\", region numbers or group names";
   for (const auto& [key, value] : node.members(expected)) {
     if (!value.is_object()) {
-      value.refuse(
-          "an object such as {\"young_modulus\": 1e5}, under \"default\", a region number or a group name");
+      value.refuse("an object such as {\"young_modulus\": 1e5}, under \"default\", a region number or a group name");
     }
     if (key == "default") {
       read_material(value, body.material);
@@ -78,13 +77,12 @@ Selection read_box(const Node& node) {
   const std::string expected = "a list of two corners, [[xmin, ymin, zmin], [xmax, ymax, zmax]] [m]";
   const std::vector<Node> corners = node.elements(expected);
   if (corners.size() != 2) node.refuse(expected);
-  const BoxSelection box{corners[0].vector(-kAnywhere, kAnywhere, "m"),
-                         corners[1].vector(-kAnywhere, kAnywhere, "m")};
+  const BoxSelection box{corners[0].vector(-kAnywhere, kAnywhere, "m"), corners[1].vector(-kAnywhere, kAnywhere, "m")};
   std::string swapped;
   for (const int axis : {0, 1, 2}) {
     if (box.min[axis] <= box.max[axis]) continue;
-    swapped += (swapped.empty() ? " along " : " and along ") + std::string(1, "xyz"[axis]) + " (first corner " + shortest(box.min[axis]) +
-               ", second corner " + shortest(box.max[axis]) + ")";
+    swapped += (swapped.empty() ? " along " : " and along ") + std::string(1, "xyz"[axis]) + " (first corner " +
+               shortest(box.min[axis]) + ", second corner " + shortest(box.max[axis]) + ")";
   }
   if (!swapped.empty()) node.fail("has min > max" + swapped, expected);
   return box;
@@ -92,16 +90,14 @@ Selection read_box(const Node& node) {
 
 Selection read_sphere(const Node& node) {
   node.expect_object({"center", "radius"});
-  const Node center = node.at("center", "a list of 3 numbers [m]"),
-             radius = node.at("radius", "a radius [m]");
+  const Node center = node.at("center", "a list of 3 numbers [m]"), radius = node.at("radius", "a radius [m]");
   return SphereSelection{center.vector(-kAnywhere, kAnywhere, "m"), radius.number(0, kAnywhere, "m")};
 }
 
 Selection read_vertices(const Node& node) {
   VertexSelection selection;
   for (const Node& index : node.elements("a list of vertex indices, the first vertex is 0")) {
-    selection.vertices.push_back(
-        static_cast<std::uint32_t>(index.integer(0, std::numeric_limits<int>::max())));
+    selection.vertices.push_back(static_cast<std::uint32_t>(index.integer(0, std::numeric_limits<int>::max())));
   }
   if (selection.vertices.empty()) node.refuse("at least one vertex index");
   return selection;
@@ -192,7 +188,8 @@ Body read_body(const Node& node) {
   if (body.mesh.empty()) mesh.refuse(expected);
   if (const auto resolution = node.find("resolution")) {
     body.resolution = resolution->integer(kFewestCells, kMostCells);
-    if (!is_surface_file(body.mesh)) resolution->fail("is given for a mesh of tets, which it does not change", "it only beside a surface (.obj)");
+    if (!is_surface_file(body.mesh))
+      resolution->fail("is given for a mesh of tets, which it does not change", "it only beside a surface (.obj)");
   }
   const auto name = node.find("name");
   body.name = name ? name->text("a text") : std::filesystem::path(body.mesh).stem().string();
@@ -204,8 +201,7 @@ Body read_body(const Node& node) {
     }
   }
   if (const auto prescribed = node.find("prescribed")) {
-    for (const Node& motion : prescribed->elements("a list of motions"))
-      body.prescribed.push_back(read_motion(motion));
+    for (const Node& motion : prescribed->elements("a list of motions")) body.prescribed.push_back(read_motion(motion));
   }
   if (const auto velocity = node.find("initial_velocity")) body.initial_velocity = read_velocity(*velocity);
   if (const auto surface = node.find("surface")) body.surface = surface->text("the path of an .obj file");

@@ -1,7 +1,7 @@
 // The key "display" of a scene file.
 #include "base/json/json_document.h"
-#include "sim/scene/scene_read.h"
 #include "base/suggest.h"
+#include "sim/scene/scene_read.h"
 
 namespace fascia {
 namespace {
@@ -56,8 +56,8 @@ SeparateTets read_tets(const Node& node) {
 
 DisplaySettings read_display(const Node& node) {
   DisplaySettings display;
-  node.expect_object({"color", "range", "color_map", "wireframe", "section", "tets", "shadow", "ground", "ambient_occlusion", "depth_cue",
-                      "background"});
+  node.expect_object({"color", "range", "color_map", "wireframe", "section", "tets", "shadow", "ground",
+                      "ambient_occlusion", "depth_cue", "background"});
   read_choice(node, "color", all_colors(), display.color);
   if (const auto range = node.find("range")) display.range = read_range(*range);
   read_choice(node, "color_map", all_color_maps(), display.color_map);

@@ -1,8 +1,8 @@
 // What a scene file knows of the files that it refers to, and those that it carries ("files").
 #include <charconv>
 
-#include "base/deflate.h"
 #include "base/byte_text.h"
+#include "base/deflate.h"
 #include "sim/scene/scene_read.h"
 
 namespace fascia {

@@ -4,8 +4,8 @@
 namespace fascia {
 namespace {
 
-constexpr double kStiffest = 1e15;   // [N/m]
-constexpr double kSmallest = 1e-9;   // [m], [N/m]
+constexpr double kStiffest = 1e15;  // [N/m]
+constexpr double kSmallest = 1e-9;  // [m], [N/m]
 
 std::vector<ScriptedGrab::Key> read_path(const Node& node) {
   const std::string expected = "a list of keys [t, dx, dy, dz]: seconds after start, ascending, and metres";
@@ -15,7 +15,8 @@ std::vector<ScriptedGrab::Key> read_path(const Node& node) {
     if (values.size() != 4) key.refuse(expected);
     const auto coordinate = [&](std::size_t k) { return values[k].number(-kFarthestTissue, kFarthestTissue, "m"); };
     path.push_back({values[0].number(0, kLongestTime, "s"), {coordinate(1), coordinate(2), coordinate(3)}});
-    if (path.size() > 1 && !(path[path.size() - 2].time < path.back().time)) key.refuse("a later time than that of the key before");
+    if (path.size() > 1 && !(path[path.size() - 2].time < path.back().time))
+      key.refuse("a later time than that of the key before");
   }
   if (path.empty()) node.refuse(expected);
   return path;
@@ -24,7 +25,8 @@ std::vector<ScriptedGrab::Key> read_path(const Node& node) {
 }  // namespace
 
 ScriptedGrab read_grab(const Node& node) {
-  node.expect_object({"at", "select", "body", "radius", "stiffness", "start", "duration", "release", "smooth", "translate", "push", "path"});
+  node.expect_object({"at", "select", "body", "radius", "stiffness", "start", "duration", "release", "smooth",
+                      "translate", "push", "path"});
   ScriptedGrab grab;
   const auto at = node.find("at"), select = node.find("select"), radius = node.find("radius"), push = node.find("push"),
              path = node.find("path"), release = node.find("release");

@@ -25,13 +25,12 @@ struct GroupSelection {
   std::string group;
   bool operator==(const GroupSelection&) const = default;
 };
-/// "lowest": the vertices within `share` of the height from the bottom along y, or, where those are fewer, this share of all vertices, those
-/// that lie lowest; how a mesh alone is held.
+/// "lowest": the vertices within `share` of the height from the bottom along y, or, where those are fewer, this share
+/// of all vertices, those that lie lowest; how a mesh alone is held.
 struct LowestSelection {
   double share;
   bool operator==(const LowestSelection&) const = default;
 };
-using Selection =
-    std::variant<BoxSelection, SphereSelection, VertexSelection, GroupSelection, LowestSelection>;
+using Selection = std::variant<BoxSelection, SphereSelection, VertexSelection, GroupSelection, LowestSelection>;
 
 }  // namespace fascia

@@ -62,12 +62,14 @@ OrderedJson material(const M& material) {
 
 OrderedJson display(const DisplaySettings& display) {
   OrderedJson object = {{"color", name_of(display.color)}};
-  if (const auto& range = display.range) object["range"] = OrderedJson::array({number((*range)[0]), number((*range)[1])});
+  if (const auto& range = display.range)
+    object["range"] = OrderedJson::array({number((*range)[0]), number((*range)[1])});
   object["color_map"] = name_of(display.color_map);
   object["wireframe"] = display.wireframe;
   if (const auto& section = display.section)
     object["section"] = {{"normal", vector(section->normal)}, {"offset", number(section->offset)}};
-  if (const auto& tets = display.tets) object["tets"] = {{"shrink", number(tets->shrink)}, {"spread", number(tets->spread)}};
+  if (const auto& tets = display.tets)
+    object["tets"] = {{"shrink", number(tets->shrink)}, {"spread", number(tets->spread)}};
   object["shadow"] = display.shadow;
   object["ground"] = display.ground;
   object["ambient_occlusion"] = number(display.ambient_occlusion);
@@ -129,9 +131,8 @@ class SceneWriter {
       object["targets"] = path(motion.targets);
     } else {
       object["translate"] = vector(motion.translate);
-      object["rotate_deg"] = {{"axis", vector(motion.axis)},
-                              {"angle", number(motion.angle_deg)},
-                              {"center", vector(motion.center)}};
+      object["rotate_deg"] = {
+          {"axis", vector(motion.axis)}, {"angle", number(motion.angle_deg)}, {"center", vector(motion.center)}};
       object["scale"] = number(motion.scale);
     }
     object["start"] = number(motion.start);
@@ -178,8 +179,7 @@ bool has_objects(const OrderedJson& list) {
 }
 
 std::string text_of(const OrderedJson& value, const std::string& indent, bool on_one_line) {
-  if (value.is_primitive() || value.empty())
-    return value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+  if (value.is_primitive() || value.empty()) return value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
   if (!on_one_line) {
     constexpr std::size_t kLongestLine = 100;
     std::string line = text_of(value, "", true);
@@ -201,7 +201,9 @@ std::string text_of(const OrderedJson& value, const std::string& indent, bool on
 
 void move_scene(Scene& scene, const fs::path& file) {
   const Scene before = scene;
-  const auto follow = [&](std::string& path, const std::string&) { path = path_from(file.parent_path(), before, path); };
+  const auto follow = [&](std::string& path, const std::string&) {
+    path = path_from(file.parent_path(), before, path);
+  };
   for_each_path(scene, follow);
   for (KnownFile& known : scene.files) follow(known.path, {});
   scene.file = file;
@@ -225,7 +227,10 @@ OrderedJson solver_document(const SolverSettings& settings) {
 OrderedJson material_document(const Material& values) { return material(values); }
 
 OrderedJson camera_document(const CameraSettings& camera) {
-  return {{"eye", vector(camera.eye)}, {"target", vector(camera.target)}, {"up", vector(camera.up)}, {"fov_deg", number(camera.fov_deg)}};
+  return {{"eye", vector(camera.eye)},
+          {"target", vector(camera.target)},
+          {"up", vector(camera.up)},
+          {"fov_deg", number(camera.fov_deg)}};
 }
 
 OrderedJson display_document(const DisplaySettings& settings) { return display(settings); }
@@ -234,8 +239,12 @@ OrderedJson vector_document(const Eigen::Vector3d& v) { return vector(v); }
 
 std::string text_of(const OrderedJson& document) { return text_of(document, "", false) + "\n"; }
 
-std::string scene_to_json(const Scene& scene, const fs::path& folder) { return text_of(complete_document(scene, folder)); }
+std::string scene_to_json(const Scene& scene, const fs::path& folder) {
+  return text_of(complete_document(scene, folder));
+}
 
-std::string parameters_to_json(const Scene& scene, const fs::path& folder) { return text_of(scene_document(scene, folder)); }
+std::string parameters_to_json(const Scene& scene, const fs::path& folder) {
+  return text_of(scene_document(scene, folder));
+}
 
 }  // namespace fascia

@@ -3,10 +3,10 @@
 #include <sstream>
 
 #include "base/dated_name.h"
-#include "sim/simulation/scene_edits.h"
 #include "base/error.h"
 #include "sim/reference/elasticity.h"
 #include "sim/scene/scene_carry.h"
+#include "sim/simulation/scene_edits.h"
 
 namespace fascia {
 namespace {
@@ -95,8 +95,8 @@ std::string Breakdown::text(const Model& model) const {
   const Tet& v = model.tets[tet];
   std::ostringstream out;
   out.precision(3);
-  out << "tet " << model.tet_source[tet] << " (vertices " << v[0] << ' ' << v[1] << ' ' << v[2] << ' ' << v[3] << ", strain " << strain
-      << ", J " << det_f << ") came apart at " << time << " s";
+  out << "tet " << model.tet_source[tet] << " (vertices " << v[0] << ' ' << v[1] << ' ' << v[2] << ' ' << v[3]
+      << ", strain " << strain << ", J " << det_f << ") came apart at " << time << " s";
   return out.str();
 }
 
@@ -157,9 +157,11 @@ void require_sound(Simulation& simulation) {
   simulation.require_device();
   const bool cut = !simulation.astray();
   const Breakdown breakdown = find_breakdown(simulation, *lost);
-  throw Error(simulation.scene.file.string(), breakdown.text(simulation.model) + ", repeated by " + keep_replay(breakdown.replay).string(),
-              cut ? "expected more steps: the replay goes back to a sound state later"
-                  : "expected finite positions: more iterations or substeps, softer material or a smaller load may help");
+  throw Error(
+      simulation.scene.file.string(),
+      breakdown.text(simulation.model) + ", repeated by " + keep_replay(breakdown.replay).string(),
+      cut ? "expected more steps: the replay goes back to a sound state later"
+          : "expected finite positions: more iterations or substeps, softer material or a smaller load may help");
 }
 
 }  // namespace fascia

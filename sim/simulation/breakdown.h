@@ -1,4 +1,5 @@
-// A state that came apart: found again from the last sound one, step by step, to say where it began and to keep what repeats it.
+// A state that came apart: found again from the last sound one, step by step, to say where it began and to keep what
+// repeats it.
 #pragma once
 #include <string>
 
@@ -7,9 +8,9 @@
 namespace fascia {
 
 struct Breakdown {
-  Replay replay;       // from the last sound state to the lost one
-  bool found = false;  // whether repeating it led to a lost state again
-  double time = 0;     // at the end of the step that was lost [s]
+  Replay replay;          // from the last sound state to the lost one
+  bool found = false;     // whether repeating it led to a lost state again
+  double time = 0;        // at the end of the step that was lost [s]
   std::uint32_t tet = 0;  // of Model::tets: the most strained one around the lost vertices, before that step
   double strain = 0;      // of it: Frobenius norm of the Green strain
   double det_f = 1;       // of it: J
@@ -21,9 +22,9 @@ struct Breakdown {
 /// `lost`: what check_now() or astray() found. The simulation goes back to its last sound state, at rest.
 Breakdown find_breakdown(Simulation& simulation, std::uint32_t lost);
 
-/// For commands without a window: nothing if the state is sound; else writes a replay into the working folder, or the folder for
-/// temporary files where that cannot be written, and throws an Error that says what came apart and names the replay. Throws
-/// gl::ContextLost when there is no state any more. Waits for the GPU.
+/// For commands without a window: nothing if the state is sound; else writes a replay into the working folder, or the
+/// folder for temporary files where that cannot be written, and throws an Error that says what came apart and names the
+/// replay. Throws gl::ContextLost when there is no state any more. Waits for the GPU.
 void require_sound(Simulation& simulation);
 
 /// The replay, under a dated name. Returns where.

@@ -20,7 +20,8 @@ void follow(MaterialOverride& values, const Material& now, const Material& fallb
 
 }  // namespace
 
-std::vector<MaterialEntries> material_entries(const Scene& scene, const Model& model, const std::vector<Material>& materials) {
+std::vector<MaterialEntries> material_entries(const Scene& scene, const Model& model,
+                                              const std::vector<Material>& materials) {
   std::vector<MaterialEntries> all;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const std::size_t first = model.bodies[b].material_begin;

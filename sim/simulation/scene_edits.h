@@ -17,7 +17,8 @@ struct MaterialEntries {
 };
 
 /// Those of every body of the scene, with the values of `materials` [model.materials.size()], wherever they differ.
-std::vector<MaterialEntries> material_entries(const Scene& scene, const Model& model, const std::vector<Material>& materials);
+std::vector<MaterialEntries> material_entries(const Scene& scene, const Model& model,
+                                              const std::vector<Material>& materials);
 
 /// The scene's material entries get the values of `materials` [model.materials.size()], wherever they differ.
 void follow_materials(Scene& scene, const Model& model, const std::vector<Material>& materials);

@@ -18,7 +18,8 @@ namespace fascia {
 Simulation::Simulation(Scene opened, gl::ProgramCache* programs, bool use_reference)
     : Simulation(opened, build_model(opened), programs, use_reference) {}
 
-Simulation::Simulation(Scene opened, Model built, gl::ProgramCache* programs, bool use_reference, const Progress& progress)
+Simulation::Simulation(Scene opened, Model built, gl::ProgramCache* programs, bool use_reference,
+                       const Progress& progress)
     : scene(std::move(opened)), model(std::move(built)), programs_(programs) {
   if (programs) gpu_ = std::make_unique<GpuSolver>(*programs, model, scene.solver, model.embedded, progress);
   if (use_reference) {
@@ -102,7 +103,8 @@ void Simulation::step_within_budget() {
   const SolverSettings& wanted = scene.solver;
   int iterations = wanted.iterations;
   if (ms_per_iteration_ > 0)
-    iterations = static_cast<int>(std::clamp<double>(std::floor(wanted.frame_budget / (ms_per_iteration_ * wanted.substeps)), 1, iterations));
+    iterations = static_cast<int>(
+        std::clamp<double>(std::floor(wanted.frame_budget / (ms_per_iteration_ * wanted.substeps)), 1, iterations));
   if (iterations != gpu_->settings().iterations) {
     --steps_;  // before this step
     grant(iterations);
@@ -175,7 +177,8 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
   constexpr std::size_t kSoonFactored = 20'000;  // tets: in about a second
   // A small residual may be a large error in bodies that bend easily, and Newton's last iterations take it away.
   const bool refines = march.converged && scene.solver.tolerance == 0 && model.tets.size() <= kSoonFactored;
-  const bool rescues = !march.converged && march.relative_residual <= kNear && model.tets.size() <= reference::NewtonSolver::kMostTets;
+  const bool rescues =
+      !march.converged && march.relative_residual <= kNear && model.tets.size() <= reference::NewtonSolver::kMostTets;
   if (stop.stop_requested() || !(refines || rescues)) return report;
   if (news) news({march.iterations, 1, march.relative_residual, false});
   State exact = *equilibrium_;
@@ -298,7 +301,8 @@ std::string describe(const StaticReport& report) {
   if (report.iterations > 0) text << report.iterations << (report.newton_iterations > 0 ? " and " : " ");
   if (report.newton_iterations > 0) text << report.newton_iterations << " Newton ";
   if (report.iterations + report.newton_iterations == 0) text << "no ";
-  text << (report.iterations + report.newton_iterations == 1 ? "iteration" : "iterations") << ", relative residual " << report.relative_residual;
+  text << (report.iterations + report.newton_iterations == 1 ? "iteration" : "iterations") << ", relative residual "
+       << report.relative_residual;
   return text.str();
 }
 

@@ -1,4 +1,5 @@
-// What a simulation learns of its state every few steps: whether it is finite, whether it has come to rest, whether the device computes.
+// What a simulation learns of its state every few steps: whether it is finite, whether it has come to rest, whether the
+// device computes.
 #include <algorithm>
 
 #include "sim/gpu/passes/compute_probe.h"
@@ -7,7 +8,8 @@
 
 namespace fascia {
 
-// The answer to the last question is there long since, or waited for: so a body falls asleep at the same step in every run.
+// The answer to the last question is there long since, or waited for: so a body falls asleep at the same step in every
+// run.
 void Simulation::look() {
   follow_check(true);
   if (astray_) return;
@@ -18,15 +20,17 @@ void Simulation::look() {
   asleep_ = quiet_ && !astray_ && settle();
 }
 
-// Whether the body, which hardly moves, has no way left to go. Where its equilibrium can be found soon, it is put there.
+// Whether the body, which hardly moves, has no way left to go. Where its equilibrium can be found soon, it is put
+// there.
 bool Simulation::settle() {
-  constexpr double kUnseen = 3e-4;      // of the scene's size: a third of a pixel
+  constexpr double kUnseen = 3e-4;             // of the scene's size: a third of a pixel
   constexpr double kLong = 1, kVeryLong = 16;  // [s] at rest
-  constexpr double kFloat32 = 1e-3;     // of a static residual, what rounding leaves of soft slender bodies
+  constexpr double kFloat32 = 1e-3;            // of a static residual, what rounding leaves of soft slender bodies
   const bool descends = gpu_->descends();
   if (!descends) return rest_.quiet() >= kLong;  // comes to rest elsewhere
   if (model.tets.size() > Settling::kMostTets)
-    return rest_.quiet() >= kLong && (rest_.quiet() >= kVeryLong || reference::StaticResidual(model)(gpu_->download(), springs_) <= kFloat32);
+    return rest_.quiet() >= kLong &&
+           (rest_.quiet() >= kVeryLong || reference::StaticResidual(model)(gpu_->download(), springs_) <= kFloat32);
   if (!settling_.busy()) {
     if (rest_.quiet() >= settles_after_) settling_.begin(model, scene.solver, springs_, gpu_->download(), steps_);
     return false;

@@ -1,8 +1,8 @@
 // What a simulation tells of itself for a recording, and how it repeats one.
 #include <algorithm>
 
-#include "sim/simulation/simulation.h"
 #include "base/error.h"
+#include "sim/simulation/simulation.h"
 
 namespace fascia {
 
@@ -12,7 +12,8 @@ void Simulation::require_fit(const Replay& replay) const {
   };
   const std::size_t vertices = model.rest_positions.size();
   if (replay.start && replay.start->displacement.size() != vertices)
-    fail("start has " + std::to_string(replay.start->displacement.size()) + " vertices", "expected the mesh's " + std::to_string(vertices));
+    fail("start has " + std::to_string(replay.start->displacement.size()) + " vertices",
+         "expected the mesh's " + std::to_string(vertices));
   GrabTrack held;
   for (const Input& input : replay.inputs) {
     const auto* material = std::get_if<MaterialInput>(&input.change);
@@ -22,11 +23,13 @@ void Simulation::require_fit(const Replay& replay) const {
     if (const auto* springs = std::get_if<GrabInput>(&input.change)) {
       for (const GrabSpring& spring : *springs)
         if (spring.vertex >= vertices)
-          fail("an input grabs vertex " + std::to_string(spring.vertex), "expected an index below " + std::to_string(vertices));
+          fail("an input grabs vertex " + std::to_string(spring.vertex),
+               "expected an index below " + std::to_string(vertices));
       held.restart(*springs);
     }
     if (const auto* move = std::get_if<GrabMove>(&input.change); move && !held.fits(*move))
-      fail("an input before step " + std::to_string(input.step) + " moves other springs than are held", "expected parts that cover them");
+      fail("an input before step " + std::to_string(input.step) + " moves other springs than are held",
+           "expected parts that cover them");
   }
 }
 
@@ -45,9 +48,11 @@ void Simulation::end_replay() {
 
 bool Simulation::led_back_later() const {
   if (!replay_) return false;
-  return std::any_of(replay_->inputs.begin() + static_cast<std::ptrdiff_t>(next_input_), replay_->inputs.end(), [](const Input& input) {
-    return std::holds_alternative<SoundInput>(input.change) || std::holds_alternative<ResetInput>(input.change);
-  });
+  return std::any_of(replay_->inputs.begin() + static_cast<std::ptrdiff_t>(next_input_), replay_->inputs.end(),
+                     [](const Input& input) {
+                       return std::holds_alternative<SoundInput>(input.change) ||
+                              std::holds_alternative<ResetInput>(input.change);
+                     });
 }
 
 void Simulation::tell(long step, Change change) const {
@@ -70,7 +75,8 @@ void Simulation::repeat(const Change& change) {
       simulation.apply_grab(springs, springs);
     }
     void operator()(const GrabMove& move) {
-      if (simulation.held_.fits(move)) simulation.apply_grab(simulation.held_.moved(move), move);  // else set_grab() has taken over
+      if (simulation.held_.fits(move))
+        simulation.apply_grab(simulation.held_.moved(move), move);  // else set_grab() has taken over
     }
     void operator()(const GrantInput& input) { simulation.grant(input.iterations); }
     void operator()(const BackgroundInput& input) {
@@ -93,7 +99,8 @@ void Simulation::repeat(const Change& change) {
 
 void Simulation::repeat_inputs() {
   if (!replay_) return;
-  for (; next_input_ < replay_->inputs.size() && replay_->inputs[next_input_].step <= steps_ - replay_begin_; ++next_input_) {
+  for (; next_input_ < replay_->inputs.size() && replay_->inputs[next_input_].step <= steps_ - replay_begin_;
+       ++next_input_) {
     repeat(replay_->inputs[next_input_].change);
     // What is computed beside the frame would be ready at another step each time.
     if (gpu_ && !replay_->timed) gpu_->finish_background();

@@ -62,9 +62,8 @@ bool TrueError::update(Simulation& simulation, bool continuously) {
   }
   if (waiting_)
     if (std::optional<SolvedStep> step = snapshot_.take(simulation.gpu()->buffers(), false)) {
-      running_ = std::async(std::launch::async, [problem = std::move(*waiting_), step = std::move(*step), stop = stop_.get_token()] {
-        return compare(problem, step, stop);
-      });
+      running_ = std::async(std::launch::async, [problem = std::move(*waiting_), step = std::move(*step),
+                                                 stop = stop_.get_token()] { return compare(problem, step, stop); });
       waiting_.reset();
     }
   if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;

@@ -1,5 +1,5 @@
-// How far the solver's steps are from the exact ones: now and then the last substep is solved again from where it started, by the
-// reference solver on another thread, while the frames go on.
+// How far the solver's steps are from the exact ones: now and then the last substep is solved again from where it
+// started, by the reference solver on another thread, while the frames go on.
 #pragma once
 #include <future>
 #include <optional>
@@ -28,16 +28,16 @@ class TrueError {
   TrueError& operator=(const TrueError&) = delete;
   ~TrueError();  // stops the thread and waits for it
 
-  void request() { requested_ = true; }  // one, of the next step
+  void request() { requested_ = true; }          // one, of the next step
   bool requested() const { return requested_; }  // and not begun
   bool busy() const { return waiting_ || running_.valid(); }
   const std::optional<StepError>& result() const { return result_; }
 
-  /// Once a frame, after its steps: copies the last substep if a measurement is due, with `continuously` whenever none is under way and
-  /// the last result is of an older substep. True when there is a new result.
+  /// Once a frame, after its steps: copies the last substep if a measurement is due, with `continuously` whenever none
+  /// is under way and the last result is of an older substep. True when there is a new result.
   bool update(Simulation& simulation, bool continuously);
-  /// The error of the last substep, waited for; zero before the first step. For a solver that always solves everything. Throws
-  /// Error for more than kMostTets.
+  /// The error of the last substep, waited for; zero before the first step. For a solver that always solves everything.
+  /// Throws Error for more than kMostTets.
   const StepError& measure(Simulation& simulation);
   void forget();  // the state has jumped: what is under way is of no interest
 

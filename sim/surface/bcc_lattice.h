@@ -1,4 +1,5 @@
-// The body-centered cubic lattice that isosurface stuffing (sim/surface/isosurface_stuffing.h) cuts: points, cells, tets.
+// The body-centered cubic lattice that isosurface stuffing (sim/surface/isosurface_stuffing.h) cuts: points, cells,
+// tets.
 #pragma once
 #include <Eigen/Geometry>
 #include <cmath>
@@ -8,8 +9,8 @@
 
 namespace fascia {
 
-/// Corners of cubic cells, and their centers. A tet joins the centers of two cells with an edge of the face between them: two long edges
-/// (one spacing) and four short ones (0.87 spacings).
+/// Corners of cubic cells, and their centers. A tet joins the centers of two cells with an edge of the face between
+/// them: two long edges (one spacing) and four short ones (0.87 spacings).
 class BccLattice {
  public:
   BccLattice(const Eigen::AlignedBox3d& box, int cells) : spacing(box.sizes().maxCoeff() / cells) {
@@ -23,7 +24,9 @@ class BccLattice {
   std::uint32_t corner(const Eigen::Vector3i& c) const {
     return static_cast<std::uint32_t>((c.x() * (count.y() + 1) + c.y()) * (count.z() + 1) + c.z());
   }
-  std::uint32_t cell(const Eigen::Vector3i& c) const { return static_cast<std::uint32_t>((c.x() * count.y() + c.y()) * count.z() + c.z()); }
+  std::uint32_t cell(const Eigen::Vector3i& c) const {
+    return static_cast<std::uint32_t>((c.x() * count.y() + c.y()) * count.z() + c.z());
+  }
   std::uint32_t center(const Eigen::Vector3i& c) const { return corner_count + cell(c); }
   std::uint32_t cell_count() const { return static_cast<std::uint32_t>(count.prod()); }
   std::uint32_t point_count() const { return corner_count + cell_count(); }
@@ -49,15 +52,18 @@ class BccLattice {
         for (int k = low.z(); k <= high.z(); ++k) f(Eigen::Vector3i(i, j, k));
   }
 
-  /// The tets around the face between a cell and the next one along an axis; f(tet, number), numbers ascend over the lattice.
+  /// The tets around the face between a cell and the next one along an axis; f(tet, number), numbers ascend over the
+  /// lattice.
   template <class F>
   void for_tets_of_face(const Eigen::Vector3i& c, int axis, F f) const {
-    const Eigen::Vector3i along = Eigen::Vector3i::Unit(axis), u = Eigen::Vector3i::Unit((axis + 1) % 3), v = Eigen::Vector3i::Unit((axis + 2) % 3);
+    const Eigen::Vector3i along = Eigen::Vector3i::Unit(axis), u = Eigen::Vector3i::Unit((axis + 1) % 3),
+                          v = Eigen::Vector3i::Unit((axis + 2) % 3);
     const Eigen::Vector3i base = c + along;
     if (base[axis] >= count[axis]) return;
     const Eigen::Vector3i ring[4] = {base, base + u, base + u + v, base + v};
     for (int e = 0; e < 4; ++e)
-      f(Tet{center(c), center(base), corner(ring[e]), corner(ring[(e + 1) % 4])}, (std::size_t{cell(c)} * 3 + axis) * 4 + e);
+      f(Tet{center(c), center(base), corner(ring[e]), corner(ring[(e + 1) % 4])},
+        (std::size_t{cell(c)} * 3 + axis) * 4 + e);
   }
   template <class F>
   void for_tets(F f) const {

@@ -88,7 +88,8 @@ std::array<double, 4> as_array(const Eigen::Vector4d& w) { return {w[0], w[1], w
 
 }  // namespace
 
-EmbeddedPoints embed(std::vector<Vector3d> points, const std::vector<Vector3d>& vertices, const std::vector<Tet>& tets) {
+EmbeddedPoints embed(std::vector<Vector3d> points, const std::vector<Vector3d>& vertices,
+                     const std::vector<Tet>& tets) {
   EmbeddedPoints result;
   if (points.empty()) return result;
   Grid grid(vertices, tets);

@@ -12,8 +12,8 @@ struct EmbeddedPoint {
   std::array<double, 4> weights;  // barycentric, sum 1; outside the mesh some are negative, none below -kLargestReach
 };
 
-/// How far outside the nearest tet a point follows it as if it went on: so much of its weights; what is farther moves along with that.
-/// Unlimited weights of flat tets would throw the point about.
+/// How far outside the nearest tet a point follows it as if it went on: so much of its weights; what is farther moves
+/// along with that. Unlimited weights of flat tets would throw the point about.
 inline constexpr double kLargestReach = 0.5;
 
 struct EmbeddedPoints {
@@ -24,6 +24,7 @@ struct EmbeddedPoints {
 };
 
 /// For each point the tet that contains it or else the nearest one. All tets must have positive volume.
-EmbeddedPoints embed(std::vector<Eigen::Vector3d> points, const std::vector<Eigen::Vector3d>& vertices, const std::vector<Tet>& tets);
+EmbeddedPoints embed(std::vector<Eigen::Vector3d> points, const std::vector<Eigen::Vector3d>& vertices,
+                     const std::vector<Tet>& tets);
 
 }  // namespace fascia

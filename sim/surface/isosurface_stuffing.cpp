@@ -5,9 +5,9 @@
 #include <optional>
 #include <unordered_map>
 
+#include "sim/mesh/tet_faces.h"
 #include "sim/surface/bcc_lattice.h"
 #include "sim/surface/lattice_sides.h"
-#include "sim/mesh/tet_faces.h"
 
 namespace fascia {
 namespace {
@@ -15,11 +15,11 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-// A cut closer to a lattice point than these shares of a long or short edge moves the point (table 1 of the paper, for the best smallest
-// angle).
+// A cut closer to a lattice point than these shares of a long or short edge moves the point (table 1 of the paper, for
+// the best smallest angle).
 constexpr double kNearLong = 0.24999, kNearShort = 0.41189;
-constexpr double kMissed = 0.25;   // spacings from the tets at which a piece of the surface counts as lost
-constexpr int kRounds = 4;         // of finding lost pieces
+constexpr double kMissed = 0.25;  // spacings from the tets at which a piece of the surface counts as lost
+constexpr int kRounds = 4;        // of finding lost pieces
 constexpr int kBisections = 20;
 constexpr std::uint32_t kNone = ~0u;
 constexpr std::size_t kTrianglesBetweenReports = 256;
@@ -34,7 +34,10 @@ std::array<double, 4> barycentric(const Vector3d& p, const std::array<Vector3d, 
 class Filler {
  public:
   Filler(const TriangleTree& surface, bool balanced, int cells, const Progress& progress)
-      : surface_(surface), lattice_(surface.box(), cells), progress_(progress), side_(find_sides(surface, lattice_, balanced, part_of(progress, 0, 0.4))) {
+      : surface_(surface),
+        lattice_(surface.box(), cells),
+        progress_(progress),
+        side_(find_sides(surface, lattice_, balanced, part_of(progress, 0, 0.4))) {
     report(progress_, 0.4, kFilling);
     cut_edges();
   }
@@ -63,7 +66,8 @@ class Filler {
     lattice_.for_tets([&](const Tet& tet, std::size_t) {
       for (int a = 0; a < 4; ++a)
         for (int b = 0; b < 4; ++b)
-          if (side_[tet[a]] == inside && side_[tet[b]] == outside && cut_of_.emplace(key(tet[a], tet[b]), cuts_.size()).second)
+          if (side_[tet[a]] == inside && side_[tet[b]] == outside &&
+              cut_of_.emplace(key(tet[a], tet[b]), cuts_.size()).second)
             cuts_.push_back({tet[a], tet[b], crossing(tet[a], tet[b]), kNone});
     });
     std::vector<std::uint32_t> ends;
@@ -77,7 +81,9 @@ class Filler {
     std::sort(near_surface_.begin(), near_surface_.end());
   }
 
-  static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
+  static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
+    return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+  }
 
   /// The first share of the way from `in` at which the outside begins.
   double crossing(std::uint32_t in, std::uint32_t out) const {
@@ -158,9 +164,11 @@ class Filler {
     } else if (ins == 2 && outs == 1) {
       add_pyramid(vertex(on[0]), {vertex(in[0]), vertex(in[1]), cut(in[1], out[0]), cut(in[0], out[0])}, tets);
     } else if (ins == 2) {
-      add_prism({vertex(in[0]), cut(in[0], out[0]), cut(in[0], out[1])}, {vertex(in[1]), cut(in[1], out[0]), cut(in[1], out[1])}, tets);
+      add_prism({vertex(in[0]), cut(in[0], out[0]), cut(in[0], out[1])},
+                {vertex(in[1]), cut(in[1], out[0]), cut(in[1], out[1])}, tets);
     } else {
-      add_prism({vertex(in[0]), vertex(in[1]), vertex(in[2])}, {cut(in[0], out[0]), cut(in[1], out[0]), cut(in[2], out[0])}, tets);
+      add_prism({vertex(in[0]), vertex(in[1]), vertex(in[2])},
+                {cut(in[0], out[0]), cut(in[1], out[0]), cut(in[2], out[0])}, tets);
     }
   }
 
@@ -191,8 +199,8 @@ class Filler {
     rank_.back() = rank;
   }
 
-  // Which vertex of a face with four corners its diagonal leads from: that of the highest rank, so that both tets at the face agree and no
-  // prism is left without a cut. Cuts of long edges come first, then those of short ones.
+  // Which vertex of a face with four corners its diagonal leads from: that of the highest rank, so that both tets at
+  // the face agree and no prism is left without a cut. Cuts of long edges come first, then those of short ones.
   bool before(std::uint32_t a, std::uint32_t b) const { return rank_[a] != rank_[b] ? rank_[a] > rank_[b] : a < b; }
 
   /// `base` in the order around it.
@@ -222,16 +230,19 @@ class Filler {
     tets.push_back(tet);
   }
 
-  /// Calls f with points all over a triangle, less than half a spacing apart: rows that widen from the corner opposite to its shortest side.
+  /// Calls f with points all over a triangle, less than half a spacing apart: rows that widen from the corner opposite
+  /// to its shortest side.
   template <class F>
   void for_samples(const Triangle& t, F f) const {
     const auto& x = surface_.positions();
-    const std::array<double, 3> sides{(x[t[2]] - x[t[1]]).norm(), (x[t[0]] - x[t[2]]).norm(), (x[t[1]] - x[t[0]]).norm()};
+    const std::array<double, 3> sides{(x[t[2]] - x[t[1]]).norm(), (x[t[0]] - x[t[2]]).norm(),
+                                      (x[t[1]] - x[t[0]]).norm()};
     const auto [shortest, longest] = std::minmax_element(sides.begin(), sides.end());
     const auto apex = static_cast<std::size_t>(shortest - sides.begin());
     const Vector3d &a = x[t[apex]], ab = x[t[(apex + 1) % 3]] - a, ac = x[t[(apex + 2) % 3]] - a;
     const int rows = static_cast<int>(std::ceil(2 * *longest / lattice_.spacing));
-    const double widening = std::min(1.0, 2 * *shortest / *longest);  // of a long triangle each row has few points, or one
+    // Of a long triangle each row has few points, or one
+    const double widening = std::min(1.0, 2 * *shortest / *longest);
     for (int row = 0; row < rows; ++row) {
       const int points = std::max(1, static_cast<int>(std::ceil(widening * (row + 1))));
       for (int i = 0; i < points; ++i) {
@@ -260,7 +271,8 @@ class Filler {
     };
     const std::vector<Triangle>& triangles = surface_.triangles();
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      if (t % kTrianglesBetweenReports == 0) report(progress, static_cast<double>(t) / static_cast<double>(triangles.size()), kFilling);
+      if (t % kTrianglesBetweenReports == 0)
+        report(progress, static_cast<double>(t) / static_cast<double>(triangles.size()), kFilling);
       for_samples(triangles[t], keep_at);
     }
     return kept_.size() > before;
@@ -272,7 +284,8 @@ class Filler {
     return *std::min_element(w.begin(), w.end()) >= 0;
   }
 
-  /// The lattice's tet around a point, and its number: through the nearest face of its cell, at the nearest edge of that face.
+  /// The lattice's tet around a point, and its number: through the nearest face of its cell, at the nearest edge of
+  /// that face.
   std::optional<std::pair<Tet, std::size_t>> tet_at(const Vector3d& p) const {
     const Vector3i home = lattice_.cell_at(p);
     const Vector3d from_center = p - lattice_.position(lattice_.center(home));
@@ -293,15 +306,15 @@ class Filler {
   const TriangleTree& surface_;
   BccLattice lattice_;
   const Progress& progress_;
-  std::vector<Side> side_, now_;                               // [point_count] as found, and after the moves
-  std::vector<Cut> cuts_;                                      // between points inside and outside
-  std::unordered_map<std::uint64_t, std::size_t> cut_of_;      // by the points of the edge
+  std::vector<Side> side_, now_;                           // [point_count] as found, and after the moves
+  std::vector<Cut> cuts_;                                  // between points inside and outside
+  std::unordered_map<std::uint64_t, std::size_t> cut_of_;  // by the points of the edge
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> cuts_at_;
-  std::vector<std::uint32_t> near_surface_;                    // points with cuts, ascending
+  std::vector<std::uint32_t> near_surface_;  // points with cuts, ascending
   std::unordered_map<std::uint32_t, Vector3d> moved_;
-  std::unordered_map<std::size_t, Tet> kept_;                  // whole, by their number
+  std::unordered_map<std::size_t, Tet> kept_;                   // whole, by their number
   std::unordered_map<std::uint32_t, std::uint32_t> vertex_of_;  // of lattice points
-  std::vector<std::uint8_t> rank_;                             // [vertices of the result]
+  std::vector<std::uint8_t> rank_;                              // [vertices of the result]
   LatticeFill out_;
 };
 

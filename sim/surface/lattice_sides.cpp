@@ -9,13 +9,15 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-constexpr double kMargin = 1e-6;  // spacings
+constexpr double kMargin = 1e-6;                     // spacings
 constexpr std::uint32_t kPointsBetweenReports = 64;  // where triangles are long each point asks all of them
 
 /// A triangle, or what is left of it within a box.
 class Piece {
  public:
-  explicit Piece(const std::array<Vector3d, 3>& corners) : size_(3) { std::copy(corners.begin(), corners.end(), corners_.begin()); }
+  explicit Piece(const std::array<Vector3d, 3>& corners) : size_(3) {
+    std::copy(corners.begin(), corners.end(), corners_.begin());
+  }
 
   Eigen::AlignedBox3d box() const {
     Eigen::AlignedBox3d box;
@@ -31,7 +33,8 @@ class Piece {
       const Vector3d &a = corners_[i], &b = corners_[(i + 1) % size_];
       const double da = sign * (limit - a[axis]), db = sign * (limit - b[axis]);
       if (da >= 0) part.corners_[part.size_++] = a;
-      if ((da >= 0) != (db >= 0) && part.size_ < part.corners_.size()) part.corners_[part.size_++] = a + (b - a) * (da / (da - db));
+      if ((da >= 0) != (db >= 0) && part.size_ < part.corners_.size())
+        part.corners_[part.size_++] = a + (b - a) * (da / (da - db));
       if (part.size_ == part.corners_.size()) return *this;
     }
     return part;
@@ -45,9 +48,11 @@ class Piece {
 
 class CellMarker {
  public:
-  CellMarker(const BccLattice& lattice, std::vector<char>& marked) : lattice_(lattice), marked_(marked), margin_(Vector3d::Constant(kMargin * lattice.spacing)) {}
+  CellMarker(const BccLattice& lattice, std::vector<char>& marked)
+      : lattice_(lattice), marked_(marked), margin_(Vector3d::Constant(kMargin * lattice.spacing)) {}
 
-  /// Halves the cells from `low` to `high` until single ones are left: a long triangle reaches few of those that its box holds.
+  /// Halves the cells from `low` to `high` until single ones are left: a long triangle reaches few of those that its
+  /// box holds.
   void mark(const Piece& piece, Vector3i low, Vector3i high) {
     const Eigen::AlignedBox3d box = piece.box();
     if (box.isEmpty()) return;
@@ -82,7 +87,8 @@ class SideFinder {
     known_.assign(lattice_.point_count(), 0);
   }
 
-  /// Points that no cell with a piece of the surface touches have the sides of their neighbors: those regions are asked once.
+  /// Points that no cell with a piece of the surface touches have the sides of their neighbors: those regions are asked
+  /// once.
   void flood_cells() {
     std::vector<char> done = cells_at_surface(surface_, lattice_);
     std::vector<Vector3i> queue;
@@ -98,7 +104,8 @@ class SideFinder {
         lattice_.for_cells(c, c.array() + 1, [&](const Vector3i& corner) { set(lattice_.corner(corner), side); });
         for (int k = 0; k < 6; ++k) {
           const Vector3i next = c + (k % 2 ? 1 : -1) * Vector3i::Unit(k / 2);
-          if ((next.array() < 0).any() || (next.array() >= lattice_.count.array()).any() || done[lattice_.cell(next)]) continue;
+          if ((next.array() < 0).any() || (next.array() >= lattice_.count.array()).any() || done[lattice_.cell(next)])
+            continue;
           done[lattice_.cell(next)] = 1;
           queue.push_back(next);
         }
@@ -106,14 +113,17 @@ class SideFinder {
     });
   }
 
-  /// The other points, each from a neighbor before it from which no triangle parts it, where there is one: to cross few triangles is
-  /// quicker than to ask all for the winding number.
+  /// The other points, each from a neighbor before it from which no triangle parts it, where there is one: to cross few
+  /// triangles is quicker than to ask all for the winding number.
   void ask_points(bool balanced, const Progress& progress) {
     std::uint32_t asked = 0;
     const auto ask = [&](std::uint32_t point, const auto& neighbors) {
-      if (asked++ % kPointsBetweenReports == 0) report(progress, asked / static_cast<double>(lattice_.point_count()), "Finding the inside of the surface");
+      if (asked++ % kPointsBetweenReports == 0)
+        report(progress, asked / static_cast<double>(lattice_.point_count()), "Finding the inside of the surface");
       if (known_[point]) return;
-      const auto near = balanced ? std::find_if(neighbors.begin(), neighbors.end(), [&](std::uint32_t n) { return is_beside(n, point); }) : neighbors.end();
+      const auto near = balanced ? std::find_if(neighbors.begin(), neighbors.end(),
+                                                [&](std::uint32_t n) { return is_beside(n, point); })
+                                 : neighbors.end();
       set(point, near != neighbors.end() ? side_[*near] : side_at(point));
     };
     std::vector<std::uint32_t> neighbors;
@@ -125,7 +135,8 @@ class SideFinder {
     });
     lattice_.for_cells(Vector3i::Zero(), lattice_.count.array() - 1, [&](const Vector3i& c) {
       neighbors.clear();
-      lattice_.for_cells(c, c.array() + 1, [&](const Vector3i& corner) { neighbors.push_back(lattice_.corner(corner)); });
+      lattice_.for_cells(c, c.array() + 1,
+                         [&](const Vector3i& corner) { neighbors.push_back(lattice_.corner(corner)); });
       ask(lattice_.center(c), neighbors);
     });
   }
@@ -156,11 +167,13 @@ std::vector<char> cells_at_surface(const TriangleTree& surface, const BccLattice
   std::vector<char> marked(lattice.cell_count(), 0);
   CellMarker marker(lattice, marked);
   const auto& x = surface.positions();
-  for (const auto& [a, b, c] : surface.triangles()) marker.mark(Piece({x[a], x[b], x[c]}), Vector3i::Zero(), lattice.count.array() - 1);
+  for (const auto& [a, b, c] : surface.triangles())
+    marker.mark(Piece({x[a], x[b], x[c]}), Vector3i::Zero(), lattice.count.array() - 1);
   return marked;
 }
 
-std::vector<Side> find_sides(const TriangleTree& surface, const BccLattice& lattice, bool balanced, const Progress& progress) {
+std::vector<Side> find_sides(const TriangleTree& surface, const BccLattice& lattice, bool balanced,
+                             const Progress& progress) {
   SideFinder finder(surface, lattice);
   if (balanced) finder.flood_cells();
   finder.ask_points(balanced, progress);

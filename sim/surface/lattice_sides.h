@@ -3,17 +3,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/surface/bcc_lattice.h"
 #include "base/progress.h"
+#include "sim/surface/bcc_lattice.h"
 #include "sim/surface/triangle_tree.h"
 
 namespace fascia {
 
 enum Side : std::int8_t { outside = -1, on_surface = 0, inside = 1 };
 
-/// [point_count] inside or outside. `balanced`: every edge of the surface is passed as often one way as the other, so that its winding
-/// number changes only across it.
-std::vector<Side> find_sides(const TriangleTree& surface, const BccLattice& lattice, bool balanced, const Progress& progress);
+/// [point_count] inside or outside. `balanced`: every edge of the surface is passed as often one way as the other, so
+/// that its winding number changes only across it.
+std::vector<Side> find_sides(const TriangleTree& surface, const BccLattice& lattice, bool balanced,
+                             const Progress& progress);
 
 /// [cell_count] 1 for cells that a triangle of the surface reaches, and perhaps for some beside them.
 std::vector<char> cells_at_surface(const TriangleTree& surface, const BccLattice& lattice);

@@ -15,7 +15,9 @@ constexpr std::size_t kMostNotes = 8;  // of one kind
 }  // namespace
 
 std::uint32_t packed_color(double r, double g, double b) {
-  const auto byte = [](double share) { return static_cast<std::uint32_t>(std::lround(255 * std::clamp(std::isnan(share) ? 0.0 : share, 0.0, 1.0))); };
+  const auto byte = [](double share) {
+    return static_cast<std::uint32_t>(std::lround(255 * std::clamp(std::isnan(share) ? 0.0 : share, 0.0, 1.0)));
+  };
   return byte(r) | byte(g) << 8 | byte(b) << 16 | 0xff000000u;
 }
 
@@ -59,12 +61,15 @@ std::size_t ObjMaterials::number(std::string_view name) {
 }
 
 std::vector<SurfaceMaterial> ObjMaterials::take(std::vector<std::string>& notes) {
-  if (missing_ > kMostNotes) notes_.push_back(std::to_string(missing_ - kMostNotes) + " more libraries of materials are missing");
+  if (missing_ > kMostNotes)
+    notes_.push_back(std::to_string(missing_ - kMostNotes) + " more libraries of materials are missing");
   if (notes_.empty()) {
     std::size_t unknown = 0;
     for (std::size_t m = 0; m < materials_.size(); ++m)
-      if (!described_[m] && unknown++ < kMostNotes) notes_.push_back("material " + materials_[m].name + " is in none of its libraries: drawn without it");
-    if (unknown > kMostNotes) notes_.push_back(std::to_string(unknown - kMostNotes) + " more materials are in none of the libraries");
+      if (!described_[m] && unknown++ < kMostNotes)
+        notes_.push_back("material " + materials_[m].name + " is in none of its libraries: drawn without it");
+    if (unknown > kMostNotes)
+      notes_.push_back(std::to_string(unknown - kMostNotes) + " more materials are in none of the libraries");
   }
   notes.insert(notes.end(), notes_.begin(), notes_.end());
   return std::move(materials_);

@@ -1,5 +1,5 @@
-// The materials of a Wavefront .obj: names as its lines "usemtl" give them, colors from its libraries. Names are whole lines, for
-// modellers write spaces into them.
+// The materials of a Wavefront .obj: names as its lines "usemtl" give them, colors from its libraries. Names are whole
+// lines, for modellers write spaces into them.
 #pragma once
 #include <functional>
 #include <string>
@@ -28,7 +28,7 @@ class ObjMaterials {
   void read(std::string_view content);
 
   std::vector<SurfaceMaterial> materials_;
-  std::vector<char> described_;  // [materials_] by a library
+  std::vector<char> described_;                             // [materials_] by a library
   std::unordered_map<std::string, std::size_t> number_of_;  // by name
   std::unordered_set<std::string> libraries_;               // asked for
   std::size_t missing_ = 0;                                 // libraries

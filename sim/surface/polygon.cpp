@@ -19,12 +19,13 @@ std::vector<Vector2d> flattened(const std::vector<Vector3d>& positions, const st
   const Vector3d normal = area.stableNormalized();
   const Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
   std::vector<Vector2d> flat;
-  for (const std::uint32_t corner : corners) flat.emplace_back(u.dot(positions[corner] - origin), v.dot(positions[corner] - origin));
+  for (const std::uint32_t corner : corners)
+    flat.emplace_back(u.dot(positions[corner] - origin), v.dot(positions[corner] - origin));
   return flat;
 }
 
-/// Remembers of each corner whether it is an ear and, if not, a corner in its way: it is looked at again only when that one or a neighbor
-/// is gone.
+/// Remembers of each corner whether it is an ear and, if not, a corner in its way: it is looked at again only when that
+/// one or a neighbor is gone.
 class EarClipper {
  public:
   explicit EarClipper(std::vector<Vector2d> flat) : flat_(std::move(flat)), corners_(flat_.size()) {
@@ -94,7 +95,8 @@ class EarClipper {
 
 }  // namespace
 
-void triangulate(const std::vector<Vector3d>& positions, const std::vector<std::uint32_t>& corners, std::vector<Triangle>& triangles) {
+void triangulate(const std::vector<Vector3d>& positions, const std::vector<std::uint32_t>& corners,
+                 std::vector<Triangle>& triangles) {
   if (corners.size() == 3) {
     triangles.push_back({corners[0], corners[1], corners[2]});
     return;

@@ -11,12 +11,13 @@ namespace fascia {
 namespace {
 
 constexpr double kWantedTets = 7000, kMostTets = 4e6;
-// Tets of a lattice of spacing h: 12 in a cube of the inside, and about as many more for each square of the surface as were counted on
-// tori of 10 to 40 cells (1.4 to 2).
+// Tets of a lattice of spacing h: 12 in a cube of the inside, and about as many more for each square of the surface as
+// were counted on tori of 10 to 40 cells (1.4 to 2).
 constexpr double kTetsInside = 12, kTetsOnSurface = 1.5;
 
 double expected_tets(const SurfaceReport& report, double spacing) {
-  return kTetsInside * std::abs(report.volume) / std::pow(spacing, 3) + kTetsOnSurface * report.area / std::pow(spacing, 2);
+  return kTetsInside * std::abs(report.volume) / std::pow(spacing, 3) +
+         kTetsOnSurface * report.area / std::pow(spacing, 2);
 }
 
 int resolution_for(const SurfaceReport& report, double tets) {
@@ -37,7 +38,8 @@ MeshFile as_mesh(LatticeFill fill) {
 
 }  // namespace
 
-FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::optional<int> resolution, const Progress& progress) {
+FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::optional<int> resolution,
+                           const Progress& progress) {
   FilledSurface filled;
   filled.repaired = repair(surface, part_of(progress, 0, 0.2));
   require_fillable(filled.repaired, where);
@@ -45,11 +47,14 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
   filled.resolution = resolution.value_or(resolution_for(found, kWantedTets));
   const double expected = expected_tets(found, found.box.sizes().maxCoeff() / filled.resolution);
   if (expected > kMostTets)
-    throw Error(where, "a resolution of " + std::to_string(filled.resolution) + " makes about " + number(expected / 1e6) + " million tets",
+    throw Error(where,
+                "a resolution of " + std::to_string(filled.resolution) + " makes about " + number(expected / 1e6) +
+                    " million tets",
                 "expected at most " + std::to_string(resolution_for(found, kMostTets)) + " for this surface");
-  LatticeFill fill = fill_inside(TriangleTree(filled.repaired.positions, filled.repaired.triangles), filled.repaired.balanced, filled.resolution,
-                                 part_of(progress, 0.2, 1));
-  if (fill.tets.empty()) throw Error(where, "holds no tet at a resolution of " + std::to_string(filled.resolution), "expected a higher one");
+  LatticeFill fill = fill_inside(TriangleTree(filled.repaired.positions, filled.repaired.triangles),
+                                 filled.repaired.balanced, filled.resolution, part_of(progress, 0.2, 1));
+  if (fill.tets.empty())
+    throw Error(where, "holds no tet at a resolution of " + std::to_string(filled.resolution), "expected a higher one");
   const std::size_t whole = fill.whole;
   const double spacing = fill.spacing;
   filled.file = as_mesh(std::move(fill));
@@ -65,9 +70,10 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
     const double share = static_cast<double>(whole) / static_cast<double>(filled.file.mesh.tets.size());
     const bool notable = std::abs(volume / found.volume - 1) > kVolume || share > kShare;
     if (notable)
-      filled.file.notes.push_back("parts are thinner than the lattice's " + length(spacing) + ": " + plural(whole, "tet") +
-                                  " kept whole there, the tets have " + number(volume / found.volume) +
-                                  " times the volume of the surface; a resolution above " + std::to_string(filled.resolution) + " is finer");
+      filled.file.notes.push_back(
+          "parts are thinner than the lattice's " + length(spacing) + ": " + plural(whole, "tet") +
+          " kept whole there, the tets have " + number(volume / found.volume) +
+          " times the volume of the surface; a resolution above " + std::to_string(filled.resolution) + " is finer");
   }
   put_right(surface, filled.repaired);
   filled.surface = std::move(surface);
@@ -76,7 +82,8 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
 
 MeshFile read_mesh_or_fill(const std::filesystem::path& path, std::optional<int> resolution, const Progress& progress) {
   if (!is_surface_file(path)) return read_mesh(path, progress);
-  return fill_surface(read_obj(path, part_of(progress, 0, 0.1)), path.string(), resolution, part_of(progress, 0.1, 1)).file;
+  return fill_surface(read_obj(path, part_of(progress, 0, 0.1)), path.string(), resolution, part_of(progress, 0.1, 1))
+      .file;
 }
 
 }  // namespace fascia

@@ -1,10 +1,11 @@
-// A closed surface as a tet mesh: read, examined, put right and filled by a lattice (sim/surface/isosurface_stuffing.h).
+// A closed surface as a tet mesh: read, examined, put right and filled by a lattice
+// (sim/surface/isosurface_stuffing.h).
 #pragma once
 #include <filesystem>
 #include <optional>
 
-#include "sim/surface/isosurface_stuffing.h"
 #include "sim/mesh/io/mesh_io.h"
+#include "sim/surface/isosurface_stuffing.h"
 #include "sim/surface/surface_repair.h"
 
 namespace fascia {
@@ -14,16 +15,19 @@ inline constexpr int kFewestCells = 2, kMostCells = 256;  // of a resolution, al
 struct FilledSurface {
   SurfaceMesh surface;  // of the file, put right
   SurfaceRepair repaired;
-  MeshFile file;       // the tets; notes of the surface, then of the filling
+  MeshFile file;  // the tets; notes of the surface, then of the filling
   std::ptrdiff_t notes_of_surface = 0;
   int resolution = 0;  // cells along the longest side
 };
 
-/// Tets for a surface. Without a resolution there are about 7,000 of them, more where the surface is thinner than that allows. Throws Error
-/// with `where` for a surface without an inside and for a resolution of more than some millions of tets.
-FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::optional<int> resolution, const Progress& progress = {});
+/// Tets for a surface. Without a resolution there are about 7,000 of them, more where the surface is thinner than that
+/// allows. Throws Error with `where` for a surface without an inside and for a resolution of more than some millions of
+/// tets.
+FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::optional<int> resolution,
+                           const Progress& progress = {});
 
 /// The mesh of a file: of a .obj its surface filled, else as read_mesh.
-MeshFile read_mesh_or_fill(const std::filesystem::path& path, std::optional<int> resolution = {}, const Progress& progress = {});
+MeshFile read_mesh_or_fill(const std::filesystem::path& path, std::optional<int> resolution = {},
+                           const Progress& progress = {});
 
 }  // namespace fascia

@@ -1,9 +1,9 @@
 #include "sim/surface/surface_mesh.h"
 
+#include <tiny_obj_loader.h>
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
-#include <tiny_obj_loader.h>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -16,15 +16,17 @@ namespace {
 
 constexpr std::size_t kMostCorners = 255;  // of a polygon: the library counts them in a byte
 
-[[noreturn]] void fail_at(const std::filesystem::path& path, std::size_t line, const std::string& what, const std::string& expected) {
+[[noreturn]] void fail_at(const std::filesystem::path& path, std::size_t line, const std::string& what,
+                          const std::string& expected) {
   std::string where = path.string();
   if (line > 0) where.append(":").append(std::to_string(line));
   throw Error(where, what, expected);
 }
 
-/// Vertices and faces for the library, materials by their numbers. What other lines say is passed over anyway, and the library believes
-/// the counts of some (a tag "t") and allocates for them.
-std::string prepared(const std::filesystem::path& path, std::string_view content, const ObjMaterials::Library& library, ObjMaterials& materials) {
+/// Vertices and faces for the library, materials by their numbers. What other lines say is passed over anyway, and the
+/// library believes the counts of some (a tag "t") and allocates for them.
+std::string prepared(const std::filesystem::path& path, std::string_view content, const ObjMaterials::Library& library,
+                     ObjMaterials& materials) {
   std::string out = "mtllib all\n";
   out.reserve(content.size());
   for_each_obj_line(content, [&](const ObjLine& line) {
@@ -34,7 +36,8 @@ std::string prepared(const std::filesystem::path& path, std::string_view content
       for (std::size_t at = 0; (at = line.rest.find_first_not_of(" \t", at)) != line.rest.npos; ++corners)
         at = std::min(line.rest.find_first_of(" \t", at), line.rest.size());
       if (corners > kMostCorners)
-        fail_at(path, line.number, "a face has " + std::to_string(corners) + " corners", "expected at most " + std::to_string(kMostCorners) + ": cut it into triangles");
+        fail_at(path, line.number, "a face has " + std::to_string(corners) + " corners",
+                "expected at most " + std::to_string(kMostCorners) + ": cut it into triangles");
     } else if (line.word == "mtllib") {
       if (library) materials.read_libraries(std::string(line.rest), library);
       return;
@@ -53,7 +56,8 @@ std::string prepared(const std::filesystem::path& path, std::string_view content
 class Numbers : public tinyobj::MaterialReader {
  public:
   explicit Numbers(std::size_t count) : count_(count) {}
-  bool operator()(const std::string&, std::vector<tinyobj::material_t>*, std::map<std::string, int>* numbers, std::string*, std::string*) override {
+  bool operator()(const std::string&, std::vector<tinyobj::material_t>*, std::map<std::string, int>* numbers,
+                  std::string*, std::string*) override {
     for (std::size_t m = 0; m < count_; ++m) (*numbers)[std::to_string(m)] = static_cast<int>(m);
     return true;
   }
@@ -90,13 +94,15 @@ std::size_t line_of(std::string_view content, std::string_view word, const Wrong
   return found;
 }
 
-void read_positions(const std::filesystem::path& path, std::string_view content, const ObjContent& obj, SurfaceMesh& mesh) {
+void read_positions(const std::filesystem::path& path, std::string_view content, const ObjContent& obj,
+                    SurfaceMesh& mesh) {
   const auto& v = obj.attributes.vertices;
   for (std::size_t i = 0; i + 2 < v.size(); i += 3) {
     mesh.positions.emplace_back(v[i], v[i + 1], v[i + 2]);
     if (mesh.positions.back().allFinite()) continue;
     std::size_t number = i / 3 + 1;
-    fail_at(path, line_of(content, "v", [&](std::string_view) { return --number == 0; }), "vertex " + std::to_string(i / 3 + 1) + " is not finite", "expected finite coordinates");
+    fail_at(path, line_of(content, "v", [&](std::string_view) { return --number == 0; }),
+            "vertex " + std::to_string(i / 3 + 1) + " is not finite", "expected finite coordinates");
   }
 }
 
@@ -108,7 +114,8 @@ bool names(std::string_view face, int vertex) {
 }
 
 /// The triangles of all faces, and of each the number of its material, -1 for none.
-std::vector<int> read_faces(const std::filesystem::path& path, std::string_view content, const ObjContent& obj, SurfaceMesh& mesh) {
+std::vector<int> read_faces(const std::filesystem::path& path, std::string_view content, const ObjContent& obj,
+                            SurfaceMesh& mesh) {
   std::vector<int> material;
   std::vector<std::uint32_t> corners;
   for (const tinyobj::shape_t& shape : obj.shapes) {
@@ -118,8 +125,10 @@ std::vector<int> read_faces(const std::filesystem::path& path, std::string_view 
       for (const std::size_t end = next + shape.mesh.num_face_vertices[face]; next < end; ++next) {
         const int v = shape.mesh.indices[next].vertex_index;
         if (v < 0 || static_cast<std::size_t>(v) >= mesh.positions.size())
-          fail_at(path, line_of(content, "f", [&](std::string_view corners_of_line) { return names(corners_of_line, v + 1); }), "a face uses vertex " + std::to_string(v + 1),
-                  "expected 1 to " + std::to_string(mesh.positions.size()));
+          fail_at(
+              path,
+              line_of(content, "f", [&](std::string_view corners_of_line) { return names(corners_of_line, v + 1); }),
+              "a face uses vertex " + std::to_string(v + 1), "expected 1 to " + std::to_string(mesh.positions.size()));
         corners.push_back(static_cast<std::uint32_t>(v));
       }
       triangulate(mesh.positions, corners, mesh.triangles);
@@ -134,7 +143,9 @@ void add_colors(const ObjContent& obj, const std::vector<int>& material, Surface
     if (number >= 0) ++mesh.materials[static_cast<std::size_t>(number)].triangles;
   const auto& rgb = obj.attributes.colors;
   mesh.vertex_colors = !rgb.empty() && rgb.size() == obj.attributes.vertices.size();
-  const bool by_material = std::any_of(material.begin(), material.end(), [&](int number) { return number >= 0 && mesh.materials[static_cast<std::size_t>(number)].color != 0; });
+  const bool by_material = std::any_of(material.begin(), material.end(), [&](int number) {
+    return number >= 0 && mesh.materials[static_cast<std::size_t>(number)].color != 0;
+  });
   if (!mesh.vertex_colors && !by_material) return;
   const bool bytes = mesh.vertex_colors && std::any_of(rgb.begin(), rgb.end(), [](auto share) { return share > 1; });
   if (bytes) mesh.notes.emplace_back("colors of vertices above 1: read as 0 to 255");
@@ -154,10 +165,12 @@ void add_colors(const ObjContent& obj, const std::vector<int>& material, Surface
 bool is_surface_file(const std::filesystem::path& path) { return lower_ending(path) == ".obj"; }
 
 SurfaceMesh read_obj(const std::filesystem::path& path, const Progress& progress) {
-  return read_obj_content(path, read_file(path, progress), [&](const std::string& name) { return read_file(path.parent_path() / name); });
+  return read_obj_content(path, read_file(path, progress),
+                          [&](const std::string& name) { return read_file(path.parent_path() / name); });
 }
 
-SurfaceMesh read_obj_content(const std::filesystem::path& path, std::string_view content, const ObjMaterials::Library& read_library) {
+SurfaceMesh read_obj_content(const std::filesystem::path& path, std::string_view content,
+                             const ObjMaterials::Library& read_library) {
   SurfaceMesh mesh;
   ObjMaterials materials;
   const std::string text = prepared(path, content, read_library, materials);

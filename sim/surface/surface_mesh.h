@@ -20,12 +20,13 @@ struct SurfaceMaterial {
 struct SurfaceMesh {
   std::vector<Eigen::Vector3d> positions;  // [n] [m]
   std::vector<Triangle> triangles;         // of all shapes; polygons of the file are cut into triangles
-  /// [3 * triangle_count] sRGB of the triangles' corners, 0xAABBGGRR, AA = ff, or 0 where the file gives none: the colors of the
-  /// vertices if all of them have one, else the diffuse colors of the materials. Empty if the file gives no color at all.
+  /// [3 * triangle_count] sRGB of the triangles' corners, 0xAABBGGRR, AA = ff, or 0 where the file gives none: the
+  /// colors of the vertices if all of them have one, else the diffuse colors of the materials. Empty if the file gives
+  /// no color at all.
   std::vector<std::uint32_t> colors;
   std::vector<SurfaceMaterial> materials;
   bool vertex_colors = false;
-  bool closed = false;  // known to be without open edges (surface_doctor.h)
+  bool closed = false;             // known to be without open edges (surface_doctor.h)
   std::vector<std::string> notes;  // what was passed over, one sentence each
 };
 
@@ -34,8 +35,8 @@ bool is_surface_file(const std::filesystem::path& path);
 
 /// Wavefront .obj with its material libraries; normals and texture coordinates are passed over. Throws Error.
 SurfaceMesh read_obj(const std::filesystem::path& path, const Progress& progress = {});
-/// As read_obj of a file with this content. `read_library` gives the content of a material library by its name; if it throws Error,
-/// that becomes a note.
+/// As read_obj of a file with this content. `read_library` gives the content of a material library by its name; if it
+/// throws Error, that becomes a note.
 SurfaceMesh read_obj_content(const std::filesystem::path& path, std::string_view content,
                              const std::function<std::string(const std::string&)>& read_library = {});
 

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "sim/surface/surface_shells.h"
 #include "sim/mesh/vertex_check.h"
+#include "sim/surface/surface_shells.h"
 
 namespace fascia {
 namespace {
@@ -68,18 +68,24 @@ class Repairer {
       std::sort(ascending.begin(), ascending.end());
       entries.push_back({ascending, t, static_cast<std::uint32_t>(entries.size()), own});
     }
-    std::sort(entries.begin(), entries.end(),
-              [](const Entry& a, const Entry& b) { return a.ascending != b.ascending ? a.ascending < b.ascending : a.index < b.index; });
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+      return a.ascending != b.ascending ? a.ascending < b.ascending : a.index < b.index;
+    });
     enum Fate : char { stays, is_duplicate, is_wall };
     std::vector<Fate> fate(entries.size(), stays);
     for (std::size_t begin = 0, end; begin < entries.size(); begin = end) {
       int turns = 0;  // how often one way round, less how often the other way
-      for (end = begin; end < entries.size() && entries[end].ascending == entries[begin].ascending; ++end) turns += is_even(entries[end].triangle) ? 1 : -1;
+      for (end = begin; end < entries.size() && entries[end].ascending == entries[begin].ascending; ++end)
+        turns += is_even(entries[end].triangle) ? 1 : -1;
       bool kept = opposites_ == Opposites::drop_both && turns == 0;
       for (std::size_t e = begin; e < end; ++e) {
-        const bool right_way = opposites_ == Opposites::keep_one || turns == 0 || is_even(entries[e].triangle) == (turns > 0);
-        if (!kept && right_way) kept = true;
-        else fate[entries[e].index] = opposites_ == Opposites::drop_both && (turns == 0 || !right_way) ? is_wall : is_duplicate;
+        const bool right_way =
+            opposites_ == Opposites::keep_one || turns == 0 || is_even(entries[e].triangle) == (turns > 0);
+        if (!kept && right_way)
+          kept = true;
+        else
+          fate[entries[e].index] =
+              opposites_ == Opposites::drop_both && (turns == 0 || !right_way) ? is_wall : is_duplicate;
       }
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.index < b.index; });
@@ -114,7 +120,9 @@ class Repairer {
     });
     beyond_.assign(edges.size(), kNoTriangle);
     for (std::size_t begin = 0, end; begin < edges.size(); begin = end) {
-      for (end = begin + 1; end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high;) ++end;
+      for (end = begin + 1;
+           end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high;)
+        ++end;
       const Vector3d middle = (x_[edges[begin].low] + x_[edges[begin].high]) / 2;
       if (end - begin == 1) {
         report_.open_edges.add(middle);
@@ -156,7 +164,8 @@ class Repairer {
           }
         }
       }
-      const std::size_t turned = static_cast<std::size_t>(std::count_if(queue.begin(), queue.end(), [&](std::uint32_t t) { return turn[t] != 0; }));
+      const std::size_t turned = static_cast<std::size_t>(
+          std::count_if(queue.begin(), queue.end(), [&](std::uint32_t t) { return turn[t] != 0; }));
       const char less = 2 * turned <= queue.size();  // turned ones are the fewer
       std::sort(queue.begin(), queue.end());
       for (const std::uint32_t t : queue) {
@@ -189,8 +198,8 @@ class Repairer {
     report_.hole_area = std::accumulate(areas.begin(), areas.end(), 0.0);
   }
 
-  /// Volumes; a shell that is inside out is turned, unless it lies in another one, whose cavity it is. Where a shell is open, its volume is
-  /// that of the cone to its middle, and of a flat one nothing is known.
+  /// Volumes; a shell that is inside out is turned, unless it lies in another one, whose cavity it is. Where a shell is
+  /// open, its volume is that of the cone to its middle, and of a flat one nothing is known.
   void place_shells() {
     std::vector<SurfaceShell>& shells = report_.shells;
     constexpr double kFlat = 1e-6;  // volume for the area's 3/2 power
@@ -226,8 +235,10 @@ class Repairer {
     const ShellTree tree(std::move(holders));
     std::vector<char> turn(shells.size(), 0);
     for (std::uint32_t s = 0; s < shells.size(); ++s) {
-      if (s % kShellsBetweenReports == 0) report(progress_, 0.3 + 0.7 * s / static_cast<double>(shells.size()), kExamining);
-      const std::uint32_t around = tree.largest_around(boxes[s], shells[s].area, [&](std::uint32_t outer) { return holds(outer, s); });
+      if (s % kShellsBetweenReports == 0)
+        report(progress_, 0.3 + 0.7 * s / static_cast<double>(shells.size()), kExamining);
+      const std::uint32_t around =
+          tree.largest_around(boxes[s], shells[s].area, [&](std::uint32_t outer) { return holds(outer, s); });
       const std::uint32_t outermost = around == ShellTree::kNone ? s : around;
       turn[s] = shells[outermost].volume < -kFlat * std::pow(shells[outermost].area, 1.5);
       shells[s].inverted = turn[s];
@@ -241,7 +252,8 @@ class Repairer {
       report_.area += shell.area;
       report_.volume += shell.volume;
     }
-    std::stable_sort(shells.begin(), shells.end(), [](const SurfaceShell& a, const SurfaceShell& b) { return a.area > b.area; });
+    std::stable_sort(shells.begin(), shells.end(),
+                     [](const SurfaceShell& a, const SurfaceShell& b) { return a.area > b.area; });
   }
 
   /// Whether the edges of more than two triangles are passed as often one way as the other.
@@ -301,9 +313,9 @@ class Repairer {
   SurfaceReport& report_ = repaired_.report;
   std::vector<Vector3d>& x_ = repaired_.positions;
   std::vector<Triangle>& triangles_ = repaired_.triangles;
-  std::vector<std::uint32_t> beyond_;  // [3 * triangle_count] place of the other triangle at each edge
-  std::vector<std::uint32_t> shell_;   // [triangle_count]
-  std::vector<std::uint32_t> source_;  // [triangle_count] number in the file
+  std::vector<std::uint32_t> beyond_;         // [3 * triangle_count] place of the other triangle at each edge
+  std::vector<std::uint32_t> shell_;          // [triangle_count]
+  std::vector<std::uint32_t> source_;         // [triangle_count] number in the file
   std::vector<TriangleEdge> open_, crowded_;  // edges of one triangle, and of more than two
 };
 

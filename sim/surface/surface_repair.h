@@ -1,5 +1,5 @@
-// What is wrong with a surface that is to be filled with tets, and what can be put right without asking: where it is open, how it is
-// wound, of how many shells it is made.
+// What is wrong with a surface that is to be filled with tets, and what can be put right without asking: where it is
+// open, how it is wound, of how many shells it is made.
 #pragma once
 #include <iosfwd>
 #include <string>
@@ -21,8 +21,8 @@ struct SurfaceFinding {
 /// Triangles that are connected over edges of exactly two of them.
 struct SurfaceShell {
   std::size_t triangles = 0;
-  double area = 0;      // [m^2]
-  double volume = 0;    // enclosed [m^3], as repaired; negative for a cavity
+  double area = 0;        // [m^2]
+  double volume = 0;      // enclosed [m^3], as repaired; negative for a cavity
   bool inverted = false;  // turned, for its normals pointed inward
   bool cavity = false;    // bounds a hole inside another shell
   bool flat = false;      // encloses nothing
@@ -57,12 +57,13 @@ struct SurfaceRepair {
 
 SurfaceRepair repair(const SurfaceMesh& surface, const Progress& progress = {});
 
-/// The surface as it is to be drawn: wound outward, each triangle once, and known to be closed or not. Its vertices stay as they are.
+/// The surface as it is to be drawn: wound outward, each triangle once, and known to be closed or not. Its vertices
+/// stay as they are.
 void put_right(SurfaceMesh& surface, const SurfaceRepair& repaired);
 
 struct SelfIntersections {
-  SurfaceFinding pairs;   // of triangles that cut each other, the first at one of the cuts
-  bool complete = true;   // false: so many boxes overlap that the search was given up
+  SurfaceFinding pairs;  // of triangles that cut each other, the first at one of the cuts
+  bool complete = true;  // false: so many boxes overlap that the search was given up
 };
 /// The tree's triangles share vertices where they touch.
 SelfIntersections self_intersections(const TriangleTree& tree, const Progress& progress = {});
@@ -74,6 +75,7 @@ void require_fillable(const SurfaceRepair& repaired, const std::string& where);
 std::vector<std::string> notes_of(const SurfaceReport& report);
 
 /// The text of `fascia info` about a surface.
-void print_report(std::ostream& out, const SurfaceMesh& surface, const SurfaceRepair& repaired, const Progress& progress = {});
+void print_report(std::ostream& out, const SurfaceMesh& surface, const SurfaceRepair& repaired,
+                  const Progress& progress = {});
 
 }  // namespace fascia

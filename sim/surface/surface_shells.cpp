@@ -28,16 +28,18 @@ void ShellTree::build(std::uint32_t begin, std::uint32_t end) {
   int axis = 0;
   spread.sizes().maxCoeff(&axis);
   const std::uint32_t middle = begin + (end - begin) / 2;
-  std::nth_element(shells_.begin() + begin, shells_.begin() + middle, shells_.begin() + end, [&](const Shell& a, const Shell& b) {
-    const double x = a.box.center()[axis], y = b.box.center()[axis];
-    return x != y ? x < y : a.number < b.number;
-  });
+  std::nth_element(shells_.begin() + begin, shells_.begin() + middle, shells_.begin() + end,
+                   [&](const Shell& a, const Shell& b) {
+                     const double x = a.box.center()[axis], y = b.box.center()[axis];
+                     return x != y ? x < y : a.number < b.number;
+                   });
   build(begin, middle);
   nodes_[at].right = static_cast<std::uint32_t>(nodes_.size());
   build(middle, end);
 }
 
-std::uint32_t ShellTree::largest_around(const Eigen::AlignedBox3d& box, double area, const std::function<bool(std::uint32_t)>& holds) const {
+std::uint32_t ShellTree::largest_around(const Eigen::AlignedBox3d& box, double area,
+                                        const std::function<bool(std::uint32_t)>& holds) const {
   struct Entry {
     double area;
     std::uint32_t number;  // of a shell; kNone for a node, which comes before shells of its area

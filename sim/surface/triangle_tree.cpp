@@ -12,10 +12,10 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr std::uint32_t kLeaf = 4;    // triangles
-constexpr double kDipoleRadii = 2.5;  // radii from which a group of triangles counts as one dipole
+constexpr std::uint32_t kLeaf = 4;      // triangles
+constexpr double kDipoleRadii = 2.5;    // radii from which a group of triangles counts as one dipole
 constexpr double kSameCrossing = 1e-9;  // shares of a segment
-constexpr std::size_t kDeepest = 64;  // halving 2^32 triangles
+constexpr std::size_t kDeepest = 64;    // halving 2^32 triangles
 constexpr std::uint32_t kNoVertex = ~0u;
 
 bool has(const Triangle& t, std::uint32_t v) { return t[0] == v || t[1] == v || t[2] == v; }
@@ -108,9 +108,10 @@ void TriangleTree::build(std::uint32_t begin, std::uint32_t end, const std::vect
   int axis = 0;
   spread.sizes().maxCoeff(&axis);
   const std::uint32_t middle = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end, [&](std::uint32_t a, std::uint32_t b) {
-    return centers[a][axis] != centers[b][axis] ? centers[a][axis] < centers[b][axis] : a < b;
-  });
+  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                   [&](std::uint32_t a, std::uint32_t b) {
+                     return centers[a][axis] != centers[b][axis] ? centers[a][axis] < centers[b][axis] : a < b;
+                   });
   build(begin, middle, centers);
   nodes_[at].right = static_cast<std::uint32_t>(nodes_.size());
   build(middle, end, centers);
@@ -220,9 +221,11 @@ Triangle TriangleTree::common_vertices(const Node& node) const {
   return common;
 }
 
-bool TriangleTree::for_touching_pairs(const std::function<void(std::size_t, std::size_t)>& f, const std::function<bool(std::size_t)>& go_on) const {
+bool TriangleTree::for_touching_pairs(const std::function<void(std::size_t, std::size_t)>& f,
+                                      const std::function<bool(std::size_t)>& go_on) const {
   if (nodes_.empty()) return true;
-  // Around a vertex with thousands of triangles all boxes touch, and no pair counts: two nodes with a common vertex are passed over.
+  // Around a vertex with thousands of triangles all boxes touch, and no pair counts: two nodes with a common vertex are
+  // passed over.
   std::vector<Triangle> common(nodes_.size());
   for (std::size_t at = nodes_.size(); at-- > 0;) {  // children follow their parents
     const Node& node = nodes_[at];

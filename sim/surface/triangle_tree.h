@@ -13,13 +13,14 @@ class TriangleTree {
   /// Keeps copies; the triangles may be any soup.
   TriangleTree(std::vector<Eigen::Vector3d> positions, std::vector<Triangle> triangles);
 
-  /// Generalized winding number of the point (Jacobson, Kavan, Sorkine-Hornung 2013): 1 inside of a closed surface wound outward, 0
-  /// outside, and something between near holes. Far groups of triangles count as one dipole (Barill et al. 2018, first order); error
-  /// below 0.05.
+  /// Generalized winding number of the point (Jacobson, Kavan, Sorkine-Hornung 2013): 1 inside of a closed surface
+  /// wound outward, 0 outside, and something between near holes. Far groups of triangles count as one dipole (Barill et
+  /// al. 2018, first order); error below 0.05.
   double winding(const Eigen::Vector3d& point) const;
   bool is_inside(const Eigen::Vector3d& point) const { return winding(point) > 0.5; }
 
-  /// Where the segment from a to b meets triangles: shares of its length, ascending, equal ones (of a shared edge) once.
+  /// Where the segment from a to b meets triangles: shares of its length, ascending, equal ones (of a shared edge)
+  /// once.
   std::vector<double> crossings(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
 
   struct Nearest {
@@ -30,9 +31,10 @@ class TriangleTree {
   /// There must be a triangle.
   Nearest nearest(const Eigen::Vector3d& point) const;
 
-  /// Calls f(t, other), t < other, for every two triangles whose boxes touch and that share no vertex. Ends early, and returns false, where
-  /// go_on(pairs of boxes compared so far) does.
-  bool for_touching_pairs(const std::function<void(std::size_t, std::size_t)>& f, const std::function<bool(std::size_t)>& go_on) const;
+  /// Calls f(t, other), t < other, for every two triangles whose boxes touch and that share no vertex. Ends early, and
+  /// returns false, where go_on(pairs of boxes compared so far) does.
+  bool for_touching_pairs(const std::function<void(std::size_t, std::size_t)>& f,
+                          const std::function<bool(std::size_t)>& go_on) const;
 
   const std::vector<Eigen::Vector3d>& positions() const { return positions_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
@@ -57,6 +59,7 @@ class TriangleTree {
 };
 
 /// The point of the triangle nearest to p, as weights of its corners (Ericson 2005, 5.1.5).
-Eigen::Vector3d nearest_weights(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
+Eigen::Vector3d nearest_weights(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                const Eigen::Vector3d& c);
 
 }  // namespace fascia

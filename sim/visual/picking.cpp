@@ -37,7 +37,8 @@ struct Reach {
 
 Reach reach_of(const Ray& ray, const Cut& cut) {
   if (!cut) return {};
-  const double away = beyond(*cut, ray.origin), slope = cut->normal.cast<double>().dot(ray.direction), crossing = -away / slope;
+  const double away = beyond(*cut, ray.origin), slope = cut->normal.cast<double>().dot(ray.direction),
+               crossing = -away / slope;
   if (away > 0) return slope < 0 ? Reach{crossing, kEndless} : Reach{kEndless, 0};
   return slope > 0 ? Reach{0, crossing} : Reach{};
 }
@@ -48,7 +49,8 @@ Vector3d normal_of(const Triangle& t, std::span<const Vector3d> positions) {
 
 }  // namespace
 
-std::optional<Hit> pick(const Ray& ray, std::span<const Triangle> triangles, std::span<const Vector3d> positions, const Cut& cut) {
+std::optional<Hit> pick(const Ray& ray, std::span<const Triangle> triangles, std::span<const Vector3d> positions,
+                        const Cut& cut) {
   const Reach reach = reach_of(ray, cut);
   std::optional<std::size_t> first;
   double nearest = kEndless;
@@ -67,8 +69,8 @@ std::optional<Hit> pick(const Ray& ray, std::span<const Triangle> triangles, std
   return Hit{*first, ray.origin + nearest * ray.direction, normal};
 }
 
-std::optional<Hit> pick_nearest(const Ray& ray, std::span<const Triangle> triangles, std::span<const Vector3d> positions,
-                                const Cut& cut) {
+std::optional<Hit> pick_nearest(const Ray& ray, std::span<const Triangle> triangles,
+                                std::span<const Vector3d> positions, const Cut& cut) {
   if (auto hit = pick(ray, triangles, positions, cut)) return hit;
   std::optional<Hit> hit;
   double nearest = kEndless;

@@ -19,10 +19,11 @@ struct Hit {
 using Cut = std::optional<SectionCut>;
 
 /// The first triangle that the ray meets, from either side.
-std::optional<Hit> pick(const Ray& ray, std::span<const Triangle> triangles, std::span<const Eigen::Vector3d> positions, const Cut& cut = {});
+std::optional<Hit> pick(const Ray& ray, std::span<const Triangle> triangles, std::span<const Eigen::Vector3d> positions,
+                        const Cut& cut = {});
 
 /// The surface point nearest to the ray, which may miss the surface by any distance; nothing without triangles.
-std::optional<Hit> pick_nearest(const Ray& ray, std::span<const Triangle> triangles, std::span<const Eigen::Vector3d> positions,
-                                const Cut& cut = {});
+std::optional<Hit> pick_nearest(const Ray& ray, std::span<const Triangle> triangles,
+                                std::span<const Eigen::Vector3d> positions, const Cut& cut = {});
 
 }  // namespace fascia

@@ -62,7 +62,8 @@ DrawnRegions drawn_regions(const Scene& scene, const Model& model, const DrawnSu
     number = static_cast<std::uint32_t>(regions.names.size());
     const std::map<int, std::string>& known = model.bodies[key.first].regions;
     const auto name = known.find(key.second);
-    const std::string own = name != known.end() && !name->second.empty() ? name->second : "region " + std::to_string(key.second);
+    const std::string own =
+        name != known.end() && !name->second.empty() ? name->second : "region " + std::to_string(key.second);
     regions.names.push_back(scene.bodies.size() > 1 ? model.bodies[key.first].name + ": " + own : own);
   }
   for (const auto& key : keys) regions.of_tet.push_back(numbers[key]);

@@ -1,4 +1,5 @@
-// The regions of a scene's meshes as pictures show them: one number for every tet and for every triangle of the drawn surface.
+// The regions of a scene's meshes as pictures show them: one number for every tet and for every triangle of the drawn
+// surface.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,13 +10,13 @@
 namespace fascia {
 
 struct DrawnRegions {
-  std::vector<std::string> names;           // "tumour", "region 2"; with several bodies "liver: tumour"
-  std::vector<std::uint32_t> of_tet;        // [Model::tets] index into names
-  std::vector<std::uint32_t> of_triangle;   // [DrawnSurface::triangles]
+  std::vector<std::string> names;          // "tumour", "region 2"; with several bodies "liver: tumour"
+  std::vector<std::uint32_t> of_tet;       // [Model::tets] index into names
+  std::vector<std::uint32_t> of_triangle;  // [DrawnSurface::triangles]
 };
 
-/// A region is what has a body and a region number of its own, in ascending order of both. A triangle of an embedded surface takes the
-/// region of the tet that its first vertex hangs on.
+/// A region is what has a body and a region number of its own, in ascending order of both. A triangle of an embedded
+/// surface takes the region of the tet that its first vertex hangs on.
 DrawnRegions drawn_regions(const Scene& scene, const Model& model, const DrawnSurface& surface);
 
 }  // namespace fascia

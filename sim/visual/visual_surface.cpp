@@ -9,7 +9,8 @@ namespace fascia {
 DrawnSurface drawn_surface(const Model& model) {
   DrawnSurface drawn;
   drawn.rest_positions = model.rest_positions;
-  const bool colored = std::any_of(model.surfaces.begin(), model.surfaces.end(), [](const SurfaceMesh& s) { return !s.colors.empty(); });
+  const bool colored =
+      std::any_of(model.surfaces.begin(), model.surfaces.end(), [](const SurfaceMesh& s) { return !s.colors.empty(); });
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const SurfaceMesh& surface = model.surfaces[b];
     if (surface.triangles.empty()) {
@@ -18,7 +19,8 @@ DrawnSurface drawn_surface(const Model& model) {
       drawn.triangles.insert(drawn.triangles.end(), boundary.begin(), boundary.end());
     } else {
       const auto offset = static_cast<std::uint32_t>(drawn.rest_positions.size());
-      for (const Triangle& t : surface.triangles) drawn.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+      for (const Triangle& t : surface.triangles)
+        drawn.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
       drawn.rest_positions.insert(drawn.rest_positions.end(), surface.positions.begin(), surface.positions.end());
       drawn.colors.insert(drawn.colors.end(), surface.colors.begin(), surface.colors.end());
     }
@@ -30,7 +32,8 @@ DrawnSurface drawn_surface(const Model& model) {
 bool closed_around_tets(const Model& model) {
   const auto own = [](const SurfaceMesh& s) { return !s.triangles.empty(); };
   return std::any_of(model.surfaces.begin(), model.surfaces.end(), own) &&
-         std::all_of(model.surfaces.begin(), model.surfaces.end(), [&](const SurfaceMesh& s) { return !own(s) || s.closed; });
+         std::all_of(model.surfaces.begin(), model.surfaces.end(),
+                     [&](const SurfaceMesh& s) { return !own(s) || s.closed; });
 }
 
 }  // namespace fascia

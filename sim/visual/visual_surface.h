@@ -1,4 +1,5 @@
-// What is drawn of a model: the boundary of its tets or, for bodies with a surface of their own, that surface embedded in them.
+// What is drawn of a model: the boundary of its tets or, for bodies with a surface of their own, that surface embedded
+// in them.
 #pragma once
 #include <vector>
 

@@ -21,11 +21,13 @@ TEST_CASE("Tissues have values that a scene takes, and unknown names are refused
 TEST_CASE("Materials out of range are refused with field, value and range") {
   Body body = standing_cube();
   body.material.young_modulus = -5;
-  CHECK_THAT(error_of([&] { Simulation(scene_of(body), context()); }), Contains("bodies[0].material.young_modulus: is -5; expected 0.001 to 1e+14 Pa"));
+  CHECK_THAT(error_of([&] { Simulation(scene_of(body), context()); }),
+             Contains("bodies[0].material.young_modulus: is -5; expected 0.001 to 1e+14 Pa"));
   body.material.young_modulus = std::nan("");
   CHECK_THAT(error_of([&] { Simulation(scene_of(body), context()); }), Contains("young_modulus"));
   body.material = {.model = "rubber"};
-  CHECK_THAT(error_of([&] { Simulation(scene_of(body), context()); }), Contains("rubber") && Contains("st_venant_kirchhoff"));
+  CHECK_THAT(error_of([&] { Simulation(scene_of(body), context()); }),
+             Contains("rubber") && Contains("st_venant_kirchhoff"));
 }
 
 TEST_CASE("Every law that is listed can be simulated by the method of the defaults") {
@@ -45,7 +47,8 @@ TEST_CASE("The number of a law of its own comes back as it was given") {
   body.material.mooney_ratio = 0.6;
   CHECK(Simulation(scene_of(body), context()).material(0) == body.material);
   body.material.mooney_ratio = 1.5;
-  CHECK_THAT(error_of([&] { Simulation(scene_of(body), context()); }), Contains("mooney_ratio: is 1.5; expected 0 to 1"));
+  CHECK_THAT(error_of([&] { Simulation(scene_of(body), context()); }),
+             Contains("mooney_ratio: is 1.5; expected 0 to 1"));
 }
 
 TEST_CASE("A material that changes while the simulation runs acts on the next equilibrium") {

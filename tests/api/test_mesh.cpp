@@ -21,8 +21,9 @@ TEST_CASE("A box has its corners where the header says") {
 
 TEST_CASE("A mesh file is read with its regions, and an unreadable one is an Error that names it") {
   const TemporaryFolder folder;
-  std::ofstream(folder / "two.mesh") << "MeshVersionFormatted 1\nDimension 3\nVertices 5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1 1 1 0\n"
-                                        "Tetrahedra 2\n1 2 3 4 7\n2 3 4 5 9\nEnd\n";
+  std::ofstream(folder / "two.mesh")
+      << "MeshVersionFormatted 1\nDimension 3\nVertices 5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1 1 1 0\n"
+         "Tetrahedra 2\n1 2 3 4 7\n2 3 4 5 9\nEnd\n";
   const Mesh mesh = read_mesh(folder / "two.mesh");
   CHECK(mesh.vertex_count() == 5);
   CHECK(mesh.tets == std::vector<std::uint32_t>{0, 1, 2, 3, 1, 2, 3, 4});

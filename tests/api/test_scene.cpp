@@ -46,7 +46,8 @@ TEST_CASE("Arrays that do not fit together are refused") {
   for (double& x : bad.mesh.positions) x = 0;
   CHECK_THAT(refusal(bad), Contains("no tet"));
   CHECK_THAT(error_of([] { Simulation(Scene(), context()); }), Contains("no bodies"));
-  CHECK_THAT(error_of([&] { Simulation(scene_of(good), context(), {.set = {"solver.iterations=3"}}); }), Contains("OpenOptions::set"));
+  CHECK_THAT(error_of([&] { Simulation(scene_of(good), context(), {.set = {"solver.iterations=3"}}); }),
+             Contains("OpenOptions::set"));
 }
 
 TEST_CASE("Tets of either winding are taken, and repairs are noted") {
@@ -90,14 +91,16 @@ TEST_CASE("Led vertices arrive where their motion ends, and initial velocities a
   motion.translate = {0.02, 0, 0};
   motion.duration = 0.1;
   body.motions.push_back(motion);
-  for (std::size_t v = 0; v < body.mesh.vertex_count(); ++v) body.initial_velocity.insert(body.initial_velocity.end(), {0, 0, 0.5});
+  for (std::size_t v = 0; v < body.mesh.vertex_count(); ++v)
+    body.initial_velocity.insert(body.initial_velocity.end(), {0, 0, 0.5});
   Simulation simulation(scene_of(body), context());
   const std::vector<double> velocity = simulation.velocities();
   CHECK(velocity[3 * body.fixed[0] + 2] == 0);
   CHECK(velocity[3 * 12 + 2] == 0.5);  // in the middle layer
   simulation.step(10);
   const std::vector<double> x = simulation.positions();
-  for (const std::uint32_t v : motion.vertices) CHECK(x[3 * v] == Approx(body.mesh.positions[3 * v] + 0.02).margin(1e-7));
+  for (const std::uint32_t v : motion.vertices)
+    CHECK(x[3 * v] == Approx(body.mesh.positions[3 * v] + 0.02).margin(1e-7));
   CHECK(simulation.supports().size() == 2);
   CHECK(simulation.supports()[1].motion == std::size_t(0));
   body.motions.push_back(motion);
@@ -113,7 +116,8 @@ TEST_CASE("A scene file is opened with keys replaced, and says how far it is") {
   CHECK(simulation.settings().iterations == 3);
   CHECK_FALSE(shares.empty());
   CHECK(std::is_sorted(shares.begin(), shares.end()));
-  CHECK_THAT(error_of([&] { Simulation::open(file, context(), {.set = {"solver.iteration=3"}}); }), Contains("iterations"));
+  CHECK_THAT(error_of([&] { Simulation::open(file, context(), {.set = {"solver.iteration=3"}}); }),
+             Contains("iterations"));
   CHECK_THAT(error_of([&] { Simulation::open("/nowhere.json", context()); }), Contains("/nowhere.json"));
   std::stop_source stop;
   stop.request_stop();

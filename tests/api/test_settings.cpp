@@ -19,14 +19,16 @@ TEST_CASE("Settings are read back as they were set, and bad ones change nothing"
   CHECK(simulation.time() == Approx(0.03));
   Settings bad = settings;
   bad.iterations = 0;
-  CHECK_THAT(error_of([&] { simulation.set_settings(bad); }), Contains("settings.iterations: is 0; expected 1 to 10000"));
+  CHECK_THAT(error_of([&] { simulation.set_settings(bad); }),
+             Contains("settings.iterations: is 0; expected 1 to 10000"));
   bad = settings;
   bad.acceleration = "subspace";
   CHECK_THAT(error_of([&] { simulation.set_settings(bad); }), Contains("vertex_descent") && Contains("subspace"));
   CHECK(simulation.settings() == settings);
 }
 
-TEST_CASE("Every pair that is listed steps, and those whose iterations converge fast to the state of the reference solver") {
+TEST_CASE(
+    "Every pair that is listed steps, and those whose iterations converge fast to the state of the reference solver") {
   Scene scene = scene_of(standing_cube());
   scene.settings.iterations = 200;
   Simulation exact(scene, Context::none(), {.reference = true});

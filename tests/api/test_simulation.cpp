@@ -108,7 +108,8 @@ TEST_CASE("In equilibrium supports carry the weight, on the GPU as by the refere
     REQUIRE(supports.size() == 1);
     CHECK(supports[0].force[1] == Approx(9.81).epsilon(1e-6));  // of 1 kg
     CHECK(simulation.diagnostics().reaction[1] == Approx(9.81).epsilon(1e-3));
-    // The mean stress of a bar of height H under its weight is rho g H / 2. Lumped masses bend it a little: shear adds a percent.
+    // The mean stress of a bar of height H under its weight is rho g H / 2. Lumped masses bend it a little: shear adds
+    // a percent.
     const std::vector<double> stress = simulation.von_mises();
     REQUIRE(stress.size() == simulation.tet_count());
     double mean = 0;
@@ -168,7 +169,8 @@ TEST_CASE("Several grabs hold each their own, and a patch is led by its center")
   REQUIRE(simulation.solve_static().converged);
   CHECK(simulation.force(left)[0] < -0.01);
   CHECK(simulation.force(right)[0] > 0.01);
-  CHECK(simulation.force(right)[0] == Approx(-simulation.force(left)[0]).epsilon(0.1));  // a box of tets is not quite symmetric
+  CHECK(simulation.force(right)[0] ==
+        Approx(-simulation.force(left)[0]).epsilon(0.1));  // a box of tets is not quite symmetric
   const Vec3 all = simulation.diagnostics().grab_force;
   CHECK(all[1] == Approx(simulation.force(left)[1] + simulation.force(right)[1]).epsilon(1e-3));
 }

@@ -21,16 +21,14 @@ namespace fs = std::filesystem;
 namespace {
 
 std::size_t entries(const TemporaryFolder& folder) {
-  return static_cast<std::size_t>(
-      std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()));
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()));
 }
 
 }  // namespace
 
 TEST_CASE("a file reads back as it was written", "[file]") {
   const TemporaryFolder folder;
-  const std::string content =
-      std::string("binary \0 \xff\r\n", 12) + std::string(200000, 'x');  // beyond one block
+  const std::string content = std::string("binary \0 \xff\r\n", 12) + std::string(200000, 'x');  // beyond one block
   write_file(folder / "a", content);
   CHECK(read_file(folder / "a") == content);
   write_file(folder / "a", "");
@@ -107,7 +105,9 @@ TEST_CASE("a pipe into which nothing writes is refused, one whose writer is slow
   const TemporaryFolder folder;
   REQUIRE(mkfifo((folder / "idle").c_str(), 0600) == 0);
   REQUIRE(mkfifo((folder / "slow").c_str(), 0600) == 0);
-  CHECK_THROWS_WITH(read_file(folder / "idle"), (folder / "idle").string() + ": is a pipe into which nothing writes; waited 5 s; expected a program that writes into it");
+  CHECK_THROWS_WITH(read_file(folder / "idle"),
+                    (folder / "idle").string() +
+                        ": is a pipe into which nothing writes; waited 5 s; expected a program that writes into it");
   std::jthread writer([&] {
     std::ofstream out(folder / "slow");
     for (int i = 0; i < 3; ++i) {
@@ -141,9 +141,8 @@ TEST_CASE("writing says what is wrong", "[file]") {
   CHECK_THROWS_WITH(write_file(folder.path(), "x"), prefix + ": is a directory; expected a file name");
   fs::create_symlink("/dev/full",
                      folder / "full");  // a link, so that a mistake here cannot replace the device
-  CHECK_THROWS_WITH(
-      write_file(folder / "full", std::string(100000, 'x')),
-      prefix + "/full: writing failed: No space left on device; expected a device that takes data");
+  CHECK_THROWS_WITH(write_file(folder / "full", std::string(100000, 'x')),
+                    prefix + "/full: writing failed: No space left on device; expected a device that takes data");
 }
 
 TEST_CASE("a device stays a device and a link stays a link", "[file]") {

@@ -26,9 +26,7 @@ pid_t gone_process() {
   return child;
 }
 
-void touch(const fs::path& path) {
-  std::ofstream(path) << "half";
-}
+void touch(const fs::path& path) { std::ofstream(path) << "half"; }
 
 }  // namespace
 
@@ -64,8 +62,8 @@ TEST_CASE("what killed processes left of a file is removed when it is written ag
   const TemporaryFolder folder;
   const std::string gone = std::to_string(gone_process()), alive = std::to_string(getppid());
   const std::vector<std::string> stale = {".out." + gone + "-1.part.vtu", ".out." + gone + "-12.part.mp4.log"};
-  const std::vector<std::string> kept = {".out." + alive + "-1.part.vtu", ".other." + gone + "-1.part.vtu", ".out." + gone + ".vtu",
-                                         ".out.part.vtu", ".out.5x-1.part.vtu"};
+  const std::vector<std::string> kept = {".out." + alive + "-1.part.vtu", ".other." + gone + "-1.part.vtu",
+                                         ".out." + gone + ".vtu", ".out.part.vtu", ".out.5x-1.part.vtu"};
   for (const auto& names : {stale, kept})
     for (const std::string& name : names) touch(folder / name);
 

@@ -31,7 +31,8 @@ TEST_CASE("the nearest word, unless more than half of it differs") {
 
 TEST_CASE("case, underscores, hyphens and blanks make no difference") {
   const std::vector<std::string> words = {"von_mises", "volume_ratio", "none", "solver.method", "--data-dir"};
-  for (const char* word : {"vonmises", "von mises", "Von-Mises", "VONMISES", "von__mises", "v o n m i s e s", "VonMisses"}) {
+  for (const char* word :
+       {"vonmises", "von mises", "Von-Mises", "VONMISES", "von__mises", "v o n m i s e s", "VonMisses"}) {
     CAPTURE(word);
     CHECK(nearest(word, words) == "von_mises");
   }

@@ -28,7 +28,8 @@ void check_mesh(const TetMesh& mesh) {
   require(!mesh.tets.empty(), "a mesh has tets");
   require(mesh.regions.size() == mesh.tets.size(), "every tet has a region");
   for (const Tet& tet : mesh.tets) {
-    require(std::all_of(tet.begin(), tet.end(), [&](std::uint32_t v) { return v < vertex_count; }), "tets name vertices of the mesh");
+    require(std::all_of(tet.begin(), tet.end(), [&](std::uint32_t v) { return v < vertex_count; }),
+            "tets name vertices of the mesh");
   }
   for (const Eigen::Vector3d& x : mesh.positions) require(x.allFinite(), "positions are finite");
   for (const auto& [name, vertices] : mesh.groups) {

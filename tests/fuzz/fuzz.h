@@ -1,6 +1,7 @@
-// A fuzz target is one file, fuzz_NAME.cpp, with FUZZ_TARGET(NAME) { read `data`, use what comes out }. An input may be read or refused
-// with an Error; everything else is a bug. The same file becomes a libFuzzer program (preset fuzz, scripts/fuzz.sh) and a part of
-// test_fuzz, which replays corpus/NAME/ and crashes/NAME/ and cheap mutations of them in every run of the tests.
+// A fuzz target is one file, fuzz_NAME.cpp, with FUZZ_TARGET(NAME) { read `data`, use what comes out }. An input may be
+// read or refused with an Error; everything else is a bug. The same file becomes a libFuzzer program (preset fuzz,
+// scripts/fuzz.sh) and a part of test_fuzz, which replays corpus/NAME/ and crashes/NAME/ and cheap mutations of them in
+// every run of the tests.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -24,20 +25,20 @@ void require(bool kept, const char* promise);
 void check_mesh(const TetMesh& mesh);
 
 #ifdef FASCIA_LIBFUZZER
-#define FUZZ_TARGET(name)                                                                                          \
-  static void target_##name(std::string_view data);                                                                \
-  extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {                             \
-    fascia::fuzz::run(target_##name, {reinterpret_cast<const char*>(bytes), size});                                \
-    return 0;                                                                                                      \
-  }                                                                                                                \
+#define FUZZ_TARGET(name)                                                              \
+  static void target_##name(std::string_view data);                                    \
+  extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) { \
+    fascia::fuzz::run(target_##name, {reinterpret_cast<const char*>(bytes), size});    \
+    return 0;                                                                          \
+  }                                                                                    \
   static void target_##name(std::string_view data)
 #else
 /// All targets of the program, by name.
 std::map<std::string, Target>& targets();
 
-#define FUZZ_TARGET(name)                                                                                          \
-  static void target_##name(std::string_view data);                                                                \
-  [[maybe_unused]] static const bool name##_is_known = fascia::fuzz::targets().emplace(#name, target_##name).second;\
+#define FUZZ_TARGET(name)                                                                                            \
+  static void target_##name(std::string_view data);                                                                  \
+  [[maybe_unused]] static const bool name##_is_known = fascia::fuzz::targets().emplace(#name, target_##name).second; \
   static void target_##name(std::string_view data)
 #endif
 

@@ -1,9 +1,10 @@
-// A mesh of any format on its way through the program: format detection, the mesh doctor, every writer, and each written file read again.
+// A mesh of any format on its way through the program: format detection, the mesh doctor, every writer, and each
+// written file read again.
 #include <sstream>
 
 #include "base/error.h"
-#include "sim/mesh/mesh_check.h"
 #include "sim/mesh/io/formats.h"
+#include "sim/mesh/mesh_check.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fascia;

@@ -1,4 +1,5 @@
-// Scene files. What was read is written and read again, and must be the same scene. Files that it carries are taken out.
+// Scene files. What was read is written and read again, and must be the same scene. Files that it carries are taken
+// out.
 #include "sim/scene/scene.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -11,5 +12,7 @@ FUZZ_TARGET(scene) {
   const Scene copy = read_scene_content("fuzz.json", text, {});
   fuzz::require(scene_to_json(copy, "") == text, "a written scene reads back as it was");
   for (const KnownFile& file : scene.files)
-    if (file.deflated) fuzz::require(carried_content(file, "fuzz.json").size() == file.size, "a carried file has the size that is promised");
+    if (file.deflated)
+      fuzz::require(carried_content(file, "fuzz.json").size() == file.size,
+                    "a carried file has the size that is promised");
 }

@@ -1,4 +1,5 @@
-// The short form of fuzzing: every seed, every input that once broke a reader, and cheap mutations of both, the same ones every time.
+// The short form of fuzzing: every seed, every input that once broke a reader, and cheap mutations of both, the same
+// ones every time.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -18,12 +19,14 @@ namespace {
 
 constexpr int mutations_of_a_target = 4000;
 
-// A count in a file's header must not be believed. The inputs are at most 100 KB, and 1032 times as much is what zlib can make of them.
+// A count in a file's header must not be believed. The inputs are at most 100 KB, and 1032 times as much is what zlib
+// can make of them.
 constexpr std::size_t most_allocated = std::size_t{128} << 20;
 
 std::vector<std::string> contents_of(const fs::path& folder) {
   std::vector<fs::path> paths;
-  if (fs::exists(folder)) std::copy(fs::directory_iterator(folder), fs::directory_iterator(), std::back_inserter(paths));
+  if (fs::exists(folder))
+    std::copy(fs::directory_iterator(folder), fs::directory_iterator(), std::back_inserter(paths));
   std::sort(paths.begin(), paths.end());
   std::vector<std::string> contents;
   for (const fs::path& path : paths) {
@@ -76,9 +79,20 @@ class Mutator {
 
   /// The next number of a text becomes another one that readers may trip over.
   void swap_number(std::string& data, std::size_t at) {
-    static constexpr std::array<const char*, 14> numbers = {
-        "0", "-1", "1", "3", "127", "4294967295", "4294967296", "2147483648", "-9223372036854775808", "18446744073709551615", "1e308",
-        "1e-400", "nan", "99999999999999999999"};
+    static constexpr std::array<const char*, 14> numbers = {"0",
+                                                            "-1",
+                                                            "1",
+                                                            "3",
+                                                            "127",
+                                                            "4294967295",
+                                                            "4294967296",
+                                                            "2147483648",
+                                                            "-9223372036854775808",
+                                                            "18446744073709551615",
+                                                            "1e308",
+                                                            "1e-400",
+                                                            "nan",
+                                                            "99999999999999999999"};
     constexpr std::string_view digits = "0123456789.-";
     const std::size_t begin = data.find_first_of(digits, at);
     if (begin == std::string::npos) return;
@@ -113,8 +127,8 @@ TEST_CASE("readers read or refuse: seeds, what once broke them, and mutations", 
     for (const std::string& input : inputs) run(input);
     Mutator mutator(inputs);
     for (int i = 0; i < mutations_of_a_target; ++i) run(mutator.next());
-    std::printf("%-7s %3zu seeds, %2zu kept, %d mutations: %zu read, %zu refused; largest allocation %zu KB\n", name.c_str(), seeds,
-                crashes.size(), mutations_of_a_target, read, refused, largest / 1024);
+    std::printf("%-7s %3zu seeds, %2zu kept, %d mutations: %zu read, %zu refused; largest allocation %zu KB\n",
+                name.c_str(), seeds, crashes.size(), mutations_of_a_target, read, refused, largest / 1024);
     CHECK(read > 0);
   }
 }

@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "render/context/context.h"
-#include "gl/loader.h"
 #include "base/error.h"
+#include "gl/loader.h"
+#include "render/context/context.h"
 #include "tests/support/support.h"
 
 namespace fascia::test {
@@ -36,9 +36,7 @@ class ShaderFolder {
     std::filesystem::create_directory(folder_ / "common");
     std::filesystem::copy(source_dir() / "shaders/common/io.glsl", folder_ / "common/io.glsl");
   }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-  }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
   const std::filesystem::path& path() const { return folder_.path(); }
 
  private:

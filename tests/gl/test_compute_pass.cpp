@@ -135,8 +135,7 @@ TEST_CASE("bindings that do not fit the kernel are errors that name it") {
 
   ComputePass::Bindings bindings = in.bindings();
   bindings.erase(bindings.begin() + 1);
-  CHECK_THAT(message(bindings),
-             Contains("kernel scale.comp [VARIANT=3]: ") && Contains("eight has no buffer"));
+  CHECK_THAT(message(bindings), Contains("kernel scale.comp [VARIANT=3]: ") && Contains("eight has no buffer"));
   bindings = in.bindings();
   bindings.erase(bindings.begin() + 4);
   CHECK_THAT(message(bindings), Contains("Result has no buffer"));
@@ -162,10 +161,9 @@ TEST_CASE("a declared input that the kernel does not use may be bound") {
   const auto context = test::each_context();
   const LoadPath path = GENERATE(LoadPath::storage, LoadPath::texel);
   ShaderFolder folder;
-  folder.write(
-      "unused.comp",
-      "#include \"common/io.glsl\"\nINPUT_FLOAT(Weight, weight)\nOUTPUT(uint, Visit, visit)\nCOMPUTE_1D\n"
-      "void main() {\n  ITEM_OR_RETURN(i)\n  visit[i] = i + 1u;\n}\n");
+  folder.write("unused.comp",
+               "#include \"common/io.glsl\"\nINPUT_FLOAT(Weight, weight)\nOUTPUT(uint, Visit, visit)\nCOMPUTE_1D\n"
+               "void main() {\n  ITEM_OR_RETURN(i)\n  visit[i] = i + 1u;\n}\n");
   ProgramCache programs(folder.path(), path);
   const Buffer weight("weight", 64), visit("visit", 8);
   ComputePass(programs.compute("unused.comp"), {{"weight", &weight}, {"visit", &visit}}, 2).run();

@@ -82,12 +82,13 @@ class Folder : public test::ShaderFolder {
 struct Values {
   static constexpr std::uint32_t kCount = 1000, kLists = 3;
   std::uint32_t some = 700;  // that passes follow
-  Buffer value, result{"result", 16 * kCount}, lists{"lists", 4 * kLists * (4 + kCount)};
+  Buffer value, result{"result", 16 * kCount}, lists{"lists", 4 * kLists*(4 + kCount)};
   Buffer none{"none", std::vector<std::uint32_t>{0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0}};
 
   Values() {
     std::vector<float> start;
-    for (std::uint32_t i = 0; i < 4 * kCount; ++i) start.push_back(static_cast<float>((i * 2654435761u) >> 12) / 524288.0f - 1.0f);
+    for (std::uint32_t i = 0; i < 4 * kCount; ++i)
+      start.push_back(static_cast<float>((i * 2654435761u) >> 12) / 524288.0f - 1.0f);
     value = Buffer("value", start);
   }
   // Ten passes, some of one kernel, with `rounds` in the loops of two.
@@ -95,12 +96,14 @@ struct Values {
     std::vector<ComputePass> passes;
     const auto spread = [&](ComputePass::Constants constants) {
       constants.emplace_back("count", kCount);
-      passes.emplace_back(programs.compute("spread.comp"), ComputePass::Bindings{{"value", &value}, {"result", &result}}, kCount,
-                          std::move(constants))
+      passes
+          .emplace_back(programs.compute("spread.comp"), ComputePass::Bindings{{"value", &value}, {"result", &result}},
+                        kCount, std::move(constants))
           .loops(0);
-      passes.emplace_back(programs.compute("turn.comp"),
-                          ComputePass::Bindings{{"result", &result}, {"before", &value}, {"value", &value}}, kCount,
-                          ComputePass::Constants{{"rounds", rounds}})
+      passes
+          .emplace_back(programs.compute("turn.comp"),
+                        ComputePass::Bindings{{"result", &result}, {"before", &value}, {"value", &value}}, kCount,
+                        ComputePass::Constants{{"rounds", rounds}})
           .loops(rounds);
     };
     spread({{"distance", 1}, {"start", 3}});
@@ -109,14 +112,19 @@ struct Values {
     passes.back().follow("invocations", some);
     for (std::uint32_t list = 0; list < kLists; ++list) {
       const bool stays_empty = list == 1;
-      const ComputePass::Constants constants{
-          {"deferred_list", 4 * list}, {"deferred_begin", 4 * kLists + list * kCount}, {"bound", stays_empty ? 1000u : 0u}};
-      passes.emplace_back(programs.compute("listed.comp", {{"DEFERS", "1"}}),
-                          ComputePass::Bindings{{"before", &value}, {"value", &value}, {"deferred", &lists}}, kCount, constants)
+      const ComputePass::Constants constants{{"deferred_list", 4 * list},
+                                             {"deferred_begin", 4 * kLists + list * kCount},
+                                             {"bound", stays_empty ? 1000u : 0u}};
+      passes
+          .emplace_back(programs.compute("listed.comp", {{"DEFERS", "1"}}),
+                        ComputePass::Bindings{{"before", &value}, {"value", &value}, {"deferred", &lists}}, kCount,
+                        constants)
           .loops(0);
       if (list == 0) passes.back().copy_first(none, lists);
-      passes.emplace_back(programs.compute("listed.comp", {{"DEFERRED", "1"}}),
-                          ComputePass::Bindings{{"before", &value}, {"value", &value}, {"deferred_items", &lists}}, kCount, constants)
+      passes
+          .emplace_back(programs.compute("listed.comp", {{"DEFERRED", "1"}}),
+                        ComputePass::Bindings{{"before", &value}, {"value", &value}, {"deferred_items", &lists}},
+                        kCount, constants)
           .loops(0);
       passes.back().set_indirect(lists, 4 * list);
     }
@@ -198,7 +206,8 @@ TEST_CASE("what is too much for the loops of one dispatch is done in several", "
   const auto context = test::each_context();
   if (!test::fuses_here()) return;
   Folder folder;
-  constexpr std::uint32_t kRounds = 1500;  // in the loops of 250 work groups each repeat; llvmpipe allows 65,535 to each member
+  // In the loops of 250 work groups each repeat; llvmpipe allows 65,535 to each member
+  constexpr std::uint32_t kRounds = 1500;
   const std::vector<float> expected = run_alone(folder, kRounds, 4);
   ProgramCache programs(folder.path(), LoadPath::texel);
   Values values;
@@ -218,9 +227,11 @@ TEST_CASE("every work group is done once, however many members share them", "[th
   const auto context = test::each_context();
   if (!test::fuses_here()) return;
   Folder folder;
-  folder.write("more.comp",
-               "#include \"common/io.glsl\"\nINPUT_VEC4_IN_PLACE(Before, before)\nOUTPUT(vec4, Value, value)\nCOMPUTE_1D\nuniform uint step;\n"
-               "void main() {\n  ITEM_OR_RETURN(i)\n  value[i] = FETCH(before, i) + vec4(float(step), 1.0, 0.0, 0.0);\n}\n");
+  folder.write(
+      "more.comp",
+      "#include \"common/io.glsl\"\nINPUT_VEC4_IN_PLACE(Before, before)\nOUTPUT(vec4, Value, "
+      "value)\nCOMPUTE_1D\nuniform uint step;\n"
+      "void main() {\n  ITEM_OR_RETURN(i)\n  value[i] = FETCH(before, i) + vec4(float(step), 1.0, 0.0, 0.0);\n}\n");
   const char* crew = GENERATE("1", "2", "3", "4", "5", "7", "16");
   const std::uint32_t count = GENERATE(1u, 37u, 1000u, 200'001u);  // the last one in units of several work groups
   const Members members(crew);
@@ -228,15 +239,17 @@ TEST_CASE("every work group is done once, however many members share them", "[th
   const Buffer value("value", std::vector<float>(4 * std::size_t{count}, 0.0f));
   std::vector<ComputePass> passes;
   for (const std::uint32_t step : {1u, 10u, 100u})
-    passes.emplace_back(programs.compute("more.comp"), ComputePass::Bindings{{"before", &value}, {"value", &value}}, count,
-                        ComputePass::Constants{{"step", step}})
+    passes
+        .emplace_back(programs.compute("more.comp"), ComputePass::Bindings{{"before", &value}, {"value", &value}},
+                      count, ComputePass::Constants{{"step", step}})
         .loops(0);
   const FusedPasses fused(programs, passes);
   constexpr std::uint32_t kRepeats = 5;
   fused.run(kRepeats);
   const std::vector<float> found = value.read<float>();
   std::size_t wrong = 0;
-  for (std::size_t i = 0; i < found.size(); i += 4) wrong += found[i] != 111.0f * kRepeats || found[i + 1] != 3.0f * kRepeats;
+  for (std::size_t i = 0; i < found.size(); i += 4)
+    wrong += found[i] != 111.0f * kRepeats || found[i + 1] != 3.0f * kRepeats;
   CAPTURE(crew, count, found[0], found[1], wrong);
   CHECK(wrong == 0);
 }
@@ -248,7 +261,8 @@ TEST_CASE("a pass that does not tell its loops, and one alone, are dispatched by
   ProgramCache programs(folder.path(), LoadPath::texel);
   Values values;
   std::vector<ComputePass> passes = values.passes(programs, 3);
-  passes[1] = ComputePass(programs.compute("turn.comp"), {{"result", &values.result}, {"before", &values.value}, {"value", &values.value}},
+  passes[1] = ComputePass(programs.compute("turn.comp"),
+                          {{"result", &values.result}, {"before", &values.value}, {"value", &values.value}},
                           Values::kCount, {{"rounds", 3}});
   const FusedPasses fused(programs, passes);
   CHECK(fused.dispatches(1) == 3);  // one, one, and the other eight
@@ -272,18 +286,21 @@ TEST_CASE("what is wrong with a fused kernel is told with its file and line") {
   const auto context = test::each_context();
   if (!test::fuses_here()) return;
   Folder folder;
-  folder.write("wrong.comp",
-               "#include \"common/io.glsl\"\nOUTPUT(vec4, Value, value)\nCOMPUTE_1D\nvoid main() {\n  ITEM_OR_RETURN(i)\n"
-               "  value[i] = nothing;\n}\n");
+  folder.write(
+      "wrong.comp",
+      "#include \"common/io.glsl\"\nOUTPUT(vec4, Value, value)\nCOMPUTE_1D\nvoid main() {\n  ITEM_OR_RETURN(i)\n"
+      "  value[i] = nothing;\n}\n");
   ProgramCache programs(folder.path(), LoadPath::texel);
   Values values;
   std::vector<ComputePass> passes = values.passes(programs, 3);
   {
     const ProgramCache::Postponed postponed(programs);
-    passes.emplace_back(programs.compute("wrong.comp"), ComputePass::Bindings{{"value", &values.value}}, Values::kCount).loops(0);
+    passes.emplace_back(programs.compute("wrong.comp"), ComputePass::Bindings{{"value", &values.value}}, Values::kCount)
+        .loops(0);
   }
   const std::string message = test::error_of([&] { FusedPasses(programs, passes); });
-  CHECK_THAT(message, Contains("shaders/wrong.comp:6") && Contains("nothing") && Contains("fused spread, turn, spread, fill, listed, listed, wrong"));
+  CHECK_THAT(message, Contains("shaders/wrong.comp:6") && Contains("nothing") &&
+                          Contains("fused spread, turn, spread, fill, listed, listed, wrong"));
 }
 
 TEST_CASE("passes are fused on request, where inputs are texels of a software renderer") {

@@ -32,7 +32,8 @@ TEST_CASE("a device that was reset is an error, one that cannot tell is not") {
   reset_status = GL_NO_ERROR;
   CHECK_NOTHROW(require_context());
   reset_status = GL_GUILTY_CONTEXT_RESET;
-  CHECK_THROWS_WITH(require_context(), Contains("the device was reset, caused by this program, and what it held is lost"));
+  CHECK_THROWS_WITH(require_context(),
+                    Contains("the device was reset, caused by this program, and what it held is lost"));
   reset_status = GL_UNKNOWN_CONTEXT_RESET;
   CHECK_THROWS_AS(require_context(), ContextLost);
   GetGraphicsResetStatus = own;
@@ -53,10 +54,8 @@ TEST_CASE("a context below 4.3 is refused with what was found and what is missin
   mac.major = 4;
   mac.minor = 1;
   mac.missing_functions = {"glDispatchCompute"};
-  CHECK(refusal(mac) ==
-        "OpenGL: found version 4.1 Metal - 88 on Apple M1; missing: version 4.3 with compute shaders");
-  CHECK(refusal({}) ==
-        "OpenGL: found version none on an unknown renderer; missing: version 4.3 with compute shaders");
+  CHECK(refusal(mac) == "OpenGL: found version 4.1 Metal - 88 on Apple M1; missing: version 4.3 with compute shaders");
+  CHECK(refusal({}) == "OpenGL: found version none on an unknown renderer; missing: version 4.3 with compute shaders");
 }
 
 TEST_CASE("every limit that is too low is named with what was found") {

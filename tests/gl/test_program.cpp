@@ -30,9 +30,7 @@ TEST_CASE("a compile error is mapped through an include and names the variant") 
   folder.write("fill.comp", kFill);
   folder.write("value.glsl", "// first\nfloat value() {\n  return wrong_name;\n}\n");
   ProgramCache programs(folder.path(), LoadPath::storage);
-  const std::string message = error_of([&] {
-    programs.compute("fill.comp", {{"SECOND", "2"}, {"FIRST", "1"}});
-  });
+  const std::string message = error_of([&] { programs.compute("fill.comp", {{"SECOND", "2"}, {"FIRST", "1"}}); });
   CHECK_THAT(message, Contains("shaders/value.glsl:3: ") && Contains("wrong_name"));
   CHECK_THAT(message, Contains("fill.comp [FIRST=1 SECOND=2]"));
   CHECK(message.find('\n') == std::string::npos);
@@ -58,7 +56,8 @@ TEST_CASE("a program is linked beside other work, and tells what is wrong when i
   CHECK(programs.size() == 0);
   while (!right.idle() || !wrong.idle()) std::this_thread::yield();
   const std::string message = error_of([&] { wrong.require(); });
-  CHECK_THAT(message, Contains("shaders/value.glsl:1: ") && Contains("nothing") && Contains("fill.comp [VALUE=nothing]"));
+  CHECK_THAT(message,
+             Contains("shaders/value.glsl:1: ") && Contains("nothing") && Contains("fill.comp [VALUE=nothing]"));
   CHECK(filled(right) == 7);
   CHECK(programs.size() == 1);
   folder.write("value.glsl", "float value() { return 3.0; }\n");
@@ -97,8 +96,7 @@ TEST_CASE("variants are cached by their defines, in any order") {
   const auto context = test::each_context();
   const test::ShaderFolder folder;
   folder.write("fill.comp", kFill);
-  folder.write("value.glsl",
-               "float value() { return float(A) + 10.0 * float(B) + 100.0 * float(READ_TEXELS); }\n");
+  folder.write("value.glsl", "float value() { return float(A) + 10.0 * float(B) + 100.0 * float(READ_TEXELS); }\n");
   const LoadPath path = GENERATE(LoadPath::storage, LoadPath::texel);
   ProgramCache programs(folder.path(), path);
   const Program& first = programs.compute("fill.comp", {{"A", "1"}, {"B", "2"}});
@@ -150,10 +148,9 @@ TEST_CASE("uniforms are set by name and unknown names are ignored") {
   const auto context = test::each_context();
   const test::ShaderFolder folder;
   folder.write("fill.comp", kFill);
-  folder.write(
-      "value.glsl",
-      "uniform float a;\nuniform int b;\nuniform uint c;\nuniform vec4 d;\nuniform mat4 e;\n"
-      "float value() { return a + float(b) + float(c) + dot(d, vec4(1, 10, 100, 1000)) + e[3][0]; }\n");
+  folder.write("value.glsl",
+               "uniform float a;\nuniform int b;\nuniform uint c;\nuniform vec4 d;\nuniform mat4 e;\n"
+               "float value() { return a + float(b) + float(c) + dot(d, vec4(1, 10, 100, 1000)) + e[3][0]; }\n");
   ProgramCache programs(folder.path(), LoadPath::storage);
   const Program& program = programs.compute("fill.comp");
   float matrix[16] = {};

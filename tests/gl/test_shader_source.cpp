@@ -37,12 +37,8 @@ TEST_CASE("includes are flattened once each and every line knows where it came f
 
 TEST_CASE("errors in shader text name file and line") {
   const test::TemporaryFolder folder;
-  const auto write = [&](const std::string& name, const std::string& text) {
-    std::ofstream(folder / name) << text;
-  };
-  const auto message = [&](const std::string& name) {
-    return error_of([&] { read_shader(folder.path(), name, {}); });
-  };
+  const auto write = [&](const std::string& name, const std::string& text) { std::ofstream(folder / name) << text; };
+  const auto message = [&](const std::string& name) { return error_of([&] { read_shader(folder.path(), name, {}); }); };
   CHECK_THAT(message("none.comp"),
              Equals("shaders/none.comp: no shader file none.comp; expected it in " + folder.path().string()));
   write("missing.comp", "// one\n#include \"gone.glsl\"\n");
@@ -59,21 +55,19 @@ TEST_CASE("errors in shader text name file and line") {
   write("angle.comp", "#include <common.glsl>\n");
   CHECK_THAT(message("angle.comp"), Contains("shaders/angle.comp:1: cannot read"));
   write("name.comp", "INPUT_VEC4(Positions, position)\n");
-  CHECK_THAT(
-      message("name.comp"),
-      Contains("shaders/name.comp:1: INPUT_VEC4 of position names its block Positions; expected Position"));
+  CHECK_THAT(message("name.comp"),
+             Contains("shaders/name.comp:1: INPUT_VEC4 of position names its block Positions; expected Position"));
   write("twice.comp", "INPUT_UINT(Slot, slot)\nINPUT_FLOAT(Slot, slot)\n");
   CHECK_THAT(message("twice.comp"), Contains("shaders/twice.comp:2: slot is declared a second time"));
 }
 
 TEST_CASE("declarations of buffers are collected") {
   const test::TemporaryFolder folder;
-  std::ofstream(folder / "x.comp")
-      << "#define INPUT_VEC4(Block, name) nothing\n// INPUT_VEC4(Comment, comment)\n"
-         "INPUT_VEC4(Rest, rest) INPUT_UVEC4( Corner , corner )\n"
-         "#if DAMPING\nINPUT_FLOAT(Damping, damping)\n#endif\n"
-         "INPUT_UINT(SlotBegin, slot_begin)  // INPUT_UINT(Other, other)\n"
-         "OUTPUT(vec4, Result, result)\nINOUT(uint, Visit, visit)\n";
+  std::ofstream(folder / "x.comp") << "#define INPUT_VEC4(Block, name) nothing\n// INPUT_VEC4(Comment, comment)\n"
+                                      "INPUT_VEC4(Rest, rest) INPUT_UVEC4( Corner , corner )\n"
+                                      "#if DAMPING\nINPUT_FLOAT(Damping, damping)\n#endif\n"
+                                      "INPUT_UINT(SlotBegin, slot_begin)  // INPUT_UINT(Other, other)\n"
+                                      "OUTPUT(vec4, Result, result)\nINOUT(uint, Visit, visit)\n";
   const std::map<std::string, Texel> expected = {{"rest", Texel::vec4},      {"corner", Texel::uvec4},
                                                  {"damping", Texel::float1}, {"slot_begin", Texel::uint1},
                                                  {"result", Texel::none},    {"visit", Texel::none}};
@@ -90,9 +84,8 @@ TEST_CASE("driver logs are mapped to files") {
   ShaderText source;
   source.lines = {{"x.comp", 0}, {"x.comp", 1}, {"common/a.glsl", 7}};
   CHECK(map_log(source, "0:3(12): error: `foo' undeclared\n") ==
-        "shaders/common/a.glsl:7: error: `foo' undeclared\n");  // Mesa
-  CHECK(map_log(source, "0(2) : error C1503: undefined\n") ==
-        "shaders/x.comp:1: error C1503: undefined\n");  // NVIDIA
+        "shaders/common/a.glsl:7: error: `foo' undeclared\n");                                                // Mesa
+  CHECK(map_log(source, "0(2) : error C1503: undefined\n") == "shaders/x.comp:1: error C1503: undefined\n");  // NVIDIA
   CHECK(map_log(source, "ERROR: 0:3: 'foo' : undeclared") ==
         "shaders/common/a.glsl:7: 'foo' : undeclared\n");  // others
   CHECK(map_log(source, "0:1(1): warning: w\n") == "shaders/x.comp: warning: w\n");

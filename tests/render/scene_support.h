@@ -4,9 +4,9 @@
 #include <map>
 #include <numbers>
 
-#include "render/view/frame_uniforms.h"
-#include "render/scene_renderer.h"
 #include "render/passes/shadow_map.h"
+#include "render/scene_renderer.h"
+#include "render/view/frame_uniforms.h"
 #include "tests/gl/gl_support.h"
 
 namespace fascia::test {
@@ -33,8 +33,7 @@ inline Shape sphere(const Eigen::Vector3d& center, double radius, int rings) {
   for (int i = 0; i <= rings; ++i) {
     for (int j = 0; j < (i % rings == 0 ? 1 : around); ++j) {
       const double theta = std::numbers::pi * i / rings, phi = 2 * std::numbers::pi * j / around;
-      shape.positions.push_back(center + radius * Eigen::Vector3d(std::sin(theta) * std::sin(phi),
-                                                                  std::cos(theta),
+      shape.positions.push_back(center + radius * Eigen::Vector3d(std::sin(theta) * std::sin(phi), std::cos(theta),
                                                                   std::sin(theta) * std::cos(phi)));
     }
   }
@@ -93,8 +92,8 @@ struct Scene {
   std::vector<std::uint32_t> marked, grabbed;
   std::vector<std::array<std::uint32_t, 4>> tets;  // of the shape's vertices
   std::vector<std::uint32_t> tet_region, triangle_region;
-  bool within_surface = false;       // as TetView's
-  std::vector<std::uint32_t> colors; // of the triangles' corners
+  bool within_surface = false;        // as TetView's
+  std::vector<std::uint32_t> colors;  // of the triangles' corners
   std::optional<GrabMark> grab;
   bool creases = true;
   int width = 320, height = 240, samples = 1;

@@ -32,20 +32,22 @@ Vector3d oklab(const Eigen::Vector3f& srgb) {
   Eigen::Matrix3d cones, opponents;
   cones << 0.4122214708, 0.5363325363, 0.0514459929, 0.2119034982, 0.6806995451, 0.1073969566, 0.0883024619,
       0.2817188376, 0.6299787005;
-  opponents << 0.2104542553, 0.7936177850, -0.0040720468, 1.9779984951, -2.4285922050, 0.4505937099,
-      0.0259040371, 0.7827717662, -0.8086757660;
+  opponents << 0.2104542553, 0.7936177850, -0.0040720468, 1.9779984951, -2.4285922050, 0.4505937099, 0.0259040371,
+      0.7827717662, -0.8086757660;
   return opponents * (cones * c).unaryExpr([](double x) { return std::cbrt(x); });
 }
 
 }  // namespace
 
 TEST_CASE("color maps: inside the display's colors, in even steps to the eye") {
-  // The fits leave steps that differ by up to a fifth, a rainbow's by a factor of five and more. The diverging map, which has two hues to
-  // go through and turns round in its middle, has them within a factor of 2.2, but for that middle.
-  const auto [name, map, diverging] = GENERATE(table<std::string, const ColorMapCurve*, bool>({{"dusk", &color_maps::dusk, false},
-                                                                                                {"ember", &color_maps::ember, false},
-                                                                                                {"polar", &color_maps::polar, true},
-                                                                                                {"grey", &color_maps::grey, false}}));
+  // The fits leave steps that differ by up to a fifth, a rainbow's by a factor of five and more. The diverging map,
+  // which has two hues to go through and turns round in its middle, has them within a factor of 2.2, but for that
+  // middle.
+  const auto [name, map, diverging] =
+      GENERATE(table<std::string, const ColorMapCurve*, bool>({{"dusk", &color_maps::dusk, false},
+                                                               {"ember", &color_maps::ember, false},
+                                                               {"polar", &color_maps::polar, true},
+                                                               {"grey", &color_maps::grey, false}}));
   const int count = 100;
   double least = 1e9, most = 0;
   for (int i = 0; i < count; ++i) {

@@ -42,8 +42,7 @@ TEST_CASE("render: a sphere's silhouette is where the camera says") {
       const Ray ray = scene.camera.ray(x + 0.5, y + 0.5, scene.width, scene.height);
       const Vector3d to_center = Vector3d(0.1, 0.7, -0.2) - ray.origin;
       const double distance = to_center.cross(ray.direction).norm();
-      if (std::abs(distance - 0.5) < 1.5 * pixel)
-        continue;  // the edge itself, and the polyhedron's 0.2 pixel
+      if (std::abs(distance - 0.5) < 1.5 * pixel) continue;  // the edge itself, and the polyhedron's 0.2 pixel
       const bool drawn = color_at(with, x, y) != color_at(without, x, y);
       body += drawn;
       wrong += drawn != (distance < 0.5);
@@ -110,8 +109,7 @@ TEST_CASE("render: a body casts its shadow on itself") {
   const test::Shape roof = test::box({-0.3, 0.6, -0.3}, {0.3, 0.65, 0.3}, 2);
   const auto first = static_cast<std::uint32_t>(scene.shape.positions.size());
   scene.shape.positions.insert(scene.shape.positions.end(), roof.positions.begin(), roof.positions.end());
-  for (const auto& [a, b, c] : roof.triangles)
-    scene.shape.triangles.push_back({a + first, b + first, c + first});
+  for (const auto& [a, b, c] : roof.triangles) scene.shape.triangles.push_back({a + first, b + first, c + first});
   scene.camera.orbit(0, 0.6);
   const Vector3d light = test::toward_light(scene.look);
   const Vector3d shaded = Vector3d(0, 0.6, 0) - light * (0.4 / light.y()), lit(-0.7, 0.2, 0.7);
@@ -195,9 +193,7 @@ TEST_CASE("render: the ground has no horizon and is not seen from below") {
   const Image without = scene.draw();
   // Down along the left border, away from the body: once the ground begins to show it comes in over many
   // rows, grid included.
-  const auto seen = [&](int row) {
-    return std::abs((color_at(with, 2, row) - color_at(without, 2, row)).mean());
-  };
+  const auto seen = [&](int row) { return std::abs((color_at(with, 2, row) - color_at(without, 2, row)).mean()); };
   int first = 0;
   while (first < scene.height - 1 && seen(first) < 1.0 / 255) ++first;
   double begin = 0, most = 0;

@@ -30,7 +30,8 @@ inline Model make_model(const TetMesh& mesh, const Material& material,
   return model;
 }
 
-/// Displacements and velocities of about `amplitude` [m], different at every vertex, zero where held; the same for the same seed.
+/// Displacements and velocities of about `amplitude` [m], different at every vertex, zero where held; the same for the
+/// same seed.
 inline State random_state(const Model& model, double amplitude, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
@@ -60,7 +61,8 @@ inline double relative_rms(const std::vector<Eigen::Vector3d>& a, const std::vec
 /// The largest distance of a vertex between two states [m].
 inline double farthest(const State& a, const State& b) {
   double distance = 0;
-  for (std::size_t v = 0; v < a.displacement.size(); ++v) distance = std::max(distance, (a.displacement[v] - b.displacement[v]).norm());
+  for (std::size_t v = 0; v < a.displacement.size(); ++v)
+    distance = std::max(distance, (a.displacement[v] - b.displacement[v]).norm());
   return distance;
 }
 

@@ -9,7 +9,8 @@ namespace fascia::test {
 std::filesystem::path test_dir();    // tests/ in the source tree
 std::filesystem::path source_dir();  // the source tree: assets/, shaders/
 
-/// Where the tests of OpenGL run: on OSMesa and on EGL, or, with FASCIA_TEST_CONTEXT=egl, on EGL alone, which takes a graphics card first.
+/// Where the tests of OpenGL run: on OSMesa and on EGL, or, with FASCIA_TEST_CONTEXT=egl, on EGL alone, which takes a
+/// graphics card first.
 std::vector<std::string> context_names();
 
 /// A fresh folder, removed at the end of the test.

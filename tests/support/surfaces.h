@@ -11,11 +11,16 @@ namespace fascia::test {
 /// A ball of rings and meridians, wound outward.
 inline SurfaceMesh make_sphere(int rings, int around, double radius, const Eigen::Vector3d& center = {0, 0, 0}) {
   SurfaceMesh s;
-  const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(i == 0 ? 0 : i == rings ? 1 + (rings - 1) * around : 1 + (i - 1) * around + j % around); };
+  const auto at = [&](int i, int j) {
+    return static_cast<std::uint32_t>(i == 0       ? 0
+                                      : i == rings ? 1 + (rings - 1) * around
+                                                   : 1 + (i - 1) * around + j % around);
+  };
   for (int i = 0; i <= rings; ++i) {
     for (int j = 0; j < (i == 0 || i == rings ? 1 : around); ++j) {
       const double a = std::numbers::pi * i / rings, b = 2 * std::numbers::pi * j / around;
-      s.positions.push_back(center + radius * Eigen::Vector3d(std::sin(a) * std::cos(b), std::cos(a), std::sin(a) * std::sin(b)));
+      s.positions.push_back(
+          center + radius * Eigen::Vector3d(std::sin(a) * std::cos(b), std::cos(a), std::sin(a) * std::sin(b)));
     }
   }
   for (int i = 0; i < rings; ++i) {
@@ -47,7 +52,8 @@ inline SurfaceMesh make_torus(int around, int section, double radius, double thi
 inline SurfaceMesh make_box_surface(const Eigen::Vector3d& size) {
   SurfaceMesh s;
   for (int v = 0; v < 8; ++v) s.positions.push_back(size.cwiseProduct(Eigen::Vector3d(v >> 2, v >> 1 & 1, v & 1)));
-  constexpr std::uint32_t quads[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+  constexpr std::uint32_t quads[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
+                                         {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
   for (const auto& q : quads) {
     s.triangles.push_back({q[0], q[1], q[2]});
     s.triangles.push_back({q[0], q[2], q[3]});

@@ -22,7 +22,8 @@ class Contender {
       : problem_(&problem),
         measured_(&measured),
         result_(&result),
-        solver_(std::make_unique<GpuSolver>(*bench.graphics.programs, problem.model(), settings_of(measured, result.pair, 1))) {}
+        solver_(std::make_unique<GpuSolver>(*bench.graphics.programs, problem.model(),
+                                            settings_of(measured, result.pair, 1))) {}
 
   void measure_errors(const Bench& bench, const std::vector<int>& iterations) {
     for (const int count : iterations) {
@@ -71,8 +72,8 @@ class Contender {
   std::vector<std::vector<double>> ms_;  // [points][repetitions]
 };
 
-// The contenders take turns, and a turn goes through all numbers of iterations, so that a disturbance hits all of them alike and few
-// repetitions of each. The errors have been measured before: every kernel is compiled and has run.
+// The contenders take turns, and a turn goes through all numbers of iterations, so that a disturbance hits all of them
+// alike and few repetitions of each. The errors have been measured before: every kernel is compiled and has run.
 void measure_times(const Bench& bench, std::vector<Contender>& contenders, std::size_t counts, int repetitions) {
   for (int turn = 0; turn < repetitions; ++turn)
     for (std::size_t i = 0; i < counts; ++i)
@@ -99,7 +100,8 @@ int measure(Bench& bench, const AccuracyGrid& grid, CaseAccuracy& result) {
 }
 
 long missing_pairs(const CaseAccuracy& result) {
-  return std::count_if(result.pairs.begin(), result.pairs.end(), [](const PairAccuracy& p) { return p.points.empty(); });
+  return std::count_if(result.pairs.begin(), result.pairs.end(),
+                       [](const PairAccuracy& p) { return p.points.empty(); });
 }
 
 }  // namespace
@@ -113,8 +115,8 @@ int bench_accuracy(Bench& bench, const AccuracyGrid& grid, bool fresh) {
   write_table(table, table_of(results, notes));  // no fresh run leaves old numbers behind
   int measured = 0;
   for (std::size_t c = 0; c < results.size(); ++c) {
-    const std::string name = "accuracy, case " + std::to_string(c + 1) + " of " + std::to_string(results.size()) + ": " +
-                             title_of(results[c].measured) + ", ";
+    const std::string name = "accuracy, case " + std::to_string(c + 1) + " of " + std::to_string(results.size()) +
+                             ": " + title_of(results[c].measured) + ", ";
     if (const long missing = missing_pairs(results[c]); missing > 0) {
       bench.say(name + std::to_string(missing) + " pairs");
       measured += measure(bench, grid, results[c]);

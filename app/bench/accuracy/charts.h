@@ -5,8 +5,8 @@
 
 namespace fascia {
 
-/// Error against iterations and against time, as files named after the case. Only the best acceleration of each method and the poster's
-/// pair have a line; the Pareto frontier is that of all pairs. Throws Error.
+/// Error against iterations and against time, as files named after the case. Only the best acceleration of each method
+/// and the poster's pair have a line; the Pareto frontier is that of all pairs. Throws Error.
 void draw_charts(const Bench& bench, const CaseAccuracy& result);
 
 }  // namespace fascia

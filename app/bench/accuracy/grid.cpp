@@ -49,8 +49,9 @@ const char* name_of(AccuracyScenario scenario) {
 }
 
 std::string title_of(const AccuracyCase& c) {
-  return std::string(name_of(c.scenario)) + ", " + std::to_string(c.tets()) + " tets, E = " + engineering(c.young_modulus, "Pa") +
-         ", nu = " + engineering(c.poisson_ratio, "") + ", " + std::to_string(c.substeps) + (c.substeps == 1 ? " substep" : " substeps");
+  return std::string(name_of(c.scenario)) + ", " + std::to_string(c.tets()) +
+         " tets, E = " + engineering(c.young_modulus, "Pa") + ", nu = " + engineering(c.poisson_ratio, "") + ", " +
+         std::to_string(c.substeps) + (c.substeps == 1 ? " substep" : " substeps");
 }
 
 std::string file_name_of(const AccuracyCase& c) {

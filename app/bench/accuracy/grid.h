@@ -1,5 +1,6 @@
-// What `fascia bench accuracy` measures: one beam in three situations, and around a base case (5,184 tets, E = 1e6 Pa, nu = 0.3,
-// 1/60 s in one substep) one parameter at a time, because the whole product would take days and say little more.
+// What `fascia bench accuracy` measures: one beam in three situations, and around a base case (5,184 tets, E = 1e6 Pa,
+// nu = 0.3, 1/60 s in one substep) one parameter at a time, because the whole product would take days and say little
+// more.
 #pragma once
 #include <Eigen/Core>
 #include <string>

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-const Vector3d kSize(1, 0.25, 0.25);                     // [m], the beam that bent_beam() knows
+const Vector3d kSize(1, 0.25, 0.25);                    // [m], the beam that bent_beam() knows
 constexpr double kPatchBegin = 0.9, kPatchShift = 0.3;  // [m]
 
 Model beam_model(const AccuracyCase& measured) {
@@ -61,7 +61,8 @@ std::vector<Vector3d> prediction_of(const Model& model, const State& state, cons
   for (const Motion& motion : model.motions)
     for (std::size_t k = 0; k < motion.vertices.size(); ++k) {
       const std::uint32_t v = motion.vertices[k];
-      predicted[v] = motion.position(k, model.rest_positions[v], state.time + settings.time_step) - model.rest_positions[v];
+      predicted[v] =
+          motion.position(k, model.rest_positions[v], state.time + settings.time_step) - model.rest_positions[v];
     }
   return predicted;
 }
@@ -69,7 +70,8 @@ std::vector<Vector3d> prediction_of(const Model& model, const State& state, cons
 }  // namespace
 
 AccuracyProblem::AccuracyProblem(const Bench& bench, const AccuracyCase& measured, int steps) : steps_(steps) {
-  const SolverSettings settings = settings_of(measured, legal_pairs().front(), 1);  // iterations are nothing to the exact solver
+  // Iterations are nothing to the exact solver
+  const SolverSettings settings = settings_of(measured, legal_pairs().front(), 1);
   model_ = model_of(measured, settings);
   start_ = measured.scenario == AccuracyScenario::one_step ? bent_beam(model_) : initial_state(model_);
   exact_ = start_;
@@ -90,16 +92,19 @@ double AccuracyProblem::error(const State& state) const {
 }
 
 std::vector<std::string> AccuracyProblem::notes(const AccuracyGrid& grid) {
-  return {"beam of 1 m x 0.25 m x 0.25 m, held at x = 0, density 1000 kg/m^3, under gravity; iterations: of each substep",
-          "one_step: a step from a smooth bend and twist at rest; error: RMS |x - x_exact| over RMS |x_exact - x~|, x~ where inertia and "
-          "gravity alone lead",
-          "grabbed: a step from rest in which the vertices with x >= 0.9 m are moved by 0.3 m along z; error as of one_step",
-          "settled: " + std::to_string(grid.settled_steps) + " steps from rest; error: RMS |x - x_exact| over RMS |x_exact - X| after the "
-          "last one, x_exact stepped by the exact solver in the same steps",
-          "error nan: not finite; larger numbers of iterations of the same step are not tried then",
-          "ms_median, ms_min: wall time of one step from the start, all its substeps, over " + std::to_string(grid.repetitions) +
-              " repetitions in which the pairs take turns; empty: not timed",
-          "chebyshev finds its spectral radius within a single step; in settled it keeps that of the steps before"};
+  return {
+      "beam of 1 m x 0.25 m x 0.25 m, held at x = 0, density 1000 kg/m^3, under gravity; iterations: of each substep",
+      "one_step: a step from a smooth bend and twist at rest; error: RMS |x - x_exact| over RMS |x_exact - x~|, x~ "
+      "where inertia and gravity alone lead",
+      "grabbed: a step from rest in which the vertices with x >= 0.9 m are moved by 0.3 m along z; error as of "
+      "one_step",
+      "settled: " + std::to_string(grid.settled_steps) +
+          " steps from rest; error: RMS |x - x_exact| over RMS |x_exact - X| after the last one, x_exact stepped by "
+          "the exact solver in the same steps",
+      "error nan: not finite; larger numbers of iterations of the same step are not tried then",
+      "ms_median, ms_min: wall time of one step from the start, all its substeps, over " +
+          std::to_string(grid.repetitions) + " repetitions in which the pairs take turns; empty: not timed",
+      "chebyshev finds its spectral radius within a single step; in settled it keeps that of the steps before"};
 }
 
 }  // namespace fascia

@@ -18,8 +18,8 @@ class AccuracyProblem {
   int steps() const { return steps_; }
   bool converged() const { return converged_; }  // the exact solution, to the reference solver's tolerance
 
-  /// Of a state after all steps, relative: 0 is solved, 1 is as far away as the prediction (settled: as the shape at rest). NaN when
-  /// the state is not finite.
+  /// Of a state after all steps, relative: 0 is solved, 1 is as far away as the prediction (settled: as the shape at
+  /// rest). NaN when the state is not finite.
   double error(const State& state) const;
   static std::vector<std::string> notes(const AccuracyGrid& grid);  // that say so, for tables
 

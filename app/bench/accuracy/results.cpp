@@ -12,14 +12,16 @@
 namespace fascia {
 namespace {
 
-const std::vector<std::string> kResultColumns{"scenario",     "tets",       "young_modulus", "poisson_ratio", "time_step", "substeps", "method",
-                                               "acceleration", "iterations", "error",         "ms_median",     "ms_min"};
+const std::vector<std::string> kResultColumns{"scenario",   "tets",     "young_modulus", "poisson_ratio",
+                                              "time_step",  "substeps", "method",        "acceleration",
+                                              "iterations", "error",    "ms_median",     "ms_min"};
 constexpr std::size_t kKeyCells = 8;  // columns that say which pair of which case
 
 std::vector<Cell> key_cells(const AccuracyCase& measured, const Pair& pair) {
   const double time_step = settings_of(measured, pair, 1).time_step;
-  return {name_of(measured.scenario), measured.tets(),      measured.young_modulus,   measured.poisson_ratio, time_step,
-          measured.substeps,          name_of(pair.method), name_of(pair.acceleration)};
+  return {
+      name_of(measured.scenario), measured.tets(),      measured.young_modulus,    measured.poisson_ratio, time_step,
+      measured.substeps,          name_of(pair.method), name_of(pair.acceleration)};
 }
 
 std::string line_of(const std::vector<std::string>& cells, std::size_t count) {
@@ -57,8 +59,9 @@ bool parse(const std::string& text, Number& number) {
 }
 
 bool parse(const std::vector<std::string>& cells, AccuracyPoint& point) {
-  return cells.size() == kResultColumns.size() && parse(cells[kKeyCells], point.iterations) && parse(cells[kKeyCells + 1], point.error) &&
-         parse(cells[kKeyCells + 2], point.ms_median) && parse(cells[kKeyCells + 3], point.ms_min);
+  return cells.size() == kResultColumns.size() && parse(cells[kKeyCells], point.iterations) &&
+         parse(cells[kKeyCells + 1], point.error) && parse(cells[kKeyCells + 2], point.ms_median) &&
+         parse(cells[kKeyCells + 3], point.ms_min);
 }
 
 // All numbers of iterations in turn; the rest may be missing once the state was not finite.
@@ -84,11 +87,13 @@ PointsByKey read_points(const std::filesystem::path& path, const std::vector<std
     } else if (!header) {
       header = true;
       if (line != line_of(kResultColumns, kResultColumns.size()))
-        throw Error(where, "has other columns", "expected " + line_of(kResultColumns, kResultColumns.size()) + "; --fresh starts over");
+        throw Error(where, "has other columns",
+                    "expected " + line_of(kResultColumns, kResultColumns.size()) + "; --fresh starts over");
     } else {
       const std::vector<std::string> cells = split(line);
       AccuracyPoint point;
-      if (!parse(cells, point)) throw Error(where, "cannot be read", "expected the numbers of a measurement; --fresh starts over");
+      if (!parse(cells, point))
+        throw Error(where, "cannot be read", "expected the numbers of a measurement; --fresh starts over");
       points[line_of(cells, kKeyCells)].push_back(point);
     }
   }
@@ -115,13 +120,15 @@ Table table_of(const AccuracyResults& results, const std::vector<std::string>& n
     for (const PairAccuracy& p : c.pairs)
       for (const AccuracyPoint& point : p.points) {
         std::vector<Cell> row = key_cells(c.measured, p.pair);
-        row.insert(row.end(), {point.iterations, point.error, milliseconds(point.ms_median), milliseconds(point.ms_min)});
+        row.insert(row.end(),
+                   {point.iterations, point.error, milliseconds(point.ms_median), milliseconds(point.ms_min)});
         table.rows.push_back(std::move(row));
       }
   return table;
 }
 
-AccuracyResults read_results(const std::filesystem::path& path, const AccuracyGrid& grid, const std::vector<std::string>& notes) {
+AccuracyResults read_results(const std::filesystem::path& path, const AccuracyGrid& grid,
+                             const std::vector<std::string>& notes) {
   const PointsByKey points = read_points(path, notes);
   AccuracyResults results = empty_results(grid);
   for (CaseAccuracy& c : results)

@@ -11,8 +11,8 @@
 namespace fascia {
 
 struct AccuracyPoint {
-  int iterations = 0;  // per substep
-  double error = std::numeric_limits<double>::quiet_NaN();                       // NaN: not finite
+  int iterations = 0;                                                               // per substep
+  double error = std::numeric_limits<double>::quiet_NaN();                          // NaN: not finite
   double ms_median = std::numeric_limits<double>::quiet_NaN(), ms_min = ms_median;  // [ms] of a step; NaN: not timed
 };
 
@@ -34,8 +34,10 @@ AccuracyResults empty_results(const AccuracyGrid& grid);
 /// The pairs that are measured.
 Table table_of(const AccuracyResults& results, const std::vector<std::string>& notes);
 
-/// The results in a table that write_table() made of table_of(); a pair of a case that misses numbers of iterations is left empty.
-/// Throws Error when the table cannot be read, or its notes are others: then it is from another version, machine or grid.
-AccuracyResults read_results(const std::filesystem::path& path, const AccuracyGrid& grid, const std::vector<std::string>& notes);
+/// The results in a table that write_table() made of table_of(); a pair of a case that misses numbers of iterations is
+/// left empty. Throws Error when the table cannot be read, or its notes are others: then it is from another version,
+/// machine or grid.
+AccuracyResults read_results(const std::filesystem::path& path, const AccuracyGrid& grid,
+                             const std::vector<std::string>& notes);
 
 }  // namespace fascia

@@ -37,7 +37,8 @@ bool is_measured(const CaseAccuracy& result) {
 
 void write_case(std::ostream& out, const CaseAccuracy& result) {
   std::map<std::size_t, double> smallest_on_frontier;  // pair, error
-  for (const FrontierPoint& point : frontier_of(result)) smallest_on_frontier[point.pair] = point.error;  // errors fall along it
+  for (const FrontierPoint& point : frontier_of(result))
+    smallest_on_frontier[point.pair] = point.error;  // errors fall along it
   out << "\n## " << title_of(result.measured) << "\n\n| method + acceleration |";
   for (const Tolerance& tolerance : kTolerances) out << " iterations to " << tolerance.name << " | ms |";
   out << " Pareto, down to |\n|---|";
@@ -49,10 +50,12 @@ void write_case(std::ostream& out, const CaseAccuracy& result) {
     out << "| " << name_of(pair.pair) << " |";
     for (const Tolerance& tolerance : kTolerances) {
       const std::optional<AccuracyPoint> point = first_within(pair, tolerance.error);
-      out << ' ' << (point ? std::to_string(point->iterations) : "-") << " | " << (point ? engineering(point->ms_median, "") : "-") << " |";
+      out << ' ' << (point ? std::to_string(point->iterations) : "-") << " | "
+          << (point ? engineering(point->ms_median, "") : "-") << " |";
     }
     const auto on_frontier = smallest_on_frontier.find(p);
-    out << (on_frontier == smallest_on_frontier.end() ? " |\n" : " " + engineering(on_frontier->second, "", 2) + " |\n");
+    out << (on_frontier == smallest_on_frontier.end() ? " |\n"
+                                                      : " " + engineering(on_frontier->second, "", 2) + " |\n");
   }
 }
 
@@ -115,8 +118,10 @@ std::string summary_of(const AccuracyResults& results, const std::vector<std::st
   std::ostringstream out;
   out << "# Accuracy of every method and acceleration\n\n";
   for (const std::string& note : notes) out << "- " << note << '\n';
-  out << "- iterations to a tolerance: the fewest measured whose error is at most that; ms: of the step with them; -: not reached\n"
-      << "- Pareto, down to: the smallest error, below 1, at which no point of any pair beats this pair in both time and error\n";
+  out << "- iterations to a tolerance: the fewest measured whose error is at most that; ms: of the step with them; -: "
+         "not reached\n"
+      << "- Pareto, down to: the smallest error, below 1, at which no point of any pair beats this pair in both time "
+         "and error\n";
   for (const CaseAccuracy& result : results)
     if (is_measured(result)) write_case(out, result);
   return out.str();

@@ -42,7 +42,8 @@ BeamStep::BeamStep(Bench& bench, double young_modulus, int iterations)
   exact_strain_ = reference::measure(model_, exact_).rms_strain;
   for (const Pair& pair : poster_pairs()) {
     bench.stop_if_interrupted();
-    PairTrace traced{pair, std::make_unique<GpuSolver>(*bench.graphics.programs, model_, settings_of(pair, iterations)), {}, 0};
+    PairTrace traced{
+        pair, std::make_unique<GpuSolver>(*bench.graphics.programs, model_, settings_of(pair, iterations)), {}, 0};
     traced.solver->upload(start_);
     traced.trace = traced.solver->traced_substep();
     traced.error = error(traced.solver->download());
@@ -51,13 +52,15 @@ BeamStep::BeamStep(Bench& bench, double young_modulus, int iterations)
 }
 
 std::size_t BeamStep::plain() const {
-  const auto plain = std::find_if(pairs_.begin(), pairs_.end(),
-                                  [](const PairTrace& p) { return p.pair == Pair{Method::jacobi, Acceleration::none}; });
+  const auto plain = std::find_if(pairs_.begin(), pairs_.end(), [](const PairTrace& p) {
+    return p.pair == Pair{Method::jacobi, Acceleration::none};
+  });
   return static_cast<std::size_t>(plain - pairs_.begin());
 }
 
 double BeamStep::error(const State& state) const {
-  return std::sqrt(squared_distance(state.displacement, exact_.displacement) / squared_distance(exact_.displacement, predicted_));
+  return std::sqrt(squared_distance(state.displacement, exact_.displacement) /
+                   squared_distance(exact_.displacement, predicted_));
 }
 
 double BeamStep::error_after(PairTrace& pair, int iterations) const {
@@ -70,12 +73,13 @@ double BeamStep::error_after(PairTrace& pair, int iterations) const {
 std::vector<std::string> BeamStep::notes() const {
   const Material& m = model_.materials.front();
   std::ostringstream beam, exact;
-  beam << "beam of " << model_.tets.size() << " tets, E = " << m.young_modulus << " Pa, nu = " << m.poisson_ratio << ", density "
-       << m.density << " kg/m^3; one step of 1/60 s from a smooth bend and twist at rest";
+  beam << "beam of " << model_.tets.size() << " tets, E = " << m.young_modulus << " Pa, nu = " << m.poisson_ratio
+       << ", density " << m.density << " kg/m^3; one step of 1/60 s from a smooth bend and twist at rest";
   exact << "rms_strain of the exact step: " << exact_strain_;
-  return {beam.str(), exact.str(),
-          "error: RMS |x - x_exact| over RMS |x_exact - x~|, x~ the prediction that the iterations start from",
-          "chebyshev finds its spectral radius within this one step; in a simulation it keeps that of the steps before"};
+  return {
+      beam.str(), exact.str(),
+      "error: RMS |x - x_exact| over RMS |x_exact - x~|, x~ the prediction that the iterations start from",
+      "chebyshev finds its spectral radius within this one step; in a simulation it keeps that of the steps before"};
 }
 
 Table BeamStep::traces() const {
@@ -85,15 +89,16 @@ Table BeamStep::traces() const {
   for (const PairTrace& p : pairs_)
     for (std::size_t i = 0; i < p.trace.size(); ++i) {
       const Diagnostics& d = p.trace[i];
-      table.rows.push_back({name_of(p.pair.method), name_of(p.pair.acceleration), i,
-                            d.finite ? d.rms_strain : kUnknown, d.finite ? d.residual : kUnknown, d.inverted});
+      table.rows.push_back({name_of(p.pair.method), name_of(p.pair.acceleration), i, d.finite ? d.rms_strain : kUnknown,
+                            d.finite ? d.residual : kUnknown, d.inverted});
     }
   return table;
 }
 
 void BeamStep::add_last(std::vector<Cell>& row, const PairTrace& pair) const {
   const Diagnostics& last = pair.trace.back();
-  row.insert(row.end(), {last.finite ? last.rms_strain : kUnknown, pair.error, last.inverted, last.finite ? "yes" : "no"});
+  row.insert(row.end(),
+             {last.finite ? last.rms_strain : kUnknown, pair.error, last.inverted, last.finite ? "yes" : "no"});
 }
 
 Chart BeamStep::chart(const std::string& title) const {

@@ -1,4 +1,5 @@
-// One step of the bent beam by every pair of method and acceleration, traced, beside the exact step: what figures 3 and 4 show.
+// One step of the bent beam by every pair of method and acceleration, traced, beside the exact step: what figures 3 and
+// 4 show.
 #pragma once
 #include <memory>
 #include <vector>

@@ -1,5 +1,5 @@
-// What the colors of Gauss-Seidel cost: how many a mesh needs, how evenly they share its tets, and the time of an iteration with
-// fewer colors and phantoms instead.
+// What the colors of Gauss-Seidel cost: how many a mesh needs, how evenly they share its tets, and the time of an
+// iteration with fewer colors and phantoms instead.
 #include <algorithm>
 #include <array>
 
@@ -56,10 +56,12 @@ void bench_box(Bench& bench, const Eigen::Vector3i& cells, int index, Table& tab
     std::vector<std::uint32_t> sizes;
     for (std::size_t c = 0; c < coloring.color_count(); ++c) sizes.push_back(coloring.begin[c + 1] - coloring.begin[c]);
     const auto [smallest, largest] = std::minmax_element(sizes.begin(), sizes.end());
-    table.rows.push_back({model.tets.size(), model.rest_positions.size(), kColorsAsked[i], sizes.size(), *smallest, *largest,
-                          coloring.phantom_vertex.size(), dispatches[i], times[i].median, times[i].low, times[i].high});
+    table.rows.push_back({model.tets.size(), model.rest_positions.size(), kColorsAsked[i], sizes.size(), *smallest,
+                          *largest, coloring.phantom_vertex.size(), dispatches[i], times[i].median, times[i].low,
+                          times[i].high});
     (kColorsAsked[i] == 0 ? plain : phantoms)
-        .points.emplace_back(static_cast<double>(sizes.size()), 1e6 * times[i].median / static_cast<double>(model.tets.size()));
+        .points.emplace_back(static_cast<double>(sizes.size()),
+                             1e6 * times[i].median / static_cast<double>(model.tets.size()));
   }
   chart.series.push_back(std::move(phantoms));
   chart.series.push_back(std::move(plain));
@@ -71,10 +73,21 @@ void bench_colorings(Bench& bench) {
   const std::vector<Eigen::Vector3i> boxes = bench.full_or_quick<std::vector<Eigen::Vector3i>>(
       {{24, 6, 6}, {40, 9, 9}, {66, 16, 16}}, {{8, 2, 2}, {12, 4, 4}, {16, 6, 6}});
   Table table;
-  table.notes = {"boxes of cells cut into 6 tets, one face held; gauss_seidel, colors_asked 0: as many as the mesh needs",
-                 "smallest_color, largest_color: tets in it; dispatches: of one iteration, 1 where its colors are fused; ms: medians over steps"};
-  table.columns = {"tets", "vertices", "colors_asked", "colors", "smallest_color", "largest_color", "phantoms", "dispatches",
-                   "ms_per_iteration", "ms_per_iteration_low", "ms_per_iteration_high"};
+  table.notes = {
+      "boxes of cells cut into 6 tets, one face held; gauss_seidel, colors_asked 0: as many as the mesh needs",
+      "smallest_color, largest_color: tets in it; dispatches: of one iteration, 1 where its colors are fused; ms: "
+      "medians over steps"};
+  table.columns = {"tets",
+                   "vertices",
+                   "colors_asked",
+                   "colors",
+                   "smallest_color",
+                   "largest_color",
+                   "phantoms",
+                   "dispatches",
+                   "ms_per_iteration",
+                   "ms_per_iteration_low",
+                   "ms_per_iteration_high"};
   Chart chart;
   chart.title = "Gauss-Seidel: colors against time";
   chart.x = {"colors", false, {}};

@@ -1,5 +1,5 @@
-// Figures 3 and 4 of the poster: how fast the strain of a bent beam falls to that of the exact step, in iterations and in time, and
-// where it ends, for every pair of method and acceleration.
+// Figures 3 and 4 of the poster: how fast the strain of a bent beam falls to that of the exact step, in iterations and
+// in time, and where it ends, for every pair of method and acceleration.
 #include <algorithm>
 #include <optional>
 
@@ -42,8 +42,10 @@ struct Target {
   }
 };
 
-// Iterations, their milliseconds, how many times faster than the plain method, and the error there; empty where not reached.
-void add_target(std::vector<Cell>& row, const Target& target, std::size_t p, BeamStep& step, const std::vector<Spread>& times) {
+// Iterations, their milliseconds, how many times faster than the plain method, and the error there; empty where not
+// reached.
+void add_target(std::vector<Cell>& row, const Target& target, std::size_t p, BeamStep& step,
+                const std::vector<Spread>& times) {
   if (!target.iterations[p]) {
     row.insert(row.end(), 4, Cell());
     return;
@@ -63,9 +65,11 @@ Table targets_table(BeamStep& step, const std::vector<Spread>& times, int plain_
   table.notes = step.notes();
   table.notes.push_back("target poster: the strain of plain averaged Jacobi after " + std::to_string(plain_iterations) +
                         " iterations; target exact: 1.01 times the strain of the exact step");
-  table.notes.emplace_back("reached: the first time at or below the target with no tet inverted; an empty cell: not reached in " +
-                           std::to_string(step.pairs().front().trace.size() - 1) + " iterations");
-  table.notes.emplace_back("ms: iterations times the median of ms_per_iteration; times_faster: against plain averaged Jacobi");
+  table.notes.emplace_back(
+      "reached: the first time at or below the target with no tet inverted; an empty cell: not reached in " +
+      std::to_string(step.pairs().front().trace.size() - 1) + " iterations");
+  table.notes.emplace_back(
+      "ms: iterations times the median of ms_per_iteration; times_faster: against plain averaged Jacobi");
   table.columns = {"method", "acceleration", "ms_per_iteration", "ms_per_iteration_low", "ms_per_iteration_high"};
   for (const Target& target : targets)
     for (const char* column : {"strain", "iterations", "ms", "times_faster", "error"})
@@ -73,7 +77,8 @@ Table targets_table(BeamStep& step, const std::vector<Spread>& times, int plain_
   table.columns.insert(table.columns.end(), {"last_rms_strain", "last_error", "last_inverted_tets", "finite"});
   for (std::size_t p = 0; p < step.pairs().size(); ++p) {
     const PairTrace& pair = step.pairs()[p];
-    std::vector<Cell> row{name_of(pair.pair.method), name_of(pair.pair.acceleration), times[p].median, times[p].low, times[p].high};
+    std::vector<Cell> row{name_of(pair.pair.method), name_of(pair.pair.acceleration), times[p].median, times[p].low,
+                          times[p].high};
     for (const Target& target : targets) {
       row.emplace_back(target.strain);
       add_target(row, target, p, step, times);
@@ -104,8 +109,8 @@ void figure_3(Bench& bench) {
   Chart chart = step.chart("Strain of a stiff beam (E = 1 GPa) in one step");
   bench.draw("fig3_iterations", chart);
   chart.x.label = "time in the step [ms], " + std::string(gl::device().renderer);
-  const auto [fastest, slowest] =
-      std::minmax_element(times.begin(), times.end(), [](const Spread& a, const Spread& b) { return a.median < b.median; });
+  const auto [fastest, slowest] = std::minmax_element(
+      times.begin(), times.end(), [](const Spread& a, const Spread& b) { return a.median < b.median; });
   *chart.x.range = {fastest->median, iterations * slowest->median};
   for (std::size_t p = 0; p < step.pairs().size(); ++p)
     for (Eigen::Vector2d& point : chart.series[p].points) point.x() *= times[p].median;
@@ -120,7 +125,8 @@ void figure_4(Bench& bench) {
 
   Table table;
   table.notes = step.notes();
-  table.columns = {"method", "acceleration", "iterations", "last_rms_strain", "last_error", "last_inverted_tets", "finite"};
+  table.columns = {"method",     "acceleration",       "iterations", "last_rms_strain",
+                   "last_error", "last_inverted_tets", "finite"};
   for (const PairTrace& p : step.pairs()) {
     std::vector<Cell> row{name_of(p.pair.method), name_of(p.pair.acceleration), iterations};
     step.add_last(row, p);

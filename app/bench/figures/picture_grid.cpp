@@ -29,7 +29,9 @@ struct Layout {
   int canvas_width() const { return kGap + columns * (width + kGap) + kScale; }
   int canvas_height() const { return kTitle + rows * (caption + height) + kGap; }
   int left(int panel) const { return kGap + panel % columns * (width + kGap); }
-  int top(int panel) const { return kTitle + panel / columns * (caption + height) + caption; }  // of the picture, from above
+  int top(int panel) const {
+    return kTitle + panel / columns * (caption + height) + caption;
+  }  // of the picture, from above
 };
 
 // All pixels of the canvas, top row first, RGB: the panels on white.
@@ -38,7 +40,8 @@ std::string canvas(const PictureGrid& grid, const Layout& layout) {
   for (int p = 0; p < static_cast<int>(grid.panels.size()); ++p) {
     const std::uint8_t* from = grid.panels[static_cast<std::size_t>(p)].picture.rgba.data();
     for (int y = 0; y < layout.height; ++y) {
-      char* to = pixels.data() + std::size_t{3} * (std::size_t{1} * (layout.top(p) + y) * layout.canvas_width() + layout.left(p));
+      char* to = pixels.data() +
+                 std::size_t{3} * (std::size_t{1} * (layout.top(p) + y) * layout.canvas_width() + layout.left(p));
       for (int x = 0; x < layout.width; ++x, from += 4, to += 3) std::copy_n(from, 3, to);
     }
   }
@@ -64,21 +67,23 @@ void write_grid(const std::filesystem::path& path, const PictureGrid& grid) {
   std::ostringstream out;
   out << "set encoding utf8\nset terminal pngcairo size " << w << ',' << h << " noenhanced font 'DejaVu Sans,13'\n";
   // One unit is one pixel, and the plot is the whole canvas.
-  out << "unset tics\nunset border\nunset key\nset xrange [-0.5:" << w - 0.5 << "]\nset yrange [-0.5:" << h - 0.5 << "]\n"
+  out << "unset tics\nunset border\nunset key\nset xrange [-0.5:" << w - 0.5 << "]\nset yrange [-0.5:" << h - 0.5
+      << "]\n"
       << "set lmargin at screen 0\nset rmargin at screen 1\nset bmargin at screen 0\nset tmargin at screen 1\n";
   write_text(out, grid.title, kGap, h - kTitle / 2, "left font 'DejaVu Sans,16'");
   for (int p = 0; p < static_cast<int>(grid.panels.size()); ++p) {
     const std::vector<std::string>& lines = grid.panels[static_cast<std::size_t>(p)].caption;
     for (int l = 0; l < static_cast<int>(lines.size()); ++l)
       write_text(out, lines[static_cast<std::size_t>(l)], layout.left(p),
-                 h - layout.top(p) + kGap / 2 + kCaptionLine * (static_cast<int>(lines.size()) - l) - kCaptionLine / 2, "left");
+                 h - layout.top(p) + kGap / 2 + kCaptionLine * (static_cast<int>(lines.size()) - l) - kCaptionLine / 2,
+                 "left");
   }
   out << "set palette defined (";
   for (int c = 0; c <= kScaleColors; ++c)
     out << (c ? ", " : "") << c << " '" << hex(heat_color(static_cast<float>(c) / kScaleColors)) << '\'';
-  out << ")\nset cbrange [" << grid.range.x() << ':' << grid.range.y() << "]\nset cblabel " << gnuplot_quoted(grid.scale_label)
-      << "\nset cbtics\nset colorbox user origin screen " << double(w - kScale + kGap) / w << ", screen " << 0.15 << " size screen "
-      << 20.0 / w << ", screen 0.6\n";
+  out << ")\nset cbrange [" << grid.range.x() << ':' << grid.range.y() << "]\nset cblabel "
+      << gnuplot_quoted(grid.scale_label) << "\nset cbtics\nset colorbox user origin screen "
+      << double(w - kScale + kGap) / w << ", screen " << 0.15 << " size screen " << 20.0 / w << ", screen 0.6\n";
   out << "plot '-' binary array=(" << w << ',' << h
       << ") flip=y format='%uchar%uchar%uchar' with rgbimage, NaN with lines palette\n";
   out << canvas(grid, layout);

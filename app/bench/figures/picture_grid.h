@@ -16,8 +16,8 @@ struct Panel {
 
 struct PictureGrid {
   std::string title;
-  std::string scale_label;  // with its unit
-  Eigen::Vector2d range;    // of the heat map
+  std::string scale_label;    // with its unit
+  Eigen::Vector2d range;      // of the heat map
   std::vector<Panel> panels;  // pictures of one size
   int columns = 2;
 };

@@ -1,4 +1,5 @@
-// Figure 1 of the poster: the two scenes, drawn, and what a frame of them costs with their own settings and with the poster's.
+// Figure 1 of the poster: the two scenes, drawn, and what a frame of them costs with their own settings and with the
+// poster's.
 #include "app/bench/bench.h"
 #include "app/bench/timing.h"
 #include "app/system/paths.h"
@@ -28,7 +29,8 @@ std::vector<Variant> variants_of(Bench& bench, const std::string& name) {
   const auto add = [&](const std::string& settings_name, const SolverSettings& settings) {
     Scene with_settings = scene;
     with_settings.solver = settings;
-    variants.push_back({settings_name, std::make_unique<Session>(bench.graphics, std::move(with_settings), false), {}, {}, {}});
+    variants.push_back(
+        {settings_name, std::make_unique<Session>(bench.graphics, std::move(with_settings), false), {}, {}, {}});
   };
   add("scene", scene.solver);
   add("poster", poster_settings(Acceleration::none));
@@ -64,8 +66,10 @@ void bench_scene(Bench& bench, const std::string& name, int frames, Table& table
   for (const Variant& v : variants) {
     const Model& model = v.session->simulation.model;
     const SolverSettings& s = v.session->simulation.scene.solver;
-    std::vector<Cell> row{name, model.tets.size(), model.rest_positions.size(), v.name, name_of(s.method),
-                          name_of(s.acceleration), s.substeps, s.iterations, samples, frames};
+    std::vector<Cell> row{name,       model.tets.size(), model.rest_positions.size(),
+                          v.name,     name_of(s.method), name_of(s.acceleration),
+                          s.substeps, s.iterations,      samples,
+                          frames};
     add_spread(row, v.solve_ms);
     add_spread(row, v.draw_ms);
     add_spread(row, v.frame_ms);
@@ -84,12 +88,14 @@ void bench_scenes(Bench& bench) {
   const int frames = bench.full_or_quick(60, 3);  // full: a second
   bench.say("figure 1: two scenes, " + std::to_string(frames) + " frames each with three settings");
   Table table;
-  table.notes = {"a frame is one step of the scene and one picture of " + std::to_string(bench.options.width) + "x" +
-                     std::to_string(bench.options.height) + " pixels, each waited for: frame_ms = solve_ms + draw_ms",
-                 "the settings take turns; medians over the frames; _low and _high: a tenth of the frames is below, above"};
-  table.columns = {"scene", "tets", "vertices", "settings", "method", "acceleration", "substeps", "iterations", "samples_per_pixel",
-                   "frames", "solve_ms", "solve_ms_low", "solve_ms_high", "draw_ms", "draw_ms_low", "draw_ms_high", "frame_ms",
-                   "frame_ms_low", "frame_ms_high", "frames_per_second"};
+  table.notes = {
+      "a frame is one step of the scene and one picture of " + std::to_string(bench.options.width) + "x" +
+          std::to_string(bench.options.height) + " pixels, each waited for: frame_ms = solve_ms + draw_ms",
+      "the settings take turns; medians over the frames; _low and _high: a tenth of the frames is below, above"};
+  table.columns = {"scene",        "tets",         "vertices",      "settings",          "method",
+                   "acceleration", "substeps",     "iterations",    "samples_per_pixel", "frames",
+                   "solve_ms",     "solve_ms_low", "solve_ms_high", "draw_ms",           "draw_ms_low",
+                   "draw_ms_high", "frame_ms",     "frame_ms_low",  "frame_ms_high",     "frames_per_second"};
   for (const char* name : {"liver", "ligament"}) bench_scene(bench, name, frames, table);
   bench.write("fig1", std::move(table));
 }

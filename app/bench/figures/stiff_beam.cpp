@@ -1,9 +1,9 @@
-// Figure 2 of the poster: a stiff beam after half a second under its weight, as averaged Jacobi leaves it with each acceleration,
-// and as the exact solution of the same steps has it.
+// Figure 2 of the poster: a stiff beam after half a second under its weight, as averaged Jacobi leaves it with each
+// acceleration, and as the exact solution of the same steps has it.
 #include <cmath>
 
-#include "app/bench/bench.h"
 #include "app/bench/beam.h"
+#include "app/bench/bench.h"
 #include "app/bench/figures/picture_grid.h"
 #include "app/ui/units.h"
 #include "render/target/framebuffer.h"
@@ -35,10 +35,13 @@ std::vector<Candidate> candidates_of(Bench& bench) {
   std::vector<Candidate> candidates;
   for (const Pair& pair : poster_pairs())
     if (pair.method == Method::jacobi)
-      candidates.push_back({name_of(pair.method), name_of(pair.acceleration),
+      candidates.push_back({name_of(pair.method),
+                            name_of(pair.acceleration),
                             {label_of(pair.method), std::string("acceleration: ") + label_of(pair.acceleration)},
                             std::make_unique<Session>(bench.graphics, hanging_beam(bench, pair), false)});
-  candidates.push_back({"exact", "none", {"Exact solver", ""},
+  candidates.push_back({"exact",
+                        "none",
+                        {"Exact solver", ""},
                         std::make_unique<Session>(bench.graphics, hanging_beam(bench, poster_pairs().front()), true)});
   return candidates;
 }
@@ -62,7 +65,8 @@ double tip_deflection(const Model& model, const State& state) {
 // RMS of the difference to the exact displacement over the RMS of that one.
 double relative_error(const State& state, const State& exact) {
   const std::vector<Eigen::Vector3d> rest(exact.displacement.size(), Eigen::Vector3d::Zero());
-  return std::sqrt(squared_distance(state.displacement, exact.displacement) / squared_distance(exact.displacement, rest));
+  return std::sqrt(squared_distance(state.displacement, exact.displacement) /
+                   squared_distance(exact.displacement, rest));
 }
 
 bool is_finite(const State& state) {
@@ -78,8 +82,8 @@ void bench_stiff_beam(Bench& bench) {
   std::vector<Candidate> candidates = candidates_of(bench);
   const Simulation& exact = candidates.back().session->simulation;
   const SolverSettings& settings = exact.scene.solver;
-  bench.say("figure 2: stiff beam, " + std::to_string(exact.model.tets.size()) + " tets, " + std::to_string(steps) + " steps of " +
-            std::to_string(settings.iterations) + " iterations, and exactly");
+  bench.say("figure 2: stiff beam, " + std::to_string(exact.model.tets.size()) + " tets, " + std::to_string(steps) +
+            " steps of " + std::to_string(settings.iterations) + " iterations, and exactly");
   for (int step = 0; step < steps; ++step)
     for (Candidate& c : candidates) {
       bench.stop_if_interrupted();
@@ -87,13 +91,16 @@ void bench_stiff_beam(Bench& bench) {
     }
 
   Table table;
-  table.notes = {"beam of " + std::to_string(exact.model.tets.size()) + " tets, E = 1e9 Pa, from rest under gravity, " +
-                     std::to_string(steps) + " steps of 1/60 s with " + std::to_string(settings.iterations) + " iterations each",
-                 "relative_error: RMS of the difference to the exact solver's displacement over the RMS of that displacement"};
-  table.columns = {"method", "acceleration", "tip_deflection_m", "rms_strain", "relative_error", "inverted_tets", "finite"};
+  table.notes = {
+      "beam of " + std::to_string(exact.model.tets.size()) + " tets, E = 1e9 Pa, from rest under gravity, " +
+          std::to_string(steps) + " steps of 1/60 s with " + std::to_string(settings.iterations) + " iterations each",
+      "relative_error: RMS of the difference to the exact solver's displacement over the RMS of that displacement"};
+  table.columns = {"method",        "acceleration", "tip_deflection_m", "rms_strain", "relative_error",
+                   "inverted_tets", "finite"};
   PictureGrid grid;
-  grid.title = "Stiff beam (E = 1 GPa, " + std::to_string(exact.model.tets.size()) + " tets) after " + std::to_string(steps) +
-               " steps of 1/60 s, " + std::to_string(settings.iterations) + " iterations a step";
+  grid.title = "Stiff beam (E = 1 GPa, " + std::to_string(exact.model.tets.size()) + " tets) after " +
+               std::to_string(steps) + " steps of 1/60 s, " + std::to_string(settings.iterations) +
+               " iterations a step";
   grid.scale_label = label_of(candidates.back().session->display().color);
   grid.range = *exact.scene.display.range;
   grid.columns = 4;

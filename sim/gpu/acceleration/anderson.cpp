@@ -36,9 +36,10 @@ Anderson::Anderson(const gl::ProgramCache& programs, std::vector<AndersonPart> p
 Passes Anderson::begin(gl::ProgramCache& programs) const {
   Passes passes;
   for (std::size_t p = 0; p < parts_.size(); ++p)
-    passes.emplace_back(programs.compute("sim/acceleration/anderson_mark.comp"),
-                        gl::ComputePass::Bindings{{"value", parts_[p].value}, {"iterate", &histories_[p].iterate}},
-                        parts_[p].count)
+    passes
+        .emplace_back(programs.compute("sim/acceleration/anderson_mark.comp"),
+                      gl::ComputePass::Bindings{{"value", parts_[p].value}, {"iterate", &histories_[p].iterate}},
+                      parts_[p].count)
         .loops(0);
   return passes;
 }
@@ -57,43 +58,53 @@ Passes Anderson::passes(gl::ProgramCache& programs, bool first) const {
     if (part.weight) difference.emplace_back("weight", part.weight);
     if (first) {
       difference.emplace_back("start", &history.iterate);
-      passes.emplace_back(programs.compute("sim/acceleration/anderson_begin.comp", weighted), std::move(difference), part.count).loops(0);
+      passes
+          .emplace_back(programs.compute("sim/acceleration/anderson_begin.comp", weighted), std::move(difference),
+                        part.count)
+          .loops(0);
       continue;
     }
     difference.emplace_back("residual_before", &history.residual);
     difference.emplace_back("image_before", &history.image);
     difference.emplace_back("residual_change", &history.residual_change);
     difference.emplace_back("image_change", &history.image_change);
-    passes.emplace_back(programs.compute("sim/acceleration/anderson_difference.comp", weighted), std::move(difference), part.count).loops(0);
-    passes.emplace_back(programs.compute("sim/acceleration/anderson_dots.comp"),
-                        gl::ComputePass::Bindings{{"anderson_state", &state_},
-                                                  {"residual", &history.residual},
-                                                  {"residual_change", &history.residual_change},
-                                                  {"image", &history.image},
-                                                  {"dot_partials", &dot_partials_}},
-                        lanes_ * window_,
-                        gl::ComputePass::Constants{{"vector_count", part.count},
-                                                   {"lanes", lanes_},
-                                                   {"first_partial", static_cast<std::uint32_t>(p) * window_ * partials_}})
+    passes
+        .emplace_back(programs.compute("sim/acceleration/anderson_difference.comp", weighted), std::move(difference),
+                      part.count)
+        .loops(0);
+    passes
+        .emplace_back(
+            programs.compute("sim/acceleration/anderson_dots.comp"),
+            gl::ComputePass::Bindings{{"anderson_state", &state_},
+                                      {"residual", &history.residual},
+                                      {"residual_change", &history.residual_change},
+                                      {"image", &history.image},
+                                      {"dot_partials", &dot_partials_}},
+            lanes_ * window_,
+            gl::ComputePass::Constants{{"vector_count", part.count},
+                                       {"lanes", lanes_},
+                                       {"first_partial", static_cast<std::uint32_t>(p) * window_ * partials_}})
         .loops(part.count / lanes_ + 2);
   }
   if (first) return passes;
   constexpr std::uint32_t kLeastWidth = 4;  // of a vector, whose invocations take columns in turn
-  passes.emplace_back(programs.compute("sim/acceleration/anderson_solve.comp"),
-                      gl::ComputePass::Bindings{{"dot_partials", &dot_partials_}, {"anderson_state", &state_}},
-                      1,
-                      gl::ComputePass::Constants{{"window", window_},
-                                                 {"partials", partials_},
-                                                 {"parts", static_cast<std::uint32_t>(parts_.size())}})
-      .loops((window_ / kLeastWidth + 1) * static_cast<std::uint32_t>(parts_.size()) * (partials_ + 1) + window_ * window_ * (window_ + 8));
+  passes
+      .emplace_back(
+          programs.compute("sim/acceleration/anderson_solve.comp"),
+          gl::ComputePass::Bindings{{"dot_partials", &dot_partials_}, {"anderson_state", &state_}}, 1,
+          gl::ComputePass::Constants{
+              {"window", window_}, {"partials", partials_}, {"parts", static_cast<std::uint32_t>(parts_.size())}})
+      .loops((window_ / kLeastWidth + 1) * static_cast<std::uint32_t>(parts_.size()) * (partials_ + 1) +
+             window_ * window_ * (window_ + 8));
   for (std::size_t p = 0; p < parts_.size(); ++p)
-    passes.emplace_back(programs.compute("sim/acceleration/anderson_apply.comp"),
-                        gl::ComputePass::Bindings{{"anderson_state", &state_},
-                                                  {"image", &histories_[p].image},
-                                                  {"image_change", &histories_[p].image_change},
-                                                  {"iterate", &histories_[p].iterate},
-                                                  {"value", parts_[p].value}},
-                        parts_[p].count)
+    passes
+        .emplace_back(programs.compute("sim/acceleration/anderson_apply.comp"),
+                      gl::ComputePass::Bindings{{"anderson_state", &state_},
+                                                {"image", &histories_[p].image},
+                                                {"image_change", &histories_[p].image_change},
+                                                {"iterate", &histories_[p].iterate},
+                                                {"value", parts_[p].value}},
+                      parts_[p].count)
         .loops(window_);
   return passes;
 }

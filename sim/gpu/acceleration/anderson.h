@@ -1,8 +1,8 @@
-// Anderson acceleration, type II (Anderson 1965; Walker and Ni 2011), of a method's sweep z -> G(z): the next z combines the last
-// images so that the combined residual f = G(z) - z is smallest. On the displacements alone it is the poster's (Peng, Deng, Zhang,
-// Geng, Qin, Liu 2018): with XPBD methods the multipliers then advance by plain iterations, and the elastic compliance that they
-// carry is lost. With the multipliers as a second part, under the same weights and an inner product in which both are comparable,
-// the fixed point stays the method's own.
+// Anderson acceleration, type II (Anderson 1965; Walker and Ni 2011), of a method's sweep z -> G(z): the next z
+// combines the last images so that the combined residual f = G(z) - z is smallest. On the displacements alone it is the
+// poster's (Peng, Deng, Zhang, Geng, Qin, Liu 2018): with XPBD methods the multipliers then advance by plain
+// iterations, and the elastic compliance that they carry is lost. With the multipliers as a second part, under the same
+// weights and an inner product in which both are comparable, the fixed point stays the method's own.
 #pragma once
 #include <vector>
 
@@ -12,7 +12,7 @@ namespace fascia {
 
 /// A piece of the state z: vectors in the xyz of `value`, whose w stays.
 struct AndersonPart {
-  const gl::Buffer* value;   // vec4 [count]
+  const gl::Buffer* value;  // vec4 [count]
   std::uint32_t count;
   const gl::Buffer* weight;  // float [count] of the inner product sum_i w_i |f_i|^2; null: all 1
 };
@@ -26,8 +26,8 @@ class Anderson {
   Passes begin(gl::ProgramCache& programs) const;
   /// After every sweep: one pass per part in the first iteration; three per part and one more in the others.
   Passes passes(gl::ProgramCache& programs, bool first) const;
-  /// vec4 [count]: where the sweep of that part set out from, z_k. Remembered from the iteration before; who moves the state in
-  /// between writes it before every sweep.
+  /// vec4 [count]: where the sweep of that part set out from, z_k. Remembered from the iteration before; who moves the
+  /// state in between writes it before every sweep.
   const gl::Buffer& iterate(std::size_t part) const { return histories_[part].iterate; }
 
  private:

@@ -18,27 +18,35 @@ Chebyshev::Chebyshev(const gl::ProgramCache& programs, std::uint32_t vertex_coun
       square_partials_("chebyshev_square_partials", sizeof(shared::vec4) * partials_),
       state_("chebyshev_state", kStateFloats * sizeof(float)) {}
 
-std::vector<gl::ComputePass> Chebyshev::passes(gl::ProgramCache& programs, const gl::Buffer& step, const gl::Buffer& start,
-                                               const gl::Buffer& displacement, bool first) const {
+std::vector<gl::ComputePass> Chebyshev::passes(gl::ProgramCache& programs, const gl::Buffer& step,
+                                               const gl::Buffer& start, const gl::Buffer& displacement,
+                                               bool first) const {
   std::vector<gl::ComputePass> passes;
-  passes.emplace_back(programs.compute("sim/acceleration/chebyshev_difference.comp"),
-                      gl::ComputePass::Bindings{{"displacement", &displacement},
-                                                {"start", first ? &start : &iterate_},
-                                                {"square_partials", &square_partials_}},
-                      lanes_, gl::ComputePass::Constants{{"vertex_count", vertex_count_}})
+  passes
+      .emplace_back(programs.compute("sim/acceleration/chebyshev_difference.comp"),
+                    gl::ComputePass::Bindings{{"displacement", &displacement},
+                                              {"start", first ? &start : &iterate_},
+                                              {"square_partials", &square_partials_}},
+                    lanes_, gl::ComputePass::Constants{{"vertex_count", vertex_count_}})
       .loops(vertex_count_ / lanes_ + 2);
-  passes.emplace_back(programs.compute("sim/acceleration/chebyshev_weight.comp", {{"FIRST_ITERATION", first ? "1" : "0"}}),
-                      gl::ComputePass::Bindings{
-                          {"step", &step}, {"square_partials", &square_partials_}, {"chebyshev_state", &state_}},
-                      1, gl::ComputePass::Constants{{"partials", partials_}})
+  passes
+      .emplace_back(
+          programs.compute("sim/acceleration/chebyshev_weight.comp", {{"FIRST_ITERATION", first ? "1" : "0"}}),
+          gl::ComputePass::Bindings{
+              {"step", &step}, {"square_partials", &square_partials_}, {"chebyshev_state", &state_}},
+          1, gl::ComputePass::Constants{{"partials", partials_}})
       .loops(partials_ + Reduction::kGroup);
   gl::ComputePass::Bindings apply{{"displacement", &displacement}, {"iterate", &iterate_}, {"before", &before_}};
   if (first)
     apply.emplace_back("start", &start);
   else
-    apply.insert(apply.end(), {{"chebyshev_state", &state_}, {"swept", &displacement}, {"current", &iterate_}, {"earlier", &before_}});
-  passes.emplace_back(programs.compute(first ? "sim/acceleration/chebyshev_begin.comp" : "sim/acceleration/chebyshev_apply.comp"), std::move(apply),
-                      vertex_count_)
+    apply.insert(
+        apply.end(),
+        {{"chebyshev_state", &state_}, {"swept", &displacement}, {"current", &iterate_}, {"earlier", &before_}});
+  passes
+      .emplace_back(
+          programs.compute(first ? "sim/acceleration/chebyshev_begin.comp" : "sim/acceleration/chebyshev_apply.comp"),
+          std::move(apply), vertex_count_)
       .loops(0);
   return passes;
 }

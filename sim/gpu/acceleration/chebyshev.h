@@ -1,5 +1,6 @@
-// Chebyshev semi-iterative acceleration of the positions (Wang 2015): overshoots the sweep by weights that follow from the spectral
-// radius of the iteration. The radius is estimated on the GPU (shaders/sim/acceleration/chebyshev_weight.comp) or given in the step's values.
+// Chebyshev semi-iterative acceleration of the positions (Wang 2015): overshoots the sweep by weights that follow from
+// the spectral radius of the iteration. The radius is estimated on the GPU
+// (shaders/sim/acceleration/chebyshev_weight.comp) or given in the step's values.
 #pragma once
 #include <vector>
 
@@ -12,8 +13,8 @@ class Chebyshev {
  public:
   Chebyshev(const gl::ProgramCache& programs, std::uint32_t vertex_count);
 
-  /// Three passes to run after the method's passes of an iteration. `start` is where the first iteration of the substep began, vec4
-  /// [vertex_count]; `displacement` what the sweep made of it; `step` the uniform block.
+  /// Three passes to run after the method's passes of an iteration. `start` is where the first iteration of the substep
+  /// began, vec4 [vertex_count]; `displacement` what the sweep made of it; `step` the uniform block.
   std::vector<gl::ComputePass> passes(gl::ProgramCache& programs, const gl::Buffer& step, const gl::Buffer& start,
                                       const gl::Buffer& displacement, bool first) const;
   /// The estimate belongs to the materials and the step it was made with.

@@ -20,8 +20,9 @@ Passes StopRule::check(const Recording& r, bool first, std::uint32_t pass_count)
                                      {"mass", &r.buffers.mass},
                                      {"residual_partials", &residual_partials_}};
   const gl::Defines defines = with_energy_terms({}, bindings, r.terms);
-  passes.emplace_back(r.programs.compute("sim/acceleration/stop_residual.comp", defines), std::move(bindings), sums_.lanes,
-                      gl::ComputePass::Constants{{"vertex_count", r.buffers.vertex_count}, {"partials", sums_.partials}});
+  passes.emplace_back(
+      r.programs.compute("sim/acceleration/stop_residual.comp", defines), std::move(bindings), sums_.lanes,
+      gl::ComputePass::Constants{{"vertex_count", r.buffers.vertex_count}, {"partials", sums_.partials}});
   passes.emplace_back(r.programs.compute("sim/acceleration/stop_decide.comp", {{"FIRST_ITERATION", first ? "1" : "0"}}),
                       gl::ComputePass::Bindings{{"step", &r.buffers.step},
                                                 {"residual_partials", &residual_partials_},
@@ -35,7 +36,8 @@ Passes StopRule::check(const Recording& r, bool first, std::uint32_t pass_count)
   return passes;
 }
 
-void StopRule::record(const Recording& r, Passes& before_first, Passes& before, std::initializer_list<Passes*> governed) {
+void StopRule::record(const Recording& r, Passes& before_first, Passes& before,
+                      std::initializer_list<Passes*> governed) {
   std::size_t count = before.size() + (own_ ? own_->passes(r).size() : 0) + 2;
   for (const Passes* list : governed) count += list->size();
   full_groups_ = gl::Buffer("full_groups", count * sizeof(std::uint32_t));

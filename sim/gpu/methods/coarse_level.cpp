@@ -17,10 +17,12 @@ using shared::vec4;
 // A sparse matrix in rows, for the GPU.
 struct PackedRows {
   std::vector<std::uint32_t> begin{0};  // [row count + 1]
-  std::vector<Tet> pairs;               // two entries each: column and weight (float bits) in turn; a last one alone is padded with zeros
+  std::vector<Tet>
+      pairs;  // two entries each: column and weight (float bits) in turn; a last one alone is padded with zeros
 };
 
-PackedRows pack_rows(const std::vector<std::uint32_t>& begin, const std::vector<std::uint32_t>& column, const std::vector<double>& weights) {
+PackedRows pack_rows(const std::vector<std::uint32_t>& begin, const std::vector<std::uint32_t>& column,
+                     const std::vector<double>& weights) {
   PackedRows rows;
   const auto weight = [&](std::uint32_t k) { return std::bit_cast<std::uint32_t>(static_cast<float>(weights[k])); };
   for (std::size_t i = 0; i + 1 < begin.size(); ++i) {
@@ -53,7 +55,8 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
   std::vector<Tet> entries;  // of c_ja [1/m] (float bits) and the vertex
   for (std::size_t k = 0; k < gather.vertex.size(); ++k) {
     const Eigen::Vector3f c = gather.gradient[k].cast<float>();
-    entries.push_back({std::bit_cast<std::uint32_t>(c.x()), std::bit_cast<std::uint32_t>(c.y()), std::bit_cast<std::uint32_t>(c.z()), gather.vertex[k]});
+    entries.push_back({std::bit_cast<std::uint32_t>(c.x()), std::bit_cast<std::uint32_t>(c.y()),
+                       std::bit_cast<std::uint32_t>(c.z()), gather.vertex[k]});
   }
   const std::uint32_t n = space_.node_count;
   lanes_ = programs.load_path() == gl::LoadPath::storage ? Reduction::kGroup : 1;
@@ -64,7 +67,8 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
   std::vector<std::uint32_t> begin;
   for (std::uint32_t i = 0; i <= n; ++i) begin.insert(begin.end(), {gather.begin[i], columns.begin[i]});
   for (std::uint32_t i = 0; i < n; ++i)
-    most_entries_ = std::max(most_entries_, gather.begin[i + 1] - gather.begin[i] + columns.begin[i + 1] - columns.begin[i]);
+    most_entries_ =
+        std::max(most_entries_, gather.begin[i + 1] - gather.begin[i] + columns.begin[i + 1] - columns.begin[i]);
   node_begin_ = gl::Buffer("coarse_node_begin", begin);
   columns_ = gl::Buffer("coarse_columns", columns.pairs);
   const PackedRows rows = pack_rows(space_.begin, space_.node, space_.weight);
@@ -81,24 +85,26 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
 Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const {
   const std::uint32_t n = space_.node_count;
   Passes passes;
-  passes.emplace_back(r.programs.compute("sim/two_level/coarse_restrict.comp"),
-                      gl::ComputePass::Bindings{{"coarse_node_begin", &node_begin_},
-                                                {"gather_entry", &gather_entry_},
-                                                {"coarse_columns", &columns_},
-                                                {"gradient", &gradient},
-                                                {"displacement", &r.buffers.displacement},
-                                                {"coarse_scale", &scale_},
-                                                {"coarse_rotation", &rotation_},
-                                                {"coarse_gradient", &gradient_}},
-                      n * lanes_)
+  passes
+      .emplace_back(r.programs.compute("sim/two_level/coarse_restrict.comp"),
+                    gl::ComputePass::Bindings{{"coarse_node_begin", &node_begin_},
+                                              {"gather_entry", &gather_entry_},
+                                              {"coarse_columns", &columns_},
+                                              {"gradient", &gradient},
+                                              {"displacement", &r.buffers.displacement},
+                                              {"coarse_scale", &scale_},
+                                              {"coarse_rotation", &rotation_},
+                                              {"coarse_gradient", &gradient_}},
+                    n * lanes_)
       .loops(most_entries_ + 16);
-  passes.emplace_back(r.programs.compute("sim/two_level/coarse_solve.comp"),
-                      gl::ComputePass::Bindings{{"coarse_inverse", &inverse_rows_},
-                                                {"coarse_scale", &scale_},
-                                                {"coarse_gradient", &gradient_},
-                                                {"coarse_rotation", &rotation_},
-                                                {"coarse_correction", &correction_}},
-                      n * lanes_, gl::ComputePass::Constants{{"row_octets", row_octets_}})
+  passes
+      .emplace_back(r.programs.compute("sim/two_level/coarse_solve.comp"),
+                    gl::ComputePass::Bindings{{"coarse_inverse", &inverse_rows_},
+                                              {"coarse_scale", &scale_},
+                                              {"coarse_gradient", &gradient_},
+                                              {"coarse_rotation", &rotation_},
+                                              {"coarse_correction", &correction_}},
+                    n * lanes_, gl::ComputePass::Constants{{"row_octets", row_octets_}})
       .loops(row_octets_ + 1);
   return passes;
 }
@@ -125,7 +131,8 @@ void CoarseLevel::upload() {
 }
 
 bool CoarseLevel::ready() const {
-  return free_inverse_.size() > 0 || !inverse_.valid() || inverse_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  return free_inverse_.size() > 0 || !inverse_.valid() ||
+         inverse_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
 void CoarseLevel::complete() {

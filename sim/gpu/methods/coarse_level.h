@@ -1,6 +1,7 @@
-// The coarse level of the two-level method on the GPU: from the gradient to a smooth correction, R A_c^-1 R^T P^T g at the coarse nodes,
-// with the rest matrix A_c and one rotation R per node, taken from the displacements of every iteration. The inverse is computed on another
-// thread: the first one while other things are made, those for other materials or h while the old one serves.
+// The coarse level of the two-level method on the GPU: from the gradient to a smooth correction, R A_c^-1 R^T P^T g at
+// the coarse nodes, with the rest matrix A_c and one rotation R per node, taken from the displacements of every
+// iteration. The inverse is computed on another thread: the first one while other things are made, those for other
+// materials or h while the old one serves.
 #pragma once
 #include <Eigen/Core>
 #include <future>
@@ -46,12 +47,12 @@ class CoarseLevel {
   void upload();
 
   CoarseSpace space_;
-  std::uint32_t lanes_ = 1;       // invocations that share a node (shaders/common/group_sum.glsl)
-  std::uint32_t row_octets_ = 0;  // uvec4 per row of the inverse, eight 16-bit integers each
+  std::uint32_t lanes_ = 1;         // invocations that share a node (shaders/common/group_sum.glsl)
+  std::uint32_t row_octets_ = 0;    // uvec4 per row of the inverse, eight 16-bit integers each
   std::uint32_t most_entries_ = 0;  // of a node, in both lists that coarse_restrict goes through
   gl::Buffer node_begin_, gather_entry_, columns_, row_begin_, rows_;
   gl::Buffer rotation_, gradient_, inverse_rows_, scale_, correction_;
-  Eigen::MatrixXf free_inverse_;     // without springs; empty before the first is taken
+  Eigen::MatrixXf free_inverse_;  // without springs; empty before the first is taken
   std::vector<VertexStiffness> springs_;
   std::vector<Material> materials_;  // that the newest inverse is for, ready or not
   double h_ = 0;                     // [s]

@@ -15,16 +15,16 @@ Passes ExactXpbdMethod::begin(const Recording& r) const {
                                      {"multiplier", &multiplier_}};
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
   Passes passes;
-  passes.emplace_back(r.programs.compute("sim/xpbd/multiplier_start.comp", defines_of(r.features)), std::move(bindings),
-                      r.buffers.tet_count)
+  passes
+      .emplace_back(r.programs.compute("sim/xpbd/multiplier_start.comp", defines_of(r.features)), std::move(bindings),
+                    r.buffers.tet_count)
       .loops(r.loops_of_tet());
   return passes;
 }
 
 Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
-  gl::ComputePass::Bindings force{{"step", &r.buffers.step},
-                                  {"displacement", &r.buffers.displacement},
-                                  {"multiplier", &multiplier_}};
+  gl::ComputePass::Bindings force{
+      {"step", &r.buffers.step}, {"displacement", &r.buffers.displacement}, {"multiplier", &multiplier_}};
   force = with_material(with_slots(std::move(force), r.buffers), r.features, r.buffers);
   Passes passes = r.over_pairs_deferring("sim/xpbd/exact_tet.comp", defines_of(r.features), force);
   gl::ComputePass::Bindings vertex{{"step", &r.buffers.step},
@@ -38,7 +38,10 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
                                    {"primal_step", &primal_step_},
                                    {"raised_mass", &raised_mass_}};
   const gl::Defines vertex_defines = with_energy_terms({}, vertex, r.terms);
-  passes.emplace_back(r.programs.compute("sim/xpbd/exact_vertex.comp", vertex_defines), std::move(vertex), r.buffers.vertex_count).loops(r.loops_of_slots());
+  passes
+      .emplace_back(r.programs.compute("sim/xpbd/exact_vertex.comp", vertex_defines), std::move(vertex),
+                    r.buffers.vertex_count)
+      .loops(r.loops_of_slots());
 
   gl::Defines defines = defines_of(r.features);
   defines.emplace_back("FIRST_ITERATION", "0");
@@ -48,16 +51,18 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
                                 {"primal_step", &primal_step_},
                                 {"lambda", &multiplier_},
                                 {"multiplier", &multiplier_}};
-  tet = with_damping(with_material(with_slots(std::move(tet), r.buffers), r.features, r.buffers), r.features, r.previous_strain);
+  tet = with_damping(with_material(with_slots(std::move(tet), r.buffers), r.features, r.buffers), r.features,
+                     r.previous_strain);
   append(passes, r.over_pairs_deferring("sim/xpbd/jacobi_tet.comp", defines, tet));
-  passes.emplace_back(r.programs.compute("sim/xpbd/jacobi_vertex.comp", {{"EXACT", "1"}}),
-                      gl::ComputePass::Bindings{{"slot_begin", &r.buffers.slot_begin},
-                                                {"copy_begin", &r.buffers.tet_begin},
-                                                {"correction", &r.buffers.correction},
-                                                {"primal_step", &primal_step_},
-                                                {"iterate", &r.buffers.displacement},
-                                                {"displacement", &r.buffers.displacement}},
-                      r.buffers.vertex_count)
+  passes
+      .emplace_back(r.programs.compute("sim/xpbd/jacobi_vertex.comp", {{"EXACT", "1"}}),
+                    gl::ComputePass::Bindings{{"slot_begin", &r.buffers.slot_begin},
+                                              {"copy_begin", &r.buffers.tet_begin},
+                                              {"correction", &r.buffers.correction},
+                                              {"primal_step", &primal_step_},
+                                              {"iterate", &r.buffers.displacement},
+                                              {"displacement", &r.buffers.displacement}},
+                    r.buffers.vertex_count)
       .loops(r.loops_of_slots());
   return passes;
 }

@@ -24,7 +24,8 @@ GaussSeidelMethod::GaussSeidelMethod(const Model& model, SimBuffers& buffers, in
   std::vector<std::uint32_t> order = solved_tets(model);
   coloring_ = color(model, order, colors);
   phantom_count_ = static_cast<std::uint32_t>(coloring_.phantom_vertex.size());
-  std::transform(coloring_.order.begin(), coloring_.order.end(), order.begin(), [solved = order](std::uint32_t k) { return solved[k]; });
+  std::transform(coloring_.order.begin(), coloring_.order.end(), order.begin(),
+                 [solved = order](std::uint32_t k) { return solved[k]; });
   buffers.set_tet_order(model, {std::move(order), 0});
   buffers.set_phantom_count(phantom_count_);
   if (phantom_count_ == 0) return;
@@ -50,9 +51,11 @@ Deferral GaussSeidelMethod::most_deferred(const SimBuffers& buffers, bool fused)
 Passes GaussSeidelMethod::iteration(const Recording& r, bool first) const {
   gl::Defines defines = defines_of(r.features);
   defines.emplace_back("FIRST_ITERATION", first ? "1" : "0");
-  // Invocations without a tet take as long as the others on software renderers, and small colors leave most of a group without one.
+  // Invocations without a tet take as long as the others on software renderers, and small colors leave most of a group
+  // without one.
   constexpr std::size_t kSmall = 32;  // tets of a color
-  if (coloring_.order.size() <= kSmall * coloring_.color_count()) defines.emplace_back("GROUP_SIZE", std::to_string(kSmall));
+  if (coloring_.order.size() <= kSmall * coloring_.color_count())
+    defines.emplace_back("GROUP_SIZE", std::to_string(kSmall));
   gl::ComputePass::Bindings bindings{{"step", &r.buffers.step},
                                      {"tet_vertices", phantom_count_ ? &corners_ : &r.buffers.tet_vertices},
                                      {"tet_shape", &r.buffers.tet_shape},
@@ -63,17 +66,20 @@ Passes GaussSeidelMethod::iteration(const Recording& r, bool first) const {
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
   Passes passes;
   if (phantom_count_)
-    passes.emplace_back(r.programs.compute("sim/xpbd/split_phantoms.comp"),
-                        gl::ComputePass::Bindings{{"phantom_vertex", &phantom_vertex_}, {"displacement", &r.buffers.displacement}},
-                        phantom_count_, gl::ComputePass::Constants{{"first_item", r.buffers.vertex_count}})
+    passes
+        .emplace_back(
+            r.programs.compute("sim/xpbd/split_phantoms.comp"),
+            gl::ComputePass::Bindings{{"phantom_vertex", &phantom_vertex_}, {"displacement", &r.buffers.displacement}},
+            phantom_count_, gl::ComputePass::Constants{{"first_item", r.buffers.vertex_count}})
         .loops(0);
   append(passes, r.over_ranges_deferring("sim/xpbd/gauss_seidel.comp", defines, bindings, coloring_.begin, 0, 1));
   if (phantom_count_)
-    passes.emplace_back(r.programs.compute("sim/xpbd/merge_phantoms.comp"),
-                        gl::ComputePass::Bindings{{"split_vertex", &split_vertex_},
-                                                  {"copy_begin", &copy_begin_},
-                                                  {"displacement", &r.buffers.displacement}},
-                        split_count_, gl::ComputePass::Constants{{"first_item", r.buffers.vertex_count}})
+    passes
+        .emplace_back(r.programs.compute("sim/xpbd/merge_phantoms.comp"),
+                      gl::ComputePass::Bindings{{"split_vertex", &split_vertex_},
+                                                {"copy_begin", &copy_begin_},
+                                                {"displacement", &r.buffers.displacement}},
+                      split_count_, gl::ComputePass::Constants{{"first_item", r.buffers.vertex_count}})
         .loops(r.loops_of_vertex());
   append(passes, r.projections(first));
   return passes;

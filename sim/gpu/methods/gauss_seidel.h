@@ -1,16 +1,17 @@
-// XPBD swept color by color (the poster's section 3.1): each tet sees the corrections of the colors before it. Converges where
-// averaged Jacobi stays soft; costs one dispatch per color. With a bound on the colors some vertices are split into phantoms, which
-// share the vertex's mass and are averaged after each sweep (see sim/ordering/graph_coloring.h): one color is mass-split Jacobi, enough colors are
-// plain Gauss-Seidel.
+// XPBD swept color by color (the poster's section 3.1): each tet sees the corrections of the colors before it.
+// Converges where averaged Jacobi stays soft; costs one dispatch per color. With a bound on the colors some vertices
+// are split into phantoms, which share the vertex's mass and are averaged after each sweep (see
+// sim/ordering/graph_coloring.h): one color is mass-split Jacobi, enough colors are plain Gauss-Seidel.
 #pragma once
-#include "sim/ordering/graph_coloring.h"
 #include "sim/gpu/methods/method.h"
+#include "sim/ordering/graph_coloring.h"
 
 namespace fascia {
 
 class GaussSeidelMethod : public StepMethod {
  public:
-  /// `colors` 0: as many as the mesh needs. Puts the tets of `buffers` into the order of the colors, along a curve within each.
+  /// `colors` 0: as many as the mesh needs. Puts the tets of `buffers` into the order of the colors, along a curve
+  /// within each.
   GaussSeidelMethod(const Model& model, SimBuffers& buffers, int colors);
 
   /// One pass per color. The first iteration of a substep starts from zero multipliers.
@@ -26,10 +27,11 @@ class GaussSeidelMethod : public StepMethod {
 
  private:
   int colors_asked_;
-  Coloring coloring_;  // of solved_tets(), by their place there
+  Coloring coloring_;      // of solved_tets(), by their place there
   gl::Buffer multiplier_;  // vec4 [2 * tet_count] lambda
   gl::Buffer corners_;     // uvec4 [tet_count] what each corner moves; with phantoms
-  gl::Buffer phantom_vertex_, copy_begin_, split_vertex_;  // [phantom_count], [vertex_count + 1], vertices that have phantoms
+  gl::Buffer phantom_vertex_, copy_begin_,
+      split_vertex_;  // [phantom_count], [vertex_count + 1], vertices that have phantoms
   std::uint32_t phantom_count_ = 0, split_count_ = 0;
 };
 

@@ -14,15 +14,17 @@ Passes JacobiMethod::iteration(const Recording& r, bool first) const {
                                 {"displacement", &r.buffers.displacement},
                                 {"lambda", &multiplier_},
                                 {"multiplier", &multiplier_}};
-  tet = with_damping(with_material(with_slots(std::move(tet), r.buffers), r.features, r.buffers), r.features, r.previous_strain);
+  tet = with_damping(with_material(with_slots(std::move(tet), r.buffers), r.features, r.buffers), r.features,
+                     r.previous_strain);
   Passes passes = r.over_pairs_deferring("sim/xpbd/jacobi_tet.comp", defines, tet);
-  passes.emplace_back(r.programs.compute("sim/xpbd/jacobi_vertex.comp", {{"EXACT", "0"}}),
-                      gl::ComputePass::Bindings{{"slot_begin", &r.buffers.slot_begin},
-                                                {"copy_begin", &r.buffers.tet_begin},
-                                                {"correction", &r.buffers.correction},
-                                                {"iterate", &r.buffers.displacement},
-                                                {"displacement", &r.buffers.displacement}},
-                      r.buffers.vertex_count)
+  passes
+      .emplace_back(r.programs.compute("sim/xpbd/jacobi_vertex.comp", {{"EXACT", "0"}}),
+                    gl::ComputePass::Bindings{{"slot_begin", &r.buffers.slot_begin},
+                                              {"copy_begin", &r.buffers.tet_begin},
+                                              {"correction", &r.buffers.correction},
+                                              {"iterate", &r.buffers.displacement},
+                                              {"displacement", &r.buffers.displacement}},
+                    r.buffers.vertex_count)
       .loops(r.loops_of_slots());
   append(passes, r.projections(first));
   return passes;

@@ -1,6 +1,7 @@
-// XPBD with the Green strain of each tet as a 6-vector constraint, all tets at once, corrections averaged per vertex: the
-// poster's method (Boukadida, Andrews, Paquette 2019). On whole masses its fixed point is softer than the material: averaging
-// gives the multipliers the whole step and the positions only a part of it. On split masses (predict.comp) both get the same.
+// XPBD with the Green strain of each tet as a 6-vector constraint, all tets at once, corrections averaged per vertex:
+// the poster's method (Boukadida, Andrews, Paquette 2019). On whole masses its fixed point is softer than the material:
+// averaging gives the multipliers the whole step and the positions only a part of it. On split masses (predict.comp)
+// both get the same.
 #pragma once
 #include "sim/gpu/methods/method.h"
 
@@ -11,7 +12,9 @@ class JacobiMethod : public StepMethod {
   /// `split_masses`: every tet sees its share of a vertex's mass (method "mass_splitting").
   JacobiMethod(const SimBuffers& buffers, bool split_masses);
   const gl::Buffer* copy_begin() const override { return copy_begin_; }
-  Deferral most_deferred(const SimBuffers& buffers, bool) const override { return {1, buffers.pair_and_single_count()}; }
+  Deferral most_deferred(const SimBuffers& buffers, bool) const override {
+    return {1, buffers.pair_and_single_count()};
+  }
   Passes iteration(const Recording& recording, bool first) const override;
 
  private:

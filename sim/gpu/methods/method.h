@@ -15,13 +15,17 @@ class StepMethod {
   StepMethod(const StepMethod&) = delete;
   StepMethod& operator=(const StepMethod&) = delete;
 
-  /// uint [vertex_count + 1], copies before each vertex, of methods that share a vertex's mass between copies; null for the others.
+  /// uint [vertex_count + 1], copies before each vertex, of methods that share a vertex's mass between copies; null for
+  /// the others.
   virtual const gl::Buffer* copy_begin() const { return nullptr; }
-  /// Whether the iterations start where inertia alone leads, x_n + h v_n, and not at the prediction, which gravity has moved too.
+  /// Whether the iterations start where inertia alone leads, x_n + h v_n, and not at the prediction, which gravity has
+  /// moved too.
   virtual bool starts_without_gravity() const { return false; }
-  /// vec4 [2 * tet_count], of methods whose multipliers are part of the state that an acceleration combines; null for the others.
+  /// vec4 [2 * tet_count], of methods whose multipliers are part of the state that an acceleration combines; null for
+  /// the others.
   virtual const gl::Buffer* multiplier() const { return nullptr; }
-  /// Whether iterations descend the objective with its external energies; else these are projected as constraints after each.
+  /// Whether iterations descend the objective with its external energies; else these are projected as constraints after
+  /// each.
   virtual bool descends() const { return false; }
   /// What is computed before every iteration, of methods that descend the step's objective; null for the others.
   virtual const StepGradient* gradient() const { return nullptr; }
@@ -35,7 +39,9 @@ class StepMethod {
   }
   /// One iteration, external energies included. The first one of a substep finds no history.
   virtual Passes iteration(const Recording& recording, bool first) const = 0;
-  virtual Passes end(const Recording&) const { return {}; }  // after the last iteration of a substep, unless a stop rule ended them
+  virtual Passes end(const Recording&) const {
+    return {};
+  }  // after the last iteration of a substep, unless a stop rule ended them
   /// What the passes of an iteration may put off (deferred_tets.h). `fused`: whether passes are (gl/fused_pass.h).
   virtual Deferral most_deferred(const SimBuffers&, bool fused) const { return static_cast<void>(fused), Deferral{}; }
   /// Before passes are recorded, with what they will be recorded from.
@@ -50,7 +56,8 @@ class StepMethod {
   virtual bool ready() const { return true; }
   /// Waits until it is. Before any step, and before the two below tell of later results.
   virtual void complete() {}
-  /// Uploads what was computed beside the frame, if it is ready, or, with `wait`, all of it when it is. Returns how many results.
+  /// Uploads what was computed beside the frame, if it is ready, or, with `wait`, all of it when it is. Returns how
+  /// many results.
   virtual int update(bool wait) { return static_cast<void>(wait), 0; }
   /// Waits for so many results, if as many are computed, and uploads them.
   virtual void take(int results) { static_cast<void>(results); }

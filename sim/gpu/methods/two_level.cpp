@@ -24,13 +24,16 @@ TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& mo
   set_acceleration(programs, buffers, settings);
 }
 
-void TwoLevelMethod::set_acceleration(const gl::ProgramCache& programs, const SimBuffers& buffers, const SolverSettings& settings) {
+void TwoLevelMethod::set_acceleration(const gl::ProgramCache& programs, const SimBuffers& buffers,
+                                      const SolverSettings& settings) {
   remembers_ = settings.acceleration == Acceleration::subspace || settings.acceleration == Acceleration::nonlinear_cg;
-  splits_ = (settings.acceleration == Acceleration::subspace && !coarse_.empty()) || settings.acceleration == Acceleration::anderson;
+  splits_ = (settings.acceleration == Acceleration::subspace && !coarse_.empty()) ||
+            settings.acceleration == Acceleration::anderson;
   coarse_direction_ = splits_ ? gl::Buffer("coarse_direction", fine_direction_.bytes()) : gl::Buffer();
   anderson_.reset();
   if (settings.acceleration == Acceleration::anderson)
-    anderson_.emplace(programs, std::vector<AndersonPart>{{&fine_direction_, buffers.vertex_count, &buffers.mass}}, settings.window);
+    anderson_.emplace(programs, std::vector<AndersonPart>{{&fine_direction_, buffers.vertex_count, &buffers.mass}},
+                      settings.window);
 }
 
 void TwoLevelMethod::prepare(const Recording& r) {
@@ -40,7 +43,8 @@ void TwoLevelMethod::prepare(const Recording& r) {
   guarded_curvature_.clear();
 }
 
-// The start that inertia proposes may be far up the energy's walls: it is a step from u_n, to be kept only if it lowers the objective.
+// The start that inertia proposes may be far up the energy's walls: it is a step from u_n, to be kept only if it lowers
+// the objective.
 Passes TwoLevelMethod::begin(const Recording& r) const {
   Passes passes;
   passes.push_back(r.over_vertices("sim/two_level/guess_begin.comp", {},
@@ -51,9 +55,10 @@ Passes TwoLevelMethod::begin(const Recording& r) const {
                                     {"displacement", &r.buffers.displacement}}));
   append(passes, gradient_.passes(r));
   passes.push_back(objective_sum(r));
-  passes.emplace_back(r.programs.compute("sim/two_level/guess_objective.comp"),
-                      gl::ComputePass::Bindings{{"dot_partials", &partials_}, {"subspace_state", &state_}}, 1,
-                      gl::ComputePass::Constants{{"partials", vertices_.partials}})
+  passes
+      .emplace_back(r.programs.compute("sim/two_level/guess_objective.comp"),
+                    gl::ComputePass::Bindings{{"dot_partials", &partials_}, {"subspace_state", &state_}}, 1,
+                    gl::ComputePass::Constants{{"partials", vertices_.partials}})
       .loops(vertices_.partials + Reduction::kGroup);
   passes.push_back(r.over_vertices("sim/two_level/guess_take.comp", {},
                                    {{"gradient", &gradient_.gradient()},
@@ -65,14 +70,10 @@ Passes TwoLevelMethod::begin(const Recording& r) const {
 }
 
 Passes TwoLevelMethod::refresh(const Recording& r) const {
-  gl::ComputePass::Bindings bindings{{"step", &r.buffers.step},
-                                     {"tet_vertices", &r.buffers.tet_vertices},
-                                     {"tet_shape", &r.buffers.tet_shape},
-                                     {"displacement", &r.buffers.displacement},
-                                     {"mass", &r.buffers.mass},
-                                     {"tet_begin", &r.buffers.tet_begin},
-                                     {"vertex_tets", &vertex_tets_},
-                                     {"block_inverse", &block_inverse_}};
+  gl::ComputePass::Bindings bindings{{"step", &r.buffers.step},           {"tet_vertices", &r.buffers.tet_vertices},
+                                     {"tet_shape", &r.buffers.tet_shape}, {"displacement", &r.buffers.displacement},
+                                     {"mass", &r.buffers.mass},           {"tet_begin", &r.buffers.tet_begin},
+                                     {"vertex_tets", &vertex_tets_},      {"block_inverse", &block_inverse_}};
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
   const gl::Defines defines = with_energy_terms(defines_of(r.features), bindings, r.terms);
   Passes passes;
@@ -84,7 +85,8 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
 Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
   Passes passes;
   if (!coarse_.empty()) append(passes, coarse_.passes(r, gradient_.gradient()));
-  gl::Defines defines{{"COARSE", coarse_.empty() ? "0" : "1"}, {"SPLIT", splits_ ? "1" : "0"}, {"SWEEP", anderson_ ? "1" : "0"}};
+  gl::Defines defines{
+      {"COARSE", coarse_.empty() ? "0" : "1"}, {"SPLIT", splits_ ? "1" : "0"}, {"SWEEP", anderson_ ? "1" : "0"}};
   gl::ComputePass::Bindings correct{{"gradient", &gradient_.gradient()},
                                     {"predicted", &r.buffers.predicted},
                                     {"block_inverse", &block_inverse_},
@@ -103,13 +105,17 @@ Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
     passes.push_back(r.over_vertices("sim/two_level/two_level_correct.comp", std::move(defines), std::move(correct)));
     passes.back().loops(9);
     append(passes, anderson_->passes(r.programs, first));
-    passes.emplace_back(
-        r.programs.compute("sim/two_level/sweep_direction.comp"),
-        gl::ComputePass::Bindings{{"displacement", &r.buffers.displacement}, {"proposed", &fine_direction_}, {"fine_direction", &fine_direction_}},
-        r.buffers.vertex_count)
+    passes
+        .emplace_back(r.programs.compute("sim/two_level/sweep_direction.comp"),
+                      gl::ComputePass::Bindings{{"displacement", &r.buffers.displacement},
+                                                {"proposed", &fine_direction_},
+                                                {"fine_direction", &fine_direction_}},
+                      r.buffers.vertex_count)
         .loops(0);
     passes.push_back(sum_for_step(r, "sim/two_level/subspace_dots.comp", {},
-                                  {{"gradient", &gradient_.gradient()}, {"fine_direction", &fine_direction_}, {"coarse_direction", &coarse_direction_}}));
+                                  {{"gradient", &gradient_.gradient()},
+                                   {"fine_direction", &fine_direction_},
+                                   {"coarse_direction", &coarse_direction_}}));
   }
   append(passes, subspace_step(r, first, false));
   return passes;
@@ -122,8 +128,8 @@ Passes TwoLevelMethod::end(const Recording& r) const {
 }
 
 gl::ComputePass TwoLevelMethod::objective_sum(const Recording& r) const {
-  return r.sum_over_vertices("sim/two_level/objective_sum.comp", {}, {{"gradient", &gradient_.gradient()}, {"dot_partials", &partials_}},
-                             vertices_);
+  return r.sum_over_vertices("sim/two_level/objective_sum.comp", {},
+                             {{"gradient", &gradient_.gradient()}, {"dot_partials", &partials_}}, vertices_);
 }
 
 // A kernel that ends in the sums of sim/two_level/subspace_sums.glsl.
@@ -135,7 +141,8 @@ gl::ComputePass TwoLevelMethod::sum_for_step(const Recording& r, const char* ker
                                    {"previous_gradient", &previous_gradient_},
                                    {"dot_partials", &partials_}});
   defines = with_energy_terms(std::move(defines), bindings, r.terms);
-  return r.sum_over_vertices(kernel, std::move(defines), std::move(bindings), vertices_, {{"partials", vertices_.partials}});
+  return r.sum_over_vertices(kernel, std::move(defines), std::move(bindings), vertices_,
+                             {{"partials", vertices_.partials}});
 }
 
 Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) const {
@@ -148,10 +155,10 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
   if (last) {
     passes.push_back(objective_sum(r));
   } else {
-    gl::ComputePass::Bindings curvature = with_coarse({{"step", &r.buffers.step},
-                                                       {"displacement", &r.buffers.displacement},
-                                                       {"fine_direction", &fine_direction_}});
-    curvature = with_damping(with_material(with_pairs(std::move(curvature), r.buffers), r.features, r.buffers), r.features, r.previous_strain);
+    gl::ComputePass::Bindings curvature = with_coarse(
+        {{"step", &r.buffers.step}, {"displacement", &r.buffers.displacement}, {"fine_direction", &fine_direction_}});
+    curvature = with_damping(with_material(with_pairs(std::move(curvature), r.buffers), r.features, r.buffers),
+                             r.features, r.previous_strain);
     gl::Defines curvature_defines = defines_of(r.features);
     curvature_defines.emplace_back("SPLIT", splits_ ? "1" : "0");
     gl::ComputePass::Bindings sums = curvature;
@@ -159,13 +166,16 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
     sums.emplace_back("curvature_partials", &partials_);
     if (r.deferred) {
       curvature.emplace_back("guarded_curvature", &guarded_curvature_);
-      passes.push_back(r.over_deferred("sim/two_level/subspace_curvature.comp", curvature_defines, std::move(curvature)));
+      passes.push_back(
+          r.over_deferred("sim/two_level/subspace_curvature.comp", curvature_defines, std::move(curvature)));
       sums.emplace_back("guarded_terms", &guarded_curvature_);
       sum_defines.emplace_back("GUARDED_ELSEWHERE", "1");
     }
-    passes.push_back(r.sum_over_pairs("sim/two_level/subspace_curvature.comp", sum_defines, std::move(sums), pairs_, {{"first_partial", 3 * vertices_.partials}}));
+    passes.push_back(r.sum_over_pairs("sim/two_level/subspace_curvature.comp", sum_defines, std::move(sums), pairs_,
+                                      {{"first_partial", 3 * vertices_.partials}}));
     if (r.deferred) {
-      passes.push_back(r.over_deferred("sim/two_level/guarded_curvature_clear.comp", {}, {{"guarded_curvature", &guarded_curvature_}}));
+      passes.push_back(r.over_deferred("sim/two_level/guarded_curvature_clear.comp", {},
+                                       {{"guarded_curvature", &guarded_curvature_}}));
       passes.back().loops(0);
     }
   }
@@ -175,11 +185,14 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
     constants.emplace_back("curvature_count", pairs_.partials);
     constants.emplace_back("remembers", remembers_ && !first);
   }
-  passes.emplace_back(r.programs.compute("sim/two_level/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}}), std::move(solve), 1,
-                      std::move(constants))
+  passes
+      .emplace_back(r.programs.compute("sim/two_level/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}}),
+                    std::move(solve), 1, std::move(constants))
       .loops(vertices_.partials + pairs_.partials + 2 * Reduction::kGroup);
-  gl::ComputePass::Bindings update{
-      {"subspace_state", &state_}, {"step_before", &last_step_}, {"iterate", &r.buffers.displacement}, {"displacement", &r.buffers.displacement}};
+  gl::ComputePass::Bindings update{{"subspace_state", &state_},
+                                   {"step_before", &last_step_},
+                                   {"iterate", &r.buffers.displacement},
+                                   {"displacement", &r.buffers.displacement}};
   if (!last) {
     update = with_coarse(std::move(update));
     update.emplace_back("fine_direction", &fine_direction_);
@@ -189,7 +202,8 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
   }
   defines.emplace_back("COMPENSATED", r.buffers.displacement_low ? "1" : "0");
   if (r.buffers.displacement_low)
-    update.insert(update.end(), {{"iterate_low", &r.buffers.displacement_low}, {"displacement_low", &r.buffers.displacement_low}});
+    update.insert(update.end(),
+                  {{"iterate_low", &r.buffers.displacement_low}, {"displacement_low", &r.buffers.displacement_low}});
   passes.push_back(r.over_vertices("sim/two_level/subspace_update.comp", defines, std::move(update)));
   return passes;
 }

@@ -1,10 +1,11 @@
-// Two levels: every vertex's own 3x3 block of the step's Hessian, and a coarse space of a few hundred functions whose stiffness turns
-// with the tissue (coarse_level.h). What the blocks cannot see, motion of large parts, the coarse space solves at once, so the number
-// of iterations hardly depends on the mesh. The two corrections z_f and z_c are combined with the last step p by minimising a
-// quadratic model of the objective over their span, with the curvature of the last step taken from the change of the gradient
-// (compare the locally optimal block iteration of Knyazev 2001, and the two-dimensional subspace trust region of Byrd, Schnabel,
-// Shultz 1988); of a step that raises the objective only a part is kept. The first iteration's span has no p: that is inertia's step,
-// so long that the change of the gradient along it is not the curvature at its end (errors in motion were 2 to 3 times larger with it).
+// Two levels: every vertex's own 3x3 block of the step's Hessian, and a coarse space of a few hundred functions whose
+// stiffness turns with the tissue (coarse_level.h). What the blocks cannot see, motion of large parts, the coarse space
+// solves at once, so the number of iterations hardly depends on the mesh. The two corrections z_f and z_c are combined
+// with the last step p by minimising a quadratic model of the objective over their span, with the curvature of the last
+// step taken from the change of the gradient (compare the locally optimal block iteration of Knyazev 2001, and the
+// two-dimensional subspace trust region of Byrd, Schnabel, Shultz 1988); of a step that raises the objective only a
+// part is kept. The first iteration's span has no p: that is inertia's step, so long that the change of the gradient
+// along it is not the curvature at its end (errors in motion were 2 to 3 times larger with it).
 #pragma once
 #include "sim/gpu/acceleration/anderson.h"
 #include "sim/gpu/methods/coarse_level.h"
@@ -15,9 +16,11 @@ namespace fascia {
 
 class TwoLevelMethod : public StepMethod {
  public:
-  /// `subspace`: z_f and z_c each get their own factor. `nonlinear_cg`: their sum gets one. `none`: the same without p. `anderson`:
-  /// their sum gets one, and the direction to what Anderson makes of relaxed sweeps u - 0.4 (z_f + z_c) another.
-  TwoLevelMethod(const gl::ProgramCache& programs, const Model& model, const SimBuffers& buffers, const SolverSettings& settings);
+  /// `subspace`: z_f and z_c each get their own factor. `nonlinear_cg`: their sum gets one. `none`: the same without p.
+  /// `anderson`: their sum gets one, and the direction to what Anderson makes of relaxed sweeps u - 0.4 (z_f + z_c)
+  /// another.
+  TwoLevelMethod(const gl::ProgramCache& programs, const Model& model, const SimBuffers& buffers,
+                 const SolverSettings& settings);
 
   /// The levels stay as they are.
   void set_acceleration(const gl::ProgramCache& programs, const SimBuffers& buffers, const SolverSettings& settings);
@@ -26,10 +29,14 @@ class TwoLevelMethod : public StepMethod {
   void prepare(const Recording& recording) override;
   Passes begin(const Recording& recording) const override;
   Passes refresh(const Recording& recording) const override;
-  Deferral most_deferred(const SimBuffers& buffers, bool) const override { return {1, buffers.pair_and_single_count()}; }
+  Deferral most_deferred(const SimBuffers& buffers, bool) const override {
+    return {1, buffers.pair_and_single_count()};
+  }
   Passes iteration(const Recording& recording, bool first) const override;
   Passes end(const Recording& recording) const override;
-  void values_changed(const Model& model, const SolverSettings& settings) override { coarse_.values_changed(model, settings); }
+  void values_changed(const Model& model, const SolverSettings& settings) override {
+    coarse_.values_changed(model, settings);
+  }
   void set_stiffness(const std::vector<VertexStiffness>& springs) override { coarse_.set_stiffness(springs); }
   bool descends() const override { return true; }
   bool ready() const override { return coarse_.ready(); }
@@ -40,18 +47,20 @@ class TwoLevelMethod : public StepMethod {
 
  private:
   gl::ComputePass objective_sum(const Recording& recording) const;
-  gl::ComputePass sum_for_step(const Recording& recording, const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
+  gl::ComputePass sum_for_step(const Recording& recording, const char* kernel, gl::Defines defines,
+                               gl::ComputePass::Bindings bindings) const;
   Passes subspace_step(const Recording& recording, bool first, bool last) const;
 
-  bool remembers_ = false, splits_ = false;  // whether the span has p, but in the first iteration; whether it has two directions beside it
+  bool remembers_ = false,
+       splits_ = false;  // whether the span has p, but in the first iteration; whether it has two directions beside it
   StepGradient gradient_;
   CoarseLevel coarse_;
   gl::Buffer vertex_tets_, block_inverse_;
   Reduction vertices_, pairs_;
   gl::Buffer fine_direction_, coarse_direction_;  // vec4 [vertex_count]; the two directions, whatever they are
   gl::Buffer last_step_, previous_gradient_;      // vec4 [vertex_count]
-  gl::Buffer partials_, state_;  // partials_: vec4, three sums over the vertices and one over the pairs
-  gl::Buffer guarded_curvature_;  // vec4 [pairs and single tets], with deferred ones: their terms of the curvature
+  gl::Buffer partials_, state_;       // partials_: vec4, three sums over the vertices and one over the pairs
+  gl::Buffer guarded_curvature_;      // vec4 [pairs and single tets], with deferred ones: their terms of the curvature
   std::optional<Anderson> anderson_;  // of the sweeps; its results stand in fine_direction_
 };
 

@@ -8,14 +8,15 @@ namespace fascia {
 
 namespace {
 
-// A few invocations side by side take as long as the one with the most tets: within some hundred neighbors of a color, those with as many
-// are put side by side.
+// A few invocations side by side take as long as the one with the most tets: within some hundred neighbors of a color,
+// those with as many are put side by side.
 VertexColoring alike_together(VertexColoring coloring, const std::vector<std::uint32_t>& tet_begin) {
   constexpr std::uint32_t kNeighbors = 256;
   const auto tets = [&](std::uint32_t v) { return tet_begin[v + 1] - tet_begin[v]; };
   for (std::size_t color = 0; color + 1 < coloring.begin.size(); ++color)
     for (std::uint32_t begin = coloring.begin[color]; begin < coloring.begin[color + 1]; begin += kNeighbors)
-      std::stable_sort(coloring.order.begin() + begin, coloring.order.begin() + std::min(begin + kNeighbors, coloring.begin[color + 1]),
+      std::stable_sort(coloring.order.begin() + begin,
+                       coloring.order.begin() + std::min(begin + kNeighbors, coloring.begin[color + 1]),
                        [&](std::uint32_t a, std::uint32_t b) { return tets(a) > tets(b); });
   return coloring;
 }
@@ -40,7 +41,8 @@ Passes VertexDescentMethod::iteration(const Recording& r, bool) const {
                                      {"color_vertex", &color_vertex_}};
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
   const gl::Defines defines = with_energy_terms(defines_of(r.features), bindings, r.terms);
-  return r.over_ranges_deferring("sim/vertex_descent/vertex_descent.comp", defines, bindings, coloring_.begin, r.loops_of_vertex(), r.buffers.most_tets);
+  return r.over_ranges_deferring("sim/vertex_descent/vertex_descent.comp", defines, bindings, coloring_.begin,
+                                 r.loops_of_vertex(), r.buffers.most_tets);
 }
 
 }  // namespace fascia

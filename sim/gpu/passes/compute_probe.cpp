@@ -3,8 +3,8 @@
 #include <array>
 #include <numeric>
 
-#include "gl/compute_pass.h"
 #include "base/error.h"
+#include "gl/compute_pass.h"
 #include "sim/mesh/mesh_generate.h"
 
 namespace fascia {
@@ -28,15 +28,18 @@ void require_computing(gl::ProgramCache& programs) {
     const auto words = buffer->read<std::uint32_t>();
     for (std::size_t k = 0; k < words.size(); ++k)
       if (words[k] != kWords[k % kWords.size()])
-        throw Error(gl::device().renderer, buffer == &filled ? "a kernel that ran left nothing in its buffer" : "a copy of a buffer is not the buffer",
-                    kExpected);
+        throw Error(
+            gl::device().renderer,
+            buffer == &filled ? "a kernel that ran left nothing in its buffer" : "a copy of a buffer is not the buffer",
+            kExpected);
   }
 }
 
 Model trial_model() {
   Model model;
   model.file_mesh = make_box(2, 2, 2, {0.1, 0.1, 0.1});
-  const auto vertices = static_cast<std::uint32_t>(model.file_mesh.positions.size()), tets = static_cast<std::uint32_t>(model.file_mesh.tets.size());
+  const auto vertices = static_cast<std::uint32_t>(model.file_mesh.positions.size()),
+             tets = static_cast<std::uint32_t>(model.file_mesh.tets.size());
   model.rest_positions = model.file_mesh.positions;
   model.tets = model.file_mesh.tets;
   model.tet_material.assign(tets, 0);

@@ -1,6 +1,6 @@
-// Pairs of tets, or vertices, that need more work than the others: the kernel that meets them puts them on a list, and a second dispatch
-// goes through the list (DEFERS and DEFERRED in shaders/common/io.glsl). Where invocations run in lockstep a branch saves nothing; this
-// way upright tets do not pay for the singular values of those turned inside out.
+// Pairs of tets, or vertices, that need more work than the others: the kernel that meets them puts them on a list, and
+// a second dispatch goes through the list (DEFERS and DEFERRED in shaders/common/io.glsl). Where invocations run in
+// lockstep a branch saves nothing; this way upright tets do not pay for the singular values of those turned inside out.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -9,14 +9,16 @@
 
 namespace fascia {
 
-/// The room that a method needs: lists that are filled one after another before all are emptied, and items on all of them together.
+/// The room that a method needs: lists that are filled one after another before all are emptied, and items on all of
+/// them together.
 struct Deferral {
   std::uint32_t lists = 0, items = 0;
   bool operator==(const Deferral&) const = default;
 };
 
 struct DeferredTets {
-  explicit DeferredTets(Deferral room) : most(room), lists("deferred_items", sizeof(std::uint32_t) * (4 * room.lists + room.items)) {
+  explicit DeferredTets(Deferral room)
+      : most(room), lists("deferred_items", sizeof(std::uint32_t) * (4 * room.lists + room.items)) {
     std::vector<std::uint32_t> words;
     for (std::uint32_t list = 0; list < most.lists; ++list) words.insert(words.end(), {0, 1, 1, 0});
     none = gl::Buffer("no_deferred", words);
@@ -31,7 +33,8 @@ struct DeferredTets {
   }
 
   Deferral most;
-  gl::Buffer lists;  // uint, of each list: work groups of the second dispatch, 1, 1, number of items; after these the items of all
+  gl::Buffer lists;  // uint, of each list: work groups of the second dispatch, 1, 1, number of items; after these the
+                     // items of all
   gl::Buffer none;   // uint [4 * most.lists] what empties them
 };
 

@@ -5,7 +5,9 @@
 namespace fascia {
 namespace {
 
-std::string sum_of(const std::string& sum, const std::string& summand) { return sum.empty() ? summand : sum + " + " + summand; }
+std::string sum_of(const std::string& sum, const std::string& summand) {
+  return sum.empty() ? summand : sum + " + " + summand;
+}
 
 }  // namespace
 

@@ -1,5 +1,6 @@
-// An external energy E(u) of the step's objective, beside masses and tets. The springs of grabs are one; docs/developers/adding.md adds another.
-// On the GPU its functions are NAME_gradient and NAME_stiffness (shaders/sim/energy/terms.glsl).
+// An external energy E(u) of the step's objective, beside masses and tets. The springs of grabs are one;
+// docs/developers/adding.md adds another. On the GPU its functions are NAME_gradient and NAME_stiffness
+// (shaders/sim/energy/terms.glsl).
 #pragma once
 #include <string>
 #include <vector>
@@ -15,17 +16,18 @@ class EnergyTerm {
   virtual ~EnergyTerm() = default;
   /// Of its functions and, in capitals, of the define that includes them.
   virtual std::string name() const = 0;
-  /// Whether it acts anywhere. While it does not, nothing of it is compiled, bound, allocated or dispatched; passes are recorded again
-  /// when that changes.
+  /// Whether it acts anywhere. While it does not, nothing of it is compiled, bound, allocated or dispatched; passes are
+  /// recorded again when that changes.
   virtual bool acts() const = 0;
   /// Adds the buffers that its functions read.
   virtual void bind(gl::ComputePass::Bindings& bindings) const = 0;
   /// The stiffness that it adds to vertices, for the coarse matrix.
   virtual std::vector<VertexStiffness> stiffness() const = 0;
   /// For methods that do not descend the objective: after an iteration, as constraints.
-  virtual std::vector<gl::ComputePass> project(gl::ProgramCache& programs, const SimBuffers& buffers, bool first) const = 0;
-  /// Adds its impulses, h^2 times its forces on the tissue, to what the tets do at a vertex (SimBuffers::correction), so that diagnostics
-  /// count them.
+  virtual std::vector<gl::ComputePass> project(gl::ProgramCache& programs, const SimBuffers& buffers,
+                                               bool first) const = 0;
+  /// Adds its impulses, h^2 times its forces on the tissue, to what the tets do at a vertex (SimBuffers::correction),
+  /// so that diagnostics count them.
   virtual std::vector<gl::ComputePass> impulses(gl::ProgramCache& programs, const SimBuffers& buffers) const = 0;
 };
 

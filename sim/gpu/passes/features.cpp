@@ -13,7 +13,8 @@ std::string capitals(std::string name) {
   return name;
 }
 
-// One of the laws' functions, called for the law that the material has: HAS_MODEL(material, 2.0) ? stable_neo_hookean_block(...) : ...
+// One of the laws' functions, called for the law that the material has: HAS_MODEL(material, 2.0) ?
+// stable_neo_hookean_block(...) : ...
 std::string call_of_law(const std::vector<const MaterialLaw*>& laws, const std::string& function) {
   std::string text;
   for (const MaterialLaw* law : laws) {
@@ -47,11 +48,13 @@ gl::Defines defines_of(const Features& features) {
     defines.emplace_back(capitals(law->name), flag(has));
     if (!has || law->of_strain) continue;
     beyond.push_back(law);
-    any += (any.empty() ? "" : " || ") + ("HAS_MODEL(material, " + std::to_string(static_cast<int>(law->model)) + ".0)");
+    any +=
+        (any.empty() ? "" : " || ") + ("HAS_MODEL(material, " + std::to_string(static_cast<int>(law->model)) + ".0)");
   }
   defines.emplace_back("BEYOND_STRAIN", flag(!beyond.empty()));
   if (beyond.empty()) return defines;
-  defines.emplace_back("IS_BEYOND_STRAIN(material)", beyond.size() == features.models.size() ? "true" : "(" + any + ")");
+  defines.emplace_back("IS_BEYOND_STRAIN(material)",
+                       beyond.size() == features.models.size() ? "true" : "(" + any + ")");
   defines.emplace_back("LAW_RESPONSE(h, material)", call_of_law(beyond, "_response(h, material)"));
   defines.emplace_back("LAW_CURVATURE(h, material, a, b)", call_of_law(beyond, "_curvature(h, material, a, b)"));
   defines.emplace_back("LAW_BLOCK(h, material, b)", call_of_law(beyond, "_block(h, material, b)"));
@@ -74,8 +77,9 @@ gl::ComputePass::Bindings with_damping(gl::ComputePass::Bindings bindings, const
 }
 
 gl::ComputePass::Bindings with_pairs(gl::ComputePass::Bindings bindings, const SimBuffers& buffers) {
-  bindings.insert(bindings.end(),
-                  {{"tet_vertices", &buffers.tet_vertices}, {"tet_shape", &buffers.tet_shape}, {"pair_fifth", &buffers.pair_fifth}});
+  bindings.insert(bindings.end(), {{"tet_vertices", &buffers.tet_vertices},
+                                   {"tet_shape", &buffers.tet_shape},
+                                   {"pair_fifth", &buffers.pair_fifth}});
   return bindings;
 }
 

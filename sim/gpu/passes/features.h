@@ -1,5 +1,5 @@
-// What a scene needs of the kernels. Turns into defines (shaders/sim/feature_*.glsl), so that what is off is not compiled,
-// not bound and not allocated.
+// What a scene needs of the kernels. Turns into defines (shaders/sim/feature_*.glsl), so that what is off is not
+// compiled, not bound and not allocated.
 #pragma once
 #include <set>
 
@@ -27,7 +27,8 @@ gl::ComputePass::Bindings with_damping(gl::ComputePass::Bindings bindings, const
 /// Adds what kernels need that go through pairs of tets (shaders/common/tet_pair.glsl).
 gl::ComputePass::Bindings with_pairs(gl::ComputePass::Bindings bindings, const SimBuffers& buffers);
 gl::ComputePass::Constants constants_of_pairs(const SimBuffers& buffers);
-/// Adds that, and what those need that leave something at the corners of pairs of tets (shaders/common/pair_slots.glsl).
+/// Adds that, and what those need that leave something at the corners of pairs of tets
+/// (shaders/common/pair_slots.glsl).
 gl::ComputePass::Bindings with_slots(gl::ComputePass::Bindings bindings, const SimBuffers& buffers);
 
 }  // namespace fascia

@@ -9,8 +9,8 @@ using shared::vec4;
 
 namespace {
 
-// values[i] to vertices[i] and zeros between near ones: a drag does so in every step, and an upload for each would be a copy on the GPU for
-// each.
+// values[i] to vertices[i] and zeros between near ones: a drag does so in every step, and an upload for each would be a
+// copy on the GPU for each.
 void upload_spans(gl::Buffer& to, const std::vector<std::uint32_t>& vertices, const std::vector<vec4>& values) {
   constexpr std::uint32_t kNear = 1024;
   std::vector<std::size_t> order(vertices.size());
@@ -80,16 +80,18 @@ std::vector<VertexStiffness> GrabSprings::stiffness() const {
   return all;
 }
 
-std::vector<gl::ComputePass> GrabSprings::project(gl::ProgramCache& programs, const SimBuffers& buffers, bool first) const {
+std::vector<gl::ComputePass> GrabSprings::project(gl::ProgramCache& programs, const SimBuffers& buffers,
+                                                  bool first) const {
   std::vector<gl::ComputePass> passes;
-  passes.emplace_back(programs.compute("sim/grab/grab.comp", {{"FIRST_ITERATION", first ? "1" : "0"}}),
-                      gl::ComputePass::Bindings{{"step", &buffers.step},
-                                                {"grab_vertex", &vertex_},
-                                                {"grab_target", &target_},
-                                                {"grab_multiplier", &multiplier_},
-                                                {"predicted", &buffers.predicted},
-                                                {"displacement", &buffers.displacement}},
-                      count())
+  passes
+      .emplace_back(programs.compute("sim/grab/grab.comp", {{"FIRST_ITERATION", first ? "1" : "0"}}),
+                    gl::ComputePass::Bindings{{"step", &buffers.step},
+                                              {"grab_vertex", &vertex_},
+                                              {"grab_target", &target_},
+                                              {"grab_multiplier", &multiplier_},
+                                              {"predicted", &buffers.predicted},
+                                              {"displacement", &buffers.displacement}},
+                    count())
       .loops(0);
   return passes;
 }

@@ -1,5 +1,5 @@
-// Springs that pull patches of vertices to targets: the hands' grip on the tissue. Kernels see one spring per vertex, the sum of all
-// hands there, so that nothing collides. Buffers exist only while something is held.
+// Springs that pull patches of vertices to targets: the hands' grip on the tissue. Kernels see one spring per vertex,
+// the sum of all hands there, so that nothing collides. Buffers exist only while something is held.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -11,27 +11,30 @@ namespace fascia {
 
 class GrabSprings : public EnergyTerm {
  public:
-  /// Replaces all springs, of which several may be at one vertex. Returns true when the vertices changed, so that passes must be
-  /// recorded again.
+  /// Replaces all springs, of which several may be at one vertex. Returns true when the vertices changed, so that
+  /// passes must be recorded again.
   bool set(const std::vector<GrabSpring>& springs);
-  /// Whether the method takes the springs at the vertices (sim/energy/grab.glsl) or as constraints of their own (grab.comp), and whether
-  /// any kernel wants them at the vertices.
+  /// Whether the method takes the springs at the vertices (sim/energy/grab.glsl) or as constraints of their own
+  /// (grab.comp), and whether any kernel wants them at the vertices.
   void set_use(bool at_vertices, bool spread, std::uint32_t vertex_count);
 
   std::string name() const override { return "grab"; }
   bool acts() const override { return !vertices_.empty(); }
-  void bind(gl::ComputePass::Bindings& bindings) const override { bindings.emplace_back("vertex_spring", &vertex_spring_); }
+  void bind(gl::ComputePass::Bindings& bindings) const override {
+    bindings.emplace_back("vertex_spring", &vertex_spring_);
+  }
   std::vector<VertexStiffness> stiffness() const override;
-  std::vector<gl::ComputePass> project(gl::ProgramCache& programs, const SimBuffers& buffers, bool first) const override;
+  std::vector<gl::ComputePass> project(gl::ProgramCache& programs, const SimBuffers& buffers,
+                                       bool first) const override;
   /// Brings multiplier() up to date first, where the springs are at vertices.
   std::vector<gl::ComputePass> impulses(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
 
   void forget();  // the multipliers of the last substep, which the first iteration of the next one would do
   const gl::Buffer& multiplier() const { return multiplier_; }  // vec4 [count] h^2 times the force on the tissue [kg m]
   std::uint32_t count() const { return static_cast<std::uint32_t>(vertices_.size()); }
-  struct Hands {  // whose the springs are
+  struct Hands {                              // whose the springs are
     std::vector<GrabSpring> springs, joined;  // as given; as kernels see them, [count]
-    std::vector<std::uint32_t> place;  // [springs.size()] in joined
+    std::vector<std::uint32_t> place;         // [springs.size()] in joined
   };
   const Hands& hands() const { return hands_; }
 

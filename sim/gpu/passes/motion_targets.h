@@ -1,5 +1,5 @@
-// Vertices that follow the scene's prescribed motions: targets are computed in double precision on the CPU and uploaded once
-// a substep. Nothing is allocated for scenes without motions.
+// Vertices that follow the scene's prescribed motions: targets are computed in double precision on the CPU and uploaded
+// once a substep. Nothing is allocated for scenes without motions.
 #pragma once
 #include <cstdint>
 #include <vector>

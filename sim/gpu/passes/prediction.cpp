@@ -2,8 +2,8 @@
 
 namespace fascia {
 
-gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin, const Start& start,
-                           const ActiveSet* active) {
+gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin,
+                           const Start& start, const ActiveSet* active) {
   gl::ComputePass::Bindings bindings{{"step", &buffers.step},
                                      {"rest_position", &buffers.rest_position},
                                      {"velocity", &buffers.velocity},

@@ -9,12 +9,14 @@ namespace fascia {
 /// Where the iterations of a substep start: at u~, or at u~ without gravity's part of it.
 struct Start {
   bool gravity = true;
-  const gl::Buffer* loose = nullptr;  // uint [vertex_count] not 0 where they start at u~ though `gravity` is false; null: nowhere
+  // Uint [vertex_count] not 0 where they start at u~ though `gravity` is false; null: nowhere
+  const gl::Buffer* loose = nullptr;
 };
 
-/// The first pass of every substep (shaders/sim/step/predict.comp). `copy_begin`: uint [vertex_count + 1], copies before each vertex, of
-/// methods that split a vertex's mass between copies; null for those that do not. `active`: for those vertices only; null: for all.
-gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin, const Start& start = {},
-                           const ActiveSet* active = nullptr);
+/// The first pass of every substep (shaders/sim/step/predict.comp). `copy_begin`: uint [vertex_count + 1], copies
+/// before each vertex, of methods that split a vertex's mass between copies; null for those that do not. `active`: for
+/// those vertices only; null: for all.
+gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin,
+                           const Start& start = {}, const ActiveSet* active = nullptr);
 
 }  // namespace fascia

@@ -26,7 +26,8 @@ Passes Recording::projections(bool first) const {
   return passes;
 }
 
-gl::ComputePass Recording::over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
+gl::ComputePass Recording::over_vertices(const char* kernel, gl::Defines defines,
+                                         gl::ComputePass::Bindings bindings) const {
   if (active) list(defines, bindings, active->vertices);
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.vertex_count);
   pass.loops(0);
@@ -34,7 +35,8 @@ gl::ComputePass Recording::over_vertices(const char* kernel, gl::Defines defines
   return pass;
 }
 
-gl::ComputePass Recording::over_tets(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
+gl::ComputePass Recording::over_tets(const char* kernel, gl::Defines defines,
+                                     gl::ComputePass::Bindings bindings) const {
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.tet_count);
   pass.loops(loops_of_tet());
   return pass;
@@ -44,33 +46,39 @@ gl::ComputePass Recording::over_pairs(const char* kernel, gl::Defines defines, g
                                       gl::ComputePass::Constants constants) const {
   if (active) list(defines, bindings, active->pairs);
   append_pairs(constants, buffers);
-  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.pair_and_single_count(), std::move(constants));
+  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.pair_and_single_count(),
+                       std::move(constants));
   pass.loops(loops_of_pair());
   if (active) pass.follow("invocations", active->pair_count);
   return pass;
 }
 
-Passes Recording::over_pairs_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings) const {
+Passes Recording::over_pairs_deferring(const char* kernel, const gl::Defines& defines,
+                                       const gl::ComputePass::Bindings& bindings) const {
   if (!deferred) return {over_pairs(kernel, defines, bindings)};
   auto [first_defines, first_bindings] = deferring(defines, bindings);
-  Passes passes{over_pairs(kernel, std::move(first_defines), std::move(first_bindings), list_constants(deferred->most, 0, 0))};
+  Passes passes{
+      over_pairs(kernel, std::move(first_defines), std::move(first_bindings), list_constants(deferred->most, 0, 0))};
   passes.back().loops(0);
   passes.back().copy_first(deferred->none, deferred->lists);
   passes.push_back(over_deferred(kernel, defines, bindings));
   return passes;
 }
 
-gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings) const {
+gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines,
+                                         gl::ComputePass::Bindings bindings) const {
   gl::ComputePass::Constants constants = list_constants(deferred->most, 0, 0);
   append_pairs(constants, buffers);
-  gl::ComputePass pass =
-      over_deferred(kernel, std::move(defines), std::move(bindings), 0, buffers.pair_and_single_count(), std::move(constants));
+  gl::ComputePass pass = over_deferred(kernel, std::move(defines), std::move(bindings), 0,
+                                       buffers.pair_and_single_count(), std::move(constants));
   pass.loops(loops_of_pair());
   return pass;
 }
 
-Passes Recording::over_ranges_deferring(const char* kernel, const gl::Defines& defines, const gl::ComputePass::Bindings& bindings,
-                                        const std::vector<std::uint32_t>& begin, std::uint32_t loops, std::uint32_t decompositions) const {
+Passes Recording::over_ranges_deferring(const char* kernel, const gl::Defines& defines,
+                                        const gl::ComputePass::Bindings& bindings,
+                                        const std::vector<std::uint32_t>& begin, std::uint32_t loops,
+                                        std::uint32_t decompositions) const {
   const std::uint32_t loops_decomposing = loops + decompositions * loops_of_tet();
   Passes passes;
   for (std::uint32_t k = 0; k + 1 < begin.size(); ++k) {
@@ -82,7 +90,8 @@ Passes Recording::over_ranges_deferring(const char* kernel, const gl::Defines& d
     }
     auto [first_defines, first_bindings] = deferring(defines, bindings);
     for (auto& constant : list_constants(deferred->most, k, begin[k])) constants.push_back(std::move(constant));
-    passes.emplace_back(programs.compute(kernel, first_defines), std::move(first_bindings), count, constants).loops(loops);
+    passes.emplace_back(programs.compute(kernel, first_defines), std::move(first_bindings), count, constants)
+        .loops(loops);
     if (k == 0) passes.back().copy_first(deferred->none, deferred->lists);
     passes.push_back(over_deferred(kernel, defines, bindings, k, count, std::move(constants)));
     passes.back().loops(loops_decomposing);
@@ -90,14 +99,16 @@ Passes Recording::over_ranges_deferring(const char* kernel, const gl::Defines& d
   return passes;
 }
 
-std::pair<gl::Defines, gl::ComputePass::Bindings> Recording::deferring(gl::Defines defines, gl::ComputePass::Bindings bindings) const {
+std::pair<gl::Defines, gl::ComputePass::Bindings> Recording::deferring(gl::Defines defines,
+                                                                       gl::ComputePass::Bindings bindings) const {
   defines.emplace_back("DEFERS", "1");
   bindings.emplace_back("deferred", &deferred->lists);
   return {std::move(defines), std::move(bindings)};
 }
 
-gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings, std::uint32_t list,
-                                         std::uint32_t most, gl::ComputePass::Constants constants) const {
+gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings,
+                                         std::uint32_t list, std::uint32_t most,
+                                         gl::ComputePass::Constants constants) const {
   defines.emplace_back("DEFERRED", "1");
   bindings.emplace_back("deferred_items", &deferred->lists);
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), most, std::move(constants));
@@ -105,8 +116,9 @@ gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines
   return pass;
 }
 
-gl::ComputePass Recording::sum_over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings,
-                                             const Reduction& sum, gl::ComputePass::Constants constants) const {
+gl::ComputePass Recording::sum_over_vertices(const char* kernel, gl::Defines defines,
+                                             gl::ComputePass::Bindings bindings, const Reduction& sum,
+                                             gl::ComputePass::Constants constants) const {
   if (active) list(defines, bindings, active->vertices);
   constants.emplace_back("vertex_count", buffers.vertex_count);
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), sum.lanes, std::move(constants));
@@ -116,7 +128,7 @@ gl::ComputePass Recording::sum_over_vertices(const char* kernel, gl::Defines def
 }
 
 gl::ComputePass Recording::sum_over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings,
-                                         const Reduction& sum, gl::ComputePass::Constants constants) const {
+                                          const Reduction& sum, gl::ComputePass::Constants constants) const {
   if (active) list(defines, bindings, active->pairs);
   append_pairs(constants, buffers);
   constants.emplace_back("pair_and_single_count", buffers.pair_and_single_count());

@@ -17,16 +17,22 @@ struct Reduction {
 
   /// `wide`: the kernel does more for an item than to add it up, and on a GPU needs as many invocations as another one.
   Reduction(const gl::ProgramCache& programs, std::uint32_t items, bool wide = false) {
-    // Software renderers get few lanes, whose sums one invocation adds up, of large meshes enough for many cores; GPUs get many, and a
-    // tree leaves one sum per group.
+    // Software renderers get few lanes, whose sums one invocation adds up, of large meshes enough for many cores; GPUs
+    // get many, and a tree leaves one sum per group.
     const bool tree = programs.load_path() == gl::LoadPath::storage;
-    const std::uint32_t share = !tree ? 16 : wide ? 1 : 4, most = !tree ? std::max(256u, items / 128) : wide ? 32768 : 4096;
+    const std::uint32_t share = !tree  ? 16
+                                : wide ? 1
+                                       : 4,
+                        most = !tree  ? std::max(256u, items / 128)
+                               : wide ? 32768
+                                      : 4096;
     lanes = whole_groups(std::clamp(items / share, kGroup, most));
     partials = tree ? lanes / kGroup : lanes;
   }
 };
 
-/// Lanes of a sum whose partials, one of each lane, the CPU adds up: few enough to read back cheaply, enough to fill a GPU.
+/// Lanes of a sum whose partials, one of each lane, the CPU adds up: few enough to read back cheaply, enough to fill a
+/// GPU.
 inline std::uint32_t lanes_read_back(std::uint32_t items, std::uint32_t most) {
   return Reduction::whole_groups(std::clamp(items / 16, Reduction::kGroup, most));
 }

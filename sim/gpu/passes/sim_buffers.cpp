@@ -19,7 +19,8 @@ vec4 to_vec4(const Eigen::Vector3d& v, double w) {
 }
 
 vec4 to_vec4(const Material& m) {
-  const float model = static_cast<float>(m.model) + (m.model == MaterialModel::mooney_rivlin ? 0.5f * static_cast<float>(m.mooney_ratio) : 0);
+  const float model = static_cast<float>(m.model) +
+                      (m.model == MaterialModel::mooney_rivlin ? 0.5f * static_cast<float>(m.mooney_ratio) : 0);
   return {static_cast<float>(m.young_modulus), static_cast<float>(m.poisson_ratio), static_cast<float>(m.damping),
           model};
 }
@@ -44,13 +45,14 @@ struct Shape {
   }
 };
 
-// The shapes of tets in the order of a TetPairing, its pairs aligned, and what shaders/common/tet_pair.glsl reads of their second ones; the
-// fifth corners' slots are left to others.
+// The shapes of tets in the order of a TetPairing, its pairs aligned, and what shaders/common/tet_pair.glsl reads of
+// their second ones; the fifth corners' slots are left to others.
 struct Shapes {
   std::vector<vec4> rows;
   std::vector<Tet> fifth;
 
-  Shapes(const Model& model, const std::vector<Tet>& tets, std::uint32_t pair_count) : rows(3 * tets.size()), fifth(tets.size() - pair_count) {
+  Shapes(const Model& model, const std::vector<Tet>& tets, std::uint32_t pair_count)
+      : rows(3 * tets.size()), fifth(tets.size() - pair_count) {
     const auto bits = [](double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); };
     for (std::size_t t = 0; t < tets.size(); ++t) {
       const Shape a(model, tets[t]);
@@ -66,7 +68,8 @@ struct Shapes {
       } else if (t < fifth.size()) {
         fifth[t] = {tets[t][3], 0, bits(-1), bits(a.volume)};
       }
-      for (int k = 0; k < 3; ++k) rows[3 * t + static_cast<std::size_t>(k)] = to_vec4(a.gradients.row(k).transpose(), beside[k]);
+      for (int k = 0; k < 3; ++k)
+        rows[3 * t + static_cast<std::size_t>(k)] = to_vec4(a.gradients.row(k).transpose(), beside[k]);
     }
   }
 };
@@ -143,7 +146,8 @@ void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
   std::vector<std::uint32_t> before = tets_before(ordered, vertex_count);
   Shapes shapes(model, ordered, pairing.pair_count);
   Slots slots(ordered, pairing.pair_count, vertex_count, shapes.fifth);
-  gl::Buffer vertices("tet_vertices", ordered), rows("tet_shape", shapes.rows), fifth("pair_fifth", shapes.fifth), begins("tet_begin", before);
+  gl::Buffer vertices("tet_vertices", ordered), rows("tet_shape", shapes.rows), fifth("pair_fifth", shapes.fifth),
+      begins("tet_begin", before);
   if (!material.empty()) tet_material = gl::Buffer("tet_material", material);
   tet_vertices = std::move(vertices);
   tet_shape = std::move(rows);
@@ -174,7 +178,8 @@ void SimBuffers::upload_state(const Model& model, const State& state) {
   displacement.upload(0, values.size() * sizeof(vec4), values.data());
   if (displacement_low) {
     for (std::size_t i = 0; i < vertex_count; ++i)
-      values[i] = to_vec4(state.displacement[placement.vertex[i]] - Eigen::Vector3d(values[i].x, values[i].y, values[i].z), 0);
+      values[i] =
+          to_vec4(state.displacement[placement.vertex[i]] - Eigen::Vector3d(values[i].x, values[i].y, values[i].z), 0);
     displacement_low.upload(0, values.size() * sizeof(vec4), values.data());
   }
   const std::vector<char> held = model.held();
@@ -197,7 +202,8 @@ std::vector<Eigen::Vector3d> SimBuffers::download_vectors(const gl::Buffer& buff
   buffer.download(0, values.size() * sizeof(vec4), values.data());
   std::vector<Eigen::Vector3d> vectors;
   vectors.reserve(vertex_count);
-  for (const std::uint32_t place : placement.place) vectors.emplace_back(values[place].x, values[place].y, values[place].z);
+  for (const std::uint32_t place : placement.place)
+    vectors.emplace_back(values[place].x, values[place].y, values[place].z);
   return vectors;
 }
 
@@ -222,11 +228,12 @@ void SimBuffers::upload_materials(const Model& model) {
 
 void SimBuffers::upload_step(const Model& model, const SolverSettings& settings) {
   const double h = settings.substep();
-  const shared::StepValues values{to_vec4(model.gravity, h),
-                                  {static_cast<float>(settings.spectral_radius), static_cast<float>(settings.iterations),
-                                   static_cast<float>(settings.tolerance), static_cast<float>(1 / mean_mass)},
-                                  to_vec4(model.materials.front()),
-                                  {static_cast<float>(kFarthest * (size + h * h * model.gravity.norm())), 0, 0, 0}};
+  const shared::StepValues values{
+      to_vec4(model.gravity, h),
+      {static_cast<float>(settings.spectral_radius), static_cast<float>(settings.iterations),
+       static_cast<float>(settings.tolerance), static_cast<float>(1 / mean_mass)},
+      to_vec4(model.materials.front()),
+      {static_cast<float>(kFarthest * (size + h * h * model.gravity.norm())), 0, 0, 0}};
   step.upload(0, sizeof values, &values);
 }
 

@@ -6,19 +6,16 @@ StepGradient::StepGradient(const SimBuffers& buffers)
     : gradient_("gradient", buffers.vertex_count * sizeof(shared::vec4)) {}
 
 Passes StepGradient::passes(const Recording& r) const {
-  gl::ComputePass::Bindings tet{{"step", &r.buffers.step},
-                                {"displacement", &r.buffers.displacement}};
-  tet = with_damping(with_material(with_slots(std::move(tet), r.buffers), r.features, r.buffers), r.features, r.previous_strain);
+  gl::ComputePass::Bindings tet{{"step", &r.buffers.step}, {"displacement", &r.buffers.displacement}};
+  tet = with_damping(with_material(with_slots(std::move(tet), r.buffers), r.features, r.buffers), r.features,
+                     r.previous_strain);
   gl::Defines tet_defines = defines_of(r.features);
   tet_defines.emplace_back("COMPENSATED", r.buffers.displacement_low ? "1" : "0");
   if (r.buffers.displacement_low) tet.emplace_back("displacement_low", &r.buffers.displacement_low);
-  gl::ComputePass::Bindings vertex{{"step", &r.buffers.step},
-                                   {"displacement", &r.buffers.displacement},
-                                   {"predicted", &r.buffers.predicted},
-                                   {"mass", &r.buffers.mass},
-                                   {"slot_begin", &r.buffers.slot_begin},
-                                   {"correction", &r.buffers.correction},
-                                   {"gradient", &gradient_}};
+  gl::ComputePass::Bindings vertex{
+      {"step", &r.buffers.step}, {"displacement", &r.buffers.displacement}, {"predicted", &r.buffers.predicted},
+      {"mass", &r.buffers.mass}, {"slot_begin", &r.buffers.slot_begin},     {"correction", &r.buffers.correction},
+      {"gradient", &gradient_}};
   const gl::Defines vertex_defines = with_energy_terms({}, vertex, r.terms);
   Passes passes;
   append(passes, r.over_pairs_deferring("sim/elasticity/elastic_force.comp", tet_defines, tet));

@@ -1,5 +1,5 @@
-// The objective of an implicit Euler step and its gradient at the displacements, 1/2 (u - u~)^T M (u - u~) + h^2 U(u), springs of
-// the grab included: what the methods that descend it start every iteration with.
+// The objective of an implicit Euler step and its gradient at the displacements, 1/2 (u - u~)^T M (u - u~) + h^2 U(u),
+// springs of the grab included: what the methods that descend it start every iteration with.
 #pragma once
 #include "sim/gpu/passes/recording.h"
 
@@ -17,8 +17,8 @@ class StepGradient {
   gl::Buffer gradient_;
 };
 
-/// Tets around every vertex for kernels that include vertex_block.glsl: uint [4 * tet_count], 4 * tet + corner, those of a vertex
-/// from its place in tet_begin on, as the tets are ordered now.
+/// Tets around every vertex for kernels that include vertex_block.glsl: uint [4 * tet_count], 4 * tet + corner, those
+/// of a vertex from its place in tet_begin on, as the tets are ordered now.
 gl::Buffer make_vertex_tets(const SimBuffers& buffers);
 
 }  // namespace fascia

@@ -30,14 +30,13 @@ DiagnosticsReader::DiagnosticsReader(const SimBuffers& buffers)
 void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
                                const gl::Buffer& previous_strain, const EnergyTerms& terms) {
   passes_.clear();
-  gl::ComputePass::Bindings tet{{"step", &buffers.step},
-                                {"displacement", &buffers.displacement},
-                                {"tet_partials", &tet_partials_}};
+  gl::ComputePass::Bindings tet{
+      {"step", &buffers.step}, {"displacement", &buffers.displacement}, {"tet_partials", &tet_partials_}};
   tet = with_damping(with_material(with_slots(std::move(tet), buffers), features, buffers), features, previous_strain);
   gl::ComputePass::Constants tet_constants = constants_of_pairs(buffers);
   tet_constants.emplace_back("pair_and_single_count", buffers.pair_and_single_count());
-  passes_.emplace_back(programs.compute("sim/readback/diagnose_tet.comp", defines_of(features)), std::move(tet), tet_partial_count_,
-                       std::move(tet_constants));
+  passes_.emplace_back(programs.compute("sim/readback/diagnose_tet.comp", defines_of(features)), std::move(tet),
+                       tet_partial_count_, std::move(tet_constants));
   for (const EnergyTerm* term : terms)
     if (term->acts())
       for (gl::ComputePass& pass : term->impulses(programs, buffers)) passes_.push_back(std::move(pass));
@@ -61,15 +60,15 @@ void DiagnosticsReader::request(const GrabSprings& grab, double substep, double 
   Pending& p = pending_[newest_];
   const std::size_t grab_bytes = grab.count() * sizeof(shared::vec4);
   const std::size_t probe_bytes = probe_ ? sizeof(shared::vec4) : 0;
-  const std::size_t bytes =
-      tet_partials_.bytes() + vertex_partials_.bytes() + grab_bytes + probe_bytes + (stop_state ? stop_state->bytes() : 0);
+  const std::size_t bytes = tet_partials_.bytes() + vertex_partials_.bytes() + grab_bytes + probe_bytes +
+                            (stop_state ? stop_state->bytes() : 0);
   if (p.staging.bytes() != bytes) p.staging = gl::Buffer::staging("diagnostics_staging", bytes);
   gl::BindBuffer(GL_COPY_WRITE_BUFFER, p.staging.id());
   std::size_t offset = 0;
   const auto copy_part = [&](const gl::Buffer& from, std::size_t begin, std::size_t size) {
     gl::BindBuffer(GL_COPY_READ_BUFFER, from.id());
-    gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(begin), static_cast<GLintptr>(offset),
-                          static_cast<GLsizeiptr>(size));
+    gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(begin),
+                          static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size));
     offset += size;
   };
   const auto copy = [&](const gl::Buffer& from) { copy_part(from, 0, from.bytes()); };
@@ -104,7 +103,8 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
   std::vector<shared::vec4> grabbed(pending.hands.joined.size());
   pending.staging.download(0, tet_partials_.bytes(), tets.data());
   pending.staging.download(tet_partials_.bytes(), vertex_partials_.bytes(), vertices.data());
-  const std::size_t grab_begin = tet_partials_.bytes() + vertex_partials_.bytes(), grab_bytes = grabbed.size() * sizeof(shared::vec4);
+  const std::size_t grab_begin = tet_partials_.bytes() + vertex_partials_.bytes(),
+                    grab_bytes = grabbed.size() * sizeof(shared::vec4);
   if (!grabbed.empty()) pending.staging.download(grab_begin, grab_bytes, grabbed.data());
   std::size_t next = grab_begin + grab_bytes;
   Diagnostics d;
@@ -163,7 +163,8 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
   d.max_speed = std::sqrt(speed2);
   d.volume_ratio = 1 + growth / volume_;
   // What is not finite in one tet or at one vertex is not finite in the sums either.
-  d.finite = std::isfinite(d.elastic) && std::isfinite(growth) && std::isfinite(d.gravitational) && d.angular_momentum.allFinite();
+  d.finite = std::isfinite(d.elastic) && std::isfinite(growth) && std::isfinite(d.gravitational) &&
+             d.angular_momentum.allFinite();
   return d;
 }
 

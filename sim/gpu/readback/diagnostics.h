@@ -18,22 +18,23 @@ struct Diagnostics {
   /// |g| / (|M (u - u~)| + |h^2 f| + |h^2 loads|) with g = M (u - u~) - h^2 f over free vertices: 0 is solved, 1 is
   /// nothing solved. Zero when all forces are below the rounding of the motion itself.
   double residual = 0;
-  double time = 0;                                                  // simulated, of the state that was measured [s]
-  double kinetic = 0, elastic = 0, gravitational = 0;               // [J]; gravitational: 0 at the rest positions
-  double volume_ratio = 1;                                          // of all tets together, over their volume at rest
-  Eigen::Vector3d momentum{0, 0, 0}, angular_momentum{0, 0, 0};     // [kg m/s], [kg m^2/s]
-  Eigen::Vector3d reaction{0, 0, 0};                                // of the supports on the body [N]
-  Eigen::Vector3d grab_force{0, 0, 0};                              // of all hands on the body [N]
-  std::vector<HandForce> hand_forces;                               // of each of them
-  Eigen::Vector3d inertia{0, 0, 0};                                 // mass times acceleration, of free vertices [N]
-  /// reaction + grab_force + `weight` - inertia over the largest of them [-]: nothing where the last step is solved, since the
-  /// forces inside a body cancel. The weight is that of the whole scene [N]. 0 where there are no forces beyond rounding.
+  double time = 0;                                               // simulated, of the state that was measured [s]
+  double kinetic = 0, elastic = 0, gravitational = 0;            // [J]; gravitational: 0 at the rest positions
+  double volume_ratio = 1;                                       // of all tets together, over their volume at rest
+  Eigen::Vector3d momentum{0, 0, 0}, angular_momentum{0, 0, 0};  // [kg m/s], [kg m^2/s]
+  Eigen::Vector3d reaction{0, 0, 0};                             // of the supports on the body [N]
+  Eigen::Vector3d grab_force{0, 0, 0};                           // of all hands on the body [N]
+  std::vector<HandForce> hand_forces;                            // of each of them
+  Eigen::Vector3d inertia{0, 0, 0};                              // mass times acceleration, of free vertices [N]
+  /// reaction + grab_force + `weight` - inertia over the largest of them [-]: nothing where the last step is solved,
+  /// since the forces inside a body cancel. The weight is that of the whole scene [N]. 0 where there are no forces
+  /// beyond rounding.
   double imbalance(const Eigen::Vector3d& weight) const;
   double force_rounding = 0;  // [N] of the inertia in float32, at most
   double min_det_f = 1, max_det_f = 1, max_strain = 0, max_von_mises = 0, max_speed = 0;  // [-], [-], [-], [Pa], [m/s]
   double rms_strain = 0;  // root of the mean of |strain|^2 (Frobenius) over the volume
   int inverted = 0;
-  std::optional<int> iterations;  // of the last substep, where solver.tolerance ends them
+  std::optional<int> iterations;         // of the last substep, where solver.tolerance ends them
   std::optional<Eigen::Vector3d> probe;  // displacement of the vertex of set_probe [m]
   bool finite = true;
 };
@@ -45,10 +46,12 @@ class DiagnosticsReader {
               const gl::Buffer& previous_strain, const EnergyTerms& terms);
   /// A vertex whose displacement is read beside the sums; none: nothing more is read.
   void set_probe(std::optional<std::uint32_t> vertex) { probe_ = vertex; }
-  /// Dispatches the sums over the current state, of `time` [s], and queues their copy. `substep` h [s]. `stop_state`: of a StopRule,
-  /// or null.
+  /// Dispatches the sums over the current state, of `time` [s], and queues their copy. `substep` h [s]. `stop_state`:
+  /// of a StopRule, or null.
   void request(const GrabSprings& grab, double substep, double time, const gl::Buffer* stop_state);
-  bool pending() const { return pending_[0].fence.is_set() || pending_[1].fence.is_set(); }  // a request was not taken yet
+  bool pending() const {
+    return pending_[0].fence.is_set() || pending_[1].fence.is_set();
+  }  // a request was not taken yet
   /// The newest finished request, if there is one that was not taken yet. With `wait`, the last request.
   std::optional<Diagnostics> take(bool wait);
 
@@ -63,8 +66,8 @@ class DiagnosticsReader {
   Diagnostics sum_up(const Pending& pending) const;
 
   std::uint32_t tet_partial_count_, vertex_partial_count_;
-  bool leaves_out_;  // tets, which are as they are at rest
-  double volume_;    // of all tets [m^3]
+  bool leaves_out_;          // tets, which are as they are at rest
+  double volume_;            // of all tets [m^3]
   const double& mean_mass_;  // [kg] follows the materials
   const gl::Buffer& displacement_;
   std::optional<std::uint32_t> probe_;

@@ -1,4 +1,5 @@
-// Smallest and largest value of the heat map that is shown, for a color bar that follows it: computed on the GPU, read without waiting.
+// Smallest and largest value of the heat map that is shown, for a color bar that follows it: computed on the GPU, read
+// without waiting.
 #pragma once
 #include <Eigen/Core>
 #include <optional>
@@ -15,7 +16,8 @@ class ShownRange {
   /// Over the positions of now, which the CPU may ask for a frame later.
   void request();
   bool pending() const { return fence_.is_set(); }
-  /// Of the last request, once: smallest and largest; with `wait`, waits for the GPU. Nothing while it is not there or no value is finite.
+  /// Of the last request, once: smallest and largest; with `wait`, waits for the GPU. Nothing while it is not there or
+  /// no value is finite.
   std::optional<Eigen::Vector2d> take(bool wait);
 
  private:

@@ -1,6 +1,7 @@
 // Keeps a state to go back to. The last pass of every substep notes a vertex that is not finite or has run away
-// (shaders/sim/step/velocity.comp); the guard copies that note and the state beside it on the GPU, so that no frame waits, and keeps the
-// copy as soon as the note turns out to be empty. It also measures how much the state has moved since the one it keeps.
+// (shaders/sim/step/velocity.comp); the guard copies that note and the state beside it on the GPU, so that no frame
+// waits, and keeps the copy as soon as the note turns out to be empty. It also measures how much the state has moved
+// since the one it keeps.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -16,8 +17,9 @@ namespace fascia {
 class StateGuard {
  public:
   struct Verdict {
-    std::optional<std::uint32_t> astray;  // the place of a vertex that is lost; none: the state is kept as the last good one
-    Movement movement;                    // since the good one before it
+    std::optional<std::uint32_t>
+        astray;         // the place of a vertex that is lost; none: the state is kept as the last good one
+    Movement movement;  // since the good one before it
   };
 
   StateGuard(gl::ProgramCache& programs, SimBuffers& buffers);

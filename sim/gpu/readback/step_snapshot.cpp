@@ -15,7 +15,8 @@ void StepSnapshot::request(const SimBuffers& buffers) {
 
 std::optional<SolvedStep> StepSnapshot::take(const SimBuffers& buffers, bool wait) {
   if (!fence_.take(wait)) return std::nullopt;
-  return SolvedStep{buffers.download_vectors(previous_), buffers.download_vectors(predicted_), buffers.download_vectors(solution_)};
+  return SolvedStep{buffers.download_vectors(previous_), buffers.download_vectors(predicted_),
+                    buffers.download_vectors(solution_)};
 }
 
 }  // namespace fascia

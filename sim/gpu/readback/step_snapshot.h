@@ -1,5 +1,5 @@
-// What a substep started from and what the solver made of it, copied on the GPU and read when it is there, so that no frame waits: for
-// comparisons with the exact step.
+// What a substep started from and what the solver made of it, copied on the GPU and read when it is there, so that no
+// frame waits: for comparisons with the exact step.
 #pragma once
 #include <optional>
 
@@ -9,9 +9,10 @@
 namespace fascia {
 
 struct SolvedStep {
-  std::vector<Eigen::Vector3d> previous;   // [vertex_count] u_n [m]
-  std::vector<Eigen::Vector3d> predicted;  // [vertex_count] u~, where inertia, gravity and prescribed motions alone lead [m]
-  std::vector<Eigen::Vector3d> solution;   // [vertex_count] u_n+1 [m]
+  std::vector<Eigen::Vector3d> previous;  // [vertex_count] u_n [m]
+  std::vector<Eigen::Vector3d>
+      predicted;  // [vertex_count] u~, where inertia, gravity and prescribed motions alone lead [m]
+  std::vector<Eigen::Vector3d> solution;  // [vertex_count] u_n+1 [m]
 };
 
 class StepSnapshot {

@@ -48,21 +48,20 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
     defines.emplace_back("HEAT_VON_MISES", flag(color == ColorBy::von_mises));
     defines.emplace_back("HEAT_LARGEST_STRESS", flag(color == ColorBy::largest_stress));
     defines.emplace_back("HEAT_SMALLEST_STRESS", flag(color == ColorBy::smallest_stress));
-    gl::ComputePass::Bindings tet{{"step", &buffers.step},
-                                  {"displacement", &buffers.displacement}};
+    gl::ComputePass::Bindings tet{{"step", &buffers.step}, {"displacement", &buffers.displacement}};
     passes_.emplace_back(programs.compute("sim/readback/heat_tet.comp", defines),
-                         with_material(with_slots(std::move(tet), buffers), features, buffers), buffers.pair_and_single_count(),
-                         constants_of_pairs(buffers));
+                         with_material(with_slots(std::move(tet), buffers), features, buffers),
+                         buffers.pair_and_single_count(), constants_of_pairs(buffers));
     publish.emplace_back("slot_begin", &buffers.slot_begin);
     publish.emplace_back("correction", &buffers.correction);
   }
-  passes_.emplace_back(programs.compute("sim/readback/publish.comp", {{"HEAT_BY_TET", flag(by_tet)},
-                                                             {"HEAT_BY_VERTEX", flag(by_vertex)},
-                                                             {"HEAT_VELOCITY", flag(color == ColorBy::velocity)},
-                                                             {"HEAT_DISPLACEMENT", flag(color == ColorBy::displacement)},
-                                                             {"HEAT_AT_REST", color == ColorBy::volume_ratio ? "1.0" : "0.0"}}),
-                       std::move(publish),
-                       buffers.vertex_count);
+  passes_.emplace_back(
+      programs.compute("sim/readback/publish.comp", {{"HEAT_BY_TET", flag(by_tet)},
+                                                     {"HEAT_BY_VERTEX", flag(by_vertex)},
+                                                     {"HEAT_VELOCITY", flag(color == ColorBy::velocity)},
+                                                     {"HEAT_DISPLACEMENT", flag(color == ColorBy::displacement)},
+                                                     {"HEAT_AT_REST", color == ColorBy::volume_ratio ? "1.0" : "0.0"}}),
+      std::move(publish), buffers.vertex_count);
   if (!heat) range_.reset();
   if (heat && !range_) range_.emplace(programs, positions_, vertex_count_);
   if (embedded_count_ == 0) return;
@@ -72,8 +71,8 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
                                   {"displacement", &buffers.displacement},
                                   {"position", &positions_}};
   if (heat) embed.emplace_back("placed_vertex", &buffers.placed_vertex);
-  passes_.emplace_back(programs.compute("sim/readback/embed.comp", {{"HEAT", heat ? "1" : "0"}}), std::move(embed), embedded_count_,
-                       gl::ComputePass::Constants{{"vertex_count", vertex_count_}});
+  passes_.emplace_back(programs.compute("sim/readback/embed.comp", {{"HEAT", heat ? "1" : "0"}}), std::move(embed),
+                       embedded_count_, gl::ComputePass::Constants{{"vertex_count", vertex_count_}});
 }
 
 void SurfacePositions::set_vertex_errors(const std::vector<float>& errors) {

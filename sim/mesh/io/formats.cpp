@@ -60,8 +60,7 @@ std::map<std::string, std::vector<std::uint32_t>> region_groups(const TetMesh& m
   return groups;
 }
 
-std::vector<std::pair<std::string, const std::vector<std::uint32_t>*>> groups_beyond_regions(
-    const TetMesh& mesh) {
+std::vector<std::pair<std::string, const std::vector<std::uint32_t>*>> groups_beyond_regions(const TetMesh& mesh) {
   const auto of_regions = region_groups(mesh);
   std::vector<std::pair<std::string, const std::vector<std::uint32_t>*>> out;
   for (const auto& [name, vertices] : mesh.groups) {
@@ -90,9 +89,8 @@ void finish_mesh(MeshFile& file, const std::string& where) {
   if (mesh.tets.empty()) {
     const std::string triangles = counted(ignored.triangles, "triangle", "triangles");
     if (ignored.triangles > 0 && ignored.others == 0) {
-      throw Error(
-          where, "holds " + triangles + " but no tets",
-          "expected a tetrahedral mesh: a tet mesher such as gmsh or tetgen can fill a closed surface");
+      throw Error(where, "holds " + triangles + " but no tets",
+                  "expected a tetrahedral mesh: a tet mesher such as gmsh or tetgen can fill a closed surface");
     }
     throw Error(where,
                 "holds no tets (" + counted(mesh.positions.size(), "vertex", "vertices") + ", " +
@@ -100,7 +98,8 @@ void finish_mesh(MeshFile& file, const std::string& where) {
                     counted(ignored.others, "other cell", "other cells") + ")",
                 "expected at least one");
   }
-  if (ignored.others > 0) file.notes.push_back(counted(ignored.others, "cell", "cells") + " of other kinds than tets left out.");
+  if (ignored.others > 0)
+    file.notes.push_back(counted(ignored.others, "cell", "cells") + " of other kinds than tets left out.");
   mesh.regions.resize(mesh.tets.size(), 0);
   for (auto& [name, vertices] : region_groups(mesh)) {
     std::vector<std::uint32_t>& group = mesh.groups[name];

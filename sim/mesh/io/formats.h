@@ -22,14 +22,17 @@ void read_medit(Scanner& in, MeshFile& file);
 /// Gives the content of a file by its name, beside the one that is read. Throws Error.
 using ReadBeside = std::function<std::string(const std::string& name)>;
 
-/// `path` is the .node or the .ele file and `content` what is in it; the other one is read, on disk if `read_beside` is empty.
-void read_tetgen(const std::filesystem::path& path, std::string_view content, MeshFile& file, const ReadBeside& read_beside = {});
+/// `path` is the .node or the .ele file and `content` what is in it; the other one is read, on disk if `read_beside` is
+/// empty.
+void read_tetgen(const std::filesystem::path& path, std::string_view content, MeshFile& file,
+                 const ReadBeside& read_beside = {});
 /// As read_tetgen of two files with these contents.
 void read_tetgen_content(const std::filesystem::path& node_path, std::string_view node,
                          const std::filesystem::path& ele_path, std::string_view ele, MeshFile& file);
 
 /// As read_mesh of a file with this content.
-MeshFile read_mesh_content(const std::filesystem::path& path, std::string_view content, const ReadBeside& read_beside = {});
+MeshFile read_mesh_content(const std::filesystem::path& path, std::string_view content,
+                           const ReadBeside& read_beside = {});
 
 /// `where` is the file's name for the Error about what a format cannot hold.
 std::string gmsh41_text(const std::string& where, const TetMesh& mesh);
@@ -60,16 +63,14 @@ std::string region_group_name(const TetMesh& mesh, int region);
 std::map<std::string, std::vector<std::uint32_t>> region_groups(const TetMesh& mesh);
 
 /// The groups that reading the regions does not bring back by itself; pointers into the mesh.
-std::vector<std::pair<std::string, const std::vector<std::uint32_t>*>> groups_beyond_regions(
-    const TetMesh& mesh);
+std::vector<std::pair<std::string, const std::vector<std::uint32_t>*>> groups_beyond_regions(const TetMesh& mesh);
 
 /// Whether a number of a format that has only floating-point ones can be a region.
 inline bool is_region(double value) {
-  return value == std::round(value) && value >= std::numeric_limits<int>::min() && value <= std::numeric_limits<int>::max();
+  return value == std::round(value) && value >= std::numeric_limits<int>::min() &&
+         value <= std::numeric_limits<int>::max();
 }
 
-inline int region_of(const TetMesh& mesh, std::size_t tet) {
-  return mesh.regions.empty() ? 0 : mesh.regions[tet];
-}
+inline int region_of(const TetMesh& mesh, std::size_t tet) { return mesh.regions.empty() ? 0 : mesh.regions[tet]; }
 
 }  // namespace fascia

@@ -3,8 +3,8 @@
 #include <cctype>
 #include <map>
 
-#include "sim/mesh/io/formats.h"
 #include "base/number_text.h"
+#include "sim/mesh/io/formats.h"
 
 namespace fascia {
 namespace {
@@ -95,8 +95,7 @@ class MeditReader {
     if (const auto kind = kinds.find(keyword); kind != kinds.end()) {
       count_ignored(file_, kind->second.dimension, kind->second.corners, in_.count("cells", 6));
     }
-    for (std::string_view word = in_.peek_word(); !word.empty() && !is_keyword(word);
-         word = in_.peek_word()) {
+    for (std::string_view word = in_.peek_word(); !word.empty() && !is_keyword(word); word = in_.peek_word()) {
       in_.number<double>("a value");
     }
   }
@@ -107,15 +106,12 @@ class MeditReader {
 
 }  // namespace
 
-void read_medit(Scanner& in, MeshFile& file) {
-  MeditReader(in, file).read();
-}
+void read_medit(Scanner& in, MeshFile& file) { MeditReader(in, file).read(); }
 
 std::string medit_text(const TetMesh& mesh) {
   NumberText out;
   out.add("MeshVersionFormatted 2\nDimension 3\nVertices\n").add(mesh.positions.size()).add('\n');
-  for (const Eigen::Vector3d& x : mesh.positions)
-    out.add(x[0]).add(' ').add(x[1]).add(' ').add(x[2]).add(" 0\n");
+  for (const Eigen::Vector3d& x : mesh.positions) out.add(x[0]).add(' ').add(x[1]).add(' ').add(x[2]).add(" 0\n");
   out.add("Tetrahedra\n").add(mesh.tets.size()).add('\n');
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     for (const std::uint32_t v : mesh.tets[t]) out.add(v + std::size_t{1}).add(' ');

@@ -20,8 +20,7 @@ std::string likely_kind(std::string_view content, const std::string& ending) {
   if (content.starts_with("solid") || ending == ".stl") return "is an STL surface";
   if (content.starts_with("ply")) return "is a PLY surface";
   if (content.starts_with("OFF")) return "is an OFF surface";
-  if (content.starts_with(std::string_view("\1\0\0\0", 4)) ||
-      content.starts_with(std::string_view("\0\0\0\1", 4))) {
+  if (content.starts_with(std::string_view("\1\0\0\0", 4)) || content.starts_with(std::string_view("\0\0\0\1", 4))) {
     return "looks like binary Medit .meshb";
   }
   return "";

@@ -19,7 +19,8 @@ namespace fascia {
 /// one tet. Counts in the file are never trusted for an allocation larger than the file could fill.
 MeshFile read_mesh(const std::filesystem::path& path, const Progress& progress = {});
 
-inline const std::vector<std::string> mesh_endings{".msh", ".vtk", ".vtu", ".node", ".ele", ".mesh"};  // that write_mesh() knows
+inline const std::vector<std::string> mesh_endings{".msh",  ".vtk", ".vtu",
+                                                   ".node", ".ele", ".mesh"};  // that write_mesh() knows
 /// Writes through a temporary name and renames. Throws Error for an unknown ending or a failed write.
 void write_mesh(const std::filesystem::path& path, const TetMesh& mesh);
 

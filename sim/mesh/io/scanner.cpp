@@ -9,12 +9,8 @@
 namespace fascia {
 namespace {
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-}
-bool is_space(char c) {
-  return c == '\n' || is_blank(c);
-}
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+bool is_space(char c) { return c == '\n' || is_blank(c); }
 
 std::string printable(std::string_view text) {
   std::string out;
@@ -107,15 +103,9 @@ bool Scanner::skip_past(std::string_view text) {
   return true;
 }
 
-double Scanner::coordinate(const char* what) {
-  return check_finite(number<double>(what), what);
-}
-double Scanner::coordinate_on_line(const char* what) {
-  return check_finite(number_on_line<double>(what), what);
-}
-double Scanner::binary_coordinate(const char* what) {
-  return check_finite(binary<double>(what), what);
-}
+double Scanner::coordinate(const char* what) { return check_finite(number<double>(what), what); }
+double Scanner::coordinate_on_line(const char* what) { return check_finite(number_on_line<double>(what), what); }
+double Scanner::binary_coordinate(const char* what) { return check_finite(binary<double>(what), what); }
 
 double Scanner::check_finite(double value, const char* what) const {
   if (!std::isfinite(value)) {
@@ -133,9 +123,9 @@ std::size_t Scanner::count(const char* things, std::size_t bytes_each) {
 void Scanner::check_count(std::uint64_t count, const char* things, std::size_t bytes_each) const {
   // +1: the last line of a text need not end
   if (count > (remaining() + 1) / bytes_each) {
-    fail("claims " + std::to_string(count) + " " + things + " but only " + std::to_string(remaining()) +
-             " bytes follow",
-         "expected a complete file");
+    fail(
+        "claims " + std::to_string(count) + " " + things + " but only " + std::to_string(remaining()) + " bytes follow",
+        "expected a complete file");
   }
 }
 

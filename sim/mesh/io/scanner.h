@@ -102,8 +102,8 @@ T Scanner::parse_number(const char* what) {
   if (begin != end && *begin == '+') ++begin;
   T value{};
   const auto [stop, status] = std::from_chars(begin, end, value);
-  const bool ends = stop == end || *stop == ' ' || *stop == '\n' || *stop == '\t' || *stop == '\r' ||
-                    (comments_ && *stop == '#');
+  const bool ends =
+      stop == end || *stop == ' ' || *stop == '\n' || *stop == '\t' || *stop == '\r' || (comments_ && *stop == '#');
   if constexpr (std::floating_point<T>) {
     if (status == std::errc::result_out_of_range) {
       value = static_cast<T>(beyond_range(static_cast<std::size_t>(stop - begin)));

@@ -1,8 +1,8 @@
 // TetGen: vertices in NAME.node, tets in NAME.ele, counted from 0 or from 1 as the first vertex says.
 #include "base/error.h"
 #include "base/file.h"
-#include "sim/mesh/io/formats.h"
 #include "base/number_text.h"
+#include "sim/mesh/io/formats.h"
 #include "sim/mesh/io/tag_map.h"
 
 namespace fascia {
@@ -31,8 +31,7 @@ TagMap read_node(Scanner& in, MeshFile& file) {
     in.end_line("the vertex");
   }
   if (!in.at_end())
-    in.fail("something follows the last of " + std::to_string(count) + " vertices",
-            "expected the end of the file");
+    in.fail("something follows the last of " + std::to_string(count) + " vertices", "expected the end of the file");
   TagMap vertex_of_tag;
   if (const auto twice = vertex_of_tag.assign(tags)) {
     in.blame(begin);
@@ -44,8 +43,7 @@ TagMap read_node(Scanner& in, MeshFile& file) {
 void read_ele(Scanner& in, const TagMap& vertex_of_tag, MeshFile& file) {
   const std::size_t count = in.count("tets", 10);
   const auto nodes = in.at_line_end() ? 4 : in.number_on_line<unsigned>("the number of vertices of a tet");
-  if (nodes != 4 && nodes != 10)
-    in.fail("a tet has " + std::to_string(nodes) + " vertices", "expected 4 or 10");
+  if (nodes != 4 && nodes != 10) in.fail("a tet has " + std::to_string(nodes) + " vertices", "expected 4 or 10");
   const auto attributes = in.at_line_end() ? 0 : in.number_on_line<unsigned>("the number of attributes");
   in.end_line("the header");
   TetMesh& mesh = file.mesh;
@@ -75,8 +73,7 @@ void read_ele(Scanner& in, const TagMap& vertex_of_tag, MeshFile& file) {
     mesh.regions.push_back(region);
   }
   if (!in.at_end())
-    in.fail("something follows the last of " + std::to_string(count) + " tets",
-            "expected the end of the file");
+    in.fail("something follows the last of " + std::to_string(count) + " tets", "expected the end of the file");
   if (!whole) {
     mesh.regions.assign(count, 0);
     file.notes.push_back("The first attribute of the tets is not a whole number: no regions.");
@@ -109,8 +106,8 @@ void read_text(const fs::path& where, std::string_view text, MeshFile& file, Rea
 
 }  // namespace
 
-void read_tetgen_content(const fs::path& node_path, std::string_view node, const fs::path& ele_path, std::string_view ele,
-                         MeshFile& file) {
+void read_tetgen_content(const fs::path& node_path, std::string_view node, const fs::path& ele_path,
+                         std::string_view ele, MeshFile& file) {
   file.format = "TetGen .node/.ele";
   TagMap vertex_of_tag;
   read_text(node_path, node, file, [&](Scanner& in) { vertex_of_tag = read_node(in, file); });
@@ -123,7 +120,8 @@ void read_tetgen(const fs::path& path, std::string_view content, MeshFile& file,
   const fs::path node = is_node ? path : partner(path, ".node", ".NODE");
   const fs::path ele = is_node ? partner(path, ".ele", ".ELE") : path;
   const fs::path& partner_path = is_node ? ele : node;
-  const std::string other = read_beside ? read_beside(partner_path.filename().string()) : read_partner(partner_path, path);
+  const std::string other =
+      read_beside ? read_beside(partner_path.filename().string()) : read_partner(partner_path, path);
   read_tetgen_content(node, is_node ? content : other, ele, is_node ? other : content, file);
 }
 

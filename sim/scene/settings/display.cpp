@@ -34,17 +34,23 @@ const std::vector<ColorBy>& all_colors() {
 
 const char* name_of(ColorMap map) {
   switch (map) {
-    case ColorMap::automatic: return "automatic";
-    case ColorMap::dusk: return "dusk";
-    case ColorMap::ember: return "ember";
-    case ColorMap::polar: return "polar";
-    case ColorMap::grey: return "grey";
+    case ColorMap::automatic:
+      return "automatic";
+    case ColorMap::dusk:
+      return "dusk";
+    case ColorMap::ember:
+      return "ember";
+    case ColorMap::polar:
+      return "polar";
+    case ColorMap::grey:
+      return "grey";
   }
   return "";
 }
 
 const std::vector<ColorMap>& all_color_maps() {
-  static const std::vector<ColorMap> maps = {ColorMap::automatic, ColorMap::dusk, ColorMap::ember, ColorMap::polar, ColorMap::grey};
+  static const std::vector<ColorMap> maps = {ColorMap::automatic, ColorMap::dusk, ColorMap::ember, ColorMap::polar,
+                                             ColorMap::grey};
   return maps;
 }
 
@@ -55,10 +61,14 @@ ColorMap chosen_map(ColorMap map, ColorBy color) {
 
 const char* name_of(Background background) {
   switch (background) {
-    case Background::gradient: return "gradient";
-    case Background::white: return "white";
-    case Background::black: return "black";
-    case Background::transparent: return "transparent";
+    case Background::gradient:
+      return "gradient";
+    case Background::white:
+      return "white";
+    case Background::black:
+      return "black";
+    case Background::transparent:
+      return "transparent";
   }
   return "";
 }

@@ -1,5 +1,5 @@
-// What the pictures of a scene show and how (scene key "display"). Names, titles and units of everything that can be chosen stand here
-// once: for scene files, the command line, the panels and the color bar.
+// What the pictures of a scene show and how (scene key "display"). Names, titles and units of everything that can be
+// chosen stand here once: for scene files, the command line, the panels and the color bar.
 #pragma once
 #include <Eigen/Core>
 #include <optional>
@@ -9,13 +9,25 @@
 namespace fascia {
 
 /// What colors the tissue. Stresses are principal stresses of the Cauchy stress; error: distance to the exact step.
-enum class ColorBy { none, region, strain, von_mises, displacement, velocity, volume_ratio, largest_stress, smallest_stress, error };
+enum class ColorBy {
+  none,
+  region,
+  strain,
+  von_mises,
+  displacement,
+  velocity,
+  volume_ratio,
+  largest_stress,
+  smallest_stress,
+  error
+};
 
 struct Quantity {
-  const char* name;               // in scene files: "von_mises"
-  const char* title;              // "von Mises stress"
-  const char* unit;               // "Pa"; "" for none
-  std::optional<double> neutral;  // of quantities that go both ways from a value of rest: the middle of a diverging color map
+  const char* name;   // in scene files: "von_mises"
+  const char* title;  // "von Mises stress"
+  const char* unit;   // "Pa"; "" for none
+  std::optional<double>
+      neutral;  // of quantities that go both ways from a value of rest: the middle of a diverging color map
 };
 const Quantity& quantity_of(ColorBy color);
 inline const char* name_of(ColorBy color) { return quantity_of(color).name; }
@@ -46,7 +58,7 @@ struct SectionPlane {
 /// Draws every tet on its own instead of the surface.
 struct SeparateTets {
   double shrink = 0.85;  // size of each about its centroid [-]
-  double spread = 0;     // how much farther from the middle of the scene centroids are drawn [-]: 1 doubles their distance
+  double spread = 0;  // how much farther from the middle of the scene centroids are drawn [-]: 1 doubles their distance
   bool operator==(const SeparateTets&) const = default;
 };
 

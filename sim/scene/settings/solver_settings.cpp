@@ -9,21 +9,31 @@ namespace fascia {
 const std::vector<Pair>& legal_pairs() {
   using M = Method;
   using A = Acceleration;
-  static const std::vector<Pair> pairs = {
-      {M::two_level, A::subspace},        {M::two_level, A::nonlinear_cg},    {M::two_level, A::anderson},
-      {M::two_level, A::none},            {M::vertex_descent, A::anderson},   {M::vertex_descent, A::none},
-      {M::exact_xpbd, A::anderson},       {M::exact_xpbd, A::none},           {M::mass_splitting, A::none},
-      {M::mass_splitting, A::chebyshev},  {M::mass_splitting, A::anderson_positions},
-      {M::gauss_seidel, A::none},         {M::gauss_seidel, A::chebyshev},
-      {M::gauss_seidel, A::anderson_positions},
-      {M::jacobi, A::none},               {M::jacobi, A::chebyshev},          {M::jacobi, A::anderson_positions}};
+  static const std::vector<Pair> pairs = {{M::two_level, A::subspace},
+                                          {M::two_level, A::nonlinear_cg},
+                                          {M::two_level, A::anderson},
+                                          {M::two_level, A::none},
+                                          {M::vertex_descent, A::anderson},
+                                          {M::vertex_descent, A::none},
+                                          {M::exact_xpbd, A::anderson},
+                                          {M::exact_xpbd, A::none},
+                                          {M::mass_splitting, A::none},
+                                          {M::mass_splitting, A::chebyshev},
+                                          {M::mass_splitting, A::anderson_positions},
+                                          {M::gauss_seidel, A::none},
+                                          {M::gauss_seidel, A::chebyshev},
+                                          {M::gauss_seidel, A::anderson_positions},
+                                          {M::jacobi, A::none},
+                                          {M::jacobi, A::chebyshev},
+                                          {M::jacobi, A::anderson_positions}};
   return pairs;
 }
 
 std::vector<Pair> poster_pairs() {
   std::vector<Pair> pairs;
   for (const Pair& pair : legal_pairs()) {
-    const bool method = pair.method == Method::jacobi || pair.method == Method::mass_splitting || pair.method == Method::gauss_seidel;
+    const bool method =
+        pair.method == Method::jacobi || pair.method == Method::mass_splitting || pair.method == Method::gauss_seidel;
     if (method) pairs.push_back(pair);
   }
   return pairs;
@@ -104,24 +114,26 @@ const char* label_of(Acceleration acceleration) {
 const char* help_of(Acceleration acceleration) {
   switch (acceleration) {
     case Acceleration::none:
-      return "Every iteration as the method makes it; two_level still chooses the length of its step by the minimum of a quadratic model.";
+      return "Every iteration as the method makes it; two_level still chooses the length of its step by the minimum of "
+             "a quadratic model.";
     case Acceleration::chebyshev:
-      return "Overshoots by weights that follow from the spectral radius of the iteration (Wang 2015): three dispatches, nearly free. "
-             "Falls back to plain iterations when the residual grows. It moves the positions and not the multipliers: with many "
-             "iterations the body gets stiffer than its material.";
+      return "Overshoots by weights that follow from the spectral radius of the iteration (Wang 2015): three "
+             "dispatches, nearly free. Falls back to plain iterations when the residual grows. It moves the positions "
+             "and not the multipliers: with many iterations the body gets stiffer than its material.";
     case Acceleration::anderson_positions:
-      return "Combines the last iterations so that the change of positions gets smallest (Peng et al. 2018): the poster's. "
-             "Its limitation: the multipliers are not combined, so the tissue's own compliance is lost: with many iterations "
-             "the body gets stiffer than its material.";
+      return "Combines the last iterations so that the change of positions gets smallest (Peng et al. 2018): the "
+             "poster's. Its limitation: the multipliers are not combined, so the tissue's own compliance is lost: with "
+             "many iterations the body gets stiffer than its material.";
     case Acceleration::anderson:
-      return "Combines the last iterations so that the change of the whole state gets smallest: positions and, with XPBD methods, "
-             "multipliers by the same weights, so the material keeps its stiffness. Memory and dot products grow with the window.";
+      return "Combines the last iterations so that the change of the whole state gets smallest: positions and, with "
+             "XPBD methods, multipliers by the same weights, so the material keeps its stiffness. Memory and dot "
+             "products grow with the window.";
     case Acceleration::nonlinear_cg:
-      return "Steps along the correction and the last step at once, with the factors that minimise a quadratic model of the energy. Of a "
-             "step that raises the energy only a part is kept.";
+      return "Steps along the correction and the last step at once, with the factors that minimise a quadratic model "
+             "of the energy. Of a step that raises the energy only a part is kept.";
     case Acceleration::subspace:
-      return "As conjugate gradients, but the fine and the coarse correction get a factor each: more robust for stiff, thin and mixed "
-             "tissue and more exact in motion, at a slightly dearer iteration.";
+      return "As conjugate gradients, but the fine and the coarse correction get a factor each: more robust for stiff, "
+             "thin and mixed tissue and more exact in motion, at a slightly dearer iteration.";
   }
   return "";
 }
@@ -137,23 +149,26 @@ bool applies(std::string_view setting, const Pair& pair) {
 const char* help_of(Method method) {
   switch (method) {
     case Method::jacobi:
-      return "All tets at once, each vertex takes the mean of its tets' corrections: the poster's method. Always stable, but too "
-             "soft: it does not converge to the material's stiffness, however many iterations it gets.";
+      return "All tets at once, each vertex takes the mean of its tets' corrections: the poster's method. Always "
+             "stable, but too soft: it does not converge to the material's stiffness, however many iterations it gets.";
     case Method::mass_splitting:
-      return "All tets at once, each with its share of a vertex's mass. As cheap and stable as averaging, keeps momentum, and "
-             "converges to within a few percent of the exact step; stiff tissue needs many iterations or substeps.";
+      return "All tets at once, each with its share of a vertex's mass. As cheap and stable as averaging, keeps "
+             "momentum, and converges to within a few percent of the exact step; stiff tissue needs many iterations or "
+             "substeps.";
     case Method::gauss_seidel:
-      return "Color by color, each tet sees the corrections before it; one dispatch per color. Converges fastest on soft "
-             "tissue with short steps. Stiff tissue with long steps makes it invert tets or diverge: use more substeps.";
+      return "Color by color, each tet sees the corrections before it; one dispatch per color. Converges fastest on "
+             "soft tissue with short steps. Stiff tissue with long steps makes it invert tets or diverge: use more "
+             "substeps.";
     case Method::exact_xpbd:
-      return "XPBD that converges to the exact step: the residual of the positions, which XPBD drops, is fed back, with masses raised "
-             "by the tension around each vertex. About 1.4 times the cost of Jacobi. Few iterations on stiff tissue can add energy.";
+      return "XPBD that converges to the exact step: the residual of the positions, which XPBD drops, is fed back, "
+             "with masses raised by the tension around each vertex. About 1.4 times the cost of Jacobi. Few iterations "
+             "on stiff tissue can add energy.";
     case Method::vertex_descent:
-      return "Vertex by vertex, each minimises the energy around it (Chen et al. 2024), one dispatch per vertex color. Converges to the "
-             "exact step, fast for short waves, ever more slowly for the bending of large meshes.";
+      return "Vertex by vertex, each minimises the energy around it (Chen et al. 2024), one dispatch per vertex color. "
+             "Converges to the exact step, fast for short waves, ever more slowly for the bending of large meshes.";
     case Method::two_level:
-      return "Every vertex's own block and a coarse space for the motion of large parts, with rotations kept up to date. Reaches the "
-             "exact step in few iterations, however fine the mesh and however stiff the tissue.";
+      return "Every vertex's own block and a coarse space for the motion of large parts, with rotations kept up to "
+             "date. Reaches the exact step in few iterations, however fine the mesh and however stiff the tissue.";
   }
   return "";
 }
@@ -167,14 +182,14 @@ void require_carried(Method method, const std::vector<Material>& materials, cons
     if (carries(method, material.model)) continue;
     std::vector<std::string> able;
     for (const Pair& pair : legal_pairs())
-      if (carries(pair.method, material.model) && (able.empty() || able.back() != name_of(pair.method))) able.push_back(name_of(pair.method));
+      if (carries(pair.method, material.model) && (able.empty() || able.back() != name_of(pair.method)))
+        able.push_back(name_of(pair.method));
     throw Error(where, std::string(name_of(method)) + " does not carry the material model " + name_of(material.model),
                 "expected one of the methods that do: " + join(able));
   }
 }
 
-std::optional<Pair> find_pair(std::optional<std::string_view> method,
-                              std::optional<std::string_view> acceleration) {
+std::optional<Pair> find_pair(std::optional<std::string_view> method, std::optional<std::string_view> acceleration) {
   for (const Pair& pair : legal_pairs()) {
     if (method && *method != name_of(pair.method)) continue;
     if (acceleration && *acceleration != name_of(pair.acceleration)) continue;

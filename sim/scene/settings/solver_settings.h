@@ -30,7 +30,8 @@ struct SolverSettings {
   int colors = 0;                 // of gauss_seidel; 0: as many as the mesh needs, else phantoms make do with so many
   double spectral_radius = 0;     // of the plain iteration, for chebyshev; 0: estimated while it runs
   int window = 5;                 // earlier iterations that Anderson acceleration combines
-  double rest_speed = 1e-5;       // [1/s] sizes of the scene a second; what moves slower for a while sleeps; 0: nothing sleeps
+  // [1/s] sizes of the scene a second; what moves slower for a while sleeps; 0: nothing sleeps
+  double rest_speed = 1e-5;
   bool operator==(const SolverSettings&) const = default;
 
   double substep() const { return time_step / substeps; }  // h [s]
@@ -41,47 +42,46 @@ struct SolverSettings {
 /// named choices.
 template <class S, class F>
 void visit_settings(S& s, F&& f) {
-  f(s.iterations, "iterations", "", 1, 10000, true,
-    "sweeps over all tets per substep: more is stiffer and slower");
+  f(s.iterations, "iterations", "", 1, 10000, true, "sweeps over all tets per substep: more is stiffer and slower");
   f(s.tolerance, "tolerance", "", 0.0, 1.0, false,
     "relative residual at which a step stops early; 0 runs all iterations");
   f(s.time_step, "time_step", "s", 1e-6, 1.0, true, "simulated time per step");
-  f(s.substeps, "substeps", "", 1, 1000, true,
-    "parts a step is cut into: accurate and stiff, at proportional cost");
+  f(s.substeps, "substeps", "", 1, 1000, true, "parts a step is cut into: accurate and stiff, at proportional cost");
   f(s.frame_budget, "frame_budget", "ms", 0.0, 10000.0, false,
-    "wall time a step may take: it gets as many of the iterations as fit, one at least; 0 runs all of them. What runs then depends on "
-    "the machine's speed");
+    "wall time a step may take: it gets as many of the iterations as fit, one at least; 0 runs all of them. What runs "
+    "then depends on the machine's speed");
   f(s.colors, "colors", "", 0, 64, false,
-    "dispatches of a sweep; 0: as many as the mesh needs. Fewer split vertices into phantoms (Fratarcangeli, Pellacini 2015): "
-    "cheaper where a dispatch is dear, slower to converge");
+    "dispatches of a sweep; 0: as many as the mesh needs. Fewer split vertices into phantoms (Fratarcangeli, Pellacini "
+    "2015): cheaper where a dispatch is dear, slower to converge");
   f(s.spectral_radius, "spectral_radius", "", 0.0, 0.9999, false,
-    "factor by which a plain iteration shrinks the slowest error; 0: estimated from the decay of the residual. Too high "
-    "overshoots, too low accelerates little");
+    "factor by which a plain iteration shrinks the slowest error; 0: estimated from the decay of the residual. Too "
+    "high overshoots, too low accelerates little");
   f(s.window, "window", "", 1, kLargestWindow, false,
     "earlier iterations that are combined: more converge in fewer iterations, at two dot products each");
   f(s.rest_speed, "rest_speed", "1/s", 0.0, 1.0, false,
-    "sizes of the scene per second: what moves slower for a quarter of a second sleeps, and costs nothing until something changes; "
-    "0: never");
+    "sizes of the scene per second: what moves slower for a quarter of a second sleeps, and costs nothing until "
+    "something changes; 0: never");
 }
 
 const std::vector<Pair>& legal_pairs();  // of method and acceleration that make sense, best first
-/// Those of the poster (Boukadida, Andrews, Paquette 2019), and of mass splitting beside them, in the order of legal_pairs().
+/// Those of the poster (Boukadida, Andrews, Paquette 2019), and of mass splitting beside them, in the order of
+/// legal_pairs().
 std::vector<Pair> poster_pairs();
-const char* name_of(Method method);      // "jacobi", as in scene files
+const char* name_of(Method method);  // "jacobi", as in scene files
 const char* name_of(Acceleration acceleration);
 const char* label_of(Method method);  // for people, in menus: "Jacobi, averaged"
 const char* label_of(Acceleration acceleration);
 const char* help_of(Method method);  // tooltip: what it is, what it costs, its limits
 const char* help_of(Acceleration acceleration);
 
-/// XPBD's constraints are strains: it carries the models that are quadratic in them. The methods that descend the energy carry all.
+/// XPBD's constraints are strains: it carries the models that are quadratic in them. The methods that descend the
+/// energy carry all.
 bool carries(Method method, MaterialModel model);
 /// Throws Error naming `where` if the method does not carry the model of one of the materials.
 void require_carried(Method method, const std::vector<Material>& materials, const std::string& where);
 
 /// The best legal pair that has the given names (nullopt: any); nothing if there is none.
-std::optional<Pair> find_pair(std::optional<std::string_view> method,
-                              std::optional<std::string_view> acceleration);
+std::optional<Pair> find_pair(std::optional<std::string_view> method, std::optional<std::string_view> acceleration);
 /// Whether a setting does anything with this pair: "colors", for instance, only with gauss_seidel.
 bool applies(std::string_view setting, const Pair& pair);
 /// For error messages: "jacobi with none, ...".

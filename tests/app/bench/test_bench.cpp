@@ -6,8 +6,8 @@
 #include <map>
 #include <sstream>
 
-#include "render/target/image.h"
 #include "base/file.h"
+#include "render/target/image.h"
 #include "sim/scene/settings/solver_settings.h"
 #include "tests/support/support.h"
 
@@ -76,8 +76,8 @@ std::vector<Row> rows_of(const CsvFile& csv, const Pair& pair) {
 }
 
 CommandResult run_figures(const fs::path& folder, const std::string& path = std::getenv("PATH")) {
-  return run_command({"/usr/bin/env", "PATH=" + path, FASCIA_BINARY, "bench", "figures", "--quick", "--quiet", "--context",
-                      "osmesa", "--size", "320x180", "--out", folder.string()});
+  return run_command({"/usr/bin/env", "PATH=" + path, FASCIA_BINARY, "bench", "figures", "--quick", "--quiet",
+                      "--context", "osmesa", "--size", "320x180", "--out", folder.string()});
 }
 
 }  // namespace
@@ -96,8 +96,8 @@ TEST_CASE("bench figures, quick form", "[bench]") {
     CHECK(picture.width == 320);
     CHECK(picture.height == 180);
   }
-  for (const char* picture : {"fig2.png", "fig2_exact.png", "fig2_jacobi_none.png", "fig3_iterations.png", "fig3_time.png",
-                              "fig4.png", "colorings.png"}) {
+  for (const char* picture : {"fig2.png", "fig2_exact.png", "fig2_jacobi_none.png", "fig3_iterations.png",
+                              "fig3_time.png", "fig4.png", "colorings.png"}) {
     CAPTURE(picture);
     CHECK(read_png(folder / picture).width > 100);
   }
@@ -118,7 +118,8 @@ TEST_CASE("bench figures, quick form", "[bench]") {
   CHECK(number(beams.rows.back(), "relative_error") == 0);
   CHECK(number(beams.rows.back(), "tip_deflection_m") > 0);
 
-  for (const auto& [traces_name, last_name] : {std::pair("fig3.csv", "fig3_target.csv"), std::pair("fig4.csv", "fig4_last.csv")}) {
+  for (const auto& [traces_name, last_name] :
+       {std::pair("fig3.csv", "fig3_target.csv"), std::pair("fig4.csv", "fig4_last.csv")}) {
     CAPTURE(traces_name);
     const CsvFile traces = read_csv(folder / traces_name), last = read_csv(folder / last_name);
     CHECK(traces.notes.find("rms_strain of the exact step: ") != std::string::npos);
@@ -155,7 +156,8 @@ TEST_CASE("bench figures without gnuplot writes the tables and names the package
   CHECK(result.exit_code == 1);
   CHECK(result.err.find("gnuplot-nox") != std::string::npos);
   CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
-  for (const char* table : {"fig1.csv", "fig2.csv", "fig3.csv", "fig3_target.csv", "fig4.csv", "fig4_last.csv", "colorings.csv"}) {
+  for (const char* table :
+       {"fig1.csv", "fig2.csv", "fig3.csv", "fig3_target.csv", "fig4.csv", "fig4_last.csv", "colorings.csv"}) {
     CAPTURE(table);
     CHECK(fs::exists(folder / table));
   }

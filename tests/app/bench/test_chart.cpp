@@ -8,9 +8,9 @@
 
 #include "app/bench/chart.h"
 #include "app/bench/gnuplot.h"
-#include "render/target/image.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "render/target/image.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -65,7 +65,8 @@ TEST_CASE("a chart is an SVG and a PNG with all its texts", "[chart]") {
   const TemporaryFolder folder;
   write_chart(folder / "a'chart", example());
   const std::string svg = read_file(folder / "a'chart.svg");
-  for (const char* text : {"Strain_of ", "iterations", "strain [-]", "a_line", "some marks", "no number at all", "exact"}) {
+  for (const char* text :
+       {"Strain_of ", "iterations", "strain [-]", "a_line", "some marks", "no number at all", "exact"}) {
     CAPTURE(text);
     CHECK(svg.find(text) != std::string::npos);
   }

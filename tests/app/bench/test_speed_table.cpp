@@ -24,8 +24,10 @@ std::string error_of(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_CASE("slower is slower by a tenth and beyond the spread of both") {
-  const std::vector<SpeedRow> then{{"a", {10, 9, 11}}, {"b", {10, 9, 11}}, {"c", {10, 9, 15}}, {"d", {10, 9, 11}}, {"gone", {1, 1, 1}}};
-  const std::vector<SpeedRow> now{{"new", {1, 1, 1}}, {"d", {5, 4, 6}}, {"a", {10.9, 10.8, 12}}, {"b", {12, 11.5, 13}}, {"c", {12, 11.5, 13}}};
+  const std::vector<SpeedRow> then{
+      {"a", {10, 9, 11}}, {"b", {10, 9, 11}}, {"c", {10, 9, 15}}, {"d", {10, 9, 11}}, {"gone", {1, 1, 1}}};
+  const std::vector<SpeedRow> now{
+      {"new", {1, 1, 1}}, {"d", {5, 4, 6}}, {"a", {10.9, 10.8, 12}}, {"b", {12, 11.5, 13}}, {"c", {12, 11.5, 13}}};
   const std::vector<SpeedChange> changes = compare_speeds(then, now);
   REQUIRE(changes.size() == 4);
   CHECK(changes[0].name == "d");

@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "app/check/check_folder.h"
-#include "app/system/child_process.h"
 #include "app/check/junit.h"
+#include "app/system/child_process.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "tests/support/support.h"
@@ -25,10 +25,13 @@ std::string shipped(const char* scene) { return (source_dir() / "assets/scenes" 
 
 // Two cubes that pass once they have goldens, one mesh that is not there.
 void fill(const fs::path& folder) {
-  write_file(folder / "check.json", R"({"fascia_check": 1, "defaults": {"size": [64, 48], "steps": 3, "samples": 1}, "scenes": {
+  write_file(folder / "check.json",
+             R"({"fascia_check": 1, "defaults": {"size": [64, 48], "steps": 3, "samples": 1}, "scenes": {
     "broken": {"scene": "missing.json"},
-    "cube": {"scene": ")" + shipped("cube.json") + R"("},
-    "soft <cube> & \"co\"": {"scene": ")" + shipped("cube.json") + R"(", "set": ["materials.default.young_modulus=500"], "picture": false}}})");
+    "cube": {"scene": ")" +
+                 shipped("cube.json") + R"("},
+    "soft <cube> & \"co\"": {"scene": ")" +
+                 shipped("cube.json") + R"(", "set": ["materials.default.young_modulus=500"], "picture": false}}})");
 }
 
 CommandResult check(const fs::path& folder, std::vector<std::string> more) {
@@ -69,7 +72,8 @@ TEST_CASE("check: one broken scene does not stop the others, and goldens make th
   INFO(update.out << update.err);
   CHECK(update.exit_code == 0);
   CHECK(contains(update.out, "cube.golden.csv: new"));
-  const CommandResult again = check(folder.path(), {"--out", out.path().string(), "--junit", (out / "report.xml").string()});
+  const CommandResult again =
+      check(folder.path(), {"--out", out.path().string(), "--junit", (out / "report.xml").string()});
   INFO(again.out << again.err);
   CHECK(again.exit_code == 1);
   CHECK(contains(again.out, "3 scenes, 1 failed"));
@@ -92,13 +96,15 @@ TEST_CASE("check: one broken scene does not stop the others, and goldens make th
 
 TEST_CASE("check: a scene that changed fails and leaves its picture and the difference", "[check]") {
   const TemporaryFolder folder, out;
-  write_file(folder / "check.json", R"({"fascia_check": 1, "defaults": {"size": [64, 48], "steps": 3}, "scenes": {"cube": {"scene": ")" +
-                                        shipped("cube.json") + R"("}}})");
+  write_file(folder / "check.json",
+             R"({"fascia_check": 1, "defaults": {"size": [64, 48], "steps": 3}, "scenes": {"cube": {"scene": ")" +
+                 shipped("cube.json") + R"("}}})");
   REQUIRE(check(folder.path(), {"--update"}).exit_code == 0);
   write_file(folder / "check.json",
-             R"({"fascia_check": 1, "defaults": {"size": [64, 48], "steps": 3}, "scenes": {"cube": {"scene": ")" + shipped("cube.json") +
-                 R"(", "set": ["materials.default.young_modulus=500"]}}})");
-  const CommandResult failed = check(folder.path(), {"--out", out.path().string(), "--junit", (out / "report.xml").string()});
+             R"({"fascia_check": 1, "defaults": {"size": [64, 48], "steps": 3}, "scenes": {"cube": {"scene": ")" +
+                 shipped("cube.json") + R"(", "set": ["materials.default.young_modulus=500"]}}})");
+  const CommandResult failed =
+      check(folder.path(), {"--out", out.path().string(), "--junit", (out / "report.xml").string()});
   INFO(failed.out << failed.err);
   CHECK(failed.exit_code == 1);
   CHECK(contains(failed.out, "young_modulus: golden 5000, now 500"));
@@ -110,15 +116,16 @@ TEST_CASE("check: a scene that changed fails and leaves its picture and the diff
 TEST_CASE("check --update that is interrupted leaves goldens alone", "[check]") {
   const TemporaryFolder folder;
   const auto settings = [&](const char* steps) {
-    write_file(folder / "check.json", R"({"fascia_check": 1, "scenes": {"cube": {"scene": ")" + shipped("cube.json") +
-                                          R"("}}, "defaults": {"size": [64, 48], "set": ["solver.rest_speed=0"], "steps": )" + steps + "}}");
+    write_file(folder / "check.json",
+               R"({"fascia_check": 1, "scenes": {"cube": {"scene": ")" + shipped("cube.json") +
+                   R"("}}, "defaults": {"size": [64, 48], "set": ["solver.rest_speed=0"], "steps": )" + steps + "}}");
   };
   settings("2");
   REQUIRE(check(folder.path(), {"--update"}).exit_code == 0);
   const std::string picture = read_file(folder / "cube.golden.png"), state = read_file(folder / "cube.golden.csv");
   settings("1000000");  // hours
-  const CommandResult cut = run_command({"timeout", "--preserve-status", "-s", "INT", "4", FASCIA_BINARY, "check", folder.path().string(),
-                                         "--context", "osmesa", "--update"});
+  const CommandResult cut = run_command({"timeout", "--preserve-status", "-s", "INT", "4", FASCIA_BINARY, "check",
+                                         folder.path().string(), "--context", "osmesa", "--update"});
   INFO(cut.out << cut.err);
   CHECK(cut.exit_code == 130);
   CHECK((read_file(folder / "cube.golden.png") == picture));
@@ -128,10 +135,12 @@ TEST_CASE("check --update that is interrupted leaves goldens alone", "[check]") 
 TEST_CASE("check: a golden may be made by run --export, with what made it beside it", "[check]") {
   const TemporaryFolder folder;
   fs::copy_file(source_dir() / "assets/meshes/cube.msh", folder / "cube.msh");
-  write_file(folder / "cube.json", R"({"fascia_scene": 1, "bodies": [{"mesh": "cube.msh", "fixed": [{"lowest": 0.02}]}]})");
-  write_file(folder / "check.json", R"({"fascia_check": 1, "defaults": {"size": [64, 48], "steps": 3, "picture": false}})");
-  REQUIRE(run_fascia({"run", (folder / "cube.json").string(), "--context", "osmesa", "--quiet", "--steps", "3", "--export",
-                      (folder / "cube.golden.csv").string()})
+  write_file(folder / "cube.json",
+             R"({"fascia_scene": 1, "bodies": [{"mesh": "cube.msh", "fixed": [{"lowest": 0.02}]}]})");
+  write_file(folder / "check.json",
+             R"({"fascia_check": 1, "defaults": {"size": [64, 48], "steps": 3, "picture": false}})");
+  REQUIRE(run_fascia({"run", (folder / "cube.json").string(), "--context", "osmesa", "--quiet", "--steps", "3",
+                      "--export", (folder / "cube.golden.csv").string()})
               .exit_code == 0);
   REQUIRE(fs::exists(folder / "cube.golden.csv.json"));
   const CommandResult result = check(folder.path(), {});
@@ -141,14 +150,16 @@ TEST_CASE("check: a golden may be made by run --export, with what made it beside
 }
 
 TEST_CASE("check.json is strict", "[check]") {
-  expect_error(R"({"fascia_check": 1, "default": {}})", {"check.json", "unknown key \"default\"", "perhaps \"defaults\""});
+  expect_error(R"({"fascia_check": 1, "default": {}})",
+               {"check.json", "unknown key \"default\"", "perhaps \"defaults\""});
   expect_error(R"({"fascia_check": 2})", {"fascia_check", "expected"});
   expect_error(R"({"fascia_check": 1, "defaults": {"size": [8, 240]}})", {"defaults.size[0]", "16 to 16384"});
   expect_error(R"({"fascia_check": 1, "defaults": {"max_mean": "1/0"}})", {"defaults.max_mean", "0.5/255"});
   expect_error(R"({"fascia_check": 1, "defaults": {"steps": 1, "time": 1}})", {"defaults.time", "one of them"});
   expect_error(R"({"fascia_check": 1, "defaults": {"picture": false, "state": false}})", {"defaults", "neither"});
   expect_error(R"({"fascia_check": 1, "scenes": {"b": {}}})", {"scenes.b", "no b.json"});
-  expect_error(R"({"fascia_check": 1, "scenes": {"a": {"scene": "x.json"}}})", {"scenes.a.scene", "a.json has the same goldens"});
+  expect_error(R"({"fascia_check": 1, "scenes": {"a": {"scene": "x.json"}}})",
+               {"scenes.a.scene", "a.json has the same goldens"});
   expect_error(R"({"fascia_check": 1, "scenes": {"../b": {"scene": "x.json"}}})", {"file name"});
 }
 
@@ -176,10 +187,28 @@ TEST_CASE("check settings: those of a scene over the defaults", "[check]") {
 TEST_CASE("what crashes, hangs or fails in a child is a report", "[check]") {
   CHECK(run_in_child([] { return std::string("done"); }, 60).answer == "done");
   CHECK(run_in_child([]() -> std::string { throw Error("a", "b", "c"); }, 60).failure == "a: b; c");
-  const ChildReport crashed = run_in_child([]() -> std::string { std::raise(SIGKILL); return ""; }, 60);
+  const ChildReport crashed = run_in_child(
+      []() -> std::string {
+        std::raise(SIGKILL);
+        return "";
+      },
+      60);
   CHECK(contains(crashed.failure, "crashed (Killed)"));
-  CHECK(contains(run_in_child([]() -> std::string { for (;;) pause(); }, 0.3).failure, "took longer than 0.3 s"));
-  CHECK(run_in_child([] { std::puts("said"); std::fflush(stdout); return std::string(); }, 60).said == "said\n");
+  CHECK(contains(run_in_child(
+                     []() -> std::string {
+                       for (;;) pause();
+                     },
+                     0.3)
+                     .failure,
+                 "took longer than 0.3 s"));
+  CHECK(run_in_child(
+            [] {
+              std::puts("said");
+              std::fflush(stdout);
+              return std::string();
+            },
+            60)
+            .said == "said\n");
   const std::string large(1 << 20, 'x');  // more than a pipe holds
   CHECK(run_in_child([&] { return large; }, 60).answer == large);
 }

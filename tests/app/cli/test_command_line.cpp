@@ -1,9 +1,10 @@
-// What the command line says about itself: help, nearest words, manual page, completion. All of it comes from the options' own tables.
+// What the command line says about itself: help, nearest words, manual page, completion. All of it comes from the
+// options' own tables.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "app/cli/completion.h"
 #include "app/cli/command_line.h"
+#include "app/cli/completion.h"
 #include "app/cli/manual_page.h"
 #include "app/cli/scene_keys.h"
 #include "base/file.h"
@@ -22,8 +23,10 @@ CommandEntry program() {
 }
 
 // What bash offers for the words of a line, sorted.
-std::vector<std::string> offered(const std::string& script, const std::vector<std::string>& words, const std::filesystem::path& folder) {
-  std::string line = "source \"$0\"; COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); _fascia; printf '%s\\n' \"${COMPREPLY[@]}\" | sort";
+std::vector<std::string> offered(const std::string& script, const std::vector<std::string>& words,
+                                 const std::filesystem::path& folder) {
+  std::string line =
+      "source \"$0\"; COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); _fascia; printf '%s\\n' \"${COMPREPLY[@]}\" | sort";
   std::vector<std::string> arguments{"bash", "-c", line, script};
   arguments.insert(arguments.end(), words.begin(), words.end());
   const CommandResult result = run_command(arguments, folder);
@@ -59,9 +62,12 @@ TEST_CASE("unknown words suggest the nearest known one", "[command_line]") {
   const struct {
     Words arguments;
     std::string said;
-  } cases[] = {{{"render", "--contxt", "egl"}, "perhaps you meant --context"}, {{"run", "--stpes=4"}, "perhaps you meant --steps"},
-               {{"bench", "spede", "--out", "x"}, "perhaps you meant speed"},  {{"rendr"}, "perhaps you meant render"},
-               {{"chekc", "assets/check"}, "perhaps you meant check"},         {{"run", "--zzzzzzzz"}, "--zzzzzzzz: not expected here"}};
+  } cases[] = {{{"render", "--contxt", "egl"}, "perhaps you meant --context"},
+               {{"run", "--stpes=4"}, "perhaps you meant --steps"},
+               {{"bench", "spede", "--out", "x"}, "perhaps you meant speed"},
+               {{"rendr"}, "perhaps you meant render"},
+               {{"chekc", "assets/check"}, "perhaps you meant check"},
+               {{"run", "--zzzzzzzz"}, "--zzzzzzzz: not expected here"}};
   for (const auto& [arguments, said] : cases) {
     const CommandResult result = run_fascia(arguments);
     CAPTURE(arguments, result.err, said);
@@ -84,14 +90,17 @@ TEST_CASE("the manual page has every command and option and is sound roff", "[co
       CHECK(contains(page, "\\fB" + name + "\\fR"));
     }
   for (std::size_t line = 0; line != std::string::npos && line < page.size(); line = page.find("\n", line) + 1) {
-    if (page[line] == '.') CHECK(std::isupper(static_cast<unsigned char>(page[line + 1])) + std::islower(static_cast<unsigned char>(page[line + 1])));
+    if (page[line] == '.')
+      CHECK(std::isupper(static_cast<unsigned char>(page[line + 1])) +
+            std::islower(static_cast<unsigned char>(page[line + 1])));
     if (page.find("\n", line) == std::string::npos) break;
   }
   CHECK(run_fascia({"man"}).out == page);
 }
 
 TEST_CASE("help and manual say where the manual and the keys of scenes are", "[command_line]") {
-  const std::string help = run_fascia({"--help"}).out, page = run_fascia({"man"}).out, read_me = read_file(source_dir() / "README.md"),
+  const std::string help = run_fascia({"--help"}).out, page = run_fascia({"man"}).out,
+                    read_me = read_file(source_dir() / "README.md"),
                     guide = read_file(source_dir() / "docs/guide/command-line.md");
   CAPTURE(help, page);
   for (const std::string& text : {help, page, read_me}) CHECK(contains(text, "docs/guide/scenes.md"));
@@ -102,7 +111,8 @@ TEST_CASE("help and manual say where the manual and the keys of scenes are", "[c
   CHECK(!contains(page, "README.md lists"));
   CHECK(contains(help, "\n  man "));  // among the commands
   // The installed README's links lead to the installed pages.
-  CHECK(contains(read_file(source_dir() / "CMakeLists.txt"), "install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})"));
+  CHECK(contains(read_file(source_dir() / "CMakeLists.txt"),
+                 "install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})"));
 }
 
 TEST_CASE("animated GIF is a documented video", "[command_line]") {
@@ -118,7 +128,8 @@ TEST_CASE("the help of view says what --steps and --time do to a window", "[comm
   for (const CommandEntry* command : all_commands(tree)) {
     if (!command->path.empty() && command->path != Words{"view"}) continue;
     for (const char* name : {"--steps", "--time"}) {
-      const auto option = std::find_if(command->options.begin(), command->options.end(), [&](const OptionEntry& o) { return o.name == name; });
+      const auto option = std::find_if(command->options.begin(), command->options.end(),
+                                       [&](const OptionEntry& o) { return o.name == name; });
       REQUIRE(option != command->options.end());
       CAPTURE(command->path, name, option->help);
       CHECK(contains(option->help, "the window closes"));
@@ -130,7 +141,8 @@ TEST_CASE("the help of view says what --steps and --time do to a window", "[comm
 TEST_CASE("keys of --set are those of scenes", "[command_line]") {
   Words names;
   for (const SceneKey& key : scene_keys()) names.push_back(key.name);
-  for (const char* name : {"solver.iterations", "solver.method", "materials.default.young_modulus", "gravity", "display.color", "camera.eye"})
+  for (const char* name : {"solver.iterations", "solver.method", "materials.default.young_modulus", "gravity",
+                           "display.color", "camera.eye"})
     CHECK(std::count(names.begin(), names.end(), name) == 1);
   CHECK(std::count(names.begin(), names.end(), "fascia_scene") == 0);
 }

@@ -72,10 +72,12 @@ TEST_CASE("statistics and histories may have any ending but that of another kind
   }
   for (const char* name : {"stats.png", "stats.csv", "stats.webm", "stats.vtk", "stats.xml"}) {
     CAPTURE(name);
-    CHECK_THROWS_AS(require_outputs({{"--stats", (folder / name).string(), {".json"}, Takes::all_but_foreign}}), UsageError);
+    CHECK_THROWS_AS(require_outputs({{"--stats", (folder / name).string(), {".json"}, Takes::all_but_foreign}}),
+                    UsageError);
   }
-  const CommandResult result = run_fascia({"run", cube(), "--steps", "1", "--quiet", "--context", "osmesa", "--stats", "stats", "--history", "rows.txt"},
-                                          folder.path());
+  const CommandResult result = run_fascia(
+      {"run", cube(), "--steps", "1", "--quiet", "--context", "osmesa", "--stats", "stats", "--history", "rows.txt"},
+      folder.path());
   CAPTURE(result.err);
   CHECK(result.exit_code == 0);
   CHECK(fs::exists(folder / "stats"));
@@ -83,14 +85,18 @@ TEST_CASE("statistics and histories may have any ending but that of another kind
 }
 
 TEST_CASE("an unknown command is blamed, not the word behind it", "[usage]") {
-  CHECK_THAT(said({"simulate", "x.json"}), Contains("simulate: unknown command, perhaps you meant run") && !Contains("x.json"));
-  CHECK_THAT(said({"simulate", cube(), "--steps", "3", "--history", "h.csv"}), Contains("simulate: unknown command, perhaps you meant run"));
+  CHECK_THAT(said({"simulate", "x.json"}),
+             Contains("simulate: unknown command, perhaps you meant run") && !Contains("x.json"));
+  CHECK_THAT(said({"simulate", cube(), "--steps", "3", "--history", "h.csv"}),
+             Contains("simulate: unknown command, perhaps you meant run"));
   CHECK_THAT(said({"simulate"}), Contains("simulate: unknown command, perhaps you meant run"));
-  CHECK_THAT(said({"frobnicate", "x.json"}), Contains("frobnicate: unknown command; expected one of ") && Contains("render") && !Contains("x.json:"));
+  CHECK_THAT(said({"frobnicate", "x.json"}),
+             Contains("frobnicate: unknown command; expected one of ") && Contains("render") && !Contains("x.json:"));
   CHECK_THAT(said({"rendr", "x.json", "--out", "x.png"}), Contains("rendr: unknown command, perhaps you meant render"));
   CHECK_THAT(said({"help"}), Contains("perhaps you meant --help"));
   CHECK_THAT(said({"bench", "Sped", "--out", "x"}), Contains("Sped: unknown command, perhaps you meant speed"));
-  CHECK_THAT(said({"bench", "zzz", "--out", "x"}), Contains("zzz: unknown command; expected one of figures, accuracy, speed, skip"));
+  CHECK_THAT(said({"bench", "zzz", "--out", "x"}),
+             Contains("zzz: unknown command; expected one of figures, accuracy, speed, skip"));
   CHECK_THAT(said({"bench"}), Contains("fascia bench: no command named; expected one of figures"));
   CHECK_THAT(said({cube(), "y.json"}), Contains("y.json: not expected here"));  // the first one is a file
   CHECK_THAT(said({"x.json", "y.json"}), Contains("y.json: not expected here"));
@@ -98,11 +104,25 @@ TEST_CASE("an unknown command is blamed, not the word behind it", "[usage]") {
 }
 
 TEST_CASE("a usage error is one line without the usage text", "[usage]") {
-  for (const Words& arguments : std::vector<Words>{
-           {"run", "--zzzz", "5", "--yyyy", "6"}, {"run", "--steps"}, {"run", "--steps", "-1"}, {"run", "--steps", "5", "--time", "1"}, {"render", "--fps", "0"},
-           {"render", "--size", "12by7", "--out", "x.png"}, {"render", cube()}, {"run", "--history-every", "2"}, {"view", "--samples", "two"},
-           {"info"}, {"info", "--tissues", "x.json"}, {"convert", "one.msh"}, {"completion"}, {"stress"}, {"soak", "--out", "x", "--steps", "1"},
-           {"run", "two\nlines.json", "three\nlines.json"}, {"run", "--color\n", "x"}, {"run", "--static", "--error"}, {"run", "--set", "iterations"}})
+  for (const Words& arguments : std::vector<Words>{{"run", "--zzzz", "5", "--yyyy", "6"},
+                                                   {"run", "--steps"},
+                                                   {"run", "--steps", "-1"},
+                                                   {"run", "--steps", "5", "--time", "1"},
+                                                   {"render", "--fps", "0"},
+                                                   {"render", "--size", "12by7", "--out", "x.png"},
+                                                   {"render", cube()},
+                                                   {"run", "--history-every", "2"},
+                                                   {"view", "--samples", "two"},
+                                                   {"info"},
+                                                   {"info", "--tissues", "x.json"},
+                                                   {"convert", "one.msh"},
+                                                   {"completion"},
+                                                   {"stress"},
+                                                   {"soak", "--out", "x", "--steps", "1"},
+                                                   {"run", "two\nlines.json", "three\nlines.json"},
+                                                   {"run", "--color\n", "x"},
+                                                   {"run", "--static", "--error"},
+                                                   {"run", "--set", "iterations"}})
     CHECK(!said(arguments).empty());
 }
 
@@ -112,23 +132,27 @@ TEST_CASE("every choice and key that is nearly one is suggested, whatever its ca
     all.insert(all.end(), arguments.begin(), arguments.end());
     return said(all);
   };
-  CHECK_THAT(said_of({"--color", "vonmises"}), Contains("--color: is \"vonmises\", perhaps \"von_mises\"; expected one of none, "));
+  CHECK_THAT(said_of({"--color", "vonmises"}),
+             Contains("--color: is \"vonmises\", perhaps \"von_mises\"; expected one of none, "));
   CHECK_THAT(said_of({"--color", "Von Mises"}), Contains("perhaps \"von_mises\""));
   CHECK_THAT(said_of({"--color", "VOLUME-RATIO"}), Contains("perhaps \"volume_ratio\""));
   CHECK_THAT(said_of({"--loads", "SSBO"}), Contains("perhaps \"ssbo\""));
   CHECK_THAT(said({"run", cube(), "--context", "OSMesa"}), Contains("perhaps \"osmesa\""));
-  CHECK_THAT(said({"stress", "--out", "never", "--model", "StableNeoHookean"}), Contains("perhaps \"stable_neo_hookean\""));
+  CHECK_THAT(said({"stress", "--out", "never", "--model", "StableNeoHookean"}),
+             Contains("perhaps \"stable_neo_hookean\""));
   CHECK_THAT(said({"completion", "Fish"}), Contains("perhaps \"fish\""));
   CHECK_THAT(said_of({"--camera", "Follow"}), Contains("perhaps \"follow\""));
   CHECK_THAT(said_of({"--Wire-Frame"}), Contains("perhaps you meant --wireframe"));
   CHECK_THAT(said_of({"--data_dir=x"}), Contains("perhaps you meant --data-dir"));
-  CHECK_THAT(said_of({"--set", "display.color=vonmises"}), Contains("--set display.color: is \"vonmises\", perhaps \"von_mises\""));
+  CHECK_THAT(said_of({"--set", "display.color=vonmises"}),
+             Contains("--set display.color: is \"vonmises\", perhaps \"von_mises\""));
   CHECK_THAT(said_of({"--set", "display.wireframe=True"}), Contains("perhaps true; expected true or false"));
   CHECK_THAT(said_of({"--set", "solver.method=Two Level"}), Contains("perhaps \"two_level\""));
   CHECK_THAT(said_of({"--set", "solver.acceleration=nonlinearCG"}), Contains("perhaps \"nonlinear_cg\""));
   CHECK_THAT(said_of({"--set", "materials.default.YoungModulus=1e5"}), Contains("perhaps \"young_modulus\""));
   CHECK_THAT(said_of({"--set", "Solver.iterations=3"}), Contains("unknown key \"Solver\", perhaps \"solver\""));
-  CHECK_THAT(said_of({"--set", "material.default.density=900"}), Contains("unknown key \"material\", perhaps \"materials\""));
+  CHECK_THAT(said_of({"--set", "material.default.density=900"}),
+             Contains("unknown key \"material\", perhaps \"materials\""));
   CHECK_THAT(said_of({"--set", "iterations=3"}), Contains("unknown key \"iterations\", perhaps \"solver.iterations\""));
   CHECK_THAT(said_of({"--grab", "At=0,0,0;translate=0,0.1,0"}), Contains("perhaps \"at\""));
 }

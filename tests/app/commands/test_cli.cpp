@@ -7,9 +7,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "render/target/image.h"
 #include "base/file.h"
 #include "base/provenance.h"
+#include "render/target/image.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -44,12 +44,23 @@ void expect_refusal(const std::string& set, const std::vector<std::string>& text
 }  // namespace
 
 TEST_CASE("usage errors exit with 2", "[cli]") {
-  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {"render", "--no-such-option"}, {"run", "--steps", "-1"}, {"run", "--context", "vulkan"},
-           {"render", "--size", "12by7"}, {"render", cube().string()}, {"run", "--static", "--error"},
-           {"run", "--reference", "--error"}, {"run", "--every", "2"}, {"render", "--out", "x.png", "--fps", "30"},
-           {"render", "--out", "x.png", "--slow", "2"}, {"view", "--context", "osmesa"}, {"run", "a.json", "--replay", "b.fascia"},
-           {"render", "--color", "blue", "--out", "x.png"}, {"info"}, {"convert", "one.msh"}, {"run", "--steps", "5", "--time", "1"}}) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"render", "--no-such-option"},
+                                             {"run", "--steps", "-1"},
+                                             {"run", "--context", "vulkan"},
+                                             {"render", "--size", "12by7"},
+                                             {"render", cube().string()},
+                                             {"run", "--static", "--error"},
+                                             {"run", "--reference", "--error"},
+                                             {"run", "--every", "2"},
+                                             {"render", "--out", "x.png", "--fps", "30"},
+                                             {"render", "--out", "x.png", "--slow", "2"},
+                                             {"view", "--context", "osmesa"},
+                                             {"run", "a.json", "--replay", "b.fascia"},
+                                             {"render", "--color", "blue", "--out", "x.png"},
+                                             {"info"},
+                                             {"convert", "one.msh"},
+                                             {"run", "--steps", "5", "--time", "1"}}) {
     const CommandResult result = run_fascia(arguments);
     CAPTURE(arguments, result.err);
     CHECK(result.exit_code == 2);
@@ -64,9 +75,9 @@ TEST_CASE("the number of worker threads changes no bit, with every method", "[cl
     for (const char* threads : {"0", "1", "2"}) {
       const fs::path out = folder / (method + threads + ".csv");
       const CommandResult result =
-          run_command({"/usr/bin/env", std::string("LP_NUM_THREADS=") + threads, FASCIA_BINARY, "run", cube().string(), "--quiet", "--context",
-                       "osmesa", "--steps", "5", "--set", "solver.method=" + method, "--set", "solver.acceleration=anderson_positions",
-                       "--export", out.string()});
+          run_command({"/usr/bin/env", std::string("LP_NUM_THREADS=") + threads, FASCIA_BINARY, "run", cube().string(),
+                       "--quiet", "--context", "osmesa", "--steps", "5", "--set", "solver.method=" + method, "--set",
+                       "solver.acceleration=anderson_positions", "--export", out.string()});
       CAPTURE(method, threads, result.err);
       REQUIRE(result.exit_code == 0);
       states.push_back(read_file(out));
@@ -89,10 +100,13 @@ TEST_CASE("info reports colors and their balance", "[cli]") {
 
 TEST_CASE("one of a thing is not many", "[cli]") {
   const TemporaryFolder folder;
-  write_file(folder / "one.vtk", "# vtk DataFile Version 3.0\none\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 .1 0 0 0 .1 0 0 0 .1\n"
-                                 "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n");
+  write_file(
+      folder / "one.vtk",
+      "# vtk DataFile Version 3.0\none\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 .1 0 0 0 .1 0 0 0 .1\n"
+      "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n");
   const std::string mesh = (folder / "one.vtk").string();
-  const CommandResult info = run_fascia({"info", mesh}), run = run_fascia({"run", mesh, "--steps", "1", "--context", "osmesa"});
+  const CommandResult info = run_fascia({"info", mesh}),
+                      run = run_fascia({"run", mesh, "--steps", "1", "--context", "osmesa"});
   CAPTURE(info.out, run.err);
   CHECK(info.out.find("plain: 1 color of 1 tet, 0 phantoms") != std::string::npos);
   CHECK(run.err.find("fascia: 1 step, ") != std::string::npos);
@@ -114,8 +128,8 @@ TEST_CASE("bad input is one line and exit 1, or 2 where the option is at fault",
   write_file(folder / "rubbish.msh", std::string("\x7f\x45\x4c\x46\0\1\2\3 not a mesh", 19));
   write_file(folder / "typo.json", "{\n  \"fascia_scene\": 1,\n  \"bodies\": [,]\n}\n");
   const std::string mesh = (source_dir() / "tests/reference/01_cantilever_small/mesh.msh").string();
-  write_file(folder / "unknown_key.json",
-             R"({"fascia_scene": 1, "bodies": [{"mesh": ")" + mesh + R"(", "materials": {"default": {"young_modulos": 1e5}}}]})");
+  write_file(folder / "unknown_key.json", R"({"fascia_scene": 1, "bodies": [{"mesh": ")" + mesh +
+                                              R"(", "materials": {"default": {"young_modulos": 1e5}}}]})");
 
   expect_failure({"run", (folder / "missing.msh").string()}, {"missing.msh", "no such file"});
   expect_failure({"run", folder.path().string()}, {"directory"});
@@ -128,7 +142,8 @@ TEST_CASE("bad input is one line and exit 1, or 2 where the option is at fault",
   expect_refusal("materials.default.density=-1", {"density"});
   expect_refusal("solver.iteratons=4", {"iteratons", "iterations"});
   expect_refusal("solver.method=three_level", {"three_level", "two_level", "jacobi"});
-  expect_failure({"run", cube().string(), "--set", "fixed=[{\"sphere\":{\"center\":[9,9,9],\"radius\":0.1}}]"}, {"fixed"});
+  expect_failure({"run", cube().string(), "--set", "fixed=[{\"sphere\":{\"center\":[9,9,9],\"radius\":0.1}}]"},
+                 {"fixed"});
   expect_failure({"info", (folder / "missing.msh").string()}, {"no such file"});
   expect_failure({"convert", (folder / "missing.msh").string(), (folder / "out.vtk").string()}, {"no such file"});
   expect_failure({"convert", mesh, (folder / "out.stl").string()}, {"out.stl", ".vtk"}, ".", 2);
@@ -137,17 +152,20 @@ TEST_CASE("bad input is one line and exit 1, or 2 where the option is at fault",
 
 TEST_CASE("outputs that cannot be written", "[cli]") {
   const TemporaryFolder folder;
-  expect_failure({"render", cube().string(), "--quiet", "--steps", "0", "--out", (folder / "no/such/shot.png").string()},
-                 {"shot.png", "no such folder"});
-  expect_failure({"run", cube().string(), "--quiet", "--steps", "1", "--export", (folder / "no/out.vtu").string()}, {"out.vtu"});
-  expect_failure({"run", cube().string(), "--quiet", "--steps", "1", "--export", (folder / "out.txt").string()}, {"out.txt"}, ".", 2);
+  expect_failure(
+      {"render", cube().string(), "--quiet", "--steps", "0", "--out", (folder / "no/such/shot.png").string()},
+      {"shot.png", "no such folder"});
+  expect_failure({"run", cube().string(), "--quiet", "--steps", "1", "--export", (folder / "no/out.vtu").string()},
+                 {"out.vtu"});
+  expect_failure({"run", cube().string(), "--quiet", "--steps", "1", "--export", (folder / "out.txt").string()},
+                 {"out.txt"}, ".", 2);
   CHECK(fs::is_empty(folder.path()));
 
   // A limit on file size stands for a full disk: the write fails in the same place.
   write_file(folder / "state.csv", "old");
   const CommandResult full =
-      run_command({"/bin/sh", "-c", "ulimit -f 2; exec \"$@\"", "sh", FASCIA_BINARY, "run", cube().string(), "--quiet", "--context",
-                   "osmesa", "--steps", "1", "--export", (folder / "state.csv").string()});
+      run_command({"/bin/sh", "-c", "ulimit -f 2; exec \"$@\"", "sh", FASCIA_BINARY, "run", cube().string(), "--quiet",
+                   "--context", "osmesa", "--steps", "1", "--export", (folder / "state.csv").string()});
   INFO(full.err);
   CHECK(full.exit_code == 1);
   CHECK(full.err.find("state.csv: writing failed") != std::string::npos);
@@ -158,8 +176,9 @@ TEST_CASE("outputs that cannot be written", "[cli]") {
 TEST_CASE("ffmpeg missing or failing midway leaves no half video", "[cli]") {
   const TemporaryFolder folder, tools;
   const auto render = [&](const std::string& path) {
-    return run_command({"/usr/bin/env", "PATH=" + path, FASCIA_BINARY, "render", cube().string(), "--quiet", "--context", "osmesa",
-                        "--size", "320x240", "--time", "1", "--video", (folder / "out.mp4").string()});
+    return run_command({"/usr/bin/env", "PATH=" + path, FASCIA_BINARY, "render", cube().string(), "--quiet",
+                        "--context", "osmesa", "--size", "320x240", "--time", "1", "--video",
+                        (folder / "out.mp4").string()});
   };
   const CommandResult missing = render(tools.path().string());
   INFO(missing.err);
@@ -170,7 +189,8 @@ TEST_CASE("ffmpeg missing or failing midway leaves no half video", "[cli]") {
   const std::string first_frames = "#!/bin/sh\nhead -c 1000000 >/dev/null\n";
   struct {
     std::string end, said;
-  } cases[] = {{"echo 'No space left on device' >&2\nexit 1\n", "(No space left on device)"}, {"kill -9 $$\n", "ffmpeg stopped after "}};
+  } cases[] = {{"echo 'No space left on device' >&2\nexit 1\n", "(No space left on device)"},
+               {"kill -9 $$\n", "ffmpeg stopped after "}};
   for (const auto& [end, said] : cases) {
     write_file(tools / "ffmpeg", first_frames + end);
     chmod((tools / "ffmpeg").c_str(), 0755);
@@ -185,8 +205,8 @@ TEST_CASE("ffmpeg missing or failing midway leaves no half video", "[cli]") {
 
 TEST_CASE("a picture carries its provenance", "[cli]") {
   const TemporaryFolder folder;
-  const CommandResult result = run_fascia({"render", cube().string(), "--quiet", "--context", "osmesa", "--size", "160x120",
-                                           "--steps", "3", "--out", (folder / "shot.png").string()});
+  const CommandResult result = run_fascia({"render", cube().string(), "--quiet", "--context", "osmesa", "--size",
+                                           "160x120", "--steps", "3", "--out", (folder / "shot.png").string()});
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
   CHECK(result.err.empty());
@@ -210,8 +230,8 @@ TEST_CASE("a picture carries its provenance", "[cli]") {
 TEST_CASE("a video has the frames and size that were asked for", "[cli]") {
   const TemporaryFolder folder;
   const std::string video = folder / "out.mp4";
-  const CommandResult result = run_fascia({"render", cube().string(), "--quiet", "--context", "osmesa", "--size", "160x120",
-                                           "--time", "0.5", "--fps", "30", "--video", video});
+  const CommandResult result = run_fascia({"render", cube().string(), "--quiet", "--context", "osmesa", "--size",
+                                           "160x120", "--time", "0.5", "--fps", "30", "--video", video});
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
   const CommandResult probe =
@@ -224,22 +244,23 @@ TEST_CASE("a video has the frames and size that were asked for", "[cli]") {
 TEST_CASE("an animated GIF has the frames and size that were asked for", "[cli]") {
   const TemporaryFolder folder;
   const std::string video = folder / "out.gif";
-  const CommandResult result = run_fascia({"render", cube().string(), "--quiet", "--context", "osmesa", "--size", "160x120", "--time", "0.4",
-                                           "--fps", "25", "--video", video});
+  const CommandResult result = run_fascia({"render", cube().string(), "--quiet", "--context", "osmesa", "--size",
+                                           "160x120", "--time", "0.4", "--fps", "25", "--video", video});
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
   CHECK(read_file(video).starts_with("GIF89a"));
-  const CommandResult probe = run_command({"ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
-                                           "stream=codec_name,width,height,r_frame_rate,nb_read_frames", "-of", "csv=p=0", video});
+  const CommandResult probe =
+      run_command({"ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
+                   "stream=codec_name,width,height,r_frame_rate,nb_read_frames", "-of", "csv=p=0", video});
   CHECK(probe.out == "gif,160,120,25/1,10\n");
   CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 1);
 }
 
 TEST_CASE("run exports a series and statistics", "[cli]") {
   const TemporaryFolder folder;
-  const CommandResult result =
-      run_fascia({"run", cube().string(), "--quiet", "--steps", "6", "--export", "out.vtu", "--every", "3", "--stats", "stats.json"},
-                 folder.path());
+  const CommandResult result = run_fascia({"run", cube().string(), "--quiet", "--steps", "6", "--export", "out.vtu",
+                                           "--every", "3", "--stats", "stats.json"},
+                                          folder.path());
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
   CHECK(fs::exists(folder / "out.pvd"));
@@ -251,10 +272,32 @@ TEST_CASE("run exports a series and statistics", "[cli]") {
   REQUIRE(moment != last.end());
   CHECK(moment->second.starts_with("step 6, "));
   const auto stats = nlohmann::json::parse(read_file(folder / "stats.json"));
-  for (const char* key : {"version", "renderer", "vertices", "tets", "steps", "time_step", "iterations_per_step", "wall_s",
-                          "ms_per_step", "solve_ms_per_step", "residual", "nan", "inverted", "kinetic_J", "elastic_J", "momentum",
-                          "angular_momentum", "reaction_N", "dispatches_per_step", "gpu_bytes", "steps_asleep", "kernels", "gpu_buffers",
-                          "tets_solved", "share_solved", "bytes_per_iteration"}) {
+  for (const char* key : {"version",
+                          "renderer",
+                          "vertices",
+                          "tets",
+                          "steps",
+                          "time_step",
+                          "iterations_per_step",
+                          "wall_s",
+                          "ms_per_step",
+                          "solve_ms_per_step",
+                          "residual",
+                          "nan",
+                          "inverted",
+                          "kinetic_J",
+                          "elastic_J",
+                          "momentum",
+                          "angular_momentum",
+                          "reaction_N",
+                          "dispatches_per_step",
+                          "gpu_bytes",
+                          "steps_asleep",
+                          "kernels",
+                          "gpu_buffers",
+                          "tets_solved",
+                          "share_solved",
+                          "bytes_per_iteration"}) {
     CAPTURE(key);
     CHECK(stats.contains(key));
   }
@@ -270,9 +313,10 @@ TEST_CASE("run exports a series and statistics", "[cli]") {
 TEST_CASE("the same run gives the same state file, on every context", "[cli]") {
   const TemporaryFolder folder;
   std::string first;
-  for (const std::vector<std::string>& how : std::vector<std::vector<std::string>>{
-           {"--context", "osmesa"}, {"--context", "osmesa"}, {"--context", "egl"}}) {
-    std::vector<std::string> arguments{"run", cube().string(), "--quiet", "--steps", "20", "--export", (folder / "state.csv").string()};
+  for (const std::vector<std::string>& how :
+       std::vector<std::vector<std::string>>{{"--context", "osmesa"}, {"--context", "osmesa"}, {"--context", "egl"}}) {
+    std::vector<std::string> arguments{
+        "run", cube().string(), "--quiet", "--steps", "20", "--export", (folder / "state.csv").string()};
     arguments.insert(arguments.end(), how.begin(), how.end());
     const CommandResult result = run_fascia(arguments);
     INFO(result.err);
@@ -288,8 +332,8 @@ TEST_CASE("a step within a frame budget gets the iterations that fit, one at lea
   const TemporaryFolder folder;
   const auto iterations = [&](const std::string& milliseconds) {
     const std::string stats = (folder / "stats.json").string();
-    const CommandResult result = run_fascia({"run", cube().string(), "--quiet", "--steps", "3", "--context", "osmesa", "--stats", stats,
-                                             "--set", "solver.frame_budget=" + milliseconds});
+    const CommandResult result = run_fascia({"run", cube().string(), "--quiet", "--steps", "3", "--context", "osmesa",
+                                             "--stats", stats, "--set", "solver.frame_budget=" + milliseconds});
     INFO(result.err);
     REQUIRE(result.exit_code == 0);
     return nlohmann::json::parse(read_file(stats)).at("iterations_per_step").get<int>();
@@ -303,8 +347,8 @@ TEST_CASE("run --error compares the last step with the exact one", "[cli]") {
   const TemporaryFolder folder;
   const std::string stats = (folder / "stats.json").string();
   const auto error = [&](const std::string& iterations) {
-    const CommandResult result = run_fascia({"run", cube().string(), "--steps", "5", "--context", "osmesa", "--stats", stats, "--error",
-                                             "--set", "solver.iterations=" + iterations});
+    const CommandResult result = run_fascia({"run", cube().string(), "--steps", "5", "--context", "osmesa", "--stats",
+                                             stats, "--error", "--set", "solver.iterations=" + iterations});
     INFO(result.err);
     REQUIRE(result.exit_code == 0);
     CHECK(result.err.find("error of the last step") != std::string::npos);

@@ -1,5 +1,5 @@
-// Files under faults: a process killed while it writes, a full disk, nothing writable, two writers of one file, a file larger than memory.
-// FASCIA_KILLS: how often processes are killed; scripts/kill.sh sets it.
+// Files under faults: a process killed while it writes, a full disk, nothing writable, two writers of one file, a file
+// larger than memory. FASCIA_KILLS: how often processes are killed; scripts/kill.sh sets it.
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -16,8 +16,8 @@
 #include <thread>
 
 #include "base/file.h"
-#include "sim/mesh/mesh_generate.h"
 #include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -52,8 +52,8 @@ int wait_for(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// Kills a run of fascia at a random moment of the time that it takes, which it learns from how many end before: a machine is busy now
-/// and idle then.
+/// Kills a run of fascia at a random moment of the time that it takes, which it learns from how many end before: a
+/// machine is busy now and idle then.
 class Killer {
  public:
   explicit Killer(Clock::duration whole) : whole_(whole) {}
@@ -74,8 +74,9 @@ class Killer {
 };
 
 std::size_t temporary_files(const fs::path& folder) {
-  return static_cast<std::size_t>(std::count_if(fs::directory_iterator(folder), fs::directory_iterator(),
-                                                [](const auto& entry) { return entry.path().filename().string()[0] == '.'; }));
+  return static_cast<std::size_t>(
+      std::count_if(fs::directory_iterator(folder), fs::directory_iterator(),
+                    [](const auto& entry) { return entry.path().filename().string()[0] == '.'; }));
 }
 
 std::vector<std::string> names_in(const fs::path& folder) {
@@ -108,7 +109,8 @@ struct TwoMeshes {
 
 /// A mount namespace of its own: what is mounted in it is gone with the command. Empty where mounting is not allowed.
 Arguments in_own_mounts() {
-  for (const Arguments& own : {Arguments{"unshare", "--mount"}, Arguments{"unshare", "--user", "--map-root-user", "--mount"}}) {
+  for (const Arguments& own :
+       {Arguments{"unshare", "--mount"}, Arguments{"unshare", "--user", "--map-root-user", "--mount"}}) {
     Arguments probe = own;
     probe.insert(probe.end(), {"sh", "-c", "mount -t tmpfs -o size=64k none /mnt"});
     if (run_command(probe).exit_code == 0) return own;
@@ -116,8 +118,10 @@ Arguments in_own_mounts() {
   return {};
 }
 
-/// Runs a shell script with $1 = fascia, $2 = a folder, $3 = a mesh in its own mounts. Nothing where mounting is not allowed.
-std::optional<CommandResult> run_in_own_mounts(const std::string& script, const fs::path& folder, const fs::path& mesh) {
+/// Runs a shell script with $1 = fascia, $2 = a folder, $3 = a mesh in its own mounts. Nothing where mounting is not
+/// allowed.
+std::optional<CommandResult> run_in_own_mounts(const std::string& script, const fs::path& folder,
+                                               const fs::path& mesh) {
   Arguments arguments = in_own_mounts();
   if (arguments.empty()) {
     WARN("skipped: this user may mount nothing, not even in a namespace of its own");
@@ -162,8 +166,8 @@ TEST_CASE("a conversion that is killed leaves the old file or the new one", "[fa
     if (text == meshes.texts[1 - now]) now = 1 - now;
     left = std::max(left, temporary_files(meshes.folder.path()));
   }
-  std::printf("convert, %d kills: %d old, %d new, %d half; %d ended before; at most %zu temporary files left\n", kills(), old, fresh,
-              half, killer.finished(), left);
+  std::printf("convert, %d kills: %d old, %d new, %d half; %d ended before; at most %zu temporary files left\n",
+              kills(), old, fresh, half, killer.finished(), left);
   CHECK(half == 0);
   CHECK(old > 0);
   CHECK(run_fascia({"convert", meshes.mesh(0), out.string()}).exit_code == 0);
@@ -172,8 +176,12 @@ TEST_CASE("a conversion that is killed leaves the old file or the new one", "[fa
 
 TEST_CASE("a run that is killed leaves whole exports and statistics", "[faults][kill]") {
   const TemporaryFolder whole, killed;
-  const Arguments arguments{"run",     (source_dir() / "assets/scenes/cube.json").string(), "--quiet", "--reference", "--steps", "10",
-                            "--every", "1", "--export", "out.vtu", "--stats", "stats.json"};
+  const Arguments arguments{"run",      (source_dir() / "assets/scenes/cube.json").string(),
+                            "--quiet",  "--reference",
+                            "--steps",  "10",
+                            "--every",  "1",
+                            "--export", "out.vtu",
+                            "--stats",  "stats.json"};
   const Clock::time_point start = Clock::now();
   const CommandResult result = run_fascia(arguments, whole.path());
   INFO(result.err);
@@ -188,14 +196,14 @@ TEST_CASE("a run that is killed leaves whole exports and statistics", "[faults][
       if (name[0] == '.') continue;
       const std::string text = read_file(entry.path());
       ++files;
-      half += name == "stats.json"                   ? !nlohmann::json::accept(text)
+      half += name == "stats.json"                 ? !nlohmann::json::accept(text)
               : entry.path().extension() == ".pvd" ? !text.ends_with("</VTKFile>\n")
-                                                     : text != read_file(whole / name);
+                                                   : text != read_file(whole / name);
     }
     left = std::max(left, temporary_files(killed.path()));
   }
-  std::printf("run, %d kills: %d files looked at, %d half; %d runs ended before; at most %zu temporary files left\n", kills(), files,
-              half, killer.finished(), left);
+  std::printf("run, %d kills: %d files looked at, %d half; %d runs ended before; at most %zu temporary files left\n",
+              kills(), files, half, killer.finished(), left);
   CHECK(half == 0);
   CHECK(files > 0);
   CHECK(run_fascia(arguments, killed.path()).exit_code == 0);
@@ -215,7 +223,8 @@ TEST_CASE("two programs that write the same file leave one of the two", "[faults
     const std::string text = read_file(out);
     for (int k = 0; k < 2; ++k) of[k] += text == meshes.texts[k];
   }
-  std::printf("two writers, %d times: %d of the first, %d of the second, %d neither\n", times, of[0], of[1], times - of[0] - of[1]);
+  std::printf("two writers, %d times: %d of the first, %d of the second, %d neither\n", times, of[0], of[1],
+              times - of[0] - of[1]);
   CHECK(of[0] + of[1] == times);
   CHECK(temporary_files(meshes.folder.path()) == 0);
 }
@@ -223,8 +232,8 @@ TEST_CASE("two programs that write the same file leave one of the two", "[faults
 TEST_CASE("a full disk leaves the old file and nothing else", "[faults]") {
   const TemporaryFolder folder;
   const auto result = run_in_own_mounts(
-      "mount -t tmpfs -o size=64k none \"$2\" && cd \"$2\" && printf old >out.vtk && "
-      "{ \"$1\" convert \"$3\" out.vtk; code=$?; ls -A; cat out.vtk; exit $code; }",
+      "mount -t tmpfs -o size=64k none \"$2\" && cd \"$2\" && printf old >out.vtk && { \"$1\" convert \"$3\" out.vtk; "
+      "code=$?; ls -A; cat out.vtk; exit $code; }",
       folder.path(), small_mesh());
   if (!result) return;
   check_one_line(*result, "out.vtk: writing failed: No space left on device");
@@ -234,7 +243,8 @@ TEST_CASE("a full disk leaves the old file and nothing else", "[faults]") {
 TEST_CASE("a full device behind a report or a file is an error", "[faults]") {
   const TemporaryFolder folder;
   fs::create_symlink("/dev/full", folder / "out.vtk");
-  check_one_line(run_fascia({"convert", small_mesh().string(), (folder / "out.vtk").string()}), "No space left on device");
+  check_one_line(run_fascia({"convert", small_mesh().string(), (folder / "out.vtk").string()}),
+                 "No space left on device");
   check_one_line(run_command({"sh", "-c", "\"$1\" info \"$2\" >/dev/full", "sh", FASCIA_BINARY, small_mesh().string()}),
                  "standard output: writing failed");
 }
@@ -268,7 +278,8 @@ TEST_CASE("a read-only file stays, and permissions stay", "[faults]") {
     }
     REQUIRE(chown((folder / "out.vtk").c_str(), 65534, 65534) == 0);
   }
-  arguments.insert(arguments.end(), {FASCIA_BINARY, "convert", (folder / "mesh.msh").string(), (folder / "out.vtk").string()});
+  arguments.insert(arguments.end(),
+                   {FASCIA_BINARY, "convert", (folder / "mesh.msh").string(), (folder / "out.vtk").string()});
   fs::permissions(folder / "out.vtk", fs::perms::owner_read);
   check_one_line(run_command(arguments), "out.vtk: cannot be written: Permission denied");
   CHECK(read_file(folder / "out.vtk") == "old");
@@ -288,7 +299,8 @@ TEST_CASE("a file larger than memory is one line", "[faults]") {
   }
   const TemporaryFolder folder;
   const auto info = [&](const std::string& name) {
-    return run_command({"sh", "-c", "ulimit -v 1000000; \"$1\" info \"$2\"", "sh", FASCIA_BINARY, (folder / name).string()});
+    return run_command(
+        {"sh", "-c", "ulimit -v 1000000; \"$1\" info \"$2\"", "sh", FASCIA_BINARY, (folder / name).string()});
   };
   write_file(folder / "large.msh", "$MeshFormat\n");
   fs::resize_file(folder / "large.msh", std::uintmax_t{2} << 30);  // sparse
@@ -296,12 +308,14 @@ TEST_CASE("a file larger than memory is one line", "[faults]") {
 
   // One that can be read but whose vertices do not fit beside it: 28 bytes in the file, 24 more in memory each.
   constexpr std::uintmax_t vertices = 20000000;
-  std::string head = "$MeshFormat\n2.2 1 8\n" + std::string("\1\0\0\0", 4) + "\n$EndMeshFormat\n$Nodes\n" + std::to_string(vertices) + "\n";
-  write_file(folder / "vertices.msh", [&](std::ostream& out) {  // half of it stored: one that is mostly a hole is not read at all
-    out << head;
-    const std::string million(1000000, '\1');
-    for (std::uintmax_t written = 0; written < 15 * vertices; written += million.size()) out << million;
-  });
+  std::string head = "$MeshFormat\n2.2 1 8\n" + std::string("\1\0\0\0", 4) + "\n$EndMeshFormat\n$Nodes\n" +
+                     std::to_string(vertices) + "\n";
+  write_file(folder / "vertices.msh",
+             [&](std::ostream& out) {  // half of it stored: one that is mostly a hole is not read at all
+               out << head;
+               const std::string million(1000000, '\1');
+               for (std::uintmax_t written = 0; written < 15 * vertices; written += million.size()) out << million;
+             });
   fs::resize_file(folder / "vertices.msh", head.size() + 28 * vertices + 100);
   check_one_line(info("vertices.msh"), "vertices.msh: needs more memory than there is");
 }

@@ -12,8 +12,8 @@
 #include <thread>
 
 #include "base/file.h"
-#include "sim/mesh/mesh_generate.h"
 #include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -51,8 +51,10 @@ TEST_CASE("info reads a mesh through a named pipe", "[mesh_files]") {
 TEST_CASE("Ctrl+C ends what waits for its input, with exit code 130", "[mesh_files]") {
   const TemporaryFolder folder;
   int number = 0;
-  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"info"}, {"convert"}, {"run", "--steps", "1"}}) {
-    const std::string pipe = (folder / ("pipe" + std::to_string(number++))).string(), out = (folder / "out.vtk").string();
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"info"}, {"convert"}, {"run", "--steps", "1"}}) {
+    const std::string pipe = (folder / ("pipe" + std::to_string(number++))).string(),
+                      out = (folder / "out.vtk").string();
     REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
     std::vector<const char*> argv{FASCIA_BINARY};
     for (const std::string& argument : arguments) argv.push_back(argument.c_str());
@@ -70,7 +72,8 @@ TEST_CASE("Ctrl+C ends what waits for its input, with exit code 130", "[mesh_fil
     int status = 0;
     waitpid(child, &status, 0);
     close(writer);
-    std::printf("%s: exit code %d\n", arguments[0].c_str(), WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status));
+    std::printf("%s: exit code %d\n", arguments[0].c_str(),
+                WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status));
     CHECK(WIFEXITED(status));
     CHECK(WEXITSTATUS(status) == 130);
     CHECK_FALSE(std::filesystem::exists(out));
@@ -84,8 +87,9 @@ TEST_CASE("what is no file and what has no data are one line", "[mesh_files]") {
     write_file(folder / name, name == "x.msh" ? "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n" : "");
     std::filesystem::resize_file(folder / name, std::uintmax_t{10} << 30);
   }
-  for (const std::string& name : {std::string("x.msh"), std::string("x.obj"), std::string("x.vtk"), std::string("x.vtu"), std::string("x.mesh"), std::string("x.node"),
-                                  std::string("folder.msh"), std::string("/dev/zero")}) {
+  for (const std::string& name :
+       {std::string("x.msh"), std::string("x.obj"), std::string("x.vtk"), std::string("x.vtu"), std::string("x.mesh"),
+        std::string("x.node"), std::string("folder.msh"), std::string("/dev/zero")}) {
     const CommandResult result = run_fascia({"info", name}, folder.path());
     std::printf("%s", result.err.c_str());
     CHECK(result.exit_code == 1);
@@ -105,7 +109,8 @@ TEST_CASE("tets with vertices of their own are told about and welded", "[mesh_fi
   INFO(welded.err);
   CHECK(welded.exit_code == 0);
   CHECK_THAT(welded.err, Catch::Contains("36 vertices at the place of an earlier one left out"));
-  CHECK_THAT(welded.err, Catch::Contains(".mesh holds the numbers of regions, no names and no groups. Left out: region 3 liver."));
+  CHECK_THAT(welded.err,
+             Catch::Contains(".mesh holds the numbers of regions, no names and no groups. Left out: region 3 liver."));
   CHECK(read_mesh(whole).mesh.positions.size() == 12);
   CHECK_THAT(run_fascia({"info", whole}).out, Catch::Contains("components  1\n") && !Catch::Contains("held nowhere"));
 }

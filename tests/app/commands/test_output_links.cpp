@@ -16,7 +16,9 @@ namespace {
 
 std::string cube() { return (source_dir() / "assets/scenes/cube.json").string(); }
 
-std::size_t entries(const fs::path& folder) { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {})); }
+std::size_t entries(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
+}
 
 }  // namespace
 
@@ -26,7 +28,9 @@ TEST_CASE("a link that dangles is followed, and its target made", "[links]") {
   const struct {
     std::string link;
     fs::path leads_to;
-  } cases[] = {{"absolute.txt", folder / "there/absolute.txt"}, {"relative.txt", "there/relative.txt"}, {"chain.txt", "next.txt"}};
+  } cases[] = {{"absolute.txt", folder / "there/absolute.txt"},
+               {"relative.txt", "there/relative.txt"},
+               {"chain.txt", "next.txt"}};
   fs::create_symlink("there/chain.txt", folder / "next.txt");
   for (const auto& [name, leads_to] : cases) {
     const fs::path link = folder / name, target = folder / "there" / name;
@@ -50,7 +54,8 @@ TEST_CASE("a link that leads nowhere is refused and stays", "[links]") {
   fs::create_symlink("no/such/folder.csv", folder / "nowhere.csv");
   fs::create_symlink("b.csv", folder / "a.csv");
   fs::create_symlink("a.csv", folder / "b.csv");
-  CHECK_THROWS_WITH(require_writable(folder / "nowhere.csv"), Contains("nowhere.csv: links to ") && Contains("no such folder"));
+  CHECK_THROWS_WITH(require_writable(folder / "nowhere.csv"),
+                    Contains("nowhere.csv: links to ") && Contains("no such folder"));
   CHECK_THROWS_WITH(require_writable(folder / "a.csv"), Contains("leads in a circle"));
   for (const char* name : {"nowhere.csv", "a.csv"}) {
     const CommandResult result = run_fascia({"run", cube(), "--steps", "1", "--export", (folder / name).string()});
@@ -65,7 +70,9 @@ TEST_CASE("a link that leads nowhere is refused and stays", "[links]") {
 TEST_CASE("a link and the file it would make are one output", "[links]") {
   const TemporaryFolder folder;
   fs::create_symlink("target.csv", folder / "link.csv");
-  CHECK_THROWS_AS(require_outputs({{"--a", (folder / "link.csv").string(), {}}, {"--b", (folder / "target.csv").string(), {}}}), UsageError);
+  CHECK_THROWS_AS(
+      require_outputs({{"--a", (folder / "link.csv").string(), {}}, {"--b", (folder / "target.csv").string(), {}}}),
+      UsageError);
 }
 
 TEST_CASE("every output follows links, videos of ffmpeg's too", "[links]") {
@@ -75,10 +82,12 @@ TEST_CASE("every output follows links, videos of ffmpeg's too", "[links]") {
     fs::create_symlink("there/" + name, folder / name);
     return (folder / name).string();
   };
-  const CommandResult run = run_fascia({"run", cube(), "--quiet", "--context", "osmesa", "--steps", "1", "--export", link_to("state.csv"), "--stats",
-                                        link_to("stats.json"), "--history", link_to("rows.csv")});
-  const CommandResult render = run_fascia({"render", cube(), "--quiet", "--context", "osmesa", "--time", "0.1", "--size", "64x48", "--out",
-                                           link_to("shot.png"), "--video", link_to("film.mp4")});
+  const CommandResult run =
+      run_fascia({"run", cube(), "--quiet", "--context", "osmesa", "--steps", "1", "--export", link_to("state.csv"),
+                  "--stats", link_to("stats.json"), "--history", link_to("rows.csv")});
+  const CommandResult render =
+      run_fascia({"render", cube(), "--quiet", "--context", "osmesa", "--time", "0.1", "--size", "64x48", "--out",
+                  link_to("shot.png"), "--video", link_to("film.mp4")});
   CAPTURE(run.err, render.err);
   CHECK(run.exit_code == 0);
   CHECK(render.exit_code == 0);
@@ -97,8 +106,8 @@ TEST_CASE("a video is not put under the name of a device or of a file that is re
   fs::create_symlink("cube.msh", folder / "mesh.mp4");
   const std::string before = read_file(folder / "cube.msh");
   for (const char* name : {"null.mp4", "mesh.mp4"}) {
-    const CommandResult result = run_fascia({"render", (folder / "cube.msh").string(), "--quiet", "--context", "osmesa", "--time", "0.1", "--size", "64x48",
-                                             "--video", (folder / name).string()});
+    const CommandResult result = run_fascia({"render", (folder / "cube.msh").string(), "--quiet", "--context", "osmesa",
+                                             "--time", "0.1", "--size", "64x48", "--video", (folder / name).string()});
     CAPTURE(name, result.err);
     CHECK(result.exit_code == 2);
     CHECK(fs::is_symlink(folder / name));

@@ -1,4 +1,5 @@
-// Scenes and replays that carry their meshes, through the program: made by a command, by a session, by a state that came apart.
+// Scenes and replays that carry their meshes, through the program: made by a command, by a session, by a state that
+// came apart.
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
@@ -6,8 +7,8 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "sim/grab/build_model.h"
-#include "sim/mesh/mesh_generate.h"
 #include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
 #include "sim/scene/scene_carry.h"
 #include "sim/simulation/breakdown.h"
 #include "tests/support/headless.h"
@@ -21,7 +22,8 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string hash_of(const std::string& file, const fs::path& folder) {
-  const CommandResult run = run_fascia({"run", file, "--context", "osmesa", "--steps", "3", "--hash", "--quiet"}, folder);
+  const CommandResult run =
+      run_fascia({"run", file, "--context", "osmesa", "--steps", "3", "--hash", "--quiet"}, folder);
   CAPTURE(run.err);
   CHECK(run.exit_code == 0);
   CHECK(run.out.size() > 20);
@@ -33,7 +35,9 @@ struct Bar {
   Scene scene;
   Bar() {
     write_mesh(folder / "bar.msh", make_box(4, 2, 2, {0.4, 0.2, 0.2}));
-    write_file(folder / "bar.json", R"({"fascia_scene": 1, "bodies": [{"mesh": "bar.msh", "fixed": [{"box": [[-1, -1, -1], [0.001, 1, 1]]}]}]})");
+    write_file(
+        folder / "bar.json",
+        R"({"fascia_scene": 1, "bodies": [{"mesh": "bar.msh", "fixed": [{"box": [[-1, -1, -1], [0.001, 1, 1]]}]}]})");
     scene = open_scene(folder / "bar.json");
   }
 };
@@ -46,7 +50,8 @@ TEST_CASE("convert --with-mesh makes scenes and replays that open from an empty 
   write_replay(bar.folder / "bar.fascia", replay);
   const TemporaryFolder elsewhere;
   const std::string scene = (elsewhere / "moved.json").string(), moved = (elsewhere / "moved.fascia").string();
-  for (const auto& [in, out] : {std::pair{"bar.json", scene}, std::pair{"bar.fascia", moved}, std::pair{"bar.msh", (elsewhere / "mesh.json").string()}}) {
+  for (const auto& [in, out] : {std::pair{"bar.json", scene}, std::pair{"bar.fascia", moved},
+                                std::pair{"bar.msh", (elsewhere / "mesh.json").string()}}) {
     const std::string before = hash_of(in, bar.folder.path());
     const CommandResult made = run_fascia({"convert", in, out, "--with-mesh"}, bar.folder.path());
     CHECK(made.exit_code == 0);
@@ -59,8 +64,10 @@ TEST_CASE("convert --with-mesh makes scenes and replays that open from an empty 
   CHECK_THAT(run_fascia({"info", scene}).out, Contains("moved.json/bar.msh"));
 
   INFO("without the option, and with the wrong ending");
-  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"convert", "bar.json", scene}, {"convert", "bar.fascia", moved},
-                                                   {"convert", "bar.json", moved, "--with-mesh"}, {"convert", "bar.json", "bar.json", "--with-mesh"}}) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"convert", "bar.json", scene},
+                                                    {"convert", "bar.fascia", moved},
+                                                    {"convert", "bar.json", moved, "--with-mesh"},
+                                                    {"convert", "bar.json", "bar.json", "--with-mesh"}}) {
     const CommandResult refused = run_fascia(arguments, bar.folder.path());
     CAPTURE(refused.err);
     CHECK(refused.exit_code == 2);
@@ -89,7 +96,8 @@ TEST_CASE("a recording's mesh that is found elsewhere must be the one that was r
   write_mesh(bar.folder / "bar.msh", make_box(4, 2, 2, {0.4, 0.3, 0.2}));
   const CommandResult refused = run_fascia(run, bar.folder.path());
   CHECK(refused.exit_code == 1);
-  CHECK_THAT(refused.err, Contains("bar.fascia: bodies[0].mesh: ") && Contains("another mesh than that of the recording"));
+  CHECK_THAT(refused.err,
+             Contains("bar.fascia: bodies[0].mesh: ") && Contains("another mesh than that of the recording"));
 }
 
 TEST_CASE("a replay of a state that came apart carries its mesh", "[self_contained]") {
@@ -116,7 +124,8 @@ TEST_CASE("a session carries its mesh from the start, and one that did not does 
     CAPTURE(from_the_start);
     Model model = build_model(bar.scene);
     const TemporaryFolder elsewhere;
-    const Scene scene = from_the_start ? self_contained_if_possible(bar.scene, model.files) : self_contained_if_possible(bar.scene, model.files, 100);
+    const Scene scene = from_the_start ? self_contained_if_possible(bar.scene, model.files)
+                                       : self_contained_if_possible(bar.scene, model.files, 100);
     CHECK(scene.carries("bar.msh") == from_the_start);
     SessionRecording recording(elsewhere / "session.fascia", Replay{scene, std::nullopt, {}, 0});
     recording.add({0, GravityInput{{0, 1, 0}}});

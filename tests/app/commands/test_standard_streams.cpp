@@ -25,7 +25,8 @@ const fs::path& scenes() {
 CommandResult fed(const std::string& text, const Words& arguments, const fs::path& folder) {
   const TemporaryFolder input;
   write_file(input / "text", text);
-  Words all{"/bin/sh", "-c", "text=$1; shift; cat \"$text\" | exec \"$@\"", "sh", (input / "text").string(), FASCIA_BINARY};
+  Words all{"/bin/sh",    "-c", "text=$1; shift; cat \"$text\" | exec \"$@\"", "sh", (input / "text").string(),
+            FASCIA_BINARY};
   all.insert(all.end(), arguments.begin(), arguments.end());
   return run_command(all, folder);
 }
@@ -58,8 +59,10 @@ TEST_CASE("render and info take a scene on standard input", "[streams]") {
   const std::string text = read_file(scenes() / "cube.json");
   const std::string picture = (folder / "shot.png").string();
   // Two sides: the scene is opened twice.
-  const CommandResult render = fed(text, {"render", "-", "--quiet", "--context", "osmesa", "--steps", "1", "--size", "64x48", "--out", picture,
-                                          "--split", "solver.iterations=2"}, scenes());
+  const CommandResult render = fed(text,
+                                   {"render", "-", "--quiet", "--context", "osmesa", "--steps", "1", "--size", "64x48",
+                                    "--out", picture, "--split", "solver.iterations=2"},
+                                   scenes());
   CAPTURE(render.err);
   CHECK(render.exit_code == 0);
   CHECK(fs::exists(picture));
@@ -82,7 +85,8 @@ TEST_CASE("what is wrong with standard input is said of standard input", "[strea
   };
   CHECK_THAT(said(""), StartsWith("standard input: is empty; expected a scene"));
   CHECK_THAT(said("{\n  \"fascia_scene\": 1,\n  \"bodies\": [,]\n}\n"), StartsWith("standard input:3:"));
-  CHECK_THAT(said(R"({"fascia_scene": 1, "bodies": [{"mesh": "no.msh"}], "gravty": 1})"), StartsWith("standard input: gravty: unknown key"));
+  CHECK_THAT(said(R"({"fascia_scene": 1, "bodies": [{"mesh": "no.msh"}], "gravty": 1})"),
+             StartsWith("standard input: gravty: unknown key"));
   CHECK_THAT(said(R"({"fascia_scene": 1, "bodies": [{"mesh": "no.msh"}]})"), Contains("no.msh"));
 }
 
@@ -90,7 +94,8 @@ TEST_CASE("standard output gets one result and nothing else", "[streams]") {
   const TemporaryFolder folder;
   const std::string cube = (scenes() / "cube.json").string();
   const auto out_of = [&](const std::string& option) {
-    Words arguments{"run", cube, "--context", "osmesa", "--steps", "3", option, "-"};  // not quiet: what is said goes elsewhere
+    Words arguments{"run",     cube, "--context", "osmesa",
+                    "--steps", "3",  option,      "-"};  // not quiet: what is said goes elsewhere
     const CommandResult result = run_fascia(arguments, folder.path());
     CAPTURE(option, result.err);
     CHECK(result.exit_code == 0);
@@ -103,7 +108,8 @@ TEST_CASE("standard output gets one result and nothing else", "[streams]") {
   CAPTURE(history);
   CHECK_THAT(history, StartsWith("# "));
   const std::string rows = history.substr(history.rfind("\n#") + 1);
-  CHECK(std::count(rows.begin(), rows.end(), '\n') == 1 + 1 + 4);  // the last note, the names, the start and three steps
+  CHECK(std::count(rows.begin(), rows.end(), '\n') ==
+        1 + 1 + 4);  // the last note, the names, the start and three steps
 
   const std::string state = out_of("--export");
   CHECK(fs::is_empty(folder.path()));
@@ -123,13 +129,28 @@ TEST_CASE("both ends may be streams at once", "[streams]") {
 TEST_CASE("- is refused in one line where it means nothing", "[streams]") {
   const TemporaryFolder folder;
   const std::string cube = (scenes() / "cube.json").string(), mesh = (source_dir() / "assets/meshes/cube.msh").string();
-  const std::vector<Words> cases{
-      {"-"}, {"view", "-"}, {"render", cube, "--out", "-"}, {"render", cube, "--video", "-"}, {"render", cube, "--compare", "-"},
-      {"render", cube, "--compare", "g.png", "--diff", "-"}, {"render", cube, "--state", "-"}, {"run", "--replay", "-"}, {"run", cube, "--data-dir", "-"},
-      {"check", "-"}, {"check", ".", "--junit", "-"}, {"check", ".", "--out", "-"}, {"convert", mesh, "-"}, {"convert", "-", "x.msh"},
-      {"bench", "speed", "--out", "-"}, {"bench", "speed", "--out", "x", "--against", "-"}, {"stress", "--out", "-"}, {"soak", "-", "--out", "x"},
-      {"run", cube, "--stats", "-", "--history", "-"}, {"run", cube, "--stats", "-", "--export", "-"}, {"run", cube, "--stats", "-", "--hash"},
-      {"run", cube, "--export", "-", "--every", "2"}};
+  const std::vector<Words> cases{{"-"},
+                                 {"view", "-"},
+                                 {"render", cube, "--out", "-"},
+                                 {"render", cube, "--video", "-"},
+                                 {"render", cube, "--compare", "-"},
+                                 {"render", cube, "--compare", "g.png", "--diff", "-"},
+                                 {"render", cube, "--state", "-"},
+                                 {"run", "--replay", "-"},
+                                 {"run", cube, "--data-dir", "-"},
+                                 {"check", "-"},
+                                 {"check", ".", "--junit", "-"},
+                                 {"check", ".", "--out", "-"},
+                                 {"convert", mesh, "-"},
+                                 {"convert", "-", "x.msh"},
+                                 {"bench", "speed", "--out", "-"},
+                                 {"bench", "speed", "--out", "x", "--against", "-"},
+                                 {"stress", "--out", "-"},
+                                 {"soak", "-", "--out", "x"},
+                                 {"run", cube, "--stats", "-", "--history", "-"},
+                                 {"run", cube, "--stats", "-", "--export", "-"},
+                                 {"run", cube, "--stats", "-", "--hash"},
+                                 {"run", cube, "--export", "-", "--every", "2"}};
   for (const Words& arguments : cases) {
     const CommandResult result = run_fascia(arguments, folder.path());
     CAPTURE(arguments, result.out, result.err);

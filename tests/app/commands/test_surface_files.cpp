@@ -1,4 +1,5 @@
-// A closed surface through the command line: told about, converted, simulated; one without an inside is refused in one line.
+// A closed surface through the command line: told about, converted, simulated; one without an inside is refused in one
+// line.
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -18,7 +19,8 @@ TEST_CASE("info tells about a surface and the tets in it") {
   const CommandResult result = run_fascia({"info", kidney, "--set", "resolution=16"});
   INFO(result.out << result.err);
   REQUIRE(result.exit_code == 0);
-  for (const char* part : {"23860", "closed      yes", "shells      5", "colors      of the vertices", "filled with tets, resolution 16", "dihedral", "of them outside of the tets"})
+  for (const char* part : {"23860", "closed      yes", "shells      5", "colors      of the vertices",
+                           "filled with tets, resolution 16", "dihedral", "of them outside of the tets"})
     CHECK_THAT(result.out, Catch::Contains(part));
 }
 
@@ -31,7 +33,8 @@ TEST_CASE("a surface converts to a mesh of tets and runs") {
   const std::size_t tets = read_mesh(mesh).mesh.tets.size();
   CHECK(tets > 5000);
   CHECK(tets < 10000);
-  const CommandResult run = run_fascia({"run", kidney, "--set", "resolution=12", "--steps", "2", "--context", "osmesa", "--quiet"});
+  const CommandResult run =
+      run_fascia({"run", kidney, "--set", "resolution=12", "--steps", "2", "--context", "osmesa", "--quiet"});
   INFO(run.err);
   CHECK(run.exit_code == 0);
 }

@@ -1,8 +1,8 @@
 // Two settings side by side: the same steps under the same hand, without a trace on the side that was there before.
 #include <catch2/catch.hpp>
 
-#include "app/session/graphics.h"
 #include "app/compare/split_view.h"
+#include "app/session/graphics.h"
 #include "base/file.h"
 #include "sim/grab/build_model.h"
 #include "tests/support/headless.h"
@@ -17,7 +17,8 @@ Scene cube() { return open_scene(source_dir() / "assets/scenes/cube.json"); }
 
 double largest_difference(const State& a, const State& b) {
   double largest = 0;
-  for (std::size_t v = 0; v < a.displacement.size(); ++v) largest = std::max(largest, (a.displacement[v] - b.displacement[v]).norm());
+  for (std::size_t v = 0; v < a.displacement.size(); ++v)
+    largest = std::max(largest, (a.displacement[v] - b.displacement[v]).norm());
   return largest;
 }
 
@@ -102,8 +103,13 @@ TEST_CASE("what a replay does to one side happens to the other, but for what dif
   soft.young_modulus /= 2;
   SolverSettings slower = cube().solver;
   slower.time_step *= 0.5;
-  replay.inputs = {{1, GrabInput(pull(a.simulation.model))}, {3, MaterialInput{0, soft}}, {4, GravityInput{{1, 2, 3}}}, {5, slower},
-                   {8, ResetInput{}}, {9, GrabInput{}}, {16, ResetInput{}}};
+  replay.inputs = {{1, GrabInput(pull(a.simulation.model))},
+                   {3, MaterialInput{0, soft}},
+                   {4, GravityInput{{1, 2, 3}}},
+                   {5, slower},
+                   {8, ResetInput{}},
+                   {9, GrabInput{}},
+                   {16, ResetInput{}}};
   a.simulation.play(replay);
   Scene other = cube();
   const bool differs = GENERATE(false, true);
@@ -135,12 +141,17 @@ TEST_CASE("what a replay does to one side happens to the other, but for what dif
   CHECK(largest_difference(a.simulation.state(), initial_state(a.simulation.model)) > 0.009);
 }
 
-TEST_CASE("a replay leads both sides wherever the mouse is, and what is let go of at one side is let go of at both", "[split]") {
+TEST_CASE("a replay leads both sides wherever the mouse is, and what is let go of at one side is let go of at both",
+          "[split]") {
   Graphics graphics = open_graphics(headless(), false);
   Replay replay{cube(), std::nullopt, {}, 8};
   const std::vector<GrabSpring> springs = pull(build_model(cube()));
   const auto moved = [&](std::size_t count, double x) { return GrabMove{{{count, Eigen::Vector3d(x, 0, 0)}}}; };
-  replay.inputs = {{0, springs}, {1, moved(4, 0.001)}, {3, GrabInput{}}, {4, GrabInput{springs.begin(), springs.begin() + 2}}, {6, moved(2, 0.002)}};
+  replay.inputs = {{0, springs},
+                   {1, moved(4, 0.001)},
+                   {3, GrabInput{}},
+                   {4, GrabInput{springs.begin(), springs.begin() + 2}},
+                   {6, moved(2, 0.002)}};
   Session alone(graphics, cube(), false), a(graphics, cube(), false);
   alone.simulation.play(replay);
   a.simulation.play(replay);
@@ -185,8 +196,19 @@ TEST_CASE("render --split draws both sides, each as it is drawn alone", "[split]
   const TemporaryFolder folder;
   const std::string scene = (source_dir() / "assets/scenes/cube.json").string();
   const auto render = [&](const std::string& name, const std::string& size, std::vector<std::string> more) {
-    std::vector<std::string> arguments = {"render", scene, "--steps", "10", "--size", size, "--samples", "1", "--context", "osmesa",
-                                          "--quiet", "--out", (folder / name).string()};
+    std::vector<std::string> arguments = {"render",
+                                          scene,
+                                          "--steps",
+                                          "10",
+                                          "--size",
+                                          size,
+                                          "--samples",
+                                          "1",
+                                          "--context",
+                                          "osmesa",
+                                          "--quiet",
+                                          "--out",
+                                          (folder / name).string()};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const CommandResult result = run_fascia(arguments);
     CAPTURE(result.err);
@@ -197,8 +219,9 @@ TEST_CASE("render --split draws both sides, each as it is drawn alone", "[split]
   // Two pixels of divider: the sides are as wide as the pictures alone. Labels lie at their upper and lower ends.
   const Image both = render("both.png", "402x300", {"--split", b});
   const Image left = render("a.png", "200x300", {});
-  const Image right = render("b.png", "200x300", {"--set", "solver.method=jacobi", "--set", "solver.acceleration=none", "--set",
-                                                  "materials.default.young_modulus=1e3"});
+  const Image right = render("b.png", "200x300",
+                             {"--set", "solver.method=jacobi", "--set", "solver.acceleration=none", "--set",
+                              "materials.default.young_modulus=1e3"});
   const auto middle = [](const Image& image, int x) {
     Image part{200, 100, {}};
     for (int y = 120; y < 220; ++y) {
@@ -210,8 +233,11 @@ TEST_CASE("render --split draws both sides, each as it is drawn alone", "[split]
   CHECK(difference(middle(both, 0), middle(left, 0)).share == 0);
   CHECK(difference(middle(both, 202), middle(right, 0)).share == 0);
   CHECK(difference(middle(left, 0), middle(right, 0)).share > 0.01);
-  const CommandResult shared = run_fascia({"render", scene, "--split", "gravity=[0,0,0]", "--out", (folder / "x.png").string()});
+  const CommandResult shared =
+      run_fascia({"render", scene, "--split", "gravity=[0,0,0]", "--out", (folder / "x.png").string()});
   CHECK(shared.exit_code == 1);
   CHECK_THAT(shared.err, Catch::Contains("which both sides share"));
-  CHECK(run_fascia({"render", scene, "--split", "solver.methd=jacobi", "--out", (folder / "x.png").string()}).exit_code == 2);
+  CHECK(
+      run_fascia({"render", scene, "--split", "solver.methd=jacobi", "--out", (folder / "x.png").string()}).exit_code ==
+      2);
 }

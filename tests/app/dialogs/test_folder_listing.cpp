@@ -11,11 +11,13 @@ using namespace fascia::test;
 
 TEST_CASE("a folder lists folders, then what fascia opens, by name without case") {
   const TemporaryFolder folder;
-  for (const char* name : {"b.json", "A.msh", "c.OBJ", "notes.txt", ".hidden.json", "d.fascia", "e.ele", "e.node"}) write_file(folder / name, "");
+  for (const char* name : {"b.json", "A.msh", "c.OBJ", "notes.txt", ".hidden.json", "d.fascia", "e.ele", "e.node"})
+    write_file(folder / name, "");
   std::filesystem::create_directory(folder / "Zebra");
   const auto names = [&](std::size_t kind, const std::string& part = "") {
     std::vector<std::string> list;
-    for (const FolderEntry& entry : list_folder(folder.path(), openable_kinds()[kind], part)) list.push_back(entry.path.filename().string());
+    for (const FolderEntry& entry : list_folder(folder.path(), openable_kinds()[kind], part))
+      list.push_back(entry.path.filename().string());
     return list;
   };
   CHECK(names(0) == std::vector<std::string>{"Zebra", "A.msh", "b.json", "c.OBJ", "d.fascia", "e.node"});

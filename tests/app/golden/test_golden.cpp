@@ -1,5 +1,5 @@
-// The shipped scenes against assets/check, on both software contexts, by fascia check itself; and that what differs fails. Goldens are
-// made by scripts/update_goldens.sh. Tolerances: docs/guide/regression.md.
+// The shipped scenes against assets/check, on both software contexts, by fascia check itself; and that what differs
+// fails. Goldens are made by scripts/update_goldens.sh. Tolerances: docs/guide/regression.md.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include "app/golden/golden.h"
 #include "app/golden/provenance_difference.h"
 #include "app/golden/tolerance.h"
-#include "render/target/image.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "render/target/image.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -29,7 +29,8 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 // A picture and a state of the cube, small and few steps.
 CommandResult render(std::vector<std::string> more) {
-  std::vector<std::string> arguments{"render", cube().string(), "--context", "osmesa", "--size", "64x48", "--quiet", "--steps", "3"};
+  std::vector<std::string> arguments{"render", cube().string(), "--context", "osmesa", "--size",
+                                     "64x48",  "--quiet",       "--steps",   "3"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return run_fascia(arguments);
 }
@@ -74,7 +75,8 @@ TEST_CASE("render compares with goldens, and makes them", "[golden]") {
   CHECK(with({"--update"}).exit_code == 0);
   CHECK(fs::last_write_time(png) == written);
 
-  const CommandResult other = with({"--set", "materials.default.young_modulus=500", "--diff", (folder / "diff.png").string()});
+  const CommandResult other =
+      with({"--set", "materials.default.young_modulus=500", "--diff", (folder / "diff.png").string()});
   INFO(other.err);
   CHECK(other.exit_code == 1);
   CHECK(contains(other.err, "golden.csv: another state, largest deviation "));
@@ -83,8 +85,9 @@ TEST_CASE("render compares with goldens, and makes them", "[golden]") {
   CHECK(read_png(folder / "diff.png").width == 3 * 64 + 8);
 
   // Wide tolerances let it pass.
-  CHECK(with({"--set", "materials.default.young_modulus=500", "--max-mean", "255/255", "--max-share", "1", "--state-tolerance", "1"}).exit_code ==
-        0);
+  CHECK(with({"--set", "materials.default.young_modulus=500", "--max-mean", "255/255", "--max-share", "1",
+              "--state-tolerance", "1"})
+            .exit_code == 0);
 }
 
 TEST_CASE("goldens that cannot be compared are one line each", "[golden]") {
@@ -162,7 +165,9 @@ TEST_CASE("a state that is no number is another state", "[golden]") {
 TEST_CASE("the picture of a difference shows where and how much", "[golden]") {
   const Image golden = plain(100);
   Image now = golden;
-  const auto at = [](const Image& image, int x, int y) { return &image.rgba[4 * static_cast<std::size_t>(y * image.width + x)]; };
+  const auto at = [](const Image& image, int x, int y) {
+    return &image.rgba[4 * static_cast<std::size_t>(y * image.width + x)];
+  };
   now.rgba[4 * (8 * 16 + 8)] = 103;  // within the bound
   now.rgba[4 * (5 * 16 + 4)] = 255;  // beyond
   const Image sheet = difference_picture(golden, now, kPixelBound);
@@ -180,10 +185,14 @@ TEST_CASE("the picture of a difference shows where and how much", "[golden]") {
 }
 
 TEST_CASE("what made two pictures is compared by parameter", "[golden]") {
-  const Provenance golden{{"Renderer", "A"}, {"Parameters", R"({"solver": {"iterations": 10}, "title": "x"})"}, {"Command line", "a"}};
-  Provenance now{{"Renderer", "B"}, {"Parameters", R"({"solver": {"iterations": 20, "window": 5}, "title": "x"})"}, {"Command line", "b"}};
-  CHECK(provenance_differences(golden, now) ==
-        std::vector<std::string>{"Renderer: golden A, now B", "solver.iterations: golden 10, now 20", "solver.window: golden none, now 5"});
+  const Provenance golden{
+      {"Renderer", "A"}, {"Parameters", R"({"solver": {"iterations": 10}, "title": "x"})"}, {"Command line", "a"}};
+  Provenance now{{"Renderer", "B"},
+                 {"Parameters", R"({"solver": {"iterations": 20, "window": 5}, "title": "x"})"},
+                 {"Command line", "b"}};
+  CHECK(provenance_differences(golden, now) == std::vector<std::string>{"Renderer: golden A, now B",
+                                                                        "solver.iterations: golden 10, now 20",
+                                                                        "solver.window: golden none, now 5"});
   CHECK(provenance_differences(now, now).empty());
   CHECK(contains(provenance_differences({}, now).at(0), "no provenance"));
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "render/target/image.h"
 #include "base/file.h"
+#include "render/target/image.h"
 #include "sim/grab/build_model.h"
 #include "sim/replay/replay.h"
 #include "tests/support/support.h"
@@ -29,7 +29,8 @@ struct Pulled {
     replay.inputs.push_back({0, springs});
     for (long step = 2; step < 9; ++step) {
       replay.inputs.push_back({step, GrabMove{{{springs.size(), {0.01 * static_cast<double>(step), 0, 0}}}}});
-      replay.inputs.push_back({step, CameraSettings{{0.2 * static_cast<double>(step), 0.3, 1}, {0, 0.05, 0}, {0, 1, 0}, 40}});
+      replay.inputs.push_back(
+          {step, CameraSettings{{0.2 * static_cast<double>(step), 0.3, 1}, {0, 0.05, 0}, {0, 1, 0}, 40}});
     }
     DisplaySettings shown;
     shown.color = ColorBy::strain;
@@ -63,7 +64,8 @@ std::string frames_of(const fs::path& video) {
 
 }  // namespace
 
-TEST_CASE("a replay that is drawn twice gives the same frames and the same video, and the state that run gives", "[session]") {
+TEST_CASE("a replay that is drawn twice gives the same frames and the same video, and the state that run gives",
+          "[session]") {
   const Pulled pulled;
   const CommandResult first = pulled.run("render", {"--video", "out.mp4", "--fps", "60"});
   const std::string video = read_file(pulled.folder / "out.mp4");
@@ -91,28 +93,35 @@ TEST_CASE("a replay in slow motion has frames between the steps and ends in the 
   CHECK(difference(read_png(pulled.folder / "slow/024.png"), read_png(pulled.folder / "life/6.png")).mean == 0);
 }
 
-TEST_CASE("a video keeps its speed where the session changed its time step, with and without frames between steps", "[session]") {
+TEST_CASE("a video keeps its speed where the session changed its time step, with and without frames between steps",
+          "[session]") {
   const Pulled pulled;
   Replay replay = read_replay(pulled.folder / "pulled.fascia");
   SolverSettings finer = replay.scene.solver;
   finer.time_step /= 2;
-  const auto later = std::find_if(replay.inputs.begin(), replay.inputs.end(), [](const Input& input) { return input.step >= 4; });
+  const auto later =
+      std::find_if(replay.inputs.begin(), replay.inputs.end(), [](const Input& input) { return input.step >= 4; });
   replay.inputs.insert(later, {4, finer});
   write_replay(pulled.folder / "pulled.fascia", replay);
   // 4 steps of 1/60 s, 8 of 1/120 s.
   CHECK(line(pulled.run("render", {"--video", "life/%d.png", "--fps", "60"}), "frames ").ends_with(" 8"));
-  CHECK(line(pulled.run("render", {"--video", "slow/%d.png", "--fps", "60", "--slow", "2"}), "frames ").ends_with(" 16"));
-  // Every second frame is one of life. (Before the first step nothing is held yet; slow motion marks the vertices that are held now.)
+  CHECK(
+      line(pulled.run("render", {"--video", "slow/%d.png", "--fps", "60", "--slow", "2"}), "frames ").ends_with(" 16"));
+  // Every second frame is one of life. (Before the first step nothing is held yet; slow motion marks the vertices that
+  // are held now.)
   for (int k = 1; k < 8; ++k) {
     CAPTURE(k);
     CHECK(difference(read_png(pulled.folder / ("life/" + std::to_string(k) + ".png")),
-                     read_png(pulled.folder / ("slow/" + std::to_string(2 * k) + ".png"))).mean == 0);
+                     read_png(pulled.folder / ("slow/" + std::to_string(2 * k) + ".png")))
+              .mean == 0);
   }
-  CHECK(run_fascia({"info", "pulled.fascia"}, pulled.folder.path()).out.find("12 steps, 0.133333333 s") != std::string::npos);
+  CHECK(run_fascia({"info", "pulled.fascia"}, pulled.folder.path()).out.find("12 steps, 0.133333333 s") !=
+        std::string::npos);
   CHECK(line(pulled.run("run", {"--time", "0.1"}), "state ") == line(pulled.run("run", {"--steps", "8"}), "state "));
-  const CommandResult split = run_fascia({"render", "--replay", "pulled.fascia", "--context", "osmesa", "--size", "96x64", "--video",
-                                          "split.mp4", "--fps", "120", "--split", "solver.iterations=3"},
-                                         pulled.folder.path());
+  const CommandResult split =
+      run_fascia({"render", "--replay", "pulled.fascia", "--context", "osmesa", "--size", "96x64", "--video",
+                  "split.mp4", "--fps", "120", "--split", "solver.iterations=3"},
+                 pulled.folder.path());
   CHECK(split.exit_code == 1);
   CHECK(split.err.find("--split: has no pictures between its steps") != std::string::npos);
 }
@@ -126,8 +135,8 @@ TEST_CASE("a scene with a long list of vertices gets its video, and a name may l
   scene["bodies"][0]["fixed"] = {{{"vertices", vertices}}};
   scene["title"] = "a=b;c#d\\e";
   write_file(folder / "long.json", scene.dump());
-  const CommandResult result = run_fascia({"render", "long.json", "--context", "osmesa", "--quiet", "--size", "96x64", "--steps", "3",
-                                           "--video", "take:1.mp4"},
+  const CommandResult result = run_fascia({"render", "long.json", "--context", "osmesa", "--quiet", "--size", "96x64",
+                                           "--steps", "3", "--video", "take:1.mp4"},
                                           folder.path());
   CAPTURE(result.err);
   REQUIRE(result.exit_code == 0);
@@ -154,7 +163,8 @@ TEST_CASE("the camera of a replay can be followed, left or replaced", "[session]
   // A chosen display holds against the recorded one.
   CHECK(difference(picture("scene", "display.color=none"), still).mean > 0.001);
   const CommandResult bad =
-      run_fascia({"render", "--replay", "pulled.fascia", "--context", "osmesa", "--out", "x.png", "--camera", "1,2,3"}, pulled.folder.path());
+      run_fascia({"render", "--replay", "pulled.fascia", "--context", "osmesa", "--out", "x.png", "--camera", "1,2,3"},
+                 pulled.folder.path());
   CHECK(bad.exit_code == 2);
   CHECK(bad.err.find("--camera 1,2,3: is no camera; expected follow, scene,") != std::string::npos);
 }
@@ -183,7 +193,8 @@ TEST_CASE("what fascia wrote says what made it", "[session]") {
   pulled.run("run", {"--export", "state.msh"});
   pulled.run("run", {"--export", "state.obj"});
   CHECK(read_file(pulled.folder / "state.csv").starts_with("index,x,y,z\n"));
-  for (const char* file : {"shot.png", "film.mp4", "film.webm", "state.csv", "stats.json", "state.vtu", "state.msh", "state.obj"}) {
+  for (const char* file :
+       {"shot.png", "film.mp4", "film.webm", "state.csv", "stats.json", "state.vtu", "state.msh", "state.obj"}) {
     const CommandResult info = run_fascia({"info", file}, pulled.folder.path());
     CAPTURE(file, info.out, info.err);
     CHECK(info.exit_code == 0);
@@ -192,10 +203,12 @@ TEST_CASE("what fascia wrote says what made it", "[session]") {
     CHECK(info.out.find("llvmpipe") != std::string::npos);
     CHECK(info.out.find("young_modulus") != std::string::npos);
   }
-  CHECK(run_fascia({"info", "shot.png"}, pulled.folder.path()).out.find(R"(--set 'title=it'\''s two words')") != std::string::npos);
+  CHECK(run_fascia({"info", "shot.png"}, pulled.folder.path()).out.find(R"(--set 'title=it'\''s two words')") !=
+        std::string::npos);
   const CommandResult replay = run_fascia({"info", "pulled.fascia"}, pulled.folder.path());
   CHECK(replay.out.find("12 steps, 0.2 s") != std::string::npos);
   // Exports are meshes as before.
-  CHECK(run_fascia({"run", "state.vtu", "--steps", "0", "--quiet", "--context", "osmesa"}, pulled.folder.path()).exit_code == 0);
+  CHECK(run_fascia({"run", "state.vtu", "--steps", "0", "--quiet", "--context", "osmesa"}, pulled.folder.path())
+            .exit_code == 0);
   CHECK(run_fascia({"info", "state.msh"}, pulled.folder.path()).out.find("coloring") != std::string::npos);
 }

@@ -31,7 +31,9 @@ Image bar_over_tissue(Backdrop backdrop, int width, int height) {
   return framebuffer.read();
 }
 
-const std::uint8_t* pixel(const Image& image, int x, int y) { return &image.rgba[4 * static_cast<std::size_t>(y * image.width + x)]; }
+const std::uint8_t* pixel(const Image& image, int x, int y) {
+  return &image.rgba[4 * static_cast<std::size_t>(y * image.width + x)];
+}
 
 std::size_t covered(const Image& image) {
   std::size_t count = 0;
@@ -69,7 +71,8 @@ TEST_CASE("the color bar's title stands clear of the number below it", "[color_b
   REQUIRE(y < kHeight);
 }
 
-TEST_CASE("on a transparent picture the bar can be read over white and over black, and is no light plate", "[color_bar]") {
+TEST_CASE("on a transparent picture the bar can be read over white and over black, and is no light plate",
+          "[color_bar]") {
   Graphics graphics = open_graphics(headless(), false);
   Overlay overlay(graphics);
   Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
@@ -87,7 +90,8 @@ TEST_CASE("on a transparent picture the bar can be read over white and over blac
       const std::uint8_t* p = pixel(image, x, y);
       return p[3] / 255.0 * p[0] + (1 - p[3] / 255.0) * paper;
     };
-    const int left = static_cast<int>(box->left), right = static_cast<int>(box->right), top = static_cast<int>(box->top);
+    const int left = static_cast<int>(box->left), right = static_cast<int>(box->right),
+              top = static_cast<int>(box->top);
     const double plate = laid(right - 4, kHeight / 2);
     double text = plate;  // the title's strongest pixel
     for (int y = top + 10; y < top + 26; ++y)
@@ -134,8 +138,13 @@ TEST_CASE("a hand's force stands beside the color bar and inside the picture", "
   bool in_bar = false;
   const int usual = label_pixels({200, 300}, &in_bar);
   REQUIRE(usual > 500);
-  for (const Eigen::Vector2d& at : {Eigen::Vector2d(kWidth - 90, kHeight / 2), {box->left - 30, kHeight / 2}, {kWidth - 5, kHeight / 2}, {kWidth - 5, 5},
-                                   {300, 3}, {5, kHeight - 5}, {kWidth - 5, kHeight - 5}}) {
+  for (const Eigen::Vector2d& at : {Eigen::Vector2d(kWidth - 90, kHeight / 2),
+                                    {box->left - 30, kHeight / 2},
+                                    {kWidth - 5, kHeight / 2},
+                                    {kWidth - 5, 5},
+                                    {300, 3},
+                                    {5, kHeight - 5},
+                                    {kWidth - 5, kHeight - 5}}) {
     const int count = label_pixels(at, &in_bar);
     CAPTURE(at.transpose(), usual, count);
     CHECK_FALSE(in_bar);

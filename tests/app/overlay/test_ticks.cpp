@@ -11,7 +11,8 @@ TEST_CASE("both ends of a range have a mark where they are multiples of the step
   const bool rounded = GENERATE(true, false);
   int ends = 0;
   const auto check = [&](double low, double high) {
-    const Ticks ticks = linear_ticks(rounded ? static_cast<float>(low) : low, rounded ? static_cast<float>(high) : high, 5);
+    const Ticks ticks =
+        linear_ticks(rounded ? static_cast<float>(low) : low, rounded ? static_cast<float>(high) : high, 5);
     CAPTURE(rounded, low, high, ticks.values);
     REQUIRE(ticks.values.size() >= 2);
     REQUIRE(ticks.values.size() <= 6);
@@ -39,7 +40,8 @@ TEST_CASE("both ends of a range have a mark where they are multiples of the step
       check(high / 10, high);
       check(high, 3 * high);
     }
-  for (const double reach : {0.5, 0.2, 0.1, 0.05, 0.01, 0.002, 1e-3, 1e-4, 1e-5}) check(1 - reach, 1 + reach);  // of the volume ratio
+  for (const double reach : {0.5, 0.2, 0.1, 0.05, 0.01, 0.002, 1e-3, 1e-4, 1e-5})
+    check(1 - reach, 1 + reach);  // of the volume ratio
   CAPTURE(ends);
   CHECK(ends > 1000);
 }

@@ -1,11 +1,12 @@
-// Where panels stand: inside the picture whatever its size, beside what is written over it; and what their rows leave between each other.
-#include <catch2/catch.hpp>
+// Where panels stand: inside the picture whatever its size, beside what is written over it; and what their rows leave
+// between each other.
 #include <imgui.h>
 #include <imgui_internal.h>
+#include <catch2/catch.hpp>
 
+#include "app/compare/split_view.h"
 #include "app/overlay/overlay.h"
 #include "app/panels/panels.h"
-#include "app/compare/split_view.h"
 #include "app/ui/style.h"
 #include "app/ui/widgets.h"
 #include "tests/support/headless.h"
@@ -34,7 +35,9 @@ struct Desk {
       if (more) more();
     });
   }
-  std::array<float, 4> place() const { return {state.plots.left, state.plots.top, state.plots.width, state.plots.height}; }
+  std::array<float, 4> place() const {
+    return {state.plots.left, state.plots.top, state.plots.width, state.plots.height};
+  }
   bool inside(float width, float height) const {
     const Plots& p = state.plots;
     return p.left >= 0 && p.top >= 0 && p.left + p.width <= width && p.top + p.height <= height;

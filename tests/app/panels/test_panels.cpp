@@ -32,9 +32,10 @@ TEST_CASE("every widget of every panel has a text that explains it", "[panels]")
   Graphics graphics = open_graphics(headless(), false);
   Overlay overlay(graphics);
   Framebuffer framebuffer(340, 400, 1);
-  const std::vector<std::pair<const char*, Pair>> shown = {{"inclusion", legal_pairs().front()},
-                                                           {"cube", {Method::gauss_seidel, Acceleration::chebyshev}},
-                                                           {"cube", {Method::jacobi, Acceleration::anderson_positions}}};
+  const std::vector<std::pair<const char*, Pair>> shown = {
+      {"inclusion", legal_pairs().front()},
+      {"cube", {Method::gauss_seidel, Acceleration::chebyshev}},
+      {"cube", {Method::jacobi, Acceleration::anderson_positions}}};
   for (const auto& [name, pair] : shown) {
     Scene scene = open_scene(source_dir() / "assets/scenes" / (std::string(name) + ".json"));
     scene.solver.method = pair.method;
@@ -53,7 +54,8 @@ TEST_CASE("every widget of every panel has a text that explains it", "[panels]")
     state.history.follow(dials_of(session, state.grab));
     Requests requests;
     session.draw(framebuffer);
-    overlay.draw_headless(session, framebuffer, true, state.statistics.diagnostics, {}, [&] { draw_everything(session, state, requests); });
+    overlay.draw_headless(session, framebuffer, true, state.statistics.diagnostics, {},
+                          [&] { draw_everything(session, state, requests); });
   }
   CAPTURE(ui::unexplained());
   CHECK(ui::unexplained().empty());

@@ -1,10 +1,11 @@
-// What the shipped scenes cost, counted: a scene pays for what it uses and for nothing else, and a change that makes one dearer shows here.
+// What the shipped scenes cost, counted: a scene pays for what it uses and for nothing else, and a change that makes
+// one dearer shows here.
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
-#include "sim/simulation/simulation.h"
 #include "gl/buffer.h"
 #include "gl/compute_pass.h"
+#include "sim/simulation/simulation.h"
 #include "tests/support/headless.h"
 #include "tests/support/support.h"
 
@@ -30,14 +31,16 @@ TEST_CASE("counts of the shipped scenes", "[counts]") {
                                                    {"liver", 9389, 5, 9, 3'452'872}}));
   CAPTURE(expected.scene);
   Graphics graphics = open_graphics(headless(), false);
-  Simulation simulation(open_scene(source_dir() / "assets/scenes" / (expected.scene + ".json")), graphics.programs.get(), false);
+  Simulation simulation(open_scene(source_dir() / "assets/scenes" / (expected.scene + ".json")),
+                        graphics.programs.get(), false);
   const std::uint64_t before = gl::dispatch_count();
   simulation.gpu()->step();
   CHECK(simulation.gpu()->buffers().tet_count == expected.tets_solved);
   CHECK(simulation.gpu()->dispatches_per_step() == expected.dispatches_per_step);
   // Beside the step's own: the regions' speeds, where there are regions.
   const std::uint64_t measured = simulation.gpu()->buffers().tet_count >= Regions::kLeastTets ? 1 : 0;
-  CHECK(gl::dispatch_count() - before >= expected.dispatches_per_step + measured);  // more where the loops of one were not enough
+  CHECK(gl::dispatch_count() - before >=
+        expected.dispatches_per_step + measured);            // more where the loops of one were not enough
   CHECK(simulation.programs()->size() == expected.kernels);  // with the one that tries the device
   CHECK(gl::allocated_bytes() == expected.gpu_bytes);
   const auto& buffers = gl::bytes_by_buffer();

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
+#include "app/headless/headless.h"
 #include "app/overlay/color_bar.h"
 #include "app/session/framing.h"
-#include "app/headless/headless.h"
 #include "tests/support/headless.h"
 #include "tests/support/support.h"
 
@@ -28,7 +28,8 @@ Eigen::Vector2d columns(const Session& session, int width, int height) {
   const Model& model = session.simulation.model;
   for (const Tet& tet : model.tets)
     for (const std::uint32_t v : tet)
-      if (const auto at = pixel_of(session, model.rest_positions[v], width, height)) seen = {std::min(seen.x(), at->x()), std::max(seen.y(), at->x())};
+      if (const auto at = pixel_of(session, model.rest_positions[v], width, height))
+        seen = {std::min(seen.x(), at->x()), std::max(seen.y(), at->x())};
   return seen;
 }
 
@@ -44,11 +45,14 @@ TEST_CASE("a frame keeps any body between panels and bar, and leaves pictures al
           CAPTURE(extent.transpose(), size.width, size.height, left, right);
           Camera camera;
           frame_picture(camera, extent, {size.width, size.height, {left, right}});
-          const auto column = [&](double seen) { return 0.5 * size.width * (1 + camera.middle.x()) + seen * half / camera.reach; };
+          const auto column = [&](double seen) {
+            return 0.5 * size.width * (1 + camera.middle.x()) + seen * half / camera.reach;
+          };
           const double begin = column(extent.x()), end = column(extent.y());
           CAPTURE(camera.middle.x(), camera.reach, begin, end);
           const double middle = 0.5 * (left + size.width);
-          const bool clear = middle + extent.y() * half < size.width - right - 0.03 * size.width && middle + extent.x() * half > left + 0.03 * size.width;
+          const bool clear = middle + extent.y() * half < size.width - right - 0.03 * size.width &&
+                             middle + extent.x() * half > left + 0.03 * size.width;
           if (right == 0 || clear) {
             CHECK(camera.reach == 1);
             CHECK(camera.middle.x() == Approx(left / size.width).margin(1e-12));
@@ -83,7 +87,8 @@ TEST_CASE("rendered bodies are clear of their color bar", "[framing]") {
   options.height = size.height;
   Headless picture(options);
   picture.draw();
-  const auto legend = legend_box({0, 0, static_cast<float>(size.width), static_cast<float>(size.height)}, picture.session());
+  const auto legend =
+      legend_box({0, 0, static_cast<float>(size.width), static_cast<float>(size.height)}, picture.session());
   REQUIRE(legend);
   const Eigen::Vector2d seen = columns(picture.session(), size.width, size.height);
   CAPTURE(name, color, size.width, legend->left, seen.transpose());
@@ -104,8 +109,10 @@ TEST_CASE("a comparison frames the body in both halves alike, clear of the bar",
       Framebuffer framebuffer(size.width, size.height, 1);
       split.draw(a, framebuffer, margins, {});
       const std::array<SplitView::Area, 2> areas = SplitView::areas(size.width, margins);
-      const Eigen::Vector2d in_a = columns(a, areas[0].width, size.height), in_b = columns(split.b(), areas[1].width, size.height);
-      CAPTURE(name, color, size.width, size.height, margins.left, margins.right, areas[0].width, in_a.transpose(), in_b.transpose());
+      const Eigen::Vector2d in_a = columns(a, areas[0].width, size.height),
+                            in_b = columns(split.b(), areas[1].width, size.height);
+      CAPTURE(name, color, size.width, size.height, margins.left, margins.right, areas[0].width, in_a.transpose(),
+              in_b.transpose());
       CHECK(areas[1].x + areas[1].width <= size.width);
       CHECK(std::abs(areas[1].width - areas[0].width - margins.right) <= 1);
       CHECK(in_a.x() >= 0);

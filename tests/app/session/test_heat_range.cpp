@@ -1,8 +1,9 @@
-// The automatic range of a heat map: what is shown decides it, not what was shown before; two sides of a comparison have one.
+// The automatic range of a heat map: what is shown decides it, not what was shown before; two sides of a comparison
+// have one.
 #include <catch2/catch.hpp>
 
-#include "app/session/shown_look.h"
 #include "app/compare/split_view.h"
+#include "app/session/shown_look.h"
 #include "render/target/image.h"
 #include "sim/grab/build_model.h"
 #include "tests/support/headless.h"
@@ -100,8 +101,8 @@ TEST_CASE("a final picture is the same after a video", "[heat_range]") {
   for (const bool video : {false, true}) {
     const std::string png = folder / (video ? "after.png" : "alone.png");
     // The reach falls to less than a half, but not to a fifth, of what the video showed.
-    std::vector<std::string> arguments{"render", scene, "--context", "osmesa", "--size", "96x64", "--quiet", "--steps", "40",
-                                       "--color", "velocity", "--out", png};
+    std::vector<std::string> arguments{"render",  scene, "--context", "osmesa",   "--size", "96x64", "--quiet",
+                                       "--steps", "40",  "--color",   "velocity", "--out",  png};
     if (video) arguments.insert(arguments.end(), {"--video", folder / "%03d.png"});
     const CommandResult result = run_fascia(arguments);
     INFO(result.err);

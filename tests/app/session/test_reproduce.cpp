@@ -41,9 +41,11 @@ struct Desk {
   TemporaryFolder folder;
   std::filesystem::path file = folder / "it's a $cene.json";
   explicit Desk(const std::string& rest = "") {
-    write_file(file, R"({"fascia_scene": 1, "bodies": [{"mesh": "m.msh", "materials": {"default": {"young_modulus": 1e5},
+    write_file(file,
+               R"({"fascia_scene": 1, "bodies": [{"mesh": "m.msh", "materials": {"default": {"young_modulus": 1e5},
                          "a.b": {"density": 900}, "core": {"young_modulus": 1e6}}},
-                        {"mesh": "n.msh"}])" + rest + "}");
+                        {"mesh": "n.msh"}])" +
+                   rest + "}");
   }
 };
 
@@ -72,8 +74,10 @@ TEST_CASE("what was turned is said key by key, and nothing else") {
   now.bodies[1].material.model = MaterialModel::stable_neo_hookean;
   now.gravity = {0, -1.62, 0};
   now.solver.iterations = 17;
-  CHECK(sets_between(file, now) == Texts{"gravity=[0,-1.62,0]", "materials.default.young_modulus=0.3333333333333333", "materials.core.damping=0.25",
-                                         "bodies.1.materials.default.model=stable_neo_hookean", "solver.iterations=17"});
+  CHECK(sets_between(file, now) == Texts{"gravity=[0,-1.62,0]", "materials.default.young_modulus=0.3333333333333333",
+                                         "materials.core.damping=0.25",
+                                         "bodies.1.materials.default.model=stable_neo_hookean",
+                                         "solver.iterations=17"});
   CHECK(open_scene(desk.file, sets_between(file, now)) == now);
 
   INFO("half a pair, a range that went, a region whose name cannot stand in a key");
@@ -87,7 +91,8 @@ TEST_CASE("what was turned is said key by key, and nothing else") {
 }
 
 TEST_CASE("a shell gives every text back as it was") {
-  const Texts texts = {"plain", "a b", "it's", "\"quoted\"", "$HOME `id` \\ ! * ? [0,1] {a} ~ ; & | < > ( ) #", "", "-x", "\xc3\xa9", "''"};
+  const Texts texts = {"plain", "a b", "it's",     "\"quoted\"", "$HOME `id` \\ ! * ? [0,1] {a} ~ ; & | < > ( ) #",
+                       "",      "-x",  "\xc3\xa9", "''"};
   std::string line;
   for (const std::string& text : texts) line += shell_quoted(text) + " ";
   CHECK(words(line) == texts);
@@ -105,13 +110,15 @@ TEST_CASE("scenes that were turned at random come back from their command line t
     };
     for (Body& body : now.bodies) visit_material(body.material, turn);
     for (auto& [key, values] : now.bodies[0].region_materials)
-      visit_material(values, [&](std::optional<double>& value, const char*, const char*, double min, double max, auto&&...) {
-        if (chance()) value = std::uniform_real_distribution<double>(min, max)(random);
-      });
+      visit_material(values,
+                     [&](std::optional<double>& value, const char*, const char*, double min, double max, auto&&...) {
+                       if (chance()) value = std::uniform_real_distribution<double>(min, max)(random);
+                     });
     if (chance()) now.bodies[1].region_materials = {{"x y", MaterialOverride{}}};
     visit_settings(now.solver, [&](auto& value, const char*, const char*, auto min, auto max, auto&&...) {
       if (!chance()) return;
-      value = static_cast<std::decay_t<decltype(value)>>(std::uniform_real_distribution<double>(double(min), double(max))(random));
+      value = static_cast<std::decay_t<decltype(value)>>(
+          std::uniform_real_distribution<double>(double(min), double(max))(random));
     });
     if (chance()) {
       const Pair pair = legal_pairs()[random() % legal_pairs().size()];

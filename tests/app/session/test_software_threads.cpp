@@ -12,8 +12,8 @@
 
 #include "app/session/software_threads.h"
 #include "sim/grab/build_model.h"
-#include "tests/support/window/window_fixture.h"
 #include "tests/support/support.h"
+#include "tests/support/window/window_fixture.h"
 
 using namespace fascia::test;
 namespace fs = std::filesystem;
@@ -23,7 +23,8 @@ namespace {
 std::string first_word(const fs::path& file, const std::string& key) {
   std::ifstream in(file);
   std::string word;
-  while (in >> word && word != key) {}
+  while (in >> word && word != key) {
+  }
   in >> word;
   return word;
 }
@@ -36,8 +37,8 @@ Cores cores_of_threads(std::size_t workers) {
   const std::string cube = (source_dir() / "assets/scenes/cube.json").string();
   const pid_t child = fork();
   if (child == 0) {
-    execl("/usr/bin/env", "env", threads.c_str(), FASCIA_BINARY, "run", cube.c_str(), "--quiet", "--context", "osmesa", "--time", "1000",
-          "--export", out.c_str(), "--every", "10", nullptr);
+    execl("/usr/bin/env", "env", threads.c_str(), FASCIA_BINARY, "run", cube.c_str(), "--quiet", "--context", "osmesa",
+          "--time", "1000", "--export", out.c_str(), "--every", "10", nullptr);
     _exit(127);
   }
   const bool stepped = eventually([&] { return !fs::is_empty(folder.path()); });

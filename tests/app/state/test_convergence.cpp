@@ -1,8 +1,9 @@
-// The residual within a substep, for the settings in use and for pinned ones: whose turn it is, what it measures, what it leaves alone.
+// The residual within a substep, for the settings in use and for pinned ones: whose turn it is, what it measures, what
+// it leaves alone.
 #include <catch2/catch.hpp>
 
-#include "app/state/convergence.h"
 #include "app/session/graphics.h"
+#include "app/state/convergence.h"
 #include "tests/support/headless.h"
 #include "tests/support/support.h"
 
@@ -19,13 +20,15 @@ SolverSettings with(Method method, Acceleration acceleration, int iterations = 1
   return settings;
 }
 
-const SolverSettings kJacobi = with(Method::jacobi, Acceleration::none, 3), kDescent = with(Method::vertex_descent, Acceleration::none);
+const SolverSettings kJacobi = with(Method::jacobi, Acceleration::none, 3),
+                     kDescent = with(Method::vertex_descent, Acceleration::none);
 
 Scene cube() { return open_scene(source_dir() / "assets/scenes/cube.json"); }
 
 }  // namespace
 
-TEST_CASE("lines of the convergence plot take turns, and measure the step that comes next without touching it", "[convergence]") {
+TEST_CASE("lines of the convergence plot take turns, and measure the step that comes next without touching it",
+          "[convergence]") {
   Graphics graphics = open_graphics(headless(), false);
   Simulation simulation(cube(), graphics.programs.get(), false), alone(cube(), graphics.programs.get(), false);
   Convergence convergence;
@@ -56,7 +59,8 @@ TEST_CASE("lines of the convergence plot take turns, and measure the step that c
   for (const Convergence::Line& line : lines) {
     CAPTURE(line.name, line.residuals);
     CHECK_FALSE(line.diverged);
-    CHECK(line.residuals.size() == static_cast<std::size_t>(simulation.scene.solver.iterations) + 1);  // pinned ones, too
+    CHECK(line.residuals.size() ==
+          static_cast<std::size_t>(simulation.scene.solver.iterations) + 1);  // pinned ones, too
     CHECK(line.residuals.back() < line.residuals.front());
   }
   CHECK(lines[0].residuals.back() < 0.1f * lines[1].residuals.back());

@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "sim/output/sample_history.h"
 #include "app/ui/ticks.h"
 #include "base/file.h"
+#include "sim/output/sample_history.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -49,7 +49,8 @@ TEST_CASE("a long session forgets its oldest samples") {
 }
 
 TEST_CASE("axes have round marks, not too many, told apart by their digits") {
-  for (const auto& [low, high] : {std::pair{0.0, 1.0}, {-3.7e-5, 8.1e-5}, {0.99991, 1.00012}, {12345.0, 12399.0}, {-2e9, 1e3}})
+  for (const auto& [low, high] :
+       {std::pair{0.0, 1.0}, {-3.7e-5, 8.1e-5}, {0.99991, 1.00012}, {12345.0, 12399.0}, {-2e9, 1e3}})
     for (const int most : {2, 4, 9}) {
       CAPTURE(low, high, most);
       const Ticks ticks = linear_ticks(low, high, most);
@@ -64,7 +65,8 @@ TEST_CASE("axes have round marks, not too many, told apart by their digits") {
         CHECK(std::string(a) != b);
       }
       if (ticks.values.size() < 2) continue;
-      const double step = ticks.values[1] - ticks.values[0], digit = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
+      const double step = ticks.values[1] - ticks.values[0],
+                   digit = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
       CAPTURE(step);
       CHECK((std::abs(digit - 1) < 1e-6 || std::abs(digit - 2) < 1e-6 || std::abs(digit - 5) < 1e-6));
     }

@@ -1,8 +1,8 @@
 // Undo and redo of what users turn, and regions that get a material of their own while the scene runs.
 #include <catch2/catch.hpp>
 
-#include "app/state/undo_history.h"
 #include "app/session/graphics.h"
+#include "app/state/undo_history.h"
 #include "base/file.h"
 #include "sim/grab/build_model.h"
 #include "tests/support/headless.h"
@@ -21,7 +21,8 @@ Dials plain() {
 
 double largest_difference(const State& a, const State& b) {
   double largest = 0;
-  for (std::size_t v = 0; v < a.displacement.size(); ++v) largest = std::max(largest, (a.displacement[v] - b.displacement[v]).norm());
+  for (std::size_t v = 0; v < a.displacement.size(); ++v)
+    largest = std::max(largest, (a.displacement[v] - b.displacement[v]).norm());
   return largest;
 }
 

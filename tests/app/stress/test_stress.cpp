@@ -2,12 +2,12 @@
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
-#include "sim/grab/build_model.h"
-#include "sim/simulation/simulation.h"
 #include "app/stress/stress.h"
 #include "base/file.h"
-#include "sim/mesh/mesh_generate.h"
+#include "sim/grab/build_model.h"
 #include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
+#include "sim/simulation/simulation.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -97,7 +97,8 @@ TEST_CASE("every criterion of the torture table can fail") {
     box.scene.bodies[0].material.model = MaterialModel::st_venant_kirchhoff;
     const Model model = build_model(box.scene);
     State mirrored = initial_state(model);
-    for (std::size_t v = 0; v < mirrored.displacement.size(); ++v) mirrored.displacement[v].x() = -2 * model.rest_positions[v].x();
+    for (std::size_t v = 0; v < mirrored.displacement.size(); ++v)
+      mirrored.displacement[v].x() = -2 * model.rest_positions[v].x();
     CHECK(box.failure(criteria, mirrored) == "");
     criteria.keeps_upright = true;
     CHECK(box.failure(criteria, mirrored) == "48 tets inside out at the end|");
@@ -115,7 +116,8 @@ TEST_CASE("every criterion of the torture table can fail") {
 TEST_CASE("a failure leaves a table, a summary, a picture and a replay that repeats it") {
   TemporaryFolder folder;
   const auto stress = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"stress", "--quick", "--context", "osmesa", "--out", (folder / "out").string(), "--size", "96x64"};
+    std::vector<std::string> arguments{"stress", "--quick", "--context", "osmesa", "--out", (folder / "out").string(),
+                                       "--size", "96x64"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_fascia(arguments, folder.path());
   };
@@ -123,8 +125,10 @@ TEST_CASE("a failure leaves a table, a summary, a picture and a replay that repe
   const CommandResult passed = stress({"--only", only});
   CAPTURE(passed.err);
   CHECK(passed.exit_code == 0);
-  CHECK_THAT(read_file(folder.path() / "out" / "stress.csv"), Catch::Contains("start,mirrored E=1e+06,two_level,subspace,1,"));
-  CHECK_THAT(read_file(folder.path() / "out" / "summary.md"), Catch::Contains("| two_level + subspace | 1 / 1 | 1 / 1 |"));
+  CHECK_THAT(read_file(folder.path() / "out" / "stress.csv"),
+             Catch::Contains("start,mirrored E=1e+06,two_level,subspace,1,"));
+  CHECK_THAT(read_file(folder.path() / "out" / "summary.md"),
+             Catch::Contains("| two_level + subspace | 1 / 1 | 1 / 1 |"));
 
   const CommandResult failed = stress({"--only", only, "--model", "st_venant_kirchhoff"});
   CAPTURE(failed.err);
@@ -132,13 +136,17 @@ TEST_CASE("a failure leaves a table, a summary, a picture and a replay that repe
   CHECK_THAT(failed.err, Catch::Contains("FAILED start/mirrored E=1e+06/two_level + subspace: "));
   const auto replay = folder.path() / "out" / "failures" / "start_mirrored_E_1e_06_two_level___subspace.fascia";
   CHECK(std::filesystem::exists(std::filesystem::path(replay).replace_extension(".png")));
-  const CommandResult again = run_fascia({"run", "--replay", replay.string(), "--context", "osmesa", "--stats", "stats.json"}, folder.path());
+  const CommandResult again =
+      run_fascia({"run", "--replay", replay.string(), "--context", "osmesa", "--stats", "stats.json"}, folder.path());
   CAPTURE(again.err);
   CHECK(again.exit_code == 0);
   CHECK_THAT(again.err, Catch::Contains(" inside out at the end\n"));
-  CHECK_THAT(read_file(folder / "stats.json"), Catch::Contains("\"steps\": 150") && !Catch::Contains("\"inverted\": 0,"));
+  CHECK_THAT(read_file(folder / "stats.json"),
+             Catch::Contains("\"steps\": 150") && !Catch::Contains("\"inverted\": 0,"));
 
   const CommandResult none = stress({"--only", "no such case"});
   CHECK(none.exit_code == 1);
-  CHECK_THAT(none.err, Catch::EndsWith("--only no such case: matches no case; expected a part of group/case/method + acceleration\n"));
+  CHECK_THAT(
+      none.err,
+      Catch::EndsWith("--only no such case: matches no case; expected a part of group/case/method + acceleration\n"));
 }

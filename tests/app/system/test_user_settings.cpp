@@ -38,10 +38,11 @@ TEST_CASE("recent files: the latest first, each once, not too many") {
 
 TEST_CASE("broken settings are told of, kept aside and replaced") {
   const TemporaryFolder folder;
-  const std::string broken = GENERATE(as<std::string>(), "{", "[]", "{\"fascia_settings\": 2}", "{\"fascia_settings\": 1, \"recent\": 3}",
-                                      "{\"fascia_settings\": 1, \"recent\": [3]}", "{\"fascia_settings\": 1, \"colour\": \"red\"}",
-                                      "{\"fascia_settings\": 1, \"welcomed\": \"yes\"}", "{\"fascia_settings\": 1, \"folder\": []}",
-                                      "{\"fascia_settings\": 1, \"theme\": \"red\"}", "\xff\xfe");
+  const std::string broken =
+      GENERATE(as<std::string>(), "{", "[]", "{\"fascia_settings\": 2}", "{\"fascia_settings\": 1, \"recent\": 3}",
+               "{\"fascia_settings\": 1, \"recent\": [3]}", "{\"fascia_settings\": 1, \"colour\": \"red\"}",
+               "{\"fascia_settings\": 1, \"welcomed\": \"yes\"}", "{\"fascia_settings\": 1, \"folder\": []}",
+               "{\"fascia_settings\": 1, \"theme\": \"red\"}", "\xff\xfe");
   CAPTURE(broken);
   write_file(folder / "settings.json", broken);
   CHECK_THROWS_AS(read_user_settings(folder / "settings.json"), Error);
@@ -58,7 +59,8 @@ TEST_CASE("two windows do not lose each other's recent files") {
   UserStore one(folder.path()), two(folder.path());
   one.change([](UserSettings& settings) { settings.opened("/one.msh"); });
   two.change([](UserSettings& settings) { settings.opened("/two.msh"); });
-  CHECK(read_user_settings(folder / "settings.json").recent == std::vector<std::filesystem::path>{"/two.msh", "/one.msh"});
+  CHECK(read_user_settings(folder / "settings.json").recent ==
+        std::vector<std::filesystem::path>{"/two.msh", "/one.msh"});
 }
 
 TEST_CASE("settings that cannot be written are told of once and do no harm") {

@@ -11,7 +11,8 @@ namespace {
 
 bool overlap(const Box& a, const Box& b) {
   constexpr float kTouching = 0.05f;
-  return std::min(a.right, b.right) - std::max(a.left, b.left) > kTouching && std::min(a.bottom, b.bottom) - std::max(a.top, b.top) > kTouching;
+  return std::min(a.right, b.right) - std::max(a.left, b.left) > kTouching &&
+         std::min(a.bottom, b.bottom) - std::max(a.top, b.top) > kTouching;
 }
 
 }  // namespace
@@ -41,7 +42,8 @@ TEST_CASE("labels stay inside the picture and hide nothing as long as there is r
     }
     for (int i = 0; i < 8; ++i) {
       // Most of them crowd in one place, some are wanted out of the picture.
-      const float left = i < 6 ? edges.left + 0.6f * (edges.right - edges.left) : number(-200, 1400), top = i < 6 ? 0.5f * edges.bottom : number(-200, 1000);
+      const float left = i < 6 ? edges.left + 0.6f * (edges.right - edges.left) : number(-200, 1400),
+                  top = i < 6 ? 0.5f * edges.bottom : number(-200, 1000);
       const Box wanted{left, top, left + 60, top + 24}, box = places.place(wanted);
       CAPTURE(picture, i, wanted.left, wanted.top, box.left, box.top);
       CHECK(box.right - box.left == Approx(60));

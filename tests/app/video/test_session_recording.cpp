@@ -9,13 +9,13 @@
 
 #include "app/session/graphics.h"
 #include "app/session/replay_view.h"
-#include "app/video/session_recording.h"
-#include "sim/simulation/simulation.h"
 #include "app/system/user_files.h"
+#include "app/video/session_recording.h"
 #include "base/error.h"
 #include "base/file.h"
-#include "sim/mesh/mesh_generate.h"
 #include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
+#include "sim/simulation/simulation.h"
 #include "tests/support/headless.h"
 #include "tests/support/support.h"
 
@@ -70,7 +70,9 @@ std::uint64_t replayed_hash(const Replay& replay, Graphics& graphics) {
 
 }  // namespace
 
-TEST_CASE("a session of drags, sliders, methods and resets is replayed to the bit, whatever was computed beside it and when", "[session]") {
+TEST_CASE(
+    "a session of drags, sliders, methods and resets is replayed to the bit, whatever was computed beside it and when",
+    "[session]") {
   const Bar bar;
   const std::filesystem::path path = bar.folder / "session.fascia";
   Recorded live(bar, path);
@@ -256,7 +258,8 @@ TEST_CASE("a recording that begins in mid-session is replayed to the bit", "[ses
   CHECK(hash_text(replayed_hash(replay, live.graphics)) == hash_text(*replay.hash));
 }
 
-TEST_CASE("a session in which nobody did anything leaves no file, and one that is not whole is not saved as one", "[session]") {
+TEST_CASE("a session in which nobody did anything leaves no file, and one that is not whole is not saved as one",
+          "[session]") {
   const Bar bar(6, 2);
   const std::filesystem::path path = bar.folder / "session.fascia";
   {
@@ -291,7 +294,8 @@ TEST_CASE("sessions that other windows are recording stay, however many there ar
     return sessions / (name + ".fascia");
   };
   const std::filesystem::path live = make("20200101-000000-" + std::to_string(getppid()));
-  const std::filesystem::path own = make("20200101-000001-" + std::to_string(getpid()) + "-2"), dead = make("20200101-000002-999999999");
+  const std::filesystem::path own = make("20200101-000001-" + std::to_string(getpid()) + "-2"),
+                              dead = make("20200101-000002-999999999");
   for (int i = 10; i < 20; ++i) make("20210101-0000" + std::to_string(i) + "-999999999");
   session_file();
   unsetenv("XDG_STATE_HOME");
@@ -316,7 +320,8 @@ TEST_CASE("a replay that is taken over goes on, and its own recording has all of
   second.simulation.set_grab({});
   second.steps(5);
   second.end();
-  CHECK(hash_text(replayed_hash(read_replay(second_path), second.graphics)) == hash_text(*read_replay(second_path).hash));
+  CHECK(hash_text(replayed_hash(read_replay(second_path), second.graphics)) ==
+        hash_text(*read_replay(second_path).hash));
 }
 
 TEST_CASE("ten minutes of dragging are a few megabytes", "[session]") {
@@ -331,14 +336,16 @@ TEST_CASE("ten minutes of dragging are a few megabytes", "[session]") {
   for (long step = 0; step < kSteps; ++step) {
     std::vector<GrabSpring> springs;
     const Vector3d offset(0.1 * std::sin(0.02 * step), 0.07 * std::cos(0.031 * step), 1e-3 * std::sin(0.5 * step));
-    for (std::uint32_t v = 0; v < kPatch; ++v) springs.push_back({v, Vector3d(0.01 * v, std::sqrt(v), 0.3) + offset, 1234.5 + v});
+    for (std::uint32_t v = 0; v < kPatch; ++v)
+      springs.push_back({v, Vector3d(0.01 * v, std::sqrt(v), 0.3) + offset, 1234.5 + v});
     if (const auto move = step % 600 ? track.follow(springs) : std::nullopt) {
       recording.add({step, *move});
     } else {
       track.restart(springs);
       recording.add({step, springs});
     }
-    if (step % 4 == 0) recording.look(step, {offset, {0, 0, 1}, {0, 1, 0}, 40}, {});  // and the view turns all the while
+    if (step % 4 == 0)
+      recording.look(step, {offset, {0, 0, 1}, {0, 1, 0}, 40}, {});  // and the view turns all the while
   }
   recording.note_state(kSteps, 0);
   const auto bytes = std::filesystem::file_size(folder / "long.fascia");
@@ -369,9 +376,12 @@ TEST_CASE("a copy of a session opens elsewhere", "[session]") {
 
 TEST_CASE("a recorded camera moves smoothly, passes what was recorded, and stands where it stood", "[session]") {
   Replay replay;
-  const auto turned = [](double angle) { return CameraSettings{{2 * std::sin(angle), 0.5, 2 * std::cos(angle)}, {0, 0, 0}, {0, 1, 0}, 40}; };
+  const auto turned = [](double angle) {
+    return CameraSettings{{2 * std::sin(angle), 0.5, 2 * std::cos(angle)}, {0, 0, 0}, {0, 1, 0}, 40};
+  };
   replay.inputs.push_back({0, turned(0)});
-  for (long step = 100; step <= 140; ++step) replay.inputs.push_back({step, turned(0.01 * static_cast<double>(step - 99))});
+  for (long step = 100; step <= 140; ++step)
+    replay.inputs.push_back({step, turned(0.01 * static_cast<double>(step - 99))});
   DisplaySettings shown;
   shown.color = ColorBy::strain;
   replay.inputs.push_back({200, shown});
@@ -379,10 +389,13 @@ TEST_CASE("a recorded camera moves smoothly, passes what was recorded, and stand
   CHECK(view.camera(50)->eye == turned(0).eye);
   CHECK(view.camera(97)->eye == turned(0).eye);
   for (long step = 100; step <= 140; ++step)
-    CHECK((view.camera(static_cast<double>(step))->eye - turned(0.01 * static_cast<double>(step - 99)).eye).norm() < 1e-12);
+    CHECK((view.camera(static_cast<double>(step))->eye - turned(0.01 * static_cast<double>(step - 99)).eye).norm() <
+          1e-12);
   CHECK(view.camera(1000)->eye == turned(0.01 * static_cast<double>(140 - 99)).eye);
-  // In the middle of the turn the path is the circle itself, but for the error of a cubic over one interval: far below its length.
-  for (double step = 105; step < 135; step += 0.25) CHECK((view.camera(step)->eye - turned(0.01 * (step - 99)).eye).norm() < 1e-6);
+  // In the middle of the turn the path is the circle itself, but for the error of a cubic over one interval: far below
+  // its length.
+  for (double step = 105; step < 135; step += 0.25)
+    CHECK((view.camera(step)->eye - turned(0.01 * (step - 99)).eye).norm() < 1e-6);
   CHECK_FALSE(view.display(199.5));
   CHECK(view.display(200)->color == ColorBy::strain);
   CHECK_FALSE(ReplayView(Replay{}).camera(3));

@@ -1,7 +1,7 @@
 // States that windows leave: found again after a crash, apart from those of windows that still run.
-#include <catch2/catch.hpp>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <catch2/catch.hpp>
 
 #include "app/window/autosave.h"
 #include "base/file.h"
@@ -60,7 +60,7 @@ TEST_CASE("a process that was killed leaves its state to the next window") {
     Autosave autosave(folder / "state");
     autosave.keep(state, "cube");
     while (!autosave.due()) usleep(1000);  // written
-    _exit(0);  // without finish(), as a crash does
+    _exit(0);                              // without finish(), as a crash does
   }
   // The parent asks for nothing before the child has written and ended.
   int status = 0;

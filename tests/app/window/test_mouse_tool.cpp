@@ -20,7 +20,8 @@ struct Replayed {
     GrabInput springs;
     for (std::uint32_t v = 0; v < held.size() && springs.size() < 4; ++v)
       if (!held[v]) springs.push_back({v, Vector3d(0, 0.01, 0), 50});
-    session.simulation.play({session.simulation.scene, std::nullopt, {{0, springs}, {2, GrabMove{{{4, Vector3d(0, 0.005, 0)}}}}}, 6});
+    session.simulation.play(
+        {session.simulation.scene, std::nullopt, {{0, springs}, {2, GrabMove{{{4, Vector3d(0, 0.005, 0)}}}}}, 6});
     session.simulation.step();
   }
 };

@@ -55,7 +55,8 @@ TEST_CASE("what was slow is forgotten while nothing is solved, and steps go on a
     CAPTURE(frame, pacing.speed());
     CHECK(pacing.keeps_pace());
     CHECK(pacing.speed() == 1);
-    CHECK(pacing.advance(dt / 4, dt, cost) == other.advance(dt / 4, dt, cost));  // also where frames are shorter than steps
+    CHECK(pacing.advance(dt / 4, dt, cost) ==
+          other.advance(dt / 4, dt, cost));  // also where frames are shorter than steps
   }
 }
 

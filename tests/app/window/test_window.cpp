@@ -21,7 +21,7 @@ using namespace fascia::test;
 namespace {
 
 constexpr int kWidth = 1000, kHeight = 700;
-constexpr int kPanels = 340;  // a little more than the column of panels is wide
+constexpr int kPanels = 340;                     // a little more than the column of panels is wide
 constexpr int kMiddle = (kPanels + kWidth) / 2;  // of what they leave
 
 struct Desk {
@@ -48,10 +48,12 @@ Image scene_part(const Screenshot& shot) {
   return part;
 }
 
-double changed_share(const Screenshot& a, const Screenshot& b) { return difference(scene_part(a), scene_part(b)).share; }
+double changed_share(const Screenshot& a, const Screenshot& b) {
+  return difference(scene_part(a), scene_part(b)).share;
+}
 
-// The pointer aside, over the panels, where it points at no tissue and the window draws no ring around it; and two pictures in a row
-// the same, for what follows the pointer or the size of the panels comes a frame late.
+// The pointer aside, over the panels, where it points at no tissue and the window draws no ring around it; and two
+// pictures in a row the same, for what follows the pointer or the size of the panels comes a frame late.
 Screenshot undisturbed(FasciaWindow& window) {
   window.move(8, 8);
   Screenshot last = window.screenshot();
@@ -62,8 +64,11 @@ Screenshot undisturbed(FasciaWindow& window) {
   return last;
 }
 
-// Middle of the first slider's knob in the panels: the accent color (see ui_style.cpp), in the uppermost rows where it is.
-struct Spot { int x = 0, y = 0; };
+// Middle of the first slider's knob in the panels: the accent color (see ui_style.cpp), in the uppermost rows where it
+// is.
+struct Spot {
+  int x = 0, y = 0;
+};
 Spot first_slider(const Image& image) {
   const auto is_knob = [&](int x, int y) {
     const std::uint8_t* p = &image.rgba[4 * (static_cast<std::size_t>(y) * image.width + x)];
@@ -171,14 +176,16 @@ TEST_CASE("tissue is dragged, a slider moved and keys pressed in the window") {
   CHECK(eventually([&] { return (wire = window.screenshot()).wireframe; }));
   CHECK(changed_share(paused, wire) > 0.005);
   window.key("h");
-  const auto panels_of = [](const Screenshot& shot) { return Image{kPanels, kHeight, [&] {
-    std::vector<std::uint8_t> pixels;
-    for (int y = 0; y < kHeight; ++y) {
-      const auto row = shot.image.rgba.begin() + 4 * y * kWidth;
-      pixels.insert(pixels.end(), row, row + 4 * kPanels);
-    }
-    return pixels;
-  }()}; };
+  const auto panels_of = [](const Screenshot& shot) {
+    return Image{kPanels, kHeight, [&] {
+                   std::vector<std::uint8_t> pixels;
+                   for (int y = 0; y < kHeight; ++y) {
+                     const auto row = shot.image.rgba.begin() + 4 * y * kWidth;
+                     pixels.insert(pixels.end(), row, row + 4 * kPanels);
+                   }
+                   return pixels;
+                 }()};
+  };
   CHECK(eventually([&] { return difference(panels_of(wire), panels_of(window.screenshot())).share > 0.5; }));
 
   INFO("closing while the hand still pulls writes the deformed state");
@@ -196,7 +203,9 @@ TEST_CASE("tissue is dragged, a slider moved and keys pressed in the window") {
   const auto stats = nlohmann::json::parse(read_file(desk.folder / "stats.json"));
   CHECK(stats.at("steps").get<long>() > step);
   CHECK(stats.at("nan").get<bool>() == false);
-  REQUIRE(run_fascia({"run", scene, "--steps", "0", "--context", "osmesa", "--export", (desk.folder / "rest.csv").string()}).exit_code == 0);
+  REQUIRE(
+      run_fascia({"run", scene, "--steps", "0", "--context", "osmesa", "--export", (desk.folder / "rest.csv").string()})
+          .exit_code == 0);
   const double farthest = farthest_vertex(desk.folder / "dragged.csv", desk.folder / "rest.csv");
   CHECK(farthest > 0.01);  // [m] of a cube of 0.1 m or more
 }
@@ -209,8 +218,9 @@ TEST_CASE("a scene that cannot be opened leaves the open one, and another opens 
   FasciaWindow window(with_size({first}), desk.folder.path());
   CHECK(window.screenshot().title == "First");
 
-  // Characters typed before the dialog has taken the keyboard are lost, so everything is tried until it works; Escape closes an
-  // error and a dialog that were left open. On a busy machine a frame takes seconds: every try gives it more time.
+  // Characters typed before the dialog has taken the keyboard are lost, so everything is tried until it works; Escape
+  // closes an error and a dialog that were left open. On a busy machine a frame takes seconds: every try gives it more
+  // time.
   int patience = 0;
   const auto open = [&](const std::string& name) {
     ++patience;
@@ -229,7 +239,8 @@ TEST_CASE("a scene that cannot be opened leaves the open one, and another opens 
   const auto red_pixels = [](const Screenshot& shot) {
     long count = 0;
     for (std::size_t i = 0; i < shot.image.rgba.size(); i += 4)
-      count += std::abs(shot.image.rgba[i] - 84) < 12 && std::abs(shot.image.rgba[i + 1] - 26) < 12 && std::abs(shot.image.rgba[i + 2] - 24) < 12;
+      count += std::abs(shot.image.rgba[i] - 84) < 12 && std::abs(shot.image.rgba[i + 1] - 26) < 12 &&
+               std::abs(shot.image.rgba[i + 2] - 24) < 12;
     return count;
   };
   CHECK(red_pixels(window.screenshot()) < 100);
@@ -253,7 +264,8 @@ TEST_CASE("a scene that cannot be opened leaves the open one, and another opens 
 TEST_CASE("a window closes by itself after the asked steps") {
   const Desk desk;
   const std::string scene = desk.scene("cube.json", cube_scene("Cube", 1e5));
-  const CommandResult result = run_fascia(with_size({"view", scene, "--steps", "5", "--stats", "stats.json"}), desk.folder.path());
+  const CommandResult result =
+      run_fascia(with_size({"view", scene, "--steps", "5", "--stats", "stats.json"}), desk.folder.path());
   CAPTURE(result.err);
   REQUIRE(result.exit_code == 0);
   CHECK(nlohmann::json::parse(read_file(desk.folder / "stats.json")).at("steps") == 5);
@@ -266,13 +278,15 @@ TEST_CASE("tissue that keeps coming apart pauses, says so and leaves a replay; t
   const Model model = build_model(broken.scene);
   broken.start = initial_state(model);
   const std::vector<char> held = model.held();
-  broken.start->displacement[static_cast<std::size_t>(std::find(held.begin(), held.end(), 0) - held.begin())] = {1e25, 0, 0};
+  broken.start->displacement[static_cast<std::size_t>(std::find(held.begin(), held.end(), 0) - held.begin())] = {1e25,
+                                                                                                                 0, 0};
   write_replay(desk.folder / "broken.fascia", broken);
   FasciaWindow window(with_size({(desk.folder / "broken.fascia").string()}), desk.folder.path());
   std::filesystem::path kept;
   CHECK(eventually([&] {
     for (const auto& entry : std::filesystem::directory_iterator(desk.folder.path()))
-      if (entry.path().extension() == ".fascia" && entry.path().stem().string().rfind("fascia-", 0) == 0) kept = entry.path();
+      if (entry.path().extension() == ".fascia" && entry.path().stem().string().rfind("fascia-", 0) == 0)
+        kept = entry.path();
     return !kept.empty();
   }));
   CHECK(window.running());
@@ -302,14 +316,15 @@ TEST_CASE("hidden: the device is reset", "[.]") {
     said = lost.what();
   }
   gl::GetGraphicsResetStatus = nullptr;
-  CHECK_THAT(said, Catch::Contains("the device was reset, caused by another program") && Catch::Contains(". The scene is kept in fascia-"));
+  CHECK_THAT(said, Catch::Contains("the device was reset, caused by another program") &&
+                       Catch::Contains(". The scene is kept in fascia-"));
 }
 
 TEST_CASE("a window whose device is reset ends and leaves the scene as it was") {
   const Desk desk;
   const Scene scene = open_scene(desk.scene("cube.json", cube_scene("Cube", 2e5)));
-  const CommandResult child =
-      run_command({std::filesystem::read_symlink("/proc/self/exe").string(), "hidden: the device is reset"}, desk.folder.path());
+  const CommandResult child = run_command(
+      {std::filesystem::read_symlink("/proc/self/exe").string(), "hidden: the device is reset"}, desk.folder.path());
   CAPTURE(child.out, child.err);
   CHECK(child.exit_code == 0);
   std::vector<Replay> kept;
@@ -363,7 +378,8 @@ TEST_CASE("a session in the window is replayed to the bit, also one that was kil
   }
   const std::vector<Input> all = inputs();
   const auto has = [&](auto kind) {
-    return std::any_of(all.begin(), all.end(), [&](const Input& input) { return std::holds_alternative<decltype(kind)>(input.change); });
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Input& input) { return std::holds_alternative<decltype(kind)>(input.change); });
   };
   CHECK(has(GrabInput{}));
   CHECK(has(GrabMove{}));
@@ -371,7 +387,8 @@ TEST_CASE("a session in the window is replayed to the bit, also one that was kil
   CHECK(has(CameraSettings{}));
   CHECK(has(DisplaySettings{}));
   CHECK(has(ResetInput{}));
-  const CommandResult again = run_fascia({"run", "--replay", only_session().string(), "--export", "again.csv"}, desk.folder.path());
+  const CommandResult again =
+      run_fascia({"run", "--replay", only_session().string(), "--export", "again.csv"}, desk.folder.path());
   CAPTURE(again.err);
   CHECK(again.exit_code == 0);
   CHECK(again.err.find("fascia: to the bit what was recorded") != std::string::npos);
@@ -387,7 +404,8 @@ TEST_CASE("a session in the window is replayed to the bit, also one that was kil
     window.move(kMiddle + 120, kHeight / 2 - 60);
     CHECK(eventually([&] {
       const std::vector<Input> written = inputs();
-      return std::any_of(written.begin(), written.end(), [](const Input& input) { return std::holds_alternative<GrabMove>(input.change); });
+      return std::any_of(written.begin(), written.end(),
+                         [](const Input& input) { return std::holds_alternative<GrabMove>(input.change); });
     }));
     window.kill_at_once();
   }

@@ -1,4 +1,5 @@
-// Dialogs of the real window, by keys: saving with folders, a question before a file is replaced, errors in front of all else.
+// Dialogs of the real window, by keys: saving with folders, a question before a file is replaced, errors in front of
+// all else.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -32,14 +33,16 @@ struct Desk {
     const Image image = display.watch(1).front();
     long count = 0;
     for (std::size_t i = 0; i < image.rgba.size(); i += 4)
-      count += std::abs(image.rgba[i] - 84) < 12 && std::abs(image.rgba[i + 1] - 26) < 12 && std::abs(image.rgba[i + 2] - 24) < 12;
+      count += std::abs(image.rgba[i] - 84) < 12 && std::abs(image.rgba[i + 1] - 26) < 12 &&
+               std::abs(image.rgba[i + 2] - 24) < 12;
     return count;
   }
 };
 
 }  // namespace
 
-TEST_CASE("a scene is saved into a folder that is gone to by keys, and a file is replaced only after a question", "[dialogs]") {
+TEST_CASE("a scene is saved into a folder that is gone to by keys, and a file is replaced only after a question",
+          "[dialogs]") {
   Desk desk;
   FasciaWindow& window = desk.window;
   fs::create_directory(desk.folder / "out");
@@ -144,7 +147,8 @@ TEST_CASE("an error lies in front of panels and dialogs, and Escape closes it fi
     for (int i = 0; i < 3; ++i) window.pause();
     const long now = desk.red_pixels();
     CAPTURE(key, red, now);
-    CHECK(std::abs(now - red) < red / 100);  // a panel in front hides thousands; the edge of the box blends with what is behind it
+    CHECK(std::abs(now - red) <
+          red / 100);  // a panel in front hides thousands; the edge of the box blends with what is behind it
   }
   window.key("Escape");
   CHECK(eventually([&] { return desk.red_pixels() < 100; }));

@@ -1,4 +1,5 @@
-// Files and plots in the real window: examples, a state that outlives a kill, an opening that is given up, plots as files.
+// Files and plots in the real window: examples, a state that outlives a kill, an opening that is given up, plots as
+// files.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -6,9 +7,9 @@
 
 #include "app/system/user_settings.h"
 #include "base/file.h"
-#include "sim/mesh/mesh_generate.h"
-#include "sim/mesh/io/mesh_io.h"
 #include "base/provenance.h"
+#include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
 #include "sim/replay/replay.h"
 #include "sim/scene/scene.h"
 #include "tests/support/window/window_fixture.h"
@@ -24,10 +25,12 @@ struct Desk {
   TemporaryFolder folder;
   VirtualDisplay display{kWidth, kHeight};
   std::string scene(const std::string& title, double young_modulus) const {
-    const nlohmann::json scene{
-        {"fascia_scene", 1},
-        {"title", title},
-        {"bodies", {{{"mesh", (source_dir() / "assets/meshes/cube.msh").string()}, {"materials", {{"default", {{"young_modulus", young_modulus}}}}}, {"fixed", {{{"group", "clamp"}}}}}}}};
+    const nlohmann::json scene{{"fascia_scene", 1},
+                               {"title", title},
+                               {"bodies",
+                                {{{"mesh", (source_dir() / "assets/meshes/cube.msh").string()},
+                                  {"materials", {{"default", {{"young_modulus", young_modulus}}}}},
+                                  {"fixed", {{{"group", "clamp"}}}}}}}};
     write_file(folder / (title + ".json"), scene.dump());
     return (folder / (title + ".json")).string();
   }
@@ -175,7 +178,8 @@ TEST_CASE("a video that fails when the window closes costs neither the export no
   const Desk desk;
   const std::string scene = desk.scene("filmed", 5e3);
   std::filesystem::create_directory(desk.folder / "tools");
-  write_file(desk.folder / "tools/ffmpeg", "#!/bin/sh\ntouch started\ncat >/dev/null\necho 'No space left on device' >&2\nexit 1\n");
+  write_file(desk.folder / "tools/ffmpeg",
+             "#!/bin/sh\ntouch started\ncat >/dev/null\necho 'No space left on device' >&2\nexit 1\n");
   std::filesystem::permissions(desk.folder / "tools/ffmpeg", std::filesystem::perms::owner_all);
   const std::string usual = getenv("PATH");
   setenv("PATH", ((desk.folder / "tools").string() + ":" + usual).c_str(), 1);
@@ -226,6 +230,8 @@ TEST_CASE("plots are written as a table of what was shown, and the state is expo
   window.key("ctrl+q");
   CHECK(window.wait() == 0);
   const std::string table = read_file(tables().front());
-  CHECK_THAT(table, Catch::Contains("# Title: plotted") && Catch::Contains("\nstep,time_s,kinetic_J,elastic_J,gravitational_J,total_J,"));
-  CHECK(std::count(table.begin(), table.end(), '\n') > 9);  // seven notes of what made it, the vertex, the names, and rows
+  CHECK_THAT(table, Catch::Contains("# Title: plotted") &&
+                        Catch::Contains("\nstep,time_s,kinetic_J,elastic_J,gravitational_J,total_J,"));
+  CHECK(std::count(table.begin(), table.end(), '\n') >
+        9);  // seven notes of what made it, the vertex, the names, and rows
 }

@@ -1,4 +1,5 @@
-// Several hands in the real window: one that stays, a second one moved by mouse and wheel, and the first let go of by its mark.
+// Several hands in the real window: one that stays, a second one moved by mouse and wheel, and the first let go of by
+// its mark.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -13,7 +14,8 @@ using namespace fascia::test;
 
 namespace {
 
-constexpr int kWidth = 1000, kHeight = 700, kPanels = 340, kMiddle = (kPanels + kWidth) / 2;  // of what the panels leave
+constexpr int kWidth = 1000, kHeight = 700, kPanels = 340,
+              kMiddle = (kPanels + kWidth) / 2;  // of what the panels leave
 
 double changed_share(const Screenshot& a, const Screenshot& b) {
   return difference(right_part(a.image, kPanels), right_part(b.image, kPanels)).share;
@@ -21,7 +23,9 @@ double changed_share(const Screenshot& a, const Screenshot& b) {
 
 }  // namespace
 
-TEST_CASE("two hands in the window: the first stays, the second goes away with the wheel, the first is let go of by its mark") {
+TEST_CASE(
+    "two hands in the window: the first stays, the second goes away with the wheel, the first is let go of by its "
+    "mark") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
   write_file(folder / "cube.json",
@@ -76,20 +80,24 @@ TEST_CASE("two hands in the window: the first stays, the second goes away with t
   CHECK(away > std::abs(hands[0].at("force")[0].get<double>()));
 }
 
-TEST_CASE("hands that stay hold on through a comparison, whose sides both take more of them, and Escape lets go of all") {
+TEST_CASE(
+    "hands that stay hold on through a comparison, whose sides both take more of them, and Escape lets go of all") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
-  write_file(folder / "cube.json",
-             nlohmann::json{{"fascia_scene", 1},
-                            {"gravity", {0, 0, 0}},
-                            {"bodies", {{{"mesh", (source_dir() / "assets/meshes/cube.msh").string()}, {"fixed", {{{"lowest", 0.02}}}}}}},
-                            {"camera", {{"eye", {0, 0.05, 0.4}}, {"target", {0, 0.05, 0}}, {"fov_deg", 30}}}}
-                 .dump());
+  write_file(
+      folder / "cube.json",
+      nlohmann::json{
+          {"fascia_scene", 1},
+          {"gravity", {0, 0, 0}},
+          {"bodies", {{{"mesh", (source_dir() / "assets/meshes/cube.msh").string()}, {"fixed", {{{"lowest", 0.02}}}}}}},
+          {"camera", {{"eye", {0, 0.05, 0.4}}, {"target", {0, 0.05, 0}}, {"fov_deg", 30}}}}
+          .dump());
   FasciaWindow window({(folder / "cube.json").string(), "--size", "1000x700"}, folder.path());
   std::filesystem::path session;
   const auto hands = [&] {  // that pull, as the newest session's file has it so far
     session.clear();
-    for (const auto& entry : std::filesystem::directory_iterator(display.state() / "sessions")) session = std::max(session, entry.path());
+    for (const auto& entry : std::filesystem::directory_iterator(display.state() / "sessions"))
+      session = std::max(session, entry.path());
     std::set<std::uint32_t> ids;
     for (const Input& input : read_replay(session).inputs)
       if (const auto* springs = std::get_if<GrabInput>(&input.change)) {

@@ -10,7 +10,8 @@ using namespace fascia::test;
 
 namespace {
 
-constexpr int kWidth = 1000, kHeight = 700, kPanels = 340, kMiddle = (kPanels + kWidth) / 2;  // of what the panels leave
+constexpr int kWidth = 1000, kHeight = 700, kPanels = 340,
+              kMiddle = (kPanels + kWidth) / 2;  // of what the panels leave
 
 }  // namespace
 
@@ -56,7 +57,8 @@ TEST_CASE("Escape closes a list of the panels, and hands that stay hold on") {
   const auto panels = [&] {
     Image image = display.watch(1).front();
     for (int y = 0; y < image.height; ++y)  // the scene may still move
-      std::fill_n(image.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * image.width + kPanels), 4 * (image.width - kPanels), std::uint8_t{0});
+      std::fill_n(image.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * image.width + kPanels),
+                  4 * (image.width - kPanels), std::uint8_t{0});
     return image;
   };
   const Image closed = panels();

@@ -14,7 +14,8 @@ using namespace fascia::test;
 
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 720, kPanels = 340, kMiddle = (kPanels + kWidth) / 2;  // of what the panels leave
+constexpr int kWidth = 1280, kHeight = 720, kPanels = 340,
+              kMiddle = (kPanels + kWidth) / 2;  // of what the panels leave
 
 std::string cube_scene() {
   return nlohmann::json{{"fascia_scene", 1},
@@ -60,7 +61,9 @@ TEST_CASE("a drag of a slider is taken back and done again by keys, and two sett
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
   write_file(folder / "cube.json", cube_scene());
-  FasciaWindow window({(folder / "cube.json").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)}, folder.path());
+  FasciaWindow window(
+      {(folder / "cube.json").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)},
+      folder.path());
   const Screenshot rest = window.screenshot();
   CHECK(rest.young_modulus == 2e4);
   CHECK_FALSE(divided(rest.image));
@@ -110,12 +113,15 @@ TEST_CASE("a session whose sides were swapped is replayed to the bit, also where
   for (std::size_t v = 0; v < held.size(); ++v)
     if (!held[v]) kept.start->displacement[v] = {0.01, 0, 0};
   write_replay(folder / "kept.fascia", kept);
-  FasciaWindow window({(folder / "kept.fascia").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)}, folder.path());
+  FasciaWindow window(
+      {(folder / "kept.fascia").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)},
+      folder.path());
   window.screenshot();
   std::filesystem::path session;
   const auto begins_at = [&] {  // the newest recording; no number while one takes the place of another
     session.clear();
-    for (const auto& entry : std::filesystem::directory_iterator(display.state() / "sessions")) session = std::max(session, entry.path());
+    for (const auto& entry : std::filesystem::directory_iterator(display.state() / "sessions"))
+      session = std::max(session, entry.path());
     try {
       const Replay replay = read_replay(session);
       return replay.start ? replay.start->time : 0;
@@ -150,13 +156,17 @@ TEST_CASE("a session whose sides were swapped is replayed to the bit, also where
   CHECK(again.err.find("fascia: to the bit what was recorded") != std::string::npos);
 }
 
-TEST_CASE("a section plane that was dragged is taken back in one piece; a hand at the second side goes with it, and the wheel zooms both") {
+TEST_CASE(
+    "a section plane that was dragged is taken back in one piece; a hand at the second side goes with it, and the "
+    "wheel zooms both") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
   nlohmann::json scene = nlohmann::json::parse(cube_scene());
   scene["display"] = {{"section", {{"normal", {1, 0, 0}}, {"offset", 0.02}}}};
   write_file(folder / "cube.json", scene.dump());
-  FasciaWindow window({(folder / "cube.json").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)}, folder.path());
+  FasciaWindow window(
+      {(folder / "cube.json").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)},
+      folder.path());
   CHECK(window.screenshot().section == 0.02);
   window.move(kMiddle, 150);
   window.key_down("ctrl");
@@ -218,7 +228,9 @@ TEST_CASE("Escape closes the panel Recording") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
   write_file(folder / "cube.json", cube_scene());
-  FasciaWindow window({(folder / "cube.json").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)}, folder.path());
+  FasciaWindow window(
+      {(folder / "cube.json").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)},
+      folder.path());
   const auto shown = [&] {
     const Image image = window.screenshot().image;
     const std::uint8_t* p = &image.rgba[4 * (262 * static_cast<std::size_t>(image.width) + 650)];  // beside its buttons

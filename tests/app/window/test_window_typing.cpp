@@ -1,4 +1,5 @@
-// Numbers typed at the sliders of the real window, with any part of the input between two pictures, as at a low frame rate.
+// Numbers typed at the sliders of the real window, with any part of the input between two pictures, as at a low frame
+// rate.
 #include <catch2/catch.hpp>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -12,7 +13,8 @@ using namespace fascia::test;
 
 namespace {
 
-constexpr int kSlider = 214, kYoung = 328, kDensity = 386;  // near the right end of the slider; rows of the panel Material
+constexpr int kSlider = 214, kYoung = 328,
+              kDensity = 386;  // near the right end of the slider; rows of the panel Material
 
 struct Desk {
   TemporaryFolder folder;
@@ -35,7 +37,8 @@ struct Desk {
 
 }  // namespace
 
-TEST_CASE("a slider takes the number that is typed and no other value, wherever pictures fall between click and keys", "[typing]") {
+TEST_CASE("a slider takes the number that is typed and no other value, wherever pictures fall between click and keys",
+          "[typing]") {
   Desk desk;
   FasciaWindow& window = desk.window;
   window.screenshot();
@@ -67,7 +70,8 @@ TEST_CASE("a slider takes the number that is typed and no other value, wherever 
     }
   }
   std::vector<double> set;
-  for (const Material& material : desk.materials()) set.push_back(set.size() < input.size() ? material.young_modulus : material.density);
+  for (const Material& material : desk.materials())
+    set.push_back(set.size() < input.size() ? material.young_modulus : material.density);
   CAPTURE(typed, set);
   CHECK(set == typed);
   window.key("ctrl+q");
@@ -119,7 +123,8 @@ TEST_CASE("a click and a drag act where they were made, however far the mouse is
   CHECK(window.screenshot().young_modulus == dragged);
 }
 
-TEST_CASE("Young's modulus below 1 Pa and numbers beyond a slider's range are refused, and the value stays", "[typing]") {
+TEST_CASE("Young's modulus below 1 Pa and numbers beyond a slider's range are refused, and the value stays",
+          "[typing]") {
   Desk desk;
   FasciaWindow& window = desk.window;
   window.screenshot();

@@ -3,8 +3,8 @@
 #include <cstdlib>
 
 #include "app/video/video_settings.h"
-#include "render/target/image.h"
 #include "base/file.h"
+#include "render/target/image.h"
 #include "tests/support/window/window_fixture.h"
 
 using namespace fascia;
@@ -27,7 +27,8 @@ struct Desk {
     fs::path found;
     for (const auto& entry : fs::directory_iterator(folder.path())) {
       const bool named = entry.path().filename().string().starts_with("fascia-");
-      if (named && entry.path().extension() == ending && entry.is_directory() == ending.empty()) found = std::max(found, entry.path());
+      if (named && entry.path().extension() == ending && entry.is_directory() == ending.empty())
+        found = std::max(found, entry.path());
     }
     return found;
   }
@@ -41,13 +42,15 @@ struct Desk {
 };
 
 std::string size_of_video(const fs::path& path) {
-  return run_command({"ffprobe", "-v", "error", "-select_streams", "v:0", "-show_entries", "stream=width,height", "-of", "csv=p=0",
-                      path.string()}).out;
+  return run_command({"ffprobe", "-v", "error", "-select_streams", "v:0", "-show_entries", "stream=width,height", "-of",
+                      "csv=p=0", path.string()})
+      .out;
 }
 
 }  // namespace
 
-TEST_CASE("videos and pictures have the size that was chosen and no panels, whatever size the window has got", "[video]") {
+TEST_CASE("videos and pictures have the size that was chosen and no panels, whatever size the window has got",
+          "[video]") {
   Desk desk;
   FasciaWindow& window = desk.window;
   window.resize(957, 640);  // as a window manager would that needs room for a frame

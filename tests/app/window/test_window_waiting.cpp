@@ -1,4 +1,5 @@
-// A window that waits: for kernels on a machine whose driver has none yet, and for whatever happens next while nothing moves.
+// A window that waits: for kernels on a machine whose driver has none yet, and for whatever happens next while nothing
+// moves.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -24,7 +25,9 @@ struct NoKernels {
 // Whether the sky, in the middle over the scene, is behind the dark pill of the notice.
 bool shows_notice(const Image& image) {
   constexpr int kX = (kPanels + kWidth) / 2, kY = 58;
-  const auto red = [&](int x, int y) { return static_cast<int>(image.rgba[4 * (static_cast<std::size_t>(y) * image.width + x)]); };
+  const auto red = [&](int x, int y) {
+    return static_cast<int>(image.rgba[4 * (static_cast<std::size_t>(y) * image.width + x)]);
+  };
   return red(kPanels + 20, kY) > 120 && red(kX - 100, kY - 3) < 90 && red(kX + 100, kY - 3) < 90;
 }
 
@@ -49,7 +52,9 @@ TEST_CASE("a window says that it compiles kernels, then goes on with what was do
   CHECK(window.wait() == 0);
 }
 
-TEST_CASE("a window that waits shows what it would draw now: no slowness that is over, and a bar that agrees with the colors") {
+TEST_CASE(
+    "a window that waits shows what it would draw now: no slowness that is over, and a bar that agrees with the "
+    "colors") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
   // Swings under its weight, at more work a step than any software renderer does in time, and falls asleep.

@@ -6,8 +6,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "render/target/framebuffer.h"
 #include "gl/compute_pass.h"
+#include "render/target/framebuffer.h"
 #include "tests/gl/gl_support.h"
 
 namespace fascia {
@@ -28,9 +28,8 @@ struct Kernel {
   std::unique_ptr<gl::ComputePass> pass;
   Kernel() {
     folder.write("square.comp", kSquare);
-    pass = std::make_unique<gl::ComputePass>(
-        programs.compute("square.comp"), gl::ComputePass::Bindings{{"value", &value}, {"square", &square}},
-        2);
+    pass = std::make_unique<gl::ComputePass>(programs.compute("square.comp"),
+                                             gl::ComputePass::Bindings{{"value", &value}, {"square", &square}}, 2);
   }
   std::vector<float> run() const {
     pass->run();
@@ -104,9 +103,9 @@ TEST_CASE("EGL tells which renderers it found when no GPU is among them") {
 }
 
 TEST_CASE("hidden: no display", "[.]") {
-  CHECK_THAT(error_of([] { make_context({.for_view = true, .title = ""}); }),
-             Contains("window: no display: ") && Contains("expected a graphical session") &&
-                 Contains("--context osmesa"));
+  CHECK_THAT(
+      error_of([] { make_context({.for_view = true, .title = ""}); }),
+      Contains("window: no display: ") && Contains("expected a graphical session") && Contains("--context osmesa"));
 }
 
 TEST_CASE("a window without a display is a clear error") {
@@ -118,12 +117,11 @@ TEST_CASE("a window without a display is a clear error") {
 TEST_CASE("hidden: old OpenGL", "[.]") {
   for (const char* name : {"osmesa", "egl"}) {
     const std::string message = error_of([&] { make_context({.name = name, .title = ""}); });
-    CHECK_THAT(message, Contains("OpenGL: found version 4.1") &&
-                            Contains("missing: version 4.3 with compute shaders"));
+    CHECK_THAT(message, Contains("OpenGL: found version 4.1") && Contains("missing: version 4.3 with compute shaders"));
   }
   CHECK_THAT(error_of([] { make_context({}); }),
-             Contains("context auto: no OpenGL 4.3 context; tried EGL on a GPU (") &&
-                 Contains(", OSMesa (") && Contains(", EGL on software ("));
+             Contains("context auto: no OpenGL 4.3 context; tried EGL on a GPU (") && Contains(", OSMesa (") &&
+                 Contains(", EGL on software ("));
 }
 
 TEST_CASE("OpenGL 4.1 is refused with what was found") {
@@ -133,8 +131,7 @@ TEST_CASE("OpenGL 4.1 is refused with what was found") {
 }
 
 TEST_CASE("hidden: window", "[.]") {
-  const auto context =
-      make_context({.for_view = true, .width = 64, .height = 48, .title = "test", .debug = true});
+  const auto context = make_context({.for_view = true, .width = 64, .height = 48, .title = "test", .debug = true});
   CHECK(context->name() == "window");
   REQUIRE(context->window() != nullptr);
   auto kernel = std::make_unique<Kernel>();

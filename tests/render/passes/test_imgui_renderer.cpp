@@ -1,7 +1,7 @@
 #include <imgui/imgui.h>
 
-#include "render/target/framebuffer.h"
 #include "render/passes/imgui_renderer.h"
+#include "render/target/framebuffer.h"
 #include "tests/render/scene_support.h"
 
 namespace fascia {
@@ -67,9 +67,7 @@ TEST_CASE("imgui: a window has the style's color where it is, with text in it") 
     ImGui::TextUnformatted("tissue");
     ImGui::End();
   });
-  const auto close = [](const Vector3d& a, const Vector3d& b) {
-    return (a - b).cwiseAbs().maxCoeff() <= 1.0 / 255;
-  };
+  const auto close = [](const Vector3d& a, const Vector3d& b) { return (a - b).cwiseAbs().maxCoeff() <= 1.0 / 255; };
   CHECK(close(color_at(image, 100, 110), Vector3d(0.2, 0.4, 0.6)));
   CHECK(close(color_at(image, 30, 60), kBlue));
   CHECK(close(color_at(image, 100, 20), kBlue));

@@ -34,8 +34,7 @@ TEST_CASE("normals of a deformed surface agree with double precision, twice the 
   CAPTURE(gl::name_of(path), scale);
   std::vector<Vector3d> rest;
   const test::Shape shape = deformed_sphere(scale, rest);
-  const SurfaceCorners corners =
-      make_surface_corners(shape.triangles, static_cast<std::uint32_t>(rest.size()), rest);
+  const SurfaceCorners corners = make_surface_corners(shape.triangles, static_cast<std::uint32_t>(rest.size()), rest);
   REQUIRE(corners.vertex.size() == rest.size());  // smooth: corners are vertices, in the order of triangles
 
   gl::ProgramCache programs(test::source_dir() / "shaders", path);
@@ -72,10 +71,9 @@ TEST_CASE("normals of a deformed surface agree with double precision, twice the 
 TEST_CASE("a box's normals are its faces', and follow its rotation") {
   const auto context = test::each_context();
   test::Shape shape = test::box({-1, -1, -1}, {1, 1, 1}, 3);
-  const SurfaceCorners corners = make_surface_corners(
-      shape.triangles, static_cast<std::uint32_t>(shape.positions.size()), shape.positions);
-  const Eigen::Matrix3d rotation =
-      Eigen::AngleAxisd(0.7, Vector3d(1, 2, -0.5).normalized()).toRotationMatrix();
+  const SurfaceCorners corners =
+      make_surface_corners(shape.triangles, static_cast<std::uint32_t>(shape.positions.size()), shape.positions);
+  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(0.7, Vector3d(1, 2, -0.5).normalized()).toRotationMatrix();
   for (Vector3d& p : shape.positions) p = rotation * p;
   gl::ProgramCache programs(test::source_dir() / "shaders", gl::LoadPath::texel);
   SurfaceRenderer renderer(programs, corners);
@@ -83,8 +81,7 @@ TEST_CASE("a box's normals are its faces', and follow its rotation") {
   renderer.update(positions);
   const std::vector<float> found = renderer.corner_normals().read<float>();
   for (std::size_t i = 0; i < corners.vertex.size(); ++i) {
-    const Vector3d at_rest =
-        rotation.transpose() * Vector3d(found[4 * i], found[4 * i + 1], found[4 * i + 2]);
+    const Vector3d at_rest = rotation.transpose() * Vector3d(found[4 * i], found[4 * i + 1], found[4 * i + 2]);
     CAPTURE(i, at_rest.transpose());
     REQUIRE(at_rest.cwiseAbs().maxCoeff() > 1 - 1e-5);  // along an axis
   }
@@ -93,8 +90,8 @@ TEST_CASE("a box's normals are its faces', and follow its rotation") {
 TEST_CASE("normals follow a positions buffer that was replaced") {
   const auto context = test::each_context();
   test::Shape shape = test::box({-1, -1, -1}, {1, 1, 1}, 1);
-  const SurfaceCorners corners = make_surface_corners(
-      shape.triangles, static_cast<std::uint32_t>(shape.positions.size()), shape.positions);
+  const SurfaceCorners corners =
+      make_surface_corners(shape.triangles, static_cast<std::uint32_t>(shape.positions.size()), shape.positions);
   gl::ProgramCache programs(test::source_dir() / "shaders", gl::LoadPath::texel);
   SurfaceRenderer renderer(programs, corners);
   const gl::Buffer first = shape.upload();

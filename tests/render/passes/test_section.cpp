@@ -9,21 +9,25 @@ using Eigen::Vector3d;
 using test::color_at;
 using test::Scene;
 
-/// A box from 0 to 1 of cells^3 cells of six tets each, bent by `bend`, seen from `from`. Without ground and shadow, backdrop transparent:
-/// what is opaque is tissue.
+/// A box from 0 to 1 of cells^3 cells of six tets each, bent by `bend`, seen from `from`. Without ground and shadow,
+/// backdrop transparent: what is opaque is tissue.
 Scene tet_box(int cells, const Vector3d& from, const std::function<Vector3d(const Vector3d&)>& bend = {}) {
   test::Shape shape;
   std::vector<std::array<std::uint32_t, 4>> tets;
-  const auto vertex = [&](int i, int j, int k) { return static_cast<std::uint32_t>((i * (cells + 1) + j) * (cells + 1) + k); };
+  const auto vertex = [&](int i, int j, int k) {
+    return static_cast<std::uint32_t>((i * (cells + 1) + j) * (cells + 1) + k);
+  };
   for (int i = 0; i <= cells; ++i)
     for (int j = 0; j <= cells; ++j)
       for (int k = 0; k <= cells; ++k) {
         const Vector3d p = Vector3d(i, j, k) / cells;
         shape.positions.push_back(bend ? bend(p) : p);
       }
-  std::map<std::array<std::uint32_t, 3>, std::array<std::uint32_t, 3>> faces;  // those of one tet only, by their vertices in order
+  std::map<std::array<std::uint32_t, 3>, std::array<std::uint32_t, 3>>
+      faces;  // those of one tet only, by their vertices in order
   for (int c = 0; c < cells * cells * cells; ++c) {
-    for (const auto& axes : {std::array{0, 1, 2}, std::array{1, 2, 0}, std::array{2, 0, 1}, std::array{1, 0, 2}, std::array{0, 2, 1}, std::array{2, 1, 0}}) {
+    for (const auto& axes : {std::array{0, 1, 2}, std::array{1, 2, 0}, std::array{2, 0, 1}, std::array{1, 0, 2},
+                             std::array{0, 2, 1}, std::array{2, 1, 0}}) {
       std::array<int, 3> at{c / (cells * cells), c / cells % cells, c % cells};
       std::array<std::uint32_t, 4> tet;
       for (std::size_t n = 0; n < 4; ++n) {
@@ -34,7 +38,8 @@ Scene tet_box(int cells, const Vector3d& from, const std::function<Vector3d(cons
       if (odd) std::swap(tet[2], tet[3]);
       tets.push_back(tet);
       for (const auto& f : {std::array{1, 2, 3}, std::array{0, 3, 2}, std::array{0, 1, 3}, std::array{0, 2, 1}}) {
-        const std::array face{tet[static_cast<std::size_t>(f[0])], tet[static_cast<std::size_t>(f[1])], tet[static_cast<std::size_t>(f[2])]};
+        const std::array face{tet[static_cast<std::size_t>(f[0])], tet[static_cast<std::size_t>(f[1])],
+                              tet[static_cast<std::size_t>(f[2])]};
         auto key = face;
         std::sort(key.begin(), key.end());
         if (!faces.emplace(key, face).second) faces.erase(key);
@@ -52,7 +57,9 @@ Scene tet_box(int cells, const Vector3d& from, const std::function<Vector3d(cons
   return scene;
 }
 
-int alpha_at(const Image& image, int x, int y) { return image.rgba[4 * static_cast<std::size_t>(y * image.width + x) + 3]; }
+int alpha_at(const Image& image, int x, int y) {
+  return image.rgba[4 * static_cast<std::size_t>(y * image.width + x) + 3];
+}
 
 /// Pixels that one picture covers and the other does not.
 int coverage_difference(const Image& a, const Image& b) {
@@ -67,7 +74,9 @@ int coverage_difference(const Image& a, const Image& b) {
 TEST_CASE("render: a section is closed, without cracks, in the colors of the heat map, however the body is bent") {
   const auto context = test::each_context();
   const double bend = GENERATE(0.0, 0.35);
-  const auto bent = [=](const Vector3d& p) { return Vector3d(p.x() + bend * std::sin(3 * p.z()), p.y() + bend * p.x() * p.x(), p.z() + bend * p.y() * p.x()); };
+  const auto bent = [=](const Vector3d& p) {
+    return Vector3d(p.x() + bend * std::sin(3 * p.z()), p.y() + bend * p.x() * p.x(), p.z() + bend * p.y() * p.x());
+  };
   Scene scene = tet_box(5, {0.1, 0.15, 1}, bent);
   for (const Vector3d& p : scene.shape.positions) scene.shape.scalars.push_back(static_cast<float>(p.x()));
   scene.look.heat_map = true;
@@ -82,7 +91,8 @@ TEST_CASE("render: a section is closed, without cracks, in the colors of the hea
       const Ray ray = scene.camera.ray(x + 0.5, y + 0.5, image.width, image.height);
       const Vector3d hit = ray.origin + ray.direction * ((0.47 - ray.origin.z()) / ray.direction.z());
       const Vector3d expected = heat_color(static_cast<float>(hit.x())).cast<double>();
-      // The plane is in front of all that is kept: a pixel that shows something else on its way shows a side wall, outside the cut.
+      // The plane is in front of all that is kept: a pixel that shows something else on its way shows a side wall,
+      // outside the cut.
       on_plane += (color_at(image, x, y) - expected).cwiseAbs().maxCoeff() < 2.5 / 255;
     }
   }
@@ -126,8 +136,8 @@ TEST_CASE("render: a section leaves out what lies beyond, and nothing else") {
 
 TEST_CASE("render: the cut of a closed surface ends where the surface does, wherever its tets end") {
   const auto context = test::each_context();
-  // Tets from 0 to 1 in x and y; the surface, two shells that overlap, from 0.3 to 1.3: what is left of 0.3 has tets only, right of 1 only
-  // surface.
+  // Tets from 0 to 1 in x and y; the surface, two shells that overlap, from 0.3 to 1.3: what is left of 0.3 has tets
+  // only, right of 1 only surface.
   Scene scene = tet_box(4, {0.05, 0.05, 1});
   scene.creases = false;
   scene.shape.triangles.clear();
@@ -144,11 +154,15 @@ TEST_CASE("render: the cut of a closed surface ends where the surface does, wher
   scene.look.section = SectionCut{{0, 0, 1}, 0.5f};
   const Image image = scene.draw();
   const auto at = [&](double x) { return scene.pixel_of({x, 0.5, 0.5}); };
-  const auto is_heat = [&](double x) { return (color_at(image, at(x)) - heat_color(static_cast<float>(x)).cast<double>()).cwiseAbs().maxCoeff() < 3.0 / 255; };
-  CAPTURE(scene.samples, color_at(image, at(0.15)).transpose(), color_at(image, at(0.4)).transpose(), color_at(image, at(1.15)).transpose());
+  const auto is_heat = [&](double x) {
+    return (color_at(image, at(x)) - heat_color(static_cast<float>(x)).cast<double>()).cwiseAbs().maxCoeff() <
+           3.0 / 255;
+  };
+  CAPTURE(scene.samples, color_at(image, at(0.15)).transpose(), color_at(image, at(0.4)).transpose(),
+          color_at(image, at(1.15)).transpose());
   CHECK(alpha_at(image, int(at(0.15).x()), int(at(0.15).y())) == 0);
-  CHECK(is_heat(0.4));  // one shell
-  CHECK(is_heat(0.8));  // both
+  CHECK(is_heat(0.4));                                                         // one shell
+  CHECK(is_heat(0.8));                                                         // both
   CHECK(color_at(image, at(1.15)).x() > 1.2 * color_at(image, at(1.15)).z());  // flesh
   CHECK(alpha_at(image, int(at(1.35).x()), int(at(1.35).y())) == 0);
 }
@@ -166,10 +180,10 @@ TEST_CASE("render: edges of tets on a section, and none across their quadrangles
     const Vector2d place = scene.pixel_of({x, y, 0.25});
     return color_at(wire, place).sum() < 0.8 * color_at(plain, place).sum();
   };
-  CHECK(darker(0.5, 0.3));    // between cells
-  CHECK(darker(0.35, 0.35));  // the cell's diagonal face
-  CHECK_FALSE(darker(0.1, 0.05));      // inside a triangle
-  CHECK_FALSE(darker(0.375, 0.125));   // where both diagonals of a quadrangle would go
+  CHECK(darker(0.5, 0.3));            // between cells
+  CHECK(darker(0.35, 0.35));          // the cell's diagonal face
+  CHECK_FALSE(darker(0.1, 0.05));     // inside a triangle
+  CHECK_FALSE(darker(0.375, 0.125));  // where both diagonals of a quadrangle would go
 }
 
 TEST_CASE("render: tets drawn one by one fill what the surface fills, and gaps open when they shrink") {
@@ -181,7 +195,8 @@ TEST_CASE("render: tets drawn one by one fill what the surface fills, and gaps o
   CHECK(coverage_difference(together, surface) == 0);
   scene.look.tets = TetSpread{0.5f, 0};
   CHECK(coverage_difference(scene.draw(), surface) > 200);
-  // Twice as far apart and as large: the tets of the hull reach to where the picture of the hull, twice as large, reaches about.
+  // Twice as far apart and as large: the tets of the hull reach to where the picture of the hull, twice as large,
+  // reaches about.
   scene.look.tets = TetSpread{1, 1};
   int apart = 0, covered = 0;
   const Image spread = scene.draw();
@@ -209,14 +224,21 @@ TEST_CASE("render: regions have their colors on the surface, on sections and on 
     scene.tet_region[t] = x < 0.5 ? 0 : 1;
   }
   for (const auto& triangle : scene.shape.triangles)
-    scene.triangle_region.push_back((scene.shape.positions[triangle[0]] + scene.shape.positions[triangle[1]] + scene.shape.positions[triangle[2]]).x() / 3 < 0.5 ? 0 : 1);
+    scene.triangle_region.push_back(
+        (scene.shape.positions[triangle[0]] + scene.shape.positions[triangle[1]] + scene.shape.positions[triangle[2]])
+                        .x() /
+                    3 <
+                0.5
+            ? 0
+            : 1);
   scene.look.regions = true;
   scene.look.wireframe = GENERATE(false, true);
   scene.colors.assign(3 * scene.shape.triangles.size(), 0xff00ff00);  // which regions hide
   const auto check = [&](const char* what, double depth) {
     const Image image = scene.draw();
     for (const unsigned n : {0u, 1u}) {
-      const Vector3d color = color_at(image, scene.pixel_of({n == 0 ? 0.25 : 0.75, 0.45, depth})), own = region_color(n).cast<double>();
+      const Vector3d color = color_at(image, scene.pixel_of({n == 0 ? 0.25 : 0.75, 0.45, depth})),
+                     own = region_color(n).cast<double>();
       CAPTURE(what, n, color.transpose(), own.transpose());
       CHECK((color.normalized() - own.normalized()).norm() < 0.25);
     }

@@ -86,7 +86,8 @@ TEST_CASE("where colors meet, a vertex has a corner for each, all with the norma
   const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}, {0, 2, 3}};
   const std::vector<Eigen::Vector3d> rest = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   const std::uint32_t red = 0xff0000ff, none = 0;
-  const SurfaceCorners corners = make_surface_corners(triangles, 4, rest, std::vector<std::uint32_t>{red, red, red, none, none, none});
+  const SurfaceCorners corners =
+      make_surface_corners(triangles, 4, rest, std::vector<std::uint32_t>{red, red, red, none, none, none});
   REQUIRE(corners.vertex.size() == 6);
   REQUIRE(corners.fan_begin.size() == 7);
   for (std::uint32_t place = 0; place < 6; ++place) {

@@ -89,8 +89,7 @@ TEST_CASE("a framebuffer that cannot be is an Error, and memory is counted") {
   CHECK_THAT(test::error_of([] { Framebuffer(0, 10, 1); }), Contains("framebuffer: width 0; expected 1 to "));
   CHECK_THAT(test::error_of([] { Framebuffer(10, 1 << 30, 1); }),
              Contains("framebuffer: height 1073741824; expected 1 to "));
-  CHECK_THAT(test::error_of([] { Framebuffer(10, 10, 4096); }),
-             Contains("framebuffer: samples 4096; expected 0 to "));
+  CHECK_THAT(test::error_of([] { Framebuffer(10, 10, 4096); }), Contains("framebuffer: samples 4096; expected 0 to "));
   CHECK_THAT(test::error_of([] { Framebuffer(10, 10, -1); }), Contains("framebuffer: samples -1"));
   CHECK(gl::allocated_bytes() == before);
   {

@@ -17,8 +17,7 @@ Image gradient(int width, int height) {
   Image image{width, height, {}};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
-      for (const int value : {x * 7, y * 5, x * y, 255 - x})
-        image.rgba.push_back(static_cast<std::uint8_t>(value));
+      for (const int value : {x * 7, y * 5, x * y, 255 - x}) image.rgba.push_back(static_cast<std::uint8_t>(value));
   return image;
 }
 
@@ -115,10 +114,7 @@ TEST_CASE("what is no picture is named") {
                write_png(folder / "a.png", image, {{std::string(80, 'k'), "v"}});
              }),
              Contains("metadata keyword"));
-  CHECK_THAT(error_of([&] {
-               write_png(folder / "a.png", image, {{"", "v"}});
-             }),
-             Contains("metadata keyword"));
+  CHECK_THAT(error_of([&] { write_png(folder / "a.png", image, {{"", "v"}}); }), Contains("metadata keyword"));
   CHECK_THAT(error_of([&] {
                write_png(folder / "a.png", image, {{"k", std::string("a\0b", 3)}});
              }),

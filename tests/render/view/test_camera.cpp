@@ -135,7 +135,9 @@ TEST_CASE("camera: fit fills a part of the picture around its middle") {
     camera.fit({0, 0, 0}, {1, 0.2, 0.5}, aspect, {0.6, 1});
     Eigen::AlignedBox2d seen;
     for (int corner = 0; corner < 8; ++corner)
-      seen.extend(Eigen::Vector2d(project(camera, {corner & 1 ? 1.0 : 0.0, corner & 2 ? 0.2 : 0.0, corner & 4 ? 0.5 : 0.0}, aspect, 1).head<2>()));
+      seen.extend(Eigen::Vector2d(
+          project(camera, {corner & 1 ? 1.0 : 0.0, corner & 2 ? 0.2 : 0.0, corner & 4 ? 0.5 : 0.0}, aspect, 1)
+              .head<2>()));
     CAPTURE(aspect, seen.min().transpose(), seen.max().transpose());
     CHECK(seen.min().x() > 0.4 - 0.6 * 0.8801);
     CHECK(seen.max().x() < 0.4 + 0.6 * 0.8801);

@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "sim/coarse/coarse_matrix.h"
 #include "sim/coarse/coarse_gather.h"
+#include "sim/coarse/coarse_matrix.h"
 #include "sim/coarse/coarse_space.h"
 #include "sim/ordering/mesh_order.h"
 #include "sim/reference/elastic_system.h"
@@ -24,7 +24,8 @@ Model beam() {
   return make_model(make_box(16, 4, 4, {0.4, 0.1, 0.1}), kTissue, [](const Vector3d& x) { return x.x() < 1e-9; });
 }
 
-// Two bars side by side, nearer to each other than the lattice is wide; joined at one end if `joined`: then it is a hairpin.
+// Two bars side by side, nearer to each other than the lattice is wide; joined at one end if `joined`: then it is a
+// hairpin.
 Model two_bars(bool joined) {
   TetMesh mesh;
   const TetMesh box = make_box(24, 9, 2, {0.6, 0.225, 0.05});
@@ -40,10 +41,12 @@ Model two_bars(bool joined) {
   return make_model(mesh, kTissue, [](const Vector3d&) { return false; });
 }
 
-std::set<std::uint32_t> nodes_where(const Model& model, const CoarseSpace& space, const std::function<bool(const Vector3d&)>& where) {
+std::set<std::uint32_t> nodes_where(const Model& model, const CoarseSpace& space,
+                                    const std::function<bool(const Vector3d&)>& where) {
   std::set<std::uint32_t> nodes;
   for (std::size_t v = 0; v < model.rest_positions.size(); ++v)
-    if (where(model.rest_positions[v])) nodes.insert(space.node.begin() + space.begin[v], space.node.begin() + space.begin[v + 1]);
+    if (where(model.rest_positions[v]))
+      nodes.insert(space.node.begin() + space.begin[v], space.node.begin() + space.begin[v + 1]);
   return nodes;
 }
 
@@ -116,7 +119,8 @@ TEST_CASE("the transpose of a coarse space has its entries") {
   REQUIRE(transposed.begin.size() == space.node_count + 1);
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> entries;  // of vertex and node
   for (std::uint32_t j = 0; j < space.node_count; ++j)
-    for (std::uint32_t k = transposed.begin[j]; k < transposed.begin[j + 1]; ++k) entries[{transposed.vertex[k], j}] = transposed.weight[k];
+    for (std::uint32_t k = transposed.begin[j]; k < transposed.begin[j + 1]; ++k)
+      entries[{transposed.vertex[k], j}] = transposed.weight[k];
   CHECK(entries.size() == space.weight.size());
   for (std::uint32_t v = 0; v + 1 < space.begin.size(); ++v)
     for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k) {
@@ -126,7 +130,8 @@ TEST_CASE("the transpose of a coarse space has its entries") {
 }
 
 TEST_CASE("coarse nodes lie in the order of their vertices, those with as many side by side") {
-  const Model model = make_model(make_box(40, 8, 8, {1, 0.2, 0.2}), kTissue, [](const Vector3d& x) { return x.x() < 1e-9; });
+  const Model model =
+      make_model(make_box(40, 8, 8, {1, 0.2, 0.2}), kTissue, [](const Vector3d& x) { return x.x() < 1e-9; });
   const CoarseSpace space = make_coarse_space(placed(model, placement_of(model)), 250);
   const CoarseTranspose columns = transpose(space);
   REQUIRE(space.node_count > 200);
@@ -143,11 +148,13 @@ TEST_CASE("coarse nodes lie in the order of their vertices, those with as many s
   CAPTURE(sum, in_step);
   CHECK(in_step < 1.15 * static_cast<double>(sum));  // 1.56 in the order of the lattice
 
-  // Who has the first half of the nodes needs few vertices of the second half: half of them in no order, few in the lattice's, too.
+  // Who has the first half of the nodes needs few vertices of the second half: half of them in no order, few in the
+  // lattice's, too.
   const auto half = static_cast<std::uint32_t>(space.begin.size() / 2);
   std::size_t apart = 0;
   for (std::uint32_t j = 0; j < space.node_count; ++j)
-    for (std::uint32_t k = columns.begin[j]; k < columns.begin[j + 1]; ++k) apart += (columns.vertex[k] < half) != (2 * j < space.node_count);
+    for (std::uint32_t k = columns.begin[j]; k < columns.begin[j + 1]; ++k)
+      apart += (columns.vertex[k] < half) != (2 * j < space.node_count);
   CAPTURE(apart);
   CHECK(apart < 0.15 * static_cast<double>(sum));
 }
@@ -165,13 +172,15 @@ TEST_CASE("the coarse matrix is the Hessian at rest seen from the coarse space, 
   Eigen::MatrixXd p = Eigen::MatrixXd::Zero(size, a.cols());
   for (std::size_t v = 0; v < model.rest_positions.size(); ++v)
     for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k)
-      for (Eigen::Index r = 0; r < 3; ++r) p(static_cast<Eigen::Index>(3 * v) + r, 3 * space.node[k] + r) = space.weight[k];
+      for (Eigen::Index r = 0; r < 3; ++r)
+        p(static_cast<Eigen::Index>(3 * v) + r, 3 * space.node[k] + r) = space.weight[k];
   const std::vector<double> masses = lumped_masses(model);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(size);
   const reference::ViscousStep viscous{system.strains(rest), h};
   Eigen::MatrixXd expected(a.rows(), a.cols());
   for (Eigen::Index c = 0; c < a.cols(); ++c) {
-    Eigen::VectorXd column = h * h * system.hessian_times(rest, system.viscous() ? viscous : reference::ViscousStep{}, p.col(c));
+    Eigen::VectorXd column =
+        h * h * system.hessian_times(rest, system.viscous() ? viscous : reference::ViscousStep{}, p.col(c));
     for (Eigen::Index i = 0; i < size; ++i) column[i] += masses[static_cast<std::size_t>(i / 3)] * p(i, c);
     expected.col(c) = p.transpose() * column;
   }
@@ -196,7 +205,8 @@ TEST_CASE("the inverse with springs is that of the matrix with springs") {
   for (const VertexStiffness& s : springs)
     for (std::uint32_t k = space.begin[s.vertex]; k < space.begin[s.vertex + 1]; ++k)
       for (std::uint32_t l = space.begin[s.vertex]; l < space.begin[s.vertex + 1]; ++l)
-        a.block<3, 3>(3 * space.node[k], 3 * space.node[l]).diagonal().array() += h * h * s.stiffness * space.weight[k] * space.weight[l];
+        a.block<3, 3>(3 * space.node[k], 3 * space.node[l]).diagonal().array() +=
+            h * h * s.stiffness * space.weight[k] * space.weight[l];
   const Eigen::MatrixXf expected = coarse_inverse(a);
   const float error = (held - expected).norm() / expected.norm(), change = (held - inverse).norm() / expected.norm();
   CAPTURE(error, change);
@@ -207,7 +217,8 @@ TEST_CASE("the inverse with springs is that of the matrix with springs") {
 }
 
 TEST_CASE("an inclusion of another material has coarse nodes of its own") {
-  Model model = make_model(make_box(12, 12, 12, {0.12, 0.12, 0.12}), kTissue, [](const Vector3d& x) { return x.y() < 1e-9; });
+  Model model =
+      make_model(make_box(12, 12, 12, {0.12, 0.12, 0.12}), kTissue, [](const Vector3d& x) { return x.y() < 1e-9; });
   const auto inside = [](const Vector3d& x) { return (x - Vector3d(0.06, 0.06, 0.06)).cwiseAbs().maxCoeff() < 0.0301; };
   model.materials.push_back(kTissue);
   model.materials[1].young_modulus *= 1000;

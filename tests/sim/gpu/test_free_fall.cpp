@@ -49,7 +49,8 @@ TEST_CASE("what nothing holds falls freely, however stiff and however small", "[
     GpuSolver solver(gpu.programs, model, settings);
     for (int i = 0; i < kSteps; ++i) solver.step();
     const State state = solver.download();
-    const Vector3d fall = kSteps * (kSteps + 1) / 2 * settings.time_step * settings.time_step * model.gravity;  // by implicit Euler
+    // By implicit Euler
+    const Vector3d fall = kSteps * (kSteps + 1) / 2 * settings.time_step * settings.time_step * model.gravity;
     double error = 0;
     for (std::size_t v = 0; v < state.displacement.size(); ++v)
       if (!held || model.rest_positions[v].x() > 0.05) error = std::max(error, (state.displacement[v] - fall).norm());

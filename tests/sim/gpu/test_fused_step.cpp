@@ -1,5 +1,5 @@
-// A step whose passes are fused does the same to the bit as one whose passes are dispatched one by one. Run with several of llvmpipe's
-// threads, too (tests.cmake).
+// A step whose passes are fused does the same to the bit as one whose passes are dispatched one by one. Run with
+// several of llvmpipe's threads, too (tests.cmake).
 #include <catch2/catch.hpp>
 
 #include "gl/fused_pass.h"
@@ -16,7 +16,8 @@ namespace {
 // Falls so far in a step that many tets are inverted on the way.
 Model crushed(int cells, double damping) {
   const double length = 0.1 * cells;
-  Model model = make_model(make_box(cells, 4, 4, {length, 0.1, 0.1}), {2e4, 0.4, 1000, damping, MaterialModel::signed_st_venant_kirchhoff},
+  Model model = make_model(make_box(cells, 4, 4, {length, 0.1, 0.1}),
+                           {2e4, 0.4, 1000, damping, MaterialModel::signed_st_venant_kirchhoff},
                            [](const Vector3d& x) { return x.x() < 1e-9; });
   model.gravity = {-300, 0, -50};
   return model;
@@ -24,7 +25,8 @@ Model crushed(int cells, double damping) {
 
 std::size_t differences(const State& a, const State& b) {
   std::size_t count = 0;
-  for (std::size_t v = 0; v < a.displacement.size(); ++v) count += a.displacement[v] != b.displacement[v] || a.velocity[v] != b.velocity[v];
+  for (std::size_t v = 0; v < a.displacement.size(); ++v)
+    count += a.displacement[v] != b.displacement[v] || a.velocity[v] != b.velocity[v];
   return count;
 }
 
@@ -36,7 +38,9 @@ struct Compared {
   GpuSolver fused;
 
   Compared(Model of, const SolverSettings& settings)
-      : model(std::move(of)), alone(gpu.programs, model, settings), fused((fusing.set_fusing(true), fusing), model, settings) {}
+      : model(std::move(of)),
+        alone(gpu.programs, model, settings),
+        fused((fusing.set_fusing(true), fusing), model, settings) {}
   void step() {
     alone.step();
     fused.step();
@@ -56,9 +60,12 @@ TEST_CASE("fused steps are those of passes one by one", "[gpu][.threads]") {
   const auto [pair, damping, grab, colors] =
       GENERATE(Case{{Method::jacobi, Acceleration::chebyshev}, 0.01, false},
                Case{{Method::mass_splitting, Acceleration::anderson_positions}, 0, true},
-               Case{{Method::gauss_seidel, Acceleration::none}, 0, false}, Case{{Method::gauss_seidel, Acceleration::none}, 0.01, false, 5},
-               Case{{Method::exact_xpbd, Acceleration::anderson}, 0, false}, Case{{Method::vertex_descent, Acceleration::anderson}, 0.01, true},
-               Case{{Method::two_level, Acceleration::anderson}, 0, false}, Case{{Method::two_level, Acceleration::subspace}, 0.01, true});
+               Case{{Method::gauss_seidel, Acceleration::none}, 0, false},
+               Case{{Method::gauss_seidel, Acceleration::none}, 0.01, false, 5},
+               Case{{Method::exact_xpbd, Acceleration::anderson}, 0, false},
+               Case{{Method::vertex_descent, Acceleration::anderson}, 0.01, true},
+               Case{{Method::two_level, Acceleration::anderson}, 0, false},
+               Case{{Method::two_level, Acceleration::subspace}, 0.01, true});
   CAPTURE(name_of(pair.method), name_of(pair.acceleration), damping, colors);
   SolverSettings settings = with(pair);
   settings.substeps = 2;

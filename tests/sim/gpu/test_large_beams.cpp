@@ -1,4 +1,5 @@
-// A beam falls alike however many tets it has: sums over a million of them must not stop a step. 5k to 331k tets are of the slow tests.
+// A beam falls alike however many tets it has: sums over a million of them must not stop a step. 5k to 331k tets are of
+// the slow tests.
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/solver.h"
@@ -13,7 +14,8 @@ namespace {
 
 // Cells along the beam's length of 1 m; a quarter as many across.
 Model beam(int cells) {
-  return make_model(make_box(cells, cells / 4, cells / 4, {1, 0.25, 0.25}), {1e6, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff},
+  return make_model(make_box(cells, cells / 4, cells / 4, {1, 0.25, 0.25}),
+                    {1e6, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff},
                     [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
 }
 

@@ -1,4 +1,5 @@
-// Regions at rest are left out of most steps; what comes out is what whole steps make, within a small part of the scene's size.
+// Regions at rest are left out of most steps; what comes out is what whole steps make, within a small part of the
+// scene's size.
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/solver.h"
@@ -21,7 +22,8 @@ Model sheet(double damping) {
 
 // Two bars side by side, each clamped at its end: 4,608 tets.
 Model two_stiff_bars() {
-  return two_bars(24, 0.6, {2e6, 0.4, 1000, 0.1, MaterialModel::st_venant_kirchhoff});  // at rest under its weight after 2 s
+  return two_bars(24, 0.6,
+                  {2e6, 0.4, 1000, 0.1, MaterialModel::st_venant_kirchhoff});  // at rest under its weight after 2 s
 }
 
 std::uint32_t vertex_at(const Model& model, const Vector3d& place) {
@@ -38,8 +40,9 @@ TEST_CASE("a poke into a resting sheet moves it as whole steps do", "[gpu]") {
     Acceleration acceleration;
     double damping, rest_speed, largest_share;
   };
-  const Case with_case = GENERATE(Case{Acceleration::subspace, 0, 1e-5, 0.9}, Case{Acceleration::subspace, 0.02, 1e-5, 0.75},
-                                  Case{Acceleration::nonlinear_cg, 0.02, 1e-5, 0.75}, Case{Acceleration::subspace, 0.02, 1e-3, 0.6});
+  const Case with_case =
+      GENERATE(Case{Acceleration::subspace, 0, 1e-5, 0.9}, Case{Acceleration::subspace, 0.02, 1e-5, 0.75},
+               Case{Acceleration::nonlinear_cg, 0.02, 1e-5, 0.75}, Case{Acceleration::subspace, 0.02, 1e-3, 0.6});
   const double damping = with_case.damping;
   SolverSettings settings = with(Pair{Method::two_level, with_case.acceleration});
   settings.rest_speed = with_case.rest_speed;
@@ -101,7 +104,8 @@ TEST_CASE("a body at rest beside one that moves costs next to nothing and keeps 
     unchanged += same;
     CHECK((now.displacement[tip] - last.displacement[tip]).norm() > 0);
   }
-  const double share = (solver.share_solved() * static_cast<double>(solver.steps_solved()) - share_before * static_cast<double>(before)) /
+  const double share = (solver.share_solved() * static_cast<double>(solver.steps_solved()) -
+                        share_before * static_cast<double>(before)) /
                        static_cast<double>(solver.steps_solved() - before);
   CAPTURE(share, partial);
   CHECK(partial == 6 * 8);
@@ -154,7 +158,8 @@ TEST_CASE("steps with resting regions repeat bit for bit, from a checked state t
 TEST_CASE("looking between steps with resting regions leaves their bits alone", "[gpu]") {
   Gpu gpu;
   Model model = sheet(0.02);
-  model.gravity *= 4;  // so that resting tets hold much energy, and a hand that jerks makes steps that raise the objective
+  // So that resting tets hold much energy, and a hand that jerks makes steps that raise the objective
+  model.gravity *= 4;
   SolverSettings settings = with(Pair{Method::two_level, Acceleration::subspace});
   settings.rest_speed = 1e-3;
   settings.iterations = 10;
@@ -169,7 +174,8 @@ TEST_CASE("looking between steps with resting regions leaves their bits alone", 
   const std::uint32_t vertex = vertex_at(model, {0.05, 0.1, 0.04});
   int partial = 0;
   for (int step = 0; step < 64; ++step) {
-    const std::vector<GrabSpring> springs{{vertex, rest.displacement[vertex] + Vector3d(0, 0, step % 6 < 3 ? 0.06 : -0.06), 200}};
+    const std::vector<GrabSpring> springs{
+        {vertex, rest.displacement[vertex] + Vector3d(0, 0, step % 6 < 3 ? 0.06 : -0.06), 200}};
     unseen.set_grab(springs);
     seen.set_grab(springs);
     unseen.step();

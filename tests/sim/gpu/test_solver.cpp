@@ -86,8 +86,8 @@ TEST_CASE("a rotated body at rest feels no force", "[gpu]") {
   for (int i = 0; i < 20; ++i) solver.step();
   const double drift = relative_rms(solver.download().displacement, state.displacement);
   CAPTURE(angle, drift);
-  // Strain of rounding, 1e-7 of the displacement gradient. Exact XPBD starts from explicit forces and amplifies short waves before it
-  // damps them, so some of it is left after 20 iterations.
+  // Strain of rounding, 1e-7 of the displacement gradient. Exact XPBD starts from explicit forces and amplifies short
+  // waves before it damps them, so some of it is left after 20 iterations.
   CHECK(drift < (pair.method == Method::exact_xpbd ? 1e-3 : 2e-6));
 }
 
@@ -108,8 +108,9 @@ TEST_CASE("a single tet keeps its momentum without gravity", "[gpu]") {
   const State state = random_state(model, 0.01, 9);
   solver.upload(state);
   const reference::Measures before = reference::measure(model, state);
-  // Of the pairs of corrections nothing is left to rounding; the two-level method only drives the residual there, which float32 holds
-  // for a quarter of the time (after 100 steps the momentum is 0.7 percent off, however many the iterations).
+  // Of the pairs of corrections nothing is left to rounding; the two-level method only drives the residual there, which
+  // float32 holds for a quarter of the time (after 100 steps the momentum is 0.7 percent off, however many the
+  // iterations).
   const int steps = pair.method == Method::two_level ? 25 : 100;
   for (int i = 0; i < steps; ++i) solver.step();
   const reference::Measures after = reference::measure(model, solver.download());
@@ -119,7 +120,8 @@ TEST_CASE("a single tet keeps its momentum without gravity", "[gpu]") {
 }
 
 TEST_CASE("the momentum of a mesh drifts exactly as averaging makes it drift", "[gpu]") {
-  // Dividing by different valences breaks the symmetry of corrections: a property of the poster's method, not of the GPU.
+  // Dividing by different valences breaks the symmetry of corrections: a property of the poster's method, not of the
+  // GPU.
   Gpu gpu;
   const Model model = free_bar();
   GpuSolver solver(gpu.programs, model, with(Method::jacobi));
@@ -136,7 +138,10 @@ TEST_CASE("the momentum of a mesh drifts exactly as averaging makes it drift", "
   CHECK((got - expected).norm() < 1e-4 * expected.norm());
 }
 
-TEST_CASE("the same steps give the same bits: run to run and context to context, and from load path to load path without sums", "[gpu]") {
+TEST_CASE(
+    "the same steps give the same bits: run to run and context to context, and from load path to load path without "
+    "sums",
+    "[gpu]") {
   const Pair pair = any_pair();
   CAPTURE(name_of(pair.method), name_of(pair.acceleration));
   const auto positions = [&](gl::LoadPath loads, const std::string& context) {
@@ -240,7 +245,8 @@ TEST_CASE("Chebyshev's plain iterations equal the method to the bit", "[gpu]") {
 TEST_CASE("a traced substep is the substep, and its residual falls", "[gpu]") {
   Gpu gpu;
   const Model model = bar();
-  GpuSolver solver(gpu.programs, model, with(Method::gauss_seidel)), leader(gpu.programs, model, with(Method::gauss_seidel));
+  GpuSolver solver(gpu.programs, model, with(Method::gauss_seidel)),
+      leader(gpu.programs, model, with(Method::gauss_seidel));
   leader.upload(random_state(model, 0.001, 4));
   leader.set_grab({{100, {0.01, 0, 0}, 20}, {101, {0.01, 0, 0}, 20}});
   leader.step();
@@ -316,6 +322,8 @@ TEST_CASE("shared structures have the same layout in C++ and GLSL", "[gpu]") {
   CHECK(offset_of(tet, "step_values.material", GL_UNIFORM) == offsetof(shared::StepValues, material));
   CHECK(offset_of(tet, "tet_partials[0].sums", GL_BUFFER_VARIABLE) == offsetof(shared::TetPartial, sums));
   const gl::Program& vertex = gpu.programs.compute("sim/readback/diagnose_vertex.comp");
-  CHECK(offset_of(vertex, "vertex_partials[0].angular", GL_BUFFER_VARIABLE) == offsetof(shared::VertexPartial, angular));
-  CHECK(offset_of(vertex, "vertex_partials[0].residual", GL_BUFFER_VARIABLE) == offsetof(shared::VertexPartial, residual));
+  CHECK(offset_of(vertex, "vertex_partials[0].angular", GL_BUFFER_VARIABLE) ==
+        offsetof(shared::VertexPartial, angular));
+  CHECK(offset_of(vertex, "vertex_partials[0].residual", GL_BUFFER_VARIABLE) ==
+        offsetof(shared::VertexPartial, residual));
 }

@@ -94,7 +94,8 @@ TEST_CASE("features that are off cost no dispatch, no program and no byte", "[gp
   solver.set_settings(settings);
   const std::size_t phantoms = solver.gauss_seidel()->coloring().phantom_vertex.size();
   CAPTURE(phantoms);
-  CHECK(solver.dispatches_per_step() == 2 * (2 + 7 * (5 + 2 + 1) + 1));  // split and merge beside the colors and the grab
+  CHECK(solver.dispatches_per_step() ==
+        2 * (2 + 7 * (5 + 2 + 1) + 1));  // split and merge beside the colors and the grab
   CHECK(gl::allocated_bytes() > plain_bytes + 16 * phantoms);
   settings.colors = 0;
   solver.set_settings(settings);

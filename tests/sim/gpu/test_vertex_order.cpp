@@ -1,5 +1,5 @@
-// Whatever the order of a mesh's vertices, the solver does the same to the bit, and all that it is told and tells counts vertices as the
-// model does.
+// Whatever the order of a mesh's vertices, the solver does the same to the bit, and all that it is told and tells
+// counts vertices as the model does.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include <numeric>
 #include <random>
 
-#include "sim/gpu/solver.h"
 #include "sim/gpu/readback/step_snapshot.h"
+#include "sim/gpu/solver.h"
 #include "tests/support/gpu/bars.h"
 #include "tests/support/gpu/gpu_fixture.h"
 
@@ -28,7 +28,8 @@ Model moved_bar() {
   Motion motion;
   for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
     if (model.rest_positions[v].x() > 0.2 - 1e-9) motion.vertices.push_back(v);
-  for (const std::uint32_t v : motion.vertices) motion.targets.push_back(model.rest_positions[v] + Vector3d(0.01, 0, 0.05 * model.rest_positions[v].y()));
+  for (const std::uint32_t v : motion.vertices)
+    motion.targets.push_back(model.rest_positions[v] + Vector3d(0.01, 0, 0.05 * model.rest_positions[v].y()));
   motion.duration = 0.05;
   model.motions.push_back(motion);
   for (std::size_t v = 0; v < model.rest_positions.size(); ++v)
@@ -72,7 +73,8 @@ std::vector<Vector3d> published(GpuSolver& solver, std::size_t first, std::size_
   solver.publish();
   const auto positions = solver.positions().read<vec4>();
   std::vector<Vector3d> result;  // x, y and the heat map's scalar
-  for (std::size_t i = first; i < first + count; ++i) result.emplace_back(positions[i].x, positions[i].y, positions[i].w);
+  for (std::size_t i = first; i < first + count; ++i)
+    result.emplace_back(positions[i].x, positions[i].y, positions[i].w);
   return result;
 }
 
@@ -94,7 +96,8 @@ TEST_CASE("the order of a mesh's vertices changes nothing", "[gpu]") {
   GpuSolver a(gpu.programs, model, with(pair), drawn), b(gpu.programs, other.model, with(pair), other_drawn);
   REQUIRE(a.buffers().placement.place != b.buffers().placement.place);
 
-  const std::vector<GrabSpring> springs{{60, {0.01, 0.02, 0}, 50, 0}, {61, {0.01, 0.02, 0}, 50, 0}, {75, {-0.01, 0, 0.01}, 80, 1}};
+  const std::vector<GrabSpring> springs{
+      {60, {0.01, 0.02, 0}, 50, 0}, {61, {0.01, 0.02, 0}, 50, 0}, {75, {-0.01, 0, 0.01}, 80, 1}};
   std::vector<GrabSpring> other_springs = springs;
   for (GrabSpring& spring : other_springs) spring.vertex = other.to[spring.vertex];
   std::vector<float> errors(count);
@@ -138,7 +141,8 @@ TEST_CASE("hands, lost vertices, kept states and snapshots go by the model's ver
   solver.set_grab({{held, {0, 0, 0.02}, 500}});
   solver.step();
   const State pulled = solver.download();
-  const auto farthest = std::max_element(pulled.displacement.begin(), pulled.displacement.end(), [](const Vector3d& x, const Vector3d& y) { return x.norm() < y.norm(); });
+  const auto farthest = std::max_element(pulled.displacement.begin(), pulled.displacement.end(),
+                                         [](const Vector3d& x, const Vector3d& y) { return x.norm() < y.norm(); });
   CHECK(farthest - pulled.displacement.begin() == held);
   solver.request_diagnostics();
   const auto diagnostics = solver.take_diagnostics(true);
@@ -155,7 +159,8 @@ TEST_CASE("hands, lost vertices, kept states and snapshots go by the model's ver
   REQUIRE_FALSE(solver.take_check(true)->astray);
   CHECK(differences(solver.download_sound().displacement, pulled.displacement) == 0);
 
-  // One iteration carries what is lost no farther than to the neighbors: a wrong number would name a vertex that is finite.
+  // One iteration carries what is lost no farther than to the neighbors: a wrong number would name a vertex that is
+  // finite.
   State lost = pulled;
   lost.displacement[held].y() = std::numeric_limits<double>::quiet_NaN();
   solver.set_grab({});

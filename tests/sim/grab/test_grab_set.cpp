@@ -3,13 +3,13 @@
 #include <random>
 
 #include "app/session/graphics.h"
-#include "sim/grab/grab_set.h"
 #include "app/session/open_input.h"
-#include "sim/simulation/simulation.h"
 #include "base/file.h"
+#include "sim/grab/grab_set.h"
 #include "sim/mesh/tet_faces.h"
-#include "tests/support/headless.h"
+#include "sim/simulation/simulation.h"
 #include "tests/support/gpu/gpu_fixture.h"
+#include "tests/support/headless.h"
 #include "tests/support/models.h"
 
 using namespace fascia;
@@ -35,9 +35,11 @@ Vector3d weight_of(const Model& model) {
 // Two overlapping patches at the lower end.
 std::vector<GrabSpring> two_hands(const Model& model) {
   std::vector<GrabSpring> springs;
-  const std::array<Vector3d, 2> at{Vector3d(0.03, 0, 0.05), Vector3d(0.07, 0, 0.05)}, to{Vector3d(0.02, -0.01, 0), Vector3d(-0.005, 0.02, 0.01)};
+  const std::array<Vector3d, 2> at{Vector3d(0.03, 0, 0.05), Vector3d(0.07, 0, 0.05)},
+      to{Vector3d(0.02, -0.01, 0), Vector3d(-0.005, 0.02, 0.01)};
   for (std::uint32_t h = 0; h < 2; ++h) {
-    const std::vector<PatchVertex> patch = grab_patch(model, model.rest_positions, at[h], 0.06, tet_at(model.tets, model.rest_positions, at[h]));
+    const std::vector<PatchVertex> patch =
+        grab_patch(model, model.rest_positions, at[h], 0.06, tet_at(model.tets, model.rest_positions, at[h]));
     for (const PatchVertex& p : patch) springs.push_back({p.vertex, to[h], p.share * (h ? 300 : 800), h});
   }
   return springs;
@@ -70,7 +72,8 @@ TEST_CASE("the force of each of two overlapping hands is that of the exact step"
   REQUIRE(joined(springs, place).size() < springs.size());  // the patches share vertices
   SolverSettings settings;
   settings.iterations = 60;
-  const Pair pair = GENERATE(Pair{Method::two_level, Acceleration::subspace}, Pair{Method::vertex_descent, Acceleration::anderson});
+  const Pair pair =
+      GENERATE(Pair{Method::two_level, Acceleration::subspace}, Pair{Method::vertex_descent, Acceleration::anderson});
   settings.method = pair.method;
   settings.acceleration = pair.acceleration;
   test::Gpu gpu;
@@ -104,7 +107,9 @@ TEST_CASE("the force of each of two overlapping hands is that of the exact step"
   CHECK(solver.take_diagnostics(true)->hand_forces.empty());
 }
 
-TEST_CASE("a hanging beam with a hand: the supports carry its weight and the pull, and the balance says whether a step is solved") {
+TEST_CASE(
+    "a hanging beam with a hand: the supports carry its weight and the pull, and the balance says whether a step is "
+    "solved") {
   const Model model = hanging_beam();
   const Vector3d weight = weight_of(model);
   const std::vector<GrabSpring> springs = two_hands(model);
@@ -121,8 +126,8 @@ TEST_CASE("a hanging beam with a hand: the supports carry its weight and the pul
   CHECK((exact + pull + weight).norm() < 1e-8 * exact.norm());
   CHECK(pull.norm() > 0.05 * weight.norm());
 
-  // The GPU, started there: nothing moves, and it finds the same forces. Positions of 0.1 m in float32 are good to 4e-9 m, and a
-  // tet's forces are E times its size of 0.03 m times that: some 1e-5 N on 30 N, at a hundred vertices.
+  // The GPU, started there: nothing moves, and it finds the same forces. Positions of 0.1 m in float32 are good to 4e-9
+  // m, and a tet's forces are E times its size of 0.03 m times that: some 1e-5 N on 30 N, at a hundred vertices.
   test::Gpu gpu;
   GpuSolver solver(gpu.programs, model, settings);
   solver.set_grab(springs);
@@ -147,7 +152,8 @@ TEST_CASE("a hanging beam with a hand: the supports carry its weight and the pul
     falling.request_diagnostics();
     return falling.take_diagnostics(true)->imbalance(weight);
   };
-  const double solved = imbalance({Method::two_level, Acceleration::subspace}, 40), unsolved = imbalance({Method::jacobi, Acceleration::none}, 2);
+  const double solved = imbalance({Method::two_level, Acceleration::subspace}, 40),
+               unsolved = imbalance({Method::jacobi, Acceleration::none}, 2);
   CAPTURE(solved, unsolved);
   CHECK(solved < 1e-2);
   CHECK(unsolved > 0.05);
@@ -158,11 +164,13 @@ TEST_CASE("hands stay, are taken up again and let go of one by one") {
   const Model model = hanging_beam();
   const Surface surface(model);
   Hands hands;
-  REQUIRE(hands.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.02)), kRadius, {}));
+  REQUIRE(
+      hands.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.02)), kRadius, {}));
   REQUIRE(hands.following());
   hands.stay();
   CHECK_FALSE(hands.following());
-  REQUIRE(hands.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.15)), kRadius, {}));
+  REQUIRE(
+      hands.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.15)), kRadius, {}));
   REQUIRE(hands.all().size() == 2);
   CHECK(hands.follows(1));
   CHECK(hands.all()[0].id != hands.all()[1].id);
@@ -210,11 +218,13 @@ TEST_CASE("the size of a patch changes while it is held, depth goes along the vi
 
 TEST_CASE("a patch that would hold nothing free keeps the size it had") {
   // Two rows are clamped, the triangle between them is taken: its neighbors below are free.
-  const Model model = make_model(make_box(3, 9, 3, {0.1, 0.3, 0.1}), {1e5, 0.3, 1000, 0}, [](const Vector3d& x) { return x.y() > 0.26; });
+  const Model model = make_model(make_box(3, 9, 3, {0.1, 0.3, 0.1}), {1e5, 0.3, 1000, 0},
+                                 [](const Vector3d& x) { return x.y() > 0.26; });
   const Surface surface(model);
   GrabSettings settings{0.4, 3};
   Grab grab;
-  REQUIRE(grab.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.28)), kRadius, settings));
+  REQUIRE(grab.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.28)), kRadius,
+                    settings));
   const std::vector<std::uint32_t> held = grab.vertices();
   const double stiffness = grab.stiffness();
   settings.radius = 0.01;
@@ -226,7 +236,8 @@ TEST_CASE("a patch that would hold nothing free keeps the size it had") {
 }
 
 TEST_CASE("a fine surface in few large tets is held by the tet below the hit point") {
-  Model model = make_model(make_box(1, 1, 1, {0.3, 0.3, 0.3}), {1e5, 0.3, 1000, 0}, [](const Vector3d&) { return false; });
+  Model model =
+      make_model(make_box(1, 1, 1, {0.3, 0.3, 0.3}), {1e5, 0.3, 1000, 0}, [](const Vector3d&) { return false; });
   // A surface triangle inside, far from any vertex of the lattice and much smaller than a tet.
   const auto first = static_cast<std::uint32_t>(model.rest_positions.size());
   DrawnSurface surface{{{first, first + 1, first + 2}}, model.rest_positions};
@@ -239,7 +250,8 @@ TEST_CASE("a fine surface in few large tets is held by the tet below the hit poi
   REQUIRE(grab.take(model, surface, surface.rest_positions, *hit, kRadius, {0.01, 3}));
   Vector3d middle(0, 0, 0);
   double stiffness = 0;
-  for (const GrabSpring& s : grab.springs(1e-3)) middle += s.stiffness * model.rest_positions[s.vertex], stiffness += s.stiffness;
+  for (const GrabSpring& s : grab.springs(1e-3))
+    middle += s.stiffness * model.rest_positions[s.vertex], stiffness += s.stiffness;
   CHECK(grab.vertices().size() == 4);
   CHECK((middle / stiffness - hit->point).norm() < 1e-9);  // the pull goes through the very point
 }
@@ -254,7 +266,8 @@ TEST_CASE("three wild hands neither explode the body nor detach from it") {
   for (const double y : {0.03, 0.12, 0.2}) {
     GrabSettings how;
     how.push = y == 0.12;
-    REQUIRE(hands.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, y)), kRadius, how));
+    REQUIRE(
+        hands.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, y)), kRadius, how));
   }
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-4 * kRadius, 4 * kRadius);

@@ -10,7 +10,8 @@ using Eigen::Vector3d;
 namespace {
 
 // As a hand makes them: where it took each vertex, plus how far it has led.
-std::vector<GrabSpring> springs_of(const std::vector<Vector3d>& taken, const Vector3d& offset, std::uint32_t first = 0) {
+std::vector<GrabSpring> springs_of(const std::vector<Vector3d>& taken, const Vector3d& offset,
+                                   std::uint32_t first = 0) {
   std::vector<GrabSpring> springs;
   for (const Vector3d& at : taken) springs.push_back({first++, at + offset, 100});
   return springs;
@@ -20,7 +21,8 @@ std::vector<Vector3d> places(std::size_t count, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> coordinate(-0.3, 0.3);
   std::vector<Vector3d> result;
-  for (std::size_t i = 0; i < count; ++i) result.push_back({coordinate(random), coordinate(random), coordinate(random)});
+  for (std::size_t i = 0; i < count; ++i)
+    result.push_back({coordinate(random), coordinate(random), coordinate(random)});
   return result;
 }
 
@@ -81,7 +83,8 @@ TEST_CASE("another grip is no move") {
   CHECK_FALSE(is_move(other));
   CHECK_FALSE(is_move({}));
   other = base;
-  for (std::size_t i = 0; i < other.size(); ++i) other[i].target *= 1 + 0.1 * static_cast<double>(i);  // stretched, not led
+  for (std::size_t i = 0; i < other.size(); ++i)
+    other[i].target *= 1 + 0.1 * static_cast<double>(i);  // stretched, not led
   CHECK_FALSE(is_move(other));
   CHECK_FALSE(track.fits({{{31, {0, 0, 0}}}}));
   CHECK_FALSE(track.fits({{{29, {0, 0, 0}}}}));

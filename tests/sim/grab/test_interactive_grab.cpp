@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "sim/grab/interactive_grab.h"
 #include "sim/gpu/solver.h"
+#include "sim/grab/interactive_grab.h"
 #include "sim/mesh/tet_faces.h"
 #include "tests/support/gpu/gpu_fixture.h"
 #include "tests/support/models.h"
@@ -16,13 +16,15 @@ namespace {
 constexpr double kRadius = 0.17;  // of the cantilever: half the diagonal of its box [m]
 
 Model cantilever(const Material& material) {
-  Model model = test::make_model(make_box(9, 3, 3, {0.3, 0.1, 0.1}), material, [](const Vector3d& x) { return x.x() < 1e-9; });
+  Model model =
+      test::make_model(make_box(9, 3, 3, {0.3, 0.1, 0.1}), material, [](const Vector3d& x) { return x.x() < 1e-9; });
   model.gravity.setZero();
   return model;
 }
 
 struct Cantilever {
-  explicit Cantilever(const Material& material) : model(cantilever(material)), surface{boundary_triangles(model.tets), model.rest_positions} {}
+  explicit Cantilever(const Material& material)
+      : model(cantilever(material)), surface{boundary_triangles(model.tets), model.rest_positions} {}
   Model model;
   DrawnSurface surface;
 
@@ -35,7 +37,9 @@ struct Cantilever {
   }
 };
 
-void point_at(Grab& grab, const Vector3d& point) { grab.point_at({point + Vector3d(0, 1, 0), -Vector3d::UnitY()}, -Vector3d::UnitY()); }
+void point_at(Grab& grab, const Vector3d& point) {
+  grab.point_at({point + Vector3d(0, 1, 0), -Vector3d::UnitY()}, -Vector3d::UnitY());
+}
 
 double largest_displacement(const State& state) {
   double largest = 0;
@@ -96,7 +100,8 @@ TEST_CASE("a hand holds one body and the material that is there") {
   const DrawnSurface surface{boundary_triangles(model.tets), model.rest_positions};
   for (const bool second : {false, true}) {
     CAPTURE(second);
-    const auto hit = pick({{second ? 0.31 : 0.29, 1, 0.05}, -Vector3d::UnitY()}, surface.triangles, model.rest_positions);
+    const auto hit =
+        pick({{second ? 0.31 : 0.29, 1, 0.05}, -Vector3d::UnitY()}, surface.triangles, model.rest_positions);
     REQUIRE(hit);
     Grab grab;
     REQUIRE(grab.take(model, surface, model.rest_positions, *hit, kRadius, {0.3, 4}));
@@ -156,8 +161,9 @@ TEST_CASE("at equilibrium the force is stiffness times elongation, along the pul
   // Displacements of some cm in float32 are good to 1e-8 m: times the stiffness, some 1e-4 N.
   CHECK((diagnostics.grab_force - expected).norm() < 1e-3 * expected.norm());
   CHECK(expected.z() > 0.1);
-  CHECK(expected.dot(held) > 0.5 * expected.norm() * held.norm());  // along the pull; a bent bar resists stretching more
-  CHECK(held.z() > 0.7 * 0.04);                 // soft tissue follows the mouse
+  CHECK(expected.dot(held) >
+        0.5 * expected.norm() * held.norm());  // along the pull; a bent bar resists stretching more
+  CHECK(held.z() > 0.7 * 0.04);                // soft tissue follows the mouse
   const Vector3d hit(0.29, 0.1, 0.05);
   CHECK((grab.anchor() - (hit + held)).norm() < 1e-3 * held.norm());
   CHECK((grab.target() - grab.pointer()).norm() < 1e-6);

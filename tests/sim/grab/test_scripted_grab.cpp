@@ -3,8 +3,8 @@
 
 #include "sim/grab/build_model.h"
 #include "sim/grab/grab_patch.h"
-#include "sim/model/model.h"
 #include "sim/grab/scripted_grab.h"
+#include "sim/model/model.h"
 #include "tests/sim/scene/scene_test.h"
 
 using namespace fascia;
@@ -15,8 +15,9 @@ namespace {
 
 // The shipped cube with these hands.
 std::string with_grabs(const std::string& grabs) {
-  return R"({"fascia_scene": 1, "bodies": [{"name": "cube", "mesh": ")" + (source_dir() / "assets/meshes/cube.msh").string() +
-         R"(", "fixed": [{"lowest": 0.02}]}], "grabs": )" + grabs + "}";
+  return R"({"fascia_scene": 1, "bodies": [{"name": "cube", "mesh": ")" +
+         (source_dir() / "assets/meshes/cube.msh").string() + R"(", "fixed": [{"lowest": 0.02}]}], "grabs": )" + grabs +
+         "}";
 }
 
 std::string model_error(const std::string& grabs) {
@@ -59,26 +60,29 @@ TEST_CASE("grabs of a scene are written as they were read") {
 TEST_CASE("a hand that cannot be is one clear line") {
   const auto error = [](const std::string& grabs) { return SceneFile(with_grabs(grabs)).open_error(); };
   CHECK(error(R"([{"at": [0, 0, 0], "translat": [1, 0, 0]}])") ==
-        "s.json: grabs[0].translat: unknown key \"translat\", perhaps \"translate\"; expected one of at, select, body, radius, stiffness, "
-        "start, duration, release, smooth, translate, push, path");
+        "s.json: grabs[0].translat: unknown key \"translat\", perhaps \"translate\"; expected one of at, select, body, "
+        "radius, stiffness, start, duration, release, smooth, translate, push, path");
   CHECK(error(R"([{"translate": [1, 0, 0]}])") ==
         "s.json: grabs[0]: holds nothing; expected at, a place [x, y, z] on the tissue [m], or select");
   CHECK(error(R"([{"at": [0, 0, 0], "push": 1, "path": [[0, 0, 0, 0]]}])") ==
         "s.json: grabs[0]: has more than one of translate, push and path; expected one of them");
   CHECK(error(R"([{"at": [0, 0, 0], "path": [[1, 0, 0, 0], [1, 0, 0, 0]]}])") ==
         "s.json: grabs[0].path[1]: is [1,0,0,0]; expected a later time than that of the key before");
-  CHECK(error(R"([{"at": [0, 0, 0], "start": 2, "release": 1}])") == "s.json: grabs[0].release: is 1; expected a time after start");
+  CHECK(error(R"([{"at": [0, 0, 0], "start": 2, "release": 1}])") ==
+        "s.json: grabs[0].release: is 1; expected a time after start");
   CHECK(error(R"([{"at": [0, 0, 0], "radius": 0}])") == "s.json: grabs[0].radius: is 0; expected 1e-09 to 1e+06 m");
   CHECK(model_error(R"([{"at": [50, 0, 0]}])").find("s.json: grabs[0].at: 4") == 0);  // 49.9 m from the nearest vertex
   CHECK(model_error(R"([{"at": [0, 0, 0], "body": "cub"}])") ==
         "s.json: grabs[0].body: there is no body \"cub\", perhaps \"cube\"; expected one of cube");
-  CHECK(model_error(R"([{"select": {"lowest": 0.001}}])") == "s.json: grabs[0]: holds only vertices that are fixed or prescribed; expected a free one");
+  CHECK(model_error(R"([{"select": {"lowest": 0.001}}])") ==
+        "s.json: grabs[0]: holds only vertices that are fixed or prescribed; expected a free one");
 }
 
 TEST_CASE("a hand on the command line is one more of the scene's") {
   const SceneFile file(with_grabs(R"([{"at": [0, 0, 0]}])"));
-  const Scene scene = file.open({"--grab at=0.1,0.05,0;translate=0,0.1,0;start=0.2;duration=0.5;release=1.5;radius=0.02",
-                                 "--grab at=0,0,0;path=0,0,0,0/0.5,0,0.1,0;smooth=true;body=cube"});
+  const Scene scene =
+      file.open({"--grab at=0.1,0.05,0;translate=0,0.1,0;start=0.2;duration=0.5;release=1.5;radius=0.02",
+                 "--grab at=0,0,0;path=0,0,0,0/0.5,0,0.1,0;smooth=true;body=cube"});
   REQUIRE(scene.grabs.size() == 3);
   ScriptedGrab first;
   first.where = Vector3d(0.1, 0.05, 0);
@@ -93,15 +97,18 @@ TEST_CASE("a hand on the command line is one more of the scene's") {
   CHECK(scene.grabs[2].body == "cube");
   CHECK(file.open({"--grab at=0,0,0;body=2"}).grabs[1].body == "2");
   CHECK(file.open({"grabs.0.radius=0.5"}).grabs[0].radius == 0.5);
-  const Scene json = file.open({"--grab select={\"vertices\": [1, 2]}; translate=[0, 0.1, 0]", "--grab at=0,0,0;path=[[0, 0, 0, 0], [1, 0, 0.1, 0]]"});
+  const Scene json = file.open({"--grab select={\"vertices\": [1, 2]}; translate=[0, 0.1, 0]",
+                                "--grab at=0,0,0;path=[[0, 0, 0, 0], [1, 0, 0.1, 0]]"});
   CHECK(std::get<Selection>(json.grabs[1].where) == Selection(VertexSelection{{1, 2}}));
   CHECK(json.grabs[1].translate == Vector3d(0, 0.1, 0));
   CHECK(json.grabs[2].path == std::vector<ScriptedGrab::Key>{{0, {0, 0, 0}}, {1, {0, 0.1, 0}}});
 
-  CHECK(file.open_error({"--grab at"}) == "--grab: at is no KEY=VALUE; expected such as at=0.1,0.05,0;translate=0,0.1,0");
+  CHECK(file.open_error({"--grab at"}) ==
+        "--grab: at is no KEY=VALUE; expected such as at=0.1,0.05,0;translate=0,0.1,0");
   CHECK(file.open_error({"--grab select={\"vertices\""}).starts_with("--grab select:1:12: "));
   CHECK(file.open_error({"--grab at=0,0,0;at=1,1,1"}) == "--grab: at is given twice; expected each key once");
-  CHECK(file.open_error({"--grab at=0,zero,0"}) == "--grab: grabs[1].at[1]: is \"zero\"; expected a number, -1e+06 to 1e+06 m");
+  CHECK(file.open_error({"--grab at=0,zero,0"}) ==
+        "--grab: grabs[1].at[1]: is \"zero\"; expected a number, -1e+06 to 1e+06 m");
 }
 
 TEST_CASE("a scripted hand is where its path says, never faster than a hand may be, and holds from start to release") {
@@ -126,7 +133,8 @@ TEST_CASE("a scripted hand is where its path says, never faster than a hand may 
 
   // A jump and a path there and back far faster than any hand.
   const double size = scene_radius(build_model(SceneFile(with_grabs("[]")).open()));
-  for (const char* wild : {R"("translate": [5, 0, 0])", R"("path": [[0.001, 3, 0, 0], [0.002, -3, 0, 0]])", R"("path": [[0.001, 3, 0, 0]], "smooth": true)"}) {
+  for (const char* wild : {R"("translate": [5, 0, 0])", R"("path": [[0.001, 3, 0, 0], [0.002, -3, 0, 0]])",
+                           R"("path": [[0.001, 3, 0, 0]], "smooth": true)"}) {
     const ScriptedHand fast = hand(wild);
     CAPTURE(wild);
     double fastest = 0;
@@ -161,7 +169,8 @@ TEST_CASE("shares of a patch add up to one, also where it is smaller than a tet"
 }
 
 TEST_CASE("springs at one vertex are joined without a change of their forces") {
-  const std::vector<GrabSpring> springs{{3, {1, 0, 0}, 2, 0}, {5, {0, 0, 1}, 1, 0}, {3, {0, 2, 0}, 6, 1}, {7, {1, 1, 1}, 4, 1}};
+  const std::vector<GrabSpring> springs{
+      {3, {1, 0, 0}, 2, 0}, {5, {0, 0, 1}, 1, 0}, {3, {0, 2, 0}, 6, 1}, {7, {1, 1, 1}, 4, 1}};
   std::vector<std::uint32_t> place;
   const std::vector<GrabSpring> whole = joined(springs, place);
   REQUIRE(whole.size() == 3);
@@ -171,7 +180,8 @@ TEST_CASE("springs at one vertex are joined without a change of their forces") {
   CHECK(whole[1] == springs[1]);
   std::vector<Vector3d> u(8, Vector3d(0.3, -0.2, 0.1)), forces;
   for (const GrabSpring& s : whole) forces.push_back(s.stiffness * (s.target - u[s.vertex]));
-  const std::vector<HandForce> exact = forces_of_hands(springs, u), split = forces_of_hands(springs, whole, place, forces);
+  const std::vector<HandForce> exact = forces_of_hands(springs, u),
+                               split = forces_of_hands(springs, whole, place, forces);
   REQUIRE(exact.size() == 2);
   REQUIRE(split.size() == 2);
   Vector3d sum(0, 0, 0);

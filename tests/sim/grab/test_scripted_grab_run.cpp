@@ -3,8 +3,8 @@
 
 #include "app/session/graphics.h"
 #include "app/session/open_input.h"
-#include "sim/simulation/simulation.h"
 #include "base/file.h"
+#include "sim/simulation/simulation.h"
 #include "tests/support/headless.h"
 #include "tests/support/models.h"
 #include "tests/support/support.h"
@@ -18,16 +18,19 @@ namespace {
 // The shipped cube on its clamped base, held by two hands of the scene at its top.
 struct Handled {
   explicit Handled(const std::string& grabs) {
-    write_file(folder / "cube.json", R"({"fascia_scene": 1, "gravity": [0, 0, 0], "bodies": [{"name": "cube", "mesh": ")" +
-                                         (source_dir() / "assets/meshes/cube.msh").string() +
-                                         R"(", "materials": {"default": {"young_modulus": 2e4, "damping": 0.05}},
-                                         "fixed": [{"lowest": 0.02}]}], "grabs": )" + grabs + "}");
+    write_file(folder / "cube.json",
+               R"({"fascia_scene": 1, "gravity": [0, 0, 0], "bodies": [{"name": "cube", "mesh": ")" +
+                   (source_dir() / "assets/meshes/cube.msh").string() +
+                   R"(", "materials": {"default": {"young_modulus": 2e4, "damping": 0.05}},
+                                         "fixed": [{"lowest": 0.02}]}], "grabs": )" +
+                   grabs + "}");
   }
   TemporaryFolder folder;
   Scene scene() const { return open_scene(folder / "cube.json"); }
 };
 
-constexpr const char* kTwo = R"([{"select": {"box": [[0.001, 0.09, -1], [1, 1, 1]]}, "translate": [0.02, 0.01, 0], "duration": 0.2},
+constexpr const char* kTwo =
+    R"([{"select": {"box": [[0.001, 0.09, -1], [1, 1, 1]]}, "translate": [0.02, 0.01, 0], "duration": 0.2},
                                  {"select": {"box": [[-1, 0.09, -1], [0, 1, 1]]}, "translate": [-0.01, 0, 0.01], "start": 0.1, "release": 0.3}])";
 
 }  // namespace
@@ -99,7 +102,8 @@ TEST_CASE("a replay repeats hands of the mouse beside those of its scene to the 
 }
 
 TEST_CASE("tissue sleeps until a hand of its scene takes hold") {
-  const Handled cube(R"([{"select": {"box": [[-1, 0.09, -1], [1, 1, 1]]}, "translate": [0.02, 0, 0], "start": 1.5, "duration": 0.2}])");
+  const Handled cube(
+      R"([{"select": {"box": [[-1, 0.09, -1], [1, 1, 1]]}, "translate": [0.02, 0, 0], "start": 1.5, "duration": 0.2}])");
   Graphics graphics = open_graphics(headless(), false);
   Simulation simulation(cube.scene(), graphics.programs.get(), false);
   long slept = 0;
@@ -120,15 +124,16 @@ TEST_CASE("tissue sleeps until a hand of its scene takes hold") {
 
 TEST_CASE("run takes hands on the command line and tells their forces") {
   const Handled cube("[]");
-  const CommandResult result =
-      run_fascia({"run", (cube.folder / "cube.json").string(), "--context", "osmesa", "--quiet", "--steps", "20", "--stats",
-                  (cube.folder / "stats.json").string(), "--grab", "at=0,0.1,0;translate=0.02,0,0;duration=0.2;radius=0.03"});
+  const CommandResult result = run_fascia({"run", (cube.folder / "cube.json").string(), "--context", "osmesa",
+                                           "--quiet", "--steps", "20", "--stats", (cube.folder / "stats.json").string(),
+                                           "--grab", "at=0,0.1,0;translate=0.02,0,0;duration=0.2;radius=0.03"});
   CAPTURE(result.err);
   REQUIRE(result.exit_code == 0);
   const std::string stats = read_file(cube.folder / "stats.json");
   CHECK(stats.find("\"grabs\": 0") != std::string::npos);
   CHECK(stats.find("\"imbalance\"") != std::string::npos);
-  const CommandResult far = run_fascia({"run", (cube.folder / "cube.json").string(), "--context", "osmesa", "--grab", "at=9,9,9"});
+  const CommandResult far =
+      run_fascia({"run", (cube.folder / "cube.json").string(), "--context", "osmesa", "--grab", "at=9,9,9"});
   CHECK(far.exit_code == 1);
   CHECK(far.err.find("grabs[0].at: ") != std::string::npos);
 }

@@ -43,14 +43,17 @@ Uniaxial uniaxial_mooney_rivlin(const Material& material, double s) {
 
 TEST_CASE("uniaxial stretch of neo-Hookean and Mooney-Rivlin bars is that of the closed form", "[laws]") {
   const double nu = GENERATE(0.0, 0.3, 0.45, 0.499), s = GENERATE(0.4, 0.7, 1.0, 1.3, 3.0);
-  for (const Material& material : {of(MaterialModel::neo_hookean, nu), of(MaterialModel::mooney_rivlin, nu, 0.2), of(MaterialModel::mooney_rivlin, nu, 0.7)}) {
+  for (const Material& material : {of(MaterialModel::neo_hookean, nu), of(MaterialModel::mooney_rivlin, nu, 0.2),
+                                   of(MaterialModel::mooney_rivlin, nu, 0.7)}) {
     const bool neo = material.model == MaterialModel::neo_hookean;
-    if (!neo && material.lame_lambda() < 2 * material.mooney_ratio * material.lame_mu()) continue;  // another volume term
+    if (!neo && material.lame_lambda() < 2 * material.mooney_ratio * material.lame_mu())
+      continue;  // another volume term
     const Uniaxial exact = neo ? uniaxial_neo_hookean(material, s) : uniaxial_mooney_rivlin(material, s);
     if (exact.volume_ratio < kLeastVolumeRatio) continue;
     const double side = std::sqrt(exact.volume_ratio / s);
     const Matrix3d p = stress(material, {s, side, side});
-    CAPTURE(name_of(material.model), material.mooney_ratio, nu, s, exact.volume_ratio, exact.nominal_stress, p(0, 0), p(1, 1));
+    CAPTURE(name_of(material.model), material.mooney_ratio, nu, s, exact.volume_ratio, exact.nominal_stress, p(0, 0),
+            p(1, 1));
     CHECK(p(0, 0) == Approx(exact.nominal_stress).epsilon(1e-10).margin(1e-13));
     CHECK(std::abs(p(1, 1)) < 1e-11 * (1 + material.lame_lambda()));
     CHECK(std::abs(p(2, 2)) < 1e-11 * (1 + material.lame_lambda()));
@@ -63,7 +66,8 @@ TEST_CASE("nearly incompressible bars come near the incompressible forms", "[law
     const double mu = neo.lame_mu();
     CAPTURE(s);
     CHECK(uniaxial_neo_hookean(neo, s).nominal_stress == Approx(mu * (s - 1 / (s * s))).epsilon(0.02));
-    CHECK(uniaxial_mooney_rivlin(mooney, s).nominal_stress == Approx(mu * (0.6 + 0.4 / s) * (s - 1 / (s * s))).epsilon(0.02));
+    CHECK(uniaxial_mooney_rivlin(mooney, s).nominal_stress ==
+          Approx(mu * (0.6 + 0.4 / s) * (s - 1 / (s * s))).epsilon(0.02));
   }
 }
 
@@ -72,7 +76,8 @@ TEST_CASE("Mooney-Rivlin of ratio 0 is neo-Hookean", "[laws]") {
   f << 1.2, 0.3, -0.1, 0.05, 0.8, 0.2, -0.3, 0.1, 1.1;
   for (const double scale : {1.0, 0.5, -0.7}) {
     const Density a = law_of(MaterialModel::neo_hookean).density(scale * f, of(MaterialModel::neo_hookean, 0.4), true),
-                  b = law_of(MaterialModel::mooney_rivlin).density(scale * f, of(MaterialModel::mooney_rivlin, 0.4, 0), true);
+                  b = law_of(MaterialModel::mooney_rivlin)
+                          .density(scale * f, of(MaterialModel::mooney_rivlin, 0.4, 0), true);
     CAPTURE(scale);
     CHECK(a.energy == Approx(b.energy));
     CHECK((a.first - b.first).norm() < 1e-13 * a.first.norm());

@@ -9,8 +9,8 @@ using namespace fascia;
 TEST_CASE("every default lies in its range and every constant has a help text") {
   Material material;
   int count = 0;
-  visit_material(material, [&](double& field, const char* name, const char*, double min, double max,
-                               bool logarithmic, const char* help) {
+  visit_material(material, [&](double& field, const char* name, const char*, double min, double max, bool logarithmic,
+                               const char* help) {
     CAPTURE(name);
     CHECK(field >= min);
     CHECK(field <= max);

@@ -62,7 +62,8 @@ TEST_CASE("a preset fills the values that its entry does not give") {
                         .open()
                         .bodies[0];
   CHECK(body.material == Material{1234, liver.poisson_ratio, liver.density, 0.5, Material().model});
-  CHECK(body.region_materials[0].second == MaterialOverride{liver.young_modulus, liver.poisson_ratio, liver.density, {}, {}});
+  CHECK(body.region_materials[0].second ==
+        MaterialOverride{liver.young_modulus, liver.poisson_ratio, liver.density, {}, {}});
   CHECK(body.region_materials[1].second == MaterialOverride{liver.young_modulus, liver.poisson_ratio, 900, {}, {}});
 }
 
@@ -71,18 +72,23 @@ TEST_CASE("a preset of the command line replaces the file's numbers, not those o
   const Tissue& fat = *find_tissue("fat");
   CHECK(file.open({"materials.default.preset=fat"}).bodies[0].material ==
         Material{fat.young_modulus, fat.poisson_ratio, fat.density, 0.25, Material().model});
-  for (const std::vector<std::string>& sets : {std::vector<std::string>{"materials.default.density=930", "materials.default.preset=fat"},
-                                               std::vector<std::string>{"materials.default.preset=fat", "bodies[0].materials.default.density=930"}})
-    CHECK(file.open(sets).bodies[0].material == Material{fat.young_modulus, fat.poisson_ratio, 930, 0.25, Material().model});
+  for (const std::vector<std::string>& sets :
+       {std::vector<std::string>{"materials.default.density=930", "materials.default.preset=fat"},
+        std::vector<std::string>{"materials.default.preset=fat", "bodies[0].materials.default.density=930"}})
+    CHECK(file.open(sets).bodies[0].material ==
+          Material{fat.young_modulus, fat.poisson_ratio, 930, 0.25, Material().model});
   CHECK(file.open({"materials.7.preset=fat"}).bodies[0].region_materials[0].second ==
         MaterialOverride{fat.young_modulus, fat.poisson_ratio, fat.density, {}, {}});
 }
 
 TEST_CASE("a preset that does not exist names the nearest and lists all") {
   const std::string error = SceneFile(body_with(R"({"default": {"preset": "livr"}})")).open_error();
-  CHECK(error.find("s.json: bodies[0].materials.default.preset: is \"livr\", perhaps \"liver\"; expected a tissue that fascia info "
-                   "--tissues lists: ") == 0);
+  CHECK(error.find("s.json: bodies[0].materials.default.preset: is \"livr\", perhaps \"liver\"; expected a tissue that "
+                   "fascia info --tissues lists: ") == 0);
   for (const std::string& name : tissue_names()) CHECK(error.find(name) != std::string::npos);
-  CHECK(SceneFile(scene_text()).open_error({"materials.default.preset=fatt"}).find("--set materials.default.preset: is \"fatt\", perhaps \"fat\"") == 0);
-  CHECK(SceneFile(body_with(R"({"default": {"preset": 3}})")).open_error().find("preset: is 3; expected a tissue") != std::string::npos);
+  CHECK(SceneFile(scene_text())
+            .open_error({"materials.default.preset=fatt"})
+            .find("--set materials.default.preset: is \"fatt\", perhaps \"fat\"") == 0);
+  CHECK(SceneFile(body_with(R"({"default": {"preset": 3}})")).open_error().find("preset: is 3; expected a tissue") !=
+        std::string::npos);
 }

@@ -24,9 +24,7 @@ TetMesh make_mesh(std::vector<Eigen::Vector3d> positions, std::vector<Tet> tets)
   return mesh;
 }
 
-MeshReport examine(const TetMesh& mesh) {
-  return fascia::examine(mesh, repair(mesh));
-}
+MeshReport examine(const TetMesh& mesh) { return fascia::examine(mesh, repair(mesh)); }
 
 std::string report_text(const TetMesh& mesh) {
   MeshFile file;
@@ -53,9 +51,7 @@ TEST_CASE("repair keeps a good mesh as it is") {
   CHECK(result.duplicated.empty());
 }
 
-TEST_CASE(
-    "repair reorients flipped tets, leaves out degenerate and duplicated ones, and names them by file "
-    "index") {
+TEST_CASE("repair reorients flipped tets, leaves out degenerate and duplicated ones, and names them by file index") {
   TetMesh mesh = make_box(1, 1, 1, {1, 1, 1});
   const std::vector<Tet> good = mesh.tets;
   std::swap(mesh.tets[1][0], mesh.tets[1][3]);
@@ -72,8 +68,8 @@ TEST_CASE(
   CHECK(result.duplicated == Indices{8, 9});
   for (std::size_t t = 0; t < result.tets.size(); ++t) {
     const Tet& tet = result.tets[t];
-    const double volume6 = signed_volume6(mesh.positions[tet[0]], mesh.positions[tet[1]],
-                                          mesh.positions[tet[2]], mesh.positions[tet[3]]);
+    const double volume6 =
+        signed_volume6(mesh.positions[tet[0]], mesh.positions[tet[1]], mesh.positions[tet[2]], mesh.positions[tet[3]]);
     CAPTURE(t, volume6);
     CHECK(volume6 > 0);
   }
@@ -136,9 +132,8 @@ TEST_CASE("unused vertices are counted and do not widen the box") {
 }
 
 TEST_CASE("components and non-manifold contacts of two tets") {
-  const std::vector<Eigen::Vector3d> positions = {{0, 0, 0},  {1, 0, 0},  {0, 1, 0},  {0, 0, 1},
-                                                  {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {5, 5, 5},
-                                                  {6, 5, 5},  {5, 6, 5},  {5, 5, 6}};
+  const std::vector<Eigen::Vector3d> positions = {{0, 0, 0},  {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0},
+                                                  {0, 0, -1}, {5, 5, 5}, {6, 5, 5}, {5, 6, 5}, {5, 5, 6}};
   const Tet first = {0, 1, 2, 3};
   struct Case {
     const char* contact;
@@ -156,9 +151,8 @@ TEST_CASE("components and non-manifold contacts of two tets") {
 }
 
 TEST_CASE("three tets on one face leave an open boundary") {
-  const MeshReport report =
-      examine(make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1, 1}},
-                        {{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 1, 2, 5}}));
+  const MeshReport report = examine(make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1, 1}},
+                                              {{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 1, 2, 5}}));
   CHECK(report.nonmanifold_edges == 3);  // the edges of the shared face, each on three boundary triangles
   CHECK_FALSE(report.boundary_manifold);
 }
@@ -190,8 +184,7 @@ TEST_CASE("slivers are those below 5 degrees, the worst named first and at most 
   CHECK(report.smallest_dihedral_deg == Approx(4.99 - 1.1).epsilon(1e-7));
   const std::string text = report_text(make_mesh(positions, tets));
   INFO(text);
-  CHECK(text.find("12 tets with a dihedral angle below 5 degrees: 12 (3.89), 11 (3.99)") !=
-        std::string::npos);
+  CHECK(text.find("12 tets with a dihedral angle below 5 degrees: 12 (3.89), 11 (3.99)") != std::string::npos);
   CHECK(text.find("and 2 more") != std::string::npos);
 }
 
@@ -252,7 +245,8 @@ TEST_CASE("the report names what was found") {
   has("regions     2  tissue  12 tets, 6.5 m^3");
   has("groups      clamp: 3 vertices");
   has("flipped     1 tet wound inside out, reoriented: 3");
-  has("degenerate  11 tets lower than 1e-7 of the longest edge, left out: 13, 14, 15, 16, 17, 18, 19, 20, 21, 22 and 1 more");
+  has("degenerate  11 tets lower than 1e-7 of the longest edge, left out: 13, 14, 15, 16, 17, 18, 19, 20, 21, 22 and 1 "
+      "more");
   has("duplicated  1 tet with the vertices of an earlier one, left out: 12");
   CHECK(text.find("\nsize        6.5 m wide, too large for tissue") != std::string::npos);
 }

@@ -19,8 +19,8 @@ TEST_CASE("a box has the counts, the corners and the volume that were asked for"
 
   double volume = 0;
   for (const Tet& tet : mesh.tets) {
-    const double volume6 = signed_volume6(mesh.positions[tet[0]], mesh.positions[tet[1]],
-                                          mesh.positions[tet[2]], mesh.positions[tet[3]]);
+    const double volume6 =
+        signed_volume6(mesh.positions[tet[0]], mesh.positions[tet[1]], mesh.positions[tet[2]], mesh.positions[tet[3]]);
     // All six tets of a cell have a sixth of its volume; the coordinates are rounded to 1e-16.
     CHECK(volume6 == Approx(size.prod() / 30).epsilon(1e-12));
     volume += volume6 / 6;

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "sim/grab/build_model.h"
-#include "sim/mesh/mesh_check.h"
 #include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_check.h"
 #include "sim/model/model.h"
 #include "sim/scene/scene.h"
 #include "tests/support/support.h"
@@ -16,9 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path assets() {
-  return test::source_dir() / "assets";
-}
+fs::path assets() { return test::source_dir() / "assets"; }
 
 std::size_t count_files(const fs::path& folder, const std::string& ending) {
   return static_cast<std::size_t>(

@@ -74,6 +74,4 @@ TEST_CASE("the boundary leaves out faces that several tets share and follows the
   }
 }
 
-TEST_CASE("no tets have no boundary") {
-  CHECK(boundary_triangles({}).empty());
-}
+TEST_CASE("no tets have no boundary") { CHECK(boundary_triangles({}).empty()); }

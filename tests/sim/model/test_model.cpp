@@ -43,8 +43,7 @@ $EndElements
 
 /// A scene of one body with `keys` on the mesh above, in one folder.
 struct TwoTets : SceneFile {
-  explicit TwoTets(const std::string& keys = "", const std::string& mesh = kTwoTets)
-      : SceneFile(scene_text(keys)) {
+  explicit TwoTets(const std::string& keys = "", const std::string& mesh = kTwoTets) : SceneFile(scene_text(keys)) {
     write_file(*this / "m.msh", mesh);
   }
   Model build(const std::vector<std::string>& overrides = {}) const { return build_model(open(overrides)); }
@@ -55,9 +54,7 @@ struct TwoTets : SceneFile {
 
 using Indices = std::vector<std::uint32_t>;
 
-Indices fixed_by(const std::string& selection) {
-  return TwoTets("\"fixed\": [" + selection + "]").build().fixed;
-}
+Indices fixed_by(const std::string& selection) { return TwoTets("\"fixed\": [" + selection + "]").build().fixed; }
 std::string selection_error(const std::string& selection) {
   return TwoTets("\"fixed\": [{\"lowest\": 1}, " + selection + "]").build_error();
 }
@@ -89,8 +86,7 @@ TEST_CASE("a model has the file's vertices in their order, and its tets") {
 TEST_CASE("a box is closed and lies on the positions of the file, before the transform") {
   CHECK(fixed_by(R"({"box": [[0, 0, 0], [1, 0, 0]]})") == Indices{0, 1});
   CHECK(fixed_by(R"({"box": [[0.1, 0, 0], [1, 1, 1]]})") == Indices{1, 4});
-  const std::string moved =
-      R"("transform": {"scale": 2, "rotate_deg": [0, 0, 90], "translate": [10, 0, 0]}, )";
+  const std::string moved = R"("transform": {"scale": 2, "rotate_deg": [0, 0, 90], "translate": [10, 0, 0]}, )";
   CHECK(TwoTets(moved + R"("fixed": [{"box": [[0, 0, 0], [1, 0, 0]]}])").build().fixed == Indices{0, 1});
 }
 
@@ -106,7 +102,8 @@ TEST_CASE("vertices, groups and several selections unite, ascending and once eac
   CHECK(fixed_by(R"({"vertices": [3]}, {"group": "clamp"}, {"vertices": [0]})") == Indices{0, 1, 2, 3});
 }
 
-TEST_CASE("the lowest share is of the height of the tets, not of stray vertices, or of the vertices where those are more") {
+TEST_CASE(
+    "the lowest share is of the height of the tets, not of stray vertices, or of the vertices where those are more") {
   CHECK(fixed_by(R"({"lowest": 0})") == Indices{0, 1, 3});
   CHECK(fixed_by(R"({"lowest": 0.7})") == Indices{0, 1, 3});  // 3 of 5
   CHECK(fixed_by(R"({"lowest": 0.8})") == Indices{0, 1, 2, 3, 4});
@@ -134,8 +131,7 @@ TEST_CASE("a vertex or a group that the mesh does not have is an error") {
   CHECK(selection_error(R"({"vertices": [0, 6]})") ==
         "s.json: bodies[0].fixed[1]: vertex 6 does not exist; expected 0 to 5");
   CHECK(selection_error(R"({"group": "clam"})") ==
-        "s.json: bodies[0].fixed[1]: the mesh has no group \"clam\", perhaps \"clamp\"; expected one of 1, "
-        "clamp, "
+        "s.json: bodies[0].fixed[1]: the mesh has no group \"clam\", perhaps \"clamp\"; expected one of 1, clamp, "
         "tumour");
 }
 
@@ -157,20 +153,16 @@ TEST_CASE("regions take their materials by number or by name, over the default")
 
 TEST_CASE("material keys that name no region, or one region twice") {
   CHECK(TwoTets(R"("materials": {"tumor": {}})").build_error() ==
-        "s.json: bodies[0].materials.tumor: the mesh has no region \"tumor\", perhaps \"tumour\"; expected "
-        "default or "
+        "s.json: bodies[0].materials.tumor: the mesh has no region \"tumor\", perhaps \"tumour\"; expected default or "
         "one of its regions: 1, 2 (tumour)");
   CHECK(TwoTets(R"("materials": {"7": {}})").build_error() ==
-        "s.json: bodies[0].materials.7: the mesh has no region \"7\"; expected default or one of its "
-        "regions: 1, 2 "
+        "s.json: bodies[0].materials.7: the mesh has no region \"7\"; expected default or one of its regions: 1, 2 "
         "(tumour)");
   CHECK(TwoTets(R"("materials": {"clamp": {}})").build_error() ==
-        "s.json: bodies[0].materials.clamp: the mesh has no region \"clamp\"; expected default or one of its "
-        "regions: "
+        "s.json: bodies[0].materials.clamp: the mesh has no region \"clamp\"; expected default or one of its regions: "
         "1, 2 (tumour)");
   CHECK(TwoTets(R"("materials": {"2": {}, "tumour": {}})").build_error() ==
-        "s.json: bodies[0].materials.tumour: means region 2, as materials.2 does; expected one entry per "
-        "region");
+        "s.json: bodies[0].materials.tumour: means region 2, as materials.2 does; expected one entry per region");
 }
 
 TEST_CASE("a transform scales, then rotates about x, y and z, then translates") {
@@ -187,8 +179,7 @@ TEST_CASE("a transform scales, then rotates about x, y and z, then translates") 
 TEST_CASE("without a transform the positions are the file's to the last bit") {
   const Model model = build_model(open_scene(test_dir() / "reference/01_cantilever_small/scene.json"));
   CHECK(model.rest_positions[0] == Vector3d(0, -0.050000000000000003, -0.050000000000000003));
-  CHECK(model.rest_positions[4] ==
-        Vector3d(0.40000000000000002, -0.050000000000000003, -0.050000000000000003));
+  CHECK(model.rest_positions[4] == Vector3d(0.40000000000000002, -0.050000000000000003, -0.050000000000000003));
 }
 
 TEST_CASE("several bodies stand one after another, each with its own materials, motions and selections") {
@@ -234,18 +225,17 @@ TEST_CASE("several bodies stand one after another, each with its own materials, 
 }
 
 TEST_CASE("a vertex that is fixed and prescribed is prescribed") {
-  const Model model =
-      TwoTets(R"("fixed": [{"lowest": 1}], "prescribed": [{"select": {"vertices": [2, 4]}}])").build();
+  const Model model = TwoTets(R"("fixed": [{"lowest": 1}], "prescribed": [{"select": {"vertices": [2, 4]}}])").build();
   CHECK(model.fixed == Indices{0, 1, 3});
   CHECK(model.held() == std::vector<char>{1, 1, 1, 1, 1, 0});
 }
 
 TEST_CASE("initial velocities from a table need every vertex") {
   TwoTets scene(R"("fixed": [{"vertices": [1]}], "initial_velocity": "v.csv")");
-  CHECK_THAT(scene.build_error(), Catch::Contains("s.json: bodies[0].initial_velocity: v.csv: no such file; looked in "));
+  CHECK_THAT(scene.build_error(),
+             Catch::Contains("s.json: bodies[0].initial_velocity: v.csv: no such file; looked in "));
   write_file(scene / "v.csv", "index,x,y,z\n0,1,2,3\n1,1,1,1\n");
-  CHECK(scene.build_error() ==
-        "v.csv: misses 4 of 6 vertices, the first is 2; expected a line for every vertex");
+  CHECK(scene.build_error() == "v.csv: misses 4 of 6 vertices, the first is 2; expected a line for every vertex");
   write_file(scene / "v.csv", "index,x,y,z\n0,1,2,3\n1,1,1,1\n2,0,0,0\n3,0,0,0\n4,0,0,0\n5,0,0,0\n");
   const Model model = scene.build();
   CHECK(model.initial_velocity[0] == Vector3d(1, 2, 3));
@@ -263,14 +253,12 @@ TEST_CASE("repairs and risks are noted") {
                                                                 "2": {"poisson_ratio": 0.45}})",
                               mesh)
                           .build();
-  CHECK(model.notes ==
-        std::vector<std::string>{
-            "liver: 1 tet flipped in the file, reoriented (tet 0)",
-            "liver: 2 tets degenerate, left out of the physics (first: tet 2)",
-            "liver: 2 tets duplicated, left out of the physics (first: tet 4)",
-            "liver: 1 vertex in no tet, kept in exports",
-            "liver: default: Poisson's ratio 0.47; linear tets lock above 0.45: expect too little "
-            "motion on a coarse mesh"});
+  CHECK(model.notes == std::vector<std::string>{"liver: 1 tet flipped in the file, reoriented (tet 0)",
+                                                "liver: 2 tets degenerate, left out of the physics (first: tet 2)",
+                                                "liver: 2 tets duplicated, left out of the physics (first: tet 4)",
+                                                "liver: 1 vertex in no tet, kept in exports",
+                                                "liver: default: Poisson's ratio 0.47; linear tets lock above 0.45: "
+                                                "expect too little motion on a coarse mesh"});
   CHECK(model.tets.size() == 2);
   CHECK(model.tet_source == Indices{0, 1});
   CHECK(model.tet_material == Indices{0, 1});
@@ -328,7 +316,8 @@ TEST_CASE("parts that fall off a model that is held elsewhere are noted") {
   CHECK(loose.held_parts == 1);
   REQUIRE(!model.notes.empty());
   CHECK(model.notes.back() ==
-        "1 part of 4 vertices in all is held nowhere and will fall (vertex 4 of liver): no vertex shared with what is fixed or prescribed");
+        "1 part of 4 vertices in all is held nowhere and will fall (vertex 4 of liver): no vertex shared with what is "
+        "fixed or prescribed");
   CHECK(note_of(fixed, {"gravity=[0,0,0]"}).empty());
   CHECK(note_of("").empty());  // all of it falls
   CHECK(note_of(R"("fixed": [{"vertices": [0, 4]}])").empty());

@@ -100,8 +100,7 @@ TEST_CASE("targets are reached to the last bit, on a straight path") {
 }
 
 TEST_CASE("a scene's degrees become radians and its selection vertices") {
-  const Model model =
-      model_with(R"({"select": {"box": [[0.39, -1, -1], [0.41, 1, 1]]}, "start": 1, "duration": 2,
+  const Model model = model_with(R"({"select": {"box": [[0.39, -1, -1], [0.41, 1, 1]]}, "start": 1, "duration": 2,
       "rotate_deg": {"axis": [1, 0, 0], "angle": 90, "center": [0.4, 0, 0]}, "scale": 1.5, "translate": [0.1, 0, 0]})");
   REQUIRE(model.motions.size() == 1);
   const Motion& motion = model.motions[0];
@@ -131,14 +130,12 @@ TEST_CASE("targets move the vertices of their table, or the selected ones of the
 
 TEST_CASE("motions that cannot be made") {
   CHECK(error_with(R"({"select": {"vertices": [4, 6]}, "targets": "t.csv"})", "4,0,0,0\n5,0,0,0\n") ==
-        "t.csv: misses vertex 6, which s.json: bodies[0].prescribed[0].select selects; expected a line for "
-        "each of the "
+        "t.csv: misses vertex 6, which s.json: bodies[0].prescribed[0].select selects; expected a line for each of the "
         "2 selected vertices");
   CHECK(error_with(R"({"targets": "t.csv"})", "4,0,0,0\n613,0,0,0\n") ==
         "t.csv:2: vertex 613 does not exist; expected 0 to 612");
   CHECK_THAT(error_with(R"({"targets": "nowhere.csv"})"),
              Catch::Contains("s.json: bodies[0].prescribed[0].targets: nowhere.csv: no such file; looked in "));
   CHECK(error_with(R"({"select": {"vertices": [4]}}, {"select": {"vertices": [3, 4]}, "start": 1})") ==
-        "s.json: bodies[0].prescribed[1]: moves vertex 4, as prescribed[0] does; expected each vertex in one "
-        "motion");
+        "s.json: bodies[0].prescribed[1]: moves vertex 4, as prescribed[0] does; expected each vertex in one motion");
 }

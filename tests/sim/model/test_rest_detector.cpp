@@ -9,7 +9,9 @@ namespace {
 
 constexpr double kSize = 0.2;  // [m]
 
-Movement movement(double seconds, double way, double speed, double displacement = 0) { return {seconds, way, speed, displacement}; }
+Movement movement(double seconds, double way, double speed, double displacement = 0) {
+  return {seconds, way, speed, displacement};
+}
 
 }  // namespace
 

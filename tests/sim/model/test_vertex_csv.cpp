@@ -15,9 +15,8 @@ std::string error_of(const std::string& text, std::size_t vertex_count = 8) {
 }  // namespace
 
 TEST_CASE("rows in any order, with a header or without, with spaces and either line end") {
-  for (const std::string text :
-       {"index,x,y,z\n5,1,2,3\n0,-1e-3,.5,+0.25\n", "5,1,2,3\n0,-1e-3,.5,+0.25",
-        "\"index\",\"vx\",\"vy\",\"vz\"\r\n\r\n 5 , 1,\t2 ,3\r\n0,-1e-3,.5,+0.25\r\n\r\n"}) {
+  for (const std::string text : {"index,x,y,z\n5,1,2,3\n0,-1e-3,.5,+0.25\n", "5,1,2,3\n0,-1e-3,.5,+0.25",
+                                 "\"index\",\"vx\",\"vy\",\"vz\"\r\n\r\n 5 , 1,\t2 ,3\r\n0,-1e-3,.5,+0.25\r\n\r\n"}) {
     CAPTURE(text);
     const SceneFile file(text, "t.csv");
     const VertexTable table = read_vertex_csv(file.path(), 8);
@@ -34,8 +33,7 @@ TEST_CASE("numbers are read to the last bit") {
 
 TEST_CASE("each mistake in a table has its line") {
   CHECK(error_of("index,x,y,z\n0,1,2\n") == "t.csv:2: \"0,1,2\" has not 4 fields; expected index,x,y,z");
-  CHECK(error_of("0,1,2,3\n\n1,1,2,3,4\n") ==
-        "t.csv:3: \"1,1,2,3,4\" has not 4 fields; expected index,x,y,z");
+  CHECK(error_of("0,1,2,3\n\n1,1,2,3,4\n") == "t.csv:3: \"1,1,2,3,4\" has not 4 fields; expected index,x,y,z");
   CHECK(error_of("0 1 2 3\n") == "t.csv:1: \"0 1 2 3\" has not 4 fields; expected index,x,y,z");
   CHECK(error_of("0,1,2,3\n8,1,2,3\n") == "t.csv:2: vertex 8 does not exist; expected 0 to 7");
   CHECK(error_of("0,1,2,3\n-1,1,2,3\n") == "t.csv:2: vertex -1 does not exist; expected 0 to 7");
@@ -61,8 +59,7 @@ TEST_CASE("each mistake in a table has its line") {
 
 TEST_CASE("a complete table has every vertex") {
   const SceneFile file("1,1,0,0\n0,0,0,0\n2,2,0,0\n", "t.csv");
-  CHECK(read_complete_vertex_csv(file.path(), 3) ==
-        std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
+  CHECK(read_complete_vertex_csv(file.path(), 3) == std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
   CHECK(file.error_of([&] { read_complete_vertex_csv(file.path(), 5); }) ==
         "t.csv: misses 2 of 5 vertices, the first is 3; expected a line for every vertex");
   write_file(file.path(), "0,0,0,0\n2,2,0,0\n");

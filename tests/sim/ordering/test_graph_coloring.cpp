@@ -1,13 +1,13 @@
 // Colorings: valid, repeatable, balanced.
-#include <catch2/catch.hpp>
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <numeric>
 #include <random>
 #include <set>
 
+#include "sim/mesh/mesh_generate.h"
 #include "sim/ordering/graph_coloring.h"
 #include "sim/ordering/morton_order.h"
-#include "sim/mesh/mesh_generate.h"
 
 using namespace fascia;
 
@@ -59,7 +59,8 @@ TEST_CASE("a coloring needs at least the largest valence and repeats") {
   for (const Tet& tet : mesh.tets)
     for (const auto v : tet) ++valence[v];
   const std::size_t largest = *std::max_element(valence.begin(), valence.end());
-  const Coloring a = color_tets(mesh.tets, held, file_order(mesh.tets)), b = color_tets(mesh.tets, held, file_order(mesh.tets));
+  const Coloring a = color_tets(mesh.tets, held, file_order(mesh.tets)),
+                 b = color_tets(mesh.tets, held, file_order(mesh.tets));
   CAPTURE(a.color_count(), largest);
   CHECK(a.color_count() >= largest);
   CHECK(a.color_count() <= 2 * largest);
@@ -85,7 +86,8 @@ TEST_CASE("phantoms make do with the colors asked for") {
   CAPTURE(colors, c.color_count(), c.phantom_vertex.size(), least);
   CHECK(c.color_count() == colors);
   CHECK(c.phantom_vertex.size() >= least);
-  CHECK(c.phantom_vertex.size() <= least + mesh.positions.size());  // greedy: one copy more than needed, on average, at most
+  CHECK(c.phantom_vertex.size() <=
+        least + mesh.positions.size());  // greedy: one copy more than needed, on average, at most
   CHECK(std::is_sorted(c.phantom_vertex.begin(), c.phantom_vertex.end()));
   if (colors == 1) CHECK(c.phantom_vertex.size() == least);
   if (colors == 64) CHECK(c.phantom_vertex.empty());
@@ -94,7 +96,8 @@ TEST_CASE("phantoms make do with the colors asked for") {
   CHECK(again.corners == c.corners);
   for (std::size_t color = 0; color < colors; ++color) {
     CAPTURE(color, c.begin[color + 1] - c.begin[color]);
-    CHECK(c.begin[color + 1] - c.begin[color] > 0.5 * static_cast<double>(mesh.tets.size()) / static_cast<double>(colors));
+    CHECK(c.begin[color + 1] - c.begin[color] >
+          0.5 * static_cast<double>(mesh.tets.size()) / static_cast<double>(colors));
   }
 }
 

@@ -24,12 +24,15 @@ Model shuffled(TetMesh mesh) {
   for (std::size_t v = 0; v < to.size(); ++v) mesh.positions[to[v]] = positions[v];
   for (Tet& tet : mesh.tets)
     for (std::uint32_t& v : tet) v = to[v];
-  Model model = make_model(mesh, {1e4, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff}, [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
+  Model model = make_model(mesh, {1e4, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff},
+                           [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
   Motion motion;
   for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
-    if (model.rest_positions[v].x() > 0.85) motion.vertices.push_back(v), motion.targets.push_back(2 * model.rest_positions[v]);
+    if (model.rest_positions[v].x() > 0.85)
+      motion.vertices.push_back(v), motion.targets.push_back(2 * model.rest_positions[v]);
   model.motions.push_back(motion);
-  for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v) model.initial_velocity[v] = 3 * model.rest_positions[v];
+  for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
+    model.initial_velocity[v] = 3 * model.rest_positions[v];
   return model;
 }
 
@@ -57,22 +60,25 @@ TEST_CASE("a placed model is the same body") {
   REQUIRE(moved.motions.size() == 1);
   for (std::size_t k = 0; k < moved.motions[0].vertices.size(); ++k)
     CHECK(2 * moved.rest_positions[moved.motions[0].vertices[k]] == moved.motions[0].targets[k]);
-  for (std::size_t v = 0; v < moved.rest_positions.size(); ++v) CHECK(moved.initial_velocity[v] == 3 * moved.rest_positions[v]);
+  for (std::size_t v = 0; v < moved.rest_positions.size(); ++v)
+    CHECK(moved.initial_velocity[v] == 3 * moved.rest_positions[v]);
   CHECK(moved.gravity == model.gravity);
   CHECK(moved.materials == model.materials);
 }
 
 TEST_CASE("the vertices of a tet lie close together, whatever the order of the file") {
   const Model model = shuffled(large);
-  const auto reach = [](const Model& m) {  // between the first and the last vertex of a tet, the median: a curve has some long ways
-    std::vector<std::uint32_t> reaches;
-    for (const Tet& tet : m.tets) {
-      const auto [least, most] = std::minmax_element(tet.begin(), tet.end());
-      reaches.push_back(*most - *least);
-    }
-    std::nth_element(reaches.begin(), reaches.begin() + static_cast<std::ptrdiff_t>(reaches.size() / 2), reaches.end());
-    return static_cast<double>(reaches[reaches.size() / 2]);
-  };
+  const auto reach =
+      [](const Model& m) {  // between the first and the last vertex of a tet, the median: a curve has some long ways
+        std::vector<std::uint32_t> reaches;
+        for (const Tet& tet : m.tets) {
+          const auto [least, most] = std::minmax_element(tet.begin(), tet.end());
+          reaches.push_back(*most - *least);
+        }
+        std::nth_element(reaches.begin(), reaches.begin() + static_cast<std::ptrdiff_t>(reaches.size() / 2),
+                         reaches.end());
+        return static_cast<double>(reaches[reaches.size() / 2]);
+      };
   const double rows = reach(make_model(large, model.materials[0], [](const Eigen::Vector3d&) { return false; }));
   const double before = reach(model), after = reach(placed(model, placement_of(model)));
   CAPTURE(rows, before, after);

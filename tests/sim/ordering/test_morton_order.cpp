@@ -13,7 +13,8 @@ using namespace fascia::test;
 namespace {
 
 Model box(const std::function<bool(const Eigen::Vector3d&)>& is_fixed) {
-  return make_model(make_box(6, 3, 3, {0.6, 0.3, 0.3}), {1e4, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff}, is_fixed);
+  return make_model(make_box(6, 3, 3, {0.6, 0.3, 0.3}), {1e4, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff},
+                    is_fixed);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <random>
 
-#include "sim/mesh/mesh_generate.h"
 #include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
 
 using namespace fascia;
 
@@ -63,7 +63,9 @@ TEST_CASE("all but a few tets of a mesh find a partner across a face") {
   }
 }
 
-TEST_CASE("an odd tet stays by itself, between the first and the second ones of pairs, and what is not listed is left alone") {
+TEST_CASE(
+    "an odd tet stays by itself, between the first and the second ones of pairs, and what is not listed is left "
+    "alone") {
   const std::vector<Tet> tets = make_box(1, 1, 1, {1, 1, 1}).tets;
   REQUIRE(tets.size() == 6);  // a ring around the diagonal
   CHECK(pair_tets(tets, file_order(tets)).pair_count == 3);

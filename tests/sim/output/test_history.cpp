@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "sim/output/sample.h"
 #include "base/file.h"
-#include "sim/mesh/mesh_generate.h"
 #include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
+#include "sim/output/sample.h"
 #include "tests/support/models.h"
 #include "tests/support/support.h"
 
@@ -70,8 +70,9 @@ void run_in(const TemporaryFolder& folder, std::vector<std::string> arguments, b
 }  // namespace
 
 TEST_CASE("the history of the reference solver has the force of a grab, that of its spring") {
-  const Model model = make_model(make_box(4, 2, 2, {0.2, 0.1, 0.1}), {1e5, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff},
-                                 [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
+  const Model model =
+      make_model(make_box(4, 2, 2, {0.2, 0.1, 0.1}), {1e5, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff},
+                 [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
   Simulation simulation(Scene{}, model, nullptr, true);
   const std::uint32_t tip = tip_vertex(model);
   const Eigen::Vector3d target(0, 0.05, 0);
@@ -87,11 +88,14 @@ TEST_CASE("the history of the reference solver has the force of a grab, that of 
 
 TEST_CASE("history of a free fall: implicit Euler's energies and momentum in closed form") {
   const TemporaryFolder folder;
-  const nlohmann::json scene{{"fascia_scene", 1}, {"bodies", {body("cube.msh", 1e5, nlohmann::json::array())}}, {"solver", {{"time_step", 0.01}}}};
+  const nlohmann::json scene{{"fascia_scene", 1},
+                             {"bodies", {body("cube.msh", 1e5, nlohmann::json::array())}},
+                             {"solver", {{"time_step", 0.01}}}};
   write_file(folder / "fall.json", scene.dump());
   const bool reference = GENERATE(false, true);
   CAPTURE(reference);
-  run_in(folder, {"run", "fall.json", "--steps", "20", "--history", "fall.csv", "--history-every", "5", "--probe", "3"}, reference);
+  run_in(folder, {"run", "fall.json", "--steps", "20", "--history", "fall.csv", "--history-every", "5", "--probe", "3"},
+         reference);
   const Csv csv = read_csv(folder / "fall.csv");
   REQUIRE(csv.rows.size() == 5);
   CHECK(csv.notes.back() == "# Probe: vertex 3");
@@ -120,7 +124,9 @@ TEST_CASE("history of a free fall: implicit Euler's energies and momentum in clo
 
 TEST_CASE("history on the GPU equals that of the reference solver") {
   const TemporaryFolder folder;
-  const nlohmann::json scene{{"fascia_scene", 1}, {"bodies", {body("cube.msh", 2e4, {{{"group", "clamp"}}})}}, {"solver", {{"iterations", 40}}}};
+  const nlohmann::json scene{{"fascia_scene", 1},
+                             {"bodies", {body("cube.msh", 2e4, {{{"group", "clamp"}}})}},
+                             {"solver", {{"iterations", 40}}}};
   write_file(folder / "cube.json", scene.dump());
   for (const bool reference : {false, true})
     run_in(folder, {"run", "cube.json", "--steps", "6", "--history", reference ? "cpu.csv" : "gpu.csv"}, reference);
@@ -129,7 +135,8 @@ TEST_CASE("history on the GPU equals that of the reference solver") {
   REQUIRE(cpu.rows.size() == 7);
   CHECK(gpu.notes.back() == cpu.notes.back());
   for (std::size_t i = 1; i < gpu.rows.size(); ++i)
-    for (const char* column : {"time_s", "kinetic_J", "elastic_J", "gravitational_J", "reaction_y_N", "probe_y_m", "max_strain", "max_von_mises_Pa"}) {
+    for (const char* column : {"time_s", "kinetic_J", "elastic_J", "gravitational_J", "reaction_y_N", "probe_y_m",
+                               "max_strain", "max_von_mises_Pa"}) {
       CAPTURE(i, column);
       CHECK(gpu.at(i, column) == Approx(cpu.at(i, column)).epsilon(1e-3));
     }
@@ -138,9 +145,12 @@ TEST_CASE("history on the GPU equals that of the reference solver") {
 TEST_CASE("history of a stretched cube tells its supports apart, on the GPU and by the reference solver") {
   const TemporaryFolder folder;
   nlohmann::json cube = body("cube.msh", 2e4, {{{"group", "clamp"}}});
-  cube["prescribed"] = {{{"select", {{"box", {{-1, -1, -1}, {1, 1e-4, 1}}}}}, {"translate", {0, -0.02, 0}}, {"duration", 0.1}}};
-  write_file(folder / "cube.json",
-             nlohmann::json{{"fascia_scene", 1}, {"gravity", {0, 0, 0}}, {"bodies", {cube}}, {"solver", {{"iterations", 40}}}}.dump());
+  cube["prescribed"] = {
+      {{"select", {{"box", {{-1, -1, -1}, {1, 1e-4, 1}}}}}, {"translate", {0, -0.02, 0}}, {"duration", 0.1}}};
+  write_file(
+      folder / "cube.json",
+      nlohmann::json{{"fascia_scene", 1}, {"gravity", {0, 0, 0}}, {"bodies", {cube}}, {"solver", {{"iterations", 40}}}}
+          .dump());
   const bool reference = GENERATE(false, true);
   CAPTURE(reference);
   run_in(folder, {"run", "cube.json", "--steps", "6", "--history", "h.csv", "--stats", "s.json"}, reference);
@@ -168,14 +178,16 @@ TEST_CASE("the tip is the free vertex farthest from the supports") {
   const TetMesh mesh = make_box(8, 2, 2, {0.4, 0.1, 0.1});
   const Model cantilever = make_model(mesh, soft, [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
   CHECK(cantilever.rest_positions[tip_vertex(cantilever)].x() == Approx(0.4));
-  const Model bridge = make_model(mesh, soft, [](const Eigen::Vector3d& x) { return x.x() < 1e-9 || x.x() > 0.4 - 1e-9; });
+  const Model bridge =
+      make_model(mesh, soft, [](const Eigen::Vector3d& x) { return x.x() < 1e-9 || x.x() > 0.4 - 1e-9; });
   CHECK(bridge.rest_positions[tip_vertex(bridge)].x() == Approx(0.2));
 }
 
 TEST_CASE("history options that make no sense are refused in one line") {
   const TemporaryFolder folder;
   const std::string scene = (source_dir() / "assets/scenes/cube.json").string();
-  const CommandResult far = run_fascia({"run", scene, "--context", "osmesa", "--steps", "1", "--history", "h.csv", "--probe", "999999"}, folder.path());
+  const CommandResult far = run_fascia(
+      {"run", scene, "--context", "osmesa", "--steps", "1", "--history", "h.csv", "--probe", "999999"}, folder.path());
   CHECK(far.exit_code == 1);
   CHECK_THAT(far.err, Catch::Contains("--probe 999999: is no vertex of this scene; expected an index below 177"));
   const CommandResult still = run_fascia({"run", scene, "--static", "--history", "h.csv"}, folder.path());

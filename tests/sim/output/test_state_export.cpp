@@ -5,8 +5,8 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/io/formats.h"
+#include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/io/vtk/vtu_array.h"
 #include "sim/output/state_export.h"
 #include "tests/support/meshes/samples.h"
@@ -182,11 +182,9 @@ TEST_CASE("a series writes numbered files and lists their times", "[export]") {
   CHECK(read_mesh(folder / "out_000000.vtu").mesh.positions[0] == Eigen::Vector3d(0, -1.0 / 3, 0));
   CHECK(read_mesh(folder / "out_000001.vtu").mesh.positions[0] == Eigen::Vector3d(7, 7, 7));
 
-  const std::string head =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+  const std::string head = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
   const std::string frame_0 = "<DataSet timestep=\"0\" part=\"0\" file=\"out_000000.vtu\"/>\n";
-  const std::string frame_1 =
-      "<DataSet timestep=\"0.016666666666666666\" part=\"0\" file=\"out_000001.vtu\"/>\n";
+  const std::string frame_1 = "<DataSet timestep=\"0.016666666666666666\" part=\"0\" file=\"out_000001.vtu\"/>\n";
   const std::string tail = "</Collection>\n</VTKFile>\n";
   CHECK(first == head + frame_0 + tail);  // a series that stops here can be read
   CHECK(read_file(folder / "out.pvd") == head + frame_0 + frame_1 + tail);
@@ -200,13 +198,11 @@ TEST_CASE("a series writes numbered files and lists their times", "[export]") {
 TEST_CASE("exports that cannot be written say why", "[export]") {
   const TemporaryFolder folder;
   const std::string prefix = folder.path().string() + "/";
-  CHECK_THROWS_WITH(write_state(folder / "state.xyz", sample_mesh(), {}),
-                    prefix +
-                        "state.xyz: cannot be written: its ending names no export format; expected .vtu, "
-                        ".csv, .msh or .obj");
   CHECK_THROWS_WITH(
-      write_state(folder / "none/state.csv", sample_mesh(), {}),
-      prefix + "none/state.csv: no such folder " + prefix + "none; expected an existing folder");
+      write_state(folder / "state.xyz", sample_mesh(), {}),
+      prefix + "state.xyz: cannot be written: its ending names no export format; expected .vtu, .csv, .msh or .obj");
+  CHECK_THROWS_WITH(write_state(folder / "none/state.csv", sample_mesh(), {}),
+                    prefix + "none/state.csv: no such folder " + prefix + "none; expected an existing folder");
   StateSeries series(folder / "none/out.vtu");
   CHECK_THROWS_AS(series.write(0, sample_mesh(), {}), Error);
 }

@@ -63,9 +63,7 @@ class Random {
   Eigen::VectorXd vector(Eigen::Index size) {
     return Eigen::VectorXd::NullaryExpr(size, [&] { return (*this)(); });
   }
-  Eigen::Matrix3d rotation() {
-    return Eigen::AngleAxisd(3.1 * (*this)(), vector().normalized()).toRotationMatrix();
-  }
+  Eigen::Matrix3d rotation() { return Eigen::AngleAxisd(3.1 * (*this)(), vector().normalized()).toRotationMatrix(); }
 
  private:
   std::mt19937 engine_;

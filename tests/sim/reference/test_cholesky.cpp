@@ -31,11 +31,13 @@ Hessian hessian_of(const ElasticSystem& system, const Model& model) {
 
 // Two boxes, one of them free in space, the other one held at an end.
 Model two_boxes() {
-  Model model = test::box_model(9, 4, 4, {0.9, 0.4, 0.4}, test::soft(1e5), [](const Vector3d& x) { return x.x() < 1e-9; });
+  Model model =
+      test::box_model(9, 4, 4, {0.9, 0.4, 0.4}, test::soft(1e5), [](const Vector3d& x) { return x.x() < 1e-9; });
   const Model other = test::box_model(3, 4, 5, {0.3, 0.4, 0.5}, test::soft(1e5), [](const Vector3d&) { return false; });
   const auto first = static_cast<std::uint32_t>(model.rest_positions.size());
   for (const Vector3d& x : other.rest_positions) model.rest_positions.push_back(x + Vector3d(2, 0, 0));
-  for (const Tet& tet : other.tets) model.tets.push_back({tet[0] + first, tet[1] + first, tet[2] + first, tet[3] + first});
+  for (const Tet& tet : other.tets)
+    model.tets.push_back({tet[0] + first, tet[1] + first, tet[2] + first, tet[3] + first});
   model.tet_material.resize(model.tets.size(), 0);
   model.initial_velocity.resize(model.rest_positions.size(), Vector3d::Zero());
   return model;
@@ -53,9 +55,9 @@ void check_solution(const Hessian& h, const Cholesky& cholesky, double shift) {
 
 TEST_CASE("the factor solves what the matrix says, of one tet, a beam, a block and two bodies", "[cholesky]") {
   const auto end = [](const Vector3d& x) { return x.x() < 1e-9; };
-  const Model model = GENERATE_COPY(
-      test::box_model(1, 1, 1, {0.1, 0.1, 0.1}, test::soft(1e5), end), test::box_model(60, 2, 2, {3, 0.1, 0.1}, test::soft(1e5), end),
-      test::box_model(7, 7, 7, {0.3, 0.3, 0.3}, test::soft(1e5, 0.45), end), two_boxes());
+  const Model model = GENERATE_COPY(test::box_model(1, 1, 1, {0.1, 0.1, 0.1}, test::soft(1e5), end),
+                                    test::box_model(60, 2, 2, {3, 0.1, 0.1}, test::soft(1e5), end),
+                                    test::box_model(7, 7, 7, {0.3, 0.3, 0.3}, test::soft(1e5, 0.45), end), two_boxes());
   const ElasticSystem system(model);
   const Hessian h = hessian_of(system, model);
   CAPTURE(system.dof_count());
@@ -85,13 +87,16 @@ TEST_CASE("what is not positive definite has no factor", "[cholesky]") {
 
 TEST_CASE("a vertex's neighbors are in its own node, above or below, whatever the shape", "[cholesky]") {
   const auto shape = GENERATE(0, 1, 2, 3);
-  Model model = shape == 1 ? test::box_model(40, 3, 3, {4, 0.3, 0.3}, test::soft(1e5), [](const Vector3d&) { return false; }) : two_boxes();
+  Model model = shape == 1
+                    ? test::box_model(40, 3, 3, {4, 0.3, 0.3}, test::soft(1e5), [](const Vector3d&) { return false; })
+                    : two_boxes();
   std::vector<std::vector<int>> neighbors(model.rest_positions.size());
   for (const Tet& tet : model.tets)
     for (const std::uint32_t v : tet)
       for (const std::uint32_t w : tet)
         if (v != w) neighbors[v].push_back(static_cast<int>(w));
-  if (shape == 2) std::fill(model.rest_positions.begin(), model.rest_positions.end(), Vector3d(1, 2, 3));  // all at one place
+  if (shape == 2)
+    std::fill(model.rest_positions.begin(), model.rest_positions.end(), Vector3d(1, 2, 3));  // all at one place
   if (shape == 3)
     for (Vector3d& x : model.rest_positions) x.z() = x.y() = 0;  // on a line
   const EliminationTree tree = nested_dissection(neighbors, model.rest_positions);

@@ -16,8 +16,8 @@ using test::soft;
 
 // Two materials, one of them viscous, one end fixed, one vertex prescribed, one vertex in no tet.
 Model test_box() {
-  Model model = test::box_model(2, 2, 1, {0.2, 0.2, 0.1}, soft(1e5, 0.3),
-                                [](const Vector3d& x) { return x.x() < 0.01; });
+  Model model =
+      test::box_model(2, 2, 1, {0.2, 0.2, 0.1}, soft(1e5, 0.3), [](const Vector3d& x) { return x.x() < 0.01; });
   model.materials.push_back(soft(3e5, 0.45, 0.02));
   for (std::size_t t = 0; t < model.tets.size(); t += 2) model.tet_material[t] = 1;
   Motion motion;
@@ -28,9 +28,7 @@ Model test_box() {
   return model;
 }
 
-MatrixXd dense(const SparseMatrix& upper) {
-  return MatrixXd(upper).selfadjointView<Eigen::Upper>();
-}
+MatrixXd dense(const SparseMatrix& upper) { return MatrixXd(upper).selfadjointView<Eigen::Upper>(); }
 
 TEST_CASE("unknowns are the free vertices that tets use", "[elastic_system]") {
   const Model model = test_box();
@@ -81,8 +79,7 @@ TEST_CASE("the assembled gradient and Hessian are the derivatives of the energy"
       CHECK((system.hessian_times(u, viscous, VectorXd::Unit(u.size(), i)) - differences).norm() <
             1e-10 * differences.norm());
       if (system.first_dof()[v] < 0) continue;
-      CHECK((exact.col(system.first_dof()[v] + c) - system.free_part(differences)).norm() <
-            1e-10 * differences.norm());
+      CHECK((exact.col(system.first_dof()[v] + c) - system.free_part(differences)).norm() < 1e-10 * differences.norm());
     }
 }
 
@@ -91,8 +88,7 @@ TEST_CASE("assembling twice gives the same bits, projecting a positive definite 
   const ElasticSystem system(model);
   Random random(12);
   const VectorXd u = 0.03 * random.vector(3 * model.rest_positions.size());
-  SparseMatrix first = system.empty_hessian(), second = system.empty_hessian(),
-               projected = system.empty_hessian();
+  SparseMatrix first = system.empty_hessian(), second = system.empty_hessian(), projected = system.empty_hessian();
   VectorXd scale;
   system.assemble(u, {}, false, first, scale);
   system.assemble(0.5 * u, {}, false, second, scale);

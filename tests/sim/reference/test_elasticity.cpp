@@ -69,8 +69,7 @@ TEST_CASE("the gradient is the derivative of the energy", "[elasticity]") {
             [&](double step) {
               Vector12d u = flat(tet.displacements);
               u[i] += step;
-              return elastic(rest, corners_of(u), material, damping_over_h, tet.previous_strain, false, false)
-                  .energy;
+              return elastic(rest, corners_of(u), material, damping_over_h, tet.previous_strain, false, false).energy;
             },
             1e-2);
       CAPTURE(nu, damping_over_h, exact.gradient.norm());
@@ -94,8 +93,7 @@ TEST_CASE("the Hessian is symmetric and the derivative of the gradient", "[elast
             [&](double step) -> Vector12d {
               Vector12d u = flat(tet.displacements);
               u[i] += step;
-              return elastic(rest, corners_of(u), material, damping_over_h, tet.previous_strain, false, false)
-                  .gradient;
+              return elastic(rest, corners_of(u), material, damping_over_h, tet.previous_strain, false, false).gradient;
             },
             1e-2);
       CAPTURE(nu, damping_over_h, exact.hessian.norm());
@@ -104,8 +102,7 @@ TEST_CASE("the Hessian is symmetric and the derivative of the gradient", "[elast
     }
 }
 
-TEST_CASE("the energy is half of strain times stress in the six-vector form with tensor shears",
-          "[elasticity]") {
+TEST_CASE("the energy is half of strain times stress in the six-vector form with tensor shears", "[elasticity]") {
   Random random(3);
   for (const double nu : poisson_ratios) {
     const RandomTet tet = random_tet(random);
@@ -117,8 +114,7 @@ TEST_CASE("the energy is half of strain times stress in the six-vector form with
     d.diagonal().head<3>().array() += 2 * material.lame_mu();
     d.diagonal().tail<3>().setConstant(4 * material.lame_mu());
     const double expected = 0.5 * rest.volume * c.dot(d * c);
-    const double energy =
-        elastic(rest, tet.displacements, material, 0, Matrix3d::Zero(), false, false).energy;
+    const double energy = elastic(rest, tet.displacements, material, 0, Matrix3d::Zero(), false, false).energy;
     CAPTURE(nu);
     CHECK(energy == Approx(expected).epsilon(1e-12));
   }
@@ -129,8 +125,7 @@ TEST_CASE("a stretched tet has the energy and stress of the closed form", "[elas
   CHECK(rest.volume == Approx(0.2 * 0.3 * 0.1 / 6).epsilon(1e-15));
   const Material material = soft(1e5, 0.25);  // lambda = mu = 4e4 Pa
   const double stretch = 1.5, strain = 0.5 * (stretch * stretch - 1);
-  const Corners u = {Vector3d::Zero(), Vector3d(0.2 * (stretch - 1), 0, 0), Vector3d::Zero(),
-                     Vector3d::Zero()};
+  const Corners u = {Vector3d::Zero(), Vector3d(0.2 * (stretch - 1), 0, 0), Vector3d::Zero(), Vector3d::Zero()};
   const Derivatives d = elastic(rest, u, material, 0, Matrix3d::Zero(), false, false);
   CHECK(d.energy == Approx(rest.volume * (0.5 * 4e4 + 4e4) * strain * strain).epsilon(1e-14));
   // Force on the corner at x = 0.2: V * first Piola stress / edge.
@@ -178,14 +173,12 @@ TEST_CASE("turning the deformed tet turns its force and its stiffness", "[elasti
       turned[a] = turn * (tet.rest[a] + tet.displacements[a]) - tet.rest[a];
       turn_all.block<3, 3>(3 * a, 3 * a) = turn;
     }
-    const Derivatives before =
-        elastic(rest, tet.displacements, material, 1.5, tet.previous_strain, true, false);
+    const Derivatives before = elastic(rest, tet.displacements, material, 1.5, tet.previous_strain, true, false);
     const Derivatives after = elastic(rest, turned, material, 1.5, tet.previous_strain, true, false);
     CAPTURE(nu);
     CHECK(after.energy == Approx(before.energy).epsilon(1e-12));
     CHECK((after.gradient - turn_all * before.gradient).norm() < 1e-12 * before.gradient.norm());
-    CHECK((after.hessian - turn_all * before.hessian * turn_all.transpose()).norm() <
-          1e-12 * before.hessian.norm());
+    CHECK((after.hessian - turn_all * before.hessian * turn_all.transpose()).norm() < 1e-12 * before.hessian.norm());
   }
 }
 

@@ -1,4 +1,5 @@
-// Materials that survive inversion: derivatives on mirrored, flat and squashed tets, and what they share with St. Venant-Kirchhoff.
+// Materials that survive inversion: derivatives on mirrored, flat and squashed tets, and what they share with St.
+// Venant-Kirchhoff.
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
 
@@ -33,11 +34,12 @@ Vector12d moved(const Corners& corners, int component, double step) {
 }
 
 Derivatives at(const Vector12d& u, const Material& material, bool with_hessian) {
-  return elastic(RestTet(kRest), {u.segment<3>(0), u.segment<3>(3), u.segment<3>(6), u.segment<3>(9)}, material, 0, Matrix3d::Zero(),
-                 with_hessian, false);
+  return elastic(RestTet(kRest), {u.segment<3>(0), u.segment<3>(3), u.segment<3>(6), u.segment<3>(9)}, material, 0,
+                 Matrix3d::Zero(), with_hessian, false);
 }
 
-// Principal stretches of the hard cases; none nearer than the step of the differences to where a second derivative jumps.
+// Principal stretches of the hard cases; none nearer than the step of the differences to where a second derivative
+// jumps.
 const std::vector<Vector3d> kHard = {{1.1, 0.9, 0.8},  {1.2, 0.9, 0.3},    {1.2, 0.9, 0.0},     {1.1, 1.0, -0.5},
                                      {1.3, 0.4, -0.2}, {0.5, 0.45, -0.35}, {2.5, 1.0, -0.9},    {0.3, 0.2, 0.1},
                                      {1.0, 1.0, 0.4},  {1.0, 0.5, 0.5},    {0.31, 0.3, 0.2999}, {5.0, 3.0, -2.0}};
@@ -62,8 +64,8 @@ TEST_CASE("signed singular values give the matrix back with proper rotations", "
 }
 
 TEST_CASE("forces of surviving materials are derivatives of their energy, Hessians of their forces", "[elasticity]") {
-  const auto model = GENERATE(MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean, MaterialModel::neo_hookean,
-                              MaterialModel::mooney_rivlin);
+  const auto model = GENERATE(MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean,
+                              MaterialModel::neo_hookean, MaterialModel::mooney_rivlin);
   const double nu = GENERATE(-0.5, 0.0, 0.3, 0.49);
   const Material material = of(model, nu);
   Random random(12);
@@ -74,7 +76,8 @@ TEST_CASE("forces of surviving materials are derivatives of their energy, Hessia
     Vector12d slope;
     Matrix12d bend;
     for (int i = 0; i < 12; ++i) {
-      const Derivatives after = at(moved(u, i, kStep), material, false), before = at(moved(u, i, -kStep), material, false);
+      const Derivatives after = at(moved(u, i, kStep), material, false),
+                        before = at(moved(u, i, -kStep), material, false);
       slope[i] = (after.energy - before.energy) / (2 * kStep);
       bend.col(i) = (after.gradient - before.gradient) / (2 * kStep);
     }
@@ -87,7 +90,8 @@ TEST_CASE("forces of surviving materials are derivatives of their energy, Hessia
 
 TEST_CASE("signed St. Venant-Kirchhoff is plain St. Venant-Kirchhoff down to a stretch of 0.6", "[elasticity]") {
   Random random(13);
-  const Material with_sign = of(MaterialModel::signed_st_venant_kirchhoff, 0.35), plain = of(MaterialModel::st_venant_kirchhoff, 0.35);
+  const Material with_sign = of(MaterialModel::signed_st_venant_kirchhoff, 0.35),
+                 plain = of(MaterialModel::st_venant_kirchhoff, 0.35);
   for (const Vector3d& s : {Vector3d(1, 1, 1), Vector3d(3, 1, 0.601), Vector3d(0.61, 0.605, 0.6001)}) {
     const Vector12d u = moved(displaced(stretched(random, s)), 0, 0);
     const Derivatives a = at(u, with_sign, true), b = at(u, plain, true);
@@ -106,12 +110,13 @@ TEST_CASE("signed St. Venant-Kirchhoff is plain St. Venant-Kirchhoff down to a s
 }
 
 TEST_CASE("every model has Young's modulus and Poisson's ratio at small strain, and no force at rest", "[elasticity]") {
-  const auto model = GENERATE(MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean, MaterialModel::neo_hookean,
-                              MaterialModel::mooney_rivlin);
+  const auto model = GENERATE(MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean,
+                              MaterialModel::neo_hookean, MaterialModel::mooney_rivlin);
   const double nu = GENERATE(0.0, 0.3, 0.45, 0.499);
   Random random(14);
   const Vector12d rest = moved(displaced(random.rotation()), 0, 0);
-  const Derivatives d = at(rest, of(model, nu), true), plain = at(rest, of(MaterialModel::st_venant_kirchhoff, nu), true);
+  const Derivatives d = at(rest, of(model, nu), true),
+                    plain = at(rest, of(MaterialModel::st_venant_kirchhoff, nu), true);
   CAPTURE(name_of(model), nu);
   CHECK(d.gradient.norm() < 1e-12 * plain.hessian.norm());
   CHECK(std::abs(d.energy) < 1e-12 * plain.hessian.norm());
@@ -121,8 +126,8 @@ TEST_CASE("every model has Young's modulus and Poisson's ratio at small strain, 
 TEST_CASE("a mirrored tet is pushed back by the surviving materials only", "[elasticity]") {
   const Vector12d mirrored = moved(displaced(Vector3d(1, 1, -1).asDiagonal()), 0, 0);
   CHECK(at(mirrored, of(MaterialModel::st_venant_kirchhoff, 0.3), false).gradient.norm() < 1e-9);
-  for (const auto model : {MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean, MaterialModel::neo_hookean,
-                           MaterialModel::mooney_rivlin}) {
+  for (const auto model : {MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean,
+                           MaterialModel::neo_hookean, MaterialModel::mooney_rivlin}) {
     const Derivatives d = at(mirrored, of(model, 0.3), false);
     Vector12d back;  // towards the rest shape
     for (int a = 0; a < 4; ++a) back.segment<3>(3 * a) = -mirrored.segment<3>(3 * a);

@@ -37,9 +37,7 @@ State disturbed(const Model& model, double displacement, double velocity, unsign
   return state;
 }
 
-double largest(const std::vector<Vector3d>& vectors) {
-  return test::flat(vectors).cwiseAbs().maxCoeff();
-}
+double largest(const std::vector<Vector3d>& vectors) { return test::flat(vectors).cwiseAbs().maxCoeff(); }
 
 TEST_CASE("a step solves the equations of implicit Euler", "[newton]") {
   for (const double nu : {-0.9, 0.0, 0.3, 0.49, 0.499})
@@ -66,8 +64,7 @@ TEST_CASE("a step solves the equations of implicit Euler", "[newton]") {
         }
         const RestTet tet(rest);
         const Vector12d gradient =
-            elastic(tet, now, model.materials[0], damping / h, green_strain_matrix(tet, old), false, false)
-                .gradient;
+            elastic(tet, now, model.materials[0], damping / h, green_strain_matrix(tet, old), false, false).gradient;
         force_size += gradient.norm();
         for (int a = 0; a < 4; ++a) force[model.tets[t][a]] -= gradient.segment<3>(3 * a);
       }
@@ -79,8 +76,7 @@ TEST_CASE("a step solves the equations of implicit Euler", "[newton]") {
           continue;
         }
         CHECK((after.displacement[v] - before.displacement[v] - h * after.velocity[v]).norm() < 1e-16);
-        const Vector3d change =
-            mass[v] * (after.velocity[v] - before.velocity[v]) / h - mass[v] * model.gravity;
+        const Vector3d change = mass[v] * (after.velocity[v] - before.velocity[v]) / h - mass[v] * model.gravity;
         worst = std::max(worst, (change - force[v]).norm());
       }
       CAPTURE(worst, force_size);
@@ -138,8 +134,7 @@ TEST_CASE("free bodies keep momentum, and lose as much angular momentum as impli
       REQUIRE(solver.step(state).converged);
       const Measures after = measure(model, state);
       Vector3d expected = before.angular_momentum;
-      for (std::size_t v = 0; v < mass.size(); ++v)
-        expected += h * state.velocity[v].cross(mass[v] * old.velocity[v]);
+      for (std::size_t v = 0; v < mass.size(); ++v) expected += h * state.velocity[v].cross(mass[v] * old.velocity[v]);
       CAPTURE(damping, n, after.angular_momentum.transpose(), expected.transpose());
       CHECK((after.momentum - start.momentum).norm() < 1e-11 * start.momentum.norm());
       CHECK((after.angular_momentum - expected).norm() < 1e-11 * start.angular_momentum.norm());
@@ -281,8 +276,8 @@ TEST_CASE("a jump of half a turn goes round, not through", "[newton]") {
   CHECK(now.inverted == 0);
   CHECK(now.elastic > 0.1);
   const std::uint32_t v = motion.vertices[0];
-  CHECK((model.rest_positions[v] + state.displacement[v] - motion.position(0, model.rest_positions[v], 1))
-            .norm() < 1e-15);
+  CHECK((model.rest_positions[v] + state.displacement[v] - motion.position(0, model.rest_positions[v], 1)).norm() <
+        1e-15);
 }
 
 }  // namespace

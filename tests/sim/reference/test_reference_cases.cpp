@@ -97,8 +97,7 @@ TEST_CASE("reference case 09a: affine compression, with the pressure of the clos
     const double stretch = std::sqrt(1 + 2 * strain[0]);
     const double first_piola =
         second_piola_stress(strain[0] * Eigen::Matrix3d::Identity(), model.materials[0])(0, 0) * stretch;
-    worst_pressure =
-        std::max(worst_pressure, std::abs(-first_piola / (stretch * stretch) - 18612.447286673247));
+    worst_pressure = std::max(worst_pressure, std::abs(-first_piola / (stretch * stretch) - 18612.447286673247));
     worst_shear = std::max(worst_shear, fields.von_mises[model.tet_source[t]]);
   }
   CAPTURE(worst_pressure, worst_shear);
@@ -121,8 +120,7 @@ TEST_CASE("reference case 10: cantilever released from rest", "[reference][heavy
   for (int step = 1; step <= 60; ++step) {
     const NewtonReport report = solver.step(state);
     const Measures measures = measure(model, state);
-    const std::vector<double>& row =
-        history[step];  // step, t, P, L, kinetic, elastic, gravity potential, tip
+    const std::vector<double>& row = history[step];  // step, t, P, L, kinetic, elastic, gravity potential, tip
     CAPTURE(step, report.iterations, report.relative_residual);
     REQUIRE(report.converged);
     CHECK(state.time == Approx(row[1]).epsilon(1e-13));
@@ -135,8 +133,8 @@ TEST_CASE("reference case 10: cantilever released from rest", "[reference][heavy
     const Vector3d tip_position = model.rest_positions[tip] + state.displacement[tip];
     CHECK((tip_position - Vector3d(row[11], row[12], row[13])).norm() < 0.14 * tolerance);
     if (step == 1 || step == 10 || step == 30 || step == 60) {
-      const double error = relative_error(
-          model, state, case_file(folder, "reference_h60_step" + std::to_string(step) + ".csv"));
+      const double error =
+          relative_error(model, state, case_file(folder, "reference_h60_step" + std::to_string(step) + ".csv"));
       CAPTURE(error);
       CHECK(error < tolerance);
     }

@@ -18,9 +18,7 @@ using test::soft;
 const Vector3d cube(0.1, 0.1, 0.1);
 const auto left_end = [](const Vector3d& x) { return x.x() < 1e-9; };
 
-NewtonReport settle(const Model& model, State& state) {
-  return NewtonSolver(model, {}).solve_static(state);
-}
+NewtonReport settle(const Model& model, State& state) { return NewtonSolver(model, {}).solve_static(state); }
 
 TEST_CASE("an affine motion of the surface is affine inside, with the energy and reaction of the closed form",
           "[static]") {
@@ -39,8 +37,7 @@ TEST_CASE("an affine motion of the surface is affine inside, with the energy and
     CHECK(report.converged);
     CHECK(state.time == 2);
     for (std::size_t v = 0; v < state.displacement.size(); ++v)
-      CHECK((model.rest_positions[v] + state.displacement[v] - f * model.rest_positions[v]).norm() <
-            1e-10 * 0.1);
+      CHECK((model.rest_positions[v] + state.displacement[v] - f * model.rest_positions[v]).norm() < 1e-10 * 0.1);
 
     const Matrix3d strain = 0.5 * (f.transpose() * f - Matrix3d::Identity());
     const double lambda = model.materials[0].lame_lambda(), mu = model.materials[0].lame_mu();
@@ -64,8 +61,8 @@ TEST_CASE("a surface turned once around and moved carries the body along unstrai
   State state = initial_state(model);
   CHECK(settle(model, state).converged);
   for (std::size_t v = 0; v < state.displacement.size(); ++v)
-    CHECK((model.rest_positions[v] + state.displacement[v] - motion.position(0, model.rest_positions[v], 1))
-              .norm() < 1e-10);
+    CHECK((model.rest_positions[v] + state.displacement[v] - motion.position(0, model.rest_positions[v], 1)).norm() <
+          1e-10);
   CHECK(measure(model, state).elastic < 1e-12);
 }
 
@@ -73,7 +70,14 @@ TEST_CASE("what a stretched bar is pulled with is told apart from what holds it"
   const double young = 1e5, side = 0.1, length = 0.4, stretch = 1.3;
   Model model = box_model(8, 2, 2, {length, side, side}, soft(young), left_end);
   for (Material& material : model.materials) material.poisson_ratio = 0;
-  model.bodies = {{"bar", 0, static_cast<std::uint32_t>(model.rest_positions.size()), 0, static_cast<std::uint32_t>(model.tets.size()), 0, 1, {}}};
+  model.bodies = {{"bar",
+                   0,
+                   static_cast<std::uint32_t>(model.rest_positions.size()),
+                   0,
+                   static_cast<std::uint32_t>(model.tets.size()),
+                   0,
+                   1,
+                   {}}};
   Motion motion;
   motion.vertices = test::vertices_where(model, [&](const Vector3d& x) { return x.x() > length - 1e-9; });
   motion.translate = {(stretch - 1) * length, 0, 0};
@@ -83,7 +87,8 @@ TEST_CASE("what a stretched bar is pulled with is told apart from what holds it"
   const std::vector<Support> supports = support_forces(model, state);
   REQUIRE(supports.size() == 2);
   CHECK((supports[0].body == 0 && !supports[0].motion && supports[1].body == 0 && supports[1].motion == 0));
-  const Vector3d pull(young * stretch * (stretch * stretch - 1) / 2 * side * side, 0, 0);  // nominal stress F S of uniaxial Green strain
+  const Vector3d pull(young * stretch * (stretch * stretch - 1) / 2 * side * side, 0,
+                      0);  // nominal stress F S of uniaxial Green strain
   CAPTURE(supports[0].force.transpose(), supports[1].force.transpose(), pull.x());
   CHECK((supports[1].force - pull).norm() < 1e-9 * pull.x());
   CHECK((supports[0].force + pull).norm() < 1e-9 * pull.x());
@@ -199,8 +204,14 @@ TEST_CASE("the tolerance is kept when it is given", "[static]") {
 TEST_CASE("a part that nothing holds has no equilibrium under gravity", "[static]") {
   Model model = box_model(2, 1, 1, {0.2, 0.1, 0.1}, soft(1e5));
   model.gravity = {0, -9.81, 0};
-  model.bodies = {{"slab", 0, static_cast<std::uint32_t>(model.rest_positions.size()), 0,
-                   static_cast<std::uint32_t>(model.tets.size()), 0, 1, {}}};
+  model.bodies = {{"slab",
+                   0,
+                   static_cast<std::uint32_t>(model.rest_positions.size()),
+                   0,
+                   static_cast<std::uint32_t>(model.tets.size()),
+                   0,
+                   1,
+                   {}}};
   State state = initial_state(model);
   CHECK_THROWS_WITH(settle(model, state), Catch::Contains("slab") && Catch::Contains("held nowhere"));
   model.gravity.setZero();

@@ -19,9 +19,13 @@ std::string error_of(const std::string& text) {
   return file.error_of([&] { read_replay(file.path()); });
 }
 
-std::string header(const std::string& keys = "") { return R"({"fascia_replay": 2, "scene": )" + scene_text() + keys + "}\n"; }
+std::string header(const std::string& keys = "") {
+  return R"({"fascia_replay": 2, "scene": )" + scene_text() + keys + "}\n";
+}
 
-std::string input_error(const std::string& input) { return error_of(replay_text(R"("steps": 1, "inputs": [)" + input + "]")); }
+std::string input_error(const std::string& input) {
+  return error_of(replay_text(R"("steps": 1, "inputs": [)" + input + "]"));
+}
 
 }  // namespace
 
@@ -29,8 +33,7 @@ TEST_CASE("a replay that is written reads back the same, to the last digit") {
   const SceneFile file(scene_text(R"("materials": {"default": {"young_modulus": 123456.7}})"));
   Replay replay{file.open(), std::nullopt, {}, 77};
   const bool with_start = GENERATE(false, true);
-  if (with_start)
-    replay.start = State{{{0.1f, -1e-7f, 3}, {1.0 / 3, 0, -2e8}}, {{1e-30, 5, 6}, {0, 0, 1}}, 0.7};
+  if (with_start) replay.start = State{{{0.1f, -1e-7f, 3}, {1.0 / 3, 0, -2e8}}, {{1e-30, 5, 6}, {0, 0, 1}}, 0.7};
   SolverSettings settings;
   settings.method = Method::jacobi;
   settings.acceleration = Acceleration::chebyshev;
@@ -85,7 +88,8 @@ TEST_CASE("--set changes the scene of a replay") {
 
 TEST_CASE("what is no replay is refused in one line") {
   CHECK(error_of("{}") == "r.fascia: fascia_replay: is missing; expected 1 or 2, the version of the format");
-  CHECK(error_of(scene_text()) == "r.fascia: bodies: unknown key \"bodies\"; expected one of fascia_replay, scene, steps, start, inputs");
+  CHECK(error_of(scene_text()) ==
+        "r.fascia: bodies: unknown key \"bodies\"; expected one of fascia_replay, scene, steps, start, inputs");
   CHECK(error_of(R"({"fascia_replay": 3})") == "r.fascia: fascia_replay: is 3; expected 1");
   CHECK(error_of(R"({"fascia_replay": 2})") == "r.fascia: scene: is missing; expected the scene that was open");
   CHECK(error_of(R"({"fascia_replay": 1})") == "r.fascia: scene: is missing; expected the scene that was open");
@@ -99,7 +103,8 @@ TEST_CASE("what is no replay is refused in one line") {
   CHECK(input_error(R"({"step": 2, "gravity": [0, 0, 0]}, {"step": 1, "gravity": [0, 0, 0]})") ==
         "r.fascia: inputs[1].step: is 1; expected a whole number, 2 to 1e+09");
   CHECK(input_error(R"({"step": 0, "grab": [[1, 2, 3]]})") ==
-        "r.fascia: inputs[0].grab[0]: is [1,2,3]; expected a spring [vertex, x, y, z, stiffness, hand]: the displacement it pulls to [m], N/m, a number if it is not 0");
+        "r.fascia: inputs[0].grab[0]: is [1,2,3]; expected a spring [vertex, x, y, z, stiffness, hand]: the "
+        "displacement it pulls to [m], N/m, a number if it is not 0");
   CHECK(input_error(R"({"step": 0, "material": {"index": 0, "values": {"young_modulus": -1}}})") ==
         "r.fascia: inputs[0].material.values.young_modulus: is -1; expected 0.001 to 1e+14 Pa");
 }
@@ -133,14 +138,19 @@ TEST_CASE("a replay of lines is read as far as it was written") {
 }
 
 TEST_CASE("an error in a line of a replay names the line") {
-  CHECK(error_of(header() + "{\"step\":0,\"sound\":true}\n{\"step\":0,\"sound\":false}\n") == "r.fascia:3: sound: is false; expected true");
-  CHECK(error_of(header() + "{\"step\":0,\"reset\":\"home\"}\n") == "r.fascia:2: reset: is \"home\"; expected rest or start");
+  CHECK(error_of(header() + "{\"step\":0,\"sound\":true}\n{\"step\":0,\"sound\":false}\n") ==
+        "r.fascia:3: sound: is false; expected true");
+  CHECK(error_of(header() + "{\"step\":0,\"reset\":\"home\"}\n") ==
+        "r.fascia:2: reset: is \"home\"; expected rest or start");
   CHECK(error_of(header() + "{\"step\":1,\"gravity\":[0,0,0]}\n{\"step\":0,\"gravity\":[0,0,0]}\n") ==
         "r.fascia:3: step: is 0; expected a whole number, 1 to 1e+09");
-  CHECK(error_of(header() + "{\"steps\":5,\"hash\":\"x\"}\n") == "r.fascia:2: hash: is \"x\"; expected 16 hexadecimal digits");
+  CHECK(error_of(header() + "{\"steps\":5,\"hash\":\"x\"}\n") ==
+        "r.fascia:2: hash: is \"x\"; expected 16 hexadecimal digits");
   CHECK(error_of(header() + "{\"step\":0,\"move\":[[1,2,3]]}\n") ==
-        "r.fascia:2: move[0]: is [1,2,3]; expected a part [count, x, y, z]: of the springs, and how far they were led [m]");
-  CHECK(error_of(header() + "{\"step\":0,\"iterations\":0}\n") == "r.fascia:2: iterations: is 0; expected a whole number, 1 to 10000");
+        "r.fascia:2: move[0]: is [1,2,3]; expected a part [count, x, y, z]: of the springs, and how far they were led "
+        "[m]");
+  CHECK(error_of(header() + "{\"step\":0,\"iterations\":0}\n") ==
+        "r.fascia:2: iterations: is 0; expected a whole number, 1 to 10000");
   // Only the last line may be torn.
   CHECK(error_of(header() + "{\"step\":0,\n{\"steps\":1}\n").starts_with("r.fascia:2:1:"));
 }

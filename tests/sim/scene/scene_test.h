@@ -49,8 +49,8 @@ class SceneFile {
 
 /// A scene of one body with `keys` in it ("\"fixed\": []") and `top` beside the bodies.
 inline std::string scene_text(const std::string& keys = "", const std::string& top = "") {
-  return "{\"fascia_scene\": 1, \"bodies\": [{\"mesh\": \"m.msh\"" + (keys.empty() ? "" : ", " + keys) +
-         "}]" + (top.empty() ? "" : ", " + top) + "}";
+  return "{\"fascia_scene\": 1, \"bodies\": [{\"mesh\": \"m.msh\"" + (keys.empty() ? "" : ", " + keys) + "}]" +
+         (top.empty() ? "" : ", " + top) + "}";
 }
 
 }  // namespace fascia::test

@@ -8,17 +8,11 @@ using namespace fascia::test;
 namespace {
 
 /// The error of opening `text` as s.json.
-std::string error_of(const std::string& text) {
-  return SceneFile(text).open_error();
-}
+std::string error_of(const std::string& text) { return SceneFile(text).open_error(); }
 /// With `keys` in the first body.
-std::string body_error(const std::string& keys) {
-  return error_of(scene_text(keys));
-}
+std::string body_error(const std::string& keys) { return error_of(scene_text(keys)); }
 /// With `keys` at the top level.
-std::string top_error(const std::string& keys) {
-  return error_of(scene_text("", keys));
-}
+std::string top_error(const std::string& keys) { return error_of(scene_text("", keys)); }
 
 }  // namespace
 
@@ -26,8 +20,7 @@ TEST_CASE("files that are no scene and no mesh") {
   const SceneFile file("", "empty.json");
   CHECK(file.open_error() == "empty.json: is empty; expected a scene (JSON) or a tet mesh");
   write_file(file / "blank", " \n\t\n");
-  CHECK(file.error_of([&] { open_scene(file / "blank"); }) ==
-        "blank: is empty; expected a scene (JSON) or a tet mesh");
+  CHECK(file.error_of([&] { open_scene(file / "blank"); }) == "blank: is empty; expected a scene (JSON) or a tet mesh");
   CHECK(file.error_of([&] { open_scene(file / "nowhere.json"); }) ==
         "nowhere.json: no such file; expected a readable file");
   std::filesystem::create_directory(file / "folder");
@@ -72,13 +65,10 @@ TEST_CASE("nesting is bounded") {
 }
 
 TEST_CASE("a key given twice is refused where it stands") {
-  CHECK(error_of(R"({"title": "a", "title": "b"})") ==
-        "s.json: title: is given twice; expected each key once");
-  CHECK(body_error(R"("name": "a", "name": "b")") ==
-        "s.json: bodies[0].name: is given twice; expected each key once");
+  CHECK(error_of(R"({"title": "a", "title": "b"})") == "s.json: title: is given twice; expected each key once");
+  CHECK(body_error(R"("name": "a", "name": "b")") == "s.json: bodies[0].name: is given twice; expected each key once");
   CHECK(
-      error_of(
-          R"({"bodies": [{"mesh": "a"}, {"fixed": [{"lowest": 1}, {"sphere": {"radius": 1, "radius": 1}}]}]})") ==
+      error_of(R"({"bodies": [{"mesh": "a"}, {"fixed": [{"lowest": 1}, {"sphere": {"radius": 1, "radius": 1}}]}]})") ==
       "s.json: bodies[1].fixed[1].sphere.radius: is given twice; expected each key once");
   CHECK(body_error(R"("materials": {"2": {}, "2": {}})") ==
         "s.json: bodies[0].materials.2: is given twice; expected each key once");
@@ -87,56 +77,47 @@ TEST_CASE("a key given twice is refused where it stands") {
 
 TEST_CASE("an unknown key is named with the nearest known one, at every level") {
   CHECK(top_error(R"("gravty": [0, 0, 0])") ==
-        "s.json: gravty: unknown key \"gravty\", perhaps \"gravity\"; expected one of fascia_scene, title, "
-        "gravity, "
+        "s.json: gravty: unknown key \"gravty\", perhaps \"gravity\"; expected one of fascia_scene, title, gravity, "
         "bodies, grabs, solver, camera, display, duration, files");
   CHECK(top_error(R"("solver": {"iters": 3})") ==
-        "s.json: solver.iters: unknown key \"iters\", perhaps \"iterations\"; expected one of method, "
-        "acceleration, "
+        "s.json: solver.iters: unknown key \"iters\", perhaps \"iterations\"; expected one of method, acceleration, "
         "iterations, tolerance, time_step, substeps, frame_budget, colors, spectral_radius, window, rest_speed");
   CHECK(top_error(R"("camera": {"eye": [0, 0, 1], "fov": 40})") ==
         "s.json: camera.fov: unknown key \"fov\"; expected one of eye, target, up, fov_deg");
   CHECK(top_error(R"("display": {"colour": "none"})") ==
-        "s.json: display.colour: unknown key \"colour\", perhaps \"color\"; expected one of color, range, "
-        "color_map, wireframe, section, tets, shadow, ground, ambient_occlusion, depth_cue, background");
+        "s.json: display.colour: unknown key \"colour\", perhaps \"color\"; expected one of color, range, color_map, "
+        "wireframe, section, tets, shadow, ground, ambient_occlusion, depth_cue, background");
   CHECK(body_error(R"("fixd": [])") ==
-        "s.json: bodies[0].fixd: unknown key \"fixd\", perhaps \"fixed\"; expected one of name, mesh, "
-        "resolution, transform, "
-        "materials, fixed, prescribed, initial_velocity, surface");
+        "s.json: bodies[0].fixd: unknown key \"fixd\", perhaps \"fixed\"; expected one of name, mesh, resolution, "
+        "transform, materials, fixed, prescribed, initial_velocity, surface");
   CHECK(body_error(R"("transform": {"rotate": [0, 0, 0]})") ==
-        "s.json: bodies[0].transform.rotate: unknown key \"rotate\", perhaps \"rotate_deg\"; expected one of "
-        "scale, "
+        "s.json: bodies[0].transform.rotate: unknown key \"rotate\", perhaps \"rotate_deg\"; expected one of scale, "
         "rotate_deg, translate");
-  CHECK(body_error(R"("materials": {"default": {"youngs_modulus": 1}})") ==
-        "s.json: bodies[0].materials.default.youngs_modulus: unknown key \"youngs_modulus\", perhaps "
-        "\"young_modulus\"; expected one of model, preset, young_modulus, poisson_ratio, density, damping, mooney_ratio");
+  CHECK(
+      body_error(R"("materials": {"default": {"youngs_modulus": 1}})") ==
+      "s.json: bodies[0].materials.default.youngs_modulus: unknown key \"youngs_modulus\", perhaps \"young_modulus\"; "
+      "expected one of model, preset, young_modulus, poisson_ratio, density, damping, mooney_ratio");
   CHECK(body_error(R"("materials": {"7": {"E": 1}})") ==
         "s.json: bodies[0].materials.7.E: unknown key \"E\"; expected one of model, preset, young_modulus, "
-        "poisson_ratio, "
-        "density, damping, mooney_ratio");
-  CHECK(
-      body_error(R"("fixed": [{"boxx": 1}])") ==
-      "s.json: bodies[0].fixed[0].boxx: unknown key \"boxx\", perhaps \"box\"; expected one of box, sphere, "
-      "vertices, group, lowest");
-  CHECK(
-      body_error(R"("fixed": [{"sphere": {"centre": [0, 0, 0], "radius": 1}}])") ==
-      "s.json: bodies[0].fixed[0].sphere.centre: unknown key \"centre\", perhaps \"center\"; expected one of "
-      "center, radius");
+        "poisson_ratio, density, damping, mooney_ratio");
+  CHECK(body_error(R"("fixed": [{"boxx": 1}])") ==
+        "s.json: bodies[0].fixed[0].boxx: unknown key \"boxx\", perhaps \"box\"; expected one of box, sphere, "
+        "vertices, group, lowest");
+  CHECK(body_error(R"("fixed": [{"sphere": {"centre": [0, 0, 0], "radius": 1}}])") ==
+        "s.json: bodies[0].fixed[0].sphere.centre: unknown key \"centre\", perhaps \"center\"; expected one of center, "
+        "radius");
   CHECK(body_error(R"("prescribed": [{"target": "a.csv"}])") ==
-        "s.json: bodies[0].prescribed[0].target: unknown key \"target\", perhaps \"targets\"; expected one "
-        "of select, "
+        "s.json: bodies[0].prescribed[0].target: unknown key \"target\", perhaps \"targets\"; expected one of select, "
         "translate, rotate_deg, scale, targets, start, duration");
   CHECK(body_error(R"("prescribed": [{"select": {"lowest": 0}, "rotate_deg": {"angel": 90}}])") ==
-        "s.json: bodies[0].prescribed[0].rotate_deg.angel: unknown key \"angel\", perhaps \"angle\"; "
-        "expected one of "
+        "s.json: bodies[0].prescribed[0].rotate_deg.angel: unknown key \"angel\", perhaps \"angle\"; expected one of "
         "axis, angle, center");
 }
 
 TEST_CASE("a missing key is named") {
   CHECK(error_of("{}") == "s.json: fascia_scene: is missing; expected 1, the version of the format");
   CHECK(error_of(R"({"fascia_scene": 2, "bodies": []})") == "s.json: fascia_scene: is 2; expected 1");
-  CHECK(error_of(R"({"fascia_scene": 1})") ==
-        "s.json: bodies: is missing; expected a list of at least one body");
+  CHECK(error_of(R"({"fascia_scene": 1})") == "s.json: bodies: is missing; expected a list of at least one body");
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": []})") ==
         "s.json: bodies: is []; expected a list of at least one body");
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": [{}]})") ==
@@ -144,8 +125,7 @@ TEST_CASE("a missing key is named") {
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": [{"mesh": ""}]})") ==
         "s.json: bodies[0].mesh: is \"\"; expected the path of a tet mesh or of a closed surface (.obj)");
   CHECK(top_error(R"("camera": {})") ==
-        "s.json: camera.eye: is missing; expected a list of 3 numbers [m] (without a camera the view is "
-        "framed on the "
+        "s.json: camera.eye: is missing; expected a list of 3 numbers [m] (without a camera the view is framed on the "
         "bodies)");
   CHECK(body_error(R"("fixed": [{"sphere": {"radius": 1}}])") ==
         "s.json: bodies[0].fixed[0].sphere.center: is missing; expected a list of 3 numbers [m]");
@@ -156,33 +136,29 @@ TEST_CASE("a missing key is named") {
 TEST_CASE("a wrong type says what is there and what was expected") {
   CHECK(error_of(R"({"fascia_scene": "1"})") == "s.json: fascia_scene: is \"1\"; expected a number, 1");
   CHECK(top_error(R"("title": 5)") == "s.json: title: is 5; expected a text");
-  CHECK(top_error(R"("gravity": -9.81)") ==
-        "s.json: gravity: is -9.81; expected a list of 3 numbers [m/s^2]");
-  CHECK(top_error(R"("gravity": [0, -9.81])") ==
-        "s.json: gravity: is [0,-9.81]; expected a list of 3 numbers [m/s^2]");
+  CHECK(top_error(R"("gravity": -9.81)") == "s.json: gravity: is -9.81; expected a list of 3 numbers [m/s^2]");
+  CHECK(top_error(R"("gravity": [0, -9.81])") == "s.json: gravity: is [0,-9.81]; expected a list of 3 numbers [m/s^2]");
   CHECK(top_error(R"("gravity": [0, "down", 0])") ==
         "s.json: gravity[1]: is \"down\"; expected a number, -1e+06 to 1e+06 m/s^2");
   CHECK(top_error(R"("solver": [])") ==
-        "s.json: solver: is []; expected an object with method, acceleration, iterations, tolerance, "
-        "time_step, "
+        "s.json: solver: is []; expected an object with method, acceleration, iterations, tolerance, time_step, "
         "substeps, frame_budget, colors, spectral_radius, window, rest_speed");
   CHECK(top_error(R"("solver": {"iterations": 2.5})") ==
         "s.json: solver.iterations: is 2.5; expected a whole number, 1 to 10000");
   CHECK(top_error(R"("solver": {"iterations": true})") ==
         "s.json: solver.iterations: is true; expected a whole number, 1 to 10000");
-  CHECK(top_error(R"("display": {"wireframe": 1})") ==
-        "s.json: display.wireframe: is 1; expected true or false");
+  CHECK(top_error(R"("display": {"wireframe": 1})") == "s.json: display.wireframe: is 1; expected true or false");
   CHECK(top_error(R"("display": {"color": "red"})") ==
         "s.json: display.color: is \"red\"; expected one of none, region, strain, von_mises, displacement, velocity, "
         "volume_ratio, largest_stress, smallest_stress, error");
-  CHECK(
-      top_error(R"("display": {"color": "mises"})") ==
-      "s.json: display.color: is \"mises\", perhaps \"von_mises\"; expected one of none, region, strain, von_mises, displacement, "
-      "velocity, volume_ratio, largest_stress, smallest_stress, error");
+  CHECK(top_error(R"("display": {"color": "mises"})") ==
+        "s.json: display.color: is \"mises\", perhaps \"von_mises\"; expected one of none, region, strain, von_mises, "
+        "displacement, velocity, volume_ratio, largest_stress, smallest_stress, error");
   CHECK(top_error(R"("display": {"color_map": "rainbow"})") ==
         "s.json: display.color_map: is \"rainbow\"; expected one of automatic, dusk, ember, polar, grey");
   CHECK(top_error(R"("display": {"background": "whit"})") ==
-        "s.json: display.background: is \"whit\", perhaps \"white\"; expected one of gradient, white, black, transparent");
+        "s.json: display.background: is \"whit\", perhaps \"white\"; expected one of gradient, white, black, "
+        "transparent");
   CHECK(top_error(R"("display": {"section": {"normal": [0, 0, 0]}})") ==
         "s.json: display.section: normal has no length; expected a vector across the plane");
   CHECK(top_error(R"("display": {"section": true})") ==
@@ -197,24 +173,18 @@ TEST_CASE("a wrong type says what is there and what was expected") {
         "s.json: bodies: is {}; expected a list of at least one body");
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": ["m.msh"]})") ==
         "s.json: bodies[0]: is \"m.msh\"; expected an object with name, mesh, resolution, transform, materials, fixed, "
-        "prescribed, "
-        "initial_velocity, surface");
+        "prescribed, initial_velocity, surface");
   CHECK(body_error(R"("name": 1)") == "s.json: bodies[0].name: is 1; expected a text");
-  CHECK(body_error(R"("surface": 1)") ==
-        "s.json: bodies[0].surface: is 1; expected the path of an .obj file");
+  CHECK(body_error(R"("surface": 1)") == "s.json: bodies[0].surface: is 1; expected the path of an .obj file");
   CHECK(body_error(R"("initial_velocity": 1)") ==
-        "s.json: bodies[0].initial_velocity: is 1; expected a list of 3 numbers [m/s] or the path of a CSV "
-        "file");
+        "s.json: bodies[0].initial_velocity: is 1; expected a list of 3 numbers [m/s] or the path of a CSV file");
   CHECK(body_error(R"("initial_velocity": "")") ==
-        "s.json: bodies[0].initial_velocity: is \"\"; expected a list of 3 numbers [m/s] or the path of a "
-        "CSV file");
+        "s.json: bodies[0].initial_velocity: is \"\"; expected a list of 3 numbers [m/s] or the path of a CSV file");
   CHECK(body_error(R"("materials": [])") ==
-        "s.json: bodies[0].materials: is []; expected an object of materials: \"default\", region numbers or "
-        "group "
+        "s.json: bodies[0].materials: is []; expected an object of materials: \"default\", region numbers or group "
         "names");
   CHECK(body_error(R"("materials": {"young_modulus": 1})") ==
-        "s.json: bodies[0].materials.young_modulus: is 1; expected an object such as {\"young_modulus\": "
-        "1e5}, under "
+        "s.json: bodies[0].materials.young_modulus: is 1; expected an object such as {\"young_modulus\": 1e5}, under "
         "\"default\", a region number or a group name");
   CHECK(body_error(R"("fixed": {"lowest": 0})") ==
         "s.json: bodies[0].fixed: is {\"lowest\":0}; expected a list of selections");
@@ -228,21 +198,19 @@ TEST_CASE("a value that does not fit one line is cut") {
 }
 
 TEST_CASE("selections") {
-  const std::string corners =
-      "; expected a list of two corners, [[xmin, ymin, zmin], [xmax, ymax, zmax]] [m]";
+  const std::string corners = "; expected a list of two corners, [[xmin, ymin, zmin], [xmax, ymax, zmax]] [m]";
   CHECK(body_error(R"("fixed": [{}])") ==
         "s.json: bodies[0].fixed[0]: selects nothing; expected one of box, sphere, vertices, group, lowest");
   CHECK(body_error(R"("fixed": [{"group": "a", "lowest": 0.1}])") ==
-        "s.json: bodies[0].fixed[0]: has group and lowest; expected one of box, sphere, vertices, group, "
-        "lowest");
+        "s.json: bodies[0].fixed[0]: has group and lowest; expected one of box, sphere, vertices, group, lowest");
   CHECK(body_error(R"("fixed": [{"box": 1}])") == "s.json: bodies[0].fixed[0].box: is 1" + corners);
-  CHECK(body_error(R"("fixed": [{"box": [[0, 0, 0]]}])") ==
-        "s.json: bodies[0].fixed[0].box: is [[0,0,0]]" + corners);
+  CHECK(body_error(R"("fixed": [{"box": [[0, 0, 0]]}])") == "s.json: bodies[0].fixed[0].box: is [[0,0,0]]" + corners);
   CHECK(body_error(R"("fixed": [{"box": [[0, 0, 1], [1, 1, 0]]}])") ==
         "s.json: bodies[0].fixed[0].box: has min > max along z (first corner 1, second corner 0)" + corners);
   CHECK(body_error(R"("fixed": [{"box": [[0.25, 0, 1e-3], [0.125, 1, -2]]}])") ==
-        "s.json: bodies[0].fixed[0].box: has min > max along x (first corner 0.25, second corner 0.125) and along z (first corner 0.001, "
-        "second corner -2)" + corners);
+        "s.json: bodies[0].fixed[0].box: has min > max along x (first corner 0.25, second corner 0.125) and along z "
+        "(first corner 0.001, second corner -2)" +
+            corners);
   CHECK(body_error(R"("fixed": [{"vertices": []}])") ==
         "s.json: bodies[0].fixed[0].vertices: is []; expected at least one vertex index");
   CHECK(body_error(R"("fixed": [{"vertices": [0, -1]}])") ==
@@ -258,24 +226,20 @@ TEST_CASE("prescribed motions") {
         "s.json: bodies[0].prescribed[0]: has targets and translate; expected one of them");
   CHECK(body_error(R"("prescribed": [{"targets": ""}])") ==
         "s.json: bodies[0].prescribed[0].targets: is \"\"; expected the path of a CSV file index,x,y,z");
-  CHECK(body_error(
-            R"("prescribed": [{"select": {"lowest": 0}, "rotate_deg": {"axis": [0, 0, 0], "angle": 1}}])") ==
-        "s.json: bodies[0].prescribed[0].rotate_deg: axis has no direction; expected an axis of length 1e-06 "
-        "or more");
+  CHECK(body_error(R"("prescribed": [{"select": {"lowest": 0}, "rotate_deg": {"axis": [0, 0, 0], "angle": 1}}])") ==
+        "s.json: bodies[0].prescribed[0].rotate_deg: axis has no direction; expected an axis of length 1e-06 or more");
 }
 
 TEST_CASE("cameras that see nothing") {
   CHECK(top_error(R"("camera": {"eye": [1, 2, 3], "target": [1, 2, 3]})") ==
         "s.json: camera: eye and target are the same point; expected two different points");
   CHECK(top_error(R"("camera": {"eye": [0, 5, 0]})") ==
-        "s.json: camera: up has no part across the view from eye to target; expected an up vector across the "
-        "view");
+        "s.json: camera: up has no part across the view from eye to target; expected an up vector across the view");
 }
 
 TEST_CASE("methods, accelerations and material models that do not exist list those that do") {
   const std::string pairs = "; expected a method and acceleration that exist: " + list_of_pairs();
-  CHECK(top_error(R"("solver": {"method": "multigrid"})") ==
-        "s.json: solver.method: is \"multigrid\"" + pairs);
+  CHECK(top_error(R"("solver": {"method": "multigrid"})") == "s.json: solver.method: is \"multigrid\"" + pairs);
   CHECK(top_error(R"("solver": {"method": "jacoby"})") ==
         "s.json: solver.method: is \"jacoby\", perhaps \"jacobi\"" + pairs);
   CHECK(top_error(R"("solver": {"method": 1})") == "s.json: solver.method: is 1" + pairs);
@@ -283,15 +247,17 @@ TEST_CASE("methods, accelerations and material models that do not exist list tho
         "s.json: solver.acceleration: is \"quadratic_cg\"" + pairs);
   CHECK(top_error(R"("solver": {"method": "jacobi", "acceleration": "chebychev"})") ==
         "s.json: solver.acceleration: is \"chebychev\", perhaps \"chebyshev\"" + pairs);
-  const std::string models = "expected a model that exists: signed_st_venant_kirchhoff, st_venant_kirchhoff, stable_neo_hookean, neo_hookean, mooney_rivlin";
+  const std::string models =
+      "expected a model that exists: signed_st_venant_kirchhoff, st_venant_kirchhoff, stable_neo_hookean, neo_hookean, "
+      "mooney_rivlin";
   CHECK(body_error(R"("materials": {"default": {"model": "ogden"}})") ==
         "s.json: bodies[0].materials.default.model: is \"ogden\"; " + models);
   CHECK(body_error(R"("materials": {"2": {"model": "st_venant_kirchoff"}})") ==
-        "s.json: bodies[0].materials.2.model: is \"st_venant_kirchoff\", perhaps \"st_venant_kirchhoff\"; " +
-            models);
-  CHECK(error_of(scene_text(R"("materials": {"2": {"model": "stable_neo_hookean"}})", R"("solver": {"method": "jacobi"})")) ==
-        "s.json: solver.method: jacobi does not carry the material model stable_neo_hookean; "
-        "expected one of the methods that do: two_level, vertex_descent");
+        "s.json: bodies[0].materials.2.model: is \"st_venant_kirchoff\", perhaps \"st_venant_kirchhoff\"; " + models);
+  CHECK(error_of(scene_text(R"("materials": {"2": {"model": "stable_neo_hookean"}})",
+                            R"("solver": {"method": "jacobi"})")) ==
+        "s.json: solver.method: jacobi does not carry the material model stable_neo_hookean; expected one of the "
+        "methods that do: two_level, vertex_descent");
 }
 
 TEST_CASE("values without physical meaning are refused") {

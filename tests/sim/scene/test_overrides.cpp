@@ -16,10 +16,9 @@ std::string error_with(const std::vector<std::string>& overrides, const std::str
 }  // namespace
 
 TEST_CASE("an override replaces what the file says") {
-  const std::string text =
-      scene_text(R"("materials": {"default": {"young_modulus": 1e6}, "2": {"density": 900}},
+  const std::string text = scene_text(R"("materials": {"default": {"young_modulus": 1e6}, "2": {"density": 900}},
                                          "fixed": [{"box": [[0, 0, 0], [1, 1, 1]]}])",
-                 R"("gravity": [0, -1, 0], "solver": {"iterations": 5, "substeps": 2})");
+                                      R"("gravity": [0, -1, 0], "solver": {"iterations": 5, "substeps": 2})");
   const Scene before = with({}, text);
   Scene expected = before;
   CHECK(with({"solver.iterations=40"}, text).solver.iterations == 40);
@@ -33,8 +32,7 @@ TEST_CASE("an override replaces what the file says") {
   CHECK(with({"bodies.0.materials.2.young_modulus=2e5"}, text).bodies[0].region_materials[0].second ==
         MaterialOverride{2e5, {}, 900, {}, {}});
   CHECK(with({"materials.default.poisson_ratio=0.4"}, text).bodies[0].material.poisson_ratio == 0.4);
-  CHECK(with({"fixed.0.box.1.0=0.5"}, text).bodies[0].fixed[0] ==
-        Selection(BoxSelection{{0, 0, 0}, {0.5, 1, 1}}));
+  CHECK(with({"fixed.0.box.1.0=0.5"}, text).bodies[0].fixed[0] == Selection(BoxSelection{{0, 0, 0}, {0.5, 1, 1}}));
   CHECK(with({"fixed=[]"}, text).bodies[0].fixed.empty());
   CHECK(with({"title=Two words"}, text).title == "Two words");
   CHECK(with({"title=\"5\""}, text).title == "5");
@@ -61,10 +59,10 @@ TEST_CASE("an override creates what the file does not have") {
   CHECK(with({"fixed.0.lowest=0.1"}).bodies[0].fixed == std::vector<Selection>{LowestSelection{0.1}});
   CHECK(with({"fixed.0.vertices.0=7", "fixed.0.vertices.1=9"}).bodies[0].fixed ==
         std::vector<Selection>{VertexSelection{{7, 9}}});
-  const auto motions = with({"prescribed.0.select.group=end", "prescribed.0.translate.0=0.1",
-                             "prescribed.0.rotate_deg.angle=90"})
-                           .bodies[0]
-                           .prescribed;
+  const auto motions =
+      with({"prescribed.0.select.group=end", "prescribed.0.translate.0=0.1", "prescribed.0.rotate_deg.angle=90"})
+          .bodies[0]
+          .prescribed;
   REQUIRE(motions.size() == 1);
   CHECK(motions[0].select == Selection(GroupSelection{"end"}));
   CHECK(motions[0].translate == Eigen::Vector3d(0.1, 0, 0));
@@ -73,8 +71,7 @@ TEST_CASE("an override creates what the file does not have") {
 }
 
 TEST_CASE("a path may be written as errors print it") {
-  CHECK(with({"bodies[0].transform.translate[1]=2"}).bodies[0].transform.translate ==
-        Eigen::Vector3d(0, 2, 0));
+  CHECK(with({"bodies[0].transform.translate[1]=2"}).bodies[0].transform.translate == Eigen::Vector3d(0, 2, 0));
 }
 
 TEST_CASE("the last override wins") {
@@ -83,11 +80,9 @@ TEST_CASE("the last override wins") {
 }
 
 TEST_CASE("an override repairs what the file has wrong") {
-  CHECK(
-      with({"solver.method=jacobi"}, scene_text("", R"("solver": {"method": "multigrid"})")).solver.method ==
-      Method::jacobi);
-  CHECK(with({"materials.default.young_modulus=1e5"},
-             scene_text(R"("materials": {"default": {"young_modulus": 0}})"))
+  CHECK(with({"solver.method=jacobi"}, scene_text("", R"("solver": {"method": "multigrid"})")).solver.method ==
+        Method::jacobi);
+  CHECK(with({"materials.default.young_modulus=1e5"}, scene_text(R"("materials": {"default": {"young_modulus": 0}})"))
             .bodies[0]
             .material.young_modulus == 1e5);
 }
@@ -109,30 +104,23 @@ TEST_CASE("overrides reach a mesh opened alone") {
 TEST_CASE("the mistake of an override names the override, that of the file the file") {
   CHECK(error_with({"solver.iteration=3"}) ==
         "--set solver.iteration: unknown key \"iteration\", perhaps \"iterations\"; expected one of method, "
-        "acceleration, iterations, tolerance, time_step, substeps, frame_budget, colors, spectral_radius, window, rest_speed");
+        "acceleration, iterations, tolerance, time_step, substeps, frame_budget, colors, spectral_radius, window, "
+        "rest_speed");
   CHECK(error_with({"bodies.0.material.young_modulus=3"}) ==
-        "--set bodies.0.material.young_modulus: bodies[0].material: unknown key \"material\", perhaps "
-        "\"materials\"; expected "
-        "one of name, "
-        "mesh, resolution, transform, materials, fixed, prescribed, initial_velocity, surface");
-  CHECK(error_with({"solver.iterations=0"}) ==
-        "--set solver.iterations: is 0; expected a whole number, 1 to 10000");
+        "--set bodies.0.material.young_modulus: bodies[0].material: unknown key \"material\", perhaps \"materials\"; "
+        "expected one of name, mesh, resolution, transform, materials, fixed, prescribed, initial_velocity, surface");
+  CHECK(error_with({"solver.iterations=0"}) == "--set solver.iterations: is 0; expected a whole number, 1 to 10000");
   CHECK(error_with({"solver={\"iterations\": 0}"}) ==
         "--set solver: solver.iterations: is 0; expected a whole number, 1 to 10000");
-  CHECK(error_with({"solver.tolerance=nan"}) ==
-        "--set solver.tolerance: is \"nan\"; expected a number, 0 to 1");
+  CHECK(error_with({"solver.tolerance=nan"}) == "--set solver.tolerance: is \"nan\"; expected a number, 0 to 1");
   CHECK(error_with({"solver.method=multigrid"}) ==
-        "--set solver.method: is \"multigrid\"; expected a method and acceleration that exist: " +
-            list_of_pairs());
-  CHECK(error_with({"materials.2.density=-1"}) ==
-        "--set materials.2.density: is -1; expected 0.001 to 1e+06 kg/m^3");
+        "--set solver.method: is \"multigrid\"; expected a method and acceleration that exist: " + list_of_pairs());
+  CHECK(error_with({"materials.2.density=-1"}) == "--set materials.2.density: is -1; expected 0.001 to 1e+06 kg/m^3");
   CHECK(error_with({"materials.young_modulus=3"}) ==
-        "--set materials.young_modulus: is 3; expected an object such as {\"young_modulus\": 1e5}, under "
-        "\"default\", "
+        "--set materials.young_modulus: is 3; expected an object such as {\"young_modulus\": 1e5}, under \"default\", "
         "a region number or a group name");
   CHECK(error_with({"camera.fov_deg=30"}) ==
-        "--set camera.fov_deg: camera.eye: is missing; expected a list of 3 numbers [m] (without a camera "
-        "the view is "
+        "--set camera.fov_deg: camera.eye: is missing; expected a list of 3 numbers [m] (without a camera the view is "
         "framed on the bodies)");
   const std::string wrong = scene_text("", R"("solver": {"iterations": 0})");
   CHECK(error_with({"solver.substeps=2"}, wrong) ==
@@ -143,10 +131,12 @@ TEST_CASE("the mistake of an override names the override, that of the file the f
 }
 
 TEST_CASE("an unknown key at the beginning of an override suggests keys of scenes, of bodies, and what lies in them") {
-  const std::string known = "; expected one of bodies, camera, display, duration, fascia_scene, grabs, gravity, solver, title, fixed, "
-                            "initial_velocity, materials, mesh, name, prescribed, resolution, surface, transform";
+  const std::string known =
+      "; expected one of bodies, camera, display, duration, fascia_scene, grabs, gravity, solver, title, fixed, "
+      "initial_velocity, materials, mesh, name, prescribed, resolution, surface, transform";
   const auto unknown = [&](const std::string& key, const std::string& word, const std::string& near) {
-    CHECK(error_with({key + "=1"}) == "--set " + key + ": unknown key \"" + word + "\"" + (near.empty() ? "" : ", perhaps \"" + near + "\"") + known);
+    CHECK(error_with({key + "=1"}) == "--set " + key + ": unknown key \"" + word + "\"" +
+                                          (near.empty() ? "" : ", perhaps \"" + near + "\"") + known);
   };
   unknown("Gravity", "Gravity", "gravity");
   unknown("solvr.iterations", "solvr", "solver");
@@ -168,18 +158,14 @@ TEST_CASE("texts that are no override, and paths that lead nowhere") {
   CHECK(error_with({"=3"}) == "--set =3: has no key" + expected);
   CHECK(error_with({"solver..iterations=3"}) == "--set solver..iterations=3: has no key" + expected);
   CHECK(error_with({"bodies.2.mesh=x"}) ==
-        "--set bodies.2.mesh: \"2\" is no element of bodies, which has 1; expected 0 to 1 (the end: a new "
-        "element)");
+        "--set bodies.2.mesh: \"2\" is no element of bodies, which has 1; expected 0 to 1 (the end: a new element)");
   CHECK(error_with({"gravity.x=1"}) ==
-        "--set gravity.x: \"x\" is no element of gravity, which has 3; expected 0 to 3 (the end: a new "
-        "element)");
+        "--set gravity.x: \"x\" is no element of gravity, which has 3; expected 0 to 3 (the end: a new element)");
   CHECK(error_with({"gravity.99999999999999999999=1"}) ==
-        "--set gravity.99999999999999999999: \"99999999999999999999\" is no element of gravity, which has 3; "
-        "expected "
+        "--set gravity.99999999999999999999: \"99999999999999999999\" is no element of gravity, which has 3; expected "
         "0 to 3 (the end: a new element)");
   CHECK(error_with({"gravity.3=1"}) ==
         "--set gravity.3: gravity: is [0,-9.81,0,1]; expected a list of 3 numbers [m/s^2]");
-  CHECK(error_with({"fascia_scene.foo=1"}) ==
-        "--set fascia_scene.foo: fascia_scene is 1; expected no key below it");
+  CHECK(error_with({"fascia_scene.foo=1"}) == "--set fascia_scene.foo: fascia_scene is 1; expected no key below it");
   CHECK(error_with({"title.0=a"}) == "--set title.0: title: is [\"a\"]; expected a text");
 }

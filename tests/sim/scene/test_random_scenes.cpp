@@ -18,19 +18,28 @@ class Dice {
   /// Over the whole range, near its ends, whole numbers, zero of either sign.
   double number(double least, double most) {
     switch (whole(0, 6)) {
-      case 0: return least;
-      case 1: return most;
-      case 2: return least <= 0 && most >= 0 ? (chance() ? 0.0 : -0.0) : least;
-      case 3: return std::clamp(std::floor(uniform(least, most)), least, most);
-      case 4: return least > 0 ? std::clamp(least * std::pow(most / least, uniform(0, 1)), least, most) : uniform(least, most);
-      default: return uniform(least, most);
+      case 0:
+        return least;
+      case 1:
+        return most;
+      case 2:
+        return least <= 0 && most >= 0 ? (chance() ? 0.0 : -0.0) : least;
+      case 3:
+        return std::clamp(std::floor(uniform(least, most)), least, most);
+      case 4:
+        return least > 0 ? std::clamp(least * std::pow(most / least, uniform(0, 1)), least, most)
+                         : uniform(least, most);
+      default:
+        return uniform(least, most);
     }
   }
   Eigen::Vector3d vector(double most) { return {number(-most, most), number(-most, most), number(-most, most)}; }
   std::string text() {
-    static const std::vector<std::string> parts = {"a", " ", "\"", "\\", "\n", "\xc3\xa9", "\xe2\x82\xac", "{", "]", ".", "=", "\t", "/", "7", "null"};
+    static const std::vector<std::string> parts = {"a", " ", "\"", "\\", "\n", "\xc3\xa9", "\xe2\x82\xac", "{",
+                                                   "]", ".", "=",  "\t", "/",  "7",        "null"};
     std::string made = "t";
-    for (int n = whole(0, 6); n > 0; --n) made += parts[static_cast<std::size_t>(whole(0, static_cast<int>(parts.size()) - 1))];
+    for (int n = whole(0, 6); n > 0; --n)
+      made += parts[static_cast<std::size_t>(whole(0, static_cast<int>(parts.size()) - 1))];
     return made;
   }
   template <class T>
@@ -49,10 +58,14 @@ Selection selection(Dice& dice) {
       const Eigen::Vector3d a = dice.vector(1e30), b = dice.vector(1e30);
       return BoxSelection{a.cwiseMin(b), a.cwiseMax(b)};
     }
-    case 1: return SphereSelection{dice.vector(1e30), dice.number(0, 1e30)};
-    case 2: return VertexSelection{{0, static_cast<std::uint32_t>(dice.whole(0, 2147483647))}};
-    case 3: return GroupSelection{dice.text()};
-    default: return LowestSelection{dice.number(0, 1)};
+    case 1:
+      return SphereSelection{dice.vector(1e30), dice.number(0, 1e30)};
+    case 2:
+      return VertexSelection{{0, static_cast<std::uint32_t>(dice.whole(0, 2147483647))}};
+    case 3:
+      return GroupSelection{dice.text()};
+    default:
+      return LowestSelection{dice.number(0, 1)};
   }
 }
 
@@ -67,14 +80,17 @@ Body body(Dice& dice, Method method) {
       if (carries(method, m)) able.push_back(m);
     return dice.one_of(able);
   };
-  visit_material(body.material, [&](double& value, const char*, const char*, double least, double most, auto&&...) { value = dice.number(least, most); });
+  visit_material(body.material, [&](double& value, const char*, const char*, double least, double most, auto&&...) {
+    value = dice.number(least, most);
+  });
   body.material.model = model();
   for (const char* key : {"17", "4", "a.b", "core"}) {  // in the order of their bytes, as a reader finds them
     if (dice.chance()) continue;
     MaterialOverride& values = body.region_materials.emplace_back(key, MaterialOverride{}).second;
-    visit_material(values, [&](std::optional<double>& value, const char*, const char*, double least, double most, auto&&...) {
-      if (dice.chance()) value = dice.number(least, most);
-    });
+    visit_material(values,
+                   [&](std::optional<double>& value, const char*, const char*, double least, double most, auto&&...) {
+                     if (dice.chance()) value = dice.number(least, most);
+                   });
     if (dice.chance()) values.model = model();
   }
   for (int n = dice.whole(0, 3); n > 0; --n) body.fixed.push_back(selection(dice));
@@ -112,14 +128,18 @@ Scene scene(Dice& dice, const std::filesystem::path& file) {
     value = static_cast<std::decay_t<decltype(value)>>(dice.number(double(least), double(most)));
   });
   for (int n = dice.whole(1, 3); n > 0; --n) scene.bodies.push_back(body(dice, pair.method));
-  if (dice.chance()) scene.camera = CameraSettings{{1, 2, dice.number(3, 1e9)}, {dice.number(-1, 0.5), 0, 0}, {0, 1, 0}, dice.number(1, 170)};
+  if (dice.chance())
+    scene.camera =
+        CameraSettings{{1, 2, dice.number(3, 1e9)}, {dice.number(-1, 0.5), 0, 0}, {0, 1, 0}, dice.number(1, 170)};
   scene.display.color = dice.one_of(all_colors());
   if (dice.chance()) scene.display.range = Eigen::Vector2d(dice.number(-1e30, -1e-30), dice.number(1e-30, 1e30));
   scene.display.wireframe = dice.chance();
   return scene;
 }
 
-bool same_bits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0; }
+bool same_bits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
+}
 
 }  // namespace
 

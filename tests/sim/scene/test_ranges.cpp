@@ -32,10 +32,8 @@ std::vector<RangedKey> ranged_keys() {
       {"camera.eye[0]", "-1e+09 to 1e+09 m", -1e9, 1e9, top("\"camera\": {\"eye\": [", ", 0, 1]}")},
       {"camera.target[0]", "-1e+09 to 1e+09 m", -1e9, 1e9,
        top("\"camera\": {\"eye\": [0, 0, 1], \"target\": [", ", 0, 0]}")},
-      {"camera.up[1]", "-1e+09 to 1e+09", -1e9, 1e9,
-       top("\"camera\": {\"eye\": [0, 0, 1], \"up\": [0, ", ", 0]}")},
-      {"camera.fov_deg", "1 to 170 degrees", 1, 170,
-       top("\"camera\": {\"eye\": [0, 0, 1], \"fov_deg\": ", "}")},
+      {"camera.up[1]", "-1e+09 to 1e+09", -1e9, 1e9, top("\"camera\": {\"eye\": [0, 0, 1], \"up\": [0, ", ", 0]}")},
+      {"camera.fov_deg", "1 to 170 degrees", 1, 170, top("\"camera\": {\"eye\": [0, 0, 1], \"fov_deg\": ", "}")},
       {"display.range[0]", "-1e+30 to 1e+30", -1e30, 0, top("\"display\": {\"range\": [", ", 1]}")},
       {"display.section.offset", "-1e+09 to 1e+09 m", -1e9, 1e9, top("\"display\": {\"section\": {\"offset\": ", "}}")},
       {"display.tets.shrink", "0.01 to 1", 0.01, 1, top("\"display\": {\"tets\": {\"shrink\": ", "}}")},
@@ -47,8 +45,7 @@ std::vector<RangedKey> ranged_keys() {
        body("\"transform\": {\"rotate_deg\": [0, 0, ", "]}")},
       {"bodies[0].transform.translate[2]", "-1e+06 to 1e+06 m", -1e6, 1e6,
        body("\"transform\": {\"translate\": [0, 0, ", "]}")},
-      {"bodies[0].initial_velocity[1]", "-1e+06 to 1e+06 m/s", -1e6, 1e6,
-       body("\"initial_velocity\": [0, ", ", 0]")},
+      {"bodies[0].initial_velocity[1]", "-1e+06 to 1e+06 m/s", -1e6, 1e6, body("\"initial_velocity\": [0, ", ", 0]")},
       {"bodies[0].fixed[0].lowest", "0 to 1 of the height", 0, 1, body("\"fixed\": [{\"lowest\": ", "}]")},
       {"bodies[0].fixed[0].sphere.radius", "0 to 1e+30 m", 0, 1e30,
        body("\"fixed\": [{\"sphere\": {\"center\": [0, 0, 0], \"radius\": ", "}}]")},
@@ -57,8 +54,7 @@ std::vector<RangedKey> ranged_keys() {
       {moved + "start", "0 to 1e+09 s", 0, 1e9, body(motion + "\"start\": ", "}]")},
       {moved + "duration", "0 to 1e+09 s", 0, 1e9, body(motion + "\"duration\": ", "}]")},
       {moved + "scale", "0.001 to 1000", 1e-3, 1e3, body(motion + "\"scale\": ", "}]")},
-      {moved + "translate[0]", "-1e+06 to 1e+06 m", -1e6, 1e6,
-       body(motion + "\"translate\": [", ", 0, 0]}]")},
+      {moved + "translate[0]", "-1e+06 to 1e+06 m", -1e6, 1e6, body(motion + "\"translate\": [", ", 0, 0]}]")},
       {moved + "rotate_deg.angle", "-36000 to 36000 degrees", -36000, 36000,
        body(motion + "\"rotate_deg\": {\"angle\": ", "}}]")},
       {moved + "rotate_deg.axis[0]", "-1e+06 to 1e+06", -1e6, 1e6,
@@ -96,11 +92,11 @@ TEST_CASE("every number is accepted at the ends of its range and refused beyond 
     const bool is_whole = key.range.find("whole") != std::string::npos;
     const double step = is_whole ? 1 : 1e-3 * std::max({std::abs(key.min), std::abs(key.max), 1e-6});
     std::vector<double> outside = {key.min - step};
-    if (key.path != "display.range[0]")
-      outside.push_back(key.max + step);  // its upper end is the other number
+    if (key.path != "display.range[0]") outside.push_back(key.max + step);  // its upper end is the other number
     for (const double value : outside) {
       const std::string text = nlohmann::json(value).dump();
-      CHECK(SceneFile(key.scene(text)).open_error() == "s.json: " + key.path + ": is " + text + "; expected " + key.range);
+      CHECK(SceneFile(key.scene(text)).open_error() ==
+            "s.json: " + key.path + ": is " + text + "; expected " + key.range);
     }
     CHECK(SceneFile(key.scene("null")).open_error().find("s.json: " + key.path + ": is null; expected a") == 0);
   }

@@ -54,13 +54,16 @@ TEST_CASE("every length of a scene is scaled: bodies, motions, hands, velocities
   const auto close = [&](const Vector3d& a, const Vector3d& b) { return (a - kFactor * b).norm() < 1e-14 * kFactor; };
   bool same = true;
   for (std::size_t v = 0; v < large.rest_positions.size(); ++v)
-    same &= close(small.rest_positions[v], large.rest_positions[v]) && close(small.initial_velocity[v], large.initial_velocity[v]);
+    same &= close(small.rest_positions[v], large.rest_positions[v]) &&
+            close(small.initial_velocity[v], large.initial_velocity[v]);
   CHECK(same);
   REQUIRE(small.hands.size() == 2);
   REQUIRE(small.motions.size() == 1);
   for (const double time : {0.3, 0.8, 2.0}) {
     CAPTURE(time);
-    const auto moved = [&](const Model& model) { return model.motions[0].position(0, model.rest_positions[model.motions[0].vertices[0]], time); };
+    const auto moved = [&](const Model& model) {
+      return model.motions[0].position(0, model.rest_positions[model.motions[0].vertices[0]], time);
+    };
     CHECK(close(moved(small), moved(large)));
     for (std::size_t h = 0; h < 2; ++h) {
       CHECK(small.hands[h].grip.size() == large.hands[h].grip.size());
@@ -76,6 +79,7 @@ TEST_CASE("lengths in files are not scaled, and nothing else is then") {
   Scene scene = cube_with_all_lengths();
   scene.bodies[0].initial_velocity = std::string("velocity.csv");
   const Scene before = scene;
-  CHECK_THROWS_WITH(scale_lengths(scene, 0.001), Catch::Contains("bodies[0].initial_velocity") && Catch::Contains("velocity.csv"));
+  CHECK_THROWS_WITH(scale_lengths(scene, 0.001),
+                    Catch::Contains("bodies[0].initial_velocity") && Catch::Contains("velocity.csv"));
   CHECK(scene == before);
 }

@@ -79,8 +79,8 @@ TEST_CASE("every key of a scene arrives") {
   REQUIRE(scene.camera);
   CHECK(*scene.camera == CameraSettings{{0, 0.3, 1}, {0, 0.1, 0}, {0, 0, 1}, 35});
   CHECK(scene.display == DisplaySettings{ColorBy::von_mises, Eigen::Vector2d(0, 2.5e4), ColorMap::ember, true,
-                                         SectionPlane{{0, 1, 1}, -0.02}, SeparateTets{0.5, 0.25}, false, false, 0.75, 0.5,
-                                         Background::transparent});
+                                         SectionPlane{{0, 1, 1}, -0.02}, SeparateTets{0.5, 0.25}, false, false, 0.75,
+                                         0.5, Background::transparent});
   REQUIRE(scene.bodies.size() == 2);
 
   const Body& body = scene.bodies[0];
@@ -93,8 +93,7 @@ TEST_CASE("every key of a scene arrives") {
   CHECK(body.region_materials[0].first == "2");
   CHECK(body.region_materials[0].second == MaterialOverride{1e7, {}, {}, {}, {}});
   CHECK(body.region_materials[1].first == "tumour");
-  CHECK(body.region_materials[1].second ==
-        MaterialOverride{{}, 0.1, {}, {}, MaterialModel::st_venant_kirchhoff});
+  CHECK(body.region_materials[1].second == MaterialOverride{{}, 0.1, {}, {}, MaterialModel::st_venant_kirchhoff});
 
   REQUIRE(body.fixed.size() == 5);
   CHECK(body.fixed[0] == Selection(BoxSelection{{-1e-5, -1, -1}, {1e-5, 1, 1}}));
@@ -172,8 +171,7 @@ TEST_CASE("a written scene opens as the same scene") {
 TEST_CASE("numbers survive the round trip to the last bit") {
   const SceneFile file(scene_text());
   Scene scene = file.open();
-  for (const double value :
-       {0.1, 1.0 / 3.0, 1e-3, 99999999999999.98, 123456.7, 5e-324 * 1e300, 2.0 / 3.0 * 1e-2}) {
+  for (const double value : {0.1, 1.0 / 3.0, 1e-3, 99999999999999.98, 123456.7, 5e-324 * 1e300, 2.0 / 3.0 * 1e-2}) {
     CAPTURE(value);
     scene.gravity = {value / 1e14, -value / 1e14, -0.0};
     scene.duration = value / 1e14;
@@ -197,16 +195,15 @@ TEST_CASE("a scene written to another folder finds the same files") {
   };
   same(copy.resolve(copy.bodies[0].mesh), scene.resolve(scene.bodies[0].mesh));
   same(copy.resolve(copy.bodies[0].surface), scene.resolve(scene.bodies[0].surface));
-  same(copy.resolve(copy.bodies[0].prescribed[1].targets),
-       scene.resolve(scene.bodies[0].prescribed[1].targets));
+  same(copy.resolve(copy.bodies[0].prescribed[1].targets), scene.resolve(scene.bodies[0].prescribed[1].targets));
   same(copy.resolve(std::get<std::string>(copy.bodies[0].initial_velocity)),
        scene.resolve(std::get<std::string>(scene.bodies[0].initial_velocity)));
   CHECK(std::filesystem::path(copy.bodies[1].mesh).is_absolute());  // not below the copy's folder
 }
 
 TEST_CASE("a written scene is readable: lists of numbers on one line, no needless digits") {
-  const SceneFile file(scene_text(R"("fixed": [{"vertices": [0, 1, 2]}, {"lowest": 0.02}])",
-                                  R"("solver": {"method": "jacobi"})"));
+  const SceneFile file(
+      scene_text(R"("fixed": [{"vertices": [0, 1, 2]}, {"lowest": 0.02}])", R"("solver": {"method": "jacobi"})"));
   CHECK(scene_to_json(file.open(), file.path().parent_path()) == R"({
   "fascia_scene": 1,
   "title": "",

@@ -1,11 +1,12 @@
-// Files of scenes that were moved, changed or are carried: found again, refused or told about, never mistaken for others.
+// Files of scenes that were moved, changed or are carried: found again, refused or told about, never mistaken for
+// others.
 #include <nlohmann/json.hpp>
 
 #include "base/data_folder.h"
 #include "base/deflate.h"
-#include "sim/mesh/mesh_generate.h"
-#include "sim/mesh/io/mesh_io.h"
 #include "sim/grab/build_model.h"
+#include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
 #include "sim/replay/replay.h"
 #include "sim/scene/scene_carry.h"
 #include "tests/sim/scene/scene_test.h"
@@ -21,7 +22,8 @@ using Catch::Contains;
 // A cube whose corners have colors by material, in two triangles a side.
 std::string obj_cube(const std::string& library) {
   std::string text = "mtllib " + library + "\n";
-  for (int i = 0; i < 8; ++i) text += "v " + std::to_string(i & 1) + " " + std::to_string(i >> 1 & 1) + " " + std::to_string(i >> 2) + "\n";
+  for (int i = 0; i < 8; ++i)
+    text += "v " + std::to_string(i & 1) + " " + std::to_string(i >> 1 & 1) + " " + std::to_string(i >> 2) + "\n";
   return text + "usemtl red\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
 }
 
@@ -95,18 +97,21 @@ std::string error_of_building(const fs::path& scene) {
 
 TEST_CASE("a missing file is named with the scene and the key that refer to it") {
   const SceneFile bare(scene_text());
-  CHECK_THAT(bare.error_of([&] { build_model(bare.open()); }), Contains("s.json: bodies[0].mesh: m.msh: no such file; looked in "));
+  CHECK_THAT(bare.error_of([&] { build_model(bare.open()); }),
+             Contains("s.json: bodies[0].mesh: m.msh: no such file; looked in "));
   const Project project;
   const std::string scene = project.scene_file().string();
   struct Row {
     const char *file, *key, *path;
   };
-  for (const Row& row : {Row{"more/body.msh", "bodies[1].mesh", "../more/body.msh"}, Row{"meshes/skin.obj", "bodies[0].surface", "../meshes/skin.obj"},
+  for (const Row& row : {Row{"more/body.msh", "bodies[1].mesh", "../more/body.msh"},
+                         Row{"meshes/skin.obj", "bodies[0].surface", "../meshes/skin.obj"},
                          Row{"scenes/velocity.csv", "bodies[0].initial_velocity", "velocity.csv"},
                          Row{"scenes/targets.csv", "bodies[1].prescribed[0].targets", "targets.csv"}}) {
     const fs::path file = project.folder / row.file, away = project.folder / "away";
     fs::rename(file, away);
-    CHECK_THAT(error_of_building(scene), Contains(scene + ": " + row.key + ": " + row.path + ": no such file; looked in "));
+    CHECK_THAT(error_of_building(scene),
+               Contains(scene + ": " + row.key + ": " + row.path + ": no such file; looked in "));
     fs::rename(away, file);
   }
   fs::remove(project.folder / "more/body.msh");
@@ -119,13 +124,15 @@ TEST_CASE("a moved mesh is found beside the scene by its name, with a note") {
   write_mesh(folder / "m.msh", make_box(2, 1, 1, {0.2, 0.1, 0.1}));
   for (const char* path : {"../meshes/m.msh", "/nowhere/m.msh", "assets:meshes/m.msh"}) {
     CAPTURE(path);
-    write_file(folder / "s.json", std::string(R"({"fascia_scene": 1, "bodies": [{"mesh": ")") + path + R"(", "fixed": [{"lowest": 0.1}]}]})");
+    write_file(folder / "s.json", std::string(R"({"fascia_scene": 1, "bodies": [{"mesh": ")") + path +
+                                      R"(", "fixed": [{"lowest": 0.1}]}]})");
     const Scene scene = open_scene(folder / "s.json");
     CHECK(scene.bodies[0].mesh == "m.msh");
     const Model model = build_model(scene);
     CHECK(model.tets.size() == 12);
     REQUIRE(model.notes.size() == 1);
-    CHECK_THAT(model.notes[0], Contains("s.json: bodies[0].mesh: " + std::string(path) + ": no such file; read ") && Contains("m.msh"));
+    CHECK_THAT(model.notes[0],
+               Contains("s.json: bodies[0].mesh: " + std::string(path) + ": no such file; read ") && Contains("m.msh"));
   }
 }
 
@@ -144,7 +151,8 @@ TEST_CASE("a moved mesh is found by its content, and no other file is taken for 
     write_mesh(known.folder / "m.msh", make_box(4, 1, 1, {0.2, 0.1, 0.1}));
     scene.bodies[0].mesh = scene.files[0].path = "gone/m.msh";
     write_file(known.file(), scene_to_json(scene, known.folder.path()));
-    CHECK_THAT(error_of_building(known.file()), Contains("gone/m.msh: no such file; looked in ") && Contains("(whose m.msh is another file)"));
+    CHECK_THAT(error_of_building(known.file()),
+               Contains("gone/m.msh: no such file; looked in ") && Contains("(whose m.msh is another file)"));
     INFO("and the right one is found behind it");
     write_mesh(known.folder / "other_name.msh", make_box(2, 1, 1, {0.2, 0.1, 0.1}));
     CHECK(build_model(open_scene(known.file())).tets.size() == 12);
@@ -236,14 +244,18 @@ TEST_CASE("damaged or unlikely contents are refused in one line") {
   CHECK_THAT(error_with("deflated", "%%%"), Contains("s.json: files[0].deflated: is \"%%%\"; expected base64"));
   CHECK_THAT(error_with("deflated", ""), Contains("files[0].deflated"));
   CHECK_THAT(error_with("deflated", 3), Contains("files[0].deflated"));
-  CHECK_THAT(error_with("deflated", content.substr(0, content.size() / 8 * 4)), Contains("files: m.msh: its content is damaged"));
+  CHECK_THAT(error_with("deflated", content.substr(0, content.size() / 8 * 4)),
+             Contains("files: m.msh: its content is damaged"));
   CHECK_THAT(error_with("deflated", content + "AAAA"), Contains("its content is damaged") || Contains("base64"));
-  CHECK_THAT(error_with("hash", "0000000000000000"), Contains("files: m.msh: its content is damaged; expected " + std::to_string(size) + " bytes"));
+  CHECK_THAT(error_with("hash", "0000000000000000"),
+             Contains("files: m.msh: its content is damaged; expected " + std::to_string(size) + " bytes"));
   CHECK_THAT(error_with("hash", "abc"), Contains("files[0].hash") && Contains("16 hexadecimal digits"));
   CHECK_THAT(error_with("size", size - 1), Contains("its content is damaged"));
   CHECK_THAT(error_with("size", size + 1), Contains("its content is damaged"));
-  CHECK_THAT(error_with("size", 1000000000), Contains("files[0].size: is 1000000000; expected a size that can come out of "));
-  CHECK_THAT(error_with("size", 1e14), Contains("files[0].size: is 100000000000000.0; expected 0 to 1.07374e+09 bytes"));
+  CHECK_THAT(error_with("size", 1000000000),
+             Contains("files[0].size: is 1000000000; expected a size that can come out of "));
+  CHECK_THAT(error_with("size", 1e14),
+             Contains("files[0].size: is 100000000000000.0; expected 0 to 1.07374e+09 bytes"));
   CHECK_THAT(error_with("size", -1), Contains("files[0].size"));
   CHECK_THAT(error_with("size", 0.5), Contains("files[0].size"));
   CHECK_THAT(error_with("extra", 1), Contains("files[0].extra: unknown key"));
@@ -266,14 +278,17 @@ TEST_CASE("a saved scene refers to shipped files by a path that leads to them ev
   const Scene alone = open_scene(source_dir() / "assets/meshes/cube.msh");
   CHECK(scene_to_json(alone, elsewhere.path()).find("\"assets:meshes/cube.msh\"") != std::string::npos);
   const std::string old_path = fs::relative(source_dir() / "assets/meshes/cube.msh", elsewhere.path()).string();
-  write_file(elsewhere / "old.json", R"({"fascia_scene": 1, "bodies": [{"mesh": ")" + old_path + R"(", "fixed": [{"lowest": 0.1}]}]})");
+  write_file(elsewhere / "old.json",
+             R"({"fascia_scene": 1, "bodies": [{"mesh": ")" + old_path + R"(", "fixed": [{"lowest": 0.1}]}]})");
   const Scene old = open_scene(elsewhere / "old.json");
   CHECK(old.bodies[0].mesh == old_path);
   CHECK(build_model(old).notes.empty());
   CHECK(scene_to_json(old, elsewhere.path()).find("\"assets:meshes/cube.msh\"") != std::string::npos);
 
   INFO("and one that was moved");
-  write_file(elsewhere / "moved.json", R"({"fascia_scene": 1, "bodies": [{"mesh": "../../gone/assets/meshes/cube.msh", "fixed": [{"lowest": 0.1}]}]})");
+  write_file(
+      elsewhere / "moved.json",
+      R"({"fascia_scene": 1, "bodies": [{"mesh": "../../gone/assets/meshes/cube.msh", "fixed": [{"lowest": 0.1}]}]})");
   const Scene moved = open_scene(elsewhere / "moved.json");
   CHECK(moved.bodies[0].mesh == "assets:meshes/cube.msh");
   CHECK(moved.notes.size() == 1);

@@ -33,13 +33,16 @@ TEST_CASE("the resolution is checked, and written so that it reads back") {
   const Scene again = read_scene_content(kidney, scene_to_json(scene, kidney.parent_path()));
   CHECK(again == scene);
   CHECK_THROWS_WITH(open_scene(kidney, {"resolution=1"}), Catch::Contains("resolution") && Catch::Contains("2 to 256"));
-  CHECK_THROWS_WITH(open_scene(test::source_dir() / "assets/meshes/cube.msh", {"resolution=20"}), Catch::Contains("a mesh of tets"));
+  CHECK_THROWS_WITH(open_scene(test::source_dir() / "assets/meshes/cube.msh", {"resolution=20"}),
+                    Catch::Contains("a mesh of tets"));
   CHECK(!open_scene(kidney).bodies[0].resolution);
 }
 
 TEST_CASE("a surface over a mesh is drawn outward, each triangle once, however its file winds them") {
   const test::TemporaryFolder folder;
-  write_file(folder / "skin.obj", "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\nf 4 3 2\n");  // inward, one twice
+  write_file(
+      folder / "skin.obj",
+      "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\nf 4 3 2\n");  // inward, one twice
   Scene scene = open_scene(test::source_dir() / "assets/meshes/cube.msh");
   scene.bodies[0].surface = (folder / "skin.obj").string();
   const SurfaceMesh skin = build_model(scene).surfaces.at(0);

@@ -4,17 +4,17 @@
 #include <fstream>
 #include <sstream>
 
-#include "sim/grab/build_model.h"
-#include "sim/simulation/breakdown.h"
 #include "app/session/graphics.h"
 #include "app/session/open_input.h"
 #include "app/stress/stress.h"
 #include "base/error.h"
-#include "sim/mesh/mesh_generate.h"
+#include "sim/grab/build_model.h"
 #include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
 #include "sim/reference/elasticity.h"
-#include "tests/support/headless.h"
+#include "sim/simulation/breakdown.h"
 #include "tests/support/gpu/bars.h"
+#include "tests/support/headless.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -25,7 +25,8 @@ namespace {
 
 constexpr std::uint32_t kLost = 17;  // of the box's vertices, a free one
 
-// A clamped box of 48 tets in a folder of its own, and a replay whose start has one vertex so far away that its forces overflow.
+// A clamped box of 48 tets in a folder of its own, and a replay whose start has one vertex so far away that its forces
+// overflow.
 struct Box {
   TemporaryFolder folder;
   Scene scene;
@@ -52,7 +53,8 @@ TEST_CASE("run ends with one line, exit code 1 and a replay that ends the same w
   write_replay(box.folder / "broken.fascia", box.broken());
   std::string replay = "broken.fascia";
   for (int time = 0; time < 2; ++time) {
-    const CommandResult run = run_fascia({"run", "--replay", replay, "--context", "osmesa", "--export", "out.vtu"}, box.folder.path());
+    const CommandResult run =
+        run_fascia({"run", "--replay", replay, "--context", "osmesa", "--export", "out.vtu"}, box.folder.path());
     CAPTURE(run.out, run.err);
     CHECK(run.exit_code == 1);
     CHECK_FALSE(std::filesystem::exists(box.folder / "out.vtu"));
@@ -74,7 +76,8 @@ TEST_CASE("render ends the same way and writes no picture") {
   const Box box;
   write_replay(box.folder / "broken.fascia", box.broken());
   const CommandResult run =
-      run_fascia({"render", "--replay", "broken.fascia", "--context", "osmesa", "--out", "out.png", "--size", "64x64"}, box.folder.path());
+      run_fascia({"render", "--replay", "broken.fascia", "--context", "osmesa", "--out", "out.png", "--size", "64x64"},
+                 box.folder.path());
   CAPTURE(run.err);
   CHECK(run.exit_code == 1);
   CHECK(run.err.find("came apart at ") != std::string::npos);
@@ -98,7 +101,8 @@ TEST_CASE("a replay repeats a session of sliders and grabs to the bit") {
     input.step = lived.steps_made();
     replay.inputs.push_back(input);
     if (auto* settings = std::get_if<SolverSettings>(&input.change)) lived.set_settings(*settings);
-    if (auto* material = std::get_if<MaterialInput>(&input.change)) lived.set_material(material->index, material->material);
+    if (auto* material = std::get_if<MaterialInput>(&input.change))
+      lived.set_material(material->index, material->material);
     if (auto* gravity = std::get_if<GravityInput>(&input.change)) lived.set_gravity(gravity->gravity);
     if (auto* springs = std::get_if<GrabInput>(&input.change)) lived.set_grab(*springs);
   };
@@ -163,11 +167,13 @@ TEST_CASE("a replay that is cut within a breakdown says so") {
   Replay replay = box.broken();
   replay.inputs.push_back({replay.steps - 1, SoundInput{}});  // by which it would be led back
   write_replay(box.folder / "led_back.fascia", replay);
-  const CommandResult run =
-      run_fascia({"run", "--replay", "led_back.fascia", "--context", "osmesa", "--steps", std::to_string(replay.steps - 1)}, box.folder.path());
+  const CommandResult run = run_fascia(
+      {"run", "--replay", "led_back.fascia", "--context", "osmesa", "--steps", std::to_string(replay.steps - 1)},
+      box.folder.path());
   CAPTURE(run.err);
   CHECK(run.exit_code == 1);
-  CHECK_THAT(run.err, Catch::Contains("came apart at ") && Catch::Contains("the replay goes back to a sound state later"));
+  CHECK_THAT(run.err,
+             Catch::Contains("came apart at ") && Catch::Contains("the replay goes back to a sound state later"));
 }
 
 TEST_CASE("what came apart beside a body at rest is repeated with the same parts at rest") {
@@ -179,12 +185,17 @@ TEST_CASE("what came apart beside a body at rest is repeated with the same parts
   scene.gravity.setZero();
   std::uint32_t tip = 0;
   for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
-    if ((model.rest_positions[v] - Vector3d(0.6, 0.05, 0.05)).norm() < (model.rest_positions[tip] - Vector3d(0.6, 0.05, 0.05)).norm()) tip = v;
+    if ((model.rest_positions[v] - Vector3d(0.6, 0.05, 0.05)).norm() <
+        (model.rest_positions[tip] - Vector3d(0.6, 0.05, 0.05)).norm())
+      tip = v;
   Simulation lived(scene, model, graphics.programs.get(), false);
   std::map<long, State> states;  // after so many steps
   constexpr long kTorn = 61;
   for (long step = 0; !lived.astray() && step < kTorn + 40; ++step) {
-    if (step <= kTorn) lived.set_grab({{tip, {0, step < kTorn ? 0.05 * std::sin(0.2 * static_cast<double>(step)) : 1e25, 0}, step < kTorn ? 500.0 : 1e20}});
+    if (step <= kTorn)
+      lived.set_grab({{tip,
+                       {0, step < kTorn ? 0.05 * std::sin(0.2 * static_cast<double>(step)) : 1e25, 0},
+                       step < kTorn ? 500.0 : 1e20}});
     lived.gpu()->finish_background();
     lived.step();
     states.emplace(lived.steps_made(), lived.gpu()->download());

@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
-#include "sim/simulation/simulation.h"
-#include "sim/mesh/mesh_generate.h"
 #include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
+#include "sim/simulation/simulation.h"
 #include "tests/support/headless.h"
 #include "tests/support/models.h"
 #include "tests/support/support.h"
@@ -87,7 +87,8 @@ TEST_CASE("a sleeping body lies where one that never sleeps does", "[sleep]") {
   CHECK(kick < 1e-6 * size);  // from one step to the next, of rounding alone
 }
 
-// Between two looks a swing of 9 um stands still at its turn: asleep there, the tip was 0.004 % of its way from the equilibrium.
+// Between two looks a swing of 9 um stands still at its turn: asleep there, the tip was 0.004 % of its way from the
+// equilibrium.
 TEST_CASE("a body falls asleep in its static equilibrium, not at the turn of a swing", "[sleep]") {
   Box box(0.05);
   write_mesh(box.folder / "beam.msh", make_box(24, 6, 6, {1, 0.25, 0.25}));
@@ -102,7 +103,8 @@ TEST_CASE("a body falls asleep in its static equilibrium, not at the turn of a s
   newton.set_springs(simulation->springs());
   const reference::NewtonReport report = newton.solve_static(equilibrium);
   REQUIRE(report.converged);
-  const double distance = farthest(simulation->gpu()->download(), equilibrium), size = simulation->gpu()->buffers().size;
+  const double distance = farthest(simulation->gpu()->download(), equilibrium),
+               size = simulation->gpu()->buffers().size;
   CAPTURE(pulled, simulation->steps_made(), distance, size);
   CHECK(distance < 9e-9 * size);  // a thousandth of what it was, and the rounding of displacements to float32
   CHECK(farthest(simulation->state(), equilibrium) < 1e-11);
@@ -213,7 +215,8 @@ TEST_CASE("every method falls asleep, unless its iterations never stop moving th
   CHECK_FALSE(simulation->astray());
   if (simulation->asleep()) return;
   // Positions combined without their multipliers, and forces that are taken from where a step begins.
-  CHECK((pair.acceleration == Acceleration::anderson_positions || pair == Pair{Method::exact_xpbd, Acceleration::none}));
+  CHECK(
+      (pair.acceleration == Acceleration::anderson_positions || pair == Pair{Method::exact_xpbd, Acceleration::none}));
   double speed = 0;
   for (int i = 0; i < 20; ++i) {
     simulation->step();

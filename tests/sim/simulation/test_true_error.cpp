@@ -36,7 +36,9 @@ TEST_CASE("the true error is the distance to the reference solver's step") {
   for (std::size_t v = 0; v < solved.size(); ++v) {
     squared += (solved[v] - exact.displacement[v]).squaredNorm();
     if (!held[v])
-      scale += (exact.displacement[v] - before.displacement[v] - h * before.velocity[v] - h * h * simulation.model.gravity).squaredNorm();
+      scale +=
+          (exact.displacement[v] - before.displacement[v] - h * before.velocity[v] - h * h * simulation.model.gravity)
+              .squaredNorm();
   }
   CHECK(error.converged);
   CHECK(error.relative == Approx(std::sqrt(squared / scale)).epsilon(1e-3));
@@ -44,7 +46,8 @@ TEST_CASE("the true error is the distance to the reference solver's step") {
   CHECK(error.step == simulation.gpu()->steps_solved());
   REQUIRE(error.distance.size() == solved.size());
   double largest = 0;
-  for (std::size_t v = 0; v < solved.size(); ++v) largest = std::max(largest, (solved[v] - exact.displacement[v]).norm());
+  for (std::size_t v = 0; v < solved.size(); ++v)
+    largest = std::max(largest, (solved[v] - exact.displacement[v]).norm());
   CHECK(error.largest == Approx(largest).epsilon(1e-3));
 }
 
@@ -52,7 +55,8 @@ TEST_CASE("the true error of a solved step is rounding, with substeps and a grab
   Gpu gpu;
   Simulation simulation(cantilever({"solver.iterations=300", "solver.substeps=2"}), &gpu.programs, false);
   std::vector<GrabSpring> springs;
-  for (std::uint32_t v = 0; v < simulation.model.rest_positions.size(); v += 7) springs.push_back({v, {0.01, 0.02, 0}, 500});
+  for (std::uint32_t v = 0; v < simulation.model.rest_positions.size(); v += 7)
+    springs.push_back({v, {0.01, 0.02, 0}, 500});
   simulation.gpu()->set_grab(springs);
   simulation.step();
   TrueError measured;

@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "sim/surface/embedding.h"
 #include "sim/mesh/mesh_generate.h"
+#include "sim/surface/embedding.h"
 
 using namespace fascia;
 using Eigen::Vector3d;
@@ -43,7 +43,8 @@ TEST_CASE("points inside are held by the tet around them, points outside by the 
       CHECK(weight <= 1 + reach + 1e-9);
     }
     if (distance == 0) CHECK((position(embedded.ties[i], mesh.positions) - p).norm() < 1e-12);
-    // A little outside the tet goes on as if it were larger: a quarter of a cell is less than half of any of its heights.
+    // A little outside the tet goes on as if it were larger: a quarter of a cell is less than half of any of its
+    // heights.
     if (distance < 0.025) CHECK((position(embedded.ties[i], mesh.positions) - p).norm() < 1e-12);
   }
   CHECK(embedded.outside == outside);

@@ -1,12 +1,13 @@
-// Surfaces filled with tets: well shaped whatever the surface, as large as it, of the right topology; what has no inside is refused.
+// Surfaces filled with tets: well shaped whatever the surface, as large as it, of the right topology; what has no
+// inside is refused.
 #include "sim/surface/isosurface_stuffing.h"
 
 #include <catch2/catch.hpp>
 
-#include "sim/surface/embedding.h"
 #include "base/error.h"
 #include "sim/mesh/mesh_check.h"
 #include "sim/model/model.h"
+#include "sim/surface/embedding.h"
 #include "sim/surface/surface_fill.h"
 #include "tests/support/surfaces.h"
 
@@ -38,9 +39,9 @@ Filling fill(const SurfaceMesh& surface, std::optional<int> resolution = {}) {
   return result;
 }
 
-/// The vertices of the tets' boundary lie on the surface and its facets have edges of at most 1.6 spacings (a long edge and two shifts of
-/// 0.3), so between them a surface of curvature radius R is left by a sagitta of (1.6 h)^2 / (8 R) at most: over the whole area
-/// that is the largest error of the volume.
+/// The vertices of the tets' boundary lie on the surface and its facets have edges of at most 1.6 spacings (a long edge
+/// and two shifts of 0.3), so between them a surface of curvature radius R is left by a sagitta of (1.6 h)^2 / (8 R) at
+/// most: over the whole area that is the largest error of the volume.
 double volume_tolerance(const Filling& f, double radius) {
   const double sagitta = std::pow(1.6 * f.spacing, 2) / (8 * radius);
   return f.filled.repaired.report.area * sagitta;
@@ -79,8 +80,9 @@ TEST_CASE("spheres and tori are filled by one piece of their volume, with a boun
 }
 
 TEST_CASE("without a resolution a surface gets some thousand tets", "[lattice]") {
-  for (const SurfaceMesh& surface : {test::make_sphere(24, 48, 0.05), test::make_torus(64, 32, 0.1, 0.04), test::make_box_surface({0.1, 0.1, 0.1}),
-                                     test::make_box_surface({0.3, 0.05, 0.02})}) {
+  for (const SurfaceMesh& surface :
+       {test::make_sphere(24, 48, 0.05), test::make_torus(64, 32, 0.1, 0.04), test::make_box_surface({0.1, 0.1, 0.1}),
+        test::make_box_surface({0.3, 0.05, 0.02})}) {
     const Filling f = fill(surface);
     CHECK(f.report.tet_count > 5000);
     CHECK(f.report.tet_count < 10000);
@@ -119,7 +121,8 @@ TEST_CASE("a few tets kept whole in a thin tip are no reason for a note", "[latt
   CHECK_FALSE(has_note(f.filled, "thinner than the lattice"));
 }
 
-TEST_CASE("shells that overlap are one body, shells apart are several, a shell inside out in another one is a cavity", "[lattice]") {
+TEST_CASE("shells that overlap are one body, shells apart are several, a shell inside out in another one is a cavity",
+          "[lattice]") {
   const SurfaceMesh ball = test::make_sphere(24, 48, 0.05), small = test::make_sphere(16, 32, 0.03);
   const double outer = test::enclosed_volume(ball), inner = test::enclosed_volume(small);
 
@@ -140,7 +143,8 @@ TEST_CASE("shells that overlap are one body, shells apart are several, a shell i
   CHECK(std::abs(nested.report.volume - outer) < volume_tolerance(nested, 0.05));
 }
 
-TEST_CASE("normals inward, triangles turned or doubled, vertices apart and holes are put right and noted", "[lattice]") {
+TEST_CASE("normals inward, triangles turned or doubled, vertices apart and holes are put right and noted",
+          "[lattice]") {
   const SurfaceMesh ball = test::make_sphere(24, 48, 0.05);
   const TetMesh whole = fill(ball, 12).filled.file.mesh;
 
@@ -181,12 +185,14 @@ TEST_CASE("normals inward, triangles turned or doubled, vertices apart and holes
   CHECK(closed.report.components == 1);
   CHECK_FALSE(closed.filled.surface.closed);
   // The hole is closed by something between the flat lid and the ball.
-  CHECK(std::abs(closed.report.volume - test::enclosed_volume(ball)) < volume_tolerance(closed, 0.05) + 0.02 * test::enclosed_volume(ball));
+  CHECK(std::abs(closed.report.volume - test::enclosed_volume(ball)) <
+        volume_tolerance(closed, 0.05) + 0.02 * test::enclosed_volume(ball));
 }
 
 TEST_CASE("which way an open shell is wound does not depend on where it lies", "[lattice]") {
   const SurfaceMesh ball = test::make_sphere(24, 48, 0.05);
-  for (const Vector3d& place : {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, -1, 0), Vector3d(0, 0, 1)}) {
+  for (const Vector3d& place :
+       {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, -1, 0), Vector3d(0, 0, 1)}) {
     SurfaceMesh cup = test::make_sphere(16, 32, 0.02, place);
     cup.triangles.erase(cup.triangles.begin(), cup.triangles.begin() + 300);  // of 960, around a pole
     CAPTURE(place.transpose());
@@ -200,8 +206,8 @@ TEST_CASE("a surface without an inside is refused with what, how often, where an
   plane.positions = {{0, 0, 0}, {0.1, 0, 0}, {0.1, 0, 0.1}, {0, 0, 0.1}};
   plane.triangles = {{0, 1, 2}, {0, 2, 3}};
   CHECK(error_of(plane) ==
-        "test.obj: is open: 4 edges, the first at (0.05, 0, 0) of one triangle only, 1 hole of 100 % of its area; expected a closed surface, "
-        "or holes of at most 20 %: close them, or give a sheet a thickness");
+        "test.obj: is open: 4 edges, the first at (0.05, 0, 0) of one triangle only, 1 hole of 100 % of its area; "
+        "expected a closed surface, or holes of at most 20 %: close them, or give a sheet a thickness");
   SurfaceMesh both_sides = test::joined(plane, test::turned(plane));
   CHECK(error_of(both_sides).find("is open") != std::string::npos);
 
@@ -210,10 +216,12 @@ TEST_CASE("a surface without an inside is refused with what, how often, where an
   for (int i = 0; i < kSteps; ++i) {
     const double a = 2 * std::numbers::pi * i / kSteps;
     for (const double w : {-0.02, 0.02})
-      band.positions.emplace_back((0.1 + w * std::cos(a / 2)) * std::cos(a), w * std::sin(a / 2), (0.1 + w * std::cos(a / 2)) * std::sin(a));
+      band.positions.emplace_back((0.1 + w * std::cos(a / 2)) * std::cos(a), w * std::sin(a / 2),
+                                  (0.1 + w * std::cos(a / 2)) * std::sin(a));
   }
   for (std::uint32_t i = 0; i < kSteps; ++i) {
-    const std::uint32_t a = 2 * i, b = 2 * i + 1, c = i + 1 < kSteps ? 2 * i + 2 : 1, d = i + 1 < kSteps ? 2 * i + 3 : 0;
+    const std::uint32_t a = 2 * i, b = 2 * i + 1, c = i + 1 < kSteps ? 2 * i + 2 : 1,
+                        d = i + 1 < kSteps ? 2 * i + 3 : 0;
     band.triangles.push_back({a, b, c});
     band.triangles.push_back({b, d, c});
   }
@@ -229,7 +237,8 @@ TEST_CASE("a surface without an inside is refused with what, how often, where an
 }
 
 TEST_CASE("surfaces that cut themselves are counted and filled", "[lattice]") {
-  const SurfaceMesh two = test::joined(test::make_sphere(12, 24, 0.05), test::make_sphere(12, 24, 0.05, {0.05, 0.003, 0.001}));
+  const SurfaceMesh two =
+      test::joined(test::make_sphere(12, 24, 0.05), test::make_sphere(12, 24, 0.05, {0.05, 0.003, 0.001}));
   const SurfaceRepair repaired = repair(two);
   CHECK(self_intersections(TriangleTree(repaired.positions, repaired.triangles)).pairs.count > 20);
   const SurfaceRepair ball = repair(test::make_sphere(12, 24, 0.05));

@@ -12,7 +12,8 @@ namespace {
 
 double area(const SurfaceMesh& s) {
   double sum = 0;
-  for (const auto& [a, b, c] : s.triangles) sum += (s.positions[b] - s.positions[a]).cross(s.positions[c] - s.positions[a]).norm() / 2;
+  for (const auto& [a, b, c] : s.triangles)
+    sum += (s.positions[b] - s.positions[a]).cross(s.positions[c] - s.positions[a]).norm() / 2;
   return sum;
 }
 
@@ -22,7 +23,8 @@ TEST_CASE("concave polygons are cut into triangles that cover them once, at any 
   for (const double scale : {1.0, 1e-6, 1e6}) {
     const auto vertex = [&](double x, double y) { return "v " + std::to_string(x) + " 0 " + std::to_string(y) + "\n"; };
     // A dart whose short diagonal lies outside, and a comb of 20 corners.
-    const SurfaceMesh dart = read_obj_content("dart.obj", vertex(0, 0) + vertex(4, -1) + vertex(3.5, 0) + vertex(4, 1) + "f 1 2 3 4\n");
+    const SurfaceMesh dart =
+        read_obj_content("dart.obj", vertex(0, 0) + vertex(4, -1) + vertex(3.5, 0) + vertex(4, 1) + "f 1 2 3 4\n");
     REQUIRE(dart.triangles.size() == 2);
     CHECK(area(dart) == Approx(3.5));
 
@@ -42,7 +44,8 @@ TEST_CASE("concave polygons are cut into triangles that cover them once, at any 
   }
 }
 
-TEST_CASE("names of materials and libraries may hold spaces, a line may name several libraries, and a color may be missing") {
+TEST_CASE(
+    "names of materials and libraries may hold spaces, a line may name several libraries, and a color may be missing") {
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   const auto library = [](const std::string& name) -> std::string {
     if (name == "Left Kidney.mtl") return "newmtl Mat 1  \nKd 1 0 0\nnewmtl plain\nNs 10\n";
@@ -50,10 +53,12 @@ TEST_CASE("names of materials and libraries may hold spaces, a line may name sev
     if (name == "b.mtl") return "newmtl b\nKd 0 0 1\n";
     throw Error(name, "does not exist", "");
   };
-  const SurfaceMesh spaced = read_obj_content("a.obj", "mtllib Left Kidney.mtl\n" + triangle + "usemtl Mat 1\nf 1 2 3\nusemtl plain\nf 1 2 3\n", library);
+  const SurfaceMesh spaced = read_obj_content(
+      "a.obj", "mtllib Left Kidney.mtl\n" + triangle + "usemtl Mat 1\nf 1 2 3\nusemtl plain\nf 1 2 3\n", library);
   CHECK(spaced.notes.empty());
   CHECK(spaced.colors == std::vector<std::uint32_t>{0xff0000ff, 0xff0000ff, 0xff0000ff, 0, 0, 0});
-  const SurfaceMesh several = read_obj_content("a.obj", "mtllib a.mtl b.mtl\n" + triangle + "usemtl b\nf 1 2 3\n", library);
+  const SurfaceMesh several =
+      read_obj_content("a.obj", "mtllib a.mtl b.mtl\n" + triangle + "usemtl b\nf 1 2 3\n", library);
   CHECK(several.colors == std::vector<std::uint32_t>(3, 0xffff0000));
   const SurfaceMesh unknown = read_obj_content("a.obj", "mtllib a.mtl\n" + triangle + "usemtl c\nf 1 2 3\n", library);
   REQUIRE(unknown.notes.size() == 1);
@@ -76,25 +81,30 @@ TEST_CASE("colors come from the vertices, else from the materials, else there ar
   };
   CHECK(read_obj_content("a.obj", quad + "f 1 2 3 4\n", library).colors.empty());
 
-  const SurfaceMesh painted = read_obj_content("a.obj", "mtllib organ.mtl\n" + quad + "usemtl red\nf 1 2 3\nusemtl grey\nf 1 3 4\n", library);
-  CHECK(painted.colors == std::vector<std::uint32_t>{0xff0000ff, 0xff0000ff, 0xff0000ff, 0xff808080, 0xff808080, 0xff808080});
+  const SurfaceMesh painted =
+      read_obj_content("a.obj", "mtllib organ.mtl\n" + quad + "usemtl red\nf 1 2 3\nusemtl grey\nf 1 3 4\n", library);
+  CHECK(painted.colors ==
+        std::vector<std::uint32_t>{0xff0000ff, 0xff0000ff, 0xff0000ff, 0xff808080, 0xff808080, 0xff808080});
   REQUIRE(painted.materials.size() == 2);
   CHECK(painted.materials[1].name == "grey");
   CHECK(painted.materials[1].triangles == 1);
 
-  const SurfaceMesh partly = read_obj_content("a.obj", "mtllib organ.mtl\n" + quad + "f 1 2 3\nusemtl red\nf 1 3 4\n", library);
+  const SurfaceMesh partly =
+      read_obj_content("a.obj", "mtllib organ.mtl\n" + quad + "f 1 2 3\nusemtl red\nf 1 3 4\n", library);
   CHECK(partly.colors == std::vector<std::uint32_t>{0, 0, 0, 0xff0000ff, 0xff0000ff, 0xff0000ff});
 
   const SurfaceMesh missing = read_obj_content("a.obj", "mtllib none.mtl\n" + quad + "usemtl red\nf 1 2 3\n", library);
   CHECK(missing.colors.empty());
   CHECK(missing.notes == std::vector<std::string>{"none.mtl: does not exist: drawn without its materials"});
 
-  const SurfaceMesh vertices = read_obj_content("a.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n", library);
+  const SurfaceMesh vertices =
+      read_obj_content("a.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n", library);
   CHECK(vertices.colors == std::vector<std::uint32_t>{0xff0000ff, 0xff00ff00, 0xffff0000});
 }
 
 TEST_CASE("several shapes are one surface; what cannot be read is one line") {
-  const SurfaceMesh two = read_obj_content("a.obj", "o one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no two\nv 0 0 1\nf 1/1/1 2//2 4\n");
+  const SurfaceMesh two =
+      read_obj_content("a.obj", "o one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no two\nv 0 0 1\nf 1/1/1 2//2 4\n");
   CHECK(two.triangles == std::vector<Triangle>{{0, 1, 2}, {0, 1, 3}});
   const auto reading = [](const std::string& text) { return read_obj_content("a.obj", text); };
   CHECK_THROWS_WITH(reading("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"), "a.obj:4: a face uses vertex 9; expected 1 to 3");

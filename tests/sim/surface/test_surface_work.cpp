@@ -1,4 +1,5 @@
-// Surfaces that are hard to work on: many shells, many triangles at one edge or vertex, long thin triangles. What is counted is work.
+// Surfaces that are hard to work on: many shells, many triangles at one edge or vertex, long thin triangles. What is
+// counted is work.
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <random>
@@ -18,16 +19,19 @@ namespace {
 
 enum class Inner { once, twice, twice_across };
 
-/// The faces of n x n x n cubes as quads in two triangles each: those between two cubes once, or twice, wound against each other, with the
-/// same diagonal or the other one.
+/// The faces of n x n x n cubes as quads in two triangles each: those between two cubes once, or twice, wound against
+/// each other, with the same diagonal or the other one.
 SurfaceMesh faces_of_cubes(int n, Inner inner) {
   SurfaceMesh s;
-  const auto at = [&](const Vector3i& p) { return static_cast<std::uint32_t>((p.x() * (n + 1) + p.y()) * (n + 1) + p.z()); };
+  const auto at = [&](const Vector3i& p) {
+    return static_cast<std::uint32_t>((p.x() * (n + 1) + p.y()) * (n + 1) + p.z());
+  };
   for (int i = 0; i <= n; ++i)
     for (int j = 0; j <= n; ++j)
       for (int k = 0; k <= n; ++k) s.positions.push_back(0.1 / n * Vector3d(i, j, k));
   const auto add = [&](const Vector3i& cube, int axis, bool far) {
-    const Vector3i u = Vector3i::Unit((axis + 1) % 3), v = Vector3i::Unit((axis + 2) % 3), a = cube + int{far} * Vector3i::Unit(axis);
+    const Vector3i u = Vector3i::Unit((axis + 1) % 3), v = Vector3i::Unit((axis + 2) % 3),
+                   a = cube + int{far} * Vector3i::Unit(axis);
     if (inner == Inner::once && far && a[axis] < n) return;
     std::array<std::uint32_t, 4> quad{at(a), at(a + u), at(a + u + v), at(a + v)};
     if (!far) std::swap(quad[1], quad[3]);
@@ -47,7 +51,9 @@ SurfaceMesh faces_of_cubes(int n, Inner inner) {
 SurfaceMesh make_cone(std::uint32_t n) {
   SurfaceMesh s;
   s.positions = {{0, 0.1, 0}, {0, 0, 0}};
-  for (std::uint32_t i = 0; i < n; ++i) s.positions.emplace_back(0.1 * std::cos(2 * std::numbers::pi * i / n), 0, 0.1 * std::sin(2 * std::numbers::pi * i / n));
+  for (std::uint32_t i = 0; i < n; ++i)
+    s.positions.emplace_back(0.1 * std::cos(2 * std::numbers::pi * i / n), 0,
+                             0.1 * std::sin(2 * std::numbers::pi * i / n));
   for (std::uint32_t i = 0; i < n; ++i) {
     s.triangles.push_back({0, 2 + (i + 1) % n, 2 + i});
     s.triangles.push_back({1, 2 + i, 2 + (i + 1) % n});
@@ -81,11 +87,13 @@ TEST_CASE("of many shells only those are compared whose boxes lie around each ot
   }
   std::size_t asked = 0, found = 0;
   const ShellTree tree_apart(apart), tree_nested(nested);
-  for (const ShellTree::Shell& shell : apart) tree_apart.largest_around(shell.box, shell.area, [&](std::uint32_t) { return ++asked > 0; });
+  for (const ShellTree::Shell& shell : apart)
+    tree_apart.largest_around(shell.box, shell.area, [&](std::uint32_t) { return ++asked > 0; });
   std::printf("%u shells apart: %zu compared\n", kCount, asked);
   CHECK(asked == 0);
   for (const ShellTree::Shell& shell : nested)
-    found += tree_nested.largest_around(shell.box, shell.area, [&](std::uint32_t) { return ++asked > 0; }) == kCount - 1;
+    found +=
+        tree_nested.largest_around(shell.box, shell.area, [&](std::uint32_t) { return ++asked > 0; }) == kCount - 1;
   std::printf("%u shells, one within the other: %zu compared\n", kCount, asked);
   CHECK(asked == kCount - 1);
   CHECK(found == kCount - 1);
@@ -110,7 +118,8 @@ TEST_CASE("the shell around another one is that which comparing all finds", "[su
       expected = outer.number;
       largest = outer.area;
     }
-    CHECK(tree.largest_around(inner.box, inner.area, [&](std::uint32_t outer) { return holds(outer, inner.number); }) == expected);
+    CHECK(tree.largest_around(inner.box, inner.area, [&](std::uint32_t outer) { return holds(outer, inner.number); }) ==
+          expected);
     held += expected != ShellTree::kNone;
   }
   std::printf("%zu of %zu shells lie in another one\n", held, shells.size());
@@ -121,13 +130,14 @@ TEST_CASE("the faces of all cells of a grid are tens of thousands of shells, and
   const SurfaceMesh faces = faces_of_cubes(20, Inner::once);
   std::size_t reports = 0;
   const SurfaceRepair repaired = repair(faces, [&](double, const char*) { ++reports; });
-  std::printf("%zu triangles: %zu shells, %zu edges of several triangles, %zu reports\n", faces.triangles.size(), repaired.report.shells.size(),
-              repaired.report.crowded_edges.count, reports);
+  std::printf("%zu triangles: %zu shells, %zu edges of several triangles, %zu reports\n", faces.triangles.size(),
+              repaired.report.shells.size(), repaired.report.crowded_edges.count, reports);
   CHECK(repaired.closed());
   CHECK_FALSE(repaired.balanced);
   CHECK(repaired.report.shells.size() > 20000);
   CHECK(reports > repaired.report.shells.size() / 100);
-  CHECK_THROWS_WITH(fill_surface(faces, "test.obj", 10), Catch::Contains("test.obj: has walls inside: ") && Catch::Contains("of more than two triangles"));
+  CHECK_THROWS_WITH(fill_surface(faces, "test.obj", 10),
+                    Catch::Contains("test.obj: has walls inside: ") && Catch::Contains("of more than two triangles"));
 
   CHECK(repair(test::make_sphere(12, 24, 0.05)).balanced);
   SurfaceMesh two = test::make_box_surface({1, 1, 1}), other = two;  // that share an edge
@@ -146,7 +156,8 @@ TEST_CASE("cells with all their faces are filled as one body", "[surface]") {
     const auto& x = filled.file.mesh.positions;
     for (const Tet& t : filled.file.mesh.tets) volume += signed_volume6(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) / 6;
     const SurfaceReport& report = filled.repaired.report;
-    std::printf("%zu triangles: %zu walls left out, volume %g, of the tets %g\n", faces.triangles.size(), report.walls.count, report.volume, volume);
+    std::printf("%zu triangles: %zu walls left out, volume %g, of the tets %g\n", faces.triangles.size(),
+                report.walls.count, report.volume, volume);
     CHECK(report.volume == Approx(1e-3));
     CHECK(volume == Approx(1e-3).epsilon(0.03));  // the edges of the cube are cut off
     CHECK(report.walls.count == (inner == Inner::twice ? 4u * 3 * 12 * 12 * 11 : 0u));
@@ -166,7 +177,11 @@ TEST_CASE("a progress that throws ends the work on a surface wherever it is", "[
   std::size_t ended = 0;
   for (std::size_t stop = 1; stop <= all; ++stop) {
     std::size_t count = 0;
-    CHECK_THROWS_AS(fill_surface(surface, "test.obj", 6, [&](double, const char*) { if (++count == stop) throw Enough(); }), Enough);
+    CHECK_THROWS_AS(fill_surface(surface, "test.obj", 6,
+                                 [&](double, const char*) {
+                                   if (++count == stop) throw Enough();
+                                 }),
+                    Enough);
     ended += count == stop;
   }
   std::printf("%zu reports, ended at %zu of them\n", all, ended);
@@ -181,8 +196,8 @@ TEST_CASE("long thin triangles are sampled along their length only, and reported
   const auto& x = filled.file.mesh.positions;
   for (const Tet& t : filled.file.mesh.tets) volume += signed_volume6(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) / 6;
   const std::size_t reports = reports_of(cone, 16);
-  std::printf("cone of %zu triangles: %zu tets, volume %g of %g, %zu reports\n", cone.triangles.size(), filled.file.mesh.tets.size(), volume,
-              test::enclosed_volume(cone), reports);
+  std::printf("cone of %zu triangles: %zu tets, volume %g of %g, %zu reports\n", cone.triangles.size(),
+              filled.file.mesh.tets.size(), volume, test::enclosed_volume(cone), reports);
   CHECK(volume == Approx(test::enclosed_volume(cone)).epsilon(0.06));  // its sharp edge is thinner than the lattice
   CHECK(reports > 100);
 }
@@ -199,7 +214,8 @@ TEST_CASE("a long triangle reaches the cells along it, not all of its box", "[su
   const auto unit = [&] { return static_cast<double>(random() % 100000) / 100000; };
   std::size_t missed = 0;
   for (int t = 0; t < 200; ++t) {
-    const std::vector<Vector3d> x = {{unit(), unit(), unit()}, {unit(), unit(), unit()}, {unit(), unit(), unit()}, {0, 0, 0}, {1, 1, 1}};
+    const std::vector<Vector3d> x = {
+        {unit(), unit(), unit()}, {unit(), unit(), unit()}, {unit(), unit(), unit()}, {0, 0, 0}, {1, 1, 1}};
     const TriangleTree tree(x, {{0, 1, 2}, {3, 3, 4}});  // and its box
     const std::vector<char> marked = cells_at_surface(tree, lattice);
     for (int i = 0; i < 500; ++i) {
@@ -217,7 +233,8 @@ TEST_CASE("triangles around one vertex are not compared with each other", "[surf
   std::erase_if(fan.triangles, [](const Triangle& t) { return t[0] == 1; });
   const TriangleTree tree(fan.positions, fan.triangles);
   std::size_t compared = 0;
-  CHECK(tree.for_touching_pairs([](std::size_t, std::size_t) {}, [&](std::size_t count) { return (compared = count) < fan.triangles.size(); }));
+  CHECK(tree.for_touching_pairs([](std::size_t, std::size_t) {},
+                                [&](std::size_t count) { return (compared = count) < fan.triangles.size(); }));
   std::printf("%zu triangles: %zu pairs of boxes compared\n", fan.triangles.size(), compared);
   CHECK(self_intersections(tree).pairs.count == 0);
 
@@ -225,7 +242,8 @@ TEST_CASE("triangles around one vertex are not compared with each other", "[surf
   SurfaceMesh crossing;
   for (std::uint32_t i = 0; i < 3000; ++i) {
     const double s = 1e-4 * i;
-    for (const Vector3d& p : {Vector3d(0, 0, s), Vector3d(1, 1, 1 - s), Vector3d(1, 1.001, 1 - s)}) crossing.positions.push_back(p);
+    for (const Vector3d& p : {Vector3d(0, 0, s), Vector3d(1, 1, 1 - s), Vector3d(1, 1.001, 1 - s)})
+      crossing.positions.push_back(p);
     crossing.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
   CHECK_FALSE(self_intersections(TriangleTree(crossing.positions, crossing.triangles)).complete);
@@ -251,16 +269,19 @@ TEST_CASE("cuts are those that comparing all pairs finds", "[surface]") {
   CHECK(expected > 100);
 }
 
-TEST_CASE("a library of materials is read once however often it is named, and what is missing is named a few times", "[surface]") {
+TEST_CASE("a library of materials is read once however often it is named, and what is missing is named a few times",
+          "[surface]") {
   std::string text, triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  for (int i = 0; i < 20000; ++i) text += "mtllib a.mtl\nmtllib none" + std::to_string(i) + ".mtl\nusemtl m" + std::to_string(i) + "\nf 1 2 3\n";
+  for (int i = 0; i < 20000; ++i)
+    text += "mtllib a.mtl\nmtllib none" + std::to_string(i) + ".mtl\nusemtl m" + std::to_string(i) + "\nf 1 2 3\n";
   std::size_t asked = 0;
   const SurfaceMesh mesh = read_obj_content("a.obj", triangle + text, [&](const std::string& name) -> std::string {
     ++asked;
     if (name == "a.mtl") return "newmtl m7\nKd 1 0 0\n";
     throw Error(name, "does not exist", "");
   });
-  std::printf("%zu materials, libraries asked for %zu times, %zu notes\n", mesh.materials.size(), asked, mesh.notes.size());
+  std::printf("%zu materials, libraries asked for %zu times, %zu notes\n", mesh.materials.size(), asked,
+              mesh.notes.size());
   CHECK(asked == 20001);
   CHECK(mesh.materials.size() == 20000);
   CHECK(mesh.materials[0].name == "m7");

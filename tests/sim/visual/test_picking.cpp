@@ -3,9 +3,9 @@
 #include <cmath>
 #include <random>
 
-#include "sim/visual/picking.h"
 #include "sim/mesh/mesh_generate.h"
 #include "sim/mesh/tet_faces.h"
+#include "sim/visual/picking.h"
 
 using namespace fascia;
 using Eigen::Vector3d;
@@ -18,7 +18,8 @@ struct Deformed {
   Deformed() {
     deform(mesh, [](const Vector3d& x) {
       const double angle = 2 * x.x();
-      return Vector3d(x.x() + 0.05 * std::sin(9 * x.y()), std::cos(angle) * x.y() - std::sin(angle) * x.z() - x.x() * x.x(),
+      return Vector3d(x.x() + 0.05 * std::sin(9 * x.y()),
+                      std::cos(angle) * x.y() - std::sin(angle) * x.z() - x.x() * x.x(),
                       std::sin(angle) * x.y() + std::cos(angle) * x.z());
     });
   }
@@ -61,7 +62,7 @@ TEST_CASE("the first triangle along the ray is hit, on a deformed surface") {
     const Triangle& t = d.triangles[hit->triangle];
     CHECK(passes(ray, p[t[0]], p[t[1]], p[t[2]]));
   }
-  CHECK(hits > 100);         // the test has looked at both
+  CHECK(hits > 100);  // the test has looked at both
   CHECK(hits < 1900);
 }
 
@@ -72,7 +73,8 @@ TEST_CASE("a ray that misses finds the nearest surface point") {
   std::uniform_real_distribution<double> uniform(-1, 1);
   int misses = 0;
   for (int i = 0; i < 100; ++i) {
-    const Ray ray = towards({0.3 + uniform(random), uniform(random), 2}, {0.3 + 2 * uniform(random), 2 * uniform(random), 0});
+    const Ray ray =
+        towards({0.3 + uniform(random), uniform(random), 2}, {0.3 + 2 * uniform(random), 2 * uniform(random), 0});
     const auto across = [&](const Vector3d& x) {
       return (x - ray.origin - ray.direction * ray.direction.dot(x - ray.origin)).norm();
     };

@@ -17,11 +17,13 @@ inline Model block() {
 inline Material tissue(double damping = 0) { return {2e4, 0.4, 1000, damping, MaterialModel::st_venant_kirchhoff}; }
 
 inline Model bar(double damping = 0) {
-  return make_model(make_box(8, 3, 3, {0.2, 0.06, 0.06}), tissue(damping), [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
+  return make_model(make_box(8, 3, 3, {0.2, 0.06, 0.06}), tissue(damping),
+                    [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
 }
 
 inline Model free_bar(double damping = 0) {
-  Model model = make_model(make_box(8, 3, 3, {0.2, 0.06, 0.06}), tissue(damping), [](const Eigen::Vector3d&) { return false; });
+  Model model =
+      make_model(make_box(8, 3, 3, {0.2, 0.06, 0.06}), tissue(damping), [](const Eigen::Vector3d&) { return false; });
   model.gravity.setZero();
   return model;
 }

@@ -66,7 +66,8 @@ Eigen::VectorXd DoubleChebyshev::next(const Eigen::VectorXd& x, const Eigen::Vec
       const double expected = 1 / std::cosh(count_ * std::acosh(1 / rho)), reached = norm / begin_;
       if (reached > std::pow(expected, 0.75)) {
         const double b = std::min(reached, 1.0);
-        const double root = std::pow(0.5 * (1 + rp) * (b + std::sqrt(std::max(b * b - expected * expected, 0.0))), 1.0 / count_);
+        const double root =
+            std::pow(0.5 * (1 + rp) * (b + std::sqrt(std::max(b * b - expected * expected, 0.0))), 1.0 / count_);
         const double better = std::min((root * root + r) / ((1 + r) * root), 0.9995);
         if (better > rho) {
           rho = better;

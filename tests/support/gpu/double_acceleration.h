@@ -1,5 +1,5 @@
-// Chebyshev and Anderson acceleration of a fixed-point iteration in double precision, from their definitions: what the GPU passes are
-// compared with, and what linear problems with known answers are tried on.
+// Chebyshev and Anderson acceleration of a fixed-point iteration in double precision, from their definitions: what the
+// GPU passes are compared with, and what linear problems with known answers are tried on.
 #pragma once
 #include <Eigen/Dense>
 #include <deque>

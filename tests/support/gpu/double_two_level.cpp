@@ -6,8 +6,8 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
-#include "sim/material/law.h"
 #include "sim/coarse/coarse_matrix.h"
+#include "sim/material/law.h"
 
 namespace fascia::test {
 namespace {
@@ -19,33 +19,42 @@ Index at(std::uint32_t vertex) { return 3 * static_cast<Index>(vertex); }
 // Hessian blocks on the diagonal without what of the geometric term is negative.
 std::vector<Matrix3d> blocks(const Model& model, const VectorXd& u, const VectorXd& mass, double h) {
   std::vector<Matrix3d> result;
-  for (std::size_t v = 0; v < model.rest_positions.size(); ++v) result.push_back(mass[3 * static_cast<Index>(v)] * Matrix3d::Identity());
+  for (std::size_t v = 0; v < model.rest_positions.size(); ++v)
+    result.push_back(mass[3 * static_cast<Index>(v)] * Matrix3d::Identity());
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
     const Tet& tet = model.tets[t];
     const auto& x = model.rest_positions;
     const reference::RestTet rest(reference::Corners{x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]});
-    const reference::Corners corners{u.segment<3>(at(tet[0])), u.segment<3>(at(tet[1])), u.segment<3>(at(tet[2])), u.segment<3>(at(tet[3]))};
+    const reference::Corners corners{u.segment<3>(at(tet[0])), u.segment<3>(at(tet[1])), u.segment<3>(at(tet[2])),
+                                     u.segment<3>(at(tet[3]))};
     const Material& material = model.materials[model.tet_material[t]];
     // Beyond the Green strain the block has no geometric term.
-    const Matrix3d stress = !law_of(material.model).of_strain
-                                ? Matrix3d::Zero()
-                                : reference::second_piola_stress(reference::green_strain_matrix(rest, corners), material);
+    const Matrix3d stress =
+        !law_of(material.model).of_strain
+            ? Matrix3d::Zero()
+            : reference::second_piola_stress(reference::green_strain_matrix(rest, corners), material);
     const auto d = reference::elastic(rest, corners, material, 0, Matrix3d::Zero(), true, false);
     for (int a = 0; a < 4; ++a) {
       const Vector3d b = rest.gradients.col(a);
       result[tet[static_cast<std::size_t>(a)]] +=
-          h * h * (d.hessian.block<3, 3>(3 * a, 3 * a) - rest.volume * std::min(0.0, b.dot(stress * b)) * Matrix3d::Identity());
+          h * h *
+          (d.hessian.block<3, 3>(3 * a, 3 * a) - rest.volume * std::min(0.0, b.dot(stress * b)) * Matrix3d::Identity());
     }
   }
   return result;
 }
 
-// As the GPU holds it: of a diagonal that is raised a little, and S C S with integers of 16 bits in C, whose diagonal is one and the same.
+// As the GPU holds it: of a diagonal that is raised a little, and S C S with integers of 16 bits in C, whose diagonal
+// is one and the same.
 MatrixXd inverse_in_sixteen_bits(MatrixXd matrix) {
   matrix.diagonal() *= 1 + 1e-7;
   const MatrixXd inverse = matrix.inverse();
   const VectorXd scale = (inverse.diagonal() / 32767).cwiseSqrt();
-  return inverse.cwiseQuotient(scale * scale.transpose()).array().round().matrix().cwiseProduct(scale * scale.transpose());
+  return inverse.cwiseQuotient(scale * scale.transpose())
+      .array()
+      .round()
+      .matrix()
+      .cwiseProduct(scale * scale.transpose());
 }
 
 }  // namespace
@@ -99,7 +108,8 @@ VectorXd DoubleTwoLevel::coarse(const VectorXd& gradient) const {
   }
   for (std::uint32_t v = 0; v + 1 < space_.begin.size(); ++v)
     for (std::uint32_t k = space_.begin[v]; k < space_.begin[v + 1]; ++k)
-      load.segment<3>(at(space_.node[k])) += space_.weight[k] * (rotations[space_.node[k]].transpose() * gradient.segment<3>(at(v)));
+      load.segment<3>(at(space_.node[k])) +=
+          space_.weight[k] * (rotations[space_.node[k]].transpose() * gradient.segment<3>(at(v)));
   const VectorXd x = coarse_inverse_ * load;
   for (std::uint32_t v = 0; v + 1 < space_.begin.size(); ++v)
     for (std::uint32_t k = space_.begin[v]; k < space_.begin[v + 1]; ++k)
@@ -114,14 +124,17 @@ void DoubleTwoLevel::begin(const VectorXd& base) {
 }
 
 void DoubleTwoLevel::descend(Acceleration acceleration) {
-  const bool split = acceleration == Acceleration::subspace, remembers = acceleration != Acceleration::none && !inertia_;
+  const bool split = acceleration == Acceleration::subspace,
+             remembers = acceleration != Acceleration::none && !inertia_;
   inertia_ = false;
   double objective = 0;
   const VectorXd g = gradient(u_, objective);
   if (objective > objective_) {
     const double slope_before = last_step_.dot(previous_gradient_), slope = last_step_.dot(g);
-    const double excess = objective - objective_ - slope_before, exponent = std::clamp((slope - slope_before) / excess, 2.0, 4.0);
-    const double kept = slope_before < 0 ? std::min(0.5, std::pow(-slope_before / (exponent * excess), 1 / (exponent - 1))) : 0;
+    const double excess = objective - objective_ - slope_before,
+                 exponent = std::clamp((slope - slope_before) / excess, 2.0, 4.0);
+    const double kept =
+        slope_before < 0 ? std::min(0.5, std::pow(-slope_before / (exponent * excess), 1 / (exponent - 1))) : 0;
     u_ -= (1 - kept) * last_step_;
     last_step_ *= kept;
     return;
@@ -145,7 +158,8 @@ void DoubleTwoLevel::descend(Acceleration acceleration) {
   for (double& s : scale) s = s > 0 ? 1 / s : 0;  // nothing was kept of the last step
   const SelfAdjointEigenSolver<MatrixXd> eigen(scale.asDiagonal() * a * scale.asDiagonal());
   const VectorXd b = -(scale.asDiagonal() * (z.transpose() * g));
-  const VectorXd modes = (eigen.eigenvectors().transpose() * b).cwiseQuotient(eigen.eigenvalues().cwiseAbs().cwiseMax(0.03));
+  const VectorXd modes =
+      (eigen.eigenvectors().transpose() * b).cwiseQuotient(eigen.eigenvalues().cwiseAbs().cwiseMax(0.03));
   const VectorXd step = z * (scale.asDiagonal() * (eigen.eigenvectors() * modes));
   u_ += step;
   last_step_ = step;

@@ -1,4 +1,5 @@
-// The two-level method in double precision, from its equations (docs/concepts/solver.md): what the GPU's passes are tested against.
+// The two-level method in double precision, from its equations (docs/concepts/solver.md): what the GPU's passes are
+// tested against.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
@@ -21,8 +22,8 @@ class DoubleTwoLevel {
   Eigen::VectorXd fine(const Eigen::VectorXd& gradient) const;    // of the blocks at the start
   Eigen::VectorXd coarse(const Eigen::VectorXd& gradient) const;  // with the rotations of now
   void begin(const Eigen::VectorXd& base);  // the start is a step from `base`, to be judged by descend()
-  /// The step within the span of z_f, z_c and the last step (subspace), of z_f + z_c and the last step (nonlinear_cg), or of
-  /// z_f + z_c (none); the first one's without the last step. Of one that raised the objective a part is kept.
+  /// The step within the span of z_f, z_c and the last step (subspace), of z_f + z_c and the last step (nonlinear_cg),
+  /// or of z_f + z_c (none); the first one's without the last step. Of one that raised the objective a part is kept.
   void descend(Acceleration acceleration);
 
  private:

@@ -29,7 +29,9 @@ Shape shape_of(const Model& model, std::size_t tet) {
 
 using Corners = std::array<Eigen::Vector3d, 4>;
 
-Corners corners_of(const Tet& tet, const std::vector<Eigen::Vector3d>& u) { return {u[tet[0]], u[tet[1]], u[tet[2]], u[tet[3]]}; }
+Corners corners_of(const Tet& tet, const std::vector<Eigen::Vector3d>& u) {
+  return {u[tet[0]], u[tet[1]], u[tet[2]], u[tet[3]]};
+}
 
 Eigen::Matrix3d gradient_of(const Shape& shape, const Corners& u) {
   Eigen::Matrix3d f = Eigen::Matrix3d::Identity();
@@ -67,7 +69,10 @@ void unflatten(const Eigen::VectorXd& x, std::vector<Eigen::Vector3d>& u) {
 }  // namespace
 
 DoubleXpbd::DoubleXpbd(const Model& model, const SolverSettings& settings)
-    : model_(model), settings_(settings), valence_(model.rest_positions.size(), 0), chebyshev_(settings.spectral_radius) {
+    : model_(model),
+      settings_(settings),
+      valence_(model.rest_positions.size(), 0),
+      chebyshev_(settings.spectral_radius) {
   const std::vector<char> held = model.held();
   for (const double m : lumped_masses(model)) inv_mass_.push_back(held[inv_mass_.size()] || m <= 0 ? 0 : 1 / m);
   for (const Tet& tet : model.tets)
@@ -76,7 +81,8 @@ DoubleXpbd::DoubleXpbd(const Model& model, const SolverSettings& settings)
   if (settings.method == Method::mass_splitting)
     for (std::size_t v = 0; v < valence_.size(); ++v) seen_inv_mass_[v] *= valence_[v];
   if (settings.method != Method::gauss_seidel) return;
-  coloring_ = color_tets(model.tets, held, curve_order(model.rest_positions, model.tets), static_cast<std::uint32_t>(settings.colors));
+  coloring_ = color_tets(model.tets, held, curve_order(model.rest_positions, model.tets),
+                         static_cast<std::uint32_t>(settings.colors));
   for (const std::uint32_t v : coloring_.phantom_vertex) seen_inv_mass_[v] += inv_mass_[v];
 }
 
@@ -84,8 +90,8 @@ Vector6d DoubleXpbd::strain(std::size_t tet, const std::vector<Eigen::Vector3d>&
   return strain_of(gradient_of(shape_of(model_, tet), corners_of(model_.tets[tet], u)));
 }
 
-DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const std::vector<Eigen::Vector3d>& u, const Vector6d& previous_strain,
-                                            const Vector6d& multiplier) const {
+DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const std::vector<Eigen::Vector3d>& u,
+                                            const Vector6d& previous_strain, const Vector6d& multiplier) const {
   return solve_tet(t, corners_of(model_.tets[t], u), previous_strain, multiplier);
 }
 
@@ -119,7 +125,8 @@ DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const Corners& u, con
   return result;
 }
 
-void DoubleXpbd::sweep(std::vector<Eigen::Vector3d>& u, std::vector<Vector6d>& lambda, const std::vector<Vector6d>& before) const {
+void DoubleXpbd::sweep(std::vector<Eigen::Vector3d>& u, std::vector<Vector6d>& lambda,
+                       const std::vector<Vector6d>& before) const {
   std::vector<Eigen::Vector3d> copies = u;
   for (const std::uint32_t v : coloring_.phantom_vertex) copies.push_back(u[v]);
   if (settings_.method == Method::gauss_seidel) {

@@ -1,11 +1,11 @@
-// XPBD with a block constraint per tet in double precision, averaged Jacobi or Gauss-Seidel in the order of the colors, plain or
-// accelerated, written
-// from its definition with an explicit 6x12 Jacobian: what the GPU kernels, which never form it, are compared with.
+// XPBD with a block constraint per tet in double precision, averaged Jacobi or Gauss-Seidel in the order of the colors,
+// plain or accelerated, written from its definition with an explicit 6x12 Jacobian: what the GPU kernels, which never
+// form it, are compared with.
 #pragma once
 #include <vector>
 
-#include "sim/ordering/graph_coloring.h"
 #include "sim/model/model.h"
+#include "sim/ordering/graph_coloring.h"
 #include "sim/reference/newton.h"
 #include "sim/scene/settings/solver_settings.h"
 #include "tests/support/gpu/double_acceleration.h"
@@ -19,7 +19,8 @@ class DoubleXpbd {
   DoubleXpbd(const Model& model, const SolverSettings& settings);
   void step(State& state);
 
-  /// One tet's corrections (per corner) and new multiplier, from positions u, strain at the start of the substep and multiplier.
+  /// One tet's corrections (per corner) and new multiplier, from positions u, strain at the start of the substep and
+  /// multiplier.
   struct TetResult {
     std::array<Eigen::Vector3d, 4> correction;
     Vector6d multiplier;
@@ -31,7 +32,8 @@ class DoubleXpbd {
   Vector6d strain(std::size_t tet, const std::vector<Eigen::Vector3d>& u) const;
 
  private:
-  void sweep(std::vector<Eigen::Vector3d>& u, std::vector<Vector6d>& multipliers, const std::vector<Vector6d>& previous_strain) const;
+  void sweep(std::vector<Eigen::Vector3d>& u, std::vector<Vector6d>& multipliers,
+             const std::vector<Vector6d>& previous_strain) const;
 
   const Model& model_;
   SolverSettings settings_;

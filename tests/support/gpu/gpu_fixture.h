@@ -2,8 +2,8 @@
 #pragma once
 #include <memory>
 
-#include "render/context/context.h"
 #include "gl/program.h"
+#include "render/context/context.h"
 #include "tests/support/support.h"
 
 namespace fascia::test {

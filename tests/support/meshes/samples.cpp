@@ -13,11 +13,8 @@ TetMesh sample_mesh() {
   mesh.tets = {{0, 1, 2, 3}, {1, 2, 3, 4}};
   mesh.regions = {3, 7};
   mesh.region_names = {{3, "left part"}, {7, "right"}};
-  mesh.groups = {{"left part", {0, 1, 2, 3}},
-                 {"right", {1, 2, 3, 4}},
-                 {"clamp", {0, 1, 2}},
-                 {"5", {0, 1}},
-                 {"tip", {4}}};
+  mesh.groups = {
+      {"left part", {0, 1, 2, 3}}, {"right", {1, 2, 3, 4}}, {"clamp", {0, 1, 2}}, {"5", {0, 1}}, {"tip", {4}}};
   return mesh;
 }
 

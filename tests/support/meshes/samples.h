@@ -40,8 +40,7 @@ std::filesystem::path write_sample(const TemporaryFolder& folder, const MeshSamp
 std::string replaced(std::string text, const std::string& from, const std::string& to);
 
 /// What read_mesh says of a file with this content, without the folder: "mesh.msh:3: ...". "" if it reads it.
-std::string error_of(const std::string& file, const std::string& content,
-                     const std::string& node_content = {});
+std::string error_of(const std::string& file, const std::string& content, const std::string& node_content = {});
 
 /// Positions, tets, regions and, as far as the sample's format keeps them, names and groups.
 void check_sample(const MeshFile& file, const MeshSample& sample);
@@ -53,8 +52,7 @@ class Bytes {
   template <class T>
   Bytes& add(T value) {
     std::string raw(reinterpret_cast<const char*>(&value), sizeof value);
-    text +=
-        big_endian_ ? std::string(raw.rbegin(), raw.rend()) : raw;  // the tests run on little-endian machines
+    text += big_endian_ ? std::string(raw.rbegin(), raw.rend()) : raw;  // the tests run on little-endian machines
     return *this;
   }
   template <class T>

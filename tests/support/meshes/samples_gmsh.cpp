@@ -132,9 +132,8 @@ std::string binary_4(bool big_endian) {
   out.add_text("\n$EndEntities\n$PartitionedEntities\n");
   sizes({2, 1}), ints({1, 2});  // two partitions, one ghost entity
   sizes({1, 0, 0, 1});
-  ints({7, 0, 1}), sizes({1}), ints({1}), reals({1, 1, 1.5}), sizes({0});  // point 7 of point 1
-  ints({8, 3, 2}), sizes({2}), ints({1, 2}), reals({0, 0, 0, 1, 1, 1}), sizes({0}),
-      sizes({0});  // volume 8 of volume 2
+  ints({7, 0, 1}), sizes({1}), ints({1}), reals({1, 1, 1.5}), sizes({0});                        // point 7 of point 1
+  ints({8, 3, 2}), sizes({2}), ints({1, 2}), reals({0, 0, 0, 1, 1, 1}), sizes({0}), sizes({0});  // volume 8 of volume 2
   out.add_text("\n$EndPartitionedEntities\n$Nodes\n");
   sizes({3, 6, 3, 2000000000});
   ints({2, 1, 1}), sizes({3}), sizes({10, 3, 2000000000});

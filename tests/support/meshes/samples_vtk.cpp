@@ -100,19 +100,14 @@ std::string old_binary() {
 std::string new_binary() {
   Bytes out(true);
   out.add_text(
-      "# vtk DataFile Version 5.1\na title\nBINARY\nDATASET UNSTRUCTURED_GRID\nFIELD FieldData 1\nnames 1 2 "
-      "string\n");
-  out.add<std::uint8_t>(0xc0 | 5)
-      .add_text("hello")
-      .add<std::uint16_t>(0x8000 | 70)
-      .add_text(std::string(70, 'x'));
+      "# vtk DataFile Version 5.1\na title\nBINARY\nDATASET UNSTRUCTURED_GRID\nFIELD FieldData 1\nnames 1 2 string\n");
+  out.add<std::uint8_t>(0xc0 | 5).add_text("hello").add<std::uint16_t>(0x8000 | 70).add_text(std::string(70, 'x'));
   out.add_text("\nPOINTS 6 double\n")
       .add_all(coordinates())
       .add_text("\nMETADATA\nINFORMATION 0\n\nCELLS 6 14\nOFFSETS vtktypeint64\n");
   out.add_all<std::int64_t>({0, 1, 3, 6, 10, 14}).add_text("\nCONNECTIVITY vtktypeint64\n");
   out.add_all<std::int64_t>({4, 0, 1, 0, 1, 2, 0, 1, 2, 3, 1, 2, 3, 4}).add_text("\nCELL_TYPES 5\n");
-  out.add_all<int>({1, 3, 5, 10, 10})
-      .add_text("\nCELL_DATA 5\nSCALARS region unsigned_char 1\nLOOKUP_TABLE default\n");
+  out.add_all<int>({1, 3, 5, 10, 10}).add_text("\nCELL_DATA 5\nSCALARS region unsigned_char 1\nLOOKUP_TABLE default\n");
   return out.add_all<std::uint8_t>({1, 5, 11, 3, 7}).add_text("\n").text;
 }
 
@@ -165,25 +160,21 @@ class VtuBuilder {
   }
 
   std::string document() {
-    std::string out =
-        "<?xml version=\"1.0\"?>\n<!-- a comment -->\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\"";
+    std::string out = "<?xml version=\"1.0\"?>\n<!-- a comment -->\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\"";
     out += std::string(" byte_order='") + (flavor_.big_endian ? "Big" : "Little") + "Endian'";
     if (flavor_.wide_header) out += " header_type=\"UInt64\"";
     if (flavor_.deflated) out += " compressor=\"vtkZLibDataCompressor\"";
     out += ">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"6\" NumberOfCells=\"5\">\n<PointData>\n";
-    out += array<float>("Float32", "temperature", {1, 2, 3, 4, 5, 6}) +
-           "</PointData>\n<CellData Scalars=\"a\">\n";
+    out += array<float>("Float32", "temperature", {1, 2, 3, 4, 5, 6}) + "</PointData>\n<CellData Scalars=\"a\">\n";
     out += array<int>("Int32", "gmsh:physical", {1, 5, 11, 3, 7}) + "</CellData>\n<Points>\n";
     const std::vector<double> x = coordinates();
     const std::string three = " NumberOfComponents=\"3\"";
-    out += flavor_.wide_header
-               ? array<double>("Float64", "Points", x, three)
-               : array<float>("Float32", "Points", std::vector<float>(x.begin(), x.end()), three);
+    out += flavor_.wide_header ? array<double>("Float64", "Points", x, three)
+                               : array<float>("Float32", "Points", std::vector<float>(x.begin(), x.end()), three);
     out += "</Points>\n<Cells>\n";
     out += array<std::int64_t>("Int64", "connectivity", {4, 0, 1, 0, 1, 2, 0, 1, 2, 3, 1, 2, 3, 4});
     out += array<std::uint32_t>("UInt32", "offsets", {1, 3, 6, 10, 14});
-    out += array<std::uint8_t>("UInt8", "types", {1, 3, 5, 10, 10}) +
-           "</Cells>\n</Piece>\n</UnstructuredGrid>\n";
+    out += array<std::uint8_t>("UInt8", "types", {1, 3, 5, 10, 10}) + "</Cells>\n</Piece>\n</UnstructuredGrid>\n";
     if (!appended_.empty()) {
       const bool raw = flavor_.place == Place::appended_raw;
       out += std::string("<AppendedData encoding=\"") + (raw ? "raw" : "base64") + "\">\n _" + appended_ +
@@ -202,8 +193,7 @@ class VtuBuilder {
   }
 
   std::string packed(const std::string& bytes, bool as_base64) const {
-    if (!flavor_.deflated)
-      return as_base64 ? base64(words({bytes.size()}) + bytes) : words({bytes.size()}) + bytes;
+    if (!flavor_.deflated) return as_base64 ? base64(words({bytes.size()}) + bytes) : words({bytes.size()}) + bytes;
     constexpr std::size_t block = 32;
     std::vector<std::uint64_t> header = {(bytes.size() + block - 1) / block, block, bytes.size() % block};
     std::string body;

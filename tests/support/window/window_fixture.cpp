@@ -51,7 +51,8 @@ void xdotool(std::vector<std::string> arguments) {
 std::set<fs::path> pictures(const fs::path& folder) {
   std::set<fs::path> found;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".png" && entry.path().filename().string().starts_with("fascia-")) found.insert(entry.path());
+    if (entry.path().extension() == ".png" && entry.path().filename().string().starts_with("fascia-"))
+      found.insert(entry.path());
   return found;
 }
 
@@ -73,7 +74,8 @@ VirtualDisplay::VirtualDisplay(int width, int height) : size_(std::to_string(wid
     const int null = open("/dev/null", O_WRONLY);
     dup2(null, 1);
     dup2(null, 2);
-    execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", screen.c_str(), "-nolisten", "tcp", "-noreset", nullptr);
+    execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", screen.c_str(), "-nolisten", "tcp", "-noreset",
+           nullptr);
     _exit(127);
   }
   close(ends[1]);
@@ -83,7 +85,8 @@ VirtualDisplay::VirtualDisplay(int width, int height) : size_(std::to_string(wid
   if (number.empty()) throw std::runtime_error("Xvfb did not start; is it installed?");
   setenv("DISPLAY", (":" + number).c_str(), 1);
   unsetenv("WAYLAND_DISPLAY");
-  for (const char* kind : {"config", "state"}) {  // not the cache: the driver's kernels would be compiled anew for every window
+  for (const char* kind :
+       {"config", "state"}) {  // not the cache: the driver's kernels would be compiled anew for every window
     std::string variable = std::string("XDG_") + kind + "_HOME";
     for (char& c : variable) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     setenv(variable.c_str(), (home_ / kind).c_str(), 1);
@@ -99,9 +102,10 @@ VirtualDisplay::VirtualDisplay(int width, int height) : size_(std::to_string(wid
 
 std::vector<Image> VirtualDisplay::watch(int frames) const {
   const TemporaryFolder folder;
-  const CommandResult grabbed = run_command({"ffmpeg", "-nostdin", "-v", "error", "-y", "-f", "x11grab", "-draw_mouse", "0", "-framerate", "10",
-                                             "-video_size", size_, "-i", std::getenv("DISPLAY"), "-frames:v", std::to_string(frames),
-                                             (folder / "%03d.png").string()});
+  const CommandResult grabbed =
+      run_command({"ffmpeg", "-nostdin", "-v", "error", "-y", "-f", "x11grab", "-draw_mouse", "0", "-framerate", "10",
+                   "-video_size", size_, "-i", std::getenv("DISPLAY"), "-frames:v", std::to_string(frames),
+                   (folder / "%03d.png").string()});
   if (grabbed.exit_code != 0) throw std::runtime_error("ffmpeg: " + grabbed.err);
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path())) files.push_back(entry.path());
@@ -195,7 +199,9 @@ void FasciaWindow::press() { xdotool({"mousedown", "1"}); }
 void FasciaWindow::key_down(const std::string& name) { xdotool({"keydown", name}); }
 void FasciaWindow::key_up(const std::string& name) { xdotool({"keyup", name}); }
 void FasciaWindow::click(int button) { xdotool({"click", std::to_string(button)}); }
-void FasciaWindow::resize(int width, int height) { xdotool({"windowsize", window_, std::to_string(width), std::to_string(height)}); }
+void FasciaWindow::resize(int width, int height) {
+  xdotool({"windowsize", window_, std::to_string(width), std::to_string(height)});
+}
 void FasciaWindow::release() { xdotool({"mouseup", "1"}); }
 
 void FasciaWindow::move(int x, int y) {
@@ -241,15 +247,14 @@ Screenshot FasciaWindow::screenshot() {
 }
 
 std::string cube_scene(const std::string& title, double young_modulus) {
-  return nlohmann::json{
-      {"fascia_scene", 1},
-      {"title", title},
-      {"gravity", {0, 0, 0}},
-      {"bodies",
-       {{{"name", "cube"},
-         {"mesh", (source_dir() / "assets/meshes/cube.msh").string()},
-         {"materials", {{"default", {{"young_modulus", young_modulus}, {"damping", 0.1}}}}},
-         {"fixed", {{{"lowest", 0.02}}}}}}}}
+  return nlohmann::json{{"fascia_scene", 1},
+                        {"title", title},
+                        {"gravity", {0, 0, 0}},
+                        {"bodies",
+                         {{{"name", "cube"},
+                           {"mesh", (source_dir() / "assets/meshes/cube.msh").string()},
+                           {"materials", {{"default", {{"young_modulus", young_modulus}, {"damping", 0.1}}}}},
+                           {"fixed", {{{"lowest", 0.02}}}}}}}}
       .dump(2);
 }
 

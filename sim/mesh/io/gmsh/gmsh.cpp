@@ -20,9 +20,7 @@ GmshElementType gmsh_element_type(int number) {
                                                                : GmshElementType{};
 }
 
-void read_gmsh(Scanner& in, MeshFile& file) {
-  GmshReader(in, file).read();
-}
+void read_gmsh(Scanner& in, MeshFile& file) { GmshReader(in, file).read(); }
 
 void GmshReader::read() {
   file_.format = "Gmsh 1.0 ASCII";
@@ -107,8 +105,7 @@ void GmshReader::read_format() {
   if (binary_) {
     in_.locate_by_byte();
     const int one = in_.binary<int>("the byte order mark");
-    if (one != 1 && byte_swapped(one) != 1)
-      in_.fail("the byte order mark is " + std::to_string(one), "expected 1");
+    if (one != 1 && byte_swapped(one) != 1) in_.fail("the byte order mark is " + std::to_string(one), "expected 1");
     in_.set_swapped(one != 1);
   }
   end_section("$EndMeshFormat");
@@ -158,8 +155,8 @@ int GmshReader::physical_tag(std::int64_t tag) const {
   return static_cast<int>(tag < 0 ? -tag : tag);  // a minus sign says that the group turns the element round
 }
 
-void GmshReader::add_element(const GmshElementType& type, std::int64_t element,
-                             std::span<const int> physicals, std::span<const std::int64_t> nodes) {
+void GmshReader::add_element(const GmshElementType& type, std::int64_t element, std::span<const int> physicals,
+                             std::span<const std::int64_t> nodes) {
   std::array<std::uint32_t, 8> corners{};
   const auto corner_count = static_cast<std::size_t>(type.corners);
   for (std::size_t i = 0; i < corner_count; ++i) {

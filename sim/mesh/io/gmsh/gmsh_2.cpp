@@ -1,5 +1,5 @@
-// Gmsh .msh 1.0 and 2.x: one list of nodes, one list of elements that carry their physical tag. A parametric node names its entity after
-// its coordinates, and its parameters there if that is a curve (one) or a surface (two).
+// Gmsh .msh 1.0 and 2.x: one list of nodes, one list of elements that carry their physical tag. A parametric node names
+// its entity after its coordinates, and its parameters there if that is a curve (one) or a surface (two).
 #include <array>
 
 #include "sim/mesh/io/gmsh/gmsh.h"
@@ -20,13 +20,16 @@ void GmshReader::read_nodes_1_2(std::string_view section) {
       if (parametric) {
         const auto dimension = in_.binary<std::int32_t>("the dimension of a node's entity");
         in_.skip(sizeof(std::int32_t), "a node's entity");
-        if (dimension == 1 || dimension == 2) in_.skip(sizeof(double) * static_cast<std::uint64_t>(dimension), "a parametric coordinate");
+        if (dimension == 1 || dimension == 2)
+          in_.skip(sizeof(double) * static_cast<std::uint64_t>(dimension), "a parametric coordinate");
       }
     } else {
       tag = in_.number<std::int64_t>("a node tag");
       for (int k = 0; k < 3; ++k) x[k] = in_.coordinate_on_line("a node coordinate");
-      if (parametric) in_.line();
-      else in_.end_line("the node coordinates");
+      if (parametric)
+        in_.line();
+      else
+        in_.end_line("the node coordinates");
     }
     file_.mesh.positions.push_back(x);
   }
@@ -42,8 +45,7 @@ void GmshReader::read_elements_1(std::string_view end) {
     const auto element = in_.number<std::int64_t>("an element number");
     const int number = in_.number_on_line<int>("an element type");
     const GmshElementType type = gmsh_element_type(number);
-    if (type.dimension < 0)
-      in_.fail("element type is " + std::to_string(number), "expected a Gmsh element type");
+    if (type.dimension < 0) in_.fail("element type is " + std::to_string(number), "expected a Gmsh element type");
     const int physical = physical_tag(in_.number_on_line<std::int64_t>("a physical tag"));
     in_.number_on_line<std::int64_t>("an elementary tag");
     const int node_count = in_.number_on_line<int>("a number of nodes");
@@ -67,8 +69,7 @@ void GmshReader::read_elements_2_text() {
     const auto element = in_.number<std::int64_t>("an element number");
     const int number = in_.number_on_line<int>("an element type");
     const GmshElementType type = gmsh_element_type(number);
-    if (type.dimension < 0)
-      in_.fail("element type is " + std::to_string(number), "expected a Gmsh element type");
+    if (type.dimension < 0) in_.fail("element type is " + std::to_string(number), "expected a Gmsh element type");
     const auto tag_count = in_.number_on_line<unsigned>("a number of tags");
     int physical = 0;
     for (unsigned i = 0; i < tag_count; ++i) {
@@ -76,8 +77,7 @@ void GmshReader::read_elements_2_text() {
       if (i == 0) physical = physical_tag(tag);
     }
     const auto node_count = static_cast<std::size_t>(type.nodes);
-    for (std::size_t i = 0; i < node_count; ++i)
-      nodes[i] = in_.number_on_line<std::int64_t>("a node of an element");
+    for (std::size_t i = 0; i < node_count; ++i) nodes[i] = in_.number_on_line<std::int64_t>("a node of an element");
     add_element(type, element, {&physical, 1}, {nodes.data(), node_count});
     in_.end_line("the nodes of an element");
   }
@@ -92,12 +92,10 @@ void GmshReader::read_elements_2_binary() {
   for (std::size_t done = 0; done < count;) {
     const int number = in_.binary<std::int32_t>("an element type");
     const GmshElementType type = gmsh_element_type(number);
-    if (type.dimension < 0)
-      in_.fail("element type is " + std::to_string(number), "expected a Gmsh element type");
+    if (type.dimension < 0) in_.fail("element type is " + std::to_string(number), "expected a Gmsh element type");
     const int block = in_.binary<std::int32_t>("a number of elements of one type");
     if (block < 1 || static_cast<std::size_t>(block) > count - done) {
-      in_.fail("block of " + std::to_string(block) + " elements",
-               "expected 1 to " + std::to_string(count - done));
+      in_.fail("block of " + std::to_string(block) + " elements", "expected 1 to " + std::to_string(count - done));
     }
     const int tag_count = in_.binary<std::int32_t>("a number of tags");
     if (tag_count < 0) in_.fail("number of tags is " + std::to_string(tag_count), "expected 0 or more");
@@ -109,8 +107,7 @@ void GmshReader::read_elements_2_binary() {
         physical = physical_tag(in_.binary<std::int32_t>("a physical tag"));
         in_.skip(4 * (static_cast<std::uint64_t>(tag_count) - 1), "the tags of an element");
       }
-      for (std::size_t i = 0; i < node_count; ++i)
-        nodes[i] = in_.binary<std::int32_t>("a node of an element");
+      for (std::size_t i = 0; i < node_count; ++i) nodes[i] = in_.binary<std::int32_t>("a node of an element");
       add_element(type, element, {&physical, 1}, {nodes.data(), node_count});
     }
     done += static_cast<std::size_t>(block);

@@ -21,17 +21,14 @@ double GmshReader::real(const char* what) {
   return line_each_ ? in_.number_on_line<double>(what) : in_.number<double>(what);
 }
 
-double GmshReader::coordinate(const char* what) {
-  return binary_ ? in_.binary_coordinate(what) : in_.coordinate(what);
-}
+double GmshReader::coordinate(const char* what) { return binary_ ? in_.binary_coordinate(what) : in_.coordinate(what); }
 
 void GmshReader::read_entity_4(int dimension, bool partitioned) {
   const auto tag = static_cast<int>(integer("an entity tag"));
   std::vector<int> physicals;
   if (partitioned) {
     const auto parent_dimension = static_cast<int>(integer("the dimension of a parent entity"));
-    const auto parent =
-        entity_physicals_.find({parent_dimension, static_cast<int>(integer("a parent entity"))});
+    const auto parent = entity_physicals_.find({parent_dimension, static_cast<int>(integer("a parent entity"))});
     if (parent != entity_physicals_.end() && parent_dimension == dimension) physicals = parent->second;
     const std::uint64_t partitions = size("a number of partitions");
     in_.check_count(partitions, "partitions of an entity", binary_ ? 4 : 2);
@@ -63,8 +60,8 @@ void GmshReader::end_entity_4() {
 void GmshReader::read_entities_4() { read_entity_lists_4(false); }
 void GmshReader::read_partitioned_entities_4() { read_entity_lists_4(true); }
 
-/// Some writers put more numbers behind an entity than belong there, and Gmsh reads by number, not by line: first line by line, where what
-/// is too much shows, else number by number.
+/// Some writers put more numbers behind an entity than belong there, and Gmsh reads by number, not by line: first line
+/// by line, where what is too much shows, else number by number.
 void GmshReader::read_entity_lists_4(bool partitioned) {
   const Scanner before = in_;
   const auto physicals = entity_physicals_;
@@ -81,7 +78,9 @@ void GmshReader::read_entity_lists_4(bool partitioned) {
     }
   }
   line_each_ = false;
-  if (has_surplus_) file_.notes.push_back(std::string(partitioned ? "$PartitionedEntities" : "$Entities") + ": more numbers than an entity has, passed over.");
+  if (has_surplus_)
+    file_.notes.push_back(std::string(partitioned ? "$PartitionedEntities" : "$Entities") +
+                          ": more numbers than an entity has, passed over.");
 }
 
 void GmshReader::read_entity_list_4(bool partitioned) {
@@ -139,8 +138,7 @@ void GmshReader::read_nodes_4() {
       in_.fail("block of " + std::to_string(in_block) + " nodes",
                "expected at most " + std::to_string(count - tags.size()));
     }
-    for (std::uint64_t i = 0; i < in_block; ++i)
-      tags.push_back(static_cast<std::int64_t>(size("a node tag")));
+    for (std::uint64_t i = 0; i < in_block; ++i) tags.push_back(static_cast<std::int64_t>(size("a node tag")));
     for (std::uint64_t i = 0; i < in_block; ++i) {
       Eigen::Vector3d x;
       for (int k = 0; k < 3; ++k) x[k] = coordinate("a node coordinate");
@@ -170,12 +168,10 @@ void GmshReader::read_elements_4() {
     const auto entity = static_cast<int>(integer("the entity of an element block"));
     const auto number = static_cast<int>(integer("an element type"));
     const GmshElementType type = gmsh_element_type(number);
-    if (type.dimension < 0)
-      in_.fail("element type is " + std::to_string(number), "expected a Gmsh element type");
+    if (type.dimension < 0) in_.fail("element type is " + std::to_string(number), "expected a Gmsh element type");
     if (type.dimension != dimension) {
-      in_.fail(
-          "element type " + std::to_string(number) + " in a block of dimension " + std::to_string(dimension),
-          "expected dimension " + std::to_string(type.dimension));
+      in_.fail("element type " + std::to_string(number) + " in a block of dimension " + std::to_string(dimension),
+               "expected dimension " + std::to_string(type.dimension));
     }
     const std::uint64_t in_block = size("the number of elements of a block");
     if (in_block > count - done) {
@@ -188,14 +184,12 @@ void GmshReader::read_elements_4() {
     const auto node_count = static_cast<std::size_t>(type.nodes);
     for (std::uint64_t e = 0; e < in_block; ++e) {
       const auto element = static_cast<std::int64_t>(size("an element tag"));
-      for (std::size_t i = 0; i < node_count; ++i)
-        nodes[i] = static_cast<std::int64_t>(size("a node of an element"));
+      for (std::size_t i = 0; i < node_count; ++i) nodes[i] = static_cast<std::int64_t>(size("a node of an element"));
       add_element(type, element, physicals, {nodes.data(), node_count});
     }
     done += in_block;
   }
-  if (done != count)
-    in_.fail("blocks hold " + std::to_string(done) + " elements", "expected " + std::to_string(count));
+  if (done != count) in_.fail("blocks hold " + std::to_string(done) + " elements", "expected " + std::to_string(count));
   end_section("$EndElements");
 }
 

@@ -12,7 +12,8 @@ constexpr std::size_t kMostTags = 100;  // of one kind; Gmsh writes three at mos
 
 std::size_t tag_count(Scanner& in, const char* tags) {
   const std::size_t count = in.count(tags, 1);
-  if (count > kMostTags) in.fail("has " + std::to_string(count) + " " + tags, "expected at most " + std::to_string(kMostTags));
+  if (count > kMostTags)
+    in.fail("has " + std::to_string(count) + " " + tags, "expected at most " + std::to_string(kMostTags));
   return count;
 }
 
@@ -66,11 +67,13 @@ void GmshReader::skip_section(std::string_view name) {
   if (!tags_) tags_.emplace(in_.data());
   const std::string end_tag = gmsh_end_tag(name);
   const std::size_t from = in_.offset(), nowhere = in_.data().size();
-  const std::size_t end = tags_->find(end_tag, from).value_or(nowhere), again = tags_->find(name, from).value_or(nowhere);
+  const std::size_t end = tags_->find(end_tag, from).value_or(nowhere),
+                    again = tags_->find(name, from).value_or(nowhere);
   if (end < again) return in_.seek(end + end_tag.size());
   endless_.emplace(name);
   std::size_t next = again;
-  for (const char* const needed : {"$PhysicalNames", "$Entities", "$PartitionedEntities", "$Nodes", "$ParametricNodes", "$Elements", "$NOD", "$ELM"})
+  for (const char* const needed : {"$PhysicalNames", "$Entities", "$PartitionedEntities", "$Nodes", "$ParametricNodes",
+                                   "$Elements", "$NOD", "$ELM"})
     next = std::min(next, tags_->find(needed, from).value_or(nowhere));
   in_.seek(next);
 }
@@ -89,14 +92,16 @@ void GmshReader::read_optional(std::string_view name, void (GmshReader::*reader)
   try {
     return (this->*reader)();
   } catch (const Error& error) {
-    file_.notes.push_back("Section " + std::string(name) + " cannot be understood and is passed over: " + error.what() + ".");
+    file_.notes.push_back("Section " + std::string(name) + " cannot be understood and is passed over: " + error.what() +
+                          ".");
   }
   in_ = before;
   skip_section(name);
 }
 
 void GmshReader::note_sections() {
-  const auto note = [&](const std::set<std::string>& sections, const std::string& one, const std::string& several, const std::string& rest) {
+  const auto note = [&](const std::set<std::string>& sections, const std::string& one, const std::string& several,
+                        const std::string& rest) {
     if (sections.empty()) return;
     std::string text = sections.size() == 1 ? one : several;
     std::size_t named = 0;
@@ -107,7 +112,8 @@ void GmshReader::note_sections() {
     if (named < sections.size()) text += " and " + std::to_string(sections.size() - named) + " more";
     file_.notes.push_back(text + rest);
   };
-  note(passed_over_, "Section that holds no part of the mesh passed over:", "Sections that hold no part of the mesh passed over:", ".");
+  note(passed_over_, "Section that holds no part of the mesh passed over:",
+       "Sections that hold no part of the mesh passed over:", ".");
   note(endless_, "Section without an end:", "Sections without an end:", "; the file may be cut off.");
 }
 

@@ -1,5 +1,5 @@
-// Where the tags of a Gmsh file's sections stand. Text and binary are searched alike; in binary an end tag may follow the last number
-// without a line end.
+// Where the tags of a Gmsh file's sections stand. Text and binary are searched alike; in binary an end tag may follow
+// the last number without a line end.
 #pragma once
 #include <cstddef>
 #include <map>

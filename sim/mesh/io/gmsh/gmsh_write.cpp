@@ -4,8 +4,8 @@
 #include <set>
 
 #include "base/error.h"
-#include "sim/mesh/io/formats.h"
 #include "base/number_text.h"
+#include "sim/mesh/io/formats.h"
 
 namespace fascia {
 namespace {
@@ -25,15 +25,12 @@ struct Groups {
 int tag_in(const std::string& name) {
   int tag = 0;
   const auto [stop, status] = std::from_chars(name.data(), name.data() + name.size(), tag);
-  return status == std::errc{} && stop == name.data() + name.size() && std::to_string(tag) == name && tag > 0
-             ? tag
-             : 0;
+  return status == std::errc{} && stop == name.data() + name.size() && std::to_string(tag) == name && tag > 0 ? tag : 0;
 }
 
 void add_name(NumberText& out, const std::string& where, int dimension, int tag, const std::string& name) {
   if (name.find_first_of("\"\n\r") != std::string::npos) {
-    throw Error(where,
-                "name '" + name.substr(0, name.find_first_of("\n\r")) + "' has a quote or a line break",
+    throw Error(where, "name '" + name.substr(0, name.find_first_of("\n\r")) + "' has a quote or a line break",
                 "expected none in a .msh file");
   }
   out.add(dimension).add(' ').add(tag).add(" \"").add(name).add("\"\n");
@@ -55,8 +52,7 @@ Groups groups_of(const std::string& where, const TetMesh& mesh) {
   NumberText names;
   std::size_t name_count = 0;
   int next_tag = 1;
-  for (const auto& [name, vertices] : groups)
-    next_tag = std::max(next_tag, std::min(tag_in(name), 2000000000) + 1);
+  for (const auto& [name, vertices] : groups) next_tag = std::max(next_tag, std::min(tag_in(name), 2000000000) + 1);
   for (const auto& [name, vertices] : groups) {
     int tag = tag_in(name);
     if (tag == 0) {
@@ -72,15 +68,12 @@ Groups groups_of(const std::string& where, const TetMesh& mesh) {
     ++name_count;
   }
   if (name_count > 0) {
-    out.physical_names =
-        "$PhysicalNames\n" + std::to_string(name_count) + "\n" + names.take() + "$EndPhysicalNames\n";
+    out.physical_names = "$PhysicalNames\n" + std::to_string(name_count) + "\n" + names.take() + "$EndPhysicalNames\n";
   }
   return out;
 }
 
-void add_point(NumberText& out, const Eigen::Vector3d& x) {
-  out.add(x[0]).add(' ').add(x[1]).add(' ').add(x[2]);
-}
+void add_point(NumberText& out, const Eigen::Vector3d& x) { out.add(x[0]).add(' ').add(x[1]).add(' ').add(x[2]); }
 
 std::size_t element_count(const TetMesh& mesh, const Groups& groups) {
   std::size_t count = mesh.tets.size();
@@ -149,11 +142,7 @@ std::string gmsh41_text(const std::string& where, const TetMesh& mesh) {
   std::size_t element = 0;
   for (std::size_t b = 0; b < begins.size(); ++b) {
     const std::size_t end = b + 1 < begins.size() ? begins[b + 1] : mesh.tets.size();
-    out.add("3 ")
-        .add(entity_of(groups, region_of(mesh, begins[b])))
-        .add(" 4 ")
-        .add(end - begins[b])
-        .add('\n');
+    out.add("3 ").add(entity_of(groups, region_of(mesh, begins[b]))).add(" 4 ").add(end - begins[b]).add('\n');
     for (std::size_t t = begins[b]; t < end; ++t) {
       out.add(++element);
       for (const std::uint32_t v : mesh.tets[t]) out.add(' ').add(v + std::size_t{1});

@@ -51,8 +51,7 @@ constexpr std::array<std::string_view, 14> region_names = {
 std::size_t region_rank(std::string_view name) {
   std::string lower(name);
   std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-  return static_cast<std::size_t>(std::find(region_names.begin(), region_names.end(), lower) -
-                                  region_names.begin());
+  return static_cast<std::size_t>(std::find(region_names.begin(), region_names.end(), lower) - region_names.begin());
 }
 
 template <class To, class From>
@@ -110,9 +109,7 @@ std::vector<T> vtk_values(std::string_view bytes, VtkType type, bool swapped) {
 template std::vector<double> vtk_values<double>(std::string_view, VtkType, bool);
 template std::vector<std::int64_t> vtk_values<std::int64_t>(std::string_view, VtkType, bool);
 
-bool VtkGrid::is_region_array(std::string_view name) {
-  return region_rank(name) < region_names.size();
-}
+bool VtkGrid::is_region_array(std::string_view name) { return region_rank(name) < region_names.size(); }
 
 void VtkGrid::add_points(const Scanner& in, const std::vector<double>& coordinates) {
   auto& positions = file_.mesh.positions;
@@ -148,8 +145,7 @@ void VtkGrid::add_cells(const Scanner& in, const VtkCells& cells) {
     }
     const CellType type = cell_type(cells.types[c]);
     const std::int64_t nodes = end - begin;
-    const bool exact =
-        cells.types[c] == 1 || cells.types[c] == 3 || cells.types[c] == 5 || cells.types[c] == 10;
+    const bool exact = cells.types[c] == 1 || cells.types[c] == 3 || cells.types[c] == 5 || cells.types[c] == 10;
     if (exact ? nodes != type.corners : nodes < type.corners) {
       fail("of type " + std::to_string(cells.types[c]) + " has " + std::to_string(nodes) + " points",
            "expected " + std::string(exact ? "" : "at least ") + std::to_string(type.corners));
@@ -159,8 +155,7 @@ void VtkGrid::add_cells(const Scanner& in, const VtkCells& cells) {
     if (cells.types[c] != 42) {  // a polyhedron of a legacy file lists counts among its points
       for (std::int64_t i = 0; i < nodes; ++i) {
         if (points[i] < 0 || points[i] >= point_count) {
-          fail("names point " + std::to_string(points[i]),
-               "expected 0 to " + std::to_string(point_count - 1));
+          fail("names point " + std::to_string(points[i]), "expected 0 to " + std::to_string(point_count - 1));
         }
       }
     }
@@ -204,15 +199,15 @@ void VtkGrid::end_piece() {
   regions.resize(file_.mesh.tets.size(), 0);
   if (region_array_) {
     const auto& [name, values] = *region_array_;
-    const bool whole = std::all_of(tet_cells_.begin(), tet_cells_.end(), [&v = values](std::size_t c) { return is_region(v[c]); });
+    const bool whole =
+        std::all_of(tet_cells_.begin(), tet_cells_.end(), [&v = values](std::size_t c) { return is_region(v[c]); });
     if (whole) {
       for (std::size_t i = 0; i < tet_cells_.size(); ++i)
         regions[first_tet_ + i] = static_cast<int>(values[tet_cells_[i]]);
     }
     const std::string note = whole ? "Regions are those of the cell array '" + name + "'."
                                    : "Cell array '" + name + "' holds no whole numbers: no regions.";
-    if (std::find(file_.notes.begin(), file_.notes.end(), note) == file_.notes.end())
-      file_.notes.push_back(note);
+    if (std::find(file_.notes.begin(), file_.notes.end(), note) == file_.notes.end()) file_.notes.push_back(note);
   }
   region_array_.reset();
 }

@@ -56,7 +56,8 @@ class LegacyReader {
   template <class T>
   std::vector<T> values(VtkType type, std::size_t count, const char* what);
   /// Fails if an array has more values than the file could hold; so their number does not overflow either.
-  void check_array(const std::string& name, std::size_t components, std::size_t tuples, std::size_t values_per_byte) const;
+  void check_array(const std::string& name, std::size_t components, std::size_t tuples,
+                   std::size_t values_per_byte) const;
   /// One array of the current owner: kept if it says something of regions or groups.
   void array(const std::string& name, VtkType type, std::size_t components, std::size_t tuples);
 
@@ -111,7 +112,8 @@ void LegacyReader::read_keyword(const std::string& keyword) {
   if (keyword == "CELL_DATA" || keyword == "POINT_DATA") {
     const bool of_cells = keyword == "CELL_DATA";
     // An array is counted against what it belongs to, which must be known by then.
-    if (of_cells && !(has_cells_ && has_types_)) in_.fail("stands before the cells", "expected CELLS and CELL_TYPES first");
+    if (of_cells && !(has_cells_ && has_types_))
+      in_.fail("stands before the cells", "expected CELLS and CELL_TYPES first");
     if (!of_cells && !has_points_) in_.fail("stands before the points", "expected POINTS first");
     owner_ = of_cells ? Owner::cells : Owner::points;
     owner_count_ = of_cells ? cells_.types.size() : file_.mesh.positions.size();
@@ -166,8 +168,7 @@ std::vector<T> LegacyReader::values(VtkType type, std::size_t count, const char*
     if constexpr (std::is_same_v<T, double>) {
       value = in_.number<double>(what);
     } else {
-      if (real)
-        in_.fail(std::string("type of ") + what + " is a floating-point type", "expected whole numbers");
+      if (real) in_.fail(std::string("type of ") + what + " is a floating-point type", "expected whole numbers");
       value = in_.number<std::int64_t>(what);
     }
   }
@@ -202,8 +203,7 @@ void LegacyReader::read_cells() {
     in_.end_line("the data type");
     cells_.offsets = values<std::int64_t>(offset_type, first, "offsets");
     if (!cells_.offsets.empty()) {
-      if (cells_.offsets[0] != 0)
-        in_.fail("first offset is " + std::to_string(cells_.offsets[0]), "expected 0");
+      if (cells_.offsets[0] != 0) in_.fail("first offset is " + std::to_string(cells_.offsets[0]), "expected 0");
       cells_.offsets.erase(cells_.offsets.begin());
     }
     const std::string_view word = in_.word("CONNECTIVITY");
@@ -216,8 +216,8 @@ void LegacyReader::read_cells() {
     cells_.connectivity.reserve(second > first ? second - first : 0);
     std::size_t used = 0;
     for (std::size_t c = 0; c < first; ++c) {
-      const std::int64_t nodes = binary_ ? in_.binary<std::int32_t>("the size of a cell")
-                                         : in_.number<std::int64_t>("the size of a cell");
+      const std::int64_t nodes =
+          binary_ ? in_.binary<std::int32_t>("the size of a cell") : in_.number<std::int64_t>("the size of a cell");
       if (nodes < 0 || used >= second || static_cast<std::uint64_t>(nodes) > second - used - 1) {
         in_.fail("cell " + std::to_string(c) + " has " + std::to_string(nodes) + " points",
                  "expected at most the " + std::to_string(second - used) + " numbers left of the list");
@@ -248,9 +248,9 @@ void LegacyReader::add_cells() {
   if (!has_cells_ || !has_types_) return;
   if (!has_points_) in_.fail("stands before the points", "expected POINTS first");
   if (cells_.types.size() != cells_.offsets.size()) {
-    in_.fail(std::to_string(cells_.types.size()) + " cell types for " +
-                 std::to_string(cells_.offsets.size()) + " cells",
-             "expected one for each");
+    in_.fail(
+        std::to_string(cells_.types.size()) + " cell types for " + std::to_string(cells_.offsets.size()) + " cells",
+        "expected one for each");
   }
   in_.set_section("CELLS");
   in_.blame(cells_at_);
@@ -258,10 +258,11 @@ void LegacyReader::add_cells() {
   cells_.connectivity = {};
 }
 
-void LegacyReader::check_array(const std::string& name, std::size_t components, std::size_t tuples, std::size_t values_per_byte) const {
+void LegacyReader::check_array(const std::string& name, std::size_t components, std::size_t tuples,
+                               std::size_t values_per_byte) const {
   if (components != 0 && tuples > values_per_byte * in_.data().size() / components) {
-    in_.fail("array " + in_quotes(name) + " of " + std::to_string(tuples) + " times " +
-                 std::to_string(components) + " values",
+    in_.fail("array " + in_quotes(name) + " of " + std::to_string(tuples) + " times " + std::to_string(components) +
+                 " values",
              "expected no more than the file holds");
   }
 }
@@ -342,22 +343,19 @@ void LegacyReader::read_attribute(const std::string& keyword) {
   std::size_t width = found->second, tuples = owner_count_;
   VtkType scalar = VtkType::uint8;
   bits_ = false;
-  if (keyword == "LOOKUP_TABLE" ||
-      keyword == "COLOR_SCALARS") {  // bytes in binary, numbers from 0 to 1 in text
-    const auto size = in_.number<std::uint32_t>(keyword == "LOOKUP_TABLE" ? "the size of the table"
-                                                                          : "the number of components");
+  if (keyword == "LOOKUP_TABLE" || keyword == "COLOR_SCALARS") {  // bytes in binary, numbers from 0 to 1 in text
+    const auto size =
+        in_.number<std::uint32_t>(keyword == "LOOKUP_TABLE" ? "the size of the table" : "the number of components");
     (keyword == "LOOKUP_TABLE" ? tuples : width) = size;
   } else {
     if (keyword == "TEXTURE_COORDINATES") width = in_.number<std::uint32_t>("the number of components");
     scalar = type();
-    if (keyword == "SCALARS" && !in_.at_line_end())
-      width = in_.number<std::uint32_t>("the number of components");
+    if (keyword == "SCALARS" && !in_.at_line_end()) width = in_.number<std::uint32_t>("the number of components");
   }
   in_.end_line("the line of the array");
   if (keyword == "SCALARS") {
     const std::string_view table = in_.word("LOOKUP_TABLE");
-    if (upper(table) != "LOOKUP_TABLE")
-      in_.fail(in_quotes(table) + " follows SCALARS", "expected LOOKUP_TABLE");
+    if (upper(table) != "LOOKUP_TABLE") in_.fail(in_quotes(table) + " follows SCALARS", "expected LOOKUP_TABLE");
     in_.word("the name of the table");
     in_.end_line("the name of the table");
   }
@@ -366,8 +364,6 @@ void LegacyReader::read_attribute(const std::string& keyword) {
 
 }  // namespace
 
-void read_vtk_legacy(Scanner& in, MeshFile& file) {
-  LegacyReader(in, file).read();
-}
+void read_vtk_legacy(Scanner& in, MeshFile& file) { LegacyReader(in, file).read(); }
 
 }  // namespace fascia

@@ -26,8 +26,7 @@ std::string vtk_legacy_text(const TetMesh& mesh) {
   NumberText out;
   out.add("# vtk DataFile Version 3.0\ntetrahedral mesh\nASCII\nDATASET UNSTRUCTURED_GRID\n");
   out.add("POINTS ").add(mesh.positions.size()).add(" double\n");
-  for (const Eigen::Vector3d& x : mesh.positions)
-    out.add(x[0]).add(' ').add(x[1]).add(' ').add(x[2]).add('\n');
+  for (const Eigen::Vector3d& x : mesh.positions) out.add(x[0]).add(' ').add(x[1]).add(' ').add(x[2]).add('\n');
   out.add("CELLS ").add(mesh.tets.size()).add(' ').add(5 * mesh.tets.size()).add('\n');
   for (const Tet& tet : mesh.tets) {
     out.add('4');
@@ -49,11 +48,7 @@ std::string vtk_legacy_text(const TetMesh& mesh) {
   if (groups.empty()) return out.take();
   out.add("POINT_DATA ").add(mesh.positions.size()).add("\nFIELD groups ").add(groups.size()).add('\n');
   for (const auto& [name, vertices] : groups) {
-    out.add(vtk_group_prefix)
-        .add(encoded(name))
-        .add(" 1 ")
-        .add(mesh.positions.size())
-        .add(" unsigned_char\n");
+    out.add(vtk_group_prefix).add(encoded(name)).add(" 1 ").add(mesh.positions.size()).add(" unsigned_char\n");
     std::string member(2 * mesh.positions.size(), '\n');
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) member[2 * v] = '0';
     for (const std::uint32_t v : *vertices) member[2 * std::size_t{v}] = '1';

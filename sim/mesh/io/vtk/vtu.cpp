@@ -25,8 +25,7 @@ class VtuReader {
   const XmlElement& checked(const XmlElement& root) {
     if (root.name != "VTKFile") fail_at(in_, root, "is no VTK file", "expected VTKFile");
     const std::string kind = root.attribute("type");
-    if (kind != "UnstructuredGrid")
-      fail_at(in_, root, "type is " + in_quotes(kind), "expected UnstructuredGrid");
+    if (kind != "UnstructuredGrid") fail_at(in_, root, "type is " + in_quotes(kind), "expected UnstructuredGrid");
     return root;
   }
 
@@ -71,10 +70,9 @@ class VtuReader {
   }
 
   void read_field_data(const XmlElement& grid) {
-    for_arrays(grid, "FieldData", VtkGrid::is_region_name,
-               [&](const std::string& name, const XmlElement& array) {
-                 grid_.add_field_array(name, arrays_.values<double>(array, std::nullopt));
-               });
+    for_arrays(grid, "FieldData", VtkGrid::is_region_name, [&](const std::string& name, const XmlElement& array) {
+      grid_.add_field_array(name, arrays_.values<double>(array, std::nullopt));
+    });
   }
 
   void read_piece(const XmlElement& piece) {
@@ -83,8 +81,7 @@ class VtuReader {
 
     const XmlElement& points = required(required(piece, "Points"), "DataArray");
     const std::string components = points.attribute("NumberOfComponents", "3");
-    if (components != "3")
-      fail_at(in_, points, "NumberOfComponents is " + in_quotes(components), "expected 3");
+    if (components != "3") fail_at(in_, points, "NumberOfComponents is " + in_quotes(components), "expected 3");
     file_.format = "VTU " + arrays_.encoding(points);
     const std::vector<double> coordinates = arrays_.values<double>(points, 3 * point_count, true);
     locate(points);
@@ -101,14 +98,12 @@ class VtuReader {
     grid_.add_cells(in_, cells);
     in_.set_section("");
 
-    for_arrays(piece, "CellData", VtkGrid::is_region_array,
-               [&](const std::string& name, const XmlElement& array) {
-                 grid_.add_cell_array(name, arrays_.values<double>(array, cell_count));
-               });
-    for_arrays(piece, "PointData", VtkGrid::is_group_array,
-               [&](const std::string& name, const XmlElement& array) {
-                 grid_.add_point_array(name, arrays_.values<double>(array, point_count));
-               });
+    for_arrays(piece, "CellData", VtkGrid::is_region_array, [&](const std::string& name, const XmlElement& array) {
+      grid_.add_cell_array(name, arrays_.values<double>(array, cell_count));
+    });
+    for_arrays(piece, "PointData", VtkGrid::is_group_array, [&](const std::string& name, const XmlElement& array) {
+      grid_.add_point_array(name, arrays_.values<double>(array, point_count));
+    });
     grid_.end_piece();
   }
 
@@ -121,8 +116,6 @@ class VtuReader {
 
 }  // namespace
 
-void read_vtu(Scanner& in, MeshFile& file) {
-  VtuReader(in, file).read();
-}
+void read_vtu(Scanner& in, MeshFile& file) { VtuReader(in, file).read(); }
 
 }  // namespace fascia

@@ -33,8 +33,7 @@ std::uint64_t xml_count(Scanner& in, const XmlElement& element, const char* key)
   std::uint64_t value = 0;
   const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (status != std::errc{} || stop != text.data() + text.size()) {
-    fail_at(in, element, std::string(key) + " is " + in_quotes(text),
-            "expected a whole number, not negative");
+    fail_at(in, element, std::string(key) + " is " + in_quotes(text), "expected a whole number, not negative");
   }
   return value;
 }
@@ -80,8 +79,7 @@ std::string VtuArrays::encoding(const XmlElement& array) const {
 }
 
 template <class T>
-std::vector<T> VtuArrays::values(const XmlElement& array, std::optional<std::size_t> expected,
-                                 bool finite) const {
+std::vector<T> VtuArrays::values(const XmlElement& array, std::optional<std::size_t> expected, bool finite) const {
   const VtkType type = type_of(in_, array);
   if (std::is_same_v<T, std::int64_t> && (type == VtkType::float32 || type == VtkType::float64)) {
     fail_at(in_, array, "type is " + array.attribute("type"), "expected an integer type");
@@ -109,14 +107,12 @@ std::vector<T> VtuArrays::values(const XmlElement& array, std::optional<std::siz
     out = vtk_values<T>(raw, type, swapped_);
   }
   if (expected && out.size() != *expected) {
-    fail_at(in_, array, "holds " + std::to_string(out.size()) + " values",
-            "expected " + std::to_string(*expected));
+    fail_at(in_, array, "holds " + std::to_string(out.size()) + " values", "expected " + std::to_string(*expected));
   }
   return out;
 }
 template std::vector<double> VtuArrays::values(const XmlElement&, std::optional<std::size_t>, bool) const;
-template std::vector<std::int64_t> VtuArrays::values(const XmlElement&, std::optional<std::size_t>,
-                                                     bool) const;
+template std::vector<std::int64_t> VtuArrays::values(const XmlElement&, std::optional<std::size_t>, bool) const;
 
 std::string VtuArrays::bytes(const XmlElement& array) const {
   const std::string format = array.attribute("format");
@@ -159,12 +155,10 @@ std::string VtuArrays::plain(const XmlElement& array, std::string_view text, boo
   std::size_t used = 0;
   const std::string header =
       base64 ? decoded(array, text, header_size_, &used) : std::string(text.substr(0, header_size_));
-  if (header.size() < header_size_)
-    fail_at(in_, array, "has no room for its size", "expected a complete array");
+  if (header.size() < header_size_) fail_at(in_, array, "has no room for its size", "expected a complete array");
   const std::uint64_t size = header_word(header, 0);
   if (size > text.size() || (!base64 && size > text.size() - header_size_)) {
-    fail_at(in_, array,
-            "claims " + std::to_string(size) + " bytes but only " + std::to_string(text.size()) + " follow",
+    fail_at(in_, array, "claims " + std::to_string(size) + " bytes but only " + std::to_string(text.size()) + " follow",
             "expected a complete file");
   }
   if (!base64) return std::string(text.substr(header_size_, size));
@@ -193,8 +187,7 @@ std::string VtuArrays::inflated(const XmlElement& array, std::string_view text, 
     const std::uint64_t to = b + 1 == blocks && last_size != 0 ? last_size : block_size;
     if (from > text.size() || to / zlib_best > from) {
       fail_at(in_, array,
-              "block " + std::to_string(b) + " claims " + std::to_string(from) + " bytes for " +
-                  std::to_string(to),
+              "block " + std::to_string(b) + " claims " + std::to_string(from) + " bytes for " + std::to_string(to),
               "expected no more than the file holds");
     }
     deflated_size += from;
@@ -208,8 +201,7 @@ std::string VtuArrays::inflated(const XmlElement& array, std::string_view text, 
   }
   if (deflated_size > body.size()) {
     fail_at(in_, array,
-            "claims " + std::to_string(deflated_size) + " bytes but only " + std::to_string(body.size()) +
-                " follow",
+            "claims " + std::to_string(deflated_size) + " bytes but only " + std::to_string(body.size()) + " follow",
             "expected a complete file");
   }
   std::string out(size, '\0');
@@ -218,11 +210,10 @@ std::string VtuArrays::inflated(const XmlElement& array, std::string_view text, 
     const std::uint64_t from = header_word(header, 3 + b);
     uLongf to = b + 1 == blocks && last_size != 0 ? last_size : block_size;
     const uLongf expected = to;
-    const int status = uncompress(reinterpret_cast<Bytef*>(out.data() + done), &to,
-                                  reinterpret_cast<const Bytef*>(body.data()), from);
+    const int status =
+        uncompress(reinterpret_cast<Bytef*>(out.data() + done), &to, reinterpret_cast<const Bytef*>(body.data()), from);
     if (status != Z_OK || to != expected) {
-      fail_at(in_, array,
-              "block " + std::to_string(b) + " does not inflate to " + std::to_string(expected) + " bytes",
+      fail_at(in_, array, "block " + std::to_string(b) + " does not inflate to " + std::to_string(expected) + " bytes",
               "expected zlib data");
     }
     body.remove_prefix(from);

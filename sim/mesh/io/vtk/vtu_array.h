@@ -20,8 +20,7 @@ class VtuArrays {
   /// All values of an array, and exactly `expected` of them if that is known. `finite` refuses nan and
   /// infinity in text.
   template <class T>
-  std::vector<T> values(const XmlElement& array, std::optional<std::size_t> expected,
-                        bool finite = false) const;
+  std::vector<T> values(const XmlElement& array, std::optional<std::size_t> expected, bool finite = false) const;
 
  private:
   struct Appended {
@@ -31,8 +30,7 @@ class VtuArrays {
   std::string bytes(const XmlElement& array) const;
   std::string plain(const XmlElement& array, std::string_view text, bool base64) const;
   std::string inflated(const XmlElement& array, std::string_view text, bool base64) const;
-  std::string decoded(const XmlElement& array, std::string_view text, std::uint64_t size,
-                      std::size_t* used) const;
+  std::string decoded(const XmlElement& array, std::string_view text, std::uint64_t size, std::size_t* used) const;
   std::uint64_t header_word(std::string_view words, std::size_t index) const;
 
   Scanner& in_;
@@ -41,10 +39,8 @@ class VtuArrays {
   std::optional<Appended> appended_;
 };
 
-extern template std::vector<double> VtuArrays::values(const XmlElement&, std::optional<std::size_t>,
-                                                      bool) const;
-extern template std::vector<std::int64_t> VtuArrays::values(const XmlElement&, std::optional<std::size_t>,
-                                                            bool) const;
+extern template std::vector<double> VtuArrays::values(const XmlElement&, std::optional<std::size_t>, bool) const;
+extern template std::vector<std::int64_t> VtuArrays::values(const XmlElement&, std::optional<std::size_t>, bool) const;
 
 /// A whole number in an attribute.
 std::uint64_t xml_count(Scanner& in, const XmlElement& element, const char* key);

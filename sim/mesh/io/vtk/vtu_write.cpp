@@ -61,8 +61,7 @@ std::string vtu_text(const VtuGrid& grid) {
   const std::vector<std::uint8_t> types(grid.tets.size(), 10);
 
   const bool little = std::endian::native == std::endian::little;
-  std::string out =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"";
+  std::string out = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"";
   out += little ? "LittleEndian" : "BigEndian";
   out += "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
   if (!grid.field_arrays.empty()) {

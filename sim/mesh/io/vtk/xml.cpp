@@ -12,9 +12,7 @@ constexpr int deepest = 32;  // nesting; VTK needs 6
 bool is_name(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == ':' || c == '.';
 }
-bool is_white(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
+bool is_white(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 class Parser {
  public:
@@ -177,14 +175,12 @@ std::string XmlElement::attribute(std::string_view key, std::string_view absent)
 }
 
 const XmlElement* XmlElement::child(std::string_view child_name) const {
-  const auto found = std::find_if(children.begin(), children.end(),
-                                  [&](const XmlElement& e) { return e.name == child_name; });
+  const auto found =
+      std::find_if(children.begin(), children.end(), [&](const XmlElement& e) { return e.name == child_name; });
   return found == children.end() ? nullptr : &*found;
 }
 
-XmlElement parse_xml(Scanner& in) {
-  return Parser(in).document();
-}
+XmlElement parse_xml(Scanner& in) { return Parser(in).document(); }
 
 void fail_at(Scanner& in, const XmlElement& element, const std::string& what, const std::string& expected) {
   const std::string name = element.attribute("Name");

@@ -27,7 +27,6 @@ struct XmlElement {
 XmlElement parse_xml(Scanner& in);
 
 /// Throws Error at the line of an element, naming it.
-[[noreturn]] void fail_at(Scanner& in, const XmlElement& element, const std::string& what,
-                          const std::string& expected);
+[[noreturn]] void fail_at(Scanner& in, const XmlElement& element, const std::string& what, const std::string& expected);
 
 }  // namespace fascia

@@ -1,5 +1,5 @@
-// fascia bench accuracy on a beam of 48 tets: its table, that a second run goes on where the first one ended, and what is made of the
-// numbers.
+// fascia bench accuracy on a beam of 48 tets: its table, that a second run goes on where the first one ended, and what
+// is made of the numbers.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <limits>
 #include <sstream>
 
+#include "app/bench/accuracy/accuracy.h"
 #include "app/bench/accuracy/results.h"
 #include "app/bench/accuracy/summary.h"
-#include "app/bench/accuracy/accuracy.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "tests/support/support.h"
@@ -22,12 +22,14 @@ namespace {
 
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 const std::string kColumns =
-    "scenario,tets,young_modulus,poisson_ratio,time_step,substeps,method,acceleration,iterations,error,ms_median,ms_min";
+    "scenario,tets,young_modulus,poisson_ratio,time_step,substeps,method,acceleration,iterations,error,ms_median,ms_"
+    "min";
 
 AccuracyGrid tiny_grid() {
   AccuracyGrid grid;
   grid.pairs = {SolverSettings().pair()};
-  for (const AccuracyScenario scenario : {AccuracyScenario::one_step, AccuracyScenario::grabbed, AccuracyScenario::settled})
+  for (const AccuracyScenario scenario :
+       {AccuracyScenario::one_step, AccuracyScenario::grabbed, AccuracyScenario::settled})
     grid.cases.push_back({scenario, {8, 1, 1}, 1e6, 0.3, 1});
   grid.cases.front().substeps = 2;
   grid.iterations = {1, 4, 16};
@@ -65,11 +67,13 @@ CaseAccuracy known_case() {
   const auto pair = [](Method method, Acceleration acceleration, std::vector<AccuracyPoint> points) {
     return PairAccuracy{{method, acceleration}, std::move(points)};
   };
-  return {{},
-          {pair(Method::two_level, Acceleration::nonlinear_cg, {{1, 0.5, 1.5, 1}, {5, 0.009, 4, 3}, {10, 0.0009, 8, 7}}),
-           pair(Method::two_level, Acceleration::none, {{1, 0.6, 1.4, 1}, {5, 0.2, 4.5, 3}, {10, 0.1, 8.5, 7}}),
-           pair(Method::jacobi, Acceleration::none, {{1, 0.9, 0.5, 0.4}, {5, 0.8, 2, 1}, {10, 0.7, 5, 4}}),
-           pair(Method::jacobi, Acceleration::anderson_positions, {{1, 0.9, 0.6, 0.5}, {5, kNotANumber, kNotANumber, kNotANumber}})}};
+  return {
+      {},
+      {pair(Method::two_level, Acceleration::nonlinear_cg, {{1, 0.5, 1.5, 1}, {5, 0.009, 4, 3}, {10, 0.0009, 8, 7}}),
+       pair(Method::two_level, Acceleration::none, {{1, 0.6, 1.4, 1}, {5, 0.2, 4.5, 3}, {10, 0.1, 8.5, 7}}),
+       pair(Method::jacobi, Acceleration::none, {{1, 0.9, 0.5, 0.4}, {5, 0.8, 2, 1}, {10, 0.7, 5, 4}}),
+       pair(Method::jacobi, Acceleration::anderson_positions,
+            {{1, 0.9, 0.6, 0.5}, {5, kNotANumber, kNotANumber, kNotANumber}})}};
 }
 
 }  // namespace
@@ -82,8 +86,10 @@ TEST_CASE("bench accuracy measures once, and goes on", "[bench]") {
   INFO(table);
 
   std::vector<std::string> lines = lines_of(table);
-  lines.erase(lines.begin(), std::find_if(lines.begin(), lines.end(), [](const std::string& l) { return l.rfind("# ", 0) != 0; }));
-  for (const char* fact : {"# fascia ", "# renderer: ", "# machine: ", "# LP_NUM_THREADS: "}) CHECK(table.find(fact) != std::string::npos);
+  lines.erase(lines.begin(),
+              std::find_if(lines.begin(), lines.end(), [](const std::string& l) { return l.rfind("# ", 0) != 0; }));
+  for (const char* fact : {"# fascia ", "# renderer: ", "# machine: ", "# LP_NUM_THREADS: "})
+    CHECK(table.find(fact) != std::string::npos);
   REQUIRE(lines.size() == 1 + 3 + 3 + 2);
   CHECK(lines.front() == kColumns);
   CHECK(lines[1].rfind("one_step,48,1000000,0.3,0.01666667,2,two_level,subspace,1,", 0) == 0);
@@ -145,7 +151,8 @@ TEST_CASE("a table of accuracies that lacks rows or sense", "[bench]") {
   CHECK((std::isnan(read_back().back().error) && std::isnan(read_back().back().ms_min)));
 
   CHECK_THROWS_AS(read_results(folder / "t.csv", grid, {"another note"}), Error);
-  write_file(folder / "t.csv", "# a note\n" + kColumns + "\none_step,48,1000000,0.3,0.01666667,2,two_level,nonlinear_cg,1,half,2,1\n");
+  write_file(folder / "t.csv",
+             "# a note\n" + kColumns + "\none_step,48,1000000,0.3,0.01666667,2,two_level,nonlinear_cg,1,half,2,1\n");
   CHECK_THROWS_WITH(read_results(folder / "t.csv", grid, {"a note"}), Catch::Contains("t.csv:3: "));
   write_file(folder / "t.csv", "# a note\nx,y\n");
   CHECK_THROWS_WITH(read_results(folder / "t.csv", grid, {"a note"}), Catch::Contains("t.csv:2: "));
@@ -171,9 +178,10 @@ TEST_CASE("the summary of accuracies", "[bench]") {
   CHECK(pairs_to_draw(result) == std::vector<std::size_t>{0, 2, 3});  // the best of each method, and the poster's
   const std::string summary = summary_of({result, {{}, {{SolverSettings().pair(), {}}}}}, {"a note"});
   INFO(summary);
-  for (const char* text : {"- a note\n", "| two_level + nonlinear_cg | 5 | 4 | 5 | 4 | 10 | 8 | 0.0009 |\n",
-                           "| two_level + none | 10 | 8.5 | - | - | - | - | 0.6 |\n", "| jacobi + none | - | - | - | - | - | - | 0.9 |\n",
-                           "| jacobi + anderson_positions | - | - | - | - | - | - | |\n"}) {
+  for (const char* text :
+       {"- a note\n", "| two_level + nonlinear_cg | 5 | 4 | 5 | 4 | 10 | 8 | 0.0009 |\n",
+        "| two_level + none | 10 | 8.5 | - | - | - | - | 0.6 |\n", "| jacobi + none | - | - | - | - | - | - | 0.9 |\n",
+        "| jacobi + anderson_positions | - | - | - | - | - | - | |\n"}) {
     CAPTURE(text);
     CHECK(summary.find(text) != std::string::npos);
   }

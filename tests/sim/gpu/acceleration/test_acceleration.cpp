@@ -1,5 +1,5 @@
-// The accelerations alone, on linear fixed-point iterations whose answers are known: x <- A x + b with A diagonal, made on the CPU
-// between their passes.
+// The accelerations alone, on linear fixed-point iterations whose answers are known: x <- A x + b with A diagonal, made
+// on the CPU between their passes.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -46,7 +46,8 @@ struct LinearIteration {
   }
   /// Relative errors after 0, 1, ... iterations of the sweep and the acceleration.
   template <class Acceleration, class Begin = std::vector<gl::ComputePass> (*)()>
-  std::vector<double> run(int iterations, Acceleration&& passes, Begin&& begin = [] { return std::vector<gl::ComputePass>(); }) {
+  std::vector<double> run(
+      int iterations, Acceleration&& passes, Begin&& begin = [] { return std::vector<gl::ComputePass>(); }) {
     const std::vector<vec4> zero(kVertices);
     displacement.upload(0, 16 * kVertices, zero.data());
     start.upload(0, 16 * kVertices, zero.data());
@@ -69,7 +70,8 @@ std::vector<double> chebyshev_run(Gpu& gpu, LinearIteration& problem, Chebyshev&
 }  // namespace
 
 TEST_CASE("Anderson solves a linear problem of m different factors in m + 1 iterations", "[gpu]") {
-  // On linear problems it is equivalent to GMRES (Walker and Ni 2011), whose polynomial of degree m has a root at every factor.
+  // On linear problems it is equivalent to GMRES (Walker and Ni 2011), whose polynomial of degree m has a root at every
+  // factor.
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   Gpu gpu(loads);
   const int m = GENERATE(1, 2, 3);
@@ -83,11 +85,13 @@ TEST_CASE("Anderson solves a linear problem of m different factors in m + 1 iter
   std::vector<AndersonPart> parts{{&problem.displacement, kVertices, two_parts ? &weight : nullptr}};
   if (two_parts) parts.push_back({&second, kVertices, &weight});
   const Anderson anderson(gpu.programs, parts, 5);
-  const auto errors = problem.run(m + 1, [&](bool first) { return anderson.passes(gpu.programs, first); },
-                                  [&] { return anderson.begin(gpu.programs); });
+  const auto errors = problem.run(
+      m + 1, [&](bool first) { return anderson.passes(gpu.programs, first); },
+      [&] { return anderson.begin(gpu.programs); });
   CAPTURE(gl::name_of(loads), m, errors);
   CHECK(errors[static_cast<std::size_t>(m)] > 1e-3);  // not before
-  // Exact up to the regularization of 1e-6 and the rounding of the dot products, times the condition of nearly parallel columns.
+  // Exact up to the regularization of 1e-6 and the rounding of the dot products, times the condition of nearly parallel
+  // columns.
   CHECK(errors[static_cast<std::size_t>(m) + 1] < 0.02 * errors[static_cast<std::size_t>(m)]);
 }
 
@@ -99,8 +103,11 @@ TEST_CASE("a window that is too small still converges, more slowly", "[gpu]") {
   std::vector<double> last;
   for (const int window : {1, 3, 10}) {
     const Anderson anderson(gpu.programs, {{&problem.displacement, kVertices, nullptr}}, window);
-    last.push_back(problem.run(20, [&](bool first) { return anderson.passes(gpu.programs, first); },
-                               [&] { return anderson.begin(gpu.programs); }).back());
+    last.push_back(problem
+                       .run(
+                           20, [&](bool first) { return anderson.passes(gpu.programs, first); },
+                           [&] { return anderson.begin(gpu.programs); })
+                       .back());
   }
   const double plain = problem.run(20, [](bool) { return std::vector<gl::ComputePass>(); }).back();
   CAPTURE(last, plain);
@@ -120,7 +127,8 @@ TEST_CASE("Chebyshev with the true spectral radius shrinks errors as fast as its
   const int plain = 4, iterations = 40;
   const auto errors = chebyshev_run(gpu, problem, chebyshev, iterations);
   CAPTURE(gl::name_of(loads), rho, errors);
-  // T_p(x / rho) / T_p(1 / rho) is at most 1 / T_p(1 / rho) over the spectrum; the plain iterations before multiply by rho^plain at most.
+  // T_p(x / rho) / T_p(1 / rho) is at most 1 / T_p(1 / rho) over the spectrum; the plain iterations before multiply by
+  // rho^plain at most.
   for (int p = 1; p <= iterations - plain; ++p) {
     const double bound = std::pow(rho, plain - 1) / std::cosh(p * std::acosh(1 / rho));
     CAPTURE(p, bound);
@@ -152,8 +160,9 @@ TEST_CASE("the spectral radius is found from the decay of the residual", "[gpu]"
 }
 
 TEST_CASE("of a diverging iteration Chebyshev makes little more than plain ones do", "[gpu]") {
-  // Factors below -1 make plain iterations diverge, and accelerated ones far faster: T_p(1.3 / 0.99) / T_p(1 / 0.99) is more than 1e6 times
-  // the 1.3^p of plain ones after 50. The safeguard ends a cycle when the residual has doubled; four plain iterations come before each.
+  // Factors below -1 make plain iterations diverge, and accelerated ones far faster: T_p(1.3 / 0.99) / T_p(1 / 0.99) is
+  // more than 1e6 times the 1.3^p of plain ones after 50. The safeguard ends a cycle when the residual has doubled;
+  // four plain iterations come before each.
   Gpu gpu;
   LinearIteration problem(0.99);
   for (std::size_t i = 0; i < problem.factor.size(); ++i) problem.factor[i] = i % 7 == 0 ? -1.3 : 0.5;

@@ -1,4 +1,5 @@
-// solver.tolerance: iterations end on the GPU, where the residual that the diagnostics report is small enough, and nowhere else.
+// solver.tolerance: iterations end on the GPU, where the residual that the diagnostics report is small enough, and
+// nowhere else.
 #include <algorithm>
 
 #include "sim/gpu/solver.h"
@@ -27,8 +28,9 @@ std::vector<GrabSpring> grip(const Model& model, double stiffness = 40) {
 
 TEST_CASE("a tolerance ends the iterations at the first one that meets it", "[gpu]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
-  const Pair pair = GENERATE(Pair{Method::two_level, Acceleration::nonlinear_cg}, Pair{Method::two_level, Acceleration::subspace},
-                             Pair{Method::two_level, Acceleration::anderson});
+  const Pair pair =
+      GENERATE(Pair{Method::two_level, Acceleration::nonlinear_cg}, Pair{Method::two_level, Acceleration::subspace},
+               Pair{Method::two_level, Acceleration::anderson});
   const bool grabbed = GENERATE(false, true);
   Gpu gpu(loads);
   const Model model = bar(GENERATE(0.0, 0.02));
@@ -50,10 +52,11 @@ TEST_CASE("a tolerance ends the iterations at the first one that meets it", "[gp
   stopped.request_diagnostics();
   CHECK(stopped.take_diagnostics(true)->iterations == used);
 
-  // So many iterations without a tolerance come to the same state; one less does not meet it. A step that knows that few are left
-  // saves the last refresh: then only what the iterations after it gain differs.
+  // So many iterations without a tolerance come to the same state; one less does not meet it. A step that knows that
+  // few are left saves the last refresh: then only what the iterations after it gain differs.
   bool saved = false;
-  for (int i = 0; i < used; ++i) saved |= StepMethod::refreshes_before(i, settings.iterations) && !StepMethod::refreshes_before(i, used);
+  for (int i = 0; i < used; ++i)
+    saved |= StepMethod::refreshes_before(i, settings.iterations) && !StepMethod::refreshes_before(i, used);
   CAPTURE(saved);
   settings.tolerance = 0;
   settings.iterations = used;
@@ -93,7 +96,8 @@ TEST_CASE("a tolerance out of reach changes nothing", "[gpu]") {
 
 TEST_CASE("methods without a gradient of their own are checked every eighth iteration", "[gpu]") {
   Gpu gpu;
-  const Method method = GENERATE(Method::mass_splitting, Method::gauss_seidel, Method::exact_xpbd, Method::vertex_descent);
+  const Method method =
+      GENERATE(Method::mass_splitting, Method::gauss_seidel, Method::exact_xpbd, Method::vertex_descent);
   Model model = bar();
   for (Material& material : model.materials) material.young_modulus = 2e3;
   SolverSettings settings = with(method);

@@ -1,13 +1,13 @@
-// Results against the exact step: how near the methods come, and in how many iterations. The errors are those of the step alone, RMS
-// |u - u_exact| over RMS |u_exact - u~|: 1 is the untouched prediction.
+// Results against the exact step: how near the methods come, and in how many iterations. The errors are those of the
+// step alone, RMS |u - u_exact| over RMS |u_exact - u~|: 1 is the untouched prediction.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 
-#include "sim/grab/build_model.h"
-#include "sim/model/vertex_csv.h"
 #include "sim/gpu/solver.h"
 #include "sim/gpu/static_march.h"
+#include "sim/grab/build_model.h"
+#include "sim/model/vertex_csv.h"
 #include "sim/reference/static_residual.h"
 #include "sim/scene/scene.h"
 #include "tests/support/gpu/gpu_fixture.h"
@@ -20,7 +20,8 @@ using Eigen::Vector3d;
 namespace {
 
 Model clamped_beam(int nx, int ny, int nz, double young_modulus, double poisson_ratio = 0.3) {
-  return make_model(make_box(nx, ny, nz, {1, 0.25, 0.25}), {young_modulus, poisson_ratio, 1000, 0, MaterialModel::st_venant_kirchhoff},
+  return make_model(make_box(nx, ny, nz, {1, 0.25, 0.25}),
+                    {young_modulus, poisson_ratio, 1000, 0, MaterialModel::st_venant_kirchhoff},
                     [](const Vector3d& x) { return x.x() < 1e-9; });
 }
 
@@ -32,8 +33,9 @@ State disturbed(const Model& model, double spacing) {
     if (held[i]) continue;
     const Vector3d& x = model.rest_positions[i];
     const double turn = 0.6 * x.x(), y = x.y() - 0.125, z = x.z() - 0.125;
-    state.displacement[i] += Vector3d(0.3 * x.x() * x.x() * y, -0.15 * x.x() * x.x() + y * (std::cos(turn) - 1) - z * std::sin(turn),
-                                      y * std::sin(turn) + z * (std::cos(turn) - 1));
+    state.displacement[i] +=
+        Vector3d(0.3 * x.x() * x.x() * y, -0.15 * x.x() * x.x() + y * (std::cos(turn) - 1) - z * std::sin(turn),
+                 y * std::sin(turn) + z * (std::cos(turn) - 1));
     state.velocity[i].setZero();
   }
   for (Vector3d& u : state.displacement) u = u.cast<float>().cast<double>();
@@ -60,11 +62,13 @@ struct Step {
     const double h = settings.time_step;
     for (std::size_t i = 0; i < held.size(); ++i)
       if (!held[i])
-        scale += (exact.displacement[i] - start.displacement[i] - h * start.velocity[i] - h * h * model.gravity).squaredNorm();
+        scale += (exact.displacement[i] - start.displacement[i] - h * start.velocity[i] - h * h * model.gravity)
+                     .squaredNorm();
   }
   double error(const State& state) const {
     double sum = 0;
-    for (std::size_t i = 0; i < state.displacement.size(); ++i) sum += (state.displacement[i] - exact.displacement[i]).squaredNorm();
+    for (std::size_t i = 0; i < state.displacement.size(); ++i)
+      sum += (state.displacement[i] - exact.displacement[i]).squaredNorm();
     return std::sqrt(sum / scale);
   }
   double error_of(Gpu& gpu, const SolverSettings& settings) const {
@@ -117,12 +121,12 @@ TEST_CASE("every method with an exact fixed point reaches it, and more iteration
     Pair pair;
     int iterations;  // to 0.5 percent of the strain and far less
   };
-  const Case c = GENERATE(Case{{Method::exact_xpbd, Acceleration::none}, 400}, Case{{Method::exact_xpbd, Acceleration::anderson}, 150},
-                          Case{{Method::vertex_descent, Acceleration::none}, 400},
-                          Case{{Method::vertex_descent, Acceleration::anderson}, 100},
-                          Case{{Method::two_level, Acceleration::none}, 200}, Case{{Method::two_level, Acceleration::anderson}, 50},
-                          Case{{Method::two_level, Acceleration::nonlinear_cg}, 50},
-                          Case{{Method::two_level, Acceleration::subspace}, 50});
+  const Case c = GENERATE(
+      Case{{Method::exact_xpbd, Acceleration::none}, 400}, Case{{Method::exact_xpbd, Acceleration::anderson}, 150},
+      Case{{Method::vertex_descent, Acceleration::none}, 400},
+      Case{{Method::vertex_descent, Acceleration::anderson}, 100}, Case{{Method::two_level, Acceleration::none}, 200},
+      Case{{Method::two_level, Acceleration::anderson}, 50}, Case{{Method::two_level, Acceleration::nonlinear_cg}, 50},
+      Case{{Method::two_level, Acceleration::subspace}, 50});
   CAPTURE(name_of(c.pair.method), name_of(c.pair.acceleration));
   Gpu gpu;
   const Model model = clamped_beam(12, 3, 3, 2e5);
@@ -170,7 +174,8 @@ TEST_CASE("a body 100 m from the origin moves as one at the origin", "[gpu]") {
   };
   const double difference = relative_rms(run(far), run(near));
   CAPTURE(difference);
-  CHECK(difference < 1e-4);  // shapes of tets 0.08 m wide from positions near 100 m, in double; the rest never sees positions
+  CHECK(difference <
+        1e-4);  // shapes of tets 0.08 m wide from positions near 100 m, in double; the rest never sees positions
 }
 
 TEST_CASE("gravity on a short step is not lost in rounding", "[gpu]") {
@@ -201,8 +206,8 @@ TEST_CASE("the dynamic reference case with the default settings", "[gpu]") {
   int done = 0;
   for (const int step : {1, 10, 30, 60}) {
     for (; done < step; ++done) solver.step();
-    std::vector<Vector3d> exact =
-        read_complete_vertex_csv(folder / ("reference_h60_step" + std::to_string(step) + ".csv"), model.rest_positions.size());
+    std::vector<Vector3d> exact = read_complete_vertex_csv(
+        folder / ("reference_h60_step" + std::to_string(step) + ".csv"), model.rest_positions.size());
     for (std::size_t i = 0; i < exact.size(); ++i) exact[i] -= model.rest_positions[i];
     const double error = relative_rms(solver.download().displacement, exact);
     CAPTURE(tight, step, error);
@@ -212,7 +217,8 @@ TEST_CASE("the dynamic reference case with the default settings", "[gpu]") {
 
 TEST_CASE("static equilibria of the reference cases on the GPU with the default settings", "[gpu]") {
   Gpu gpu;
-  const std::string name = GENERATE("01_cantilever_small", "02_cantilever_large", "05_stretch_150", "09a_affine_compression");
+  const std::string name =
+      GENERATE("01_cantilever_small", "02_cantilever_large", "05_stretch_150", "09a_affine_compression");
   const std::filesystem::path folder = source_dir() / "tests/reference" / name;
   const Scene scene = open_scene(folder / "scene.json");
   const Model model = build_model(scene);
@@ -238,7 +244,8 @@ TEST_CASE("static equilibria of the reference cases on the GPU with the default 
 
 TEST_CASE("a march to equilibrium that is cut short leaves settings and hands as they were", "[gpu]") {
   Gpu gpu;
-  const Model model = make_model(make_box(6, 2, 2, {0.3, 0.1, 0.1}), {1e5, 0.3, 1000}, [](const Vector3d& x) { return x.x() < 1e-9; });
+  const Model model =
+      make_model(make_box(6, 2, 2, {0.3, 0.1, 0.1}), {1e5, 0.3, 1000}, [](const Vector3d& x) { return x.x() < 1e-9; });
   GpuSolver solver(gpu.programs, model, SolverSettings{});
   const std::vector<GrabSpring> hand{{static_cast<std::uint32_t>(model.rest_positions.size() - 1), {0, 0.2, 0}, 1e4}};
   solver.set_grab(hand);

@@ -1,5 +1,5 @@
-// Which steps of the two-level method are kept: sums that are equal to the bit wherever they are made, and the part of a step that is kept
-// where it raised the objective.
+// Which steps of the two-level method are kept: sums that are equal to the bit wherever they are made, and the part of
+// a step that is kept where it raised the objective.
 #include <catch2/catch.hpp>
 
 #include <bit>
@@ -18,13 +18,14 @@ using shared::vec4;
 
 namespace {
 
-// What the first work groups leave to subspace_solve: three arrays of partials of vertices, then those of the curvature.
+// What the first work groups leave to subspace_solve: three arrays of partials of vertices, then those of the
+// curvature.
 struct Partials {
   explicit Partials(std::uint32_t count) : vertices(count), values(4 * count, vec4{0, 0, 0, 0}) {}
   std::uint32_t vertices;
   std::vector<vec4> values;
-  vec4& slopes(std::uint32_t k) { return values[k]; }              // x g.z_f, y g.z_c, z g.p, w objective
-  vec4& masses(std::uint32_t k) { return values[vertices + k]; }   // w p M p
+  vec4& slopes(std::uint32_t k) { return values[k]; }                  // x g.z_f, y g.z_c, z g.p, w objective
+  vec4& masses(std::uint32_t k) { return values[vertices + k]; }       // w p M p
   vec4& secants(std::uint32_t k) { return values[2 * vertices + k]; }  // z p.y
 };
 
@@ -35,14 +36,15 @@ struct Solve {
 
   void guess(const Partials& partials) {
     const gl::Buffer buffer("dot_partials", partials.values);
-    gl::ComputePass(gpu.programs.compute("sim/two_level/guess_objective.comp"), {{"dot_partials", &buffer}, {"subspace_state", &state}}, 1,
-                    {{"partials", partials.vertices}})
+    gl::ComputePass(gpu.programs.compute("sim/two_level/guess_objective.comp"),
+                    {{"dot_partials", &buffer}, {"subspace_state", &state}}, 1, {{"partials", partials.vertices}})
         .run();
   }
   void solve(const Partials& partials) {
     const gl::Buffer buffer("dot_partials", partials.values);
-    gl::ComputePass(gpu.programs.compute("sim/two_level/subspace_solve.comp", {{"FINAL", "0"}}), {{"dot_partials", &buffer}, {"subspace_state", &state}},
-                    1, {{"partials", partials.vertices}, {"curvature_count", partials.vertices}, {"remembers", 1}})
+    gl::ComputePass(gpu.programs.compute("sim/two_level/subspace_solve.comp", {{"FINAL", "0"}}),
+                    {{"dot_partials", &buffer}, {"subspace_state", &state}}, 1,
+                    {{"partials", partials.vertices}, {"curvature_count", partials.vertices}, {"remembers", 1}})
         .run();
   }
   float objective() const { return state.read<float>()[0]; }
@@ -131,10 +133,12 @@ TEST_CASE("no more than half is kept of a step uphill, and nothing of one that h
   CHECK_FALSE(s.accepted());
 }
 
-// At its first turn, in step 23, the start u_n + h v_n of this beam lies uphill, and the objective along it is a parabola.
+// At its first turn, in step 23, the start u_n + h v_n of this beam lies uphill, and the objective along it is a
+// parabola.
 TEST_CASE("three iterations a step follow a beam through its turn", "[gpu]") {
-  const Model model = make_model(make_box(24, 6, 6, {1, 0.25, 0.25}), {1e6, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff},
-                                 [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
+  const Model model =
+      make_model(make_box(24, 6, 6, {1, 0.25, 0.25}), {1e6, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff},
+                 [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
   SolverSettings settings;
   settings.iterations = 3;
   Gpu gpu;

@@ -1,5 +1,5 @@
-// The passes of the two-level method against the same iteration in double precision, on large rotations, where float32 and frozen
-// rotations would show first.
+// The passes of the two-level method against the same iteration in double precision, on large rotations, where float32
+// and frozen rotations would show first.
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/methods/two_level.h"
@@ -16,7 +16,8 @@ using shared::vec4;
 
 namespace {
 
-constexpr MaterialModel kPlain = MaterialModel::st_venant_kirchhoff, kSigned = MaterialModel::signed_st_venant_kirchhoff,
+constexpr MaterialModel kPlain = MaterialModel::st_venant_kirchhoff,
+                        kSigned = MaterialModel::signed_st_venant_kirchhoff,
                         kStable = MaterialModel::stable_neo_hookean, kNeoHookean = MaterialModel::neo_hookean,
                         kMooneyRivlin = MaterialModel::mooney_rivlin;
 
@@ -35,7 +36,8 @@ State bent(const Model& model) {
   for (std::size_t v = 0; v < model.rest_positions.size(); ++v) {
     const Vector3d& x = model.rest_positions[v];
     const double angle = 4 * x.x(), radius = 0.25 - x.y();
-    if (x.x() > 1e-9) state.displacement[v] += Vector3d(radius * std::sin(angle), 0.25 - radius * std::cos(angle), x.z()) - x;
+    if (x.x() > 1e-9)
+      state.displacement[v] += Vector3d(radius * std::sin(angle), 0.25 - radius * std::cos(angle), x.z()) - x;
   }
   return state;
 }
@@ -43,7 +45,8 @@ State bent(const Model& model) {
 VectorXd flat(const gl::Buffer& buffer, std::uint32_t count) {
   VectorXd all(3 * static_cast<Eigen::Index>(count));
   const std::vector<vec4> values = buffer.read<vec4>();
-  for (std::uint32_t v = 0; v < count; ++v) all.segment<3>(3 * static_cast<Eigen::Index>(v)) << values[v].x, values[v].y, values[v].z;
+  for (std::uint32_t v = 0; v < count; ++v)
+    all.segment<3>(3 * static_cast<Eigen::Index>(v)) << values[v].x, values[v].y, values[v].z;
   return all;
 }
 
@@ -53,8 +56,8 @@ void run(const Passes& passes) {
 
 // Everything that a step has before its first iteration.
 struct Step {
-  explicit Step(gl::LoadPath loads, Acceleration acceleration, MaterialModel soft = kPlain, MaterialModel stiff = kPlain,
-                double noise = 0)
+  explicit Step(gl::LoadPath loads, Acceleration acceleration, MaterialModel soft = kPlain,
+                MaterialModel stiff = kPlain, double noise = 0)
       : gpu(loads), model(beam(soft, stiff)) {
     settings.acceleration = acceleration;
     buffers.upload_step(model, settings);
@@ -79,13 +82,15 @@ struct Step {
 }  // namespace
 
 TEST_CASE("the gradient of a step and its objective", "[gpu]") {
-  const auto [soft, stiff] = GENERATE(std::pair(kPlain, kPlain), std::pair(kSigned, kSigned), std::pair(kStable, kStable),
-                                      std::pair(kSigned, kStable), std::pair(kPlain, kSigned), std::pair(kNeoHookean, kNeoHookean),
-                                      std::pair(kMooneyRivlin, kMooneyRivlin), std::pair(kNeoHookean, kStable), std::pair(kMooneyRivlin, kPlain));
+  const auto [soft, stiff] = GENERATE(
+      std::pair(kPlain, kPlain), std::pair(kSigned, kSigned), std::pair(kStable, kStable), std::pair(kSigned, kStable),
+      std::pair(kPlain, kSigned), std::pair(kNeoHookean, kNeoHookean), std::pair(kMooneyRivlin, kMooneyRivlin),
+      std::pair(kNeoHookean, kStable), std::pair(kMooneyRivlin, kPlain));
   const double noise = GENERATE(0.0, 0.03);  // [m] the larger one turns tets inside out
   CAPTURE(name_of(soft), name_of(stiff), noise);
   Step s(GENERATE(gl::LoadPath::texel, gl::LoadPath::storage), Acceleration::none, soft, stiff, noise);
-  if (s.features.models.contains(MaterialModel::signed_st_venant_kirchhoff)) s.recording.deferred = GENERATE(false, true) ? &s.deferred : nullptr;
+  if (s.features.models.contains(MaterialModel::signed_st_venant_kirchhoff))
+    s.recording.deferred = GENERATE(false, true) ? &s.deferred : nullptr;
   const VectorXd start = s.displacement();
   const DoubleTwoLevel exact(s.model, s.settings.substep(), start, flat(s.buffers.predicted, s.buffers.vertex_count));
   const StepGradient gradient(s.buffers);
@@ -124,7 +129,8 @@ TEST_CASE("steps within the span of the corrections and the last step", "[gpu]")
 TEST_CASE("tets that are deferred take part in a step like those that are not", "[gpu]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   const MaterialModel stiff = GENERATE(kSigned, kPlain);
-  Step at_once(loads, Acceleration::subspace, kSigned, stiff, 0.03), later(loads, Acceleration::subspace, kSigned, stiff, 0.03);
+  Step at_once(loads, Acceleration::subspace, kSigned, stiff, 0.03),
+      later(loads, Acceleration::subspace, kSigned, stiff, 0.03);
   const VectorXd start = at_once.displacement();
   const auto iterate = [](Step& s, DeferredTets* deferred) {
     TwoLevelMethod method(s.gpu.programs, s.model, s.buffers, s.settings);
@@ -142,7 +148,8 @@ TEST_CASE("tets that are deferred take part in a step like those that are not", 
   iterate(at_once, nullptr);
   iterate(later, &later.deferred);
   const std::uint32_t deferred = later.deferred.count();
-  const double difference = (later.displacement() - at_once.displacement()).norm() / (at_once.displacement() - start).norm();
+  const double difference =
+      (later.displacement() - at_once.displacement()).norm() / (at_once.displacement() - start).norm();
   CAPTURE(gl::name_of(loads), name_of(stiff), deferred, difference);
   CHECK(deferred > later.buffers.pair_and_single_count() / 10);
   CHECK(deferred < later.buffers.pair_and_single_count());

@@ -15,7 +15,8 @@ using Eigen::Vector3d;
 namespace {
 
 Model beam(MaterialModel material) {
-  return make_model(make_box(6, 3, 3, {0.3, 0.1, 0.1}), {2e4, 0.3, 1000, 0, material}, [](const Vector3d& x) { return x.x() < 1e-9; });
+  return make_model(make_box(6, 3, 3, {0.3, 0.1, 0.1}), {2e4, 0.3, 1000, 0, material},
+                    [](const Vector3d& x) { return x.x() < 1e-9; });
 }
 
 }  // namespace
@@ -28,7 +29,8 @@ TEST_CASE("vertices that are deferred move as they do in place", "[gpu]") {
   const double amplitude = GENERATE(0.0, 0.004, 0.02);  // [m] the last turns many tets inside out
   const State state = random_state(model, amplitude, 5);
   const VertexColoring coloring = color_vertices(model.tets, model.held());
-  const auto colors = static_cast<std::uint32_t>(coloring.color_count()), vertices = static_cast<std::uint32_t>(coloring.order.size());
+  const auto colors = static_cast<std::uint32_t>(coloring.color_count()),
+             vertices = static_cast<std::uint32_t>(coloring.order.size());
   const auto descend = [&](DeferredTets* deferred) {
     SimBuffers buffers(model);
     buffers.upload_step(model, settings);

@@ -1,13 +1,14 @@
 // The XPBD methods against their double-precision transcription: one tet pass, one vertex pass, whole steps.
 //
-// Tolerances: float32 carries 6e-8 relative. The strain of a state with displacement gradients of 0.1 to 0.3 is known to
-// about 1e-7 relative; the 6x6 system's condition number (about 1 / (1 - 2 nu), times the spread of the tet's shape, some tens)
-// amplifies that to a few 1e-6. A whole step feeds 20 iterations with such errors, which the iteration itself damps.
+// Tolerances: float32 carries 6e-8 relative. The strain of a state with displacement gradients of 0.1 to 0.3 is known
+// to about 1e-7 relative; the 6x6 system's condition number (about 1 / (1 - 2 nu), times the spread of the tet's shape,
+// some tens) amplifies that to a few 1e-6. A whole step feeds 20 iterations with such errors, which the iteration
+// itself damps.
 #include <catch2/catch.hpp>
 
-#include "sim/ordering/morton_order.h"
 #include "sim/gpu/methods/jacobi.h"
 #include "sim/gpu/solver.h"
+#include "sim/ordering/morton_order.h"
 #include "tests/support/gpu/double_xpbd.h"
 #include "tests/support/gpu/gpu_fixture.h"
 #include "tests/support/models.h"
@@ -67,9 +68,11 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
   // predict puts the inverse masses beside the displacements and moves the vertices; compare from where it ends.
   prediction(gpu.programs, buffers, split ? &buffers.tet_begin : nullptr).run();
   if (features.damping)
-    gl::ComputePass(gpu.programs.compute("sim/step/previous_strain.comp"),
-                    with_pairs({{"previous_displacement", &buffers.previous_displacement}, {"previous_strain", &previous_strain}}, buffers),
-                    buffers.pair_and_single_count(), constants_of_pairs(buffers))
+    gl::ComputePass(
+        gpu.programs.compute("sim/step/previous_strain.comp"),
+        with_pairs({{"previous_displacement", &buffers.previous_displacement}, {"previous_strain", &previous_strain}},
+                   buffers),
+        buffers.pair_and_single_count(), constants_of_pairs(buffers))
         .run();
   const State moved = buffers.download_state(0);
 
@@ -190,8 +193,8 @@ TEST_CASE("accelerated steps equal the double-precision method", "[gpu]") {
   for (int step = 0; step < 3; ++step) unaccelerated.step(plain_state);
   const double effect = relative_rms(plain_state.displacement, state.displacement);
   CAPTURE(error, effect);
-  // Extrapolation multiplies rounding: weights solve a system of condition up to 1e6 (regularization), so digits of the weights are
-  // lost, but only in directions that hardly change the result.
+  // Extrapolation multiplies rounding: weights solve a system of condition up to 1e6 (regularization), so digits of the
+  // weights are lost, but only in directions that hardly change the result.
   CHECK(error < 1e-4);
   CHECK(effect > 30 * error);  // the acceleration does something, and this comparison sees it
 }

@@ -52,7 +52,8 @@ TEST_CASE("a driver that discards dispatches is told before the first step", "[g
   CHECK(message.find("a kernel that ran left nothing") != std::string::npos);
 }
 
-TEST_CASE("a driver that returns garbage is told before the first step, and no number of it becomes an index", "[gpu]") {
+TEST_CASE("a driver that returns garbage is told before the first step, and no number of it becomes an index",
+          "[gpu]") {
   static GLubyte garbage;
   garbage = GENERATE(as<GLubyte>{}, 0x00, 0x5a, 0xff);
   Gpu gpu;
@@ -60,7 +61,9 @@ TEST_CASE("a driver that returns garbage is told before the first step, and no n
   SolverSettings settings;
   settings.method = GENERATE(Method::two_level, Method::vertex_descent);
   settings.acceleration = Acceleration::none;
-  const auto fill = [](GLenum, GLintptr, GLsizeiptr bytes, void* data) { std::fill_n(static_cast<GLubyte*>(data), bytes, garbage); };
+  const auto fill = [](GLenum, GLintptr, GLsizeiptr bytes, void* data) {
+    std::fill_n(static_cast<GLubyte*>(data), bytes, garbage);
+  };
   SECTION("from the start") {
     const Replaced replaced(gl::GetBufferSubData, decltype(gl::GetBufferSubData)(fill));
     const std::string message = message_of([&] { GpuSolver(gpu.programs, model, settings); });

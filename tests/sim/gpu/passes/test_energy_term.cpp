@@ -11,7 +11,8 @@ namespace {
 
 class Term : public EnergyTerm {
  public:
-  Term(std::string name, std::vector<VertexStiffness> stiffness) : name_(std::move(name)), stiffness_(std::move(stiffness)) {}
+  Term(std::string name, std::vector<VertexStiffness> stiffness)
+      : name_(std::move(name)), stiffness_(std::move(stiffness)) {}
   std::string name() const override { return name_; }
   bool acts() const override { return !stiffness_.empty(); }
   void bind(gl::ComputePass::Bindings& bindings) const override { bindings.emplace_back(name_, nullptr); }
@@ -31,13 +32,15 @@ TEST_CASE("kernels add up the external energies that act") {
   gl::ComputePass::Bindings bindings;
   const gl::Defines list = with_energy_terms({{"OTHER", "2"}}, bindings, {&first, &idle, &second});
   const std::map<std::string, std::string> defines(list.begin(), list.end());
-  CHECK(defines == std::map<std::string, std::string>{{"OTHER", "2"},
-                                                      {"FIRST", "1"},
-                                                      {"IDLE", "0"},
-                                                      {"SECOND", "1"},
-                                                      {"EXTERNAL", "1"},
-                                                      {"EXTERNAL_GRADIENT(v, u, scale)", "(first_gradient(v, u, scale) + second_gradient(v, u, scale))"},
-                                                      {"EXTERNAL_STIFFNESS(v, scale)", "(first_stiffness(v, scale) + second_stiffness(v, scale))"}});
+  CHECK(defines ==
+        std::map<std::string, std::string>{
+            {"OTHER", "2"},
+            {"FIRST", "1"},
+            {"IDLE", "0"},
+            {"SECOND", "1"},
+            {"EXTERNAL", "1"},
+            {"EXTERNAL_GRADIENT(v, u, scale)", "(first_gradient(v, u, scale) + second_gradient(v, u, scale))"},
+            {"EXTERNAL_STIFFNESS(v, scale)", "(first_stiffness(v, scale) + second_stiffness(v, scale))"}});
   REQUIRE(bindings.size() == 2);
   CHECK(std::string(bindings[0].first) == "first");
   CHECK(std::string(bindings[1].first) == "second");
@@ -48,7 +51,8 @@ TEST_CASE("kernels without external energies are told so, and get no buffer") {
   const Term idle("idle", {});
   gl::ComputePass::Bindings bindings;
   const gl::Defines list = with_energy_terms({}, bindings, {&idle});
-  CHECK(std::map<std::string, std::string>(list.begin(), list.end()) == std::map<std::string, std::string>{{"EXTERNAL", "0"}, {"IDLE", "0"}});
+  CHECK(std::map<std::string, std::string>(list.begin(), list.end()) ==
+        std::map<std::string, std::string>{{"EXTERNAL", "0"}, {"IDLE", "0"}});
   CHECK(bindings.empty());
   CHECK(stiffness_of({&idle}).empty());
 }

@@ -17,7 +17,8 @@ TEST_CASE("a grab spring alone obeys implicit Euler", "[gpu]") {
   mesh.positions = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}};
   mesh.tets = {{0, 1, 2, 3}};
   mesh.regions = {0};
-  Model model = make_model(mesh, {1e-3, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff}, [](const Vector3d&) { return false; });
+  Model model =
+      make_model(mesh, {1e-3, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff}, [](const Vector3d&) { return false; });
   model.gravity.setZero();
   SolverSettings settings;
   GpuSolver solver(gpu.programs, model, settings);
@@ -45,7 +46,8 @@ TEST_CASE("a grab spring alone obeys implicit Euler", "[gpu]") {
 
 TEST_CASE("springs lie at their vertices, however far these are from each other, and are gone after them", "[gpu]") {
   Gpu gpu;
-  const Model model = make_model(make_box(19, 12, 11, {0.19, 0.12, 0.11}), soft, [](const Vector3d& x) { return x.y() < 1e-9; });  // 3,120 vertices
+  const Model model = make_model(make_box(19, 12, 11, {0.19, 0.12, 0.11}), soft,
+                                 [](const Vector3d& x) { return x.y() < 1e-9; });  // 3,120 vertices
   const SimBuffers buffers(model);
   GrabSprings grab;
   grab.set_use(false, true, buffers.vertex_count);
@@ -55,7 +57,8 @@ TEST_CASE("springs lie at their vertices, however far these are from each other,
     grab.bind(bindings);
     REQUIRE(bindings.size() == 1);
     std::vector<vec4> expected(buffers.vertex_count, vec4{});
-    for (const GrabSpring& s : springs) expected[s.vertex] = {static_cast<float>(s.target.x()), 0, 0, static_cast<float>(s.stiffness)};
+    for (const GrabSpring& s : springs)
+      expected[s.vertex] = {static_cast<float>(s.target.x()), 0, 0, static_cast<float>(s.stiffness)};
     const std::vector<vec4> got = bindings[0].second->read<vec4>();
     for (std::size_t v = 0; v < got.size(); ++v) {
       CAPTURE(v);
@@ -70,7 +73,8 @@ TEST_CASE("springs lie at their vertices, however far these are from each other,
 TEST_CASE("a hand without stiffness changes nothing", "[gpu]") {
   Gpu gpu;
   const Model model = block();
-  const auto method = GENERATE(Method::jacobi, Method::gauss_seidel, Method::exact_xpbd, Method::vertex_descent, Method::two_level);
+  const auto method =
+      GENERATE(Method::jacobi, Method::gauss_seidel, Method::exact_xpbd, Method::vertex_descent, Method::two_level);
   SolverSettings settings;
   settings.method = method;
   settings.acceleration = method == Method::two_level ? Acceleration::subspace : Acceleration::none;

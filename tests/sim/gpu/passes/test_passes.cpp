@@ -3,8 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
 
-#include "sim/ordering/morton_order.h"
 #include "sim/gpu/solver.h"
+#include "sim/ordering/morton_order.h"
 #include "sim/reference/elasticity.h"
 #include "tests/support/gpu/bars.h"
 #include "tests/support/gpu/double_xpbd.h"
@@ -93,9 +93,10 @@ TEST_CASE("previous strain is the Green strain of the start of the substep", "[g
   const std::vector<vec4> u = buffers.displacement.read<vec4>();
   buffers.previous_displacement.upload(0, buffers.previous_displacement.bytes(), u.data());
   const gl::Buffer strain("strain", 2 * sizeof(vec4) * buffers.tet_count);
-  gl::ComputePass(gpu.programs.compute("sim/step/previous_strain.comp"),
-                  with_pairs({{"previous_displacement", &buffers.previous_displacement}, {"previous_strain", &strain}}, buffers),
-                  buffers.pair_and_single_count(), constants_of_pairs(buffers))
+  gl::ComputePass(
+      gpu.programs.compute("sim/step/previous_strain.comp"),
+      with_pairs({{"previous_displacement", &buffers.previous_displacement}, {"previous_strain", &strain}}, buffers),
+      buffers.pair_and_single_count(), constants_of_pairs(buffers))
       .run();
   const DoubleXpbd exact(model, {});
   std::vector<Vector3d> expected;
@@ -108,10 +109,12 @@ TEST_CASE("previous strain is the Green strain of the start of the substep", "[g
 }
 
 TEST_CASE("published positions and heat map scalars", "[gpu]") {
-  const auto color = GENERATE(ColorBy::none, ColorBy::region, ColorBy::strain, ColorBy::von_mises, ColorBy::displacement, ColorBy::velocity,
-                              ColorBy::volume_ratio, ColorBy::largest_stress, ColorBy::smallest_stress);
-  const auto law = GENERATE(MaterialModel::st_venant_kirchhoff, MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean,
-                            MaterialModel::neo_hookean, MaterialModel::mooney_rivlin);
+  const auto color =
+      GENERATE(ColorBy::none, ColorBy::region, ColorBy::strain, ColorBy::von_mises, ColorBy::displacement,
+               ColorBy::velocity, ColorBy::volume_ratio, ColorBy::largest_stress, ColorBy::smallest_stress);
+  const auto law =
+      GENERATE(MaterialModel::st_venant_kirchhoff, MaterialModel::signed_st_venant_kirchhoff,
+               MaterialModel::stable_neo_hookean, MaterialModel::neo_hookean, MaterialModel::mooney_rivlin);
   Gpu gpu;
   Model model = block();
   model.materials[0].model = law;
@@ -131,8 +134,10 @@ TEST_CASE("published positions and heat map scalars", "[gpu]") {
     if (color == ColorBy::strain) return reference::green_strain_matrix(rest, corners).norm();
     if (color == ColorBy::von_mises) return reference::von_mises(f, model.materials[0]);
     if (color == ColorBy::volume_ratio) return f.determinant();
-    const Eigen::Matrix3d cauchy = reference::first_piola_stress(f, model.materials[0]) * f.transpose() / std::abs(f.determinant());
-    const Vector3d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(0.5 * (cauchy + cauchy.transpose())).eigenvalues();
+    const Eigen::Matrix3d cauchy =
+        reference::first_piola_stress(f, model.materials[0]) * f.transpose() / std::abs(f.determinant());
+    const Vector3d principal =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(0.5 * (cauchy + cauchy.transpose())).eigenvalues();
     return color == ColorBy::largest_stress ? principal[2] : principal[0];
   };
   std::vector<double> weight(got.size(), 0), scalar(got.size(), 0);
@@ -183,7 +188,8 @@ TEST_CASE("principal stresses keep their digits where two are equal", "[gpu]") {
   State state = initial_state(model);
   for (std::size_t i = 0; i < 4; ++i) state.displacement[i] = stretch * axis * axis.dot(mesh.positions[i]);
   solver.upload(state);
-  const double lambda = soft.young_modulus * soft.poisson_ratio / ((1 + soft.poisson_ratio) * (1 - 2 * soft.poisson_ratio));
+  const double lambda =
+      soft.young_modulus * soft.poisson_ratio / ((1 + soft.poisson_ratio) * (1 - 2 * soft.poisson_ratio));
   const double mu = soft.young_modulus / (2 * (1 + soft.poisson_ratio));
   const double along = (lambda + 2 * mu) * strain * ratio, across = lambda * strain / ratio;
   const auto shown = [&](ColorBy color) {

@@ -7,9 +7,9 @@
 #include <functional>
 #include <random>
 
+#include "base/file.h"
 #include "gl/compute_pass.h"
 #include "shaders/shared/types.h"
-#include "base/file.h"
 #include "tests/support/gpu/gpu_fixture.h"
 
 using namespace fascia;
@@ -57,21 +57,43 @@ struct Random {
 const std::vector<std::pair<const char*, std::function<Matrix3d(Random&)>>> kKinds = {
     {"any entries", [](Random& r) { return r.any(); }},
     {"any size", [](Random& r) -> Matrix3d { return std::pow(10.0, r.uniform(-12, 12)) * r.any(); }},
-    {"nearly a rotation", [](Random& r) -> Matrix3d { return r.rotation() + std::pow(10.0, r.uniform(-8, -1)) * r.any(); }},
+    {"nearly a rotation",
+     [](Random& r) -> Matrix3d { return r.rotation() + std::pow(10.0, r.uniform(-8, -1)) * r.any(); }},
     {"three equal", [](Random& r) { return r.stretched(Vector3d::Constant(r.uniform(-2, 2))); }},
-    {"two equal", [](Random& r) { const double a = r.uniform(-2, 2); return r.stretched({a, a, r.uniform(-2, 2)}); }},
-    {"nearly equal", [](Random& r) { const double a = r.uniform(0.5, 2); return r.stretched({a, a * (1 + 1e-6), -a * (1 - 1e-6)}); }},
-    {"flat", [](Random& r) { return r.stretched({r.uniform(0, 2), r.uniform(0, 2), 0}); }},
-    {"a line", [](Random& r) { return r.stretched({r.uniform(0, 2), 0, 0}); }},
+    {"two equal",
+     [](Random& r) {
+       const double a = r.uniform(-2, 2);
+       return r.stretched({a, a, r.uniform(-2, 2)});
+     }},
+    {"nearly equal",
+     [](Random& r) {
+       const double a = r.uniform(0.5, 2);
+       return r.stretched({a, a * (1 + 1e-6), -a * (1 - 1e-6)});
+     }},
+    {"flat",
+     [](Random& r) {
+       return r.stretched({r.uniform(0, 2), r.uniform(0, 2), 0});
+     }},
+    {"a line",
+     [](Random& r) {
+       return r.stretched({r.uniform(0, 2), 0, 0});
+     }},
     {"a point", [](Random&) -> Matrix3d { return Matrix3d::Zero(); }},
-    {"inside out", [](Random& r) { return r.stretched({r.uniform(0, 3), r.uniform(0, 3), -r.uniform(0, 3)}); }},
-    {"needles and slivers", [](Random& r) {
-       return r.stretched({std::pow(10.0, r.uniform(-3, 3)), std::pow(10.0, r.uniform(-3, 3)), -std::pow(10.0, r.uniform(-3, 3))});
+    {"inside out",
+     [](Random& r) {
+       return r.stretched({r.uniform(0, 3), r.uniform(0, 3), -r.uniform(0, 3)});
+     }},
+    {"needles and slivers",
+     [](Random& r) {
+       return r.stretched(
+           {std::pow(10.0, r.uniform(-3, 3)), std::pow(10.0, r.uniform(-3, 3)), -std::pow(10.0, r.uniform(-3, 3))});
      }},
     {"whole numbers", [](Random& r) -> Matrix3d { return (2.4 * r.any()).array().round().matrix(); }},
 };
 
-vec4 to_vec4(const Vector3d& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), 0}; }
+vec4 to_vec4(const Vector3d& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), 0};
+}
 Vector3d vector(const vec4& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
@@ -79,7 +101,8 @@ Vector3d vector(const vec4& v) { return {v.x, v.y, v.z}; }
 TEST_CASE("signed singular values on the GPU, of three million matrices", "[gpu]") {
   TemporaryFolder folder;
   std::filesystem::create_directory(folder / "common");
-  for (const char* file : {"common/io.glsl", "common/svd.glsl"}) std::filesystem::copy_file(source_dir() / "shaders" / file, folder / file);
+  for (const char* file : {"common/io.glsl", "common/svd.glsl"})
+    std::filesystem::copy_file(source_dir() / "shaders" / file, folder / file);
   write_file(folder / "svd.comp", kKernel);
   Gpu gpu;
   gl::ProgramCache programs(folder.path(), gl::LoadPath::texel);
@@ -98,7 +121,8 @@ TEST_CASE("signed singular values on the GPU, of three million matrices", "[gpu]
     input.upload(0, input.bytes(), columns.data());
     pass.run();
     const std::vector<vec4> factors = output.read<vec4>();
-    double worst_product = 0, worst_rotation = 0, worst_value = 0;  // relative to the largest singular value; of the rotations absolute
+    double worst_product = 0, worst_rotation = 0,
+           worst_value = 0;  // relative to the largest singular value; of the rotations absolute
     std::uint32_t wrong_order = 0, wrong_sign = 0;
     for (std::uint32_t i = 0; i < kBatch; ++i) {
       Matrix3d u, v;
@@ -114,8 +138,9 @@ TEST_CASE("signed singular values on the GPU, of three million matrices", "[gpu]
       const double size = std::max(exact[0], 1e-300);
       // std::max drops NaNs, addition keeps them: a NaN must not pass.
       const double product = (u * s.asDiagonal() * v.transpose() - f).norm() / size;
-      const double rotation = (u * u.transpose() - Matrix3d::Identity()).norm() + (v * v.transpose() - Matrix3d::Identity()).norm() +
-                              std::abs(u.determinant() - 1) + std::abs(v.determinant() - 1);
+      const double rotation = (u * u.transpose() - Matrix3d::Identity()).norm() +
+                              (v * v.transpose() - Matrix3d::Identity()).norm() + std::abs(u.determinant() - 1) +
+                              std::abs(v.determinant() - 1);
       const double value = (s.cwiseAbs() - exact).norm() / size;
       worst_product = product <= worst_product ? worst_product : product;
       worst_rotation = rotation <= worst_rotation ? worst_rotation : rotation;

@@ -79,16 +79,20 @@ TEST_CASE("a second tet's shape functions are made from the first one's, beside 
       mesh.positions = before;
   }
   REQUIRE(flat > 3);
-  const Model model = make_model(mesh, {2e4, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff}, [](const Vector3d&) { return false; });
+  const Model model =
+      make_model(mesh, {2e4, 0.3, 1000, 0, MaterialModel::st_venant_kirchhoff}, [](const Vector3d&) { return false; });
   SimBuffers buffers(model);
   REQUIRE(buffers.pair_count > 100);
   const auto tets = buffers.tet_vertices.read<Tet>(), fifth = buffers.pair_fifth.read<Tet>();
   const auto rows = buffers.tet_shape.read<shared::vec4>();
-  const auto row = [&](std::size_t t, std::size_t k) { return Eigen::Vector3f(rows[3 * t + k].x, rows[3 * t + k].y, rows[3 * t + k].z); };
+  const auto row = [&](std::size_t t, std::size_t k) {
+    return Eigen::Vector3f(rows[3 * t + k].x, rows[3 * t + k].y, rows[3 * t + k].z);
+  };
   for (std::size_t i = 0; i < buffers.pair_count; ++i) {
     const std::size_t a = i, b = buffers.pair_and_single_count() + i;
     const float c = std::bit_cast<float>(fifth[i][2]), volume = std::bit_cast<float>(fifth[i][3]);
-    const Eigen::Vector3f x = row(a, 2), made[3] = {row(a, 1) + rows[3 * a + 2].w * x, row(a, 0) + rows[3 * a + 1].w * x, -c * x};
+    const Eigen::Vector3f x = row(a, 2),
+                          made[3] = {row(a, 1) + rows[3 * a + 2].w * x, row(a, 0) + rows[3 * a + 1].w * x, -c * x};
     Eigen::Matrix3d edges;
     for (int k = 0; k < 3; ++k) edges.col(k) = model.rest_positions[tets[b][k + 1]] - model.rest_positions[tets[b][0]];
     const Eigen::Matrix3d exact = edges.inverse();

@@ -105,7 +105,8 @@ TEST_CASE("diagnostics leave no pair of tets and no vertex out, however many the
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   Gpu gpu(loads);
   for (const auto& [x, y, z] : {std::tuple(11, 8, 6), {12, 7, 5}, {12, 9, 7}, {17, 8, 8}}) {
-    const Model model = make_model(make_box(x, y, z, {0.1 * x, 0.1 * y, 0.1 * z}), {1e5, 0.3, 1000}, [](const Vector3d& at) { return at.x() < 1e-9; });
+    const Model model = make_model(make_box(x, y, z, {0.1 * x, 0.1 * y, 0.1 * z}), {1e5, 0.3, 1000},
+                                   [](const Vector3d& at) { return at.x() < 1e-9; });
     GpuSolver solver(gpu.programs, model, {});
     const State state = random_state(model, 0.004, 4);
     solver.upload(state);
@@ -120,7 +121,8 @@ TEST_CASE("diagnostics leave no pair of tets and no vertex out, however many the
     const reference::Measures expected = reference::measure(model, state);
     double farthest = 0;
     for (const Vector3d& u : state.displacement) farthest = std::max(farthest, u.norm());
-    CAPTURE(gl::name_of(loads), x, y, z, got->elastic, expected.elastic, got->reaction.transpose(), expected.fixed_reaction.transpose());
+    CAPTURE(gl::name_of(loads), x, y, z, got->elastic, expected.elastic, got->reaction.transpose(),
+            expected.fixed_reaction.transpose());
     CHECK(got->kinetic == Approx(expected.kinetic).epsilon(2e-6));
     CHECK(got->elastic == Approx(expected.elastic).epsilon(5e-6));
     CHECK((got->momentum - expected.momentum).norm() < 1e-5 * expected.momentum.norm());
@@ -133,7 +135,8 @@ TEST_CASE("diagnostics leave no pair of tets and no vertex out, however many the
 TEST_CASE("tets that are left out of the solve count among the volume ratios, as they are at rest", "[gpu]") {
   Gpu gpu;
   const double held_up_to = GENERATE(0.05, 1.0);  // m: of tets one layer or all
-  Model model = make_model(make_box(5, 4, 3, {0.1, 0.08, 0.06}), soft, [&](const Vector3d& x) { return x.y() < held_up_to; });
+  Model model =
+      make_model(make_box(5, 4, 3, {0.1, 0.08, 0.06}), soft, [&](const Vector3d& x) { return x.y() < held_up_to; });
   State state = initial_state(model);
   const std::vector<char> held = model.held();
   for (std::size_t v = 0; v < held.size(); ++v)

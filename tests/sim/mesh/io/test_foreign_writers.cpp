@@ -33,12 +33,10 @@ TEST_CASE("two boxes as Gmsh and VTK write them", "[mesh_io]") {
   const auto expected = GENERATE(values<Expected>({
       {"gmsh_1.msh", "Gmsh 1.0 ASCII", 23, 4, 7, 3},
       {"gmsh_2.2_binary.msh", "Gmsh 2.2 binary", 23, 4, 7, 3},
-      {"gmsh_4.1_binary_partitioned.msh", "Gmsh 4.1 binary", 23, 12, 7,
-       3},  // and the triangles between partitions
+      {"gmsh_4.1_binary_partitioned.msh", "Gmsh 4.1 binary", 23, 12, 7, 3},  // and the triangles between partitions
       {"gmsh_4.1_second_order.msh", "Gmsh 4.1 ASCII", 113, 4, 7, 3},
       {"gmsh_binary.vtk", "VTK legacy 2.0 binary", 23, 4, 7, 3},
-      {"gmsh.mesh", "Medit ASCII", 23, 4, 1,
-       2},  // Gmsh writes its volume numbers there, not the physical ones
+      {"gmsh.mesh", "Medit ASCII", 23, 4, 1, 2},  // Gmsh writes its volume numbers there, not the physical ones
       {"vtk_5.1_ascii.vtk", "VTK legacy 5.1 ASCII", 23, 4, 7, 3},
       {"vtk_5.1_binary.vtk", "VTK legacy 5.1 binary", 23, 4, 7, 3},
       {"vtu_ascii.vtu", "VTU ASCII", 23, 4, 7, 3},

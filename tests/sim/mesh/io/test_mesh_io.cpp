@@ -112,15 +112,16 @@ TEST_CASE("writing works without regions, and refuses what a format cannot hold"
     return "";
   };
   const std::string prefix = folder.path().string() + "/";
-  CHECK(error_of_writing("a.stl") == prefix +
-                                         "a.stl: cannot be written: its ending names no mesh format; "
-                                         "expected .msh, .vtk, .vtu, .node, .ele or .mesh");
+  CHECK(
+      error_of_writing("a.stl") ==
+      prefix +
+          "a.stl: cannot be written: its ending names no mesh format; expected .msh, .vtk, .vtu, .node, .ele or .mesh");
   CHECK(error_of_writing("none/a.msh") ==
         prefix + "none/a.msh: no such folder " + prefix + "none; expected an existing folder");
   mesh.regions = {-1, 2};
   CHECK(error_of_writing("b.msh") == prefix +
-                                         "b.msh: region -1 cannot be a physical group; expected 0 or more in "
-                                         "a .msh file; .vtu, .vtk and .mesh hold any number");
+                                         "b.msh: region -1 cannot be a physical group; expected 0 or more in a .msh "
+                                         "file; .vtu, .vtk and .mesh hold any number");
   CHECK_FALSE(fs::exists(folder / "b.msh"));
   for (const std::string name : {"b.vtk", "b.vtu", "b.mesh", "b.node"}) {
     INFO(name);
@@ -142,13 +143,10 @@ TEST_CASE("what is no mesh is refused in one line", "[mesh_io]") {
   CHECK(error_of("a.msh",
                  "\x7f"
                  "ELF\x02\x01\x01\n\n\xff") ==
-        "a.msh: is no mesh that is known here (begins with '\\x7fELF\\x02\\x01\\x01\\x0a\\x0a\\xff')" +
-            formats);
-  CHECK(error_of("a.txt", "12 3 4\n") ==
-        "a.txt: is no mesh that is known here (begins with '12 3 4\\x0a')" + formats);
+        "a.msh: is no mesh that is known here (begins with '\\x7fELF\\x02\\x01\\x01\\x0a\\x0a\\xff')" + formats);
+  CHECK(error_of("a.txt", "12 3 4\n") == "a.txt: is no mesh that is known here (begins with '12 3 4\\x0a')" + formats);
   CHECK(error_of("a.stl", "solid cube\n") == "a.stl: is an STL surface without tets" + filler);
-  CHECK(error_of("a.meshb", std::string("\1\0\0\0\3\0\0\0", 8)) ==
-        "a.meshb: looks like binary Medit .meshb" + formats);
+  CHECK(error_of("a.meshb", std::string("\1\0\0\0\3\0\0\0", 8)) == "a.meshb: looks like binary Medit .meshb" + formats);
   CHECK(error_of("a.xml", "<svg/>") == "a.xml:1: svg: is no VTK file; expected VTKFile");
 
   const TemporaryFolder folder;

@@ -9,8 +9,8 @@ using namespace fascia;
 TEST_CASE("every default lies in its range and every setting has a help text") {
   SolverSettings settings;
   int count = 0;
-  visit_settings(settings, [&](auto& field, const char* name, const char*, auto min, auto max,
-                               bool logarithmic, const char* help) {
+  visit_settings(settings, [&](auto& field, const char* name, const char*, auto min, auto max, bool logarithmic,
+                               const char* help) {
     CAPTURE(name);
     CHECK(field >= min);
     CHECK(field <= max);

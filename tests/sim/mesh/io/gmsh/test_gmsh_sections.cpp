@@ -1,5 +1,5 @@
-// Gmsh files as other programs write them: sections that no mesh needs, more numbers than belong to an entity, tags without a line end,
-// tags that are missing.
+// Gmsh files as other programs write them: sections that no mesh needs, more numbers than belong to an entity, tags
+// without a line end, tags that are missing.
 #include <catch2/catch.hpp>
 #include <cstdio>
 
@@ -28,17 +28,19 @@ bool notes_mention(const MeshFile& file, const std::string& text) {
 /// Reads a file and compares its mesh with the sample; returns it for its notes.
 MeshFile check_read(const std::string& what, const std::string& content) {
   const MeshFile file = read_mesh_content("m.msh", content);
-  std::printf("%s: %s, %zu vertices, %zu tets, %zu notes\n", what.c_str(), file.format.c_str(), file.mesh.positions.size(), file.mesh.tets.size(),
-              file.notes.size());
+  std::printf("%s: %s, %zu vertices, %zu tets, %zu notes\n", what.c_str(), file.format.c_str(),
+              file.mesh.positions.size(), file.mesh.tets.size(), file.notes.size());
   CHECK(file.mesh.positions == sample_mesh().positions);
   CHECK(file.mesh.tets == sample_mesh().tets);
   return file;
 }
 
 /// Two values for each of two elements or nodes, after a head of the given numbers of components and entries.
-std::string data_section(const std::string& name, bool big_endian, int components, int entries, double value, const std::string& before_end) {
+std::string data_section(const std::string& name, bool big_endian, int components, int entries, double value,
+                         const std::string& before_end) {
   Bytes out(big_endian);
-  out.add_text("$" + name + "\n1\n\"a view\"\n1\n0.0\n3\n0\n" + std::to_string(components) + "\n" + std::to_string(entries) + "\n");
+  out.add_text("$" + name + "\n1\n\"a view\"\n1\n0.0\n3\n0\n" + std::to_string(components) + "\n" +
+               std::to_string(entries) + "\n");
   for (int entry = 1; entry <= 2; ++entry) {
     out.add(entry);
     if (name == "ElementNodeData") out.add(2);
@@ -57,8 +59,13 @@ double number_of(std::string bytes, bool big_endian) {
 
 }  // namespace
 
-TEST_CASE("Gmsh: data of nodes and elements is passed over, whether a line end stands before its end tag or not", "[mesh_io]") {
-  for (const auto& [file, big_endian] : {std::pair("v2_little.msh", false), {"v2_big.msh", true}, {"v4_little.msh", false}, {"v4_big.msh", true}, {"v4_small.msh", false}}) {
+TEST_CASE("Gmsh: data of nodes and elements is passed over, whether a line end stands before its end tag or not",
+          "[mesh_io]") {
+  for (const auto& [file, big_endian] : {std::pair("v2_little.msh", false),
+                                         {"v2_big.msh", true},
+                                         {"v4_little.msh", false},
+                                         {"v4_big.msh", true},
+                                         {"v4_small.msh", false}}) {
     for (const std::string name : {"NodeData", "ElementData", "ElementNodeData"}) {
       for (const std::string before_end : {"", "\n"}) {
         const std::string data = data_section(name, big_endian, 2, 2, 0.5, before_end);
@@ -80,7 +87,8 @@ TEST_CASE("Gmsh: numbers that look like a tag end no section", "[mesh_io]") {
       data.add(entry).add(number_of("$EndNode", big_endian)).add(number_of("Data\n$No", big_endian));
     data.add_text("$EndNodeData\n");
     REQUIRE(data.text.find("$EndNodeData\n") < data.text.size() - 20);
-    const MeshFile read = check_read(std::string(file) + " with tags among its numbers", replaced(sample(file), "$EndMeshFormat\n", "$EndMeshFormat\n" + data.text));
+    const MeshFile read = check_read(std::string(file) + " with tags among its numbers",
+                                     replaced(sample(file), "$EndMeshFormat\n", "$EndMeshFormat\n" + data.text));
     CHECK_FALSE(notes_mention(read, "between sections"));
   }
 }
@@ -97,12 +105,15 @@ TEST_CASE("Gmsh: counts of a section that is passed over need not be right", "[m
 
 TEST_CASE("Gmsh: a section without an end costs only itself", "[mesh_io]") {
   for (const std::string file : {"v2.msh", "crlf.msh", "v4.msh", "v2_little.msh", "v4_big.msh"}) {
-    const std::string end = file == "crlf.msh" ? "\r\n" : "\n", head = "$EndMeshFormat" + end, open = "$Views" + end + "1 2 3" + end;
-    CHECK(notes_mention(check_read(file + ", open section before", replaced(sample(file), head, head + open)), "Section without an end: $Views"));
+    const std::string end = file == "crlf.msh" ? "\r\n" : "\n", head = "$EndMeshFormat" + end,
+                      open = "$Views" + end + "1 2 3" + end;
+    CHECK(notes_mention(check_read(file + ", open section before", replaced(sample(file), head, head + open)),
+                        "Section without an end: $Views"));
     CHECK(notes_mention(check_read(file + ", open section behind", sample(file) + open), "$Views"));
     check_read(file + ", two open ones", replaced(sample(file), head, head + open + open));
     check_read(file + ", end tag alone", replaced(sample(file), head, head + "$EndViews" + end));
-    check_read(file + ", text", "# made by hand" + end + replaced(sample(file), head, head + "some text" + end + "$" + end));
+    check_read(file + ", text",
+               "# made by hand" + end + replaced(sample(file), head, head + "some text" + end + "$" + end));
   }
   // The end of a later section of the same name is none of an earlier one.
   const std::string twice = replaced(sample("v2.msh"), "$EndMeshFormat\n", "$EndMeshFormat\n$NodeData\n1\n");
@@ -112,9 +123,14 @@ TEST_CASE("Gmsh: a section without an end costs only itself", "[mesh_io]") {
 TEST_CASE("Gmsh: the end tag of a section whose count is met may be missing", "[mesh_io]") {
   for (const std::string file : {"v1.msh", "v2.msh", "v4.msh", "v2_big.msh", "v4_little.msh"}) {
     for (const std::string name : {"Nodes", "Elements", "PhysicalNames"}) {
-      const std::string tag = file != "v1.msh" ? "$End" + name + "\n" : name == "Nodes" ? "$ENDNOD\n" : name == "Elements" ? "$ENDELM\n" : "";
+      const std::string tag = file != "v1.msh"     ? "$End" + name + "\n"
+                              : name == "Nodes"    ? "$ENDNOD\n"
+                              : name == "Elements" ? "$ENDELM\n"
+                                                   : "";
       if (tag.empty()) continue;
-      CHECK(notes_mention(check_read(file + " without " + tag.substr(0, tag.size() - 1), replaced(sample(file), tag, "")), "is missing"));
+      CHECK(
+          notes_mention(check_read(file + " without " + tag.substr(0, tag.size() - 1), replaced(sample(file), tag, "")),
+                        "is missing"));
     }
   }
   const std::string v2 = sample("v2.msh");
@@ -128,22 +144,25 @@ TEST_CASE("Gmsh: more numbers behind an entity than belong there change nothing"
   std::string lines;
   for (const char c : all.substr(begin, end - begin)) lines += c == '\n' ? std::string(" 0\n") : std::string(1, c);
   all.replace(begin, end - begin, lines);
-  for (const std::string& text : {all, replaced(v4, "1 0 0 0 1 1 1 1 3 1 1 \n", "1 0 0 0 1 1 1 1 3 1 1 0\n"), replaced(v4, "1 1 1 2\n", "1 1 1 2 0 0\n")}) {
+  for (const std::string& text : {all, replaced(v4, "1 0 0 0 1 1 1 1 3 1 1 \n", "1 0 0 0 1 1 1 1 3 1 1 0\n"),
+                                  replaced(v4, "1 1 1 2\n", "1 1 1 2 0 0\n")}) {
     const MeshFile file = check_read("surplus", text);
     CHECK(file.mesh.regions == sample_mesh().regions);
     CHECK(file.mesh.groups == sample_mesh().groups);
     CHECK(notes_mention(file, "$Entities: more numbers"));
   }
   // The whole of a volume without groups, as meshers write it who know no entities.
-  const MeshFile plain = read_mesh_content("m.msh",
-                                           "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 0 1\n1 0 0 0 1.5 1.5 1.5 0 0 0\n$EndEntities\n"
-                                           "$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes\n"
-                                           "$Elements\n2 2 1 2\n2 1 2 1\n1 1 3 2\n3 1 4 1\n2 1 2 3 4\n$EndElements");
+  const MeshFile plain = read_mesh_content(
+      "m.msh",
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 0 1\n1 0 0 0 1.5 1.5 1.5 0 0 0\n$EndEntities\n"
+      "$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes\n"
+      "$Elements\n2 2 1 2\n2 1 2 1\n1 1 3 2\n3 1 4 1\n2 1 2 3 4\n$EndElements");
   CHECK(plain.mesh.tets == std::vector<Tet>{{0, 1, 2, 3}});
   CHECK(plain.ignored.triangles == 1);
 }
 
-TEST_CASE("Gmsh: entities that are not one to a line are read by number, and those that make no sense are left out", "[mesh_io]") {
+TEST_CASE("Gmsh: entities that are not one to a line are read by number, and those that make no sense are left out",
+          "[mesh_io]") {
   const std::string v4 = sample("v4.msh");
   const std::size_t begin = v4.find("$Entities\n") + 10, end = v4.find("$EndEntities");
   std::string one_line = v4.substr(begin, end - begin), one_each = one_line;
@@ -163,14 +182,16 @@ TEST_CASE("Gmsh: entities that are not one to a line are read by number, and tho
   binary.replace(binary.find("$Entities\n") + 10, 8, Bytes().add(~std::uint64_t{0}).text);
   CHECK(notes_mention(check_read("binary entities without sense", binary), "Section $Entities cannot be understood"));
   CHECK(notes_mention(check_read("names without quotes", replaced(sample("v2.msh"), "2 11 \"clamp\"", "2 11 clamp")),
-                      "Section $PhysicalNames cannot be understood and is passed over: m.msh:7: $PhysicalNames: physical name is ' clamp'"));
+                      "Section $PhysicalNames cannot be understood and is passed over: m.msh:7: $PhysicalNames: "
+                      "physical name is ' clamp'"));
 }
 
 TEST_CASE("Gmsh: parametric nodes of version 2", "[mesh_io]") {
   const std::string v2 = sample("v2.msh");
   const std::size_t begin = v2.find("$Nodes\n") + 9, end = v2.find("$EndNodes");
   std::string lines;
-  for (const char c : v2.substr(begin, end - begin)) lines += c == '\n' ? std::string(" 2 1 0.25 0.75\n") : std::string(1, c);
+  for (const char c : v2.substr(begin, end - begin))
+    lines += c == '\n' ? std::string(" 2 1 0.25 0.75\n") : std::string(1, c);
   std::string text = v2;
   text.replace(begin, end - begin, lines);
   check_read("text", replaced(replaced(text, "$Nodes", "$ParametricNodes"), "$EndNodes", "$EndParametricNodes"));
@@ -198,10 +219,13 @@ TEST_CASE("Gmsh: a section that a mesh needs and has not is named", "[mesh_io]")
     const std::size_t from = text.find("$" + name), to = text.find("$End" + name) + 5 + name.size();
     return text.erase(from, to - from);
   };
-  const std::string of_nodes = error_of("m.msh", without(v2, "Nodes")), of_elements = error_of("m.msh", without(v2, "Elements"));
-  const std::string of_binary = error_of("m.msh", without(v4, "Nodes")), of_format = error_of("m.msh", without(v2, "MeshFormat"));
+  const std::string of_nodes = error_of("m.msh", without(v2, "Nodes")),
+                    of_elements = error_of("m.msh", without(v2, "Elements"));
+  const std::string of_binary = error_of("m.msh", without(v4, "Nodes")),
+                    of_format = error_of("m.msh", without(v2, "MeshFormat"));
   const std::string misspelled = error_of("m.msh", replaced(replaced(v2, "$Nodes", "$Node"), "$EndNodes", "$EndNode"));
-  for (const std::string& error : {of_nodes, of_elements, of_binary, of_format, misspelled}) std::printf("%s\n", error.c_str());
+  for (const std::string& error : {of_nodes, of_elements, of_binary, of_format, misspelled})
+    std::printf("%s\n", error.c_str());
   CHECK(of_nodes == "m.msh:11: $Elements: no section of nodes stands before it; expected $Nodes");
   CHECK_THAT(of_elements, Catch::EndsWith("has no section of elements; expected $Elements"));
   CHECK_THAT(of_binary, Catch::EndsWith(", $Elements: no section of nodes stands before it; expected $Nodes"));

@@ -25,8 +25,7 @@ std::string vtu_error(const std::string& from, const std::string& to) {
   return error_of("m.vtu", replaced(sample("text.vtu"), from, to));
 }
 
-std::vector<int> regions_of_array(const std::string& name, const std::string& type,
-                                  const std::string& values) {
+std::vector<int> regions_of_array(const std::string& name, const std::string& type, const std::string& values) {
   std::string text = replaced(sample("old_text.vtk"), "SCALARS Material int", "SCALARS " + name + " " + type);
   text = replaced(text, "1 5 11 3 7", values);
   return read_mesh_content("m.vtk", text).mesh.regions;
@@ -35,8 +34,7 @@ std::vector<int> regions_of_array(const std::string& name, const std::string& ty
 }  // namespace
 
 TEST_CASE("VTK: cell arrays that mean regions", "[mesh_io]") {
-  for (const std::string name :
-       {"region", "Material", "MaterialIds", "CellEntityIds", "gmsh:physical", "medit:ref"}) {
+  for (const std::string name : {"region", "Material", "MaterialIds", "CellEntityIds", "gmsh:physical", "medit:ref"}) {
     INFO(name);
     CHECK(regions_of_array(name, "int", "1 5 11 3 7") == std::vector<int>{3, 7});
   }
@@ -46,8 +44,8 @@ TEST_CASE("VTK: cell arrays that mean regions", "[mesh_io]") {
   CHECK(regions_of_array("region", "double", "1 5 11 nan 1e300") == std::vector<int>{0, 0});
 
   // the more telling name wins, wherever it stands
-  const std::string both = replaced(sample("old_text.vtk"), "POINT_DATA",
-                                    "SCALARS region int\nLOOKUP_TABLE default\n1 2 3 4 5\nPOINT_DATA");
+  const std::string both =
+      replaced(sample("old_text.vtk"), "POINT_DATA", "SCALARS region int\nLOOKUP_TABLE default\n1 2 3 4 5\nPOINT_DATA");
   const MeshFile file = read_mesh_content("m.vtk", both);
   CHECK(file.mesh.regions == std::vector<int>{4, 5});
   CHECK(file.notes == std::vector<std::string>{"Regions are those of the cell array 'region'."});
@@ -64,24 +62,23 @@ TEST_CASE("VTK: higher order, other cells, other attributes", "[mesh_io]") {
             return ones;
           }());
   text +=
-      "\nTEXTURE_COORDINATES c 2 float\n1 2 3 4 5 6\nCOLOR_SCALARS rgb 3\n0 0 0 1 1 1 0 0.5 0\nLOOKUP_TABLE "
-      "own 2\n0 0 0 1\n1 1 1 1\n";
+      "\nTEXTURE_COORDINATES c 2 float\n1 2 3 4 5 6\nCOLOR_SCALARS rgb 3\n0 0 0 1 1 1 0 0.5 0\nLOOKUP_TABLE own 2\n0 0 "
+      "0 1\n1 1 1 1\n";
   const MeshFile file = read_mesh_content("m.vtk", text);
   CHECK(file.mesh.tets == std::vector<Tet>{{0, 1, 2, 3}});
   CHECK(file.ignored.others == 2);
-  CHECK(file.notes == std::vector<std::string>{"Tets of higher order: kept the four corners of each.", "2 cells of other kinds than tets left out."});
+  CHECK(file.notes == std::vector<std::string>{"Tets of higher order: kept the four corners of each.",
+                                               "2 cells of other kinds than tets left out."});
 }
 
 TEST_CASE("VTK legacy: bad files", "[mesh_io]") {
   CHECK(vtk_error("ASCII", "ASCI") == "m.vtk:3: encoding is 'ASCI'; expected ASCII or BINARY");
-  CHECK(vtk_error("UNSTRUCTURED_GRID", "POLYDATA") ==
-        "m.vtk:4: dataset is 'POLYDATA'; expected UNSTRUCTURED_GRID");
+  CHECK(vtk_error("UNSTRUCTURED_GRID", "POLYDATA") == "m.vtk:4: dataset is 'POLYDATA'; expected UNSTRUCTURED_GRID");
   CHECK(vtk_error("POINTS 6", "POINTS 1000000000000") ==
         "m.vtk:5: POINTS: claims 1000000000000 points but only 368 bytes follow; expected a complete file");
   CHECK(vtk_error("POINTS 6 double", "POINTS 6 real") ==
         "m.vtk:5: POINTS: data type is 'real'; expected a number type such as float, double or int");
-  CHECK(vtk_error("9 8 7", "9 nan 7") ==
-        "m.vtk:7: POINTS: a point coordinate is nan; expected a finite number");
+  CHECK(vtk_error("9 8 7", "9 nan 7") == "m.vtk:7: POINTS: a point coordinate is nan; expected a finite number");
   CHECK(vtk_error("9 8 7", "9 8") == "m.vtk:8: POINTS: a point coordinate is 'CELLS'; expected a number");
   CHECK(vtk_error("CELLS 5 19", "CELLS 5 1000000000000") ==
         "m.vtk:8: CELLS: claims 1000000000000 numbers but only 312 bytes follow; expected a complete file");
@@ -95,21 +92,17 @@ TEST_CASE("VTK legacy: bad files", "[mesh_io]") {
         "m.vtk:18: CELL_TYPES: 4 cell types for 5 cells; expected one for each");
   CHECK(vtk_error("CELL_DATA 5", "CELL_DATA 6") == "m.vtk:20: CELL_DATA: is for 6 cells; expected 5");
   CHECK(vtk_error("CELL_DATA 5", "CELL_DATUM 5") ==
-        "m.vtk:20: keyword is 'CELL_DATUM'; expected POINTS, CELLS, CELL_TYPES, CELL_DATA, POINT_DATA or an "
-        "attribute");
+        "m.vtk:20: keyword is 'CELL_DATUM'; expected POINTS, CELLS, CELL_TYPES, CELL_DATA, POINT_DATA or an attribute");
   CHECK(error_of("m.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\n") ==
         "m.vtk:5: has no points; expected POINTS");
-  CHECK(
-      error_of("m.vtk",
-               "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 1 float\n1 2 3\n") ==
-      "m.vtk:7: has no cells; expected CELLS and CELL_TYPES");
+  CHECK(error_of("m.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 1 float\n1 2 3\n") ==
+        "m.vtk:7: has no cells; expected CELLS and CELL_TYPES");
 
   std::string binary = sample("new_binary.vtk");
   const std::size_t points = binary.find("POINTS 6 double\n") + 16;
   binary.replace(points + 8, 8, Bytes(true).add(std::nan("")).text);
   CHECK(error_of("m.vtk", binary) ==
-        "m.vtk: byte " + std::to_string(points) +
-            ", POINTS: coordinate y of point 0 is nan; expected a finite number");
+        "m.vtk: byte " + std::to_string(points) + ", POINTS: coordinate y of point 0 is nan; expected a finite number");
   binary = sample("new_binary.vtk");
   const std::size_t offsets = binary.find("OFFSETS vtktypeint64\n") + 21;
   binary.replace(offsets + 8, 8, Bytes(true).add(std::int64_t{1} << 60).text);
@@ -131,8 +124,7 @@ TEST_CASE("VTU: bad XML and attributes", "[mesh_io]") {
         "m.vtu:3: VTKFile: type is 'PolyData'; expected UnstructuredGrid");
   CHECK(vtu_error("LittleEndian", "Middle") ==
         "m.vtu:3: VTKFile: byte_order is 'Middle'; expected LittleEndian or BigEndian");
-  CHECK(vtu_error("UInt64", "UInt16") ==
-        "m.vtu:3: VTKFile: header_type is 'UInt16'; expected UInt32 or UInt64");
+  CHECK(vtu_error("UInt64", "UInt16") == "m.vtu:3: VTKFile: header_type is 'UInt16'; expected UInt32 or UInt64");
   CHECK(vtu_error("header_type=", "compressor=\"vtkLZ4DataCompressor\" header_type=") ==
         "m.vtu:3: VTKFile: compressor is 'vtkLZ4DataCompressor'; expected vtkZLibDataCompressor or none");
   CHECK(vtu_error("</PointData>", "</PointDatum>") ==
@@ -141,9 +133,8 @@ TEST_CASE("VTU: bad XML and attributes", "[mesh_io]") {
         "m.vtu:5: the value of an attribute is not quoted; expected '\"'");
   CHECK(vtu_error("NumberOfPoints=\"6\"", "NumberOfPoints=\"six\"") ==
         "m.vtu:5: Piece: NumberOfPoints is 'six'; expected a whole number, not negative");
-  CHECK(
-      vtu_error("NumberOfPoints=\"6\"", "NumberOfPoints=\"1000000000000\"")
-          .starts_with("m.vtu:5: Piece: NumberOfPoints is 1000000000000; expected no more than a file of "));
+  CHECK(vtu_error("NumberOfPoints=\"6\"", "NumberOfPoints=\"1000000000000\"")
+            .starts_with("m.vtu:5: Piece: NumberOfPoints is 1000000000000; expected no more than a file of "));
   CHECK(vtu_error("NumberOfPoints=\"6\"", "NumberOfPoints=\"7\"") ==
         "m.vtu:17: DataArray 'Points': holds 18 values; expected 21");
   CHECK(vtu_error("a comment", "a comment &nonsense; <") == "");
@@ -159,8 +150,7 @@ TEST_CASE("VTU: bad XML and attributes", "[mesh_io]") {
 TEST_CASE("VTU: bad arrays", "[mesh_io]") {
   CHECK(vtu_error("9.000000 8.000000", "9.000000 inf") ==
         "m.vtu:18: DataArray 'Points': a coordinate is infinite; expected a finite number");
-  CHECK(vtu_error("Name=\"types\"", "Name=\"type\"") ==
-        "m.vtu:21: Cells: has no DataArray 'types'; expected one");
+  CHECK(vtu_error("Name=\"types\"", "Name=\"type\"") == "m.vtu:21: Cells: has no DataArray 'types'; expected one");
   CHECK(vtu_error("1 2 3 4 \n", "1 2 3 6 \n") ==
         "m.vtu:22: DataArray 'connectivity': cell 4 names point 6; expected 0 to 5");
   CHECK(vtu_error("1 3 6 10 14", "1 3 6 10 15") ==
@@ -192,8 +182,7 @@ TEST_CASE("VTU: bad arrays", "[mesh_io]") {
       // the size, or the number of blocks, of the first array: nothing of its kind is in the mesh, the region
       // array is
       const std::size_t first = one.content.find("\n _") + 3;
-      const std::size_t offset =
-          one.content.find("offset=\"", one.content.find("Name=\"gmsh:physical\"")) + 8;
+      const std::size_t offset = one.content.find("offset=\"", one.content.find("Name=\"gmsh:physical\"")) + 8;
       std::string lies = one.content;
       lies.replace(first + std::stoul(lies.substr(offset)), 4, "\xff\xff\xff\xff");
       const std::string text = error_of("m.vtu", lies);
@@ -205,8 +194,7 @@ TEST_CASE("VTU: bad arrays", "[mesh_io]") {
 
 TEST_CASE("VTU: a deflated block that claims too much is not allocated", "[mesh_io]") {
   for (const MeshSample& one : vtu_samples()) {
-    if (one.format != "VTU appended raw, zlib" ||
-        one.content.find("UInt64\" compressor") == std::string::npos ||
+    if (one.format != "VTU appended raw, zlib" || one.content.find("UInt64\" compressor") == std::string::npos ||
         one.content.find("LittleEndian") == std::string::npos) {
       continue;
     }
@@ -218,7 +206,6 @@ TEST_CASE("VTU: a deflated block that claims too much is not allocated", "[mesh_
     const std::string text = error_of("m.vtu", bomb);
     INFO(text);
     CHECK(text.find("DataArray 'Points': block 0 claims ") != std::string::npos);
-    CHECK(text.find(" bytes for 1125899906842624; expected no more than the file holds") !=
-          std::string::npos);
+    CHECK(text.find(" bytes for 1125899906842624; expected no more than the file holds") != std::string::npos);
   }
 }

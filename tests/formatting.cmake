@@ -1,0 +1,17 @@
+# Every C++ source is as clang-format leaves it with .clang-format; GLSL and CMake files keep to its columns by hand.
+# Called with -DSOURCE_DIR=<source tree> -DCLANG_FORMAT=<program>.
+cmake_minimum_required(VERSION 3.25)
+set(sources)
+foreach(room IN ITEMS api app base examples gl include python render shaders sim tests)
+  file(GLOB_RECURSE found ${SOURCE_DIR}/${room}/*.h ${SOURCE_DIR}/${room}/*.cpp)
+  list(APPEND sources ${found})
+endforeach()
+list(LENGTH sources count)
+if(count LESS 100)
+  message(FATAL_ERROR "${SOURCE_DIR}: ${count} C++ sources; expected hundreds")
+endif()
+execute_process(COMMAND ${CLANG_FORMAT} --dry-run --Werror ${sources} RESULT_VARIABLE failed ERROR_VARIABLE report)
+if(failed)
+  message(FATAL_ERROR "${report}clang-format -i FILE mends this")
+endif()
+message(STATUS "${count} C++ sources are formatted")
