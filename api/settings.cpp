@@ -5,10 +5,10 @@
 namespace fascia::api {
 
 SolverSettings checked(const Settings& settings) {
-  const std::optional<Pair> pair = find_pair(settings.method, settings.acceleration);
+  const std::optional<SolverChoice> pair = find_choice(settings.method, settings.acceleration);
   if (!pair)
     throw Error("settings", "method \"" + settings.method + "\" with acceleration \"" + settings.acceleration + "\"",
-                "expected one of these pairs: " + list_of_pairs());
+                "expected one of these pairs: " + list_of_choices());
   SolverSettings own;
   own.method = pair->method;
   own.acceleration = pair->acceleration;
@@ -43,7 +43,8 @@ Settings shown(const SolverSettings& settings) {
 
 std::vector<std::pair<std::string, std::string>> solver_pairs() {
   std::vector<std::pair<std::string, std::string>> pairs;
-  for (const Pair& pair : legal_pairs()) pairs.emplace_back(name_of(pair.method), name_of(pair.acceleration));
+  for (const SolverChoice& pair : solver_choices())
+    pairs.emplace_back(name_of(pair.method), name_of(pair.acceleration));
   return pairs;
 }
 

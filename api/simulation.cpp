@@ -99,15 +99,15 @@ void Simulation::reset() {
   impl_->call([](fascia::Simulation& simulation) { simulation.reset(); });
 }
 
-std::optional<std::uint32_t> Simulation::lost_vertex() {
+std::optional<std::uint32_t> Simulation::diverged_vertex() {
   return impl_->call([](fascia::Simulation& simulation) { return simulation.check_now(); });
 }
 
-void Simulation::restore_sound() {
+void Simulation::restore_valid() {
   impl_->call([](fascia::Simulation& simulation) {
     if (simulation.uses_reference())
-      throw Error("restore_sound", "not with the reference solver", "expected a simulation on the GPU");
-    simulation.back_to_sound();
+      throw Error("restore_valid", "not with the reference solver", "expected a simulation on the GPU");
+    simulation.back_to_valid();
     simulation.begin_anew();
   });
 }

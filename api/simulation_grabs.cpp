@@ -1,11 +1,11 @@
-// Grabs of a simulation: springs by name, each a hand of its own to the solver.
+// Grabs of a simulation: springs by name, each a grab of its own to the solver.
 #include "api/simulation.h"
 #include "api/values.h"
 
 namespace fascia::api {
 namespace {
 
-// As the program's hands are unless a user chooses (sim/grab/grab_patch.h): a patch of its usual size.
+// As the program's grabs are unless a user chooses (sim/grab/grab_patch.h): a patch of its usual size.
 double usual_stiffness(const Model& model, const std::vector<PatchVertex>& patch) {
   return patch_stiffness(patch, kPatchRadius * scene_radius(model));
 }
@@ -17,8 +17,8 @@ Grab Simulation::Impl::take(const std::vector<PatchVertex>& patch, double stiffn
     throw Error("grab", "holds no free vertex", "expected at least one that is in a tet and neither fixed nor led");
   if (!(stiffness > 0 && std::isfinite(stiffness)))
     throw Error("grab: stiffness", "is not positive", "expected N/m, or 0 for the tissue's own");
-  if (next_grab >= kFirstScriptedHand)
-    throw Error("grab", "too many were made", "expected at most " + std::to_string(kFirstScriptedHand));
+  if (next_grab >= kFirstScriptedGrab)
+    throw Error("grab", "too many were made", "expected at most " + std::to_string(kFirstScriptedGrab));
   const fascia::State state = simulation->state();
   Held grab{{}, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   for (const PatchVertex& p : patch) {

@@ -25,28 +25,28 @@ int main() try {
   scene.bodies.push_back(cube);
   fascia::Simulation simulation(scene);
 
-  const fascia::Grab hand = simulation.grab_vertex(corner, 500);  // N/m
-  const fascia::Vec3 from = simulation.target(hand);
+  const fascia::Grab grab = simulation.grab_vertex(corner, 500);  // N/m
+  const fascia::Vec3 from = simulation.target(grab);
   constexpr int kSteps = 30;
   for (int step = 1; step <= kSteps; ++step) {
-    simulation.move(hand, {from[0] + 0.03 * step / kSteps, from[1] + 0.01 * step / kSteps, from[2]});
+    simulation.move(grab, {from[0] + 0.03 * step / kSteps, from[1] + 0.01 * step / kSteps, from[2]});
     simulation.step();
   }
   const fascia::StaticReport report = simulation.solve_static();  // instead of steps until it is at rest
   std::printf("residual %.2g\n", report.relative_residual);
-  print("target", simulation.target(hand), "m");
-  print("force", simulation.force(hand), "N");
+  print("target", simulation.target(grab), "m");
+  print("force", simulation.force(grab), "N");
 
   // In equilibrium the forces of grab and supports carry the weight.
   double weight = 0;
   for (const double mass : simulation.masses()) weight += mass * 9.81;
-  fascia::Vec3 sum = simulation.force(hand);
+  fascia::Vec3 sum = simulation.force(grab);
   for (const fascia::Support& support : simulation.supports())
     for (int k = 0; k < 3; ++k) sum[static_cast<std::size_t>(k)] += support.force[static_cast<std::size_t>(k)];
   std::printf("weight %.6f N\n", weight);
   print("carried", sum, "N");
 
-  simulation.release(hand);
+  simulation.release(grab);
   simulation.step(120);
   const std::vector<double> x = simulation.positions();
   std::printf("speed %.6f m/s\n", simulation.diagnostics().max_speed);

@@ -267,9 +267,9 @@ void define_simulation(py::module_& m) {
       .def("reset", &Simulation::reset)
       .def_property_readonly("time", &Simulation::time, "[s]")
       .def_property_readonly("asleep", &Simulation::asleep)
-      .def("lost_vertex", &Simulation::lost_vertex,
+      .def("diverged_vertex", &Simulation::diverged_vertex,
            "A vertex that is no longer finite or has left the scene; None: the state is sound.")
-      .def("restore_sound", &Simulation::restore_sound)
+      .def("restore_valid", &Simulation::restore_valid)
       .def_property(
           "positions", [](const Simulation& s) { return array_of(s.positions(), 3); },
           [](Simulation& s, const py::object& x) { s.set_positions(numbers_of(x)); }, "[vertex_count, 3] [m]; a copy")

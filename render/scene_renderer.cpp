@@ -116,7 +116,7 @@ void SceneRenderer::set_regions(std::span<const std::uint32_t> triangle_region) 
 bool SceneRenderer::has_regions() const { return impl_->surface.has_regions(); }
 
 void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const Look& asked,
-                         std::span<const GrabMark> hands, const Framebuffer& target) {
+                         std::span<const GrabArrow> grabs, const Framebuffer& target) {
   Impl& parts = *impl_;
   assert(surface.positions->bytes() >= 16 * std::size_t(parts.vertex_count));
   const gl::Buffer& positions = *surface.positions;
@@ -180,7 +180,7 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
   const AmbientOcclusion* occlusion = parts.ambient_occlusion(look, target);
   if (occlusion) occlusion->darken(camera, look, target);
   if (!transparent) parts.ground.draw_background(look);
-  if (!look.tets) parts.marks.draw(look, positions, hands);  // vertices are not where separate tets are drawn
+  if (!look.tets) parts.marks.draw(look, positions, grabs);  // vertices are not where separate tets are drawn
 }
 
 }  // namespace fascia

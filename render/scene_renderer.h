@@ -43,7 +43,7 @@ class SceneRenderer {
 
   /// Over the whole of `target`, which need not be cleared and is left bound, depth test on and blending off. On a
   /// transparent backdrop colors are premultiplied by alpha.
-  void draw(const SurfaceView& surface, const Camera& camera, const Look& look, std::span<const GrabMark> hands,
+  void draw(const SurfaceView& surface, const Camera& camera, const Look& look, std::span<const GrabArrow> grabs,
             const Framebuffer& target);
 
  private:

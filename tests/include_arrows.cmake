@@ -10,7 +10,7 @@ set(arrows
   "sim/coarse: sim/model"
   "sim/gpu: base gl sim/coarse sim/gpu/acceleration sim/gpu/methods sim/gpu/passes sim/gpu/readback sim/model sim/reference"
   "sim/gpu/acceleration: gl sim/gpu/passes sim/scene/settings"
-  "sim/gpu/methods: sim/coarse sim/gpu/acceleration sim/gpu/passes sim/ordering"
+  "sim/gpu/methods: gl sim/coarse sim/gpu/acceleration sim/gpu/passes sim/ordering sim/scene/settings"
   "sim/gpu/passes: base gl shaders/shared sim/coarse sim/material sim/mesh sim/model sim/ordering sim/scene/settings"
   "sim/gpu/readback: gl shaders/shared sim/gpu/passes sim/model sim/surface"
   "sim/grab: base sim/mesh sim/model sim/scene sim/surface sim/visual"

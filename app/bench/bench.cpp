@@ -86,9 +86,11 @@ void Bench::draw(const std::string& name, const Chart& chart) const {
   if (has_gnuplot) write_chart(folder / name, chart);
 }
 
-std::string name_of(const Pair& pair) { return std::string(name_of(pair.method)) + " + " + name_of(pair.acceleration); }
+std::string name_of(const SolverChoice& pair) {
+  return std::string(name_of(pair.method)) + " + " + name_of(pair.acceleration);
+}
 
-std::string label_of(const Pair& pair) {
+std::string label_of(const SolverChoice& pair) {
   const std::string method = label_of(pair.method);
   return pair.acceleration == Acceleration::none ? method : method + " + " + label_of(pair.acceleration);
 }

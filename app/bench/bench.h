@@ -43,8 +43,8 @@ class Bench {
   std::vector<std::string> notes_;
 };
 
-std::string name_of(const Pair& pair);   // "jacobi + chebyshev", as in scene files
-std::string label_of(const Pair& pair);  // for legends
+std::string name_of(const SolverChoice& pair);   // "jacobi + chebyshev", as in scene files
+std::string label_of(const SolverChoice& pair);  // for legends
 
 /// The parts, in the order of the poster. Each writes its files and throws Error or Interrupted.
 void bench_scenes(Bench& bench);       // figure 1: the two scenes and their times

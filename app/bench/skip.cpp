@@ -30,7 +30,7 @@ struct Subject {
 
 struct Feature {
   std::string name;
-  Pair pair;
+  SolverChoice pair;
   std::function<void(Subject&)> on, off;
   Model (*built_in)(Model) = nullptr;  // instead of them: what a scene has from the start or never
   MaterialModel law = MaterialModel::signed_st_venant_kirchhoff;  // without it
@@ -42,7 +42,7 @@ void set(Subject& s, const std::function<void(SolverSettings&)>& change) {
   s.solver->set_settings(settings);
 }
 
-std::vector<GrabSpring> hand(const Model& model) {
+std::vector<GrabSpring> grab(const Model& model) {
   std::vector<GrabSpring> springs;
   for (const std::uint32_t v : beam_tip(model)) springs.push_back({v, {0, 0.1, 0}, 100});
   return springs;
@@ -64,7 +64,7 @@ Model with_motion(Model model) {
 }
 
 std::vector<Feature> features() {
-  const Pair two_level{Method::two_level, Acceleration::subspace}, jacobi{Method::jacobi, Acceleration::none},
+  const SolverChoice two_level{Method::two_level, Acceleration::subspace}, jacobi{Method::jacobi, Acceleration::none},
       sweep{Method::gauss_seidel, Acceleration::none};
   const auto damp = [](double seconds) {
     return [=](Subject& s) {
@@ -89,9 +89,9 @@ std::vector<Feature> features() {
     return [=](Subject& s) { set(s, [=](SolverSettings& settings) { settings.colors = colors; }); };
   };
   std::vector<Feature> list;
-  for (const Pair& pair : {two_level, jacobi}) {
+  for (const SolverChoice& pair : {two_level, jacobi}) {
     list.push_back({"damping", pair, damp(0.01), damp(0)});
-    list.push_back({"grab", pair, [](Subject& s) { s.solver->set_grab(hand(s.model)); },
+    list.push_back({"grab", pair, [](Subject& s) { s.solver->set_grab(grab(s.model)); },
                     [](Subject& s) { s.solver->set_grab({}); }});
     list.push_back({"tolerance", pair, tolerate(1e-9), tolerate(0)});
     list.push_back({"stress colors", pair, color(ColorBy::von_mises), color(ColorBy::none)});

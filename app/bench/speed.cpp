@@ -20,7 +20,7 @@ std::vector<std::size_t> sizes_of(const Bench& bench) {
   return bench.full_or_quick<std::vector<std::size_t>>({500, 5'000, 20'000, 100'000, 1'000'000}, {500, 5'000});
 }
 
-SolverSettings settings_of(const Pair& pair) {
+SolverSettings settings_of(const SolverChoice& pair) {
   SolverSettings settings;
   settings.method = pair.method;
   settings.acceleration = pair.acceleration;
@@ -61,16 +61,16 @@ Table speed_table() {
 void measure_pairs(Bench& bench, const Model& model, const DeviceSpeed& device, Table& table,
                    std::vector<SpeedRow>& rows) {
   const bool one_of_each = bench.options.quick || model.tets.size() >= kFewPairs;
-  std::vector<Pair> pairs;
+  std::vector<SolverChoice> pairs;
   const int repetitions = repetitions_for(bench, model.tets.size());
   const State start = bent_beam(model);
   std::vector<std::unique_ptr<GpuSolver>> solvers;
   std::vector<GpuSolver*> timed;
   std::vector<std::size_t> bytes;
-  for (const Pair& pair : legal_pairs()) {
+  for (const SolverChoice& pair : solver_choices()) {
     bench.stop_if_interrupted();
     if (one_of_each &&
-        std::any_of(pairs.begin(), pairs.end(), [&](const Pair& other) { return other.method == pair.method; }))
+        std::any_of(pairs.begin(), pairs.end(), [&](const SolverChoice& other) { return other.method == pair.method; }))
       continue;
     const std::size_t before = gl::allocated_bytes();
     try {
@@ -100,7 +100,7 @@ void measure_pairs(Bench& bench, const Model& model, const DeviceSpeed& device, 
 
 // Where the time of a step goes, with the default pair.
 void measure_kernels(Bench& bench, const Model& model, Table& table) {
-  GpuSolver solver(*bench.graphics.programs, model, settings_of(legal_pairs().front()));
+  GpuSolver solver(*bench.graphics.programs, model, settings_of(solver_choices().front()));
   const State start = bent_beam(model);
   std::map<std::string, std::vector<double>> times;
   std::vector<double> whole;
@@ -172,7 +172,7 @@ std::vector<SpeedRow> bench_speed(Bench& bench) {
           std::to_string(bench.options.width) + "x" + std::to_string(bench.options.height) + " pixels"};
   meshes.columns = {"tets",     "vertices", "file_bytes", "read_ms",   "open_ms",
                     "first_ms", "step_ms",  "draw_ms",    "gpu_bytes", "resident_bytes"};
-  kernels.notes = {"one step with " + name_of(legal_pairs().front()) + "; ms: of all runs of the step, median; " +
+  kernels.notes = {"one step with " + name_of(solver_choices().front()) + "; ms: of all runs of the step, median; " +
                    (gl::device().timestamp_bits == 0 ? "every pass waited for" : "between timestamps of the device")};
   kernels.columns = {"tets", "kernel", "runs", "ms", "ns_per_tet_run"};
   std::vector<SpeedRow> rows;

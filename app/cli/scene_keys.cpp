@@ -43,7 +43,7 @@ std::vector<SceneKey> scene_keys() {
   std::erase_if(keys, [](const SceneKey& key) { return key.name == "fascia_scene"; });
 
   std::set<std::string> methods, accelerations;
-  for (const Pair& pair : legal_pairs()) {
+  for (const SolverChoice& pair : solver_choices()) {
     methods.insert(name_of(pair.method));
     accelerations.insert(name_of(pair.acceleration));
   }

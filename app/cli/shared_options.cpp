@@ -80,7 +80,7 @@ void add_common(CLI::App& command, CommonOptions& options) {
       ->allow_extra_args(false);
   command
       .add_option("--grab", options.grabs,
-                  "one more hand, as in the scene's grabs: "
+                  "one more grab, as in the scene's grabs: "
                   "\"at=0.1,0.05,0;translate=0,0.1,0;start=0.2;duration=0.5;release=1.5;radius=0.02\"")
       ->type_name("KEY=VALUE;...")
       ->allow_extra_args(false);

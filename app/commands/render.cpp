@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/interrupt.h"
-#include "sim/simulation/breakdown.h"
+#include "sim/simulation/divergence.h"
 
 namespace fascia {
 namespace {
@@ -78,7 +78,7 @@ int command_render(const RenderOptions& options) {
   headless.run([&] {
     if (video) video->after_step();
   });
-  if (!options.static_equilibrium) require_sound(headless.session().simulation);
+  if (!options.static_equilibrium) require_valid(headless.session().simulation);
   if (video) {
     video->finish();
     if (!options.quiet) std::cerr << "fascia: " << options.video << ", " << video->frames() << " frames\n";

@@ -16,7 +16,7 @@
 #include "sim/output/state_export.h"
 #include "sim/output/stats.h"
 #include "sim/reference/newton.h"
-#include "sim/simulation/breakdown.h"
+#include "sim/simulation/divergence.h"
 #include "sim/simulation/simulation.h"
 #include "sim/simulation/true_error.h"
 
@@ -151,9 +151,9 @@ int command_run(const RunOptions& options) {
       const Clock::time_point step_start = Clock::now();
       simulation.step();
       if (!options.reference) gl::Finish();
-      if (simulation.astray()) {
+      if (simulation.diverged()) {
         if (history) history->write();
-        require_sound(simulation);
+        require_valid(simulation);
       }
       stats.solve_ms.push_back(milliseconds_since(step_start));
       ++stats.steps;
@@ -164,7 +164,7 @@ int command_run(const RunOptions& options) {
   }
   stats.wall_s = milliseconds_since(start) / 1000;
   if (history) history->write();
-  if (!options.static_equilibrium) require_sound(simulation);
+  if (!options.static_equilibrium) require_valid(simulation);
 
   const State last = simulation.state();
   int inverted = 0;
@@ -201,7 +201,7 @@ int command_run(const RunOptions& options) {
       replay && replay->hash && replay->steps == stats.steps && !options.quiet)
     std::cerr << "fascia: "
               << (hash == *replay->hash ? "to the bit what was recorded\n"
-                  : overridden          ? "another state than was recorded, with other values, hands or solver\n"
+                  : overridden          ? "another state than was recorded, with other values, grabs or solver\n"
                                         : "not to the bit what was recorded: another device, program or mesh\n");
   if (!series && !options.export_path.empty())
     write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last),

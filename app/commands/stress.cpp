@@ -17,14 +17,14 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Row {
-  Pair pair;
+  SolverChoice pair;
   StressCase made;
   StressResult result;
   fs::path replay;  // of a failure, relative to the output folder
   bool passed() const { return result.failures.empty(); }
 };
 
-std::string full_name(const StressCase& made, const Pair& pair) {
+std::string full_name(const StressCase& made, const SolverChoice& pair) {
   return made.group + "/" + made.name + "/" + name_of(pair);
 }
 
@@ -77,7 +77,7 @@ Table table_of(const std::vector<Row>& rows) {
 // Pairs down, groups across: how many cases passed; then every failure in a line.
 std::string summary_of(const Bench& bench, const std::vector<Row>& rows) {
   std::vector<std::string> groups;
-  std::vector<Pair> pairs;
+  std::vector<SolverChoice> pairs;
   std::map<std::pair<std::size_t, std::string>, std::pair<int, int>> counts;  // passed, of
   for (const Row& row : rows) {
     if (std::find(groups.begin(), groups.end(), row.made.group) == groups.end()) groups.push_back(row.made.group);
@@ -121,7 +121,7 @@ int command_stress(const BenchOptions& options, const std::string& only, Materia
   Bench bench(options, "stress");
   try {
     bench.say(describe(bench.graphics));
-    for (const Pair& pair : legal_pairs()) {
+    for (const SolverChoice& pair : solver_choices()) {
       if (!carries(pair.method, model)) continue;
       for (StressCase& made : stress_cases(pair, model, bench.folder, options.quick)) {
         const std::string name = full_name(made, pair);

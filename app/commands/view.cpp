@@ -23,7 +23,7 @@ int command_view(const ViewOptions& options) {
   require_outputs(outputs, input_files(opened.scene));
   Graphics graphics = open_graphics(options, true, options.width, options.height,
                                     workload_of(opened.scene, opened.model, options.static_equilibrium));
-  ViewWindow window(graphics, options, std::move(opened));
+  Window window(graphics, options, std::move(opened));
   if (!options.quiet)
     for (const std::string& note : window.simulation().model.notes) std::cerr << "fascia: " << note << '\n';
   window.run();

@@ -152,22 +152,22 @@ void SplitView::follow(Session& a, const std::function<void()>& change_a) {
   if (a.simulation.time() < time) restart_from(a);
 }
 
-void SplitView::lead(Session& a, Session& hand) {
-  const bool led_by_a = &hand == &a || a.simulation.replaying();  // a replay's hands are at A, wherever the mouse is
+void SplitView::lead(Session& a, Session& grab) {
+  const bool led_by_a = &grab == &a || a.simulation.replaying();  // a replay's grabs are at A, wherever the mouse is
   Simulation &leads = led_by_a ? a.simulation : b_->simulation, &follows = led_by_a ? b_->simulation : a.simulation;
   follows.set_grab(leads.asked_springs());
 }
 
-void SplitView::step(Session& a, Session& hand) {
+void SplitView::step(Session& a, Session& grab) {
   if (a.simulation.repeating()) follow(a, [&] { a.simulation.repeat_inputs(); });
-  lead(a, hand);
+  lead(a, grab);
   const double time = a.simulation.time();
   make_step(a, sides_[0]);
   make_step(*b_, sides_[1]);
   if (a.simulation.time() < time) restart_from(a);  // a replay that ends with a reset
-  if (!b_->simulation.astray()) return;
+  if (!b_->simulation.diverged()) return;
   ++lost_;  // what B does may not stop A: it goes on from where all was well
-  b_->simulation.back_to_sound();
+  b_->simulation.back_to_valid();
   b_->simulation.begin_anew();
 }
 
@@ -200,15 +200,15 @@ Framebuffer& SplitView::picture_of(int width, int height, int samples) {
   return *pictures_[0];
 }
 
-SplitView::SideHands SplitView::hands(const Session& a, const std::optional<Diagnostics>& of_a,
-                                      const Hands* of_user) const {
+SplitView::SideGrabs SplitView::grabs(const Session& a, const std::optional<Diagnostics>& of_a,
+                                      const GrabSet* of_user) const {
   const auto marks = [&](const Session& side, const std::optional<Diagnostics>& diagnostics) {
-    return hand_marks(side.simulation, diagnostics ? diagnostics->hand_forces : std::vector<HandForce>(), of_user);
+    return grab_marks(side.simulation, diagnostics ? diagnostics->grab_forces : std::vector<GrabForce>(), of_user);
   };
   return {marks(a, of_a), marks(*b_, diagnostics_)};
 }
 
-void SplitView::draw(Session& a, Framebuffer& framebuffer, const Margins& margins, const SideHands& hands,
+void SplitView::draw(Session& a, Framebuffer& framebuffer, const Margins& margins, const SideGrabs& grabs,
                      const std::function<void(std::size_t, const Framebuffer&)>& drawn) {
   b_->camera = a.camera;
   b_->look = a.look;  // one scale for both sides
@@ -222,7 +222,7 @@ void SplitView::draw(Session& a, Framebuffer& framebuffer, const Margins& margin
         i == 0 ? a.camera : b_->camera, a.extent,
         {places[i].width, framebuffer.height(), {0, static_cast<double>(places[i].width - places[0].width)}, true});
     Framebuffer& picture = picture_of(places[i].width, framebuffer.height(), framebuffer.samples());
-    (i == 0 ? a : *b_).draw(picture, arrows(hands[i]));
+    (i == 0 ? a : *b_).draw(picture, arrows(grabs[i]));
     if (drawn) drawn(i, picture);
     picture.copy_to(framebuffer, places[i].x);
   }
@@ -245,7 +245,7 @@ void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int h
     std::string result = side_result(session, i == 0 ? labels.of_a : diagnostics_, sides_[i].step_ms, labels.measured);
     if (i == 1 && lost_ > 0) result += "  |  came apart " + std::to_string(lost_) + (lost_ == 1 ? " time" : " times");
     if (!result.empty()) free.keep_clear(ui::pill(list, result, middle, bottom - ui::px(78), ui::kText, widest));
-    draw_hand_marks(area_of(list, places[i], height, scale), session, labels.hands[i], free);
+    draw_grab_marks(area_of(list, places[i], height, scale), session, labels.grabs[i], free);
   }
 }
 

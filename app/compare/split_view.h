@@ -1,5 +1,5 @@
 // Two settings of one scene side by side: A is the session that is open, B another of the same bodies with other
-// settings. Both make the same steps under the same hand and are drawn with the same camera. Exists only while two are
+// settings. Both make the same steps under the same grab and are drawn with the same camera. Exists only while two are
 // compared.
 #pragma once
 #include <array>
@@ -31,13 +31,13 @@ class SplitView {
 
   Session& b() { return *b_; }
   const Session& b() const { return *b_; }
-  DialHistory history;  // of the side that the panels do not show
+  UndoHistory history;  // of the side that the panels do not show
 
-  /// The other side gets the springs of `hand`, which is one of them, or of A while a replay leads it.
-  void lead(Session& a, Session& hand);
-  /// One step of both, led so. What a replay does to A happens to B, too: hands, gravity, time step, resets; settings
+  /// The other side gets the springs of `grab`, which is one of them, or of A while a replay leads it.
+  void lead(Session& a, Session& grab);
+  /// One step of both, led so. What a replay does to A happens to B, too: grabs, gravity, time step, resets; settings
   /// and materials where both have the same.
-  void step(Session& a, Session& hand);
+  void step(Session& a, Session& grab);
   void reset(Session& a);               // both to where A starts
   void restart_from(const Session& a);  // B into the state that A is in
   /// What both must have in common goes over from the side where it changed: display, gravity, time step.
@@ -58,21 +58,21 @@ class SplitView {
   static std::array<Area, 2> areas(int width, const Margins& margins);
   /// Such an area in a list whose unit is `scale` pixels, of a picture of this height.
   static MarkArea area_of(ImDrawList& list, const Area& area, int height, float scale);
-  using SideHands = std::array<std::vector<HandMark>, 2>;
+  using SideGrabs = std::array<std::vector<GrabMark>, 2>;
   /// What pulls at A and at B; `of_user` null where there is none.
-  SideHands hands(const Session& a, const std::optional<Diagnostics>& of_a, const Hands* of_user) const;
+  SideGrabs grabs(const Session& a, const std::optional<Diagnostics>& of_a, const GrabSet* of_user) const;
   /// `drawn`, if any, is called with each side's own picture, which has a depth.
-  void draw(Session& a, Framebuffer& framebuffer, const Margins& margins, const SideHands& hands,
+  void draw(Session& a, Framebuffer& framebuffer, const Margins& margins, const SideGrabs& grabs,
             const std::function<void(std::size_t, const Framebuffer&)>& drawn = {});
   struct Labels {
     const std::optional<Diagnostics>& of_a;
     bool measured;   // with times
     bool editing_b;  // which side the panels show
-    const SideHands& hands;
+    const SideGrabs& grabs;
     std::vector<Box> covered;  // by windows and the like
   };
   /// Over a picture of `width` x `height` pixels with the same margins: what each side is, what it costs and reaches,
-  /// and its hands. The list's unit is `scale` pixels.
+  /// and its grabs. The list's unit is `scale` pixels.
   void draw_labels(ImDrawList& list, const Session& a, int width, int height, const Margins& margins, float scale,
                    const Labels& labels) const;
 

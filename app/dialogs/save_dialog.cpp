@@ -34,7 +34,7 @@ void SaveDialog::ask(const std::string& name) {
 
 void SaveDialog::go_to(const fs::path& folder) {
   browser_.go_to(folder, kind_);
-  complaint_.clear();
+  warning_.clear();
   focus_ = true;
 }
 
@@ -53,12 +53,12 @@ void SaveDialog::choose() {
   if (!target_.has_extension()) target_ += formats_.front().ending;
   focus_ = true;
   if (!fs::is_directory(target_.parent_path(), ec)) {
-    complaint_ = "There is no folder " + target_.parent_path().string();
+    warning_ = "There is no folder " + target_.parent_path().string();
   } else if (!known(lower_ending(target_))) {
-    complaint_ = "Expected a name that ends in";
-    for (const Format& format : formats_) complaint_ += " " + format.ending;
+    warning_ = "Expected a name that ends in";
+    for (const Format& format : formats_) warning_ += " " + format.ending;
   } else {
-    complaint_.clear();
+    warning_.clear();
     stage_ = fs::exists(target_, ec) ? Stage::questioned : Stage::done;
   }
 }
@@ -122,7 +122,7 @@ std::optional<fs::path> SaveDialog::draw(const std::vector<Place>& places, const
     ImGui::Checkbox(option_.label.c_str(), &option_on_);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", option_.help.c_str());
   }
-  if (!complaint_.empty()) ImGui::TextColored(ui::kWarning, "%s", complaint_.c_str());
+  if (!warning_.empty()) ImGui::TextColored(ui::kWarning, "%s", warning_.c_str());
   chosen |= dialog_button("Save");
   ImGui::SameLine();
   const bool cancel = dialog_button("Cancel") || (escape_pressed() && !questioned);

@@ -44,7 +44,7 @@ class SaveDialog {
   FileKind kind_;
   FolderBrowser browser_;
   std::string name_, walked_from_;  // the name that the arrow keys left
-  std::string complaint_;
+  std::string warning_;
   std::filesystem::path target_;
   enum class Stage { closed, asked, open, questioned, done } stage_ = Stage::closed;
   bool focus_ = false;

@@ -12,7 +12,7 @@
 #include "app/panels/panels.h"
 #include "base/error.h"
 #include "base/interrupt.h"
-#include "sim/simulation/breakdown.h"
+#include "sim/simulation/divergence.h"
 
 namespace fascia {
 namespace {
@@ -28,8 +28,8 @@ Opened open_with_display(const RenderOptions& options, const std::string& split 
   return open_input(options, sets);
 }
 
-std::vector<HandMark> marks_of(const Simulation& simulation, const std::optional<Diagnostics>& diagnostics) {
-  return hand_marks(simulation, diagnostics ? diagnostics->hand_forces : std::vector<HandForce>(), nullptr);
+std::vector<GrabMark> marks_of(const Simulation& simulation, const std::optional<Diagnostics>& diagnostics) {
+  return grab_marks(simulation, diagnostics ? diagnostics->grab_forces : std::vector<GrabForce>(), nullptr);
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ void Headless::run(const std::function<void()>& after_step) {
     else
       simulation.step();
     ++step_;
-    if (simulation.astray()) require_sound(simulation);
+    if (simulation.diverged()) require_valid(simulation);
     if (after_step) after_step();
   }
 }
@@ -104,7 +104,7 @@ void Headless::look(double step) {
 }
 
 Framebuffer& Headless::draw() {
-  require_sound(session_.simulation);
+  require_valid(session_.simulation);
   session_.forget_range();
   return draw(static_cast<double>(step_), nullptr);
 }
@@ -113,26 +113,26 @@ Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
   look(step);
   if (split_) split_->share(session_);
   const bool tells = options_.panels || split_;
-  const std::optional<Diagnostics> diagnostics = tells ? diagnose() : diagnose_hands();
+  const std::optional<Diagnostics> diagnostics = tells ? diagnose() : diagnose_grabs();
   if (session_.display().color == ColorBy::error) {
     session_.measure_error();
     if (split_) split_->b().measure_error();
   }
   session_.settle_range(split_ ? &split_->b() : nullptr);
   if (split_) return draw_split(diagnostics);
-  std::vector<HandMark> hands = marks_of(session_.simulation, diagnostics);
-  if (positions && !remembered_hands_.empty()) {
+  std::vector<GrabMark> grabs = marks_of(session_.simulation, diagnostics);
+  if (positions && !remembered_grabs_.empty()) {
     constexpr double kRounding = 1e-6;  // a whole step may come as a little less
     const auto ago = static_cast<std::size_t>(step_ - static_cast<long>(std::floor(step + kRounding)));
-    hands = remembered_hands_[remembered_hands_.size() - 1 - std::min(ago, remembered_hands_.size() - 1)];
+    grabs = remembered_grabs_[remembered_grabs_.size() - 1 - std::min(ago, remembered_grabs_.size() - 1)];
   }
   const int width = picture_.framebuffer().width(), height = picture_.framebuffer().height();
   if (options_.panels || has_legend(session_)) overlay_.scale_to(height);
   frame_picture(session_.camera, session_.extent, {width, height, margins(height >= kLeastRows)});
   Framebuffer& framebuffer =
-      picture_.draw(session_.camera, [&](Framebuffer& target) { session_.draw(target, arrows(hands), positions); });
-  if (options_.panels || has_legend(session_) || !hands.empty())
-    overlay_.draw_headless(session_, framebuffer, options_.panels, diagnostics, hands);
+      picture_.draw(session_.camera, [&](Framebuffer& target) { session_.draw(target, arrows(grabs), positions); });
+  if (options_.panels || has_legend(session_) || !grabs.empty())
+    overlay_.draw_headless(session_, framebuffer, options_.panels, diagnostics, grabs);
   return framebuffer;
 }
 
@@ -148,13 +148,13 @@ std::optional<Diagnostics> Headless::diagnose() {
   return solver.take_diagnostics(true);
 }
 
-std::optional<Diagnostics> Headless::diagnose_hands() {
+std::optional<Diagnostics> Headless::diagnose_grabs() {
   return session_.simulation.springs().empty() ? std::nullopt : diagnose();
 }
 
-void Headless::remember_hands() {
-  remembered_hands_.push_back(marks_of(session_.simulation, diagnose_hands()));
-  if (remembered_hands_.size() > Moments::kAhead + 2) remembered_hands_.pop_front();
+void Headless::remember_grabs() {
+  remembered_grabs_.push_back(marks_of(session_.simulation, diagnose_grabs()));
+  if (remembered_grabs_.size() > InterpolatedFrames::kAhead + 2) remembered_grabs_.pop_front();
 }
 
 Framebuffer& Headless::draw_split(const std::optional<Diagnostics>& diagnostics) {
@@ -162,12 +162,12 @@ Framebuffer& Headless::draw_split(const std::optional<Diagnostics>& diagnostics)
   const Margins edges = margins(true);
   split_->request_diagnostics();
   split_->take_diagnostics(true);
-  const SplitView::SideHands hands = split_->hands(session_, diagnostics, nullptr);
+  const SplitView::SideGrabs grabs = split_->grabs(session_, diagnostics, nullptr);
   Framebuffer& framebuffer =
-      picture_.draw(session_.camera, [&](Framebuffer& target) { split_->draw(session_, target, edges, hands); });
+      picture_.draw(session_.camera, [&](Framebuffer& target) { split_->draw(session_, target, edges, grabs); });
   overlay_.draw_headless(session_, framebuffer, options_.panels, diagnostics, {}, [&] {
     split_->draw_labels(*ImGui::GetBackgroundDrawList(), session_, framebuffer.width(), framebuffer.height(), edges, 1,
-                        {diagnostics, false, false, hands, overlay_.covered()});
+                        {diagnostics, false, false, grabs, overlay_.covered()});
   });
   return framebuffer;
 }

@@ -30,13 +30,13 @@ class Headless {
   /// when a vertex is lost.
   Framebuffer& draw();
   /// The same after `step` steps, with these positions and colors (null: those of now), seen by the camera and with the
-  /// hands of then; panels, the range of colors and which vertices are held are of now. A replay goes on to the same
+  /// grabs of then; panels, the range of colors and which vertices are held are of now. A replay goes on to the same
   /// bits afterwards.
   Framebuffer& draw(double step, const gl::Buffer* positions);
   /// The display is that of a replay after `step` steps.
   void show_as_of(double step);
-  /// Keeps where the hands are now, for pictures of this moment that are drawn later.
-  void remember_hands();
+  /// Keeps where the grabs are now, for pictures of this moment that are drawn later.
+  void remember_grabs();
 
   Session& session() { return session_; }
   long step() const { return step_; }
@@ -48,7 +48,7 @@ class Headless {
   Headless(const RenderOptions& options, Opened opened);
   void look(double step);
   std::optional<Diagnostics> diagnose();
-  std::optional<Diagnostics> diagnose_hands();  // nothing where nobody holds anything
+  std::optional<Diagnostics> diagnose_grabs();  // nothing where nobody holds anything
   Margins margins(bool bar);                    // of the picture
   Framebuffer& draw_split(const std::optional<Diagnostics>& diagnostics);
 
@@ -59,7 +59,7 @@ class Headless {
   RenderCamera camera_;
   ReplayView view_;
   DisplaySettings opened_;                              // until a replay has another one
-  std::deque<std::vector<HandMark>> remembered_hands_;  // after the last steps, that of now at the end
+  std::deque<std::vector<GrabMark>> remembered_grabs_;  // after the last steps, that of now at the end
   Overlay overlay_;
   std::optional<SplitView> split_;  // with --split
   long step_ = 0, steps_ = 0;

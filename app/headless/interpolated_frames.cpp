@@ -13,15 +13,15 @@ constexpr std::size_t kKept = 6;
 
 }  // namespace
 
-Moments::Moments(const std::optional<Replay>& replay) {
+InterpolatedFrames::InterpolatedFrames(const std::optional<Replay>& replay) {
   if (!replay) return;
   for (const Input& input : replay->inputs)
-    if (std::holds_alternative<ResetInput>(input.change) || std::holds_alternative<SoundInput>(input.change))
+    if (std::holds_alternative<ResetInput>(input.change) || std::holds_alternative<RestoreInput>(input.change))
       jumps_.insert(input.step == replay->steps ? input.step - 1
                                                 : input.step);  // what ends a session acts after its last step
 }
 
-void Moments::add(long step, Simulation& simulation) {
+void InterpolatedFrames::add(long step, Simulation& simulation) {
   if (known_.empty()) first_ = step;
   simulation.gpu()->publish();
   known_.push_back(simulation.gpu()->positions().read<vec4>());
@@ -30,13 +30,15 @@ void Moments::add(long step, Simulation& simulation) {
   ++first_;
 }
 
-const std::vector<vec4>& Moments::positions(long step) const { return known_[static_cast<std::size_t>(step - first_)]; }
+const std::vector<vec4>& InterpolatedFrames::positions(long step) const {
+  return known_[static_cast<std::size_t>(step - first_)];
+}
 
-bool Moments::joined(long from, long to) const {
+bool InterpolatedFrames::joined(long from, long to) const {
   return from >= first_ && to < first_ + static_cast<long>(known_.size()) && !jumps_.count(from);
 }
 
-const gl::Buffer& Moments::at(double step) {
+const gl::Buffer& InterpolatedFrames::at(double step) {
   const long before =
       std::clamp(static_cast<long>(std::floor(step)), first_, first_ + static_cast<long>(known_.size()) - 1);
   const double t = step - static_cast<double>(before);

@@ -11,11 +11,11 @@
 
 namespace fascia {
 
-class Moments {
+class InterpolatedFrames {
  public:
   static constexpr long kAhead = 2;  // steps
 
-  explicit Moments(const std::optional<Replay>& replay);  // whose resets are jumps
+  explicit InterpolatedFrames(const std::optional<Replay>& replay);  // whose resets are jumps
   /// The simulation's positions, after step `step`; each step once.
   void add(long step, Simulation& simulation);
   /// Positions after `step` steps, whole or not: vec4, as GpuSolver::positions, with what colors them. Of the steps

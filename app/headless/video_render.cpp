@@ -23,8 +23,8 @@ VideoRender::VideoRender(const RenderOptions& options, Headless& headless)
       rate_(options.fps * options.slow),
       pixels_(std::size_t{4} * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height)) {
   const Simulation& simulation = headless.session().simulation;
-  if (rate_ * longest_step(simulation) > 1 + kRounding) moments_.emplace(simulation.replay());
-  if (moments_ && !options.split.empty())
+  if (rate_ * longest_step(simulation) > 1 + kRounding) interpolated_.emplace(simulation.replay());
+  if (interpolated_ && !options.split.empty())
     throw Error("--split", "has no pictures between its steps",
                 "expected at most a frame per step: fewer --fps, less --slow or a smaller solver.time_step");
   sink_ = open_frames(options.video, {options.width, options.height, options.fps}, headless.provenance());
@@ -34,14 +34,17 @@ void VideoRender::after_step() {
   const Simulation& simulation = headless_.session().simulation;
   const long step = headless_.step();
   frame_of_step_.push_back(rate_ * simulation.simulated());
-  if (moments_) {
+  if (interpolated_) {
     headless_.show_as_of(static_cast<double>(step));  // what colors show is kept with the positions
-    moments_->add(step, headless_.session().simulation);
-    headless_.remember_hands();
+    interpolated_->add(step, headless_.session().simulation);
+    headless_.remember_grabs();
   }
   if (step == headless_.steps()) return;  // finish() knows how many are left
   double end = frame_of_step_.back() + 0.5 * rate_ * simulation.scene.solver.time_step;
-  if (moments_) end = step < Moments::kAhead ? 0 : frame_of_step_[static_cast<std::size_t>(step - Moments::kAhead)];
+  if (interpolated_)
+    end = step < InterpolatedFrames::kAhead
+              ? 0
+              : frame_of_step_[static_cast<std::size_t>(step - InterpolatedFrames::kAhead)];
   while (static_cast<double>(frame_) < end - kRounding) write_frame();
 }
 
@@ -56,8 +59,8 @@ double VideoRender::step_at(double frame) const {
 }
 
 void VideoRender::write_frame() {
-  const double step = moments_ ? step_at(static_cast<double>(frame_)) : static_cast<double>(headless_.step());
-  headless_.draw(step, moments_ ? &moments_->at(step) : nullptr).read_into(pixels_.data());
+  const double step = interpolated_ ? step_at(static_cast<double>(frame_)) : static_cast<double>(headless_.step());
+  headless_.draw(step, interpolated_ ? &interpolated_->at(step) : nullptr).read_into(pixels_.data());
   sink_->write(pixels_);
   if (options_.hash) hash_.add(pixels_);
   ++frame_;

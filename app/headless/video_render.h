@@ -16,7 +16,7 @@ class VideoRender {
  public:
   /// Frames go to `options.video`. A video that runs at the speed of life, or as much slower as is asked for, whatever
   /// the time step, also where a replay changes it: where there are more steps than frames, a frame shows the nearest
-  /// step, else the tissue moves between steps (Moments). Throws Error.
+  /// step, else the tissue moves between steps (InterpolatedFrames). Throws Error.
   VideoRender(const RenderOptions& options, Headless& headless);
 
   void after_step();  // writes the frames that can be drawn by now. Throws Error
@@ -32,7 +32,7 @@ class VideoRender {
   Headless& headless_;
   double rate_;                        // frames per simulated second
   std::vector<double> frame_of_step_;  // where the steps lie between the frames [steps made + 1]
-  std::optional<Moments> moments_;
+  std::optional<InterpolatedFrames> interpolated_;
   std::unique_ptr<FrameSink> sink_;
   std::vector<std::uint8_t> pixels_;
   ByteHash hash_;

@@ -173,7 +173,7 @@ void draw_regions(const MarkArea& area, const Look& look, const std::vector<std:
 
 std::optional<Box> legend_box(const Box& picture, const Session& session) {
   if (session.look.heat_map) return bar_in(picture, session.look, quantity_of(session.display().color)).plate;
-  if (const DrawnRegions* regions = session.regions()) return regions_in(picture, regions->names).plate;
+  if (const VisualRegions* regions = session.regions()) return regions_in(picture, regions->names).plate;
   return std::nullopt;
 }
 
@@ -185,7 +185,7 @@ double legend_space(const Session& session, int width, int height, float scale) 
 
 void draw_legend(const MarkArea& area, const Session& session) {
   if (session.look.heat_map) draw_bar(area, session.look, quantity_of(session.display().color));
-  if (const DrawnRegions* regions = session.regions()) draw_regions(area, session.look, regions->names);
+  if (const VisualRegions* regions = session.regions()) draw_regions(area, session.look, regions->names);
 }
 
 }  // namespace fascia

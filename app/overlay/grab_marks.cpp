@@ -24,42 +24,42 @@ std::optional<ImVec2> place_of(const MarkArea& area, const Session& session, con
 
 }  // namespace
 
-std::vector<HandMark> hand_marks(const Simulation& simulation, const std::vector<HandForce>& forces,
-                                 const Hands* hands) {
+std::vector<GrabMark> grab_marks(const Simulation& simulation, const std::vector<GrabForce>& forces,
+                                 const GrabSet* grabs) {
   const std::vector<GrabSpring>& springs = simulation.springs();
-  std::vector<HandMark> marks;
+  std::vector<GrabMark> marks;
   for (std::size_t begin = 0, end = 0; begin < springs.size(); begin = end) {
-    const std::uint32_t hand = springs[begin].hand;
+    const std::uint32_t id = springs[begin].grab;
     double stiffness = 0;
     Vector3d to(0, 0, 0), force(0, 0, 0);
-    for (end = begin; end < springs.size() && springs[end].hand == hand; ++end) {
+    for (end = begin; end < springs.size() && springs[end].grab == id; ++end) {
       stiffness += springs[end].stiffness;
       to += springs[end].stiffness * (simulation.model.rest_positions[springs[end].vertex] + springs[end].target);
     }
     if (stiffness == 0) continue;
     to /= stiffness;
     bool observed = false;
-    for (const HandForce& f : forces)
-      if (f.hand == hand && f.force.allFinite()) force = f.force, observed = true;
-    HandMark mark{{(to - force / stiffness).cast<float>(), to.cast<float>()}, force};
-    if (hands)
-      for (std::size_t i = 0; i < hands->all().size(); ++i)
-        if (hands->all()[i].id == hand) {
-          const Grab& grab = hands->all()[i].grab;
+    for (const GrabForce& f : forces)
+      if (f.grab == id && f.force.allFinite()) force = f.force, observed = true;
+    GrabMark mark{{(to - force / stiffness).cast<float>(), to.cast<float>()}, force};
+    if (grabs)
+      for (std::size_t i = 0; i < grabs->all().size(); ++i)
+        if (grabs->all()[i].id == id) {
+          const Grab& grab = grabs->all()[i].grab;
           mark.arrow = {grab.anchor().cast<float>(), grab.pointer().cast<float>()};
           if (observed)
             mark.arrow.from +=
                 ((grab.force() - force) / grab.stiffness()).cast<float>();  // of this simulation's tissue
-          mark.stays = !hands->follows(i);
+          mark.stays = !grabs->follows(i);
         }
     marks.push_back(mark);
   }
   return marks;
 }
 
-std::vector<GrabMark> arrows(const std::vector<HandMark>& marks) {
-  std::vector<GrabMark> arrows;
-  for (const HandMark& mark : marks) arrows.push_back(mark.arrow);
+std::vector<GrabArrow> arrows(const std::vector<GrabMark>& marks) {
+  std::vector<GrabArrow> arrows;
+  for (const GrabMark& mark : marks) arrows.push_back(mark.arrow);
   return arrows;
 }
 
@@ -76,16 +76,16 @@ MarkArea MarkArea::whole() {
   return {*ImGui::GetBackgroundDrawList(), 0, size.x, size.y};
 }
 
-void draw_hand_marks(const MarkArea& area, const Session& session, const std::vector<HandMark>& marks,
+void draw_grab_marks(const MarkArea& area, const Session& session, const std::vector<GrabMark>& marks,
                      LabelPlaces& places) {
   ImDrawList& list = area.list;
   list.PushClipRect({area.x, 0}, {area.x + area.width, area.height}, true);
-  std::vector<std::optional<ImVec2>> hands;
-  for (const HandMark& mark : marks) {
+  std::vector<std::optional<ImVec2>> grabs;
+  for (const GrabMark& mark : marks) {
     const auto place = place_of(area, session, mark.arrow.to.cast<double>());
     const bool shown =
         place && place->x >= area.x && place->x < area.x + area.width && place->y >= 0 && place->y < area.height;
-    hands.push_back(shown ? place : std::nullopt);
+    grabs.push_back(shown ? place : std::nullopt);
     if (!shown) continue;
     const float reach = ui::px(8);
     places.keep_clear({place->x - reach, place->y - reach, place->x + reach, place->y + reach});
@@ -97,9 +97,9 @@ void draw_hand_marks(const MarkArea& area, const Session& session, const std::ve
     }
   }
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    if (!hands[i]) continue;
+    if (!grabs[i]) continue;
     const std::string force = engineering(marks[i].force.norm(), "N");
-    const Box label = places.place(ui::pill_box(force, hands[i]->x + ui::px(44), hands[i]->y - ui::px(34)));
+    const Box label = places.place(ui::pill_box(force, grabs[i]->x + ui::px(44), grabs[i]->y - ui::px(34)));
     ui::pill(list, force, 0.5f * (label.left + label.right), label.top, ui::kText);
   }
   list.PopClipRect();

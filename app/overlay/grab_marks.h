@@ -1,4 +1,4 @@
-// Where the hands are and how hard they pull, drawn over the tissue: those of the user, of the scene and of a replay
+// Where the grabs are and how hard they pull, drawn over the tissue: those of the user, of the scene and of a replay
 // alike. And what else marks places of it.
 #pragma once
 #include <optional>
@@ -13,18 +13,18 @@ struct ImDrawList;
 namespace fascia {
 
 inline constexpr float kLabelGap = 3;      // between labels [points]
-inline constexpr double kMarkRadius = 11;  // of the handle of a hand [1/720 of the picture's height]
+inline constexpr double kMarkRadius = 11;  // of the handle of a grab [1/720 of the picture's height]
 
-struct HandMark {
-  GrabMark arrow;         // from the tissue to where it is pulled: along the force, as long as the springs are
+struct GrabMark {
+  GrabArrow arrow;        // from the tissue to where it is pulled: along the force, as long as the springs are
   Eigen::Vector3d force;  // [N]
-  bool stays = false;     // a hand of the user that does not follow the mouse: can be taken up by its handle
+  bool stays = false;     // a grab of the user that does not follow the mouse: can be taken up by its handle
 };
 
-/// `forces` as last observed; `hands` of the user, null where there is none.
-std::vector<HandMark> hand_marks(const Simulation& simulation, const std::vector<HandForce>& forces,
-                                 const Hands* hands);
-std::vector<GrabMark> arrows(const std::vector<HandMark>& marks);
+/// `forces` as last observed; `grabs` of the user, null where there is none.
+std::vector<GrabMark> grab_marks(const Simulation& simulation, const std::vector<GrabForce>& forces,
+                                 const GrabSet* grabs);
+std::vector<GrabArrow> arrows(const std::vector<GrabMark>& marks);
 
 /// Pixel of a place in a picture of the session; nothing behind the eye.
 std::optional<Eigen::Vector2d> pixel_of(const Session& session, const Eigen::Vector3d& place, double width,
@@ -39,7 +39,7 @@ struct MarkArea {
 };
 
 /// Handles and forces in newtons, these where `places` has room for them.
-void draw_hand_marks(const MarkArea& area, const Session& session, const std::vector<HandMark>& marks,
+void draw_grab_marks(const MarkArea& area, const Session& session, const std::vector<GrabMark>& marks,
                      LabelPlaces& places);
 
 /// A circle of the patch's radius [m] on the tissue at this place, square to `normal`.

@@ -138,13 +138,13 @@ void Overlay::draw_list(const Framebuffer& framebuffer, float scale, const std::
 }
 
 void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool panels,
-                            const std::optional<Diagnostics>& diagnostics, const std::vector<HandMark>& hands,
+                            const std::optional<Diagnostics>& diagnostics, const std::vector<GrabMark>& grabs,
                             const std::function<void()>& more) {
   scale_to(framebuffer.height());
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(framebuffer.width()), static_cast<float>(framebuffer.height())};
   io.DeltaTime = 1.0f / 60;
-  ViewState state;
+  WindowState state;
   state.facts = SceneFacts(session.simulation.scene, session.simulation.model);
   state.statistics.diagnostics = diagnostics;
   // Twice, since ImGui settles sizes of tables and of auto-sized windows on their second frame.
@@ -159,7 +159,7 @@ void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool pan
                        ui::px(kLabelGap));
     for (const Box& box : covered()) places.keep_clear(box);
     if (const auto legend = legend_box(area.box(), session)) places.keep_clear(*legend);
-    draw_hand_marks(area, session, hands, places);
+    draw_grab_marks(area, session, grabs, places);
     if (more) more();
     ImGui::Render();
   }

@@ -22,10 +22,10 @@ class Overlay {
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
 
-  /// One frame of panels (if wanted), color bar and forces of hands over the resolved framebuffer, without a window.
+  /// One frame of panels (if wanted), color bar and forces of grabs over the resolved framebuffer, without a window.
   /// `more` is called with ImGui to draw what else belongs to the picture.
   void draw_headless(Session& session, Framebuffer& framebuffer, bool panels,
-                     const std::optional<Diagnostics>& diagnostics, const std::vector<HandMark>& hands,
+                     const std::optional<Diagnostics>& diagnostics, const std::vector<GrabMark>& grabs,
                      const std::function<void()>& more = {});
   /// So that lengths in pixels and texts are measured right before the first picture of this height.
   void scale_to(int height);

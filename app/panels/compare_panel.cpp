@@ -6,7 +6,7 @@
 
 namespace fascia {
 
-void compare_panel(const ViewState& state, Requests& requests) {
+void compare_panel(const WindowState& state, Requests& requests) {
   ui::ButtonRow sides(2);
   if (sides.add("Tune A", "The panels below show and change side A, at the left: the open scene", !state.editing_b))
     requests.compare = CompareAsk::edit_a;

@@ -1,4 +1,4 @@
-// How hands take hold, and what the forces on the body add up to.
+// How grabs take hold, and what the forces on the body add up to.
 #include <imgui.h>
 
 #include <cstdio>
@@ -20,27 +20,27 @@ std::string in_newtons(const Eigen::Vector3d& force) {
 
 }  // namespace
 
-void grab_panel(const Session& session, ViewState& state, Requests& requests) {
+void grab_panel(const Session& session, WindowState& state, Requests& requests) {
   const double size = session.look.radius;
   double radius = state.grab.radius * size;
   if (ui::number(
           {"Radius", "m", 0.01 * size, 0.4 * size, 0.001 * size, size, true, false,
-           "Of the patch that a hand holds: the ring on the tissue under the mouse. [ and ], or Ctrl and the wheel"},
+           "Of the patch that a grab holds: the ring on the tissue under the mouse. [ and ], or Ctrl and the wheel"},
           radius))
     state.grab.radius = radius / size;
   ui::number({"Grip", "", 0.3, 30, 1e-3, 1e3, true, false,
-              "Stiffness of a hand's springs relative to the tissue's: higher follows more closely and pulls harder"},
+              "Stiffness of a grab's springs relative to the tissue's: higher follows more closely and pulls harder"},
              state.grab.grip);
   ImGui::Checkbox("Push (X)", &state.grab.push);
   ui::tooltip("A press pushes into the surface, the wheel deeper; Alt does the opposite of this for one press");
   ImGui::SameLine(0, ui::px(14));
   ImGui::Checkbox("Stay (Ctrl)", &state.grab.stay);
   ui::tooltip(
-      "Hands stay where they are released, as with Ctrl or T; left on their mark takes one up, right or Delete lets it "
+      "Grabs stay where they are released, as with Ctrl or T; left on their mark takes one up, right or Delete lets it "
       "go");
-  if (state.hands == 0) return;
+  if (state.grabs == 0) return;
   requests.let_go |=
-      ui::button(("Let go of " + std::to_string(state.hands) + (state.hands == 1 ? " hand" : " hands")).c_str(),
+      ui::button(("Let go of " + std::to_string(state.grabs) + (state.grabs == 1 ? " grab" : " grabs")).c_str(),
                  ImGui::GetContentRegionAvail().x);
   ui::tooltip("All that stay (Esc)");
 }
@@ -58,7 +58,7 @@ void balance_rows(const Simulation& simulation, const SceneFacts& facts, const D
   ui::fact("Balance", text);
   ImGui::PopStyleColor();
   ui::tooltip(
-      "Supports + weight + hands - mass times acceleration, over the largest of them. Inside the body all forces "
+      "Supports + weight + grabs - mass times acceleration, over the largest of them. Inside the body all forces "
       "cancel, so\n"
       "nothing is left of a step that is solved; what is left tells how far the iterations are from that. More of them "
       "help.\n"

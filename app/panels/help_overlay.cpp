@@ -33,10 +33,10 @@ const std::vector<std::vector<Theme>>& help_columns() {
          {"Ctrl + left drag", "move the section plane, if any"},
          {"Right or middle drag", "pan"},
          {"Wheel", "zoom"}}},
-       {"Hands",
+       {"Grabs",
         {{"[ ], Ctrl + wheel", "size of the patch"},
          {"Wheel while dragging", "away and closer; pushing: deeper"},
-         {"T, or Ctrl on release", "the hand stays there"},
+         {"T, or Ctrl on release", "the grab stays there"},
          {"Left, right on its mark", "take it up again, let it go"},
          {"Delete, Esc", "let go of one that stays, of all"}}},
        {"Time", {{"Space", "pause, go on"}, {".", "one step"}, {"R", "reset"}}},
@@ -67,7 +67,7 @@ constexpr ImGuiWindowFlags kPlain = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
 
 }  // namespace
 
-void draw_help(ViewState& state) {
+void draw_help(WindowState& state) {
   // In the middle of what the panels leave; over them, and scrolled, where it does not fit.
   const char* name = "Keys and mouse";
   const ImVec2 size = ImGui::GetIO().DisplaySize, most{size.x - ui::px(16), size.y - ui::px(16)};
@@ -121,7 +121,7 @@ void draw_hints(const Hints& hints, const Room& room) {
     ui::pill(tune, left + 0.5f * ImGui::CalcTextSize(tune).x + ui::px(10), 0.36f * size.y, ui::kText);
 }
 
-void draw_left_behind(const std::string& scene, Requests& requests) {
+void draw_recovery(const std::string& scene, Requests& requests) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({(size.x + panel_width()) / 2, ui::px(50)}, ImGuiCond_Always, {0.5f, 0});
   if (ImGui::Begin("left behind", nullptr, kPlain)) {
@@ -131,14 +131,14 @@ void draw_left_behind(const std::string& scene, Requests& requests) {
     ImGui::AlignTextToFramePadding();
     ImGui::Text("A window ended before it was closed, with %s.", scene.c_str());
     ImGui::SameLine();
-    requests.resume_left_behind |= ImGui::Button("Continue there");
+    requests.resume_recovered |= ImGui::Button("Continue there");
     ImGui::SameLine();
-    requests.forget_left_behind |= ImGui::Button("Forget it");
+    requests.forget_recovered |= ImGui::Button("Forget it");
   }
   ImGui::End();
 }
 
-void draw_notice(const ViewState& state, const Room& room) {
+void draw_notice(const WindowState& state, const Room& room) {
   constexpr double kUnnoticed = 0.3;  // [s]
   const bool fits = room.width() > ui::px(230);
   const float middle = fits ? room.middle() : 0.5f * (room.left + ImGui::GetIO().DisplaySize.x), top = ui::px(14);

@@ -9,7 +9,7 @@
 
 namespace fascia {
 
-void history_panel(const DialHistory& history, Requests& requests) {
+void history_panel(const UndoHistory& history, Requests& requests) {
   requests.copy_command |=
       ui::button("Copy command line",
                  "Copies the command line that opens this scene with the values of the sliders (Ctrl+Shift+C)",

@@ -165,7 +165,7 @@ void region_row(const Simulation& simulation, const SceneFacts& facts, std::size
 
 }  // namespace
 
-void material_panel(Simulation& simulation, ViewState& state, Requests& requests) {
+void material_panel(Simulation& simulation, WindowState& state, Requests& requests) {
   const SceneFacts& facts = state.facts;
   std::vector<std::size_t> used;
   for (std::size_t m = 0; m < facts.material_volume.size(); ++m)

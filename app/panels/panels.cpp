@@ -10,13 +10,13 @@ namespace fascia {
 float panel_width() { return ui::px(318); }
 float panel_space() { return panel_width() + 2 * ui::px(10); }
 
-Room room_beside_panels(const ViewState& state) {
+Room room_beside_panels(const WindowState& state) {
   const float screen = ImGui::GetIO().DisplaySize.x;
   const bool docked = state.plots.shown && state.plots.docked && state.plots.width > 0;
   return {state.show_panels ? panel_space() : 0, docked ? state.plots.left : screen};
 }
 
-void draw_panels(Session& session, ViewState& state, Requests& requests) {
+void draw_panels(Session& session, WindowState& state, Requests& requests) {
   const float margin = ui::px(10);
   ImGui::SetNextWindowPos({margin, margin});
   ImGui::SetNextWindowSize({panel_width(), ImGui::GetIO().DisplaySize.y - 2 * margin});

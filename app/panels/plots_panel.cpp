@@ -86,7 +86,7 @@ void buttons(Plots& plots, Requests& requests) {
 
 bool shows_convergence(const Plots& plots) { return plots.shown && plots.chosen[kConvergence]; }
 
-void draw_plots(const Simulation& simulation, ViewState& state, Requests& requests) {
+void draw_plots(const Simulation& simulation, WindowState& state, Requests& requests) {
   Plots& plots = state.plots;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float margin = ui::px(10), least_width = ui::px(260), least_height = ui::px(180);

@@ -44,7 +44,7 @@ void size_fields(VideoSettings& video) {
 
 }  // namespace
 
-void draw_recording_settings(ViewState& state, Requests& requests) {
+void draw_recording_settings(WindowState& state, Requests& requests) {
   ImGui::SetNextWindowPos({panel_width() + ui::px(24), ui::px(100)}, ImGuiCond_Appearing);
   if (ImGui::Begin("Recording", &state.show_recording,
                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |

@@ -10,7 +10,7 @@
 
 namespace fascia {
 
-void draw_replay_badge(const Simulation& simulation, ViewState& state, Requests& requests) {
+void draw_replay_badge(const Simulation& simulation, WindowState& state, Requests& requests) {
   const ReplayTime time(*simulation.replay());
   const long made = simulation.replayed_steps(), all = simulation.replay()->steps;
   const float left = state.show_panels ? panel_width() : 0;

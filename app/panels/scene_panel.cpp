@@ -19,7 +19,7 @@ std::string grouped(std::size_t number) {  // 12345 as 12 345
 
 }  // namespace
 
-void scene_panel(const Session& session, ViewState& state, Requests& requests) {
+void scene_panel(const Session& session, WindowState& state, Requests& requests) {
   const Simulation& simulation = session.simulation;
   const Scene& scene = simulation.scene;
   ImGui::PushFont(ui::bold_font());
@@ -47,7 +47,7 @@ void scene_panel(const Session& session, ViewState& state, Requests& requests) {
                    "A video in the current folder (V; Shift+V chooses what it is to be)", state.recording);
   if (pictures.add("Plots", "Curves over time (F3)", state.plots.shown)) state.plots.shown = !state.plots.shown;
 
-  const DialHistory& history = state.history;
+  const UndoHistory& history = state.history;
   ui::ButtonRow changes(3);
   if (changes.add("Undo", history.can_undo() ? "Takes back: " + history.undone_next().text + " (Ctrl+Z)"
                                              : "Nothing to take back (Ctrl+Z)") &&
@@ -57,7 +57,7 @@ void scene_panel(const Session& session, ViewState& state, Requests& requests) {
                                              : "Nothing was taken back (Ctrl+Y)") &&
       history.can_redo())
     requests.history = history.done() + 1;
-  if (changes.add("Compare", "Two settings side by side under the same hand (B)", state.comparing))
+  if (changes.add("Compare", "Two settings side by side under the same grab (B)", state.comparing))
     requests.compare = CompareAsk::open_or_close;
 
   const Model& model = simulation.model;

@@ -1,4 +1,4 @@
-// How the scene is solved: method, effort, time step, gravity; and how the hand pulls.
+// How the scene is solved: method, effort, time step, gravity; and how the grab pulls.
 #include <imgui.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ constexpr auto kHelpOf = [](auto choice) { return help_of(choice); };
 
 bool pair_combos(SolverSettings& settings, const std::vector<Material>& materials) {
   std::vector<Method> able;
-  for (const Pair& pair : legal_pairs()) {
+  for (const SolverChoice& pair : solver_choices()) {
     const bool carried = std::all_of(materials.begin(), materials.end(),
                                      [&](const Material& m) { return carries(pair.method, m.model); });
     if (carried && std::find(able.begin(), able.end(), pair.method) == able.end()) able.push_back(pair.method);
@@ -45,10 +45,10 @@ bool pair_combos(SolverSettings& settings, const std::vector<Material>& material
   bool changed = ui::choice("Method", able, settings.method, kLabelOf, kHelpOf);
   // Another method keeps the acceleration in use, if it can have it, or gets the best one; so it does after none.
   const bool none = changed && settings.acceleration == Acceleration::none;
-  const auto pair = none ? std::nullopt : find_pair(name_of(settings.method), name_of(settings.acceleration));
-  settings.acceleration = pair.value_or(*find_pair(name_of(settings.method), {})).acceleration;
+  const auto pair = none ? std::nullopt : find_choice(name_of(settings.method), name_of(settings.acceleration));
+  settings.acceleration = pair.value_or(*find_choice(name_of(settings.method), {})).acceleration;
   std::vector<Acceleration> accelerations;
-  for (const Pair& legal : legal_pairs())
+  for (const SolverChoice& legal : solver_choices())
     if (legal.method == settings.method) accelerations.push_back(legal.acceleration);
   changed |= ui::choice("Acceleration", accelerations, settings.acceleration, kLabelOf, kHelpOf);
   return changed;
@@ -97,7 +97,7 @@ void error_row(Session& session) {
 
 }  // namespace
 
-void solver_panel(Session& session, ViewState& state) {
+void solver_panel(Session& session, WindowState& state) {
   Simulation& simulation = session.simulation;
   SolverSettings settings = simulation.scene.solver;
   bool changed = false;
@@ -108,7 +108,7 @@ void solver_panel(Session& session, ViewState& state) {
     changed = pair_combos(settings, simulation.model.materials);
   visit_settings(settings, [&](auto& value, const char* name, const char* unit, auto min, auto max, bool logarithmic,
                                const char* help) {
-    if (!applies(name, settings.pair())) return;
+    if (!applies(name, settings.choice())) return;
     using Value = std::remove_reference_t<decltype(value)>;
     ui::NumberField field{
         name, unit, double(min), double(max), double(min), double(max), logarithmic, std::is_same_v<Value, int>, help};
@@ -130,13 +130,11 @@ void solver_panel(Session& session, ViewState& state) {
     changed = true;
   });
   if (changed) simulation.set_settings(settings);
-  if (const GpuSolver* gpu = simulation.gpu(); gpu && gpu->gauss_seidel()) {
-    const Coloring& coloring = gpu->gauss_seidel()->coloring();
+  if (const Coloring* coloring = simulation.gpu() ? simulation.gpu()->coloring() : nullptr)
     ui::fact("In use",
-             plural(coloring.color_count(), "color") + ", " + plural(coloring.phantom_vertex.size(), "phantom"),
+             plural(coloring->color_count(), "color") + ", " + plural(coloring->phantom_vertex.size(), "phantom"),
              "Each color waits for the one before it; phantoms are copies of vertices that more colors than allowed "
              "would move");
-  }
   gravity_row(simulation);
   error_row(session);
 }

@@ -42,7 +42,7 @@ void clock_rows(const Statistics& s) {
 
 }  // namespace
 
-void statistics_panel(Session& session, const ViewState& state) {
+void statistics_panel(Session& session, const WindowState& state) {
   const Statistics& statistics = state.statistics;
   clock_rows(statistics);
   if (const auto& d = statistics.diagnostics) {

@@ -46,7 +46,7 @@ std::optional<Hint> iterations_hint(const SolverSettings& settings, const std::o
   if (!diagnostics || !std::isfinite(diagnostics->residual) || diagnostics->residual < kVisible) return std::nullopt;
   char text[64];
   std::snprintf(text, sizeof text, "Residual %.2g: too few iterations?", diagnostics->residual);
-  const bool default_pair = settings.pair() == legal_pairs().front();
+  const bool default_pair = settings.choice() == solver_choices().front();
   return Hint{"iterations", text,
               std::string("The last step was left unsolved by this share, so the tissue acts softer or slower than its "
                           "material is. More iterations, shorter steps or more substeps") +

@@ -139,12 +139,12 @@ void Session::show_grabbed() {
   grabbed_ = std::move(grabbed);
 }
 
-void Session::draw(Framebuffer& framebuffer, std::span<const GrabMark> hands, const gl::Buffer* positions) {
+void Session::draw(Framebuffer& framebuffer, std::span<const GrabArrow> grabs, const gl::Buffer* positions) {
   GpuSolver& solver = *simulation.gpu();
   solver.publish();
   show_grabbed();
   framebuffer.bind();
-  renderer_->draw(SurfaceView{positions ? positions : &solver.positions()}, camera, look, hands, framebuffer);
+  renderer_->draw(SurfaceView{positions ? positions : &solver.positions()}, camera, look, grabs, framebuffer);
   framebuffer.resolve();
 }
 

@@ -38,7 +38,7 @@ class Session {
 
   /// Publishes positions and draws the scene into the framebuffer (resolved afterwards, panels may follow). Other
   /// `positions` than those of now: vec4, as GpuSolver::positions.
-  void draw(Framebuffer& framebuffer, std::span<const GrabMark> hands = {}, const gl::Buffer* positions = nullptr);
+  void draw(Framebuffer& framebuffer, std::span<const GrabArrow> grabs = {}, const gl::Buffer* positions = nullptr);
 
   /// Once before each picture: the heat map's range, where it is not fixed, covers what was shown a frame ago here and
   /// at `beside`, which gets the same range. The first of a quantity waits for the GPU and covers what is shown now.
@@ -49,11 +49,11 @@ class Session {
   /// Once a frame, after its steps: the comparison with the exact step, where it is wanted, and its heat map.
   void follow_error();
   void measure_error();  // now, for a single picture
-  const DrawnRegions* regions() const {
+  const VisualRegions* regions() const {
     return display().color == ColorBy::region ? &*regions_ : nullptr;
   }  // null where they are not shown
 
-  const DrawnSurface& surface() const { return surface_; }
+  const VisualSurface& surface() const { return surface_; }
   const std::string& renderer_description() const { return description_; }
   void frame();  // camera on the bodies at rest, from the front
   /// On the bodies as they are, from where it looks: they fill this part of a picture of this shape, width over height.
@@ -69,8 +69,8 @@ class Session {
   void follow_range(Session* beside, bool now);
   std::optional<Eigen::Vector2d> measure_shown(bool now);
 
-  DrawnSurface surface_;
-  std::optional<DrawnRegions> regions_;  // once something has shown them
+  VisualSurface surface_;
+  std::optional<VisualRegions> regions_;  // once something has shown them
   std::optional<SceneRenderer> renderer_;
   std::optional<Eigen::Vector2d> shown_;  // smallest and largest value of the heat map, when last measured
   std::optional<Eigen::Vector2f> range_;  // that follows them

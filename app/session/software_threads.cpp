@@ -14,24 +14,6 @@ namespace {
 
 constexpr std::size_t kMostThreads = 16;  // of llvmpipe 22
 
-// About how many dispatches that do something an iteration of a method has by itself.
-std::size_t dispatches_of(Method method) {
-  switch (method) {
-    case Method::jacobi:
-    case Method::mass_splitting:
-      return 3;
-    case Method::gauss_seidel:
-      return 32;
-    case Method::exact_xpbd:
-      return 6;
-    case Method::vertex_descent:
-      return 10;
-    case Method::two_level:
-      return 8;
-  }
-  return 1;
-}
-
 // In the order in which they were made.
 std::vector<int> threads_of_this_program() {
   std::vector<int> threads;
@@ -81,7 +63,7 @@ Workload workload_of(const Scene& scene, const Model& model, bool static_equilib
 SoftwareThreads::SoftwareThreads(const Workload& workload) : before_(threads_of_this_program()) {
   constexpr std::size_t kTetsFused = 2000, kTetsOfColors = 8'000, kTetsPerDispatch = 5000;
   const std::size_t cores = std::clamp<std::size_t>(cores_of_this_program().size(), 1, kMostThreads);
-  const std::size_t least = !workload.fused ? kTetsPerDispatch * dispatches_of(workload.method)
+  const std::size_t least = !workload.fused ? kTetsPerDispatch * info_of(workload.method).dispatches
                             : workload.method == Method::gauss_seidel ? kTetsOfColors
                                                                       : kTetsFused;
   setenv("LP_NUM_THREADS", std::to_string(workload.drawn || workload.tets >= least ? cores : 0).c_str(), 0);

@@ -8,13 +8,14 @@ namespace {
 
 // What makes a line of its own; how many iterations and how long a step is the same for all.
 bool same_line(const SolverSettings& a, const SolverSettings& b) {
-  return a.pair() == b.pair() && a.colors == b.colors && a.window == b.window && a.spectral_radius == b.spectral_radius;
+  return a.choice() == b.choice() && a.colors == b.colors && a.window == b.window &&
+         a.spectral_radius == b.spectral_radius;
 }
 
 }  // namespace
 
 std::string short_name(const SolverSettings& settings) {
-  const Pair pair = settings.pair();
+  const SolverChoice pair = settings.choice();
   std::string name = name_of(pair.method);
   if (pair.acceleration != Acceleration::none) name += std::string(" + ") + name_of(pair.acceleration);
   if (applies("colors", pair) && settings.colors > 0) name += ", " + std::to_string(settings.colors) + " colors";

@@ -108,27 +108,27 @@ void compare_display(const DisplaySettings& from, const DisplaySettings& to, Cha
 
 }  // namespace
 
-Dials dials_of(const Session& session, const GrabSettings& grab) {
+Tunables tunables_of(const Session& session, const GrabSettings& grab) {
   const Simulation& simulation = session.simulation;
   return {simulation.scene.solver, material_entries(simulation.scene, simulation.model, simulation.model.materials),
           simulation.scene.gravity, simulation.scene.display, grab};
 }
 
-void set_dials(Session& session, GrabSettings& grab, const Dials& dials) {
+void set_tunables(Session& session, GrabSettings& grab, const Tunables& tunables) {
   Simulation& simulation = session.simulation;
-  const Dials now = dials_of(session, grab);
+  const Tunables now = tunables_of(session, grab);
   // A method must carry the materials of the moment: first what goes with every one.
   const bool settings_first = std::all_of(simulation.model.materials.begin(), simulation.model.materials.end(),
-                                          [&](const Material& m) { return carries(dials.solver.method, m.model); });
-  if (now.solver != dials.solver && settings_first) simulation.set_settings(dials.solver);
-  if (now.materials != dials.materials) simulation.set_material_entries(dials.materials);
-  if (now.solver != dials.solver && !settings_first) simulation.set_settings(dials.solver);
-  if (now.gravity != dials.gravity) simulation.set_gravity(dials.gravity);
-  if (now.display != dials.display) session.set_display(dials.display);
-  grab = dials.grab;
+                                          [&](const Material& m) { return carries(tunables.solver.method, m.model); });
+  if (now.solver != tunables.solver && settings_first) simulation.set_settings(tunables.solver);
+  if (now.materials != tunables.materials) simulation.set_material_entries(tunables.materials);
+  if (now.solver != tunables.solver && !settings_first) simulation.set_settings(tunables.solver);
+  if (now.gravity != tunables.gravity) simulation.set_gravity(tunables.gravity);
+  if (now.display != tunables.display) session.set_display(tunables.display);
+  grab = tunables.grab;
 }
 
-std::vector<std::string> changes(const Dials& from, const Dials& to) {
+std::vector<std::string> changes(const Tunables& from, const Tunables& to) {
   ChangeList list;
   compare_settings(from.solver, to.solver, list);
   for (std::size_t b = 0; b < std::min(from.materials.size(), to.materials.size()); ++b)
@@ -138,7 +138,7 @@ std::vector<std::string> changes(const Dials& from, const Dials& to) {
   compare_display(from.display, to.display, list);
   list.number("Grab radius", 100 * from.grab.radius, 100 * to.grab.radius, "%");
   list.number("Grip", from.grab.grip, to.grab.grip, "");
-  if (list.lines.empty() && from != to) list.lines.push_back("A value of the display or the hand");
+  if (list.lines.empty() && from != to) list.lines.push_back("A value of the display or the grab");
   return list.lines;
 }
 

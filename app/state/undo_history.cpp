@@ -2,14 +2,14 @@
 
 namespace fascia {
 
-void DialHistory::restart(const Dials& now) {
+void UndoHistory::restart(const Tunables& now) {
   entries_.clear();
   done_ = 0;
   complete_ = true;
   last_ = now;
 }
 
-void DialHistory::follow(const Dials& now) {
+void UndoHistory::follow(const Tunables& now) {
   if (now == last_) return;
   const std::vector<std::string> lines = changes(last_, now);
   std::string text = lines.front();

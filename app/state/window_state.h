@@ -57,17 +57,17 @@ struct SceneFacts {
 /// What is asked of a comparison of two settings side by side.
 enum class CompareAsk { nothing, open_or_close, edit_a, edit_b, copy_a, swap, keep_b };
 
-struct ViewState {
+struct WindowState {
   bool paused = false, show_panels = true, show_help = false, recording = false;
   bool show_convergence = false;  // measured only while it is shown
   Convergence convergence;
   Plots plots;
   GrabSettings grab;
-  std::size_t hands = 0;  // of the user, on the tissue
+  std::size_t grabs = 0;  // of the user, on the tissue
   SceneFacts facts;
   std::size_t chosen_material = 0;  // whose sliders are shown
   HintBoard hints;
-  DialHistory history;
+  UndoHistory history;
   bool comparing = false, editing_b = false;  // the panels show side B
   Statistics statistics;
   bool show_recording = false;
@@ -80,9 +80,8 @@ struct ViewState {
 struct Requests {
   bool open_dialog = false, save_dialog = false, reset = false, step = false, frame_view = false, screenshot = false,
        video = false, reload_shaders = false, close = false, plot_table = false, plot_picture = false, recent = false,
-       export_dialog = false, gallery = false, copy_command = false, resume_left_behind = false,
-       forget_left_behind = false, let_go = false, save_replay_dialog = false, end_replay = false,
-       save_with_mesh = false;
+       export_dialog = false, gallery = false, copy_command = false, resume_recovered = false, forget_recovered = false,
+       let_go = false, save_replay_dialog = false, end_replay = false, save_with_mesh = false;
   std::optional<std::filesystem::path> open, save, export_state, save_replay,
       resume;  // resume: what a session left (autosave.h)
   CompareAsk compare = CompareAsk::nothing;

@@ -32,7 +32,7 @@ std::string in_short(double value) {
 Vector3d rounded(const Vector3d& v) { return v.cast<float>().cast<double>(); }
 
 struct Maker {
-  Pair pair;
+  SolverChoice pair;
   MaterialModel model;
   fs::path folder;
   bool quick;
@@ -263,7 +263,7 @@ struct Maker {
     large.criteria.recovers = true;
   }
 
-  // Springs on the vertices near the free end, as the hand makes them: as stiff together as tissue indented by a disc.
+  // Springs on the vertices near the free end, as the grab makes them: as stiff together as tissue indented by a disc.
   GrabInput grip(const Model& built, const Vector3d& offset) const {
     GrabInput springs;
     const double stiffness = 3 * 1e6 * 0.08 * 0.5 * kBarSize;
@@ -332,13 +332,13 @@ struct Maker {
       inputs.push_back({step, GravityInput{Vector3d(0, (step / 5) % 2 ? 98.1 : -98.1, 0)}});
     });
     // Belongs to no pair: told once, with the default one that it comes back to.
-    if (pair == legal_pairs().front())
+    if (pair == solver_choices().front())
       handled("method switched every frame", 3, [&](long step, const Model&, std::vector<Input>& inputs) {
         SolverSettings settings = beam_solver();
-        std::vector<Pair> able;
-        for (const Pair& p : legal_pairs())
+        std::vector<SolverChoice> able;
+        for (const SolverChoice& p : solver_choices())
           if (carries(p.method, model)) able.push_back(p);
-        const Pair& now = able[static_cast<std::size_t>(step) % able.size()];
+        const SolverChoice& now = able[static_cast<std::size_t>(step) % able.size()];
         settings.method = now.method;
         settings.acceleration = now.acceleration;
         inputs.push_back({step, settings});
@@ -366,7 +366,8 @@ struct Maker {
 
 }  // namespace
 
-std::vector<StressCase> stress_cases(const Pair& pair, MaterialModel model, const fs::path& folder, bool quick) {
+std::vector<StressCase> stress_cases(const SolverChoice& pair, MaterialModel model, const fs::path& folder,
+                                     bool quick) {
   std::error_code ec;
   fs::create_directories(folder / "meshes", ec);
   if (ec) throw Error((folder / "meshes").string(), "cannot be made: " + ec.message(), "expected a writable folder");

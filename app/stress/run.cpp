@@ -90,13 +90,13 @@ StressResult run_stress_case(Simulation& simulation, const StressCriteria& crite
   while (result.steps < steps) {
     simulation.step();
     ++result.steps;
-    const bool astray = simulation.check_now().has_value();
+    const bool diverged = simulation.check_now().has_value();
     const State state = simulation.state();
     if (!all_finite(state)) {
       fail("not finite after ", result.steps, " steps");
       return result;
     }
-    if (astray) {
+    if (diverged) {
       fail("ran away after ", result.steps, " steps");
       return result;
     }

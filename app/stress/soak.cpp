@@ -5,7 +5,7 @@
 #include "app/system/process_memory.h"
 #include "sim/grab/build_model.h"
 #include "sim/replay/replay.h"
-#include "sim/simulation/breakdown.h"
+#include "sim/simulation/divergence.h"
 
 namespace fascia {
 namespace {
@@ -69,7 +69,7 @@ SoakRun soak(Bench& bench, const Scene& scene, long steps) {
       bench.stop_if_interrupted();
     }
     simulation.step();
-    if (simulation.astray()) require_sound(simulation);
+    if (simulation.diverged()) require_valid(simulation);
     if (within != kPeriod - 1 || grab % kDirections != kDirections - 1) continue;
     const reference::Measures rest = reference::measure(simulation.model, simulation.state());
     run.elastic_last = rest.elastic;
@@ -81,7 +81,7 @@ SoakRun soak(Bench& bench, const Scene& scene, long steps) {
     run.gpu_first = run.gpu_last;
     run.memory_first = run.memory_last;
   }
-  require_sound(simulation);
+  require_valid(simulation);
   run.hash = state_hash(simulation.state());
   return run;
 }

@@ -11,8 +11,8 @@
 
 namespace fascia {
 
-/// What must hold besides finite values and no vertex gone astray (sim/gpu/readback/state_guard.h). Sizes: diagonals of
-/// the box around the body at rest.
+/// What must hold besides finite values and no vertex gone diverged (sim/gpu/readback/state_guard.h). Sizes: diagonals
+/// of the box around the body at rest.
 struct StressCriteria {
   double farthest = 3;               // no displacement is longer than so many sizes, at any step
   bool keeps_upright = true;         // no tet is inside out at the end
@@ -28,7 +28,7 @@ struct StressCase {
 };
 
 /// All cases for one pair. Writes their meshes into `folder`. `quick`: meshes of a sixth of the tets.
-std::vector<StressCase> stress_cases(const Pair& pair, MaterialModel model, const std::filesystem::path& folder,
+std::vector<StressCase> stress_cases(const SolverChoice& pair, MaterialModel model, const std::filesystem::path& folder,
                                      bool quick);
 
 struct StressResult {

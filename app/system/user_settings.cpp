@@ -60,12 +60,13 @@ UserSettings read_user_settings(const fs::path& file) {
       for (const std::string& hint : texts(file, key, value)) settings.hints_done.insert(hint);
     } else if (key == "welcomed") {
       if (!value.is_boolean()) fail(file, key, "true or false");
-      settings.welcomed = value.get<bool>();
+      settings.first_run_done = value.get<bool>();
     } else if (key == "theme") {
       if (value != "dark" && value != "light") fail(file, key, "dark or light");
       settings.light = value == "light";
     } else {
-      throw Error(file.string() + ": " + key, "is unknown", "expected recent, folder, hints_done, welcomed or theme");
+      throw Error(file.string() + ": " + key, "is unknown",
+                  "expected recent, folder, hints_done, first_run_done or theme");
     }
   }
   return settings;
@@ -78,7 +79,7 @@ void write_user_settings(const fs::path& file, const UserSettings& settings) {
                   {"recent", recent},
                   {"folder", settings.folder.string()},
                   {"hints_done", settings.hints_done},
-                  {"welcomed", settings.welcomed},
+                  {"welcomed", settings.first_run_done},
                   {"theme", settings.light ? "light" : "dark"}};
   fs::create_directories(file.parent_path());
   write_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");  // paths may hold any bytes
@@ -93,7 +94,7 @@ void UserStore::read() {
     broken_ = false;
   } catch (const std::exception& error) {
     broken_ = true;
-    complaint_ = error.what();
+    warning_ = error.what();
   }
 }
 
@@ -107,7 +108,7 @@ void UserStore::change(const std::function<void(UserSettings&)>& change) {
     broken_ = false;
     write_user_settings(file_, settings_);
   } catch (const std::exception& error) {
-    complaint_ = error.what();
+    warning_ = error.what();
     file_.clear();  // said once, not at every change
   }
 }

@@ -15,8 +15,8 @@ struct UserSettings {
   std::vector<std::filesystem::path> recent;  // absolute, the latest first
   std::filesystem::path folder;               // of the dialogs; empty: none yet
   std::set<std::string> hints_done;
-  bool welcomed = false;  // has seen the examples
-  bool light = false;     // theme of the panels
+  bool first_run_done = false;  // has seen the examples
+  bool light = false;           // theme of the panels
 
   void opened(const std::filesystem::path& file);
   bool operator==(const UserSettings&) const = default;
@@ -35,7 +35,7 @@ class UserStore {
   const UserSettings& now() const { return settings_; }
   /// Of reading or writing, one line; empty when all is well. A broken file is kept beside the new one, as
   /// settings.json.broken.
-  const std::string& complaint() const { return complaint_; }
+  const std::string& warning() const { return warning_; }
   void change(const std::function<void(UserSettings&)>& change);
 
  private:
@@ -43,7 +43,7 @@ class UserStore {
 
   std::filesystem::path file_;
   UserSettings settings_;
-  std::string complaint_;
+  std::string warning_;
   bool broken_ = false;
 };
 

@@ -36,7 +36,7 @@ Eigen::Vector2d WindowInput::pixel(const Eigen::Vector2d& at) const {
 }
 
 void WindowInput::add(InputEvent event) {
-  stirred_ = true;
+  woken_ = true;
   event.at = pixel(at_);
   waiting_.push_back(std::move(event));
 }
@@ -119,7 +119,7 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
     of(w).add(std::move(event));
   });
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) {
-    of(w).stirred_ = true;
+    of(w).woken_ = true;
     // A key that is held repeats steps, as fast as they are made.
     if (action == GLFW_REPEAT && (key != GLFW_KEY_PERIOD || of(w).waiting())) return;
     of(w).add({action == GLFW_RELEASE ? Kind::key_up : Kind::key, key, mods});
@@ -128,17 +128,17 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
     of(w).add({Kind::text, static_cast<int>(character)});
   });
   glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
-    of(w).stirred_ = true;
+    of(w).woken_ = true;
     ImGui_ImplGlfw_WindowFocusCallback(w, focused);
   });
   glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
-    of(w).stirred_ = true;
+    of(w).woken_ = true;
     ImGui_ImplGlfw_CursorEnterCallback(w, entered);
   });
-  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).stirred_ = true; });
-  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).stirred_ = true; });
-  glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int) { of(w).stirred_ = true; });
-  glfwSetWindowCloseCallback(window, [](GLFWwindow* w) { of(w).stirred_ = true; });
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).woken_ = true; });
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).woken_ = true; });
+  glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int) { of(w).woken_ = true; });
+  glfwSetWindowCloseCallback(window, [](GLFWwindow* w) { of(w).woken_ = true; });
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
     InputEvent event{Kind::drop};
     event.files.assign(paths, paths + count);

@@ -42,7 +42,7 @@ class WindowInput {
   /// Forgets what is waiting, but for keys and buttons that were let go.
   void discard();
   /// Whether anything at all has reached the window since the last call: input, or a reason to draw it anew.
-  bool take_stir() { return std::exchange(stirred_, false) || waiting(); }
+  bool take_wake() { return std::exchange(woken_, false) || waiting(); }
 
  private:
   void add(InputEvent event);
@@ -56,7 +56,7 @@ class WindowInput {
   std::deque<InputEvent> waiting_;
   std::vector<InputEvent> given_;
   int settling_ = 0;  // frames until the next input
-  bool stirred_ = false;
+  bool woken_ = false;
 };
 
 }  // namespace fascia

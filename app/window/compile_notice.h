@@ -1,5 +1,5 @@
 // Says why the window stands still while kernels are compiled. A driver that translates a kernel when it first runs
-// takes seconds for all of a method's, or of a first hand's; later starts find them in the driver's cache.
+// takes seconds for all of a method's, or of a first grab's; later starts find them in the driver's cache.
 #pragma once
 #include <chrono>
 

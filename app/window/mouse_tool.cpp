@@ -66,9 +66,9 @@ void MouseTool::press_section(Button button, const Eigen::Vector2d& at) {
 std::optional<std::size_t> MouseTool::mark_at(const Eigen::Vector2d& at, Picture picture,
                                               const Session& session) const {
   const double reach = kMarkRadius * picture.height / 720.0;
-  for (std::size_t i = hands_.all().size(); i-- > 0;) {
-    if (hands_.follows(i)) continue;
-    const auto pixel = pixel_of(session, hands_.all()[i].grab.pointer(), picture.width, picture.height);
+  for (std::size_t i = grabs_.all().size(); i-- > 0;) {
+    if (grabs_.follows(i)) continue;
+    const auto pixel = pixel_of(session, grabs_.all()[i].grab.pointer(), picture.width, picture.height);
     if (pixel && (*pixel - at).norm() <= reach) return i;
   }
   return std::nullopt;
@@ -81,10 +81,10 @@ void MouseTool::press(Button button, Keys keys, const Eigen::Vector2d& at, Pictu
   last_ = at;
   if (const auto mark = mark_at(at, picture, session); mark && button != Button::middle) {
     if (button == Button::left) {
-      hands_.take_up(*mark);
+      grabs_.take_up(*mark);
       tool_ = Tool::grab;
     } else {
-      hands_.let_go(*mark);
+      grabs_.let_go(*mark);
       hold(session);
     }
     return;
@@ -99,7 +99,7 @@ void MouseTool::press(Button button, Keys keys, const Eigen::Vector2d& at, Pictu
                               : pick(ray, triangles, positions, shown_cut(session.look));
   GrabSettings how = settings;
   how.push = settings.push != keys.alt;
-  if (!hit || !hands_.take(session.simulation.model, session.surface(), positions, *hit, session.look.radius, how))
+  if (!hit || !grabs_.take(session.simulation.model, session.surface(), positions, *hit, session.look.radius, how))
     return;
   tool_ = Tool::grab;
   if (keys.shift) move(at, picture, session);  // the mouse may be beside the tissue
@@ -112,7 +112,7 @@ void MouseTool::move(const Eigen::Vector2d& at, Picture picture, Session& sessio
     case Tool::none:
       break;
     case Tool::grab:
-      if (Grab* grab = hands_.following())
+      if (Grab* grab = grabs_.following())
         grab->point_at(session.camera.ray(at.x(), at.y(), picture.width, picture.height), session.camera.forward());
       break;
     case Tool::orbit:
@@ -131,11 +131,11 @@ void MouseTool::release(Button button, Keys keys, Session& session, const GrabSe
   if (button != button_) return;
   const bool grabbing = tool_ == Tool::grab;
   tool_ = Tool::none;
-  if (!grabbing || !hands_.following()) return;
+  if (!grabbing || !grabs_.following()) return;
   if (keys.control || settings.stay) {
-    hands_.stay();
+    grabs_.stay();
   } else {
-    hands_.let_go_following();
+    grabs_.let_go_following();
     hold(session);
   }
 }
@@ -145,7 +145,7 @@ bool MouseTool::scroll(double notches, Keys keys, Session& session, GrabSettings
     resize(std::pow(1.1, notches), session, settings);
     return true;
   }
-  Grab* grab = hands_.following();
+  Grab* grab = grabs_.following();
   if (!grab || tool_ != Tool::grab) return false;
   grab->go_deeper(
       notches * (grab->pushes() ? kPushPerNotch * grab->patch_radius() : kDepthPerNotch * session.look.radius),
@@ -155,48 +155,48 @@ bool MouseTool::scroll(double notches, Keys keys, Session& session, GrabSettings
 
 void MouseTool::resize(double factor, Session& session, GrabSettings& settings) {
   settings.radius = std::clamp(settings.radius * factor, kSmallest, kLargest);
-  if (Grab* grab = hands_.following()) grab->set_size(session.simulation.model, settings);
+  if (Grab* grab = grabs_.following()) grab->set_size(session.simulation.model, settings);
 }
 
 void MouseTool::stay() {
   if (tool_ != Tool::grab) return;
-  hands_.stay();
+  grabs_.stay();
   tool_ = Tool::none;
 }
 
 void MouseTool::let_go(const Eigen::Vector2d& at, Picture picture, Session& session) {
-  if (hands_.empty()) return;
-  std::size_t index = mark_at(at, picture, session).value_or(hands_.all().size() - 1);
-  if (hands_.follows(index)) tool_ = Tool::none;
-  hands_.let_go(index);
+  if (grabs_.empty()) return;
+  std::size_t index = mark_at(at, picture, session).value_or(grabs_.all().size() - 1);
+  if (grabs_.follows(index)) tool_ = Tool::none;
+  grabs_.let_go(index);
   hold(session);
 }
 
 void MouseTool::let_go_staying(Session& session) {
-  const std::size_t before = hands_.all().size();
+  const std::size_t before = grabs_.all().size();
   for (std::size_t i = before; i-- > 0;)
-    if (!hands_.follows(i)) hands_.let_go(i);
-  if (hands_.all().size() < before) hold(session);  // a replay's hands are none of ours
+    if (!grabs_.follows(i)) grabs_.let_go(i);
+  if (grabs_.all().size() < before) hold(session);  // a replay's grabs are none of ours
 }
 
 void MouseTool::end_drag(Session& session) {
   tool_ = Tool::none;
-  if (!hands_.following()) return;
-  hands_.let_go_following();
+  if (!grabs_.following()) return;
+  grabs_.let_go_following();
   hold(session);
 }
 
 void MouseTool::cancel(Session& session) {
   tool_ = Tool::none;
-  if (hands_.empty()) return;
-  hands_.let_go_all();
+  if (grabs_.empty()) return;
+  grabs_.let_go_all();
   session.simulation.set_grab({});
 }
 
-void MouseTool::hold(Session& session) { session.simulation.set_grab(hands_.springs(0)); }
+void MouseTool::hold(Session& session) { session.simulation.set_grab(grabs_.springs(0)); }
 
 void MouseTool::pull(Session& session) {
-  if (!hands_.empty()) session.simulation.set_grab(hands_.springs(session.simulation.scene.solver.time_step));
+  if (!grabs_.empty()) session.simulation.set_grab(grabs_.springs(session.simulation.scene.solver.time_step));
 }
 
 }  // namespace fascia

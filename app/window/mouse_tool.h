@@ -1,4 +1,4 @@
-// What the mouse does to the scene: take hold of tissue, push it, take up a hand that was left, orbit, pan, or move the
+// What the mouse does to the scene: take hold of tissue, push it, take up a grab that was left, orbit, pan, or move the
 // section plane.
 #pragma once
 #include <Eigen/Core>
@@ -20,31 +20,31 @@ class MouseTool {
   };
 
   /// Left on tissue takes hold of it, with Alt pushes it, elsewhere orbits; with Shift it takes the nearest tissue; on
-  /// the mark of a hand that stays it takes that up again, right lets go of it. Others pan.
+  /// the mark of a grab that stays it takes that up again, right lets go of it. Others pan.
   void press(Button button, Keys keys, const Eigen::Vector2d& at, Picture picture, Session& session,
              const GrabSettings& settings);
   /// Instead of press: the section plane of the picture follows the mouse along its normal.
   void press_section(Button button, const Eigen::Vector2d& at);
   void move(const Eigen::Vector2d& at, Picture picture, Session& session);
-  /// With Control, or settings.stay, the hand stays where it is.
+  /// With Control, or settings.stay, the grab stays where it is.
   void release(Button button, Keys keys, Session& session, const GrabSettings& settings);
-  /// What the wheel does to hands: the depth of the one that follows the mouse, with Control the size of patches.
+  /// What the wheel does to grabs: the depth of the one that follows the mouse, with Control the size of patches.
   /// False: nothing.
   bool scroll(double notches, Keys keys, Session& session, GrabSettings& settings);
-  /// Size of patches times `factor`, that of the hand that follows the mouse at once.
+  /// Size of patches times `factor`, that of the grab that follows the mouse at once.
   void resize(double factor, Session& session, GrabSettings& settings);
-  void stay();  // the hand that follows the mouse stays where it is
-  /// The hand whose mark is at this place, or else the last one that stays.
+  void stay();  // the grab that follows the mouse stays where it is
+  /// The grab whose mark is at this place, or else the last one that stays.
   void let_go(const Eigen::Vector2d& at, Picture picture, Session& session);
   void let_go_staying(Session& session);  // of all but the one that follows the mouse
-  /// Whatever the mouse is doing ends; hands that stay hold on.
+  /// Whatever the mouse is doing ends; grabs that stay hold on.
   void end_drag(Session& session);
   /// Scene replaced or reset: everything is let go of.
   void cancel(Session& session);
 
   bool dragging() const { return tool_ != Tool::none; }
   bool orbiting() const { return tool_ == Tool::orbit || tool_ == Tool::pan; }  // or panning
-  Hands& hands() { return hands_; }
+  GrabSet& grabs() { return grabs_; }
   /// Springs of the next step, to the simulation.
   void pull(Session& session);
   /// Those of now: for what was let go of, which pulls no more although no step follows, and for a simulation that has
@@ -58,7 +58,7 @@ class MouseTool {
   Tool tool_ = Tool::none;
   Button button_ = Button::left;
   Eigen::Vector2d last_{0, 0};
-  Hands hands_;
+  GrabSet grabs_;
 };
 
 }  // namespace fascia

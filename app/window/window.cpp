@@ -17,7 +17,7 @@
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "render/supersampler.h"
-#include "sim/simulation/breakdown.h"
+#include "sim/simulation/divergence.h"
 
 namespace fascia {
 namespace {
@@ -30,7 +30,7 @@ constexpr double kShortestFrame = 0.004;  // [s] where the display does not set 
 
 }  // namespace
 
-ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened opened)
+Window::Window(Graphics& graphics, const ViewOptions& options, Opened opened)
     : graphics_(graphics),
       options_(options),
       input_(graphics.context->window()),
@@ -64,16 +64,16 @@ ViewWindow::ViewWindow(Graphics& graphics, const ViewOptions& options, Opened op
   if (options.steps || options.time) steps_left_ = steps_to_run(options, session_->simulation);
   session_began();
   dialogs_.opened(session_->simulation.scene.file);
-  if (!user_.complaint().empty()) say(user_.complaint() + ". Went on without it", true);
-  left_behind_ = autosave_.left_behind();
+  if (!user_.warning().empty()) say(user_.warning() + ". Went on without it", true);
+  recovered_ = autosave_.left_behind();
   dialogs_.set_last_session(autosave_.last());
-  if (!user_.now().welcomed && !config_folder().empty() && options.input.empty() && options.replay.empty() &&
+  if (!user_.now().first_run_done && !config_folder().empty() && options.input.empty() && options.replay.empty() &&
       steps_left_ < 0)
     gallery_.ask();
   glfwSwapInterval(1);
 }
 
-void ViewWindow::run() {
+void Window::run() {
   GLFWwindow* window = graphics_.context->window();
   Clock::time_point last = Clock::now();
   const Clock::time_point start = last;
@@ -118,20 +118,20 @@ void ViewWindow::run() {
   count_work(stats_, session_->simulation);
 }
 
-void ViewWindow::find_last_residual() {
+void Window::find_last_residual() {
   GpuSolver& solver = *session_->simulation.gpu();
   if (diagnose_) solver.request_diagnostics();
   if (const auto last = solver.take_diagnostics(true)) stats_.residual = last->residual;
 }
 
-bool ViewWindow::asleep() const { return session_->simulation.asleep() && (!split_ || split_->asleep()); }
+bool Window::asleep() const { return session_->simulation.asleep() && (!split_ || split_->asleep()); }
 
-bool ViewWindow::still() const {
+bool Window::still() const {
   const Simulation& simulation = session_->simulation;
-  return state_.paused || (asleep() && steps_left_ < 0 && !simulation.awaits_hands());
+  return state_.paused || (asleep() && steps_left_ < 0 && !simulation.awaits_grabs());
 }
 
-void ViewWindow::require_device() const {
+void Window::require_device() const {
   try {
     gl::require_context();
   } catch (const gl::ContextLost& lost) {
@@ -140,7 +140,7 @@ void ViewWindow::require_device() const {
   }
 }
 
-double ViewWindow::idle_time() const {
+double Window::idle_time() const {
   if (glfwGetWindowAttrib(graphics_.context->window(), GLFW_ICONIFIED)) return kLongestWait;
   const bool under_way = video_.running() || session_->true_error.busy() || (split_ && split_->busy()) ||
                          session_->simulation.gpu()->diagnosing();
@@ -149,7 +149,7 @@ double ViewWindow::idle_time() const {
   return std::clamp(std::chrono::duration<double>(message_->until - Clock::now()).count(), 0.0, kLongestWait);
 }
 
-void ViewWindow::wait_for_events() {
+void Window::wait_for_events() {
   const double idle = frames_to_settle_ > 0 ? 0 : idle_time();
   if (idle > 0)
     glfwWaitEventsTimeout(idle);
@@ -157,20 +157,20 @@ void ViewWindow::wait_for_events() {
     glfwWaitEventsTimeout(kUnsettledWait);
   else
     glfwPollEvents();
-  if (!input_.take_stir()) return;
+  if (!input_.take_wake()) return;
   frames_to_settle_ = kFramesToSettle;
   settled_ = false;
 }
 
 // Before the window waits: numbers that the GPU gives back some frames late have come, and what is shown is drawn once
 // more with them.
-void ViewWindow::settle() {
+void Window::settle() {
   attempt([&] { session_->settle_range(split_ ? &split_->b() : nullptr); });
   frames_to_settle_ = kFramesToSettle;
   settled_ = true;
 }
 
-bool ViewWindow::attempt(const std::function<void()>& work) {
+bool Window::attempt(const std::function<void()>& work) {
   try {
     work();
     return true;
@@ -184,11 +184,11 @@ bool ViewWindow::attempt(const std::function<void()>& work) {
   return false;
 }
 
-void ViewWindow::say(const std::string& text, bool is_error) {
+void Window::say(const std::string& text, bool is_error) {
   message_ = Message{text, is_error, Clock::now() + std::chrono::seconds(is_error ? 3600 : 4)};
 }
 
-void ViewWindow::frame(double elapsed) {
+void Window::frame(double elapsed) {
   if (!update_framebuffer()) {
     input_.discard();
     pacing_.restart();
@@ -221,7 +221,7 @@ void ViewWindow::frame(double elapsed) {
   shown_ = true;
 }
 
-bool ViewWindow::update_framebuffer() {
+bool Window::update_framebuffer() {
   GLFWwindow* window = graphics_.context->window();
   int width = 0, height = 0;
   glfwGetFramebufferSize(window, &width, &height);
@@ -239,12 +239,12 @@ bool ViewWindow::update_framebuffer() {
   return true;
 }
 
-void ViewWindow::build_panels(Requests& requests) {
+void Window::build_panels(Requests& requests) {
   Statistics& s = state_.statistics;
   s.speed = pacing_.speed();
   s.keeps_pace = pacing_.keeps_pace();
   state_.recording = video_.running();
-  state_.hands = mouse_.hands().all().size();
+  state_.grabs = mouse_.grabs().all().size();
   const Room room = room_beside_panels(state_);
   const bool shown_alone = video_.running() && !video_.settings().panels;  // the scene, in a video
   if (!shown_alone) draw_notice(state_, room);
@@ -257,8 +257,8 @@ void ViewWindow::build_panels(Requests& requests) {
   if (state_.show_recording) draw_recording_settings(state_, requests);
   if (state_.show_help) draw_help(state_);
   dialogs_.draw(requests);
-  if (gallery_.draw(requests)) user_.change([](UserSettings& settings) { settings.welcomed = true; });
-  if (left_behind_) draw_left_behind(Autosave::name_in(*left_behind_), requests);
+  if (gallery_.draw(requests)) user_.change([](UserSettings& settings) { settings.first_run_done = true; });
+  if (recovered_) draw_recovery(Autosave::name_in(*recovered_), requests);
   follow_hints();
   if (const bool light = ui::theme() == ui::Theme::light; light != user_.now().light)
     user_.change([&](UserSettings& settings) { settings.light = light; });
@@ -269,10 +269,10 @@ void ViewWindow::build_panels(Requests& requests) {
     message_.reset();
   if (video_.running()) draw_recording_dot(video_.seconds(), video_.dropped());
   if (split_) split_->share(*session_);
-  follow_dials();
+  follow_tunables();
 }
 
-void ViewWindow::make_step() {
+void Window::make_step() {
   mouse_.pull(held());
   if ((state_.show_panels && state_.show_convergence) || shows_convergence(state_.plots))
     state_.convergence.measure(tuned().simulation, *graphics_.programs);
@@ -288,7 +288,7 @@ void ViewWindow::make_step() {
   if (steps_left_ > 0) --steps_left_;
 }
 
-void ViewWindow::simulate(double elapsed, const Requests& requests) {
+void Window::simulate(double elapsed, const Requests& requests) {
   Statistics& s = state_.statistics;
   const double time_step = session_->simulation.scene.solver.time_step;
   int steps = 0;
@@ -316,8 +316,8 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
   while (const auto took = solve_timer_.take())
     s.add_steps(took->milliseconds, took->steps, took->compiled, stats_.step_ms);
   if (still()) pacing_.forget_speed();  // nothing is solved that could be slow
-  if (repeats) accept_dials();
-  if (const auto lost = session_->simulation.astray()) go_back(*lost);
+  if (repeats) accept_tunables();
+  if (const auto lost = session_->simulation.diverged()) go_back(*lost);
   read_diagnostics();
   const bool follow = tuned().follow_true_error;  // of both sides
   session_->follow_true_error = follow;
@@ -330,41 +330,41 @@ void ViewWindow::simulate(double elapsed, const Requests& requests) {
 
 // Once or twice the tissue starts again where all was well, at rest and let go. What then comes apart again would do so
 // for ever.
-void ViewWindow::go_back(std::uint32_t lost) {
+void Window::go_back(std::uint32_t lost) {
   constexpr long kForgiven = 600;  // steps
   constexpr long kMostTimes = 3;
   Simulation& simulation = session_->simulation;
-  came_apart_ = simulation.steps_made() - came_apart_at_ > kForgiven ? 1 : came_apart_ + 1;
-  came_apart_at_ = simulation.steps_made();
+  divergences_ = simulation.steps_made() - diverged_at_ > kForgiven ? 1 : divergences_ + 1;
+  diverged_at_ = simulation.steps_made();
   let_go();
   session_->true_error.forget();
   diagnose_ = true;
-  if (came_apart_ < kMostTimes) {
-    simulation.back_to_sound();
+  if (divergences_ < kMostTimes) {
+    simulation.back_to_valid();
     simulation.begin_anew();
     if (split_) split_->restart_from(*session_);
     say("The tissue came apart: back to the last sound state, at rest");
     return;
   }
   state_.paused = true;
-  came_apart_ = 0;
+  divergences_ = 0;
   try {
     simulation.require_device();
   } catch (const Error& error) {
     return say(error.what(), true);
   }
-  const Breakdown breakdown = find_breakdown(simulation, lost);
+  const Divergence divergence = find_divergence(simulation, lost);
   const std::string text =
-      breakdown.text(simulation.model) + ". Paused at the last sound state; R goes back to the start. ";
+      divergence.text(simulation.model) + ". Paused at the last sound state; R goes back to the start. ";
   say(text + "More iterations or substeps, or softer tissue, may help", true);
-  say(text + keep_replay(breakdown.replay).string() + " repeats it", true);
+  say(text + keep_replay(divergence.replay).string() + " repeats it", true);
 }
 
-void ViewWindow::remember_now_and_then() {
+void Window::remember_now_and_then() {
   if (!remembered_ || autosave_.due()) remember();
 }
 
-void ViewWindow::remember() {
+void Window::remember() {
   Simulation& simulation = session_->simulation;
   Scene scene = scene_now();
   std::string text = parameters_to_json(scene, {});
@@ -374,7 +374,7 @@ void ViewWindow::remember() {
   if (same) return;
   const std::string name = scene.file.stem().string();
   remembered_ = std::make_shared<const Replay>(
-      Replay{std::move(scene), simulation.uses_reference() ? simulation.state() : simulation.last_sound(), {}, 0});
+      Replay{std::move(scene), simulation.uses_reference() ? simulation.state() : simulation.last_valid(), {}, 0});
   remembered_scene_ = std::move(text);
   remembered_step_ = step;
   autosave_.keep(remembered_, name);

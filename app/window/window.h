@@ -33,10 +33,10 @@
 
 namespace fascia {
 
-class ViewWindow {
+class Window {
  public:
   /// Throws Error when the scene cannot be simulated.
-  ViewWindow(Graphics& graphics, const ViewOptions& options, Opened opened);
+  Window(Graphics& graphics, const ViewOptions& options, Opened opened);
 
   /// Until the window is closed, the asked number of steps is done or the program is interrupted. Throws
   /// gl::ContextLost, which names the file that keeps the scene.
@@ -79,7 +79,7 @@ class ViewWindow {
   void remember();                   // for a device that is lost and for a window that ends badly
   void remember_now_and_then();
   Scene scene_now() const;  // with the materials and the camera of now
-  std::vector<HandMark> marks();
+  std::vector<GrabMark> marks();
   std::vector<Box> covered(const Framebuffer& picture) const;  // what else is drawn over it
   void draw_ring(const MarkArea& area, const Session& session);
   void draw();
@@ -102,8 +102,8 @@ class ViewWindow {
   void follow_recording();  // once a frame
   void end_recording();
   void leave_recorded_session();
-  void record_anew();  // after it: hands that stay hold on
-  void let_go();       // of all that hands hold, at both sides; a replay's hand holds on
+  void record_anew();  // after it: grabs that stay hold on
+  void let_go();       // of all grabs, at both sides; those of a replay hold on
   void save_replay(const std::filesystem::path& path);
   void begin_replay();
   void follow_replay();  // its camera and display; its end
@@ -115,13 +115,13 @@ class ViewWindow {
 
   // A comparison of two settings, while there is one.
   Session& tuned() { return split_ && state_.editing_b ? split_->b() : *session_; }  // what the panels show
-  Session& held() { return split_ && hand_in_b_ ? split_->b() : *session_; }         // what the mouse acts on
+  Session& held() { return split_ && grab_in_b_ ? split_->b() : *session_; }         // what the mouse acts on
   int panels_cover() const;                                                          // of the picture's width [pixels]
   Margins margins() const;                                                           // of the window's picture
   void compare(CompareAsk ask);
   void edit(bool b);
   MouseTool::Picture to_side(Eigen::Vector2d& at, bool press);  // of the comparison: which one, and where in it
-  MouseTool::Picture picture_of_hand() const;                   // of the side that the mouse acts on
+  MouseTool::Picture picture_of_grab() const;                   // of the side that the mouse acts on
   bool points_at_b() const;
   Eigen::Vector2d pointer_in_side(bool b) const;
   void after_mouse();  // both sides see and feel the same
@@ -132,8 +132,8 @@ class ViewWindow {
   void draw_comparison(Framebuffer& picture, float scale, int left,
                        const std::function<void(std::size_t, const Framebuffer&)>& drawn = {});
 
-  void follow_dials();                           // into the history
-  void accept_dials();                           // what a replay has changed is no entry
+  void follow_tunables();                        // into the history
+  void accept_tunables();                        // what a replay has changed is no entry
   void go_through_history(std::size_t entries);  // until so many are in force
   void set_material_entries(const std::vector<MaterialEntries>& entries);
   void materials_changed();  // their number
@@ -158,7 +158,7 @@ class ViewWindow {
   std::unique_ptr<Session> session_;
   std::unique_ptr<Framebuffer> framebuffer_;
   std::unique_ptr<SplitView> split_;
-  bool hand_in_b_ = false;
+  bool grab_in_b_ = false;
   MouseTool mouse_;
   Hover hover_;
   Eigen::Vector2d pointer_{-1, -1};  // the mouse, in pixels of the window's picture
@@ -169,15 +169,15 @@ class ViewWindow {
   bool begins_at_start_ = true;                  // where R goes, not in mid-session
   ReplayView replay_view_;
   std::optional<DisplaySettings> replayed_display_;
-  ViewState state_;
+  WindowState state_;
   RunStats stats_;
   std::optional<Message> message_;
   gl::Timer solve_timer_, render_timer_;
   int samples_;
   long steps_left_ = -1;                         // until the window closes by itself; negative: it does not
   double simulated_ = 0;                         // in this frame [s]
-  long came_apart_ = 0;                          // times in a row
-  long came_apart_at_ = 0;                       // steps made when it last did
+  long divergences_ = 0;                         // times in a row
+  long diverged_at_ = 0;                         // steps made when it last did
   std::optional<Diagnostics> diagnostics_of_a_;  // the latest of session_
   bool diagnose_ = true;                         // the state has changed since the last diagnostics
   struct Moment {
@@ -195,7 +195,7 @@ class ViewWindow {
   std::string remembered_scene_;              // of it, as a file would say it
   long remembered_step_ = 0;                  // steps solved then
   std::optional<std::filesystem::path>
-      left_behind_;  // by a window that ended badly; until the user has said what to do with it
+      recovered_;  // by a window that ended badly; until the user has said what to do with it
   std::vector<std::future<Opened>> given_up_;  // readings that nobody waits for
 };
 

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kReadShare = 0.4;  // of opening a large scene that goes by before the GPU is needed
-constexpr double kResize = 1.1;     // of a hand's patch, per press of a key
+constexpr double kResize = 1.1;     // of a grab's patch, per press of a key
 
 // The key as its letter says: Z is elsewhere on other keyboards.
 int letter_of(int key) {
@@ -31,7 +31,7 @@ int letter_of(int key) {
 
 }  // namespace
 
-void ViewWindow::handle_input(Requests& requests) {
+void Window::handle_input(Requests& requests) {
   using Kind = InputEvent::Kind;
   const ImGuiIO& io = ImGui::GetIO();
   const auto button_of = [](int code) {
@@ -54,7 +54,7 @@ void ViewWindow::handle_input(Requests& requests) {
           mouse_.press_section(button_of(event.code), event.at);
         else
           mouse_.press(button_of(event.code), keys_of(event.mods), event.at, picture, held(), state_.grab);
-        if (!mouse_.hands().all().empty() && session_->simulation.replaying())
+        if (!mouse_.grabs().all().empty() && session_->simulation.replaying())
           end_replay("You took over from the replay");
         break;
       case Kind::release:
@@ -85,11 +85,11 @@ void ViewWindow::handle_input(Requests& requests) {
   }
 }
 
-void ViewWindow::press_key(int key, int mods, Requests& requests) {
+void Window::press_key(int key, int mods, Requests& requests) {
   if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;  // a dialog
   if (mods & GLFW_MOD_CONTROL) {
     const bool shift = mods & GLFW_MOD_SHIFT;
-    const DialHistory& history = state_.history;
+    const UndoHistory& history = state_.history;
     switch (letter_of(key)) {
       case GLFW_KEY_Z:
         if (shift ? history.can_redo() : history.can_undo()) requests.history = history.done() + (shift ? 1 : -1);
@@ -165,7 +165,7 @@ void ViewWindow::press_key(int key, int mods, Requests& requests) {
       mouse_.resize(kResize, held(), state_.grab);
       break;
     case GLFW_KEY_DELETE:
-      mouse_.let_go(pointer_in_side(hand_in_b_), picture_of_hand(), held());
+      mouse_.let_go(pointer_in_side(grab_in_b_), picture_of_grab(), held());
       break;
     case GLFW_KEY_ESCAPE:
       if (state_.show_help || state_.show_recording)
@@ -189,16 +189,16 @@ void ViewWindow::press_key(int key, int mods, Requests& requests) {
   }
 }
 
-void ViewWindow::carry_out(const Requests& requests) {
+void Window::carry_out(const Requests& requests) {
   if (requests.open_dialog) dialogs_.ask_open(session_->simulation.scene.file);
   if (requests.recent) dialogs_.ask_recent();
   if (requests.export_dialog) dialogs_.ask_export(session_->simulation.scene.file);
   if (requests.gallery) gallery_.ask();
   if (requests.resume) resume(*requests.resume);
-  if (requests.resume_left_behind && left_behind_) resume(fs::path(*left_behind_));
-  if (requests.forget_left_behind && left_behind_) {
-    fs::remove(*left_behind_);
-    left_behind_.reset();
+  if (requests.resume_recovered && recovered_) resume(fs::path(*recovered_));
+  if (requests.forget_recovered && recovered_) {
+    fs::remove(*recovered_);
+    recovered_.reset();
   }
   if (requests.save_dialog) dialogs_.ask_save(session_->simulation.scene.file);
   if (requests.open) open(*requests.open);
@@ -229,7 +229,7 @@ void ViewWindow::carry_out(const Requests& requests) {
   if (requests.close) glfwSetWindowShouldClose(graphics_.context->window(), GLFW_TRUE);
 }
 
-void ViewWindow::open(const fs::path& path) {
+void Window::open(const fs::path& path) {
   // The new session is made while the old one still stands: if it cannot be made, nothing has happened.
   OpeningScreen screen(graphics_, overlay_, path.filename().string());
   Opened input = read(path, screen);
@@ -237,7 +237,7 @@ void ViewWindow::open(const fs::path& path) {
   dialogs_.opened(path);
 }
 
-void ViewWindow::resume(const fs::path& path) {
+void Window::resume(const fs::path& path) {
   OpeningScreen screen(graphics_, overlay_, Autosave::name_in(path));
   Opened input = read(path, screen);
   const State state = input.replay && input.replay->start ? *input.replay->start : initial_state(input.model);
@@ -246,8 +246,8 @@ void ViewWindow::resume(const fs::path& path) {
   std::unique_ptr<Session> opened = make_session(input, screen, kReadShare);
   opened->simulation.go_on_from(state);
   take_over(std::move(opened));
-  if (left_behind_ == path) {
-    left_behind_.reset();
+  if (recovered_ == path) {
+    recovered_.reset();
     autosave_.replace(path);
   }
   remember();
@@ -255,7 +255,7 @@ void ViewWindow::resume(const fs::path& path) {
 
 // On another thread, so that the window answers and somebody may think better of it: then reading ends at its next
 // report.
-Opened ViewWindow::read(const fs::path& path, OpeningScreen& screen) {
+Opened Window::read(const fs::path& path, OpeningScreen& screen) {
   constexpr auto kFrame = std::chrono::milliseconds(30);
   std::erase_if(given_up_, [](const std::future<Opened>& f) {
     return f.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
@@ -292,7 +292,7 @@ Opened ViewWindow::read(const fs::path& path, OpeningScreen& screen) {
   return reading.get();
 }
 
-std::unique_ptr<Session> ViewWindow::make_session(Opened& opened, OpeningScreen& screen, double share_done) {
+std::unique_ptr<Session> Window::make_session(Opened& opened, OpeningScreen& screen, double share_done) {
   const Progress progress = [&](double share, const char* what) {
     screen.show(share_done + (1 - share_done) * share, what);
   };
@@ -302,11 +302,11 @@ std::unique_ptr<Session> ViewWindow::make_session(Opened& opened, OpeningScreen&
   return session;
 }
 
-void ViewWindow::take_over(std::unique_ptr<Session> opened) {
+void Window::take_over(std::unique_ptr<Session> opened) {
   let_go();
   attempt([&] { end_recording(); });
   split_.reset();
-  state_.comparing = state_.editing_b = hand_in_b_ = false;
+  state_.comparing = state_.editing_b = grab_in_b_ = false;
   state_.convergence.forget();
   state_.plots.forget();
   session_ = std::move(opened);
@@ -314,14 +314,14 @@ void ViewWindow::take_over(std::unique_ptr<Session> opened) {
   session_began();
 }
 
-void ViewWindow::session_began() {
+void Window::session_began() {
   shown_ = false;
   remembered_.reset();
-  came_apart_ = 0;
+  divergences_ = 0;
   state_.facts = SceneFacts(session_->simulation.scene, session_->simulation.model);
   state_.statistics = {};
   state_.statistics.measured = true;
-  state_.history.restart(dials_of(*session_, state_.grab));
+  state_.history.restart(tunables_of(*session_, state_.grab));
   opened_camera_ = scene_now().camera;
   pacing_.restart();
   diagnose_ = true;
@@ -330,13 +330,13 @@ void ViewWindow::session_began() {
   attempt([&] { begin_recording(); });
 }
 
-void ViewWindow::set_title() {
+void Window::set_title() {
   const Scene& scene = session_->simulation.scene;
   const std::string title = scene.title.empty() ? scene.file.filename().string() : scene.title;
   glfwSetWindowTitle(graphics_.context->window(), (title + " - fascia").c_str());
 }
 
-Scene ViewWindow::scene_now() const {
+Scene Window::scene_now() const {
   Scene scene = session_->simulation.scene;
   follow_materials(scene, session_->simulation.model);
   const Camera& camera = session_->camera;
@@ -344,7 +344,7 @@ Scene ViewWindow::scene_now() const {
   return scene;
 }
 
-void ViewWindow::save(const fs::path& path, bool with_mesh) {
+void Window::save(const fs::path& path, bool with_mesh) {
   std::vector<ReadFile>& files = session_->simulation.model.files;
   const Scene scene = with_mesh ? self_contained(scene_now(), files) : with_known_files(scene_now(), files);
   write_file(path, scene_to_json(scene, path.parent_path()));
@@ -352,7 +352,7 @@ void ViewWindow::save(const fs::path& path, bool with_mesh) {
   say("Saved " + path.string());
 }
 
-void ViewWindow::export_state(const fs::path& path) {
+void Window::export_state(const fs::path& path) {
   const Simulation& simulation = session_->simulation;
   write_state(path, simulation.model.file_mesh, reference::export_fields(simulation.model, simulation.state()),
               provenance());
@@ -360,9 +360,9 @@ void ViewWindow::export_state(const fs::path& path) {
 }
 
 // What somebody has done needs no hint any more.
-void ViewWindow::follow_hints() {
+void Window::follow_hints() {
   const std::vector<Material>& materials = session_->simulation.model.materials;
-  if (mouse_.hands().following()) hints_.done("grab");
+  if (mouse_.grabs().following()) hints_.done("grab");
   if (mouse_.orbiting()) hints_.done("orbit");
   if (state_.show_help) hints_.done("help");
   if (hints_.wanted("tune") && ImGui::IsAnyItemActive() && tuned_from_.size() == materials.size() &&
@@ -371,7 +371,7 @@ void ViewWindow::follow_hints() {
   if (hints_.wanted("tune")) tuned_from_ = materials;
 }
 
-void ViewWindow::reset() {
+void Window::reset() {
   let_go();
   // A recording that began in mid-session has its own start, and this one leads elsewhere.
   const bool leaves_recording = !begins_at_start_ && session_->simulation.start();
@@ -390,7 +390,7 @@ void ViewWindow::reset() {
   diagnose_ = true;
 }
 
-void ViewWindow::reload_shaders() {
+void Window::reload_shaders() {
   std::string text;
   for (const std::string& message : graphics_.programs->reload()) text += (text.empty() ? "" : "\n") + message;
   if (text.empty())
@@ -399,7 +399,7 @@ void ViewWindow::reload_shaders() {
     say(text + "\nThe old code stays in use", true);
 }
 
-Provenance ViewWindow::provenance() const {
+Provenance Window::provenance() const {
   Scene scene = session_->simulation.scene;
   follow_materials(scene, session_->simulation.model);
   return provenance_of(scene, session_->simulation.model, session_->renderer_description(), options_.command_line,

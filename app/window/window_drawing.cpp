@@ -7,31 +7,31 @@
 
 namespace fascia {
 
-std::vector<HandMark> ViewWindow::marks() {
+std::vector<GrabMark> Window::marks() {
   const auto& d = state_.statistics.diagnostics;
-  return hand_marks(session_->simulation, d ? d->hand_forces : std::vector<HandForce>(), &mouse_.hands());
+  return grab_marks(session_->simulation, d ? d->grab_forces : std::vector<GrabForce>(), &mouse_.grabs());
 }
 
-std::vector<Box> ViewWindow::covered(const Framebuffer& picture) const {
+std::vector<Box> Window::covered(const Framebuffer& picture) const {
   const bool scene_alone = &picture != framebuffer_.get() && !video_.settings().panels;
   return scene_alone ? std::vector<Box>() : overlay_.covered();
 }
 
-// How much a hand holds, or would hold where the mouse is.
-void ViewWindow::draw_ring(const MarkArea& area, const Session& session) {
-  if (const Grab* grab = mouse_.hands().following())
+// How much a grab holds, or would hold where the mouse is.
+void Window::draw_ring(const MarkArea& area, const Session& session) {
+  if (const Grab* grab = mouse_.grabs().following())
     draw_patch_ring(area, session, grab->anchor(), session.camera.forward(), grab->patch_radius());
   else if (const auto& spot = hover_.spot(); spot && !mouse_.dragging() && !ImGui::GetIO().WantCaptureMouse)
     draw_patch_ring(area, session, spot->point, spot->normal, state_.grab.radius * session.look.radius);
 }
 
-void ViewWindow::draw_scene(Framebuffer& picture, float scale, int left) {
+void Window::draw_scene(Framebuffer& picture, float scale, int left) {
   Session& session = *session_;
-  const std::vector<HandMark> hands = marks();
+  const std::vector<GrabMark> grabs = marks();
   session.follow_range();
   const Margins edges{static_cast<double>(left), legend_space(session, picture.width(), picture.height(), scale)};
   frame_picture(session.camera, session.extent, {picture.width(), picture.height(), edges});
-  session.draw(picture, arrows(hands));
+  session.draw(picture, arrows(grabs));
   overlay_.draw_list(picture, scale, [&](ImDrawList& list) {
     const MarkArea area{list, 0, static_cast<float>(picture.width()) / scale,
                         static_cast<float>(picture.height()) / scale};
@@ -39,7 +39,7 @@ void ViewWindow::draw_scene(Framebuffer& picture, float scale, int left) {
     LabelPlaces places({static_cast<float>(left) / scale, 0, area.width, area.height}, ui::px(kLabelGap));
     for (const Box& box : covered(picture)) places.keep_clear(box);
     if (const auto legend = legend_box(area.box(), session)) places.keep_clear(*legend);
-    draw_hand_marks(area, session, hands, places);
+    draw_grab_marks(area, session, grabs, places);
     draw_ring(area, session);
     const auto& d = state_.statistics.diagnostics;
     if (state_.plots.shown && d && d->probe)
@@ -47,7 +47,7 @@ void ViewWindow::draw_scene(Framebuffer& picture, float scale, int left) {
   });
 }
 
-void ViewWindow::draw() {
+void Window::draw() {
   const bool aims = !mouse_.dragging() && !ImGui::GetIO().WantCaptureMouse;
   render_timer_.begin();
   if (split_) {

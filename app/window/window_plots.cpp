@@ -8,7 +8,7 @@
 
 namespace fascia {
 
-void ViewWindow::read_diagnostics() {
+void Window::read_diagnostics() {
   Statistics& s = state_.statistics;
   const bool told = state_.show_panels || state_.plots.shown || split_ || !session_->simulation.springs().empty();
   const bool due = diagnose_ && told;
@@ -16,7 +16,7 @@ void ViewWindow::read_diagnostics() {
   if (split_) {
     if (due) split_->request_diagnostics();
     const bool news = split_->take_diagnostics(false);
-    if (news && hand_in_b_) mouse_.hands().observe(split_->diagnostics()->hand_forces);
+    if (news && grab_in_b_) mouse_.grabs().observe(split_->diagnostics()->grab_forces);
     if (state_.editing_b) s.diagnostics = split_->diagnostics();
   }
   GpuSolver& solver = *session_->simulation.gpu();
@@ -30,13 +30,13 @@ void ViewWindow::read_diagnostics() {
   const std::optional<Diagnostics> d = solver.take_diagnostics(false);
   if (!d) return;
   diagnostics_of_a_ = d;
-  if (!hand_in_b_) mouse_.hands().observe(d->hand_forces);
+  if (!grab_in_b_) mouse_.grabs().observe(d->grab_forces);
   stats_.residual = d->residual;
   follow(*d);
   if (!state_.editing_b) s.diagnostics = d;
 }
 
-void ViewWindow::follow(const Diagnostics& diagnostics) {
+void Window::follow(const Diagnostics& diagnostics) {
   Plots& plots = state_.plots;
   if (!plots.shown || plots.held) return;
   Sample sample = sample_of(diagnostics);
@@ -47,7 +47,7 @@ void ViewWindow::follow(const Diagnostics& diagnostics) {
   plots.history.add(sample);
 }
 
-bool ViewWindow::choose_probe(const Eigen::Vector2d& at) {
+bool Window::choose_probe(const Eigen::Vector2d& at) {
   Plots& plots = state_.plots;
   if (!plots.shown || !plots.choosing) return false;
   plots.choosing = false;
@@ -72,7 +72,7 @@ bool ViewWindow::choose_probe(const Eigen::Vector2d& at) {
   return true;
 }
 
-void ViewWindow::write_plots(const Requests& requests) {
+void Window::write_plots(const Requests& requests) {
   const Plots& plots = state_.plots;
   if (requests.plot_table && plots.probe) {
     const std::filesystem::path path = dated_name(".csv");

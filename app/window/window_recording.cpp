@@ -17,7 +17,7 @@ CameraSettings settings_of(const Camera& camera) { return {camera.eye, camera.ta
 
 }  // namespace
 
-void ViewWindow::begin_recording() {
+void Window::begin_recording() {
   Simulation& simulation = session_->simulation;
   recording_.reset();
   if (options_.steps || options_.time) return;  // a scripted window remembers nothing
@@ -40,21 +40,21 @@ void ViewWindow::begin_recording() {
   });
 }
 
-void ViewWindow::follow_recording() {
+void Window::follow_recording() {
   if (!recording_) return;
   const long steps = session_->simulation.steps_made() - recorded_from_;
   recording_->look(steps, settings_of(session_->camera), session_->display());
   recording_->breathe(steps);
 }
 
-void ViewWindow::end_recording() {
+void Window::end_recording() {
   if (!recording_) return;
   follow_recording();
   recording_->note_state(session_->simulation.steps_made() - recorded_from_, state_hash(session_->simulation.state()));
 }
 
 // With nothing held, so that another recording may go on from here.
-void ViewWindow::leave_recorded_session() {
+void Window::leave_recorded_session() {
   mouse_.end_drag(held());
   end_replay("You took over from the replay");
   session_->simulation.set_grab({});
@@ -63,13 +63,13 @@ void ViewWindow::leave_recorded_session() {
   session_->simulation.set_listener({});
 }
 
-void ViewWindow::record_anew() {
+void Window::record_anew() {
   attempt([&] { begin_recording(); });
   mouse_.hold(held());
   if (split_) lead();
 }
 
-void ViewWindow::save_replay(const fs::path& path) {
+void Window::save_replay(const fs::path& path) {
   if (!recording_)
     throw Error(
         path.string(), "this session is not recorded",
@@ -81,7 +81,7 @@ void ViewWindow::save_replay(const fs::path& path) {
       ". fascia render --replay makes a video of it");
 }
 
-void ViewWindow::begin_replay() {
+void Window::begin_replay() {
   const Simulation& simulation = session_->simulation;
   replay_view_ = simulation.replay() ? ReplayView(*simulation.replay()) : ReplayView();
   replayed_display_.reset();
@@ -89,7 +89,7 @@ void ViewWindow::begin_replay() {
   state_.replay_camera = true;
 }
 
-void ViewWindow::follow_replay() {
+void Window::follow_replay() {
   Simulation& simulation = session_->simulation;
   if (!simulation.replay()) return;
   if (!simulation.replaying()) {
@@ -101,19 +101,19 @@ void ViewWindow::follow_replay() {
   if (const auto display = replay_view_.display(step); display && display != replayed_display_) {
     replayed_display_ = display;
     session_->set_display(*display);
-    accept_dials();
+    accept_tunables();
   }
 }
 
-void ViewWindow::end_replay(const std::string& news) {
+void Window::end_replay(const std::string& news) {
   Simulation& simulation = session_->simulation;
   const bool was_played = simulation.replay() && simulation.replay()->steps > 0;
   simulation.end_replay();
-  if (mouse_.hands().all().empty()) simulation.set_grab({});
+  if (mouse_.grabs().all().empty()) simulation.set_grab({});
   if (was_played && !message_) say(news);
 }
 
-void ViewWindow::toggle_video() {
+void Window::toggle_video() {
   if (!video_.running()) {
     video_.start(state_.video, *framebuffer_, provenance());
     return;
@@ -127,7 +127,7 @@ void ViewWindow::toggle_video() {
   say(path.string() + news);
 }
 
-void ViewWindow::record_frame() {
+void Window::record_frame() {
   if (!video_.advance(simulated_)) return;
   Framebuffer& canvas = video_.canvas(*framebuffer_, state_.show_panels);
   if (&canvas != framebuffer_.get()) {
@@ -146,7 +146,7 @@ void ViewWindow::record_frame() {
   video_.write(canvas);
 }
 
-void ViewWindow::capture(const Requests& requests) {
+void Window::capture(const Requests& requests) {
   if (video_.running()) record_frame();
   if (requests.video) toggle_video();
   write_plots(requests);

@@ -11,39 +11,39 @@
 
 namespace fascia {
 
-void ViewWindow::follow_dials() {
+void Window::follow_tunables() {
   if (ImGui::IsAnyItemActive() || mouse_.dragging())
     return;  // a slider or a section plane that is held is not yet where it will be
-  const Dials now = dials_of(tuned(), state_.grab);
+  const Tunables now = tunables_of(tuned(), state_.grab);
   if (tuned().simulation.repeating())
     state_.history.accept(now);
   else
     state_.history.follow(now);
 }
 
-void ViewWindow::accept_dials() {
-  (state_.editing_b ? split_->history : state_.history).accept(dials_of(*session_, state_.grab));
+void Window::accept_tunables() {
+  (state_.editing_b ? split_->history : state_.history).accept(tunables_of(*session_, state_.grab));
 }
 
-void ViewWindow::go_through_history(std::size_t entries) {
-  DialHistory& history = state_.history;
+void Window::go_through_history(std::size_t entries) {
+  UndoHistory& history = state_.history;
   // The values of the entry that is to be the last in force; those between need not be set.
-  std::optional<Dials> wanted;
+  std::optional<Tunables> wanted;
   while (history.done() > entries && history.can_undo()) wanted = history.undo();
   while (history.done() < entries && history.can_redo()) wanted = history.redo();
   if (!wanted) return;
   const std::vector<std::string> names = tuned().simulation.model.material_names;
-  set_dials(tuned(), state_.grab, *wanted);
-  history.accept(dials_of(tuned(), state_.grab));
+  set_tunables(tuned(), state_.grab, *wanted);
+  history.accept(tunables_of(tuned(), state_.grab));
   if (tuned().simulation.model.material_names != names) materials_changed();
 }
 
-void ViewWindow::set_material_entries(const std::vector<MaterialEntries>& entries) {
+void Window::set_material_entries(const std::vector<MaterialEntries>& entries) {
   tuned().simulation.set_material_entries(entries);
   materials_changed();
 }
 
-void ViewWindow::materials_changed() {
+void Window::materials_changed() {
   tuned().true_error.forget();
   state_.convergence.forget();
   state_.facts = SceneFacts(tuned().simulation.scene, tuned().simulation.model);
@@ -55,7 +55,7 @@ void ViewWindow::materials_changed() {
   record_anew();
 }
 
-void ViewWindow::rescale(double factor) {
+void Window::rescale(double factor) {
   Scene scene = scene_to_reproduce();
   scale_lengths(scene, factor);
   Model model = build_model(scene);
@@ -67,13 +67,13 @@ void ViewWindow::rescale(double factor) {
 }
 
 // A camera that nobody moved is the file's, or none.
-Scene ViewWindow::scene_to_reproduce() const {
+Scene Window::scene_to_reproduce() const {
   Scene scene = scene_now();
   if (scene.camera == opened_camera_) scene.camera = session_->simulation.scene.camera;
   return scene;
 }
 
-void ViewWindow::copy_command() {
+void Window::copy_command() {
   const std::string line = command_that_reproduces(scene_to_reproduce());
   ImGui::SetClipboardText(line.c_str());
   say("Copied: " + line);

@@ -1,5 +1,5 @@
 // Strict reading of a JSON document: a Node is a value that knows its path and who wrote it, so that every
-// complaint names the file (or the --set) and the path, says what is there and what was expected.
+// warning names the file (or the --set) and the path, says what is there and what was expected.
 #pragma once
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>

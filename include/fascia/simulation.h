@@ -75,10 +75,10 @@ FASCIA_INLINE namespace api {
     void reset();         // to the scene's start; materials, settings, gravity and grabs stay
     bool asleep() const;  // whether steps only let time pass, since nothing moves (settings.rest_speed)
     /// A vertex that is no longer finite or has left the scene; none: the state is sound. Waits for the device.
-    std::optional<std::uint32_t> lost_vertex();
+    std::optional<std::uint32_t> diverged_vertex();
     /// Back to the last state that was found sound, at rest, after a vertex was lost. Throws Error with the reference
     /// solver.
-    void restore_sound();
+    void restore_valid();
     /// Static equilibrium under the current weight and grabs and the ends of motions. The simulation continues from it.
     /// `stop` ends it unconverged; `news` is called after every part of the search. Throws Error where gravity pulls at
     /// a part that nothing holds.
@@ -116,7 +116,7 @@ FASCIA_INLINE namespace api {
     Material material(std::size_t index) const;
     void set_material(std::size_t index, const Material& material);
 
-    // Grabs: springs that pull tissue to a target, as a hand does. A force is that of the grab on the tissue [N], of
+    // Grabs: springs that pull tissue to a target, as a grab does. A force is that of the grab on the tissue [N], of
     // the state as it is now.
     /// Takes hold of the free ones of `vertices`, each with an equal share of `stiffness` [N/m]; 0: from the tissue.
     /// Until it is moved its target is where they are. Throws Error where none of them is free, or for an index out of

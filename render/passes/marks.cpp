@@ -31,8 +31,8 @@ void Marks::draw_dots(const gl::Program& program, const Dots& dots, const Style&
   gl::DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, dots.count);
 }
 
-void Marks::draw(const Look& look, const gl::Buffer& positions, std::span<const GrabMark> hands) const {
-  if (fixed_.count == 0 && grabbed_.count == 0 && hands.empty()) return;
+void Marks::draw(const Look& look, const gl::Buffer& positions, std::span<const GrabArrow> grabs) const {
+  if (fixed_.count == 0 && grabbed_.count == 0 && grabs.empty()) return;
   static const Style kFixed{3.0f, {0.15f, 0.19f, 0.27f, 1}, {0.95f, 0.96f, 0.98f, 1}};
   static const Style kGrabbed{4.0f, {1.00f, 0.80f, 0.20f, 1}, {1, 1, 1, 1}};
   gl::Enable(GL_BLEND);
@@ -45,13 +45,13 @@ void Marks::draw(const Look& look, const gl::Buffer& positions, std::span<const 
   gl::BindTexture(GL_TEXTURE_BUFFER, positions.texel_view(GL_RGBA32F));
   draw_dots(dots, fixed_, kFixed);
   draw_dots(dots, grabbed_, kGrabbed);
-  if (!hands.empty()) {
+  if (!grabs.empty()) {
     gl::Disable(GL_DEPTH_TEST);
     arrow_program_.use();
     no_vertices_.bind();
-    for (const GrabMark& hand : hands) {
-      arrow_program_.set("from", hand.from.x(), hand.from.y(), hand.from.z(), 1);
-      arrow_program_.set("to", hand.to.x(), hand.to.y(), hand.to.z(), 1);
+    for (const GrabArrow& grab : grabs) {
+      arrow_program_.set("from", grab.from.x(), grab.from.y(), grab.from.z(), 1);
+      arrow_program_.set("to", grab.to.x(), grab.to.y(), grab.to.z(), 1);
       gl::DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     }
     gl::Enable(GL_DEPTH_TEST);

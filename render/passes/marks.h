@@ -1,4 +1,4 @@
-// What is drawn over the surface: dots on fixed and grabbed vertices, and an arrow for every hand.
+// What is drawn over the surface: dots on fixed and grabbed vertices, and an arrow for every grab.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -13,7 +13,7 @@ class Marks {
  public:
   Marks(gl::ProgramCache& programs, std::span<const std::uint32_t> fixed);
   void set_grabbed(std::span<const std::uint32_t> vertices);
-  void draw(const Look& look, const gl::Buffer& positions, std::span<const GrabMark> hands) const;
+  void draw(const Look& look, const gl::Buffer& positions, std::span<const GrabArrow> grabs) const;
 
  private:
   struct Dots {

@@ -45,8 +45,8 @@ inline Eigen::Vector2f map_range(const Look& look) {
   return {*look.neutral - reach, *look.neutral + reach};
 }
 
-/// The stretched springs of a hand, from the grabbed patch to where they pull it.
-struct GrabMark {
+/// The stretched springs of a grab, from the grabbed patch to where they pull it.
+struct GrabArrow {
   Eigen::Vector3f from, to;
 };
 

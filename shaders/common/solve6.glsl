@@ -9,7 +9,7 @@ struct Lower6 {
   float m50, m51, m52, m53, m54, m55;
 };
 
-// Right-hand side and solution: components 0 to 2 in `top`, 3 to 5 in `bottom`.
+// Right-grab side and solution: components 0 to 2 in `top`, 3 to 5 in `bottom`.
 void solve6(Lower6 m, inout vec3 top, inout vec3 bottom) {
   float i0 = 1.0 / (m.m00);
   float c10 = m.m10, l10 = c10 * i0;

@@ -19,7 +19,7 @@ void main() {
   int within = 15 - beyond, count = bitCount(beyond), k = gl_VertexID % 6;
   bool second = k >= 3;  // triangle of the two
   if (count == 0 || count == 4 || (second && count != 2)) {
-    hand_on_nothing();
+    grab_on_nothing();
     return;
   }
   // The corners of the cut lie on edges: all of a lone vertex, or around a pair.

@@ -12,7 +12,7 @@ void main() {
   vec3 middle = 0.25 * (p[0].xyz + p[1].xyz + p[2].xyz + p[3].xyz);
 #if SECTION
   if (dot(frame.section.xyz, middle) > frame.section.w) {
-    hand_on_nothing();
+    grab_on_nothing();
     return;
   }
 #endif

@@ -35,7 +35,7 @@ void hand_on(vec4 position, vec3 normal) {
 }
 
 // A vertex of a triangle that is not drawn: all three are the same.
-void hand_on_nothing() {
+void grab_on_nothing() {
   hand_on(vec4(0.0), vec3(0.0));
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -23,7 +23,7 @@ struct VertexStiffness {
 
 /// The inverse with h^2 times the stiffness of `springs` added to the matrix, by the formula of Sherman, Morrison and
 /// Woodbury over what few functions the springs make: where a grab holds it, the body must not be as yielding as it is
-/// free. The springs turn with the nodes, which changes nothing as far as those around a hand turn alike.
+/// free. The springs turn with the nodes, which changes nothing as far as those around a grab turn alike.
 Eigen::MatrixXf with_stiffness(const Eigen::MatrixXf& inverse, const CoarseSpace& space,
                                const std::vector<VertexStiffness>& springs, double h);
 

@@ -31,7 +31,7 @@ std::vector<std::uint32_t> component_of(std::size_t vertex_count, const std::vec
 
 }  // namespace
 
-Regions::Regions(gl::ProgramCache& programs, const SimBuffers& buffers)
+RestingRegions::RestingRegions(gl::ProgramCache& programs, const SimBuffers& buffers)
     : buffers_(buffers), vertex_region_(buffers.vertex_count) {
   // Vertices in the order in which the curve meets them, body by body, cut into pieces.
   const std::vector<std::uint32_t> component = component_of(buffers.vertex_count, buffers.tets);
@@ -76,30 +76,30 @@ Regions::Regions(gl::ProgramCache& programs, const SimBuffers& buffers)
                           region_count(), gl::ComputePass::Constants{{"accumulate", accumulate}});
 }
 
-bool Regions::begin_step(const SolverSettings& settings, const std::vector<VertexStiffness>& springs) {
+bool RestingRegions::begin_step(const SolverSettings& settings, const std::vector<VertexStiffness>& springs) {
   if (phase_ == kWholeSteps) partial_ = list(settings, springs);
   if (phase_ < kWholeSteps) partial_ = false;
   return partial_;
 }
 
-void Regions::end_step() {
+void RestingRegions::end_step() {
   if (phase_ < kWholeSteps) measure_[static_cast<std::size_t>(phase_)].run();
   if (phase_ == kWholeSteps - 1) measured_.copy(motion_, motion_.bytes());
   phase_ = (phase_ + 1) % kRound;
 }
 
-bool Regions::list(const SolverSettings& settings, const std::vector<VertexStiffness>& springs) {
+bool RestingRegions::list(const SolverSettings& settings, const std::vector<VertexStiffness>& springs) {
   const auto motion = measured_.read<float>();
   const double h = settings.substep();
-  std::vector<char> stirred(region_count()), moving(region_count());
+  std::vector<char> woken(region_count()), moving(region_count());
   for (std::uint32_t r = 0; r < region_count(); ++r) {
     const double speed = std::sqrt(static_cast<double>(motion[2 * r])),
                  displacement = std::sqrt(static_cast<double>(motion[2 * r + 1]));
-    stirred[r] = !is_still(speed * h, h, displacement, settings, buffers_.size);
+    woken[r] = !is_still(speed * h, h, displacement, settings, buffers_.size);
   }
-  for (const VertexStiffness& spring : springs) stirred[vertex_region_[spring.vertex]] = 1;
+  for (const VertexStiffness& spring : springs) woken[vertex_region_[spring.vertex]] = 1;
   for (std::uint32_t r = 0; r < region_count(); ++r)
-    for (const std::uint32_t n : neighbors_[r]) moving[r] |= stirred[n];
+    for (const std::uint32_t n : neighbors_[r]) moving[r] |= woken[n];
   if (moving == listed_) return active_.tet_count <= kMostShare * static_cast<double>(buffers_.tets.size());
   listed_ = moving;
 

@@ -13,12 +13,12 @@
 
 namespace fascia {
 
-class Regions {
+class RestingRegions {
  public:
   static constexpr std::uint32_t kLeastTets = 2000;  // of a mesh that is worth it
 
   /// `buffers` must outlive this, with the tets in the order they have now.
-  Regions(gl::ProgramCache& programs, const SimBuffers& buffers);
+  RestingRegions(gl::ProgramCache& programs, const SimBuffers& buffers);
 
   /// Decides about the next step. True: active() holds what it solves; false: it solves everything. Waits for the GPU
   /// once in a round.

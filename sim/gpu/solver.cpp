@@ -3,25 +3,22 @@
 #include <tuple>
 
 #include "base/error.h"
-#include "sim/gpu/methods/exact_xpbd.h"
-#include "sim/gpu/methods/jacobi.h"
-#include "sim/gpu/methods/two_level.h"
-#include "sim/gpu/methods/vertex_descent.h"
+#include "sim/gpu/methods/methods.h"
 #include "sim/gpu/passes/compute_probe.h"
 
 namespace fascia {
 
 GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
                      const EmbeddedPoints& drawn, const Progress& progress)
-    : GpuSolver(programs, model, settings, drawn, progress, placement_of(model)) {}
+    : GpuSolver(programs, model, settings, drawn, progress, mesh_order_of(model)) {}
 
 GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
-                     const EmbeddedPoints& drawn, const Progress& progress, Placement placement)
+                     const EmbeddedPoints& drawn, const Progress& progress, MeshOrder placement)
     : programs_(programs),
       given_(model),
       model_(placed(model, placement)),
       settings_(settings),
-      parts_(loose_parts(model_, model_.held())),
+      parts_(unconstrained_parts(model_, model_.held())),
       features_(features_of(model)),
       buffers_(model_, std::move(placement)),
       motions_(model_),
@@ -39,41 +36,18 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
 }
 
 void GpuSolver::make_method() {
-  const GaussSeidelMethod* sweep = gauss_seidel();
-  const bool colors_stay =
-      sweep && settings_.method == Method::gauss_seidel && sweep->colors_asked() == settings_.colors;
-  // Not by the method that was: one that found no room for all of it may have left its order.
-  const bool order_goes = settings_.method != Method::gauss_seidel && buffers_.pair_count == 0;
-  auto* two_level = dynamic_cast<TwoLevelMethod*>(method_.get());
-  const bool levels_stay = two_level && settings_.method == Method::two_level;
+  const MethodKernels& kernels = kernels_of(settings_.method);
+  const MethodInputs inputs{programs_, model_, buffers_, settings_};
   regions_.reset();
-  if (!colors_stay && !levels_stay) method_.reset();  // before the next one is made: both may not fit
-  if (order_goes) {
-    buffers_.set_tet_order(model_, buffers_.placement.tets);
-    buffers_.set_phantom_count(0);
-  }
-  // Which does its own
-  const bool joint = settings_.acceleration == Acceleration::anderson && settings_.method != Method::two_level;
-  switch (settings_.method) {
-    case Method::jacobi:
-    case Method::mass_splitting:
-      method_ = std::make_unique<JacobiMethod>(buffers_, settings_.method == Method::mass_splitting);
-      break;
-    case Method::gauss_seidel:
-      if (!colors_stay) method_ = std::make_unique<GaussSeidelMethod>(model_, buffers_, settings_.colors);
-      break;
-    case Method::exact_xpbd:
-      method_ = std::make_unique<ExactXpbdMethod>(buffers_);
-      break;
-    case Method::vertex_descent:
-      method_ = std::make_unique<VertexDescentMethod>(model_, buffers_);
-      break;
-    case Method::two_level:
-      if (levels_stay)
-        two_level->set_acceleration(programs_, buffers_, settings_);
-      else
-        method_ = std::make_unique<TwoLevelMethod>(programs_, model_, buffers_, settings_);
-      break;
+  if (!method_ || made_ != settings_.method || !method_->goes_on_with(inputs)) {
+    method_.reset();  // before the next one is made: both may not fit
+    // Not by the method that was: one that found no room for all of it may have left its order.
+    if (!kernels.orders_tets && buffers_.pair_count == 0) {
+      buffers_.set_tet_order(model_, buffers_.placement.tets);
+      buffers_.set_phantom_count(0);
+    }
+    method_ = kernels.make(inputs);
+    made_ = settings_.method;
   }
   stop_.reset();
   if (settings_.tolerance > 0) stop_.emplace(programs_, buffers_, method_->gradient());
@@ -88,10 +62,9 @@ void GpuSolver::make_method() {
   if (settings_.acceleration == Acceleration::anderson_positions)
     anderson_.emplace(programs_, std::vector<AndersonPart>{{&buffers_.displacement, buffers_.vertex_count, nullptr}},
                       settings_.window);
-  if (joint) {
-    const auto* exact = dynamic_cast<const ExactXpbdMethod*>(method_.get());
+  if (settings_.acceleration == Acceleration::anderson && !method_->accelerates_itself()) {
     std::vector<AndersonPart> parts{
-        {&buffers_.displacement, buffers_.vertex_count, exact ? &exact->raised_mass() : &buffers_.mass}};
+        {&buffers_.displacement, buffers_.vertex_count, &method_->weight_of_vertices(buffers_)}};
     if (method_->multiplier()) {
       multiplier_weight_ = gl::Buffer("multiplier_weight", 2 * sizeof(float) * buffers_.tet_count);
       parts.push_back({method_->multiplier(), 2 * buffers_.tet_count, &multiplier_weight_});
@@ -104,9 +77,9 @@ void GpuSolver::record() {
   if (!features_.damping) previous_strain_ = {};
   if (features_.damping && !previous_strain_)
     previous_strain_ = gl::Buffer("previous_strain", 2 * sizeof(shared::vec4) * buffers_.tet_count);
-  const bool may_rest = settings_.method == Method::two_level && settings_.acceleration != Acceleration::anderson &&
-                        !stop_ && settings_.rest_speed > 0 && !buffers_.displacement_low &&
-                        buffers_.tet_count >= Regions::kLeastTets && !always_whole_;
+  const bool may_rest = method_->may_rest_in_regions() && !stop_ && settings_.rest_speed > 0 &&
+                        !buffers_.displacement_low && buffers_.tet_count >= RestingRegions::kLeastTets &&
+                        !always_whole_;
   if (!may_rest) regions_.reset();
   if (may_rest && !regions_) regions_.emplace(programs_, buffers_);
   fuses_ = !stop_ && gl::fuses(programs_);
@@ -143,8 +116,8 @@ std::optional<GpuSolver::FusedStep> GpuSolver::fuse(const StepPasses& passes) {
 Start GpuSolver::start() {
   if (!method_->starts_without_gravity() || parts_.held_parts == 0) return {};
   if (parts_.parts == 0) return {false};
-  if (!loose_) loose_ = gl::Buffer("loose", parts_.loose);
-  return {false, &loose_};
+  if (!unconstrained_) unconstrained_ = gl::Buffer("unconstrained", parts_.unconstrained);
+  return {false, &unconstrained_};
 }
 
 Recording GpuSolver::recording(const ActiveSet* active) {
@@ -192,7 +165,7 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
                                         {"previous_displacement", &buffers_.previous_displacement},
                                         {"predicted", &buffers_.predicted},
                                         {"velocity", &buffers_.velocity},
-                                        {"astray", &buffers_.astray}}));
+                                        {"diverged", &buffers_.diverged}}));
   if (!fuses_)
     for (const Passes* list : passes.lists())
       for (const gl::ComputePass& pass : *list) pass.program().begin_link();
@@ -225,7 +198,7 @@ void GpuSolver::upload(const State& state) {
   guard_.keep(buffers_, time_);
 }
 
-void GpuSolver::restore_sound(bool at_rest) {
+void GpuSolver::restore_valid(bool at_rest) {
   time_ = guard_.restore(buffers_);
   if (at_rest)
     buffers_.velocity.upload(0, buffers_.velocity.bytes(), std::vector<shared::vec4>(buffers_.vertex_count).data());
@@ -245,12 +218,12 @@ void GpuSolver::request_check() {
 
 std::optional<StateGuard::Verdict> GpuSolver::take_check(bool wait) {
   std::optional<StateGuard::Verdict> verdict = guard_.take(wait);
-  if (verdict && verdict->astray) verdict->astray = vertex_at(*verdict->astray);
+  if (verdict && verdict->diverged) verdict->diverged = vertex_at(*verdict->diverged);
   return verdict;
 }
 
-std::optional<std::uint32_t> GpuSolver::astray_now() const {
-  const std::uint32_t place = buffers_.astray.read<std::uint32_t>().front();
+std::optional<std::uint32_t> GpuSolver::diverged_now() const {
+  const std::uint32_t place = buffers_.diverged.read<std::uint32_t>().front();
   return place == ~0u ? std::nullopt : std::optional(vertex_at(place));
 }
 

@@ -15,7 +15,7 @@
 #include "sim/gpu/acceleration/anderson.h"
 #include "sim/gpu/acceleration/chebyshev.h"
 #include "sim/gpu/acceleration/stop_rule.h"
-#include "sim/gpu/methods/gauss_seidel.h"
+#include "sim/gpu/methods/method.h"
 #include "sim/gpu/passes/motion_targets.h"
 #include "sim/gpu/passes/prediction.h"
 #include "sim/gpu/readback/diagnostics.h"
@@ -77,14 +77,14 @@ class GpuSolver {
   void request_check();
   std::optional<StateGuard::Verdict> take_check(bool wait);
   /// The same at once, of a state that is not kept: waits for the GPU, and the steps that follow do not notice.
-  std::optional<std::uint32_t> astray_now() const;
+  std::optional<std::uint32_t> diverged_now() const;
   /// The state at rest `equilibrium`, with a step around it that has been solved, so that its diagnostics are those of
   /// a step. No time passes.
   void settle(const State& equilibrium);
   /// A step in which nothing moves: the state, which has just been found sound, stays as it is.
   void rest();
   /// To the last state that was found sound, or was put there. With `at_rest` without its velocities.
-  void restore_sound(bool at_rest);
+  void restore_valid(bool at_rest);
 
   /// Whether the buffers hold a substep from its start to its end, solved under the model, settings and springs of now.
   bool has_step() const { return has_step_; }
@@ -98,7 +98,7 @@ class GpuSolver {
   void solve_everything();  // from now on, in every step
 
   State download() const { return buffers_.download_state(time_); }
-  State download_sound() const { return guard_.download(buffers_); }  // the state of restore_sound()
+  State download_valid() const { return guard_.download(buffers_); }  // the state of restore_valid()
   void upload(const State& state);
   /// Displacements in two floats each, for static equilibria: methods that descend the energy then sum up what float32
   /// would lose.
@@ -121,7 +121,7 @@ class GpuSolver {
   void take_background(int results) { method_->take(results); }
   /// Results that were taken without being told, since the last call.
   int background_taken() { return std::exchange(background_taken_, 0); }
-  const GaussSeidelMethod* gauss_seidel() const { return dynamic_cast<const GaussSeidelMethod*>(method_.get()); }
+  const Coloring* coloring() const { return method_->coloring(); }  // of gauss_seidel; null for other methods
   const Chebyshev* chebyshev() const { return chebyshev_ ? &*chebyshev_ : nullptr; }
 
   std::uint64_t dispatches_per_step() const;
@@ -132,7 +132,7 @@ class GpuSolver {
 
  private:
   GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings, const EmbeddedPoints& drawn,
-            const Progress& progress, Placement placement);
+            const Progress& progress, MeshOrder placement);
   void make_method();  // what the pair needs, and nothing else
   void record();
   void run(const Passes& passes);
@@ -168,14 +168,15 @@ class GpuSolver {
   const Model& given_;
   Model model_;  // given_ placed(), as all below sees it; materials and gravity follow
   SolverSettings settings_;
-  LooseParts parts_;
+  UnconstrainedParts parts_;
   Features features_;
   ColorBy color_ = ColorBy::none;
   SimBuffers buffers_;
   gl::Buffer previous_strain_;  // vec4 [2 * tet_count]; made when a material is first damped
-  gl::Buffer
-      loose_;  // uint [vertex_count] 1 in parts that nothing holds; made where others are held, if the method wants it
+  gl::Buffer unconstrained_;    // uint [vertex_count] 1 in parts that nothing holds; made where others are held, if the
+                                // method wants it
   std::unique_ptr<StepMethod> method_;
+  Method made_ = Method::two_level;     // what method_ is
   std::optional<Chebyshev> chebyshev_;  // of these only what is in use exists
   std::optional<Anderson> anderson_;
   gl::Buffer multiplier_weight_;  // float [2 * tet_count], with Anderson acceleration of multipliers
@@ -188,8 +189,8 @@ class GpuSolver {
   StateGuard guard_;
   bool published_ = false;  // positions() are those of the state
   SurfacePositions surface_;
-  std::optional<DeferredTets> deferred_;  // with materials that have such
-  std::optional<Regions> regions_;        // where some may rest while others move
+  std::optional<DeferredTets> deferred_;   // with materials that have such
+  std::optional<RestingRegions> regions_;  // where some may rest while others move
   StepPasses whole_,
       partial_;  // for all tets; for those of a step in which regions rest, recorded when there first is one
   std::optional<FusedStep> whole_fused_, partial_fused_;

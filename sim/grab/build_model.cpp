@@ -1,14 +1,14 @@
 #include "sim/grab/build_model.h"
 
-#include "sim/grab/scripted_grab.h"
+#include "sim/grab/resolve_grab.h"
 #include "sim/model/unconstrained_parts.h"
 
 namespace fascia {
 namespace {
 
 Model with_grabs(const Scene& scene, Model model) {
-  for (std::size_t g = 0; g < scene.grabs.size(); ++g) model.hands.push_back(resolve_hand(scene, g, model));
-  if (std::string note = note_of_loose_parts(model); !note.empty()) model.notes.push_back(std::move(note));
+  for (std::size_t g = 0; g < scene.grabs.size(); ++g) model.grabs.push_back(resolve_grab(scene, g, model));
+  if (std::string note = note_of_unconstrained_parts(model); !note.empty()) model.notes.push_back(std::move(note));
   return model;
 }
 

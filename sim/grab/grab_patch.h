@@ -1,5 +1,5 @@
-// The patch of tissue that a hand holds: which vertices, and what share of its grip each of them has. One rule for the
-// mouse and for the hands of a scene.
+// The patch of tissue that a grab holds: which vertices, and what share of its grip each of them has. One rule for the
+// mouse and for the grabs of a scene.
 #pragma once
 #include <array>
 #include <span>
@@ -10,12 +10,12 @@
 
 namespace fascia {
 
-inline constexpr double kPatchRadius = 0.08;  // of a hand that says nothing else, in scene radii
-inline constexpr double kGrip = 3;  // stiffness of a hand over E * patch radius: a thick body indented by a disc has 2
+inline constexpr double kPatchRadius = 0.08;  // of a grab that says nothing else, in scene radii
+inline constexpr double kGrip = 3;  // stiffness of a grab over E * patch radius: a thick body indented by a disc has 2
 
 struct PatchVertex {
   std::uint32_t vertex;
-  double share;    // of the hand's grip [-]; all together 1
+  double share;    // of the grab's grip [-]; all together 1
   double modulus;  // mean Young's modulus of the tets around [Pa]
 };
 

@@ -2,23 +2,23 @@
 
 namespace fascia {
 
-bool Hands::take(const Model& model, const DrawnSurface& surface, std::span<const Eigen::Vector3d> positions,
-                 const Hit& hit, double scene_radius, const GrabSettings& settings) {
+bool GrabSet::take(const Model& model, const VisualSurface& surface, std::span<const Eigen::Vector3d> positions,
+                   const Hit& hit, double scene_radius, const GrabSettings& settings) {
   Grab grab;
   if (!grab.take(model, surface, positions, hit, scene_radius, settings)) return false;
-  hands_.push_back({next_id_, std::move(grab)});
-  next_id_ = (next_id_ + 1) % kFirstScriptedHand;  // another one each time: forces are observed a frame late
-  following_ = hands_.size() - 1;
+  grabs_.push_back({next_id_, std::move(grab)});
+  next_id_ = (next_id_ + 1) % kFirstScriptedGrab;  // another one each time: forces are observed a frame late
+  following_ = grabs_.size() - 1;
   return true;
 }
 
-void Hands::take_up(std::size_t index) {
+void GrabSet::take_up(std::size_t index) {
   following_ = index;
-  hands_[index].grab.plane_here();
+  grabs_[index].grab.plane_here();
 }
 
-void Hands::let_go(std::size_t index) {
-  hands_.erase(hands_.begin() + static_cast<std::ptrdiff_t>(index));
+void GrabSet::let_go(std::size_t index) {
+  grabs_.erase(grabs_.begin() + static_cast<std::ptrdiff_t>(index));
   if (!following_) return;
   if (*following_ == index)
     following_.reset();
@@ -26,23 +26,23 @@ void Hands::let_go(std::size_t index) {
     --*following_;
 }
 
-void Hands::let_go_following() {
+void GrabSet::let_go_following() {
   if (following_) let_go(*following_);
 }
 
-std::vector<GrabSpring> Hands::springs(double time_step) {
+std::vector<GrabSpring> GrabSet::springs(double time_step) {
   std::vector<GrabSpring> all;
-  for (Hand& hand : hands_) {
-    const std::vector<GrabSpring> springs = hand.grab.springs(time_step, hand.id);
+  for (Entry& entry : grabs_) {
+    const std::vector<GrabSpring> springs = entry.grab.springs(time_step, entry.id);
     all.insert(all.end(), springs.begin(), springs.end());
   }
   return all;
 }
 
-void Hands::observe(const std::vector<HandForce>& forces) {
-  for (Hand& hand : hands_)
-    for (const HandForce& f : forces)
-      if (f.hand == hand.id) hand.grab.observe(f.force);
+void GrabSet::observe(const std::vector<GrabForce>& forces) {
+  for (Entry& entry : grabs_)
+    for (const GrabForce& f : forces)
+      if (f.grab == entry.id) entry.grab.observe(f.force);
 }
 
 }  // namespace fascia

@@ -1,4 +1,4 @@
-// The hands of a user on the tissue: one follows the mouse, others stay where they were left until they are taken up
+// The grabs of a user on the tissue: one follows the mouse, others stay where they were left until they are taken up
 // again or let go.
 #pragma once
 #include <optional>
@@ -8,32 +8,32 @@
 
 namespace fascia {
 
-class Hands {
+class GrabSet {
  public:
-  struct Hand {
-    std::uint32_t id;  // GrabSpring::hand
+  struct Entry {
+    std::uint32_t id;  // GrabSpring::grab
     Grab grab;
   };
 
-  /// As Grab::take, with a hand that then follows the mouse.
-  bool take(const Model& model, const DrawnSurface& surface, std::span<const Eigen::Vector3d> positions, const Hit& hit,
-            double scene_radius, const GrabSettings& settings);
-  Grab* following() { return following_ ? &hands_[*following_].grab : nullptr; }
+  /// As Grab::take, with a grab that then follows the mouse.
+  bool take(const Model& model, const VisualSurface& surface, std::span<const Eigen::Vector3d> positions,
+            const Hit& hit, double scene_radius, const GrabSettings& settings);
+  Grab* following() { return following_ ? &grabs_[*following_].grab : nullptr; }
   void stay() { following_.reset(); }  // the one that follows the mouse stays where it is
   void take_up(std::size_t index);     // it follows the mouse again
   void let_go(std::size_t index);
   void let_go_following();
-  void let_go_all() { hands_.clear(), following_.reset(); }
+  void let_go_all() { grabs_.clear(), following_.reset(); }
 
-  bool empty() const { return hands_.empty(); }
-  const std::vector<Hand>& all() const { return hands_; }
+  bool empty() const { return grabs_.empty(); }
+  const std::vector<Entry>& all() const { return grabs_; }
   bool follows(std::size_t index) const { return following_ == index; }
 
   std::vector<GrabSpring> springs(double time_step);
-  void observe(const std::vector<HandForce>& forces);
+  void observe(const std::vector<GrabForce>& forces);
 
  private:
-  std::vector<Hand> hands_;
+  std::vector<Entry> grabs_;
   std::optional<std::size_t> following_;
   std::uint32_t next_id_ = 0;
 };

@@ -5,8 +5,8 @@
 namespace fascia {
 namespace {
 
-constexpr std::size_t kMostParts = 8;  // hands; more is no move but another grip
-// A hand adds its offset to where it took a vertex: two such sums differ by the offsets' difference but for some
+constexpr std::size_t kMostParts = 8;  // grabs; more is no move but another grip
+// A grab adds its offset to where it took a vertex: two such sums differ by the offsets' difference but for some
 // roundings.
 constexpr double kRoundings = 16 * std::numeric_limits<double>::epsilon();
 
@@ -34,7 +34,7 @@ std::optional<GrabMove> GrabTrack::follow(std::vector<GrabSpring>& springs) cons
     ++move.parts.back().count;
     GrabSpring same = springs[i];
     same.target = led.target;
-    if (!(same == led)) return std::nullopt;  // another vertex, stiffness or hand
+    if (!(same == led)) return std::nullopt;  // another vertex, stiffness or grab
     result.push_back(led);
   }
   springs = std::move(result);

@@ -1,5 +1,5 @@
-// Springs that follow hands for thousands of steps, as little as has to be kept of them: once all of them, then how far
-// each hand has led its own. What is kept gives back the same bits, so the springs themselves are first put where it
+// Springs that follow grabs for thousands of steps, as little as has to be kept of them: once all of them, then how far
+// each grab has led its own. What is kept gives back the same bits, so the springs themselves are first put where it
 // says.
 #pragma once
 #include <cstddef>

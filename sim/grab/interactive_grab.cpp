@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/grab/scripted_grab.h"
+#include "sim/grab/resolve_grab.h"
 
 namespace fascia {
 namespace {
@@ -21,7 +21,7 @@ Vector3d shortened(const Vector3d& v, double length) {
 
 // The hit point by the vertices that carry it: corners of a boundary triangle, of the tet below an embedded one, or of
 // the tet that was cut.
-EmbeddedPoint place_of(const Model& model, const DrawnSurface& surface, std::span<const Vector3d> positions,
+EmbeddedPoint place_of(const Model& model, const VisualSurface& surface, std::span<const Vector3d> positions,
                        const Hit& hit) {
   if (hit.on_cut) return tet_at(model.tets, positions, hit.point);
   const Triangle& t = surface.triangles[hit.triangle];
@@ -40,7 +40,7 @@ EmbeddedPoint place_of(const Model& model, const DrawnSurface& surface, std::spa
 
 }  // namespace
 
-bool Grab::take(const Model& model, const DrawnSurface& surface, std::span<const Vector3d> positions, const Hit& hit,
+bool Grab::take(const Model& model, const VisualSurface& surface, std::span<const Vector3d> positions, const Hit& hit,
                 double scene_radius, const GrabSettings& settings) {
   release();
   scene_radius_ = scene_radius;
@@ -84,12 +84,12 @@ void Grab::go_deeper(double depth, const Vector3d& forward) {
   pointer_ += way;
 }
 
-std::vector<GrabSpring> Grab::springs(double time_step, std::uint32_t hand) {
+std::vector<GrabSpring> Grab::springs(double time_step, std::uint32_t grab) {
   const Vector3d where = anchor(), wanted = where + shortened(pointer_ - where, kReach * scene_radius_);
-  offset_ += shortened(wanted - target(), std::min(kHandSpeed * time_step, kStride) * scene_radius_);
+  offset_ += shortened(wanted - target(), std::min(kGrabSpeed * time_step, kStride) * scene_radius_);
   std::vector<GrabSpring> springs;
   springs.reserve(patch_.size());
-  for (const Grip& grip : patch_) springs.push_back({grip.vertex, grip.displacement + offset_, grip.stiffness, hand});
+  for (const Grip& grip : patch_) springs.push_back({grip.vertex, grip.displacement + offset_, grip.stiffness, grab});
   return springs;
 }
 

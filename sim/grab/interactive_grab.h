@@ -1,5 +1,5 @@
-// One hand: springs from a patch of tissue to where it is led. How stiff the springs are follows from the tissue, how
-// far and how fast they may lead follows from its size, so that a hand neither slips off soft tissue nor tears stiff
+// One grab: springs from a patch of tissue to where it is led. How stiff the springs are follows from the tissue, how
+// far and how fast they may lead follows from its size, so that a grab neither slips off soft tissue nor tears stiff
 // one.
 #pragma once
 #include <span>
@@ -16,7 +16,7 @@ struct GrabSettings {
   double radius = kPatchRadius;  // of the patch, as a share of the scene's radius
   double grip = kGrip;           // springs of the whole patch together over E * patch radius
   bool push = false;             // a press pushes into the surface instead of taking it along
-  bool stay = false;             // hands stay where they are released
+  bool stay = false;             // grabs stay where they are released
   bool operator==(const GrabSettings&) const = default;
 };
 
@@ -25,25 +25,25 @@ class Grab {
   /// Takes hold of the free vertices around the hit point, of one body, in `positions` as deformed now (those of
   /// `surface`, mesh vertices first). With settings.push it at once presses half the patch's radius deep. False, and
   /// nothing held, where all of them are fixed or prescribed.
-  bool take(const Model& model, const DrawnSurface& surface, std::span<const Eigen::Vector3d> positions, const Hit& hit,
-            double scene_radius, const GrabSettings& settings);
+  bool take(const Model& model, const VisualSurface& surface, std::span<const Eigen::Vector3d> positions,
+            const Hit& hit, double scene_radius, const GrabSettings& settings);
   void release() { *this = Grab(); }
   bool holding() const { return !patch_.empty(); }
-  /// The same hand with a larger or smaller patch, around the same point of the tissue as it was taken. It stays as it
+  /// The same grab with a larger or smaller patch, around the same point of the tissue as it was taken. It stays as it
   /// is where no free vertex is within the new one.
   void set_size(const Model& model, const GrabSettings& settings);
 
-  /// The mouse: where its ray meets the plane through the hand that faces the viewer.
+  /// The mouse: where its ray meets the plane through the grab that faces the viewer.
   void point_at(const Ray& ray, const Eigen::Vector3d& forward);
   /// Away from the viewer by `depth` [m] or, when it pushes, deeper into the surface as it was.
   void go_deeper(double depth, const Eigen::Vector3d& forward);
-  /// Where it is led to is where the patch is: for a hand that is taken up again.
+  /// Where it is led to is where the patch is: for a grab that is taken up again.
   void plane_here() { plane_ = pointer_; }
 
   /// Springs of the next step. Their targets move towards the pointer, but not faster and not farther than tissue can
   /// follow.
-  std::vector<GrabSpring> springs(double time_step, std::uint32_t hand = 0);
-  /// The force that the last springs had [N] (Diagnostics::hand_forces): says how far the patch has followed.
+  std::vector<GrabSpring> springs(double time_step, std::uint32_t grab = 0);
+  /// The force that the last springs had [N] (Diagnostics::grab_forces): says how far the patch has followed.
   void observe(const Eigen::Vector3d& force);
 
   double stiffness() const { return stiffness_; }  // of all springs together [N/m]

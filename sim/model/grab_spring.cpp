@@ -26,30 +26,30 @@ std::vector<GrabSpring> joined(const std::vector<GrabSpring>& springs, std::vect
 
 namespace {
 
-HandForce& entry(std::vector<HandForce>& forces, std::uint32_t hand) {
-  const auto known = std::find_if(forces.begin(), forces.end(), [&](const HandForce& f) { return f.hand == hand; });
-  return known != forces.end() ? *known : forces.emplace_back(HandForce{hand});
+GrabForce& entry(std::vector<GrabForce>& forces, std::uint32_t grab) {
+  const auto known = std::find_if(forces.begin(), forces.end(), [&](const GrabForce& f) { return f.grab == grab; });
+  return known != forces.end() ? *known : forces.emplace_back(GrabForce{grab});
 }
 
 }  // namespace
 
-std::vector<HandForce> forces_of_hands(const std::vector<GrabSpring>& springs, const std::vector<GrabSpring>& joined,
+std::vector<GrabForce> forces_of_grabs(const std::vector<GrabSpring>& springs, const std::vector<GrabSpring>& joined,
                                        const std::vector<std::uint32_t>& place,
                                        const std::vector<Eigen::Vector3d>& forces) {
-  std::vector<HandForce> result;
+  std::vector<GrabForce> result;
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const GrabSpring &part = springs[i], &whole = joined[place[i]];
     // k_j (t_j - u) with the u at which the joined spring has its force: K (T - u) = F.
     const double share = whole.stiffness > 0 ? part.stiffness / whole.stiffness : 0;
-    entry(result, part.hand).force += share * forces[place[i]] + part.stiffness * (part.target - whole.target);
+    entry(result, part.grab).force += share * forces[place[i]] + part.stiffness * (part.target - whole.target);
   }
   return result;
 }
 
-std::vector<HandForce> forces_of_hands(const std::vector<GrabSpring>& springs,
+std::vector<GrabForce> forces_of_grabs(const std::vector<GrabSpring>& springs,
                                        const std::vector<Eigen::Vector3d>& displacement) {
-  std::vector<HandForce> result;
-  for (const GrabSpring& s : springs) entry(result, s.hand).force += s.stiffness * (s.target - displacement[s.vertex]);
+  std::vector<GrabForce> result;
+  for (const GrabSpring& s : springs) entry(result, s.grab).force += s.stiffness * (s.target - displacement[s.vertex]);
   return result;
 }
 

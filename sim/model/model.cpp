@@ -289,9 +289,9 @@ double Model::end_of_motions() const {
   return end;
 }
 
-double Model::end_of_hands() const {
+double Model::end_of_grabs() const {
   double end = 0;
-  for (const ScriptedHand& hand : hands) end = std::max(end, hand.end());
+  for (const ResolvedGrab& grab : grabs) end = std::max(end, grab.end());
   return end;
 }
 

@@ -11,7 +11,7 @@
 #include "base/progress.h"
 #include "sim/material/material.h"
 #include "sim/mesh/tet_mesh.h"
-#include "sim/model/scripted_hand.h"
+#include "sim/model/resolved_grab.h"
 #include "sim/scene/scene.h"
 #include "sim/surface/embedding.h"
 #include "sim/surface/surface_mesh.h"
@@ -46,7 +46,7 @@ struct Model {
   std::vector<std::string> material_names;      // "beam: default", "liver: tumour"
   std::vector<std::uint32_t> fixed;             // ascending, unique; prescribed vertices not included
   std::vector<Motion> motions;
-  std::vector<ScriptedHand> hands;
+  std::vector<ResolvedGrab> grabs;
   std::vector<Eigen::Vector3d> initial_velocity;  // [vertex_count] v [m/s]; zero where fixed or prescribed
   Eigen::Vector3d gravity{0, -9.81, 0};           // [m/s^2]
   std::vector<BodyPart> bodies;
@@ -62,7 +62,7 @@ struct Model {
 
   std::vector<char> held() const;  // [vertex_count] 1 where fixed or prescribed
   double end_of_motions() const;   // [s] when the last prescribed vertex has arrived; 0 without any
-  double end_of_hands() const;     // [s] when the last scripted hand has arrived or let go; 0 without any
+  double end_of_grabs() const;     // [s] when the last scripted grab has arrived or let go; 0 without any
 };
 
 /// Reads the meshes, surfaces and CSV files of the scene's bodies, without what pulls at them (sim/grab/build_model.h).

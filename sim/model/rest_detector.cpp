@@ -24,11 +24,11 @@ bool RestWatch::add(const Movement& movement, const SolverSettings& settings, do
   const double h = settings.substep();
   if (still(movement.way, movement.duration) && still(h * movement.speed, h)) {
     quiet_ += movement.duration;
-    ++looks_;
+    ++checks_;
   } else {
     restart();
   }
-  return settings.rest_speed > 0 && looks_ >= kLooks && quiet_ >= kQuiet;
+  return settings.rest_speed > 0 && checks_ >= kLooks && quiet_ >= kQuiet;
 }
 
 }  // namespace fascia

@@ -25,12 +25,12 @@ class RestWatch {
   /// Something acts on it anew.
   void restart() {
     quiet_ = 0;
-    looks_ = 0;
+    checks_ = 0;
   }
 
  private:
   double quiet_ = 0;
-  int looks_ = 0;  // in that time
+  int checks_ = 0;  // in that time
 };
 
 }  // namespace fascia

@@ -6,7 +6,7 @@
 
 namespace fascia {
 
-LooseParts loose_parts(const Model& model, const std::vector<char>& held) {
+UnconstrainedParts unconstrained_parts(const Model& model, const std::vector<char>& held) {
   std::vector<std::uint32_t> parent(model.rest_positions.size());
   std::iota(parent.begin(), parent.end(), 0u);
   const auto root_of = [&](std::uint32_t v) {
@@ -22,20 +22,20 @@ LooseParts loose_parts(const Model& model, const std::vector<char>& held) {
   }
   for (std::uint32_t v = 0; v < parent.size(); ++v)
     if (held[v]) supported[root_of(v)] = 1;
-  LooseParts loose;
-  loose.loose.assign(parent.size(), 0);
+  UnconstrainedParts unconstrained;
+  unconstrained.unconstrained.assign(parent.size(), 0);
   for (std::uint32_t v = 0; v < parent.size(); ++v) {
     if (!used[v]) continue;
     const std::uint32_t root = root_of(v);
     if (supported[root]) {
-      loose.held_parts += v == root;
+      unconstrained.held_parts += v == root;
       continue;
     }
-    if (loose.vertices++ == 0) loose.first = v;
-    loose.loose[v] = 1;
-    loose.parts += v == root;
+    if (unconstrained.vertices++ == 0) unconstrained.first = v;
+    unconstrained.unconstrained[v] = 1;
+    unconstrained.parts += v == root;
   }
-  return loose;
+  return unconstrained;
 }
 
 std::string vertex_name(const Model& model, std::uint32_t vertex) {
@@ -45,16 +45,16 @@ std::string vertex_name(const Model& model, std::uint32_t vertex) {
   return "vertex " + std::to_string(vertex);
 }
 
-std::string note_of_loose_parts(const Model& model) {
+std::string note_of_unconstrained_parts(const Model& model) {
   if (model.gravity.isZero(0)) return "";
   std::vector<char> held = model.held();
-  for (const ScriptedHand& hand : model.hands)
-    for (const GrabSpring& spring : hand.grip) held[spring.vertex] = 1;
-  const LooseParts loose = loose_parts(model, held);
-  if (loose.parts == 0 || loose.held_parts == 0) return "";
-  return plural(loose.parts, "part") + " of " + std::to_string(loose.vertices) + " vertices in all " +
-         (loose.parts == 1 ? "is" : "are") + " held nowhere and will fall (" + vertex_name(model, loose.first) +
-         "): no vertex shared with what is fixed or prescribed";
+  for (const ResolvedGrab& grab : model.grabs)
+    for (const GrabSpring& spring : grab.grip) held[spring.vertex] = 1;
+  const UnconstrainedParts unconstrained = unconstrained_parts(model, held);
+  if (unconstrained.parts == 0 || unconstrained.held_parts == 0) return "";
+  return plural(unconstrained.parts, "part") + " of " + std::to_string(unconstrained.vertices) + " vertices in all " +
+         (unconstrained.parts == 1 ? "is" : "are") + " held nowhere and will fall (" +
+         vertex_name(model, unconstrained.first) + "): no vertex shared with what is fixed or prescribed";
 }
 
 }  // namespace fascia

@@ -7,10 +7,10 @@
 
 namespace fascia {
 
-Placement placement_of(const Model& model) {
+MeshOrder mesh_order_of(const Model& model) {
   constexpr std::uint32_t kNone = ~0u;
   const std::size_t count = model.rest_positions.size();
-  Placement placement{paired_tets(model), {}, std::vector<std::uint32_t>(count, kNone)};
+  MeshOrder placement{paired_tets(model), {}, std::vector<std::uint32_t>(count, kNone)};
   placement.vertex.reserve(count);
   const auto meet = [&](std::uint32_t v) {
     if (placement.place[v] != kNone) return;
@@ -38,13 +38,13 @@ Placement placement_of(const Model& model) {
   return placement;
 }
 
-Placement unmoved(const Model& model) {
+MeshOrder unmoved(const Model& model) {
   std::vector<std::uint32_t> all(model.rest_positions.size());
   std::iota(all.begin(), all.end(), 0u);
   return {paired_tets(model), all, all};
 }
 
-Model placed(const Model& model, const Placement& placement) {
+Model placed(const Model& model, const MeshOrder& placement) {
   const auto by_place = [&](const std::vector<Eigen::Vector3d>& values) {
     std::vector<Eigen::Vector3d> moved;
     moved.reserve(values.size());

@@ -10,7 +10,7 @@
 
 namespace fascia {
 
-struct Placement {
+struct MeshOrder {
   TetPairing tets;                    // paired_tets(model)
   std::vector<std::uint32_t> vertex;  // [vertex_count] the model's vertex at each place
   std::vector<std::uint32_t> place;   // [vertex_count] of each of the model's vertices
@@ -18,11 +18,11 @@ struct Placement {
 
 /// Vertices in the order in which the tets meet them, then, among neighbors, those with as many tets side by side;
 /// those with none come last.
-Placement placement_of(const Model& model);
+MeshOrder mesh_order_of(const Model& model);
 /// Vertices where they are in the model.
-Placement unmoved(const Model& model);
+MeshOrder unmoved(const Model& model);
 
 /// What of the model a solver needs, with its vertices counted by their places. Tets keep their order.
-Model placed(const Model& model, const Placement& placement);
+Model placed(const Model& model, const MeshOrder& placement);
 
 }  // namespace fascia

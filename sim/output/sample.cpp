@@ -92,7 +92,7 @@ Diagnostics diagnostics_by_reference(const Simulation& simulation) {
   d.momentum = m.momentum;
   d.angular_momentum = m.angular_momentum;
   d.reaction = m.fixed_reaction;
-  for (const HandForce& hand : forces_of_hands(simulation.springs(), state.displacement)) d.grab_force += hand.force;
+  for (const GrabForce& grab : forces_of_grabs(simulation.springs(), state.displacement)) d.grab_force += grab.force;
   d.residual = simulation.newton_report().relative_residual;
   d.iterations = simulation.newton_report().iterations;
   return d;

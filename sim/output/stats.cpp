@@ -15,18 +15,18 @@ Json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 Json to_json(const Percentiles& p) { return {{"median", p.median}, {"p95", p.p95}, {"max", p.max}}; }
 
-// Of the hands that pull at the end: a scene's by their place in its "grabs", those of the mouse or a replay by when
+// Of the grabs that pull at the end: a scene's by their place in its "grabs", those of the mouse or a replay by when
 // they took hold.
 Json grab_forces(const Simulation& simulation, const State& last) {
   Eigen::Vector3d total(0, 0, 0);
-  Json hands = Json::array();
-  for (const HandForce& f : forces_of_hands(simulation.springs(), last.displacement)) {
+  Json grabs = Json::array();
+  for (const GrabForce& f : forces_of_grabs(simulation.springs(), last.displacement)) {
     total += f.force;
-    const bool scripted = f.hand >= kFirstScriptedHand;
-    hands.push_back(
-        {{scripted ? "grabs" : "hand", scripted ? f.hand - kFirstScriptedHand : f.hand}, {"force", to_json(f.force)}});
+    const bool scripted = f.grab >= kFirstScriptedGrab;
+    grabs.push_back(
+        {{scripted ? "grabs" : "hand", scripted ? f.grab - kFirstScriptedGrab : f.grab}, {"force", to_json(f.force)}});
   }
-  return {{"total", to_json(total)}, {"hands", hands}};
+  return {{"total", to_json(total)}, {"hands", grabs}};
 }
 
 Json supports_of(const Model& model, const State& last) {

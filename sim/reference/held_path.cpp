@@ -58,9 +58,10 @@ double HeldPath::largest_increment() const {
 
 void require_supports(const Model& model) {
   if (model.gravity.isZero(0)) return;
-  const LooseParts loose = loose_parts(model, model.held());
-  if (loose.parts > 0)
-    throw Error("static equilibrium", "a part of the mesh (" + vertex_name(model, loose.first) + ") is held nowhere",
+  const UnconstrainedParts unconstrained = unconstrained_parts(model, model.held());
+  if (unconstrained.parts > 0)
+    throw Error("static equilibrium",
+                "a part of the mesh (" + vertex_name(model, unconstrained.first) + ") is held nowhere",
                 "expected fixed or prescribed vertices in every part, or no gravity");
 }
 

@@ -29,7 +29,7 @@ std::vector<Vector3d> read_vectors(const Node& node) {
 
 GrabInput read_springs(const Node& node) {
   const std::string expected =
-      "a spring [vertex, x, y, z, stiffness, hand]: the displacement it pulls to [m], N/m, a number if it is not 0";
+      "a spring [vertex, x, y, z, stiffness, grab]: the displacement it pulls to [m], N/m, a number if it is not 0";
   GrabInput springs;
   for (const Node& spring : node.elements("a list of springs")) {
     const std::vector<Node> values = spring.elements(expected);
@@ -39,7 +39,7 @@ GrabInput read_springs(const Node& node) {
         {static_cast<std::uint32_t>(values[0].integer(0, kMostVertices)),
          {coordinate(1), coordinate(2), coordinate(3)},
          values[4].number(0, kAnything, "N/m"),
-         values.size() == 6 ? static_cast<std::uint32_t>(values[5].integer(0, kFirstScriptedHand - 1)) : 0});
+         values.size() == 6 ? static_cast<std::uint32_t>(values[5].integer(0, kFirstScriptedGrab - 1)) : 0});
   }
   return springs;
 }
@@ -69,7 +69,7 @@ ResetInput read_reset(const Node& node) {
   return {to == "rest"};
 }
 
-SoundInput read_sound(const Node& node) {
+RestoreInput read_restore(const Node& node) {
   if (!node.boolean()) node.refuse("true");
   return {};
 }
@@ -88,7 +88,7 @@ const std::vector<ChangeKey>& change_keys() {
       {"iterations", [](const Node& n) -> Change { return GrantInput{n.integer(1, 10000)}; }},
       {"background", [](const Node& n) -> Change { return BackgroundInput{n.integer(1, kMostSteps)}; }},
       {"reset", [](const Node& n) -> Change { return read_reset(n); }},
-      {"sound", [](const Node& n) -> Change { return read_sound(n); }},
+      {"sound", [](const Node& n) -> Change { return read_restore(n); }},
       {"camera", [](const Node& n) -> Change { return read_camera(n); }},
       {"display", [](const Node& n) -> Change { return read_display(n); }},
   };

@@ -44,12 +44,12 @@ struct ResetInput {     // values stay as they are
   bool to_rest = true;  // as the scene says; else to where the replay starts
   bool operator==(const ResetInput&) const = default;
 };
-struct SoundInput {  // the state came apart: back to the last sound one, at rest
-  bool operator==(const SoundInput&) const = default;
+struct RestoreInput {  // the state came apart: back to the last sound one, at rest
+  bool operator==(const RestoreInput&) const = default;
 };
 
 using Change = std::variant<SolverSettings, MaterialInput, GravityInput, GrabInput, GrabMove, GrantInput,
-                            BackgroundInput, ResetInput, SoundInput, CameraSettings, DisplaySettings>;
+                            BackgroundInput, ResetInput, RestoreInput, CameraSettings, DisplaySettings>;
 
 struct Input {
   long step;  // takes effect before this step; the first one is 0. Camera and display: seen from then on

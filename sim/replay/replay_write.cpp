@@ -19,7 +19,7 @@ Json document_of(const GrabInput& springs) {
   Json list = Json::array();
   for (const GrabSpring& s : springs) {
     list.push_back({s.vertex, s.target.x(), s.target.y(), s.target.z(), s.stiffness});
-    if (s.hand != 0) list.back().push_back(s.hand);
+    if (s.grab != 0) list.back().push_back(s.grab);
   }
   return list;
 }
@@ -50,7 +50,7 @@ std::string replay_line(const Input& input) {
     void operator()(const GrantInput& grant) { object["iterations"] = grant.iterations; }
     void operator()(const BackgroundInput& background) { object["background"] = background.results; }
     void operator()(const ResetInput& reset) { object["reset"] = reset.to_rest ? "rest" : "start"; }
-    void operator()(const SoundInput&) { object["sound"] = true; }
+    void operator()(const RestoreInput&) { object["sound"] = true; }
     void operator()(const CameraSettings& camera) { object["camera"] = camera_document(camera); }
     void operator()(const DisplaySettings& display) { object["display"] = display_document(display); }
   };

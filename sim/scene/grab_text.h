@@ -1,4 +1,4 @@
-// A scripted hand on the command line:
+// A scripted grab on the command line:
 // "at=0.1,0.05,0;translate=0,0.1,0;start=0.2;duration=0.5;release=1.5;radius=0.02".
 #pragma once
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// A hand by script (scene key "grabs", option --grab): takes hold of a patch at a time, leads it along a path and lets
+// A grab by script (scene key "grabs", option --grab): takes hold of a patch at a time, leads it along a path and lets
 // go. So tests, demos and measurements need no mouse.
 #pragma once
 #include <optional>

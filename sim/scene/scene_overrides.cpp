@@ -161,7 +161,7 @@ void clear_preset_values(json& document, const std::vector<std::string>& segment
   }
 }
 
-/// "--grab TEXT": one more hand behind those of the scene.
+/// "--grab TEXT": one more grab behind those of the scene.
 void append_grab(json& document, std::string_view text, DocumentOrigin& origin) {
   const std::size_t count = document.is_object() && document.contains("grabs") ? document["grabs"].size() : 0;
   apply(document, "--grab", {"grabs", std::to_string(count)}, grab_document(text), origin);

@@ -43,23 +43,23 @@ SolverSettings read_solver(const Node& node) {
     }
   });
 
-  const std::string expected = "a method and acceleration that exist: " + list_of_pairs();
+  const std::string expected = "a method and acceleration that exist: " + list_of_choices();
   const auto method_node = node.find("method"), acceleration_node = node.find("acceleration");
   std::optional<std::string> method, acceleration;
   if (method_node) method = method_node->text(expected);
   if (acceleration_node) acceleration = acceleration_node->text(expected);
   std::vector<std::string> methods, accelerations;
-  for (const Pair& pair : legal_pairs()) {
+  for (const SolverChoice& pair : solver_choices()) {
     methods.push_back(name_of(pair.method));
     accelerations.push_back(name_of(pair.acceleration));
   }
-  if (method && !find_pair(method, {})) {
+  if (method && !find_choice(method, {})) {
     method_node->fail("is " + excerpt(*method) + perhaps(*method, methods), expected);
   }
-  if (acceleration && !find_pair({}, acceleration)) {
+  if (acceleration && !find_choice({}, acceleration)) {
     acceleration_node->fail("is " + excerpt(*acceleration) + perhaps(*acceleration, accelerations), expected);
   }
-  const auto pair = find_pair(method, acceleration);
+  const auto pair = find_choice(method, acceleration);
   if (!pair) acceleration_node->fail(excerpt(*acceleration) + " does not go with " + excerpt(*method), expected);
   solver.method = pair->method;
   solver.acceleration = pair->acceleration;
@@ -78,13 +78,13 @@ Scene read_scene(const Node& root) {
   for (const Node& body : bodies.elements("a list of at least one body")) scene.bodies.push_back(read_body(body));
   if (scene.bodies.empty()) bodies.refuse("a list of at least one body");
   if (const auto grabs = root.find("grabs"))
-    for (const Node& grab : grabs->elements("a list of hands")) scene.grabs.push_back(read_grab(grab));
+    for (const Node& grab : grabs->elements("a list of grabs")) scene.grabs.push_back(read_grab(grab));
   const auto solver = root.find("solver");
   if (solver) {
     scene.solver = read_solver(*solver);
   } else {
-    scene.solver.method = legal_pairs().front().method;
-    scene.solver.acceleration = legal_pairs().front().acceleration;
+    scene.solver.method = solver_choices().front().method;
+    scene.solver.acceleration = solver_choices().front().acceleration;
   }
   const std::string method = solver ? solver->where("method") : root.where("solver.method");
   for (const Body& body : scene.bodies) {

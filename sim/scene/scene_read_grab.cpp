@@ -1,4 +1,4 @@
-// The hands of a scene file ("grabs").
+// The grabs of a scene file ("grabs").
 #include "sim/scene/scene_read.h"
 
 namespace fascia {

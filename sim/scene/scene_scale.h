@@ -4,7 +4,7 @@
 
 namespace fascia {
 
-/// All lengths times `factor`, and so velocities: the bodies and their motions, hands, the section plane, the camera.
+/// All lengths times `factor`, and so velocities: the bodies and their motions, grabs, the section plane, the camera.
 /// Selections are in the mesh's own coordinates, gravity and materials in SI; both stay. Throws Error, and changes
 /// nothing, where a file has lengths.
 void scale_lengths(Scene& scene, double factor);

@@ -47,7 +47,8 @@ template <class M>
 OrderedJson material(const M& material) {
   OrderedJson object = OrderedJson::object();
   std::vector<double> defaults;
-  visit_material(Material{}, [&](double value, auto&&...) { defaults.push_back(value); });
+  const Material usual;
+  visit_material(usual, [&](double value, auto&&...) { defaults.push_back(value); });
   std::size_t i = 0;
   visit_material(material, [&](const auto& field, const char* name, auto&&...) {
     const std::optional<double> value = field;

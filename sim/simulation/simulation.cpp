@@ -39,7 +39,7 @@ void Simulation::step() {
 
 void Simulation::make_step() {
   const bool replaying_timed = replaying() && replay_->timed;  // has the iterations that fitted then
-  pull(with_hands(other_springs_, model.hands, time() + scene.solver.time_step));
+  pull(with_grabs(other_springs_, model.grabs, time() + scene.solver.time_step));
   ++steps_;
   if (!reference_) {
     if (asleep_) {
@@ -54,19 +54,19 @@ void Simulation::make_step() {
       gpu_->step();
     tell_of_background(steps_ - 1);
     follow_check(false);
-    if (!astray_ && steps_ - checked_step_ >= kCheckInterval) look();
+    if (!diverged_ && steps_ - checked_step_ >= kCheckInterval) look();
     return;
   }
   newton_report_ = reference_->step(reference_state_);
   if (gpu_) gpu_->upload(reference_state_);
 }
 
-void Simulation::stir() {
+void Simulation::wake() {
   if (asleep_) {  // nothing before this step needs repetition
     checked_step_ = steps_;
     log_.forget_before(steps_);
   }
-  stirred_step_ = steps_;
+  woken_step_ = steps_;
   asleep_ = quiet_ = false;
   rest_.restart();
   settling_.cancel();
@@ -78,13 +78,13 @@ void Simulation::renew_reference() {
   reference_->set_springs(springs_);
 }
 
-void Simulation::back_to_sound() {
+void Simulation::back_to_valid() {
   equilibrium_.reset();
-  gpu_->restore_sound(false);
-  sound_state_ = gpu_->download();
-  gpu_->restore_sound(true);
-  astray_.reset();
-  tell(SoundInput{});
+  gpu_->restore_valid(false);
+  valid_state_ = gpu_->download();
+  gpu_->restore_valid(true);
+  diverged_.reset();
+  tell(RestoreInput{});
 }
 
 Tuning Simulation::tuning() const {
@@ -94,7 +94,7 @@ Tuning Simulation::tuning() const {
 }
 
 void Simulation::begin_anew() {
-  stir();
+  wake();
   checked_step_ = steps_;
   log_.restart(steps_, tuning());
 }
@@ -136,7 +136,7 @@ void Simulation::go_on_from(const State& state) {
   equilibrium_.reset();
   if (reference_) reference_state_ = state;
   if (gpu_) gpu_->upload(state);
-  astray_.reset();
+  diverged_.reset();
   begin_anew();
 }
 
@@ -155,7 +155,7 @@ State Simulation::go_on_as_replay() {
 double Simulation::time() const { return reference_ ? reference_state_.time : gpu_->time(); }
 
 StaticReport Simulation::solve_static(const std::function<void(const StaticReport&)>& news, std::stop_token stop) {
-  pull(with_hands_at_last(other_springs_, model.hands));
+  pull(with_grabs_at_last(other_springs_, model.grabs));
   const auto by_newton = [&](State& state, double tolerance) {
     reference::NewtonSolver solver(model, scene.solver, stop);
     solver.set_springs(springs_);
@@ -195,11 +195,11 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
 void Simulation::set_settings(const SolverSettings& settings) {
   require_carried(settings.method, model.materials, "solver.method");
   if (gpu_) gpu_->set_settings(settings);  // first: it may find no room
-  if (settings.pair() != scene.solver.pair()) ms_per_iteration_ = 0;
+  if (settings.choice() != scene.solver.choice()) ms_per_iteration_ = 0;
   scene.solver = settings;
   SolverSettings logged = settings;
   logged.frame_budget = 0;
-  stir();
+  wake();
   log_.add({steps_, logged});
   tell(settings);
   if (reference_) renew_reference();
@@ -207,7 +207,7 @@ void Simulation::set_settings(const SolverSettings& settings) {
 
 void Simulation::set_material(std::size_t index, const Material& material) {
   require_carried(scene.solver.method, {material}, "material.model");
-  stir();
+  wake();
   log_.add({steps_, MaterialInput{index, material}});
   model.materials[index] = material;
   tell(MaterialInput{index, material});
@@ -252,7 +252,7 @@ void Simulation::set_material_entries(const std::vector<MaterialEntries>& entrie
 }
 
 void Simulation::set_gravity(const Eigen::Vector3d& gravity) {
-  stir();
+  wake();
   log_.add({steps_, GravityInput{gravity}});
   tell(GravityInput{gravity});
   scene.gravity = model.gravity = gravity;
@@ -262,7 +262,7 @@ void Simulation::set_gravity(const Eigen::Vector3d& gravity) {
 
 void Simulation::set_grab(std::vector<GrabSpring> springs) {
   const std::optional<GrabMove> move = held_.follow(springs);
-  if (springs == other_springs_) return;  // a hand that holds still wakes nobody
+  if (springs == other_springs_) return;  // a grab that holds still wakes nobody
   if (!move) held_.restart(springs);
   if (move)
     apply_grab(springs, *move);
@@ -271,17 +271,17 @@ void Simulation::set_grab(std::vector<GrabSpring> springs) {
 }
 
 void Simulation::apply_grab(const std::vector<GrabSpring>& springs, Change change) {
-  stir();
+  wake();
   log_.add({steps_, springs});
   tell(std::move(change));
   other_springs_ = springs;
-  pull(with_hands(springs, model.hands, time() + scene.solver.time_step));
+  pull(with_grabs(springs, model.grabs, time() + scene.solver.time_step));
 }
 
-// Hands of the scene are no inputs: a replay has them with its scene.
+// Grabs of the scene are no inputs: a replay has them with its scene.
 void Simulation::pull(std::vector<GrabSpring> springs) {
   if (springs == springs_) return;
-  stir();
+  wake();
   springs_ = std::move(springs);
   if (gpu_) gpu_->set_grab(springs_);
   if (reference_) reference_->set_springs(springs_);

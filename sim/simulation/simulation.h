@@ -32,7 +32,7 @@ class Simulation {
   Simulation(Scene scene, gl::ProgramCache* programs, bool use_reference);
   /// Starts where the replay does and repeats its inputs as the steps go on. Throws Error if they do not fit the scene.
   void play(Replay replay);
-  /// From now on the hand and the sliders are the user's again. The state stays, and so do the values; reset() goes
+  /// From now on the grab and the sliders are the user's again. The state stays, and so do the values; reset() goes
   /// where it started.
   void end_replay();
   /// Between its first and its last step.
@@ -76,26 +76,26 @@ class Simulation {
   /// an entry names no region.
   void set_material_entries(const std::vector<MaterialEntries>& entries);
   void set_gravity(const Eigen::Vector3d& gravity);
-  /// What hands beside those of the scene pull with from now on: the mouse's, or a replay's; empty: let go.
+  /// The springs, from now on, of grabs beside those of the scene: the mouse's, or a replay's; empty: let go.
   void set_grab(std::vector<GrabSpring> springs);
   const std::vector<GrabSpring>& asked_springs() const { return other_springs_; }  // the last set_grab()
-  /// All springs that pull now, those of the scene's hands behind the others.
+  /// All springs that pull now, those of the scene's grabs behind the others.
   const std::vector<GrabSpring>& springs() const { return springs_; }
-  /// Whether hands of the scene will still take hold, move or let go.
-  bool awaits_hands() const { return time() < model.end_of_hands(); }
+  /// Whether grabs of the scene will still take hold, move or let go.
+  bool awaits_grabs() const { return time() < model.end_of_grabs(); }
 
   /// A vertex that is no longer finite or has run away, as far as is known: the GPU is asked every few steps, and
   /// nothing waits. Not while a replay knows that it will be led back.
-  std::optional<std::uint32_t> astray() const { return astray_ && led_back_later() ? std::nullopt : astray_; }
+  std::optional<std::uint32_t> diverged() const { return diverged_ && led_back_later() ? std::nullopt : diverged_; }
   /// Throws Error where the state was lost from the start and a sound body in its place is lost, too: not tissue that
   /// breaks but a device that does not compute. Waits for the GPU.
   void require_device() const;
-  std::optional<std::uint32_t> check_now();  // as astray(), of the state of now: waits for the GPU
+  std::optional<std::uint32_t> check_now();  // as diverged(), of the state of now: waits for the GPU
   /// The last sound state, at rest; settings, materials and grab stay as they are. Not recorded before begin_anew().
-  void back_to_sound();
-  State sound_state() const { return sound_state_; }  // of the last back_to_sound(), with its velocities
+  void back_to_valid();
+  State valid_state() const { return valid_state_; }  // of the last back_to_valid(), with its velocities
   void begin_anew();
-  State last_sound() const { return gpu_->download_sound(); }  // as far as is known, with its velocities
+  State last_valid() const { return gpu_->download_valid(); }  // as far as is known, with its velocities
   const InputLog& log() const { return log_; }                 // since the last state that is known to be sound
   long steps_made() const { return steps_; }
   /// Whether steps only let time pass, for nothing moves and nothing has changed since it came to rest
@@ -136,7 +136,7 @@ class Simulation {
   void follow_check(bool wait);
   bool settle();
   void judge_device(const StateGuard::Verdict& first);
-  void stir();
+  void wake();
   void pull(std::vector<GrabSpring> springs);
   void renew_reference();
   Tuning tuning() const;
@@ -160,17 +160,17 @@ class Simulation {
   GrabTrack held_;
   Listener listener_;
   InputLog log_;
-  State sound_state_;
-  std::optional<std::uint32_t> astray_;
+  State valid_state_;
+  std::optional<std::uint32_t> diverged_;
   long checked_step_ = 0;  // the state that was last asked about came before this step
   RestWatch rest_;
-  std::vector<GrabSpring> other_springs_, springs_;  // without and with those of the scene's hands
+  std::vector<GrabSpring> other_springs_, springs_;  // without and with those of the scene's grabs
   bool quiet_ = false, asleep_ = false;
   bool unproven_ = true;  // nothing has been read back since this was made
-  bool lost_from_the_start_ = false;
+  bool diverged_from_the_start_ = false;
   Settling settling_;
   double settles_after_ = 0;  // [s] at rest: longer after every search that ended far away
-  long stirred_step_ = 0;     // the last change came before this step
+  long woken_step_ = 0;       // the last change came before this step
   long steps_asleep_ = 0;
 };
 

@@ -12,12 +12,12 @@ namespace fascia {
 // run.
 void Simulation::look() {
   follow_check(true);
-  if (astray_) return;
+  if (diverged_) return;
   checked_step_ = steps_;
   gpu_->request_check();
   if (!quiet_ || time() < model.end_of_motions()) return settling_.cancel();
   follow_check(true);  // what sleeps must be known to be sound
-  asleep_ = quiet_ && !astray_ && settle();
+  asleep_ = quiet_ && !diverged_ && settle();
 }
 
 // Whether the body, which hardly moves, has no way left to go. Where its equilibrium can be found soon, it is put
@@ -59,26 +59,26 @@ void Simulation::follow_check(bool wait) {
   const std::optional<StateGuard::Verdict> verdict = gpu_->take_check(wait);
   if (!verdict) return;
   if (unproven_ && checked_step_ > 0) judge_device(*verdict);
-  if (verdict->astray) {
-    astray_ = verdict->astray;
+  if (verdict->diverged) {
+    diverged_ = verdict->diverged;
     return;
   }
   log_.forget_before(checked_step_);
-  if (checked_step_ > stirred_step_) quiet_ = rest_.add(verdict->movement, scene.solver, gpu_->buffers().size);
+  if (checked_step_ > woken_step_) quiet_ = rest_.add(verdict->movement, scene.solver, gpu_->buffers().size);
 }
 
 // Throws Error where nothing at all fell.
 void Simulation::judge_device(const StateGuard::Verdict& first) {
   unproven_ = false;
-  lost_from_the_start_ = first.astray.has_value();
+  diverged_from_the_start_ = first.diverged.has_value();
   const Movement& movement = first.movement;
-  if (first.astray || movement.way > 0 || movement.speed > 0 || movement.displacement > 0) return;
-  const bool falls = stirred_step_ == 0 && !model.gravity.isZero() && scene.solver.tolerance == 0;
+  if (first.diverged || movement.way > 0 || movement.speed > 0 || movement.displacement > 0) return;
+  const bool falls = woken_step_ == 0 && !model.gravity.isZero() && scene.solver.tolerance == 0;
   if (falls) require_computed(model, gpu_->download());
 }
 
 void Simulation::require_device() const {
-  if (!lost_from_the_start_) return;
+  if (!diverged_from_the_start_) return;
   // Tissue whose forces overflow is lost within a step, too. A box in its place tells which of the two it was.
   const Model box = trial_model();
   SolverSettings settings;
@@ -92,11 +92,11 @@ void Simulation::require_device() const {
 std::optional<std::uint32_t> Simulation::check_now() {
   if (reference_) return std::nullopt;
   follow_check(true);
-  if (astray_) return astray_;
+  if (diverged_) return diverged_;
   checked_step_ = steps_;
   gpu_->request_check();
   follow_check(true);
-  return astray_;
+  return diverged_;
 }
 
 }  // namespace fascia

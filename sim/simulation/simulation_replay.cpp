@@ -50,7 +50,7 @@ bool Simulation::led_back_later() const {
   if (!replay_) return false;
   return std::any_of(replay_->inputs.begin() + static_cast<std::ptrdiff_t>(next_input_), replay_->inputs.end(),
                      [](const Input& input) {
-                       return std::holds_alternative<SoundInput>(input.change) ||
+                       return std::holds_alternative<RestoreInput>(input.change) ||
                               std::holds_alternative<ResetInput>(input.change);
                      });
 }
@@ -85,10 +85,10 @@ void Simulation::repeat(const Change& change) {
       simulation.tell(input);
     }
     void operator()(const ResetInput& reset) { simulation.go_back_to(reset.to_rest); }
-    void operator()(const SoundInput&) {
+    void operator()(const RestoreInput&) {
       if (!simulation.gpu_ || simulation.reference_) return;
       simulation.follow_check(true);  // so that the last sound state is the one it was
-      simulation.back_to_sound();
+      simulation.back_to_valid();
       simulation.begin_anew();
     }
     void operator()(const CameraSettings&) {}  // whoever draws looks after these
@@ -132,8 +132,8 @@ void Simulation::go_back_to(bool rest) {
   const State start = rest || !start_ ? initial_state(model) : *start_;
   if (reference_) reference_state_ = start;
   if (gpu_) gpu_->upload(start);
-  pull(with_hands(other_springs_, model.hands, time() + scene.solver.time_step));
-  astray_.reset();
+  pull(with_grabs(other_springs_, model.grabs, time() + scene.solver.time_step));
+  diverged_.reset();
   begin_anew();
   tell(ResetInput{rest});
 }

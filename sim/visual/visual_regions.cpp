@@ -23,7 +23,7 @@ std::vector<std::pair<std::uint32_t, int>> keys_of(const Model& model) {
   return keys;
 }
 
-void number_triangles(const Model& model, const DrawnSurface& surface, DrawnRegions& regions) {
+void number_triangles(const Model& model, const VisualSurface& surface, VisualRegions& regions) {
   const auto vertex_count = static_cast<std::uint32_t>(model.rest_positions.size());
   std::map<Triangle, std::vector<std::size_t>> faces;
   std::map<Tet, std::vector<std::size_t>> holders;
@@ -53,8 +53,8 @@ void number_triangles(const Model& model, const DrawnSurface& surface, DrawnRegi
 
 }  // namespace
 
-DrawnRegions drawn_regions(const Scene& scene, const Model& model, const DrawnSurface& surface) {
-  DrawnRegions regions;
+VisualRegions drawn_regions(const Scene& scene, const Model& model, const VisualSurface& surface) {
+  VisualRegions regions;
   const auto keys = keys_of(model);
   std::map<std::pair<std::uint32_t, int>, std::uint32_t> numbers;
   for (const auto& key : keys) numbers[key] = 0;

@@ -9,14 +9,14 @@
 
 namespace fascia {
 
-struct DrawnRegions {
+struct VisualRegions {
   std::vector<std::string> names;          // "tumour", "region 2"; with several bodies "liver: tumour"
   std::vector<std::uint32_t> of_tet;       // [Model::tets] index into names
-  std::vector<std::uint32_t> of_triangle;  // [DrawnSurface::triangles]
+  std::vector<std::uint32_t> of_triangle;  // [VisualSurface::triangles]
 };
 
 /// A region is what has a body and a region number of its own, in ascending order of both. A triangle of an embedded
 /// surface takes the region of the tet that its first vertex hangs on.
-DrawnRegions drawn_regions(const Scene& scene, const Model& model, const DrawnSurface& surface);
+VisualRegions drawn_regions(const Scene& scene, const Model& model, const VisualSurface& surface);
 
 }  // namespace fascia

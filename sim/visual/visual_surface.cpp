@@ -6,8 +6,8 @@
 
 namespace fascia {
 
-DrawnSurface drawn_surface(const Model& model) {
-  DrawnSurface drawn;
+VisualSurface drawn_surface(const Model& model) {
+  VisualSurface drawn;
   drawn.rest_positions = model.rest_positions;
   const bool colored =
       std::any_of(model.surfaces.begin(), model.surfaces.end(), [](const SurfaceMesh& s) { return !s.colors.empty(); });

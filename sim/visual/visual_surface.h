@@ -7,12 +7,12 @@
 
 namespace fascia {
 
-struct DrawnSurface {
+struct VisualSurface {
   std::vector<Triangle> triangles;
   std::vector<Eigen::Vector3d> rest_positions;  // mesh vertices, then embedded ones, as in GpuSolver::positions() [m]
   std::vector<std::uint32_t> colors{};          // as SurfaceMesh::colors, of all triangles; empty if no surface has any
 };
-DrawnSurface drawn_surface(const Model& model);
+VisualSurface drawn_surface(const Model& model);
 /// Whether bodies have surfaces of their own, and all of them enclose an inside.
 bool closed_around_tets(const Model& model);
 

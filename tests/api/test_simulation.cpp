@@ -127,9 +127,9 @@ TEST_CASE("A search for equilibrium ends when it is stopped, and refuses what fa
   std::stop_source stop;
   stop.request_stop();
   CHECK_FALSE(simulation.solve_static(stop.get_token()).converged);
-  Body loose = standing_cube();
-  loose.fixed.clear();
-  Simulation falling(scene_of(loose), context());
+  Body unconstrained = standing_cube();
+  unconstrained.fixed.clear();
+  Simulation falling(scene_of(unconstrained), context());
   CHECK_FALSE(error_of([&] { falling.solve_static(); }).empty());
 }
 
@@ -188,13 +188,13 @@ TEST_CASE("What cannot be grabbed is refused") {
 TEST_CASE("A state that is lost is noticed and can be gone back from") {
   Simulation simulation(scene_of(standing_cube()), context());
   simulation.step(2);
-  CHECK_FALSE(simulation.lost_vertex());
+  CHECK_FALSE(simulation.diverged_vertex());
   std::vector<double> v(3 * simulation.vertex_count(), 1e30);
   simulation.set_velocities(v);
   simulation.step(3);
-  REQUIRE(simulation.lost_vertex());
+  REQUIRE(simulation.diverged_vertex());
   simulation.reset();
-  CHECK_FALSE(simulation.lost_vertex());
+  CHECK_FALSE(simulation.diverged_vertex());
 }
 
 TEST_CASE("A simulation that is moved goes on") {

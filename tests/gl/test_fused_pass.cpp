@@ -18,13 +18,13 @@ INPUT_VEC4(Value, value)
 OUTPUT(vec4, Result, result)
 COMPUTE_1D
 uniform uint count, distance, start;
-struct Pair {
+struct SolverChoice {
   vec4 near, far;
 };
-Pair load(uint i) { return Pair(FETCH(value, i), FETCH(value, (i + start + distance) % count)); }
+SolverChoice load(uint i) { return SolverChoice(FETCH(value, i), FETCH(value, (i + start + distance) % count)); }
 void main() {
   ITEM_OR_RETURN(i)
-  Pair pair = load(i);
+  SolverChoice pair = load(i);
   result[i] = WEIGHT * pair.near + (1.0 - WEIGHT) * pair.far;
 }
 )";
@@ -35,13 +35,13 @@ INPUT_VEC4_IN_PLACE(Before, before)
 OUTPUT(vec4, Value, value)
 COMPUTE_1D
 uniform uint rounds;
-struct Pair {
+struct SolverChoice {
   vec4 sum;
 };
 vec4 load(uint i) { return FETCH(result, i).yzxw; }
 void main() {
   ITEM_OR_RETURN(i)
-  Pair pair = Pair(load(i));
+  SolverChoice pair = SolverChoice(load(i));
   for (uint k = 0u; k < rounds; ++k) pair.sum = vec4(1.0) - WEIGHT * pair.sum;
   vec4 v = FETCH(before, i) - pair.sum;
   value[i] = v - 2.0 * floor(0.5 * v + 0.5);  // from -1 to 1, so that lists are never all or nothing

@@ -94,7 +94,7 @@ struct Scene {
   std::vector<std::uint32_t> tet_region, triangle_region;
   bool within_surface = false;        // as TetView's
   std::vector<std::uint32_t> colors;  // of the triangles' corners
-  std::optional<GrabMark> grab;
+  std::optional<GrabArrow> grab;
   bool creases = true;
   int width = 320, height = 240, samples = 1;
 

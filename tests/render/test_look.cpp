@@ -192,7 +192,7 @@ TEST_CASE("render: the grab spring is drawn over the surface") {
   const auto context = test::each_context();
   Scene scene(test::sphere({0, 0.7, 0}, 0.5, 20));
   const Image plain = scene.draw();
-  scene.grab = GrabMark{{0, 0.7f, 0}, {0.1f, 1.0f, 0.05f}};  // all of it inside the body
+  scene.grab = GrabArrow{{0, 0.7f, 0}, {0.1f, 1.0f, 0.05f}};  // all of it inside the body
   const Image image = scene.draw();
   const Vector3d middle = (scene.grab->from + scene.grab->to).cast<double>() / 2;
   const Vector3d color = color_at(image, scene.pixel_of(middle));

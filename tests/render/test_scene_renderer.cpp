@@ -124,7 +124,7 @@ TEST_CASE("render: the same frame twice gives the same bits, with every feature"
   scene.look.wireframe = scene.look.heat_map = true;
   scene.marked = {3, 40, 500};
   scene.grabbed = {700, 701};
-  scene.grab = GrabMark{{0, 1, 0.5f}, {0.4f, 1.2f, 0.6f}};
+  scene.grab = GrabArrow{{0, 1, 0.5f}, {0.4f, 1.2f, 0.6f}};
   scene.samples = 4;
   CHECK(scene.draw().rgba == scene.draw().rgba);
 }

@@ -62,7 +62,7 @@ std::string file_name_of(const AccuracyCase& c) {
   return name;
 }
 
-SolverSettings settings_of(const AccuracyCase& measured, const Pair& pair, int iterations) {
+SolverSettings settings_of(const AccuracyCase& measured, const SolverChoice& pair, int iterations) {
   SolverSettings settings;
   settings.method = pair.method;
   settings.acceleration = pair.acceleration;
@@ -81,7 +81,7 @@ int AccuracyGrid::steps_of(const AccuracyCase& measured) const {
 
 AccuracyGrid accuracy_grid(bool quick) {
   AccuracyGrid grid;
-  grid.pairs = legal_pairs();
+  grid.pairs = solver_choices();
   if (quick) {
     grid.cases = quick_cases();
     grid.iterations = {1, 2, 5, 10, 20, 40};

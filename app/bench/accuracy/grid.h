@@ -28,10 +28,10 @@ struct AccuracyCase {
 };
 std::string title_of(const AccuracyCase& measured);      // for people
 std::string file_name_of(const AccuracyCase& measured);  // different for cases that differ
-SolverSettings settings_of(const AccuracyCase& measured, const Pair& pair, int iterations);
+SolverSettings settings_of(const AccuracyCase& measured, const SolverChoice& pair, int iterations);
 
 struct AccuracyGrid {
-  std::vector<Pair> pairs;
+  std::vector<SolverChoice> pairs;
   std::vector<AccuracyCase> cases;
   std::vector<int> iterations;          // per substep, of single steps, ascending
   std::vector<int> settled_iterations;  // per substep, of every step of `settled`, ascending

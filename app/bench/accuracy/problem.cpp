@@ -71,7 +71,7 @@ std::vector<Vector3d> prediction_of(const Model& model, const State& state, cons
 
 AccuracyProblem::AccuracyProblem(const Bench& bench, const AccuracyCase& measured, int steps) : steps_(steps) {
   // Iterations are nothing to the exact solver
-  const SolverSettings settings = settings_of(measured, legal_pairs().front(), 1);
+  const SolverSettings settings = settings_of(measured, solver_choices().front(), 1);
   model_ = model_of(measured, settings);
   start_ = measured.scenario == AccuracyScenario::one_step ? bent_beam(model_) : initial_state(model_);
   exact_ = start_;

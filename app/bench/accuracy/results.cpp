@@ -17,7 +17,7 @@ const std::vector<std::string> kResultColumns{"scenario",   "tets",     "young_m
                                               "iterations", "error",    "ms_median",     "ms_min"};
 constexpr std::size_t kKeyCells = 8;  // columns that say which pair of which case
 
-std::vector<Cell> key_cells(const AccuracyCase& measured, const Pair& pair) {
+std::vector<Cell> key_cells(const AccuracyCase& measured, const SolverChoice& pair) {
   const double time_step = settings_of(measured, pair, 1).time_step;
   return {
       name_of(measured.scenario), measured.tets(),      measured.young_modulus,    measured.poisson_ratio, time_step,
@@ -30,7 +30,7 @@ std::string line_of(const std::vector<std::string>& cells, std::size_t count) {
   return line;
 }
 
-std::string key_of(const AccuracyCase& measured, const Pair& pair) {
+std::string key_of(const AccuracyCase& measured, const SolverChoice& pair) {
   std::vector<std::string> texts;
   for (const Cell& cell : key_cells(measured, pair)) texts.push_back(cell.text());
   return line_of(texts, texts.size());
@@ -109,7 +109,7 @@ AccuracyResults empty_results(const AccuracyGrid& grid) {
   AccuracyResults results;
   for (const AccuracyCase& measured : grid.cases) {
     results.push_back({measured, {}});
-    for (const Pair& pair : grid.pairs) results.back().pairs.push_back({pair, {}});
+    for (const SolverChoice& pair : grid.pairs) results.back().pairs.push_back({pair, {}});
   }
   return results;
 }

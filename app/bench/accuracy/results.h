@@ -17,7 +17,7 @@ struct AccuracyPoint {
 };
 
 struct PairAccuracy {
-  Pair pair;
+  SolverChoice pair;
   std::vector<AccuracyPoint> points;  // by iterations; empty: to be measured
 };
 

@@ -14,7 +14,7 @@ namespace fascia {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr Pair kPosterPair{Method::jacobi, Acceleration::anderson_positions};
+constexpr SolverChoice kPosterPair{Method::jacobi, Acceleration::anderson_positions};
 
 struct Tolerance {
   const char* name;

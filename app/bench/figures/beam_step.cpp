@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-SolverSettings settings_of(const Pair& pair, int iterations) {
+SolverSettings settings_of(const SolverChoice& pair, int iterations) {
   SolverSettings settings;
   settings.method = pair.method;
   settings.acceleration = pair.acceleration;
@@ -33,14 +33,14 @@ std::vector<Eigen::Vector3d> prediction_of(const Model& model, const State& stat
 }  // namespace
 
 BeamStep::BeamStep(Bench& bench, double young_modulus, int iterations)
-    : scene_(beam_scene(bench, young_modulus, settings_of(poster_pairs().front(), iterations))),
+    : scene_(beam_scene(bench, young_modulus, settings_of(i3d2019_choices().front(), iterations))),
       model_(build_model(scene_)),
       start_(bent_beam(model_)),
       exact_(start_),
       predicted_(prediction_of(model_, start_, scene_.solver.substep())) {
   reference::NewtonSolver(model_, scene_.solver).step(exact_);
   exact_strain_ = reference::measure(model_, exact_).rms_strain;
-  for (const Pair& pair : poster_pairs()) {
+  for (const SolverChoice& pair : i3d2019_choices()) {
     bench.stop_if_interrupted();
     PairTrace traced{
         pair, std::make_unique<GpuSolver>(*bench.graphics.programs, model_, settings_of(pair, iterations)), {}, 0};
@@ -53,7 +53,7 @@ BeamStep::BeamStep(Bench& bench, double young_modulus, int iterations)
 
 std::size_t BeamStep::plain() const {
   const auto plain = std::find_if(pairs_.begin(), pairs_.end(), [](const PairTrace& p) {
-    return p.pair == Pair{Method::jacobi, Acceleration::none};
+    return p.pair == SolverChoice{Method::jacobi, Acceleration::none};
   });
   return static_cast<std::size_t>(plain - pairs_.begin());
 }

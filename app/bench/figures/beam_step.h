@@ -10,7 +10,7 @@
 namespace fascia {
 
 struct PairTrace {
-  Pair pair;
+  SolverChoice pair;
   std::unique_ptr<GpuSolver> solver;
   std::vector<Diagnostics> trace;  // [iterations + 1], the first one of the prediction
   double error = 0;                // of the last iteration, as BeamStep::error_after

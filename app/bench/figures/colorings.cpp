@@ -52,7 +52,7 @@ void bench_box(Bench& bench, const Eigen::Vector3i& cells, int index, Table& tab
   phantoms.marks = plain.marks = true;
   plain.line = false;
   for (std::size_t i = 0; i < kColorsAsked.size(); ++i) {
-    const Coloring& coloring = timed[i]->gauss_seidel()->coloring();
+    const Coloring& coloring = *timed[i]->coloring();
     std::vector<std::uint32_t> sizes;
     for (std::size_t c = 0; c < coloring.color_count(); ++c) sizes.push_back(coloring.begin[c + 1] - coloring.begin[c]);
     const auto [smallest, largest] = std::minmax_element(sizes.begin(), sizes.end());

@@ -91,8 +91,8 @@ Table targets_table(BeamStep& step, const std::vector<Spread>& times, int plain_
 
 void figure_3(Bench& bench) {
   const int iterations = traced_iterations(bench);
-  bench.say("figure 3: strain against iterations, E = 1e9 Pa, " + std::to_string(poster_pairs().size()) + " pairs, " +
-            std::to_string(iterations) + " iterations");
+  bench.say("figure 3: strain against iterations, E = 1e9 Pa, " + std::to_string(i3d2019_choices().size()) +
+            " pairs, " + std::to_string(iterations) + " iterations");
   BeamStep step(bench, 1e9, iterations);
   bench.say("figure 3: strain against time");
   const std::vector<Spread> times = iteration_times(bench, step);

@@ -19,7 +19,7 @@ struct Candidate {
   std::unique_ptr<Session> session;
 };
 
-Scene hanging_beam(const Bench& bench, const Pair& pair) {
+Scene hanging_beam(const Bench& bench, const SolverChoice& pair) {
   SolverSettings settings;
   settings.method = pair.method;
   settings.acceleration = pair.acceleration;
@@ -33,16 +33,17 @@ Scene hanging_beam(const Bench& bench, const Pair& pair) {
 
 std::vector<Candidate> candidates_of(Bench& bench) {
   std::vector<Candidate> candidates;
-  for (const Pair& pair : poster_pairs())
+  for (const SolverChoice& pair : i3d2019_choices())
     if (pair.method == Method::jacobi)
       candidates.push_back({name_of(pair.method),
                             name_of(pair.acceleration),
                             {label_of(pair.method), std::string("acceleration: ") + label_of(pair.acceleration)},
                             std::make_unique<Session>(bench.graphics, hanging_beam(bench, pair), false)});
-  candidates.push_back({"exact",
-                        "none",
-                        {"Exact solver", ""},
-                        std::make_unique<Session>(bench.graphics, hanging_beam(bench, poster_pairs().front()), true)});
+  candidates.push_back(
+      {"exact",
+       "none",
+       {"Exact solver", ""},
+       std::make_unique<Session>(bench.graphics, hanging_beam(bench, i3d2019_choices().front()), true)});
   return candidates;
 }
 

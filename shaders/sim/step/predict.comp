@@ -20,7 +20,7 @@ float copies(uint i) { return float(FETCH1(copy_begin, i + 1u) - FETCH1(copy_beg
 float copies(uint i) { return 1.0; }
 #endif
 #ifdef LOOSE
-INPUT_UINT(Loose, loose)  // [vertex_count] not 0: starts with gravity
+INPUT_UINT(Unconstrained, unconstrained)  // [vertex_count] not 0: starts with gravity
 #endif
 OUTPUT(vec4, PreviousDisplacement, previous_displacement)
 OUTPUT(vec4, Predicted, predicted)
@@ -43,7 +43,7 @@ void main() {
 #if START_WITHOUT_GRAVITY
   vec3 start = drift;
 #ifdef LOOSE
-  if (FETCH1(loose, i) != 0u) start += fall;
+  if (FETCH1(unconstrained, i) != 0u) start += fall;
 #endif
   displacement[i] = vec4(u + start, inv_mass);
 #else

@@ -8,7 +8,7 @@ INPUT_VEC4(Displacement, displacement)                   // [vertex_count] u [m]
 INPUT_VEC4(PreviousDisplacement, previous_displacement)  // [vertex_count] u_n [m]
 INPUT_VEC4(Predicted, predicted)                         // [vertex_count] xyz u~ [m], w inverse mass, 0 where held
 OUTPUT(vec4, Velocity, velocity)                         // [vertex_count] [m/s]
-INOUT(uint, Astray, astray)                              // [1] smallest index of such a vertex so far
+INOUT(uint, Diverged, diverged)                              // [1] smallest index of such a vertex so far
 
 void main() {
   ITEM_OR_RETURN(i)
@@ -16,5 +16,5 @@ void main() {
   vec4 predicted_i = FETCH(predicted, i);
   STORE3(velocity[i], (u - FETCH(previous_displacement, i).xyz) / SUBSTEP)
   float thrown = distance(u, predicted_i.xyz);
-  if (predicted_i.w > 0.0 && (thrown >= FARTHEST || !is_finite(thrown))) atomicMin(astray[0], i);
+  if (predicted_i.w > 0.0 && (thrown >= FARTHEST || !is_finite(thrown))) atomicMin(diverged[0], i);
 }

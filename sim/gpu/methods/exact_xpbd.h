@@ -15,7 +15,7 @@ class ExactXpbdMethod : public StepMethod {
  public:
   explicit ExactXpbdMethod(const SimBuffers& buffers);
   const gl::Buffer* multiplier() const override { return &multiplier_; }
-  const gl::Buffer& raised_mass() const { return raised_mass_; }  // float [vertex_count] m^ [kg]
+  const gl::Buffer& weight_of_vertices(const SimBuffers&) const override { return raised_mass_; }
   /// The multipliers start in balance with the stress at the prediction: from zero, accelerated iterations stall.
   Passes begin(const Recording& recording) const override;
   Deferral most_deferred(const SimBuffers& buffers, bool) const override {
@@ -27,7 +27,7 @@ class ExactXpbdMethod : public StepMethod {
  private:
   gl::Buffer multiplier_;   // vec4 [2 * tet_count] lambda
   gl::Buffer primal_step_;  // vec4 [vertex_count] g / m^ [m]
-  gl::Buffer raised_mass_;
+  gl::Buffer raised_mass_;  // float [vertex_count] m^ [kg]
 };
 
 }  // namespace fascia

@@ -1,5 +1,7 @@
 #include "sim/gpu/methods/gauss_seidel.h"
 
+#include "sim/gpu/methods/methods.h"
+
 #include <algorithm>
 #include <numeric>
 #include <string>
@@ -43,6 +45,8 @@ GaussSeidelMethod::GaussSeidelMethod(const Model& model, SimBuffers& buffers, in
   split_vertex_ = gl::Buffer("split_vertex", split);
   split_count_ = static_cast<std::uint32_t>(split.size());
 }
+
+bool GaussSeidelMethod::goes_on_with(const MethodInputs& inputs) { return inputs.settings.colors == colors_asked_; }
 
 Deferral GaussSeidelMethod::most_deferred(const SimBuffers& buffers, bool fused) const {
   return fused ? Deferral{static_cast<std::uint32_t>(coloring_.color_count()), buffers.tet_count} : Deferral{};

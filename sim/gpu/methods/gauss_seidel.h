@@ -20,8 +20,8 @@ class GaussSeidelMethod : public StepMethod {
   /// A color is too small for a dispatch more.
   Deferral most_deferred(const SimBuffers& buffers, bool fused) const override;
 
-  int colors_asked() const { return colors_asked_; }
-  const Coloring& coloring() const { return coloring_; }
+  bool goes_on_with(const MethodInputs& inputs) override;
+  const Coloring* coloring() const override { return &coloring_; }
   /// Vertices and phantoms before each vertex; null without phantoms.
   const gl::Buffer* copy_begin() const override { return phantom_count_ ? &copy_begin_ : nullptr; }
 

@@ -3,10 +3,12 @@
 #include <vector>
 
 #include "sim/gpu/passes/recording.h"
+#include "sim/ordering/graph_coloring.h"
 
 namespace fascia {
 
 class StepGradient;
+struct MethodInputs;
 
 class StepMethod {
  public:
@@ -15,6 +17,8 @@ class StepMethod {
   StepMethod(const StepMethod&) = delete;
   StepMethod& operator=(const StepMethod&) = delete;
 
+  /// Takes over other settings of the same method, if that needs no new one: true then.
+  virtual bool goes_on_with(const MethodInputs&) { return false; }
   /// uint [vertex_count + 1], copies before each vertex, of methods that share a vertex's mass between copies; null for
   /// the others.
   virtual const gl::Buffer* copy_begin() const { return nullptr; }
@@ -24,6 +28,11 @@ class StepMethod {
   /// vec4 [2 * tet_count], of methods whose multipliers are part of the state that an acceleration combines; null for
   /// the others.
   virtual const gl::Buffer* multiplier() const { return nullptr; }
+  /// float [vertex_count] by which Anderson acceleration weighs changes of the vertices [kg].
+  virtual const gl::Buffer& weight_of_vertices(const SimBuffers& buffers) const { return buffers.mass; }
+  virtual bool accelerates_itself() const { return false; }     // Acceleration::anderson is part of its iterations
+  virtual bool may_rest_in_regions() const { return false; }    // a step may go through a part of the tets only
+  virtual const Coloring* coloring() const { return nullptr; }  // of the tets, of methods that sweep them by color
   /// Whether iterations descend the objective with its external energies; else these are projected as constraints after
   /// each.
   virtual bool descends() const { return false; }

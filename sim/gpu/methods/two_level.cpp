@@ -1,5 +1,7 @@
 #include "sim/gpu/methods/two_level.h"
 
+#include "sim/gpu/methods/methods.h"
+
 namespace fascia {
 namespace {
 
@@ -22,6 +24,11 @@ TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& mo
       partials_("subspace_partials", sizeof(vec4) * (3 * vertices_.partials + pairs_.partials)),
       state_("subspace_state", kSubspaceFloats * sizeof(float)) {
   set_acceleration(programs, buffers, settings);
+}
+
+bool TwoLevelMethod::goes_on_with(const MethodInputs& inputs) {
+  set_acceleration(inputs.programs, inputs.buffers, inputs.settings);
+  return true;
 }
 
 void TwoLevelMethod::set_acceleration(const gl::ProgramCache& programs, const SimBuffers& buffers,

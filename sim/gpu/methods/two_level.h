@@ -22,8 +22,9 @@ class TwoLevelMethod : public StepMethod {
   TwoLevelMethod(const gl::ProgramCache& programs, const Model& model, const SimBuffers& buffers,
                  const SolverSettings& settings);
 
-  /// The levels stay as they are.
-  void set_acceleration(const gl::ProgramCache& programs, const SimBuffers& buffers, const SolverSettings& settings);
+  bool goes_on_with(const MethodInputs& inputs) override;  // the levels stay as they are
+  bool accelerates_itself() const override { return true; }
+  bool may_rest_in_regions() const override { return !anderson_; }
   bool starts_without_gravity() const override { return true; }
   const StepGradient* gradient() const override { return &gradient_; }
   void prepare(const Recording& recording) override;
@@ -46,6 +47,7 @@ class TwoLevelMethod : public StepMethod {
   void begin_partial() override { gradient_.clear(); }  // the coarse level gathers the resting vertices' too
 
  private:
+  void set_acceleration(const gl::ProgramCache& programs, const SimBuffers& buffers, const SolverSettings& settings);
   gl::ComputePass objective_sum(const Recording& recording) const;
   gl::ComputePass sum_for_step(const Recording& recording, const char* kernel, gl::Defines defines,
                                gl::ComputePass::Bindings bindings) const;

@@ -33,11 +33,11 @@ void upload_spans(gl::Buffer& to, const std::vector<std::uint32_t>& vertices, co
 }  // namespace
 
 bool GrabSprings::set(const std::vector<GrabSpring>& springs) {
-  hands_.springs = springs;
-  hands_.joined = joined(springs, hands_.place);
+  owners_.springs = springs;
+  owners_.joined = joined(springs, owners_.place);
   std::vector<std::uint32_t> vertices;
   std::vector<vec4> targets;
-  for (const GrabSpring& s : hands_.joined) {
+  for (const GrabSpring& s : owners_.joined) {
     vertices.push_back(s.vertex);
     targets.push_back({static_cast<float>(s.target.x()), static_cast<float>(s.target.y()),
                        static_cast<float>(s.target.z()), static_cast<float>(s.stiffness)});
@@ -76,7 +76,7 @@ void GrabSprings::spread() {
 
 std::vector<VertexStiffness> GrabSprings::stiffness() const {
   std::vector<VertexStiffness> all;
-  for (const GrabSpring& spring : hands_.joined) all.push_back({spring.vertex, spring.stiffness});
+  for (const GrabSpring& spring : owners_.joined) all.push_back({spring.vertex, spring.stiffness});
   return all;
 }
 

@@ -1,5 +1,5 @@
-// Springs that pull patches of vertices to targets: the hands' grip on the tissue. Kernels see one spring per vertex,
-// the sum of all hands there, so that nothing collides. Buffers exist only while something is held.
+// Springs that pull patches of vertices to targets: the grabs' grip on the tissue. Kernels see one spring per vertex,
+// the sum of all grabs there, so that nothing collides. Buffers exist only while something is held.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -32,15 +32,15 @@ class GrabSprings : public EnergyTerm {
   void forget();  // the multipliers of the last substep, which the first iteration of the next one would do
   const gl::Buffer& multiplier() const { return multiplier_; }  // vec4 [count] h^2 times the force on the tissue [kg m]
   std::uint32_t count() const { return static_cast<std::uint32_t>(vertices_.size()); }
-  struct Hands {                              // whose the springs are
+  struct Owners {                             // whose the springs are
     std::vector<GrabSpring> springs, joined;  // as given; as kernels see them, [count]
     std::vector<std::uint32_t> place;         // [springs.size()] in joined
   };
-  const Hands& hands() const { return hands_; }
+  const Owners& owners() const { return owners_; }
 
  private:
   void spread();
-  Hands hands_;
+  Owners owners_;
   std::vector<std::uint32_t> vertices_;
   std::vector<shared::vec4> springs_;  // target displacement [m] and stiffness [N/m]
   bool at_vertices_ = false, spread_ = false;

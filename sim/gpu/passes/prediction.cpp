@@ -13,9 +13,9 @@ gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers
                                      {"predicted", &buffers.predicted}};
   if (copy_begin) bindings.emplace_back("copy_begin", copy_begin);
   gl::Defines defines{{"MASS_SPLITTING", copy_begin ? "1" : "0"}, {"START_WITHOUT_GRAVITY", start.gravity ? "0" : "1"}};
-  if (start.loose) {
+  if (start.unconstrained) {
     defines.emplace_back("LOOSE", "1");
-    bindings.emplace_back("loose", start.loose);
+    bindings.emplace_back("unconstrained", start.unconstrained);
   }
   if (active) {
     defines.emplace_back("LISTED", "1");

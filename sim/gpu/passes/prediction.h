@@ -10,7 +10,7 @@ namespace fascia {
 struct Start {
   bool gravity = true;
   // Uint [vertex_count] not 0 where they start at u~ though `gravity` is false; null: nowhere
-  const gl::Buffer* loose = nullptr;
+  const gl::Buffer* unconstrained = nullptr;
 };
 
 /// The first pass of every substep (shaders/sim/step/predict.comp). `copy_begin`: uint [vertex_count + 1], copies

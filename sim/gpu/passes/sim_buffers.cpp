@@ -103,7 +103,7 @@ struct Slots {
 
 }  // namespace
 
-SimBuffers::SimBuffers(const Model& model, Placement places)
+SimBuffers::SimBuffers(const Model& model, MeshOrder places)
     : vertex_count(static_cast<std::uint32_t>(model.rest_positions.size())),
       placement(std::move(places)),
       placed_vertex("placed_vertex", placement.vertex) {
@@ -128,7 +128,7 @@ SimBuffers::SimBuffers(const Model& model, Placement places)
   if (model.materials.size() > 1) {
     materials = gl::Buffer("materials", model.materials.size() * sizeof(vec4));
   }
-  astray = gl::Buffer("astray", sizeof(std::uint32_t));
+  diverged = gl::Buffer("diverged", sizeof(std::uint32_t));
   step = gl::Buffer("step", sizeof(shared::StepValues));
   upload_materials(model);
 }

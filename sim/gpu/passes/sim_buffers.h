@@ -15,7 +15,7 @@ namespace fascia {
 
 struct SimBuffers {
   /// `model`: placed() so. States come and go as the model outside counts its vertices, all else goes by places.
-  SimBuffers(const Model& model, Placement placement);
+  SimBuffers(const Model& model, MeshOrder placement);
   explicit SimBuffers(const Model& model) : SimBuffers(model, unmoved(model)) {}
 
   std::uint32_t vertex_count = 0;
@@ -35,7 +35,7 @@ struct SimBuffers {
   gl::Buffer previous_displacement;  // u at the start of the substep
   gl::Buffer predicted;              // u~, where inertia and gravity alone would lead
 
-  Placement placement;
+  MeshOrder placement;
   gl::Buffer placed_vertex;  // uint [vertex_count] placement.vertex
 
   // Constants of the model.
@@ -60,7 +60,8 @@ struct SimBuffers {
   std::vector<Tet> tets;                   // [tet_count] tet_vertices
   std::vector<std::uint32_t> tet_offsets;  // [vertex_count + 1] tet_begin
 
-  gl::Buffer astray;  // uint [1] smallest index of a vertex that is lost (shaders/sim/step/velocity.comp), ~0 for none
+  gl::Buffer
+      diverged;  // uint [1] smallest index of a vertex that is lost (shaders/sim/step/velocity.comp), ~0 for none
 
   gl::Buffer step;  // uniform block Step (shared::StepValues)
 

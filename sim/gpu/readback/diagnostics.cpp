@@ -77,7 +77,7 @@ void DiagnosticsReader::request(const GrabSprings& grab, double substep, double 
   if (grab_bytes) copy(grab.multiplier());
   if (probe_) copy_part(displacement_, *probe_ * probe_bytes, probe_bytes);
   if (stop_state) copy(*stop_state);
-  p.hands = grab.hands();
+  p.owners = grab.owners();
   p.has_probe = probe_.has_value();
   p.substep = substep;
   p.time = time;
@@ -100,7 +100,7 @@ std::optional<Diagnostics> DiagnosticsReader::take(bool wait) {
 Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
   std::vector<shared::TetPartial> tets(tet_partial_count_);
   std::vector<shared::VertexPartial> vertices(vertex_partial_count_);
-  std::vector<shared::vec4> grabbed(pending.hands.joined.size());
+  std::vector<shared::vec4> grabbed(pending.owners.joined.size());
   pending.staging.download(0, tet_partials_.bytes(), tets.data());
   pending.staging.download(tet_partials_.bytes(), vertex_partials_.bytes(), vertices.data());
   const std::size_t grab_begin = tet_partials_.bytes() + vertex_partials_.bytes(),
@@ -154,7 +154,7 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
     d.grab_force += spring_forces.back();
     grab += (impulse / pending.mean_mass).squaredNorm();
   }
-  d.hand_forces = forces_of_hands(pending.hands.springs, pending.hands.joined, pending.hands.place, spring_forces);
+  d.grab_forces = forces_of_grabs(pending.owners.springs, pending.owners.joined, pending.owners.place, spring_forces);
   const double scale = std::sqrt(inertia) + std::sqrt(load) + std::sqrt(grab);
   const double rounding = 1e-6 * pending.substep * std::sqrt(motion);  // ten float32 roundings of M (u - u_n)
   d.residual = scale > rounding ? std::sqrt(residual) / scale : 0;

@@ -23,8 +23,8 @@ struct Diagnostics {
   double volume_ratio = 1;                                       // of all tets together, over their volume at rest
   Eigen::Vector3d momentum{0, 0, 0}, angular_momentum{0, 0, 0};  // [kg m/s], [kg m^2/s]
   Eigen::Vector3d reaction{0, 0, 0};                             // of the supports on the body [N]
-  Eigen::Vector3d grab_force{0, 0, 0};                           // of all hands on the body [N]
-  std::vector<HandForce> hand_forces;                            // of each of them
+  Eigen::Vector3d grab_force{0, 0, 0};                           // of all grabs on the body [N]
+  std::vector<GrabForce> grab_forces;                            // of each of them
   Eigen::Vector3d inertia{0, 0, 0};                              // mass times acceleration, of free vertices [N]
   /// reaction + grab_force + `weight` - inertia over the largest of them [-]: nothing where the last step is solved,
   /// since the forces inside a body cancel. The weight is that of the whole scene [N]. 0 where there are no forces
@@ -59,7 +59,7 @@ class DiagnosticsReader {
   struct Pending {
     gl::Buffer staging;
     gl::Fence fence;
-    GrabSprings::Hands hands;
+    GrabSprings::Owners owners;
     double substep = 0, time = 0, mean_mass = 0;
     bool counts_iterations = false, has_probe = false;
   };

@@ -47,7 +47,7 @@ void StateGuard::request(const SimBuffers& buffers, double time) {
   motion_.upload(0, sizeof kZero, kZero);
   measure_->run();
   copy(buffers, time, candidate_);
-  note_.copy(buffers.astray, kWord);
+  note_.copy(buffers.diverged, kWord);
   note_.copy(motion_, motion_.bytes(), kWord);
   fence_.set();
 }
@@ -64,7 +64,7 @@ std::optional<StateGuard::Verdict> StateGuard::take(bool wait) {
 
 void StateGuard::clear(SimBuffers& buffers) {
   fence_.clear();
-  buffers.astray.upload(0, sizeof kNone, &kNone);
+  buffers.diverged.upload(0, sizeof kNone, &kNone);
 }
 
 State StateGuard::download(const SimBuffers& buffers) const {

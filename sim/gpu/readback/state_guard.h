@@ -18,7 +18,7 @@ class StateGuard {
  public:
   struct Verdict {
     std::optional<std::uint32_t>
-        astray;         // the place of a vertex that is lost; none: the state is kept as the last good one
+        diverged;       // the place of a vertex that is lost; none: the state is kept as the last good one
     Movement movement;  // since the good one before it
   };
 
@@ -50,7 +50,7 @@ class StateGuard {
   Copy good_, candidate_;
   gl::ProgramCache& programs_;
   gl::Buffer motion_;  // uint [3] (shaders/sim/readback/motion.comp); this and the next two are made when first asked
-  gl::Buffer note_;    // uint [4] copy of SimBuffers::astray, then of motion_
+  gl::Buffer note_;    // uint [4] copy of SimBuffers::diverged, then of motion_
   std::optional<gl::ComputePass> measure_;
   gl::Fence fence_;
 };

@@ -1,23 +1,10 @@
 // Solver settings: every number a user may turn, listed once, with unit, range and help.
 #pragma once
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "sim/material/material.h"
+#include "sim/scene/settings/solver_choice.h"
 
 namespace fascia {
 
-enum class Method { jacobi, mass_splitting, gauss_seidel, exact_xpbd, vertex_descent, two_level };
-enum class Acceleration { none, chebyshev, anderson_positions, anderson, nonlinear_cg, subspace };
 constexpr int kLargestWindow = 10;  // of Anderson acceleration
-
-struct Pair {
-  Method method;
-  Acceleration acceleration;
-  bool operator==(const Pair&) const = default;
-};
 
 struct SolverSettings {
   Method method = Method::two_level;
@@ -35,11 +22,11 @@ struct SolverSettings {
   bool operator==(const SolverSettings&) const = default;
 
   double substep() const { return time_step / substeps; }  // h [s]
-  Pair pair() const { return {method, acceleration}; }
+  SolverChoice choice() const { return {method, acceleration}; }
 };
 
 /// f(field, name, unit, min, max, logarithmic, help) for the numeric fields; method and acceleration are
-/// named choices.
+/// named choices (solver_choice.h).
 template <class S, class F>
 void visit_settings(S& s, F&& f) {
   f(s.iterations, "iterations", "", 1, 10000, true, "sweeps over all tets per substep: more is stiffer and slower");
@@ -62,29 +49,5 @@ void visit_settings(S& s, F&& f) {
     "sizes of the scene per second: what moves slower for a quarter of a second sleeps, and costs nothing until "
     "something changes; 0: never");
 }
-
-const std::vector<Pair>& legal_pairs();  // of method and acceleration that make sense, best first
-/// Those of the poster (Boukadida, Andrews, Paquette 2019), and of mass splitting beside them, in the order of
-/// legal_pairs().
-std::vector<Pair> poster_pairs();
-const char* name_of(Method method);  // "jacobi", as in scene files
-const char* name_of(Acceleration acceleration);
-const char* label_of(Method method);  // for people, in menus: "Jacobi, averaged"
-const char* label_of(Acceleration acceleration);
-const char* help_of(Method method);  // tooltip: what it is, what it costs, its limits
-const char* help_of(Acceleration acceleration);
-
-/// XPBD's constraints are strains: it carries the models that are quadratic in them. The methods that descend the
-/// energy carry all.
-bool carries(Method method, MaterialModel model);
-/// Throws Error naming `where` if the method does not carry the model of one of the materials.
-void require_carried(Method method, const std::vector<Material>& materials, const std::string& where);
-
-/// The best legal pair that has the given names (nullopt: any); nothing if there is none.
-std::optional<Pair> find_pair(std::optional<std::string_view> method, std::optional<std::string_view> acceleration);
-/// Whether a setting does anything with this pair: "colors", for instance, only with gauss_seidel.
-bool applies(std::string_view setting, const Pair& pair);
-/// For error messages: "jacobi with none, ...".
-std::string list_of_pairs();
 
 }  // namespace fascia

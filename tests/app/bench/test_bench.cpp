@@ -67,7 +67,7 @@ double number(const Row& row, const std::string& column) {
   return value;
 }
 
-std::vector<Row> rows_of(const CsvFile& csv, const Pair& pair) {
+std::vector<Row> rows_of(const CsvFile& csv, const SolverChoice& pair) {
   std::vector<Row> rows;
   std::copy_if(csv.rows.begin(), csv.rows.end(), std::back_inserter(rows), [&](const Row& row) {
     return row.at("method") == name_of(pair.method) && row.at("acceleration") == name_of(pair.acceleration);
@@ -125,7 +125,7 @@ TEST_CASE("bench figures, quick form", "[bench]") {
     CHECK(traces.notes.find("rms_strain of the exact step: ") != std::string::npos);
     const double start = number(traces.rows.front(), "rms_strain");
     CHECK(start == Approx(0.1).epsilon(0.3));
-    for (const Pair& pair : poster_pairs()) {
+    for (const SolverChoice& pair : i3d2019_choices()) {
       CAPTURE(name_of(pair.method), name_of(pair.acceleration));
       const std::vector<Row> trace = rows_of(traces, pair), of_last = rows_of(last, pair);
       REQUIRE(trace.size() > 10);

@@ -10,7 +10,7 @@
 #include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/mesh_generate.h"
 #include "sim/scene/scene_carry.h"
-#include "sim/simulation/breakdown.h"
+#include "sim/simulation/divergence.h"
 #include "tests/support/headless.h"
 #include "tests/support/support.h"
 

@@ -1,4 +1,4 @@
-// Two settings side by side: the same steps under the same hand, without a trace on the side that was there before.
+// Two settings side by side: the same steps under the same grab, without a trace on the side that was there before.
 #include <catch2/catch.hpp>
 
 #include "app/compare/split_view.h"
@@ -54,7 +54,7 @@ TEST_CASE("two sides with the same settings stay the same to the bit, and as one
   CHECK(largest_difference(a.simulation.state(), split.b().simulation.state()) == 0);
   CHECK(largest_difference(a.simulation.state(), alone.simulation.state()) == 0);
 
-  INFO("the hand may be at the other side");
+  INFO("the grab may be at the other side");
   split.b().simulation.set_grab({});
   split.step(a, split.b());
   CHECK(a.simulation.gpu()->springs().empty());

@@ -82,7 +82,7 @@ TEST_CASE("a replay in slow motion has frames between the steps and ends in the 
   const CommandResult slow = pulled.run("render", {"--video", "slow/%03d.png", "--slow", "4"});
   CHECK(line(slow, "frames ").ends_with(" 48"));
   CHECK(line(slow, "state ") == line(pulled.run("run", {}), "state "));
-  // Every frame differs from the one before: nothing stands still between two steps while the hand pulls.
+  // Every frame differs from the one before: nothing stands still between two steps while the grab pulls.
   for (int k = 12; k < 40; ++k) {
     const auto name = [](int number) { return "slow/0" + std::to_string(number) + ".png"; };
     CAPTURE(k);

@@ -103,18 +103,18 @@ TEST_CASE("on a transparent picture the bar can be read over white and over blac
   }
 }
 
-TEST_CASE("a hand's force stands beside the color bar and inside the picture", "[color_bar]") {
+TEST_CASE("a grab's force stands beside the color bar and inside the picture", "[color_bar]") {
   Graphics graphics = open_graphics(headless(), false);
   Overlay overlay(graphics);
   Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
   scene.display.color = ColorBy::velocity;
   Session session(graphics, scene, false);
-  const auto drawn = [&](const std::vector<HandMark>& hands) {
+  const auto drawn = [&](const std::vector<GrabMark>& grabs) {
     Framebuffer framebuffer(kWidth, kHeight, 1);
     std::vector<std::uint8_t> tissue;
     for (int i = 0; i < kWidth * kHeight; ++i) tissue.insert(tissue.end(), kTissue, kTissue + 4);
     framebuffer.replace(tissue.data());
-    overlay.draw_headless(session, framebuffer, false, std::nullopt, hands);
+    overlay.draw_headless(session, framebuffer, false, std::nullopt, grabs);
     return framebuffer.read();
   };
   const Image without = drawn({});
@@ -124,7 +124,7 @@ TEST_CASE("a hand's force stands beside the color bar and inside the picture", "
   const auto label_pixels = [&](const Eigen::Vector2d& at, bool* in_bar) {
     const Ray ray = session.camera.ray(at.x(), at.y(), kWidth, kHeight);
     const Eigen::Vector3d place = ray.origin + 0.3 * ray.direction;
-    HandMark mark{{place.cast<float>(), place.cast<float>()}, Eigen::Vector3d(0, 1.25, 0)};
+    GrabMark mark{{place.cast<float>(), place.cast<float>()}, Eigen::Vector3d(0, 1.25, 0)};
     const Image with = drawn({mark});
     int count = 0;
     for (int y = 0; y < kHeight; ++y)

@@ -22,7 +22,7 @@ struct Desk {
   Graphics graphics = open_graphics(headless(), false);
   Overlay overlay{graphics};
   Session session{graphics, open_scene(source_dir() / "assets/scenes/cube.json"), false};
-  ViewState state;
+  WindowState state;
 
   void frame(int width, int height, const std::function<void()>& draw) {
     Framebuffer framebuffer(width, height, 1);

@@ -14,7 +14,7 @@ using namespace fascia::test;
 namespace {
 
 /// Everything that a column can show, folded or not, in the window that ImGui has for what has none.
-void draw_everything(Session& session, ViewState& state, Requests& requests) {
+void draw_everything(Session& session, WindowState& state, Requests& requests) {
   scene_panel(session, state, requests);
   compare_panel(state, requests);
   material_panel(session.simulation, state, requests);
@@ -32,8 +32,8 @@ TEST_CASE("every widget of every panel has a text that explains it", "[panels]")
   Graphics graphics = open_graphics(headless(), false);
   Overlay overlay(graphics);
   Framebuffer framebuffer(340, 400, 1);
-  const std::vector<std::pair<const char*, Pair>> shown = {
-      {"inclusion", legal_pairs().front()},
+  const std::vector<std::pair<const char*, SolverChoice>> shown = {
+      {"inclusion", solver_choices().front()},
       {"cube", {Method::gauss_seidel, Acceleration::chebyshev}},
       {"cube", {Method::jacobi, Acceleration::anderson_positions}}};
   for (const auto& [name, pair] : shown) {
@@ -44,14 +44,14 @@ TEST_CASE("every widget of every panel has a text that explains it", "[panels]")
     scene.display.range = Eigen::Vector2d(0, 1e4);
     Session session(graphics, scene, false);
     session.simulation.gpu()->request_diagnostics();
-    ViewState state;
+    WindowState state;
     state.facts = SceneFacts(session.simulation.scene, session.simulation.model);
     state.statistics.diagnostics = session.simulation.gpu()->take_diagnostics(true);
     state.statistics.measured = true;
-    state.history.restart(dials_of(session, state.grab));
+    state.history.restart(tunables_of(session, state.grab));
     scene.solver.iterations += 1;
     session.simulation.set_settings(scene.solver);
-    state.history.follow(dials_of(session, state.grab));
+    state.history.follow(tunables_of(session, state.grab));
     Requests requests;
     session.draw(framebuffer);
     overlay.draw_headless(session, framebuffer, true, state.statistics.diagnostics, {},

@@ -38,7 +38,7 @@ TEST_CASE("counts of the shipped scenes", "[counts]") {
   CHECK(simulation.gpu()->buffers().tet_count == expected.tets_solved);
   CHECK(simulation.gpu()->dispatches_per_step() == expected.dispatches_per_step);
   // Beside the step's own: the regions' speeds, where there are regions.
-  const std::uint64_t measured = simulation.gpu()->buffers().tet_count >= Regions::kLeastTets ? 1 : 0;
+  const std::uint64_t measured = simulation.gpu()->buffers().tet_count >= RestingRegions::kLeastTets ? 1 : 0;
   CHECK(gl::dispatch_count() - before >=
         expected.dispatches_per_step + measured);            // more where the loops of one were not enough
   CHECK(simulation.programs()->size() == expected.kernels);  // with the one that tries the device

@@ -121,7 +121,7 @@ TEST_CASE("scenes that were turned at random come back from their command line t
           std::uniform_real_distribution<double>(double(min), double(max))(random));
     });
     if (chance()) {
-      const Pair pair = legal_pairs()[random() % legal_pairs().size()];
+      const SolverChoice pair = solver_choices()[random() % solver_choices().size()];
       now.solver.method = pair.method;
       now.solver.acceleration = pair.acceleration;
     }

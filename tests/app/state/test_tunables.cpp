@@ -13,10 +13,10 @@ using namespace fascia::test;
 
 namespace {
 
-Dials plain() {
-  Dials dials;
-  dials.materials.push_back({Material{}, {{"core", MaterialOverride{}}}});
-  return dials;
+Tunables plain() {
+  Tunables tunables;
+  tunables.materials.push_back({Material{}, {{"core", MaterialOverride{}}}});
+  return tunables;
 }
 
 double largest_difference(const State& a, const State& b) {
@@ -29,8 +29,8 @@ double largest_difference(const State& a, const State& b) {
 }  // namespace
 
 TEST_CASE("changes are named with their values, as people read them") {
-  const Dials before = plain();
-  Dials after = before;
+  const Tunables before = plain();
+  Tunables after = before;
   CHECK(changes(before, after).empty());
   after.solver.iterations = 40;
   after.materials[0].material.young_modulus = 2e4;
@@ -62,12 +62,12 @@ TEST_CASE("changes are named with their values, as people read them") {
 }
 
 TEST_CASE("every change is one entry, taken back and done again in its order") {
-  DialHistory history;
-  std::vector<Dials> states{plain()};
+  UndoHistory history;
+  std::vector<Tunables> states{plain()};
   history.restart(states[0]);
   CHECK_FALSE(history.can_undo());
   for (int i = 1; i <= 4; ++i) {
-    Dials next = states.back();
+    Tunables next = states.back();
     next.solver.iterations += i;
     states.push_back(next);
     history.follow(next);
@@ -75,26 +75,26 @@ TEST_CASE("every change is one entry, taken back and done again in its order") {
   }
   CHECK(history.entries().size() == 4);
   for (int i = 3; i >= 1; --i) {
-    const Dials back = history.undo();
+    const Tunables back = history.undo();
     CHECK(back == states[i]);
     history.accept(back);
   }
   CHECK(history.redone_next().text == "Iterations: 11 to 13");
-  const Dials again = history.redo();
+  const Tunables again = history.redo();
   CHECK(again == states[2]);
   history.accept(again);
   history.follow(again);
   CHECK(history.can_redo());
 
   INFO("a new change ends what could be done again");
-  Dials other = again;
+  Tunables other = again;
   other.gravity.x() = 1;
   history.follow(other);
   CHECK_FALSE(history.can_redo());
   CHECK(history.entries().size() == 3);
 
   INFO("what a replay changes is nobody's entry");
-  Dials replayed = other;
+  Tunables replayed = other;
   replayed.solver.substeps = 3;
   history.accept(replayed);
   history.follow(replayed);
@@ -105,7 +105,7 @@ TEST_CASE("every change is one entry, taken back and done again in its order") {
     replayed.solver.iterations = 50 + i % 7;
     history.follow(replayed);
   }
-  CHECK(history.entries().size() == DialHistory::kMostEntries);
+  CHECK(history.entries().size() == UndoHistory::kMostEntries);
   while (history.can_undo()) history.accept(history.undo());
 }
 
@@ -115,10 +115,10 @@ TEST_CASE("a session is turned and taken back to the bit, region by region, whil
   Session session(graphics, scene, false);
   Simulation& simulation = session.simulation;
   GrabSettings grab;
-  const Dials opened = dials_of(session, grab);
+  const Tunables opened = tunables_of(session, grab);
   for (int i = 0; i < 3; ++i) simulation.step();
 
-  Dials turned = opened;
+  Tunables turned = opened;
   REQUIRE(turned.materials[0].region_materials.size() == 1);
   turned.materials[0].material.young_modulus *= 3;
   turned.materials[0].region_materials.clear();  // the region has the default again
@@ -127,8 +127,8 @@ TEST_CASE("a session is turned and taken back to the bit, region by region, whil
   turned.display.color = ColorBy::strain;
   turned.grab.grip = 9;
   const State before = simulation.state();
-  set_dials(session, grab, turned);
-  CHECK(dials_of(session, grab) == turned);
+  set_tunables(session, grab, turned);
+  CHECK(tunables_of(session, grab) == turned);
   CHECK(simulation.model.materials.size() == 1);
   CHECK(simulation.gpu()->color() == ColorBy::strain);
   CHECK(largest_difference(before, simulation.state()) == 0);  // the state stays
@@ -136,8 +136,8 @@ TEST_CASE("a session is turned and taken back to the bit, region by region, whil
   for (int i = 0; i < 2; ++i) simulation.step();
   CHECK_FALSE(simulation.check_now());
 
-  set_dials(session, grab, opened);
-  CHECK(dials_of(session, grab) == opened);
+  set_tunables(session, grab, opened);
+  CHECK(tunables_of(session, grab) == opened);
   CHECK(simulation.model.materials == build_model(scene).materials);
   CHECK(simulation.model.tet_material == build_model(scene).tet_material);
   simulation.step();
@@ -156,20 +156,20 @@ TEST_CASE("a session is turned and taken back to the bit, region by region, whil
 TEST_CASE("an entry that names no region changes nothing") {
   Graphics graphics = open_graphics(headless(), false);
   Session session(graphics, open_scene(source_dir() / "assets/scenes/inclusion.json"), false);
-  std::vector<MaterialEntries> entries = dials_of(session, {}).materials;
+  std::vector<MaterialEntries> entries = tunables_of(session, {}).materials;
   entries[0].region_materials.emplace_back("nowhere", MaterialOverride{});
-  const Dials before = dials_of(session, {});
+  const Tunables before = tunables_of(session, {});
   CHECK_THROWS_WITH(session.simulation.set_material_entries(entries), Catch::Contains("nowhere"));
-  CHECK(dials_of(session, {}) == before);
+  CHECK(tunables_of(session, {}) == before);
 }
 
 TEST_CASE("a uniform scene whose regions are made alike reads no material per tet") {
   Graphics graphics = open_graphics(headless(), false);
   Session session(graphics, open_scene(source_dir() / "assets/scenes/inclusion.json"), false);
   CHECK(session.simulation.gpu()->buffers().material_per_tet());
-  Dials dials = dials_of(session, {});
-  dials.materials[0].region_materials.clear();
+  Tunables tunables = tunables_of(session, {});
+  tunables.materials[0].region_materials.clear();
   GrabSettings grab;
-  set_dials(session, grab, dials);
+  set_tunables(session, grab, tunables);
   CHECK_FALSE(session.simulation.gpu()->buffers().material_per_tet());
 }

@@ -18,7 +18,7 @@ TEST_CASE("user settings survive a round trip, and a missing file is a new user"
   settings.recent = {"/a/b c.json", "/d/\xc3\xa9.msh"};
   settings.folder = "/a";
   settings.hints_done = {"grab"};
-  settings.welcomed = settings.light = true;
+  settings.first_run_done = settings.light = true;
   write_user_settings(folder / "deep/settings.json", settings);
   CHECK(read_user_settings(folder / "deep/settings.json") == settings);
 }
@@ -47,7 +47,7 @@ TEST_CASE("broken settings are told of, kept aside and replaced") {
   write_file(folder / "settings.json", broken);
   CHECK_THROWS_AS(read_user_settings(folder / "settings.json"), Error);
   UserStore store(folder.path());
-  CHECK_THAT(store.complaint(), Catch::Contains("settings.json") && Catch::Contains("expected"));
+  CHECK_THAT(store.warning(), Catch::Contains("settings.json") && Catch::Contains("expected"));
   CHECK(store.now() == UserSettings());
   store.change([](UserSettings& settings) { settings.opened("/a.msh"); });
   CHECK(read_file(folder / "settings.json.broken") == broken);
@@ -68,12 +68,12 @@ TEST_CASE("settings that cannot be written are told of once and do no harm") {
   write_file(folder / "file", "no folder");
   UserStore store(folder / "file");
   store.change([](UserSettings& settings) { settings.opened("/a.msh"); });
-  CHECK_FALSE(store.complaint().empty());
+  CHECK_FALSE(store.warning().empty());
   CHECK(store.now().recent.size() == 1);
   UserStore nowhere((std::filesystem::path()));
-  nowhere.change([](UserSettings& settings) { settings.welcomed = true; });
-  CHECK(nowhere.now().welcomed);
-  CHECK(nowhere.complaint().empty());
+  nowhere.change([](UserSettings& settings) { settings.first_run_done = true; });
+  CHECK(nowhere.now().first_run_done);
+  CHECK(nowhere.warning().empty());
 }
 
 TEST_CASE("the user's folders follow the environment, and only absolute paths in it") {

@@ -54,7 +54,7 @@ struct Recorded {
   void end() { recording.note_state(simulation.steps_made(), state_hash(simulation.state())); }
 };
 
-std::vector<GrabSpring> hand(const Model& model, const Vector3d& offset) {
+std::vector<GrabSpring> grab(const Model& model, const Vector3d& offset) {
   std::vector<GrabSpring> springs;
   for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
     if (model.rest_positions[v].x() > 0.9) springs.push_back({v, Vector3d(0.001 * v, 0, 0) + offset, 500});
@@ -86,11 +86,11 @@ TEST_CASE(
     }
   };
   steps(3);
-  for (int i = 0; i < 12; ++i) {  // a slider that is dragged while a hand pulls
+  for (int i = 0; i < 12; ++i) {  // a slider that is dragged while a grab pulls
     Material material = simulation.model.materials[0];
     material.young_modulus *= 0.8;
     simulation.set_material(0, material);
-    simulation.set_grab(hand(simulation.model, {0.01 * i, -0.02 * i, 0}));
+    simulation.set_grab(grab(simulation.model, {0.01 * i, -0.02 * i, 0}));
     steps(1);
   }
   SolverSettings settings = simulation.scene.solver;
@@ -114,7 +114,7 @@ TEST_CASE(
   Material stiff = simulation.model.materials[0];
   stiff.young_modulus = 4e5;
   simulation.set_material(0, stiff);
-  simulation.back_to_sound();
+  simulation.back_to_valid();
   simulation.begin_anew();
   steps(12);
   live.end();
@@ -136,7 +136,7 @@ TEST_CASE("iterations that fitted into a frame budget are replayed", "[session]"
   bar.scene.solver.iterations = 30;
   const std::filesystem::path path = bar.folder / "session.fascia";
   Recorded live(bar, path);
-  live.simulation.set_grab(hand(live.simulation.model, {0, 0.1, 0}));
+  live.simulation.set_grab(grab(live.simulation.model, {0, 0.1, 0}));
   live.steps(25);
   live.end();
   const Replay replay = read_replay(path);
@@ -152,7 +152,7 @@ TEST_CASE("a session that sleeps and is woken is replayed", "[session]") {
   Recorded live(bar, path);
   live.steps(100);
   CHECK(live.simulation.asleep());
-  live.simulation.set_grab(hand(live.simulation.model, {0, 0.05, 0}));
+  live.simulation.set_grab(grab(live.simulation.model, {0, 0.05, 0}));
   live.steps(30);
   live.simulation.set_grab({});
   live.steps(11);
@@ -165,14 +165,14 @@ TEST_CASE("tissue that came apart and was led back is replayed", "[session]") {
   const std::filesystem::path path = bar.folder / "session.fascia";
   Recorded live(bar, path);
   live.steps(21);
-  auto torn = hand(live.simulation.model, {1e25, 0, 0});
+  auto torn = grab(live.simulation.model, {1e25, 0, 0});
   for (GrabSpring& spring : torn) spring.stiffness = 1e20;
   live.simulation.set_grab(torn);
-  for (int i = 0; i < 60 && !live.simulation.astray(); ++i) live.steps(1);
-  REQUIRE(live.simulation.astray());
+  for (int i = 0; i < 60 && !live.simulation.diverged(); ++i) live.steps(1);
+  REQUIRE(live.simulation.diverged());
   live.steps(2);  // a window may notice late
   live.simulation.set_grab({});
-  live.simulation.back_to_sound();
+  live.simulation.back_to_valid();
   live.simulation.begin_anew();
   live.steps(10);
   live.end();
@@ -181,7 +181,7 @@ TEST_CASE("tissue that came apart and was led back is replayed", "[session]") {
   again.play(replay);
   for (long i = 0; i < replay.steps; ++i) {
     again.step();
-    REQUIRE_FALSE(again.astray());  // for it will be led back
+    REQUIRE_FALSE(again.diverged());  // for it will be led back
   }
   CHECK(hash_text(state_hash(again.state())) == hash_text(*replay.hash));
 }
@@ -190,17 +190,17 @@ TEST_CASE("a session that ends with a reset or a return to the last sound state 
   const Bar bar(6, 2);
   const std::filesystem::path path = bar.folder / "session.fascia";
   Recorded live(bar, path);
-  live.simulation.set_grab(hand(live.simulation.model, {0, 0.1, 0}));
+  live.simulation.set_grab(grab(live.simulation.model, {0, 0.1, 0}));
   const bool torn = GENERATE(false, true);
   live.steps(torn ? 21 : 7);
   if (torn) {
-    auto pull = hand(live.simulation.model, {1e25, 0, 0});
+    auto pull = grab(live.simulation.model, {1e25, 0, 0});
     for (GrabSpring& spring : pull) spring.stiffness = 1e20;
     live.simulation.set_grab(pull);
-    for (int i = 0; i < 60 && !live.simulation.astray(); ++i) live.steps(1);
-    REQUIRE(live.simulation.astray());
+    for (int i = 0; i < 60 && !live.simulation.diverged(); ++i) live.steps(1);
+    REQUIRE(live.simulation.diverged());
     live.simulation.set_grab({});
-    live.simulation.back_to_sound();
+    live.simulation.back_to_valid();
     live.simulation.begin_anew();
   } else {
     live.simulation.set_grab({});
@@ -213,7 +213,7 @@ TEST_CASE("a session that ends with a reset or a return to the last sound state 
   again.play(replay);
   for (long i = 0; i < replay.steps; ++i) {
     again.step();
-    REQUIRE_FALSE(again.astray());
+    REQUIRE_FALSE(again.diverged());
   }
   CHECK_FALSE(again.check_now());
   CHECK(hash_text(state_hash(again.state())) == hash_text(*replay.hash));
@@ -230,7 +230,7 @@ TEST_CASE("a recording that begins in mid-session is replayed to the bit", "[ses
     bar.scene.solver.iterations = 30;
   }
   Recorded live(bar, bar.folder / "first.fascia");
-  live.simulation.set_grab(hand(live.simulation.model, {0, 0.02, 0}));
+  live.simulation.set_grab(grab(live.simulation.model, {0, 0.02, 0}));
   live.steps(13);  // between two looks
   live.simulation.set_grab({});
   Material soft = live.simulation.model.materials[0];
@@ -248,7 +248,7 @@ TEST_CASE("a recording that begins in mid-session is replayed to the bit", "[ses
   SessionRecording second(path, beginning);
   live.simulation.set_listener([&](const Input& input) { second.add({input.step - before, input.change}); });
   live.steps(40);
-  live.simulation.set_grab(hand(live.simulation.model, {0, 0.001, 0}));
+  live.simulation.set_grab(grab(live.simulation.model, {0, 0.001, 0}));
   live.steps(9);
   live.simulation.set_grab({});
   live.steps(30);
@@ -308,7 +308,7 @@ TEST_CASE("a replay that is taken over goes on, and its own recording has all of
   const Bar bar(6, 2);
   const std::filesystem::path path = bar.folder / "first.fascia", second_path = bar.folder / "second.fascia";
   Recorded live(bar, path);
-  live.simulation.set_grab(hand(live.simulation.model, {0, 0.1, 0}));
+  live.simulation.set_grab(grab(live.simulation.model, {0, 0.1, 0}));
   live.steps(12);
   live.end();
   Recorded second(bar, second_path);

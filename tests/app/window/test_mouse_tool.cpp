@@ -28,7 +28,7 @@ struct Replayed {
 
 }  // namespace
 
-TEST_CASE("letting go of all hands that stay leaves those of a replay alone") {
+TEST_CASE("letting go of all grabs that stay leaves those of a replay alone") {
   Replayed played;
   Simulation& simulation = played.session.simulation;
   MouseTool mouse;

@@ -188,7 +188,7 @@ TEST_CASE("tissue is dragged, a slider moved and keys pressed in the window") {
   };
   CHECK(eventually([&] { return difference(panels_of(wire), panels_of(window.screenshot())).share > 0.5; }));
 
-  INFO("closing while the hand still pulls writes the deformed state");
+  INFO("closing while the grab still pulls writes the deformed state");
   const Screenshot alone = window.screenshot();  // without panels the scene lies in the middle of the window
   window.key("space");
   window.move(kMiddle, kHeight / 2);
@@ -306,7 +306,7 @@ TEST_CASE("hidden: the device is reset", "[.]") {
   options.quiet = true;
   options.input = "cube.json";
   Graphics graphics = open_graphics(options, true, options.width, options.height);
-  ViewWindow window(graphics, options, open_input(options, {}));
+  Window window(graphics, options, open_input(options, {}));
   static int asked = 0;
   gl::GetGraphicsResetStatus = [] { return ++asked < 20 ? GLenum(GL_NO_ERROR) : GLenum(GL_INNOCENT_CONTEXT_RESET); };
   std::string said;

@@ -148,7 +148,7 @@ TEST_CASE("an example opens with one click, and the gallery was offered to someb
     window.key("Escape");
     return window.screenshot().title.find("Beam") != std::string::npos;
   }));
-  CHECK(read_user_settings(desk.display.settings()).welcomed);
+  CHECK(read_user_settings(desk.display.settings()).first_run_done);
   window.key("ctrl+q");
   CHECK(window.wait() == 0);
 }

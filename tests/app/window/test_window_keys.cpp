@@ -40,7 +40,7 @@ TEST_CASE("keys with Ctrl and Shift that are pressed and let go within a frame r
   CHECK(window.wait() == 0);
 }
 
-TEST_CASE("Escape closes a list of the panels, and hands that stay hold on") {
+TEST_CASE("Escape closes a list of the panels, and grabs that stay hold on") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
   write_file(folder / "cube.json", cube_scene("Test cube", 2e4));

@@ -157,7 +157,7 @@ TEST_CASE("a session whose sides were swapped is replayed to the bit, also where
 }
 
 TEST_CASE(
-    "a section plane that was dragged is taken back in one piece; a hand at the second side goes with it, and the "
+    "a section plane that was dragged is taken back in one piece; a grab at the second side goes with it, and the "
     "wheel zooms both") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);

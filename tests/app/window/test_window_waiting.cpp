@@ -46,7 +46,7 @@ TEST_CASE("a window says that it compiles kernels, then goes on with what was do
   const Image rest = right_part(window.screenshot().image, kPanels);
   window.move((kPanels + kWidth) / 2, kHeight / 2);
   window.press();
-  window.move((kPanels + kWidth) / 2 + 160, kHeight / 2 - 60);  // while what a hand needs is compiled
+  window.move((kPanels + kWidth) / 2 + 160, kHeight / 2 - 60);  // while what a grab needs is compiled
   CHECK(eventually([&] { return difference(rest, right_part(window.screenshot().image, kPanels)).share > 0.02; }));
   window.key("ctrl+q");
   CHECK(window.wait() == 0);
@@ -92,7 +92,7 @@ TEST_CASE(
   CHECK(slow(waits) == 0);
   window.move(4, 4);  // over nothing
   becomes_idle();
-  const ImageDifference stirred = difference(waits, shown());
-  CAPTURE(stirred.mean, stirred.share);
-  CHECK(stirred.share == 0);
+  const ImageDifference woken = difference(waits, shown());
+  CAPTURE(woken.mean, woken.share);
+  CHECK(woken.share == 0);
 }

@@ -132,7 +132,7 @@ TEST_CASE("the transpose of a coarse space has its entries") {
 TEST_CASE("coarse nodes lie in the order of their vertices, those with as many side by side") {
   const Model model =
       make_model(make_box(40, 8, 8, {1, 0.2, 0.2}), kTissue, [](const Vector3d& x) { return x.x() < 1e-9; });
-  const CoarseSpace space = make_coarse_space(placed(model, placement_of(model)), 250);
+  const CoarseSpace space = make_coarse_space(placed(model, mesh_order_of(model)), 250);
   const CoarseTranspose columns = transpose(space);
   REQUIRE(space.node_count > 200);
   const auto entries = [&](std::uint32_t j) { return columns.begin[j + 1] - columns.begin[j]; };

@@ -52,7 +52,7 @@ struct Compared {
 
 TEST_CASE("fused steps are those of passes one by one", "[gpu][.threads]") {
   struct Case {
-    Pair pair;
+    SolverChoice pair;
     double damping;
     bool grab;
     int colors = 0;
@@ -84,9 +84,9 @@ TEST_CASE("fused steps are those of passes one by one", "[gpu][.threads]") {
   CHECK(c.fused.dispatches_per_step() < c.alone.dispatches_per_step() / 3);
 
   if (grab) {
-    const std::vector<GrabSpring> hand{{3, {0.02, 0.01, 0}, 50}, {20, {0.3, 0.05, 0.02}, 50}};
-    c.alone.set_grab(hand);
-    c.fused.set_grab(hand);
+    const std::vector<GrabSpring> grab{{3, {0.02, 0.01, 0}, 50}, {20, {0.3, 0.05, 0.02}, 50}};
+    c.alone.set_grab(grab);
+    c.fused.set_grab(grab);
   }
   for (int i = 0; i < 2; ++i) c.step();
   CHECK(c.differences() == 0);
@@ -100,7 +100,8 @@ TEST_CASE("fused steps are those of passes one by one", "[gpu][.threads]") {
 
 TEST_CASE("fused steps of larger meshes are those of passes one by one", "[gpu][.threads]") {
   // More than the loops of one dispatch: what a kernel has of them must have been told right.
-  const Pair pair = GENERATE(Pair{Method::jacobi, Acceleration::none}, Pair{Method::two_level, Acceleration::subspace});
+  const SolverChoice pair = GENERATE(SolverChoice{Method::jacobi, Acceleration::none},
+                                     SolverChoice{Method::two_level, Acceleration::subspace});
   CAPTURE(name_of(pair.method));
   SolverSettings settings = with(pair);
   settings.iterations = 40;  // for five threads, too
@@ -118,12 +119,12 @@ TEST_CASE("fused steps leave the same regions at rest", "[gpu][.threads]") {
   // Two beams of which one is pulled at.
   Model model = two_bars(16, 0.4, {2e6, 0.4, 1000, 0.1, MaterialModel::signed_st_venant_kirchhoff});
   model.gravity.setZero();
-  SolverSettings settings = with(Pair{Method::two_level, Acceleration::subspace});
+  SolverSettings settings = with(SolverChoice{Method::two_level, Acceleration::subspace});
   settings.rest_speed = 1e-3;
   Compared c(std::move(model), settings);
-  const std::vector<GrabSpring> hand{{static_cast<std::uint32_t>(c.model.rest_positions.size() - 1), {0, 0.05, 0}, 20}};
-  c.alone.set_grab(hand);
-  c.fused.set_grab(hand);
+  const std::vector<GrabSpring> grab{{static_cast<std::uint32_t>(c.model.rest_positions.size() - 1), {0, 0.05, 0}, 20}};
+  c.alone.set_grab(grab);
+  c.fused.set_grab(grab);
   for (int i = 0; i < 30; ++i) c.step();
   CAPTURE(c.alone.share_solved());
   CHECK(c.fused.share_solved() < 1);

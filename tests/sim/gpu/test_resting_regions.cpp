@@ -44,7 +44,7 @@ TEST_CASE("a poke into a resting sheet moves it as whole steps do", "[gpu]") {
       GENERATE(Case{Acceleration::subspace, 0, 1e-5, 0.9}, Case{Acceleration::subspace, 0.02, 1e-5, 0.75},
                Case{Acceleration::nonlinear_cg, 0.02, 1e-5, 0.75}, Case{Acceleration::subspace, 0.02, 1e-3, 0.6});
   const double damping = with_case.damping;
-  SolverSettings settings = with(Pair{Method::two_level, with_case.acceleration});
+  SolverSettings settings = with(SolverChoice{Method::two_level, with_case.acceleration});
   settings.rest_speed = with_case.rest_speed;
   CAPTURE(name_of(settings.acceleration), damping, settings.rest_speed);
   Gpu gpu;
@@ -84,7 +84,7 @@ TEST_CASE("a poke into a resting sheet moves it as whole steps do", "[gpu]") {
 TEST_CASE("a body at rest beside one that moves costs next to nothing and keeps its bits", "[gpu]") {
   Gpu gpu;
   const Model model = two_stiff_bars();
-  GpuSolver solver(gpu.programs, model, with(Pair{Method::two_level, Acceleration::subspace}));
+  GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::two_level, Acceleration::subspace}));
   for (int i = 0; i < 300; ++i) solver.step();
   const std::uint32_t tip = vertex_at(model, {0.6, 0.05, 0.05});
   const auto vertices = static_cast<std::uint32_t>(model.rest_positions.size()) / 2;
@@ -117,7 +117,7 @@ TEST_CASE("steps with resting regions repeat bit for bit, from a checked state t
   Gpu gpu;
   const Model model = two_stiff_bars();
   const std::uint32_t tip = vertex_at(model, {0.6, 0.05, 0.05});
-  GpuSolver solver(gpu.programs, model, with(Pair{Method::two_level, Acceleration::subspace}));
+  GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::two_level, Acceleration::subspace}));
   for (int i = 0; i < 304; ++i) {
     solver.step();
     if (i % 8 != 7) continue;
@@ -135,7 +135,7 @@ TEST_CASE("steps with resting regions repeat bit for bit, from a checked state t
   CHECK_FALSE(solver.last_was_whole());
   const State checked = solver.download();
   std::vector<State> states;
-  GpuSolver again(gpu.programs, model, with(Pair{Method::two_level, Acceleration::subspace}));
+  GpuSolver again(gpu.programs, model, with(SolverChoice{Method::two_level, Acceleration::subspace}));
   again.upload(checked);
   for (int i = 24; i < 40; ++i) {
     pull(solver, i);
@@ -158,9 +158,9 @@ TEST_CASE("steps with resting regions repeat bit for bit, from a checked state t
 TEST_CASE("looking between steps with resting regions leaves their bits alone", "[gpu]") {
   Gpu gpu;
   Model model = sheet(0.02);
-  // So that resting tets hold much energy, and a hand that jerks makes steps that raise the objective
+  // So that resting tets hold much energy, and a grab that jerks makes steps that raise the objective
   model.gravity *= 4;
-  SolverSettings settings = with(Pair{Method::two_level, Acceleration::subspace});
+  SolverSettings settings = with(SolverChoice{Method::two_level, Acceleration::subspace});
   settings.rest_speed = 1e-3;
   settings.iterations = 10;
   GpuSolver unseen(gpu.programs, model, settings);

@@ -25,7 +25,7 @@ double largest(const std::vector<Vector3d>& values) {
 
 TEST_CASE("rest without gravity is an equilibrium, to the bit", "[gpu]") {
   const double damping = GENERATE(0.0, 0.02);
-  const Pair pair = any_pair();
+  const SolverChoice pair = any_pair();
   CAPTURE(name_of(pair.method), name_of(pair.acceleration));
   Gpu gpu;
   const Model model = free_bar(damping);
@@ -38,7 +38,7 @@ TEST_CASE("rest without gravity is an equilibrium, to the bit", "[gpu]") {
 
 TEST_CASE("a rigidly moving body stays rigid", "[gpu]") {
   // A free body in translation.
-  const Pair pair = any_pair();
+  const SolverChoice pair = any_pair();
   CAPTURE(name_of(pair.method), name_of(pair.acceleration));
   Gpu gpu;
   const Model model = free_bar(GENERATE(0.0, 0.02));
@@ -59,7 +59,7 @@ TEST_CASE("what is still computed when the first step begins is waited for", "[g
   Gpu gpu;
   const Model model = bar();
   const auto after_steps = [&](bool wait) {
-    GpuSolver solver(gpu.programs, model, with(Pair{Method::two_level, Acceleration::subspace}));
+    GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::two_level, Acceleration::subspace}));
     while (wait && !solver.ready()) std::this_thread::yield();
     for (int i = 0; i < 3; ++i) solver.step();
     CHECK(solver.ready());
@@ -72,7 +72,7 @@ TEST_CASE("what is still computed when the first step begins is waited for", "[g
 }
 
 TEST_CASE("a rotated body at rest feels no force", "[gpu]") {
-  const Pair pair = any_pair();
+  const SolverChoice pair = any_pair();
   CAPTURE(name_of(pair.method), name_of(pair.acceleration));
   Gpu gpu;
   const Model model = free_bar();
@@ -93,7 +93,7 @@ TEST_CASE("a rotated body at rest feels no force", "[gpu]") {
 
 TEST_CASE("a single tet keeps its momentum without gravity", "[gpu]") {
   // With one constraint per vertex averaging changes nothing, so the pairs of corrections cancel.
-  const Pair pair = any_pair();
+  const SolverChoice pair = any_pair();
   CAPTURE(name_of(pair.method), name_of(pair.acceleration));
   Gpu gpu;
   TetMesh mesh;
@@ -142,7 +142,7 @@ TEST_CASE(
     "the same steps give the same bits: run to run and context to context, and from load path to load path without "
     "sums",
     "[gpu]") {
-  const Pair pair = any_pair();
+  const SolverChoice pair = any_pair();
   CAPTURE(name_of(pair.method), name_of(pair.acceleration));
   const auto positions = [&](gl::LoadPath loads, const std::string& context) {
     Gpu gpu(loads, context);
@@ -170,7 +170,7 @@ TEST_CASE(
 }
 
 TEST_CASE("every pair of method and acceleration repeats bit for bit, looked at or not", "[gpu]") {
-  const Pair pair = GENERATE(from_range(legal_pairs()));
+  const SolverChoice pair = GENERATE(from_range(solver_choices()));
   SolverSettings settings;
   settings.method = pair.method;
   settings.acceleration = pair.acceleration;
@@ -206,7 +206,7 @@ TEST_CASE("an acceleration that was switched off leaves nothing behind, to the b
   const Model model = bar();
   const auto run = [&](bool accelerated_before) {
     GpuSolver solver(gpu.programs, model, with(method));
-    for (const Pair& pair : legal_pairs()) {
+    for (const SolverChoice& pair : solver_choices()) {
       SolverSettings settings = with(pair.method);
       settings.acceleration = pair.acceleration;
       settings.colors = 6;

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 using shared::vec4;
 
 TEST_CASE("sliders act on the next step without new buffers or programs", "[gpu]") {
-  const Pair pair = any_pair();
+  const SolverChoice pair = any_pair();
   CAPTURE(name_of(pair.method), name_of(pair.acceleration));
   Gpu gpu;
   Model model = bar();
@@ -75,7 +75,7 @@ TEST_CASE("features that are off cost no dispatch, no program and no byte", "[gp
   CHECK(gl::allocated_bytes() - with_damping == 2 * (4 + 16 + 16));
   settings.method = Method::gauss_seidel;  // the other method's memory goes, its own comes
   solver.set_settings(settings);
-  const std::size_t colors = solver.gauss_seidel()->coloring().color_count();
+  const std::size_t colors = solver.coloring()->color_count();
   CAPTURE(colors);
   CHECK(solver.dispatches_per_step() == 2 * (2 + 7 * (colors + 1) + 1));
   CHECK(gl::allocated_bytes() - bytes_of_slots() + of_pairs - with_damping == 2 * (4 + 16 + 16));
@@ -92,7 +92,7 @@ TEST_CASE("features that are off cost no dispatch, no program and no byte", "[gp
   settings.acceleration = Acceleration::none;
   settings.colors = 5;
   solver.set_settings(settings);
-  const std::size_t phantoms = solver.gauss_seidel()->coloring().phantom_vertex.size();
+  const std::size_t phantoms = solver.coloring()->phantom_vertex.size();
   CAPTURE(phantoms);
   CHECK(solver.dispatches_per_step() ==
         2 * (2 + 7 * (5 + 2 + 1) + 1));  // split and merge beside the colors and the grab
@@ -108,7 +108,7 @@ TEST_CASE("features that are off cost no dispatch, no program and no byte", "[gp
 }
 
 TEST_CASE("neutral values equal the feature switched off, to the bit", "[gpu]") {
-  const Pair pair = any_pair();
+  const SolverChoice pair = any_pair();
   CAPTURE(name_of(pair.method), name_of(pair.acceleration));
   Gpu gpu;
   const auto run = [&](bool two_equal_materials) {

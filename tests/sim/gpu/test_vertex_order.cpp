@@ -81,7 +81,7 @@ std::vector<Vector3d> published(GpuSolver& solver, std::size_t first, std::size_
 }  // namespace
 
 TEST_CASE("the order of a mesh's vertices changes nothing", "[gpu]") {
-  const Pair pair = any_pair();
+  const SolverChoice pair = any_pair();
   CAPTURE(name_of(pair.method), name_of(pair.acceleration));
   Gpu gpu;
   const Model model = moved_bar();
@@ -130,11 +130,11 @@ TEST_CASE("the order of a mesh's vertices changes nothing", "[gpu]") {
   CHECK(d->elastic == e->elastic);
 }
 
-TEST_CASE("hands, lost vertices, kept states and snapshots go by the model's vertices", "[gpu]") {
+TEST_CASE("grabs, lost vertices, kept states and snapshots go by the model's vertices", "[gpu]") {
   Gpu gpu;
   const Renumbered renumbered(bar());
   const Model& model = renumbered.model;
-  GpuSolver solver(gpu.programs, model, with(Pair{Method::jacobi, Acceleration::none}));
+  GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::jacobi, Acceleration::none}));
   const std::uint32_t held = renumbered.to[70];
 
   // One vertex is pulled, and it is that one which moves farthest.
@@ -146,8 +146,8 @@ TEST_CASE("hands, lost vertices, kept states and snapshots go by the model's ver
   CHECK(farthest - pulled.displacement.begin() == held);
   solver.request_diagnostics();
   const auto diagnostics = solver.take_diagnostics(true);
-  REQUIRE(diagnostics->hand_forces.size() == 1);
-  CHECK(diagnostics->hand_forces[0].force.z() > 0);
+  REQUIRE(diagnostics->grab_forces.size() == 1);
+  CHECK(diagnostics->grab_forces[0].force.z() > 0);
 
   StepSnapshot snapshot;
   snapshot.request(solver.buffers());
@@ -156,8 +156,8 @@ TEST_CASE("hands, lost vertices, kept states and snapshots go by the model's ver
   CHECK(differences(taken->solution, pulled.displacement) == 0);
 
   solver.request_check();
-  REQUIRE_FALSE(solver.take_check(true)->astray);
-  CHECK(differences(solver.download_sound().displacement, pulled.displacement) == 0);
+  REQUIRE_FALSE(solver.take_check(true)->diverged);
+  CHECK(differences(solver.download_valid().displacement, pulled.displacement) == 0);
 
   // One iteration carries what is lost no farther than to the neighbors: a wrong number would name a vertex that is
   // finite.
@@ -171,6 +171,6 @@ TEST_CASE("hands, lost vertices, kept states and snapshots go by the model's ver
   solver.step();
   solver.request_check();
   const auto verdict = solver.take_check(true);
-  REQUIRE(verdict->astray);
-  CHECK_FALSE(solver.download().displacement[*verdict->astray].allFinite());
+  REQUIRE(verdict->diverged);
+  CHECK_FALSE(solver.download().displacement[*verdict->diverged].allFinite());
 }

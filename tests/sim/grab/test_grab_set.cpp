@@ -1,4 +1,4 @@
-// Several hands at once: the force of each against double precision, the balance of forces, violent ones.
+// Several grabs at once: the force of each against double precision, the balance of forces, violent ones.
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -33,7 +33,7 @@ Vector3d weight_of(const Model& model) {
 }
 
 // Two overlapping patches at the lower end.
-std::vector<GrabSpring> two_hands(const Model& model) {
+std::vector<GrabSpring> two_grabs(const Model& model) {
   std::vector<GrabSpring> springs;
   const std::array<Vector3d, 2> at{Vector3d(0.03, 0, 0.05), Vector3d(0.07, 0, 0.05)},
       to{Vector3d(0.02, -0.01, 0), Vector3d(-0.005, 0.02, 0.01)};
@@ -53,7 +53,7 @@ double largest_displacement(const State& state) {
 
 struct Surface {
   explicit Surface(const Model& model) : drawn{boundary_triangles(model.tets), model.rest_positions} {}
-  DrawnSurface drawn;
+  VisualSurface drawn;
   Hit hit(const Model& model, const Ray& ray) const {
     const auto found = pick(ray, drawn.triangles, model.rest_positions);
     REQUIRE(found);
@@ -65,15 +65,15 @@ Ray from_front(double x, double y) { return {{x, y, 1}, -Vector3d::UnitZ()}; }
 
 }  // namespace
 
-TEST_CASE("the force of each of two overlapping hands is that of the exact step") {
+TEST_CASE("the force of each of two overlapping grabs is that of the exact step") {
   const Model model = hanging_beam();
-  const std::vector<GrabSpring> springs = two_hands(model);
+  const std::vector<GrabSpring> springs = two_grabs(model);
   std::vector<std::uint32_t> place;
   REQUIRE(joined(springs, place).size() < springs.size());  // the patches share vertices
   SolverSettings settings;
   settings.iterations = 60;
-  const Pair pair =
-      GENERATE(Pair{Method::two_level, Acceleration::subspace}, Pair{Method::vertex_descent, Acceleration::anderson});
+  const SolverChoice pair = GENERATE(SolverChoice{Method::two_level, Acceleration::subspace},
+                                     SolverChoice{Method::vertex_descent, Acceleration::anderson});
   settings.method = pair.method;
   settings.acceleration = pair.acceleration;
   test::Gpu gpu;
@@ -89,37 +89,37 @@ TEST_CASE("the force of each of two overlapping hands is that of the exact step"
   }
   solver.request_diagnostics();
   d = *solver.take_diagnostics(true);
-  const std::vector<HandForce> expected = forces_of_hands(springs, exact.displacement);
-  REQUIRE(d.hand_forces.size() == 2);
+  const std::vector<GrabForce> expected = forces_of_grabs(springs, exact.displacement);
+  REQUIRE(d.grab_forces.size() == 2);
   Vector3d sum(0, 0, 0);
   for (std::size_t h = 0; h < 2; ++h) {
-    CAPTURE(name_of(pair.method), h, d.hand_forces[h].force.transpose(), expected[h].force.transpose());
-    CHECK(d.hand_forces[h].hand == h);
+    CAPTURE(name_of(pair.method), h, d.grab_forces[h].force.transpose(), expected[h].force.transpose());
+    CHECK(d.grab_forces[h].grab == h);
     // The step is solved to 1e-3 of its motion or better, and forces are stiffness times that.
-    CHECK((d.hand_forces[h].force - expected[h].force).norm() < 2e-3 * expected[h].force.norm());
-    sum += d.hand_forces[h].force;
+    CHECK((d.grab_forces[h].force - expected[h].force).norm() < 2e-3 * expected[h].force.norm());
+    sum += d.grab_forces[h].force;
   }
-  CHECK((sum - d.grab_force).norm() < 1e-5 * (d.hand_forces[0].force.norm() + d.hand_forces[1].force.norm()));
+  CHECK((sum - d.grab_force).norm() < 1e-5 * (d.grab_forces[0].force.norm() + d.grab_forces[1].force.norm()));
 
   solver.set_grab({});
   solver.step();
   solver.request_diagnostics();
-  CHECK(solver.take_diagnostics(true)->hand_forces.empty());
+  CHECK(solver.take_diagnostics(true)->grab_forces.empty());
 }
 
 TEST_CASE(
-    "a hanging beam with a hand: the supports carry its weight and the pull, and the balance says whether a step is "
+    "a hanging beam with a grab: the supports carry its weight and the pull, and the balance says whether a step is "
     "solved") {
   const Model model = hanging_beam();
   const Vector3d weight = weight_of(model);
-  const std::vector<GrabSpring> springs = two_hands(model);
+  const std::vector<GrabSpring> springs = two_grabs(model);
   State hanging = initial_state(model);
   SolverSettings settings;
   reference::NewtonSolver newton(model, settings);
   newton.set_springs(springs);
   REQUIRE(newton.solve_static(hanging).converged);
   Vector3d pull(0, 0, 0);
-  for (const HandForce& f : forces_of_hands(springs, hanging.displacement)) pull += f.force;
+  for (const GrabForce& f : forces_of_grabs(springs, hanging.displacement)) pull += f.force;
   const Vector3d exact = reference::measure(model, hanging).fixed_reaction;
   CAPTURE(exact.transpose(), pull.transpose(), weight.transpose());
   // Static to 1e-10 of the forces: the sum over 100 vertices is off by ten times that at most.
@@ -141,7 +141,7 @@ TEST_CASE(
   CHECK(still.imbalance(weight) < 1e-3);
 
   // In motion the same sum holds with mass times acceleration; where too few iterations are made it does not.
-  const auto imbalance = [&](Pair pair, int iterations) {
+  const auto imbalance = [&](SolverChoice pair, int iterations) {
     SolverSettings few = settings;
     few.method = pair.method;
     few.acceleration = pair.acceleration;
@@ -160,32 +160,32 @@ TEST_CASE(
   CHECK(unsolved > 10 * solved);
 }
 
-TEST_CASE("hands stay, are taken up again and let go of one by one") {
+TEST_CASE("grabs stay, are taken up again and let go of one by one") {
   const Model model = hanging_beam();
   const Surface surface(model);
-  Hands hands;
+  GrabSet grabs;
   REQUIRE(
-      hands.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.02)), kRadius, {}));
-  REQUIRE(hands.following());
-  hands.stay();
-  CHECK_FALSE(hands.following());
+      grabs.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.02)), kRadius, {}));
+  REQUIRE(grabs.following());
+  grabs.stay();
+  CHECK_FALSE(grabs.following());
   REQUIRE(
-      hands.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.15)), kRadius, {}));
-  REQUIRE(hands.all().size() == 2);
-  CHECK(hands.follows(1));
-  CHECK(hands.all()[0].id != hands.all()[1].id);
-  const std::vector<GrabSpring> both = hands.springs(1e-3);
-  CHECK(both.size() == hands.all()[0].grab.vertices().size() + hands.all()[1].grab.vertices().size());
-  hands.observe({{hands.all()[1].id, {1, 2, 3}}});
-  CHECK(hands.all()[0].grab.force().norm() == 0);
-  CHECK(hands.all()[1].grab.force() == Vector3d(1, 2, 3));
-  hands.take_up(0);
-  CHECK(hands.follows(0));
-  hands.let_go(1);
-  CHECK(hands.follows(0));
-  hands.let_go_following();
-  CHECK(hands.empty());
-  CHECK(hands.springs(1e-3).empty());
+      grabs.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.15)), kRadius, {}));
+  REQUIRE(grabs.all().size() == 2);
+  CHECK(grabs.follows(1));
+  CHECK(grabs.all()[0].id != grabs.all()[1].id);
+  const std::vector<GrabSpring> both = grabs.springs(1e-3);
+  CHECK(both.size() == grabs.all()[0].grab.vertices().size() + grabs.all()[1].grab.vertices().size());
+  grabs.observe({{grabs.all()[1].id, {1, 2, 3}}});
+  CHECK(grabs.all()[0].grab.force().norm() == 0);
+  CHECK(grabs.all()[1].grab.force() == Vector3d(1, 2, 3));
+  grabs.take_up(0);
+  CHECK(grabs.follows(0));
+  grabs.let_go(1);
+  CHECK(grabs.follows(0));
+  grabs.let_go_following();
+  CHECK(grabs.empty());
+  CHECK(grabs.springs(1e-3).empty());
 }
 
 TEST_CASE("the size of a patch changes while it is held, depth goes along the view, a push into the surface") {
@@ -240,7 +240,7 @@ TEST_CASE("a fine surface in few large tets is held by the tet below the hit poi
       make_model(make_box(1, 1, 1, {0.3, 0.3, 0.3}), {1e5, 0.3, 1000, 0}, [](const Vector3d&) { return false; });
   // A surface triangle inside, far from any vertex of the lattice and much smaller than a tet.
   const auto first = static_cast<std::uint32_t>(model.rest_positions.size());
-  DrawnSurface surface{{{first, first + 1, first + 2}}, model.rest_positions};
+  VisualSurface surface{{{first, first + 1, first + 2}}, model.rest_positions};
   const std::vector<Vector3d> corners{{0.13, 0.16, 0.21}, {0.14, 0.16, 0.21}, {0.13, 0.17, 0.21}};
   surface.rest_positions.insert(surface.rest_positions.end(), corners.begin(), corners.end());
   model.embedded = embed(corners, model.rest_positions, model.tets);
@@ -256,18 +256,18 @@ TEST_CASE("a fine surface in few large tets is held by the tet below the hit poi
   CHECK((middle / stiffness - hit->point).norm() < 1e-9);  // the pull goes through the very point
 }
 
-TEST_CASE("three wild hands neither explode the body nor detach from it") {
+TEST_CASE("three wild grabs neither explode the body nor detach from it") {
   const Model model = hanging_beam(0.1);
   const Surface surface(model);
   test::Gpu gpu;
   SolverSettings settings;
   GpuSolver solver(gpu.programs, model, settings);
-  Hands hands;
+  GrabSet grabs;
   for (const double y : {0.03, 0.12, 0.2}) {
     GrabSettings how;
     how.push = y == 0.12;
     REQUIRE(
-        hands.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, y)), kRadius, how));
+        grabs.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, y)), kRadius, how));
   }
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-4 * kRadius, 4 * kRadius);
@@ -275,15 +275,15 @@ TEST_CASE("three wild hands neither explode the body nor detach from it") {
   for (int i = 0; i < 150; ++i) {
     if (i % 3 == 0)
       for (std::size_t h = 0; h < 3; ++h) {
-        hands.take_up(h);
-        hands.following()->point_at(from_front(uniform(random), uniform(random)), -Vector3d::UnitZ());
-        hands.following()->go_deeper(0.2 * uniform(random), -Vector3d::UnitZ());
+        grabs.take_up(h);
+        grabs.following()->point_at(from_front(uniform(random), uniform(random)), -Vector3d::UnitZ());
+        grabs.following()->go_deeper(0.2 * uniform(random), -Vector3d::UnitZ());
       }
-    solver.set_grab(hands.springs(settings.time_step));
+    solver.set_grab(grabs.springs(settings.time_step));
     solver.step();
     solver.request_diagnostics();
     const Diagnostics d = *solver.take_diagnostics(true);
-    hands.observe(d.hand_forces);
+    grabs.observe(d.grab_forces);
     CAPTURE(i, d.max_speed, d.inverted);
     REQUIRE(d.finite);
     farthest = std::max(farthest, largest_displacement(solver.download()));

@@ -9,7 +9,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// As a hand makes them: where it took each vertex, plus how far it has led.
+// As a grab makes them: where it took each vertex, plus how far it has led.
 std::vector<GrabSpring> springs_of(const std::vector<Vector3d>& taken, const Vector3d& offset,
                                    std::uint32_t first = 0) {
   std::vector<GrabSpring> springs;
@@ -28,7 +28,7 @@ std::vector<Vector3d> places(std::size_t count, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("springs that a hand leads are one move, and the move gives back their bits") {
+TEST_CASE("springs that a grab leads are one move, and the move gives back their bits") {
   const std::vector<Vector3d> taken = places(80, 1);
   GrabTrack track;
   track.restart(springs_of(taken, {0.01, -0.02, 0.003}));
@@ -47,7 +47,7 @@ TEST_CASE("springs that a hand leads are one move, and the move gives back their
   }
 }
 
-TEST_CASE("two hands are a move of two parts") {
+TEST_CASE("two grabs are a move of two parts") {
   const std::vector<Vector3d> left = places(20, 2), right = places(30, 3);
   const auto both = [&](const Vector3d& a, const Vector3d& b) {
     std::vector<GrabSpring> springs = springs_of(left, a), more = springs_of(right, b, 100);

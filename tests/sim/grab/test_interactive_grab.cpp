@@ -1,4 +1,4 @@
-// The hand on the tissue: what it takes, where it pulls, how hard, and that no mouse breaks the solver.
+// A grab of the tissue: what it takes, where it pulls, how hard, and that no mouse breaks the solver.
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -26,7 +26,7 @@ struct Cantilever {
   explicit Cantilever(const Material& material)
       : model(cantilever(material)), surface{boundary_triangles(model.tets), model.rest_positions} {}
   Model model;
-  DrawnSurface surface;
+  VisualSurface surface;
 
   // From straight above, in the direction in which the pointer plane is horizontal.
   bool take(Grab& grab, const Vector3d& above, const GrabSettings& settings = {}) const {
@@ -81,7 +81,7 @@ TEST_CASE("a patch is what is free and near the hit point, firm in the middle") 
   CHECK_FALSE(grab.holding());
 }
 
-TEST_CASE("a hand holds one body and the material that is there") {
+TEST_CASE("a grab holds one body and the material that is there") {
   Cantilever scene({1e4, 0.3, 1000, 0});
   Model& model = scene.model;
   // A second, stiffer body that touches the first one's end.
@@ -97,7 +97,7 @@ TEST_CASE("a hand holds one body and the material that is there") {
   }
   model.materials.push_back({1e7, 0.3, 1000, 0});
   model.bodies.push_back({"second", vertices, vertices, tets, tets, 1, 1, {}});
-  const DrawnSurface surface{boundary_triangles(model.tets), model.rest_positions};
+  const VisualSurface surface{boundary_triangles(model.tets), model.rest_positions};
   for (const bool second : {false, true}) {
     CAPTURE(second);
     const auto hit =
@@ -181,7 +181,7 @@ TEST_CASE("at equilibrium the force is stiffness times elongation, along the pul
 }
 
 TEST_CASE("a mouse gone wild neither explodes the body nor detaches from it") {
-  // Not asserted: that the body comes back. St. Venant-Kirchhoff tets that such a hand turns inside out may stay so.
+  // Not asserted: that the body comes back. St. Venant-Kirchhoff tets that such a grab turns inside out may stay so.
   const double modulus = GENERATE(1e3, 1e5, 1e9);
   const Cantilever scene({modulus, 0.3, 1000, 0.1});
   test::Gpu gpu;

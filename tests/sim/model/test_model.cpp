@@ -306,14 +306,14 @@ TEST_CASE("parts that fall off a model that is held elsewhere are noted") {
   apart.insert(apart.find("$EndNodes"), "7 5 0 0\n8 5 1 0\n9 5 0 1\n");
   apart.replace(apart.find("3 4 2 2 1 2 3 4 5"), 17, "3 4 2 2 1 7 8 9 5");
   const auto note_of = [&](const std::string& keys, const std::vector<std::string>& overrides = {}) {
-    return note_of_loose_parts(TwoTets(keys, apart).build(overrides));
+    return note_of_unconstrained_parts(TwoTets(keys, apart).build(overrides));
   };
   const std::string fixed = R"("name": "liver", "fixed": [{"vertices": [0]}])";
   const Model model = TwoTets(fixed, apart).build();
-  const LooseParts loose = loose_parts(model, model.held());
-  CHECK(loose.parts == 1);
-  CHECK(loose.vertices == 4);
-  CHECK(loose.held_parts == 1);
+  const UnconstrainedParts unconstrained = unconstrained_parts(model, model.held());
+  CHECK(unconstrained.parts == 1);
+  CHECK(unconstrained.vertices == 4);
+  CHECK(unconstrained.held_parts == 1);
   REQUIRE(!model.notes.empty());
   CHECK(model.notes.back() ==
         "1 part of 4 vertices in all is held nowhere and will fall (vertex 4 of liver): no vertex shared with what is "
@@ -322,5 +322,5 @@ TEST_CASE("parts that fall off a model that is held elsewhere are noted") {
   CHECK(note_of("").empty());  // all of it falls
   CHECK(note_of(R"("fixed": [{"vertices": [0, 4]}])").empty());
   CHECK(note_of(R"("fixed": [{"vertices": [0]}], "prescribed": [{"select": {"vertices": [7]}}])").empty());
-  CHECK(note_of_loose_parts(TwoTets(fixed).build()).empty());  // held by the face between the two
+  CHECK(note_of_unconstrained_parts(TwoTets(fixed).build()).empty());  // held by the face between the two
 }

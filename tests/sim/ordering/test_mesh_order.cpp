@@ -40,7 +40,7 @@ Model shuffled(TetMesh mesh) {
 
 TEST_CASE("every vertex has a place, and a place a vertex") {
   const Model model = shuffled(small);
-  const Placement placement = placement_of(model);
+  const MeshOrder placement = mesh_order_of(model);
   REQUIRE(placement.vertex.size() == model.rest_positions.size());
   REQUIRE(placement.place.size() == model.rest_positions.size());
   for (std::uint32_t v = 0; v < placement.place.size(); ++v) CHECK(placement.vertex[placement.place[v]] == v);
@@ -49,7 +49,7 @@ TEST_CASE("every vertex has a place, and a place a vertex") {
 
 TEST_CASE("a placed model is the same body") {
   const Model model = shuffled(small);
-  const Placement placement = placement_of(model);
+  const MeshOrder placement = mesh_order_of(model);
   const Model moved = placed(model, placement);
   REQUIRE(moved.tets.size() == model.tets.size());
   for (std::size_t t = 0; t < model.tets.size(); ++t)
@@ -80,7 +80,7 @@ TEST_CASE("the vertices of a tet lie close together, whatever the order of the f
         return static_cast<double>(reaches[reaches.size() / 2]);
       };
   const double rows = reach(make_model(large, model.materials[0], [](const Eigen::Vector3d&) { return false; }));
-  const double before = reach(model), after = reach(placed(model, placement_of(model)));
+  const double before = reach(model), after = reach(placed(model, mesh_order_of(model)));
   CAPTURE(rows, before, after);
   CHECK(rows < before);
   CHECK(after < rows);

@@ -55,7 +55,7 @@ TEST_CASE("a replay that is written reads back the same, to the last digit") {
                    {8, BackgroundInput{2}},
                    {9, ResetInput{true}},
                    {9, ResetInput{false}},
-                   {10, SoundInput{}},
+                   {10, RestoreInput{}},
                    {11, CameraSettings{{0.1, 2.0 / 3, 5}, {0, 1e-7, 0}, {0, 0, 1}, 33}},
                    {12, shown},
                    {40, GrabInput{}}};
@@ -103,7 +103,7 @@ TEST_CASE("what is no replay is refused in one line") {
   CHECK(input_error(R"({"step": 2, "gravity": [0, 0, 0]}, {"step": 1, "gravity": [0, 0, 0]})") ==
         "r.fascia: inputs[1].step: is 1; expected a whole number, 2 to 1e+09");
   CHECK(input_error(R"({"step": 0, "grab": [[1, 2, 3]]})") ==
-        "r.fascia: inputs[0].grab[0]: is [1,2,3]; expected a spring [vertex, x, y, z, stiffness, hand]: the "
+        "r.fascia: inputs[0].grab[0]: is [1,2,3]; expected a spring [vertex, x, y, z, stiffness, grab]: the "
         "displacement it pulls to [m], N/m, a number if it is not 0");
   CHECK(input_error(R"({"step": 0, "material": {"index": 0, "values": {"young_modulus": -1}}})") ==
         "r.fascia: inputs[0].material.values.young_modulus: is -1; expected 0.001 to 1e+14 Pa");

@@ -238,7 +238,7 @@ TEST_CASE("cameras that see nothing") {
 }
 
 TEST_CASE("methods, accelerations and material models that do not exist list those that do") {
-  const std::string pairs = "; expected a method and acceleration that exist: " + list_of_pairs();
+  const std::string pairs = "; expected a method and acceleration that exist: " + list_of_choices();
   CHECK(top_error(R"("solver": {"method": "multigrid"})") == "s.json: solver.method: is \"multigrid\"" + pairs);
   CHECK(top_error(R"("solver": {"method": "jacoby"})") ==
         "s.json: solver.method: is \"jacoby\", perhaps \"jacobi\"" + pairs);

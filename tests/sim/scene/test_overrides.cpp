@@ -114,7 +114,7 @@ TEST_CASE("the mistake of an override names the override, that of the file the f
         "--set solver: solver.iterations: is 0; expected a whole number, 1 to 10000");
   CHECK(error_with({"solver.tolerance=nan"}) == "--set solver.tolerance: is \"nan\"; expected a number, 0 to 1");
   CHECK(error_with({"solver.method=multigrid"}) ==
-        "--set solver.method: is \"multigrid\"; expected a method and acceleration that exist: " + list_of_pairs());
+        "--set solver.method: is \"multigrid\"; expected a method and acceleration that exist: " + list_of_choices());
   CHECK(error_with({"materials.2.density=-1"}) == "--set materials.2.density: is -1; expected 0.001 to 1e+06 kg/m^3");
   CHECK(error_with({"materials.young_modulus=3"}) ==
         "--set materials.young_modulus: is 3; expected an object such as {\"young_modulus\": 1e5}, under \"default\", "

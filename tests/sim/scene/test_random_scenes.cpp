@@ -121,7 +121,7 @@ Scene scene(Dice& dice, const std::filesystem::path& file) {
   scene.title = dice.text();
   scene.gravity = dice.vector(1e6);
   scene.duration = dice.number(0, 1e9);
-  const Pair pair = dice.one_of(legal_pairs());
+  const SolverChoice pair = dice.one_of(solver_choices());
   scene.solver.method = pair.method;
   scene.solver.acceleration = pair.acceleration;
   visit_settings(scene.solver, [&](auto& value, const char*, const char*, auto least, auto most, auto&&...) {

@@ -43,7 +43,7 @@ Scene cube_with_all_lengths() {
 
 }  // namespace
 
-TEST_CASE("every length of a scene is scaled: bodies, motions, hands, velocities, the section") {
+TEST_CASE("every length of a scene is scaled: bodies, motions, grabs, velocities, the section") {
   const Scene before = cube_with_all_lengths();
   Scene after = before;
   constexpr double kFactor = 1e-3;
@@ -57,7 +57,7 @@ TEST_CASE("every length of a scene is scaled: bodies, motions, hands, velocities
     same &= close(small.rest_positions[v], large.rest_positions[v]) &&
             close(small.initial_velocity[v], large.initial_velocity[v]);
   CHECK(same);
-  REQUIRE(small.hands.size() == 2);
+  REQUIRE(small.grabs.size() == 2);
   REQUIRE(small.motions.size() == 1);
   for (const double time : {0.3, 0.8, 2.0}) {
     CAPTURE(time);
@@ -66,8 +66,8 @@ TEST_CASE("every length of a scene is scaled: bodies, motions, hands, velocities
     };
     CHECK(close(moved(small), moved(large)));
     for (std::size_t h = 0; h < 2; ++h) {
-      CHECK(small.hands[h].grip.size() == large.hands[h].grip.size());
-      CHECK(close(small.hands[h].displacement(time), large.hands[h].displacement(time)));
+      CHECK(small.grabs[h].grip.size() == large.grabs[h].grip.size());
+      CHECK(close(small.grabs[h].displacement(time), large.grabs[h].displacement(time)));
     }
   }
   CHECK(after.display.section->offset == Approx(3e-4));

@@ -51,7 +51,7 @@ TEST_CASE("a scene with nothing but a mesh has the documented defaults") {
   CHECK(!scene.camera);
   CHECK(scene.display == DisplaySettings{});
   CHECK(scene.solver == SolverSettings{});
-  CHECK(Pair{scene.solver.method, scene.solver.acceleration} == legal_pairs().front());
+  CHECK(SolverChoice{scene.solver.method, scene.solver.acceleration} == solver_choices().front());
   REQUIRE(scene.bodies.size() == 1);
   const Body& body = scene.bodies[0];
   CHECK(body.name == "m");
@@ -123,17 +123,17 @@ TEST_CASE("every key of a scene arrives") {
 }
 
 TEST_CASE("a solver section gets the best pair with what it names") {
-  const Pair best = legal_pairs().front();
-  for (const Pair& pair : legal_pairs()) {
+  const SolverChoice best = solver_choices().front();
+  for (const SolverChoice& pair : solver_choices()) {
     const std::string method = name_of(pair.method), acceleration = name_of(pair.acceleration);
     CAPTURE(method, acceleration);
     const auto pair_of = [](const std::string& solver) {
       const SolverSettings settings = SceneFile(scene_text("", "\"solver\": " + solver)).open().solver;
-      return Pair{settings.method, settings.acceleration};
+      return SolverChoice{settings.method, settings.acceleration};
     };
     CHECK(pair_of("{\"method\": \"" + method + "\", \"acceleration\": \"" + acceleration + "\"}") == pair);
-    CHECK(pair_of("{\"method\": \"" + method + "\"}") == find_pair(method, {}));
-    CHECK(pair_of("{\"acceleration\": \"" + acceleration + "\"}") == find_pair({}, acceleration));
+    CHECK(pair_of("{\"method\": \"" + method + "\"}") == find_choice(method, {}));
+    CHECK(pair_of("{\"acceleration\": \"" + acceleration + "\"}") == find_choice({}, acceleration));
     CHECK(pair_of("{}") == best);
   }
 }

@@ -206,17 +206,17 @@ TEST_CASE("nothing sleeps while a prescribed motion is still to come", "[sleep]"
 
 TEST_CASE("every method falls asleep, unless its iterations never stop moving the body", "[sleep]") {
   Box box;
-  const Pair pair = GENERATE(from_range(legal_pairs()));
+  const SolverChoice pair = GENERATE(from_range(solver_choices()));
   box.scene.solver.method = pair.method;
   box.scene.solver.acceleration = pair.acceleration;
   const auto simulation = box.open();
   CAPTURE(name_of(pair.method), name_of(pair.acceleration));
-  for (long i = 0; i < kMost && !simulation->asleep() && !simulation->astray(); ++i) simulation->step();
-  CHECK_FALSE(simulation->astray());
+  for (long i = 0; i < kMost && !simulation->asleep() && !simulation->diverged(); ++i) simulation->step();
+  CHECK_FALSE(simulation->diverged());
   if (simulation->asleep()) return;
   // Positions combined without their multipliers, and forces that are taken from where a step begins.
-  CHECK(
-      (pair.acceleration == Acceleration::anderson_positions || pair == Pair{Method::exact_xpbd, Acceleration::none}));
+  CHECK((pair.acceleration == Acceleration::anderson_positions ||
+         pair == SolverChoice{Method::exact_xpbd, Acceleration::none}));
   double speed = 0;
   for (int i = 0; i < 20; ++i) {
     simulation->step();

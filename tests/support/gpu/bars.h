@@ -50,7 +50,7 @@ inline SolverSettings with(Method method) {
   return settings;
 }
 
-inline SolverSettings with(const Pair& pair) {
+inline SolverSettings with(const SolverChoice& pair) {
   SolverSettings settings = with(pair.method);
   settings.acceleration = pair.acceleration;
   return settings;
@@ -59,11 +59,14 @@ inline SolverSettings with(const Pair& pair) {
 inline Method any_method() { return GENERATE(Method::jacobi, Method::mass_splitting, Method::gauss_seidel); }
 
 // One of each kind: what holds for all of them is tested with these.
-inline Pair any_pair() {
-  return GENERATE(Pair{Method::jacobi, Acceleration::none}, Pair{Method::mass_splitting, Acceleration::none},
-                  Pair{Method::gauss_seidel, Acceleration::none}, Pair{Method::exact_xpbd, Acceleration::anderson},
-                  Pair{Method::vertex_descent, Acceleration::anderson}, Pair{Method::two_level, Acceleration::anderson},
-                  Pair{Method::two_level, Acceleration::nonlinear_cg}, Pair{Method::two_level, Acceleration::subspace});
+inline SolverChoice any_pair() {
+  return GENERATE(
+      SolverChoice{Method::jacobi, Acceleration::none}, SolverChoice{Method::mass_splitting, Acceleration::none},
+      SolverChoice{Method::gauss_seidel, Acceleration::none}, SolverChoice{Method::exact_xpbd, Acceleration::anderson},
+      SolverChoice{Method::vertex_descent, Acceleration::anderson},
+      SolverChoice{Method::two_level, Acceleration::anderson},
+      SolverChoice{Method::two_level, Acceleration::nonlinear_cg},
+      SolverChoice{Method::two_level, Acceleration::subspace});
 }
 
 }  // namespace fascia::test

@@ -91,10 +91,10 @@ VirtualDisplay::VirtualDisplay(int width, int height) : size_(std::to_string(wid
     for (char& c : variable) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     setenv(variable.c_str(), (home_ / kind).c_str(), 1);
   }
-  UserSettings settings_of_an_old_hand;
-  settings_of_an_old_hand.welcomed = true;
-  settings_of_an_old_hand.hints_done = {"grab", "orbit", "tune", "help"};
-  write_user_settings(settings(), settings_of_an_old_hand);
+  UserSettings settings_of_an_old_grab;
+  settings_of_an_old_grab.first_run_done = true;
+  settings_of_an_old_grab.hints_done = {"grab", "orbit", "tune", "help"};
+  write_user_settings(settings(), settings_of_an_old_grab);
   // Named is not yet answering, on a busy machine.
   if (!eventually([] { return run_command({"xdotool", "getdisplaygeometry"}).exit_code == 0; }))
     throw std::runtime_error("Xvfb does not answer");
@@ -219,7 +219,7 @@ Screenshot FasciaWindow::screenshot() {
   std::set<fs::path> after;
   Clock::time_point asked{};
   const bool taken = eventually([&] {
-    // A dialog that opened later than the hands believed swallows the key: Escape closes it, and the hands ask again.
+    // A dialog that opened later than the grabs believed swallows the key: Escape closes it, and the grabs ask again.
     if (Clock::now() - asked > std::chrono::seconds(15)) {
       if (asked != Clock::time_point{}) key("Escape");
       key("p");

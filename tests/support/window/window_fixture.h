@@ -33,7 +33,7 @@ class VirtualDisplay {
 };
 
 /// A scene file: a cube of soft tissue on its clamped base, without gravity, in the middle of what the panels leave.
-/// Nothing moves unless a hand moves it.
+/// Nothing moves unless a grab moves it.
 std::string cube_scene(const std::string& title, double young_modulus);
 
 struct Screenshot {

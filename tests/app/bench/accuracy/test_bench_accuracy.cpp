@@ -27,7 +27,7 @@ const std::string kColumns =
 
 AccuracyGrid tiny_grid() {
   AccuracyGrid grid;
-  grid.pairs = {SolverSettings().pair()};
+  grid.pairs = {SolverSettings().choice()};
   for (const AccuracyScenario scenario :
        {AccuracyScenario::one_step, AccuracyScenario::grabbed, AccuracyScenario::settled})
     grid.cases.push_back({scenario, {8, 1, 1}, 1e6, 0.3, 1});
@@ -176,7 +176,7 @@ TEST_CASE("the summary of accuracies", "[bench]") {
   CHECK(first_within(result.pairs[1], 0.1)->iterations == 10);
   CHECK(!first_within(result.pairs[3], 0.1));
   CHECK(pairs_to_draw(result) == std::vector<std::size_t>{0, 2, 3});  // the best of each method, and the poster's
-  const std::string summary = summary_of({result, {{}, {{SolverSettings().pair(), {}}}}}, {"a note"});
+  const std::string summary = summary_of({result, {{}, {{SolverSettings().choice(), {}}}}}, {"a note"});
   INFO(summary);
   for (const char* text :
        {"- a note\n", "| two_level + nonlinear_cg | 5 | 4 | 5 | 4 | 10 | 8 | 0.0009 |\n",

@@ -28,9 +28,9 @@ std::vector<GrabSpring> grip(const Model& model, double stiffness = 40) {
 
 TEST_CASE("a tolerance ends the iterations at the first one that meets it", "[gpu]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
-  const Pair pair =
-      GENERATE(Pair{Method::two_level, Acceleration::nonlinear_cg}, Pair{Method::two_level, Acceleration::subspace},
-               Pair{Method::two_level, Acceleration::anderson});
+  const SolverChoice pair = GENERATE(SolverChoice{Method::two_level, Acceleration::nonlinear_cg},
+                                     SolverChoice{Method::two_level, Acceleration::subspace},
+                                     SolverChoice{Method::two_level, Acceleration::anderson});
   const bool grabbed = GENERATE(false, true);
   Gpu gpu(loads);
   const Model model = bar(GENERATE(0.0, 0.02));
@@ -76,7 +76,7 @@ TEST_CASE("a tolerance ends the iterations at the first one that meets it", "[gp
 
 TEST_CASE("a tolerance out of reach changes nothing", "[gpu]") {
   Gpu gpu;
-  const Pair pair = any_pair();
+  const SolverChoice pair = any_pair();
   const Model model = bar();
   SolverSettings settings = with(pair);
   settings.iterations = 11;

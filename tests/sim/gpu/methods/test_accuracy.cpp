@@ -42,7 +42,7 @@ State disturbed(const Model& model, double spacing) {
   return state;
 }
 
-SolverSettings with(const Pair& pair, int iterations) {
+SolverSettings with(const SolverChoice& pair, int iterations) {
   SolverSettings settings;
   settings.method = pair.method;
   settings.acceleration = pair.acceleration;
@@ -96,7 +96,7 @@ TEST_CASE("two levels reach a thousandth of a disturbed step in 20 iterations, w
   CHECK(many < 2e-6);  // float32
 }
 
-TEST_CASE("what hands hold is solved as fast as what is free", "[gpu]") {
+TEST_CASE("what grabs hold is solved as fast as what is free", "[gpu]") {
   Gpu gpu;
   const Model model = clamped_beam(24, 6, 6, 1e5);
   std::vector<GrabSpring> springs;  // so stiff that the error is 4 percent where the coarse space does not know of them
@@ -118,7 +118,7 @@ TEST_CASE("what hands hold is solved as fast as what is free", "[gpu]") {
 TEST_CASE("every method with an exact fixed point reaches it, and more iterations do not leave it", "[gpu]") {
   // The strain against the exact one: what acceleration on positions alone gets wrong.
   struct Case {
-    Pair pair;
+    SolverChoice pair;
     int iterations;  // to 0.5 percent of the strain and far less
   };
   const Case c = GENERATE(
@@ -149,7 +149,7 @@ TEST_CASE("Anderson on positions over-stiffens where Anderson on positions and m
   const Model model = clamped_beam(12, 3, 3, 1e6);
   const Step step(model, disturbed(model, 1.0 / 12));
   const double exact = reference::measure(model, step.exact).rms_strain;
-  const auto strain = [&](const Pair& pair) {
+  const auto strain = [&](const SolverChoice& pair) {
     GpuSolver solver(gpu.programs, model, with(pair, 1000));
     solver.upload(step.start);
     solver.step();
@@ -242,13 +242,13 @@ TEST_CASE("static equilibria of the reference cases on the GPU with the default 
   CHECK(error < 1e-5);
 }
 
-TEST_CASE("a march to equilibrium that is cut short leaves settings and hands as they were", "[gpu]") {
+TEST_CASE("a march to equilibrium that is cut short leaves settings and grabs as they were", "[gpu]") {
   Gpu gpu;
   const Model model =
       make_model(make_box(6, 2, 2, {0.3, 0.1, 0.1}), {1e5, 0.3, 1000}, [](const Vector3d& x) { return x.x() < 1e-9; });
   GpuSolver solver(gpu.programs, model, SolverSettings{});
-  const std::vector<GrabSpring> hand{{static_cast<std::uint32_t>(model.rest_positions.size() - 1), {0, 0.2, 0}, 1e4}};
-  solver.set_grab(hand);
+  const std::vector<GrabSpring> grab{{static_cast<std::uint32_t>(model.rest_positions.size() - 1), {0, 0.2, 0}, 1e4}};
+  solver.set_grab(grab);
   const bool throws = GENERATE(false, true);
   CAPTURE(throws);
   std::stop_source stop;
@@ -264,7 +264,7 @@ TEST_CASE("a march to equilibrium that is cut short leaves settings and hands as
   else
     march();
   CHECK(solver.settings() == SolverSettings{});
-  CHECK(solver.springs() == hand);
+  CHECK(solver.springs() == grab);
   CHECK_FALSE(solver.buffers().displacement_low);
   solver.step();
   CHECK(solver.download().displacement.front().allFinite());

@@ -64,7 +64,7 @@ TEST_CASE("a change of method makes room for what the new one defers", "[gpu]") 
   SolverSettings settings;
   GpuSolver solver(gpu.programs, model, settings);
   CHECK(gl::bytes_by_buffer().at("deferred_items") == 4 * (4 + solver.buffers().pair_and_single_count()));
-  const Model in_place = placed(model, placement_of(model));  // as the solver colors it
+  const Model in_place = placed(model, mesh_order_of(model));  // as the solver colors it
   const VertexColoring coloring = color_vertices(in_place.tets, in_place.held());
   settings.method = Method::vertex_descent;
   settings.acceleration = Acceleration::none;

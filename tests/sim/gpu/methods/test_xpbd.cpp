@@ -165,7 +165,7 @@ TEST_CASE("whole steps equal the double-precision method", "[gpu]") {
 }
 
 TEST_CASE("accelerated steps equal the double-precision method", "[gpu]") {
-  const Pair pair = GENERATE(from_range(poster_pairs()));
+  const SolverChoice pair = GENERATE(from_range(i3d2019_choices()));
   if (pair.acceleration == Acceleration::none) return;
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   SolverSettings settings;

@@ -79,7 +79,7 @@ TEST_CASE("a driver that returns garbage is told before the first step, and no n
     const std::string message = message_of([&] { verdict = solver.take_check(true); });
     CAPTURE(static_cast<int>(garbage), message);
     if (verdict)
-      CHECK((!verdict->astray || *verdict->astray < model.rest_positions.size()));
+      CHECK((!verdict->diverged || *verdict->diverged < model.rest_positions.size()));
     else
       CHECK(message.find("expected one below " + std::to_string(model.rest_positions.size())) != std::string::npos);
   }
@@ -103,7 +103,7 @@ TEST_CASE("what no device that computes leaves of a start", "[gpu]") {
 TEST_CASE("the trial box moves with every method", "[gpu]") {
   Gpu gpu;
   const Model box = trial_model();
-  for (const Pair& pair : legal_pairs()) {
+  for (const SolverChoice& pair : solver_choices()) {
     CAPTURE(name_of(pair.method), name_of(pair.acceleration));
     SolverSettings settings;
     settings.method = pair.method;

@@ -1,4 +1,4 @@
-// Springs of hands: where they lie, how they pull.
+// Springs of grabs: where they lie, how they pull.
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/solver.h"
@@ -70,7 +70,7 @@ TEST_CASE("springs lie at their vertices, however far these are from each other,
   check({{2000, {1, 0, 0}, 3}});
 }
 
-TEST_CASE("a hand without stiffness changes nothing", "[gpu]") {
+TEST_CASE("a grab without stiffness changes nothing", "[gpu]") {
   Gpu gpu;
   const Model model = block();
   const auto method =

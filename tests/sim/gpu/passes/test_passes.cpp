@@ -75,7 +75,7 @@ TEST_CASE("velocity is the change of displacement over the substep", "[gpu]") {
                    {"previous_displacement", &buffers.previous_displacement},
                    {"predicted", &buffers.predicted},
                    {"velocity", &buffers.velocity},
-                   {"astray", &buffers.astray}},
+                   {"diverged", &buffers.diverged}},
                   buffers.vertex_count)
       .run();
   std::vector<Vector3d> expected;

@@ -14,11 +14,11 @@ using Eigen::Vector3d;
 
 namespace {
 
-std::optional<std::uint32_t> astray(GpuSolver& solver) {
+std::optional<std::uint32_t> diverged(GpuSolver& solver) {
   solver.request_check();
   const auto verdict = solver.take_check(true);
   REQUIRE(verdict);
-  return verdict->astray;
+  return verdict->diverged;
 }
 
 // The bar with one vertex somewhere else.
@@ -37,12 +37,12 @@ TEST_CASE("a vertex that is not finite is noted, the first of them by its index"
   const double value = GENERATE(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity());
   Gpu gpu(loads);
   const Model model = bar();
-  GpuSolver solver(gpu.programs, model, with(Pair{Method::two_level, Acceleration::nonlinear_cg}));
+  GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::two_level, Acceleration::nonlinear_cg}));
   solver.step();
-  CHECK(astray(solver) == std::nullopt);
+  CHECK(diverged(solver) == std::nullopt);
   solver.upload(with_vertex(model, kVertex, Vector3d(0, value, 0)));
   solver.step();
-  const auto lost = astray(solver);
+  const auto lost = diverged(solver);
   REQUIRE(lost);
   // One step with sums over the whole mesh spreads it to all free vertices.
   CHECK(*lost <= kVertex);
@@ -54,17 +54,17 @@ TEST_CASE("a free fall of any length and a fast start are no reason to worry", "
   Model model = free_bar();
   model.gravity = {0, -9.81, 0};
   for (Vector3d& v : model.initial_velocity) v = {1000, 0, 0};
-  GpuSolver solver(gpu.programs, model, with(Pair{Method::two_level, Acceleration::nonlinear_cg}));
+  GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::two_level, Acceleration::nonlinear_cg}));
   for (int i = 0; i < 30; ++i) solver.step();
   CHECK(solver.download().displacement[0].x() > 400);
-  CHECK(astray(solver) == std::nullopt);
+  CHECK(diverged(solver) == std::nullopt);
 }
 
 TEST_CASE("the watch measures the way since the last look, the speed and the displacement", "[gpu]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   Gpu gpu(loads);
   const Model model = free_bar();
-  GpuSolver solver(gpu.programs, model, with(Pair{Method::two_level, Acceleration::nonlinear_cg}));
+  GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::two_level, Acceleration::nonlinear_cg}));
   State start = initial_state(model);
   for (Vector3d& u : start.displacement) u = {0, 0.3, 0};
   for (Vector3d& v : start.velocity) v = {0, 0, 0.6};
@@ -82,25 +82,25 @@ TEST_CASE("the watch measures the way since the last look, the speed and the dis
 TEST_CASE("a vertex that its forces throw out of the scene is noted", "[gpu]") {
   Gpu gpu;
   const Model model = bar();
-  GpuSolver solver(gpu.programs, model, with(Pair{Method::jacobi, Acceleration::none}));
+  GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::jacobi, Acceleration::none}));
   // 1000 sizes away: the way back is as long.
   solver.upload(with_vertex(model, kVertex, Vector3d(0, 200, 0)));
   for (int i = 0; i < 3; ++i) solver.step();
-  CHECK(astray(solver));
+  CHECK(diverged(solver));
 }
 
 TEST_CASE("back to the last sound state, to the bit, and on as if nothing had happened", "[gpu]") {
   Gpu gpu;
   const Model model = bar();
-  GpuSolver solver(gpu.programs, model, with(Pair{Method::two_level, Acceleration::nonlinear_cg}));
+  GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::two_level, Acceleration::nonlinear_cg}));
   for (int i = 0; i < 5; ++i) solver.step();
-  REQUIRE(astray(solver) == std::nullopt);
+  REQUIRE(diverged(solver) == std::nullopt);
   const State sound = solver.download();
   solver.step();
   const State next = solver.download();
   const bool at_rest = GENERATE(false, true);
   for (int i = 0; i < 3; ++i) solver.step();
-  solver.restore_sound(at_rest);
+  solver.restore_valid(at_rest);
   const State back = solver.download();
   CHECK(back.displacement == sound.displacement);
   CHECK(back.time == sound.time);
@@ -117,10 +117,10 @@ TEST_CASE("back to the last sound state, to the bit, and on as if nothing had ha
 TEST_CASE("what was uploaded is sound until steps say otherwise", "[gpu]") {
   Gpu gpu;
   const Model model = bar();
-  GpuSolver solver(gpu.programs, model, with(Pair{Method::two_level, Acceleration::nonlinear_cg}));
+  GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::two_level, Acceleration::nonlinear_cg}));
   const State start = random_state(model, 0.005, 4);
   solver.upload(start);
   for (int i = 0; i < 2; ++i) solver.step();
-  solver.restore_sound(false);
+  solver.restore_valid(false);
   CHECK(solver.download().displacement == start.displacement);
 }

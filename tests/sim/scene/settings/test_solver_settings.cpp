@@ -19,7 +19,7 @@ TEST_CASE("every default lies in its range and every setting has a help text") {
     ++count;
   });
   CHECK(count == 9);
-  CHECK(Pair{settings.method, settings.acceleration} == legal_pairs().front());
+  CHECK(SolverChoice{settings.method, settings.acceleration} == solver_choices().front());
 }
 
 TEST_CASE("a substep is an equal part of the step") {
@@ -30,21 +30,21 @@ TEST_CASE("a substep is an equal part of the step") {
 }
 
 TEST_CASE("a legal pair is found by its names, the best one by one of them or none") {
-  REQUIRE(!legal_pairs().empty());
-  CHECK(find_pair({}, {}) == legal_pairs().front());
+  REQUIRE(!solver_choices().empty());
+  CHECK(find_choice({}, {}) == solver_choices().front());
   std::set<std::pair<std::string, std::string>> seen;
-  for (const Pair& pair : legal_pairs()) {
+  for (const SolverChoice& pair : solver_choices()) {
     const std::string method = name_of(pair.method), acceleration = name_of(pair.acceleration);
     CAPTURE(method, acceleration);
     CHECK(seen.emplace(method, acceleration).second);
-    CHECK(find_pair(method, acceleration) == pair);
-    CHECK(find_pair(method, {})->method == pair.method);
-    CHECK(find_pair({}, acceleration)->acceleration == pair.acceleration);
-    CHECK(list_of_pairs().find(method + " with " + acceleration) != std::string::npos);
+    CHECK(find_choice(method, acceleration) == pair);
+    CHECK(find_choice(method, {})->method == pair.method);
+    CHECK(find_choice({}, acceleration)->acceleration == pair.acceleration);
+    CHECK(list_of_choices().find(method + " with " + acceleration) != std::string::npos);
     CHECK(std::string(label_of(pair.method)).size() > 3);
     CHECK(std::string(help_of(pair.method)).size() > 20);
   }
-  CHECK(!find_pair("warp", {}));
-  CHECK(!find_pair({}, "warp"));
-  CHECK(!find_pair("jacobi", ""));
+  CHECK(!find_choice("warp", {}));
+  CHECK(!find_choice({}, "warp"));
+  CHECK(!find_choice("jacobi", ""));
 }

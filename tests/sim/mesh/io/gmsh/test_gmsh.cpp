@@ -64,7 +64,7 @@ TEST_CASE("Gmsh: elements of higher order keep their corners", "[mesh_io]") {
 TEST_CASE("Gmsh: sections that say nothing of the mesh are passed over, wherever they stand", "[mesh_io]") {
   for (const std::string file : {"v1.msh", "v2.msh", "v2_little.msh", "v4.msh", "v4_big.msh"}) {
     INFO(file);
-    const std::string before = "$Comments\nmade by $hand\n$EndComments\n$POS\n1 2 3\n$ENDPOS\n";
+    const std::string before = "$Comments\nmade by $grab\n$EndComments\n$POS\n1 2 3\n$ENDPOS\n";
     const TetMesh mesh = read_mesh_content("m.msh", before + sample(file) + before).mesh;
     CHECK(mesh.tets == sample_mesh().tets);
     CHECK(mesh.regions == sample_mesh().regions);

@@ -1,9 +1,9 @@
-// The hands of a scene: what a file may say, what it means, and where they are when.
+// The grabs of a scene: what a file may say, what it means, and where they are when.
 #include <cmath>
 
 #include "sim/grab/build_model.h"
 #include "sim/grab/grab_patch.h"
-#include "sim/grab/scripted_grab.h"
+#include "sim/grab/resolve_grab.h"
 #include "sim/model/model.h"
 #include "tests/sim/scene/scene_test.h"
 
@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// The shipped cube with these hands.
+// The shipped cube with these grabs.
 std::string with_grabs(const std::string& grabs) {
   return R"({"fascia_scene": 1, "bodies": [{"name": "cube", "mesh": ")" +
          (source_dir() / "assets/meshes/cube.msh").string() + R"(", "fixed": [{"lowest": 0.02}]}], "grabs": )" + grabs +
@@ -57,7 +57,7 @@ TEST_CASE("grabs of a scene are written as they were read") {
   CHECK(scene_to_json(none.open(), none.path().parent_path()).find("grabs") == std::string::npos);
 }
 
-TEST_CASE("a hand that cannot be is one clear line") {
+TEST_CASE("a grab that cannot be is one clear line") {
   const auto error = [](const std::string& grabs) { return SceneFile(with_grabs(grabs)).open_error(); };
   CHECK(error(R"([{"at": [0, 0, 0], "translat": [1, 0, 0]}])") ==
         "s.json: grabs[0].translat: unknown key \"translat\", perhaps \"translate\"; expected one of at, select, body, "
@@ -78,7 +78,7 @@ TEST_CASE("a hand that cannot be is one clear line") {
         "s.json: grabs[0]: holds only vertices that are fixed or prescribed; expected a free one");
 }
 
-TEST_CASE("a hand on the command line is one more of the scene's") {
+TEST_CASE("a grab on the command line is one more of the scene's") {
   const SceneFile file(with_grabs(R"([{"at": [0, 0, 0]}])"));
   const Scene scene =
       file.open({"--grab at=0.1,0.05,0;translate=0,0.1,0;start=0.2;duration=0.5;release=1.5;radius=0.02",
@@ -111,42 +111,42 @@ TEST_CASE("a hand on the command line is one more of the scene's") {
         "--grab: grabs[1].at[1]: is \"zero\"; expected a number, -1e+06 to 1e+06 m");
 }
 
-TEST_CASE("a scripted hand is where its path says, never faster than a hand may be, and holds from start to release") {
+TEST_CASE("a scripted grab is where its path says, never faster than a grab may be, and holds from start to release") {
   const std::string at = text_of(top_of_cube());
-  const auto hand = [&](const std::string& rest) {
-    return build_model(SceneFile(with_grabs("[{\"at\": [" + at + "], " + rest + "}]")).open()).hands.front();
+  const auto grab = [&](const std::string& rest) {
+    return build_model(SceneFile(with_grabs("[{\"at\": [" + at + "], " + rest + "}]")).open()).grabs.front();
   };
-  const ScriptedHand straight = hand(R"("translate": [0, 0.02, 0], "start": 0.5, "duration": 0.4, "release": 2)");
+  const ResolvedGrab straight = grab(R"("translate": [0, 0.02, 0], "start": 0.5, "duration": 0.4, "release": 2)");
   CHECK(straight.displacement(0.4).norm() == 0);
   CHECK((straight.displacement(0.6) - Vector3d(0, 0.005, 0)).norm() < 1e-15);
   CHECK(straight.displacement(5) == Vector3d(0, 0.02, 0));
   CHECK(straight.end() == 2);
-  const std::vector<ScriptedHand> hands{straight};
-  CHECK(with_hands({}, hands, 0.5).empty());
-  CHECK(with_hands({}, hands, 0.51).size() == straight.grip.size());
-  CHECK(with_hands({}, hands, 2.01).empty());
-  CHECK(with_hands_at_last({}, hands).front().target == Vector3d(0, 0.02, 0));
+  const std::vector<ResolvedGrab> grabs{straight};
+  CHECK(with_grabs({}, grabs, 0.5).empty());
+  CHECK(with_grabs({}, grabs, 0.51).size() == straight.grip.size());
+  CHECK(with_grabs({}, grabs, 2.01).empty());
+  CHECK(with_grabs_at_last({}, grabs).front().target == Vector3d(0, 0.02, 0));
 
-  const ScriptedHand smooth = hand(R"("path": [[1, 0.02, 0, 0], [2, 0, 0, 0.02]], "smooth": true)");
+  const ResolvedGrab smooth = grab(R"("path": [[1, 0.02, 0, 0], [2, 0, 0, 0.02]], "smooth": true)");
   CHECK((smooth.displacement(0.25) - Vector3d((3 - 0.5) / 16 * 0.02, 0, 0)).norm() < 1e-15);  // s^2 (3 - 2 s)
   CHECK((smooth.displacement(1.5) - Vector3d(0.01, 0, 0.01)).norm() < 1e-15);
 
-  // A jump and a path there and back far faster than any hand.
+  // A jump and a path there and back far faster than any grab.
   const double size = scene_radius(build_model(SceneFile(with_grabs("[]")).open()));
   for (const char* wild : {R"("translate": [5, 0, 0])", R"("path": [[0.001, 3, 0, 0], [0.002, -3, 0, 0]])",
                            R"("path": [[0.001, 3, 0, 0]], "smooth": true)"}) {
-    const ScriptedHand fast = hand(wild);
+    const ResolvedGrab fast = grab(wild);
     CAPTURE(wild);
     double fastest = 0;
     constexpr double kStep = 1e-4;
     for (double t = 0; t < fast.end() + 0.1; t += kStep)
       fastest = std::max(fastest, (fast.displacement(t + kStep) - fast.displacement(t)).norm() / kStep);
-    CHECK(fastest <= kHandSpeed * size * (1 + 1e-6));
-    CHECK(fastest > 0.9 * kHandSpeed * size);
+    CHECK(fastest <= kGrabSpeed * size * (1 + 1e-6));
+    CHECK(fastest > 0.9 * kGrabSpeed * size);
   }
 
   // A push goes into the surface: down from the top.
-  const ScriptedHand push = hand(R"("push": 0.01)");
+  const ResolvedGrab push = grab(R"("push": 0.01)");
   CHECK((push.path.back().displacement - Vector3d(0, -0.01, 0)).norm() < 1e-6);
 }
 
@@ -180,13 +180,13 @@ TEST_CASE("springs at one vertex are joined without a change of their forces") {
   CHECK(whole[1] == springs[1]);
   std::vector<Vector3d> u(8, Vector3d(0.3, -0.2, 0.1)), forces;
   for (const GrabSpring& s : whole) forces.push_back(s.stiffness * (s.target - u[s.vertex]));
-  const std::vector<HandForce> exact = forces_of_hands(springs, u),
-                               split = forces_of_hands(springs, whole, place, forces);
+  const std::vector<GrabForce> exact = forces_of_grabs(springs, u),
+                               split = forces_of_grabs(springs, whole, place, forces);
   REQUIRE(exact.size() == 2);
   REQUIRE(split.size() == 2);
   Vector3d sum(0, 0, 0);
   for (std::size_t h = 0; h < 2; ++h) {
-    CHECK(split[h].hand == exact[h].hand);
+    CHECK(split[h].grab == exact[h].grab);
     CHECK((split[h].force - exact[h].force).norm() < 1e-12);
     sum += split[h].force;
   }

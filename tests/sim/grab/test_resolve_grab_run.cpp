@@ -1,4 +1,4 @@
-// Hands that a scene brings: beside the reference solver, in replays, with sleeping tissue, on the command line.
+// Grabs that a scene brings: beside the reference solver, in replays, with sleeping tissue, on the command line.
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// The shipped cube on its clamped base, held by two hands of the scene at its top.
+// The shipped cube on its clamped base, held by two grabs of the scene at its top.
 struct Handled {
   explicit Handled(const std::string& grabs) {
     write_file(folder / "cube.json",
@@ -35,25 +35,25 @@ constexpr const char* kTwo =
 
 }  // namespace
 
-TEST_CASE("hands of a scene pull the GPU as they pull the reference solver") {
+TEST_CASE("grabs of a scene pull the GPU as they pull the reference solver") {
   const Handled cube(kTwo);
   Graphics graphics = open_graphics(headless(), false);
   Simulation gpu(cube.scene(), graphics.programs.get(), false), exact(cube.scene(), nullptr, true);
   SolverSettings settings = gpu.scene.solver;
   settings.iterations = 40;
   gpu.set_settings(settings);
-  std::vector<std::size_t> hands;
+  std::vector<std::size_t> grabs;
   for (int i = 0; i < 24; ++i) {
     gpu.step();
     exact.step();
     CHECK(gpu.springs() == exact.springs());
     std::size_t count = 0;
-    for (const GrabSpring& s : gpu.springs()) count = std::max<std::size_t>(count, s.hand - kFirstScriptedHand + 1);
-    hands.push_back(count);
+    for (const GrabSpring& s : gpu.springs()) count = std::max<std::size_t>(count, s.grab - kFirstScriptedGrab + 1);
+    grabs.push_back(count);
   }
-  CHECK(hands.front() == 1);
-  CHECK(hands[12] == 2);
-  CHECK(hands.back() == 1);  // released
+  CHECK(grabs.front() == 1);
+  CHECK(grabs[12] == 2);
+  CHECK(grabs.back() == 1);  // released
   CAPTURE(relative_rms(gpu.state().displacement, exact.state().displacement));
   CHECK(relative_rms(gpu.state().displacement, exact.state().displacement) < 1e-3);
   CHECK(gpu.log().inputs().size() <= 1);  // the settings: what the scene does is no input
@@ -65,23 +65,23 @@ TEST_CASE("hands of a scene pull the GPU as they pull the reference solver") {
   CHECK(relative_rms(still.state().displacement, newton.state().displacement) < 1e-4);
   const Vector3d reaction = reference::measure(newton.model, newton.state()).fixed_reaction;
   Vector3d pull(0, 0, 0);
-  for (const HandForce& f : forces_of_hands(newton.springs(), newton.state().displacement)) pull += f.force;
+  for (const GrabForce& f : forces_of_grabs(newton.springs(), newton.state().displacement)) pull += f.force;
   CHECK(pull.norm() > 1e-3);
   CHECK((reaction + pull).norm() < 1e-8 * pull.norm());
 }
 
-TEST_CASE("a replay repeats hands of the mouse beside those of its scene to the bit, once") {
+TEST_CASE("a replay repeats grabs of the mouse beside those of its scene to the bit, once") {
   const Handled cube(kTwo);
   Graphics graphics = open_graphics(headless(), false);
   Simulation lived(cube.scene(), graphics.programs.get(), false);
   Replay replay{cube.scene(), std::nullopt, {}, 20};
   const std::vector<std::uint32_t> patch = [&] {
     std::vector<std::uint32_t> vertices;
-    for (const GrabSpring& s : lived.model.hands[0].grip) vertices.push_back(s.vertex);
+    for (const GrabSpring& s : lived.model.grabs[0].grip) vertices.push_back(s.vertex);
     return vertices;
   }();
   for (int i = 0; i < 20; ++i) {
-    GrabInput springs;  // two hands of the mouse, that take hold one after the other where the scene's hand is
+    GrabInput springs;  // two grabs of the mouse, that take hold one after the other where the scene's grab is
     if (i >= 3) springs.push_back({patch[0], {0, 0, 0.001 * i}, 40, 0});
     if (i >= 8 && i < 15)
       for (const std::uint32_t v : patch) springs.push_back({v, {0.0005 * i, 0, 0}, 5, 1});
@@ -101,7 +101,7 @@ TEST_CASE("a replay repeats hands of the mouse beside those of its scene to the 
   CHECK(again.state().velocity == lived.state().velocity);
 }
 
-TEST_CASE("tissue sleeps until a hand of its scene takes hold") {
+TEST_CASE("tissue sleeps until a grab of its scene takes hold") {
   const Handled cube(
       R"([{"select": {"box": [[-1, 0.09, -1], [1, 1, 1]]}, "translate": [0.02, 0, 0], "start": 1.5, "duration": 0.2}])");
   Graphics graphics = open_graphics(headless(), false);
@@ -113,16 +113,16 @@ TEST_CASE("tissue sleeps until a hand of its scene takes hold") {
   }
   CHECK(slept > 10);
   CHECK(simulation.asleep());
-  CHECK(simulation.awaits_hands());  // so that a window goes on
+  CHECK(simulation.awaits_grabs());  // so that a window goes on
   for (int i = 0; i < 20; ++i) simulation.step();
   CHECK_FALSE(simulation.asleep());
   double largest = 0;
   for (const Vector3d& u : simulation.state().displacement) largest = std::max(largest, u.norm());
   CHECK(largest > 0.005);
-  CHECK_FALSE(simulation.awaits_hands());
+  CHECK_FALSE(simulation.awaits_grabs());
 }
 
-TEST_CASE("run takes hands on the command line and tells their forces") {
+TEST_CASE("run takes grabs on the command line and reports their forces") {
   const Handled cube("[]");
   const CommandResult result = run_fascia({"run", (cube.folder / "cube.json").string(), "--context", "osmesa",
                                            "--quiet", "--steps", "20", "--stats", (cube.folder / "stats.json").string(),

@@ -12,7 +12,7 @@
 #include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/mesh_generate.h"
 #include "sim/reference/elasticity.h"
-#include "sim/simulation/breakdown.h"
+#include "sim/simulation/divergence.h"
 #include "tests/support/gpu/bars.h"
 #include "tests/support/headless.h"
 #include "tests/support/support.h"
@@ -141,19 +141,19 @@ TEST_CASE("a lost state is led back to the last sound one, and its replay begins
   for (int i = 0; i < 20; ++i) simulation.step();
   REQUIRE_FALSE(simulation.check_now());
   const State sound = simulation.state();
-  // Farther than floats can carry, as no hand reaches.
+  // Farther than floats can carry, as no grab reaches.
   simulation.set_grab({{kLost, {1e25, 0, 0}, 1e20}});
-  for (int i = 0; i < 40 && !simulation.astray(); ++i) simulation.step();
-  REQUIRE(simulation.astray());
-  const Breakdown breakdown = find_breakdown(simulation, *simulation.astray());
-  INFO(breakdown.text(simulation.model));
-  CHECK(breakdown.found);
-  CHECK(breakdown.replay.steps >= 1);
-  CHECK(breakdown.replay.start->displacement == sound.displacement);
-  CHECK(breakdown.replay.start->velocity == sound.velocity);
-  REQUIRE(breakdown.replay.inputs.size() == 1);
-  CHECK(std::get<GrabInput>(breakdown.replay.inputs[0].change).size() == 1);
-  CHECK_FALSE(simulation.astray());
+  for (int i = 0; i < 40 && !simulation.diverged(); ++i) simulation.step();
+  REQUIRE(simulation.diverged());
+  const Divergence divergence = find_divergence(simulation, *simulation.diverged());
+  INFO(divergence.text(simulation.model));
+  CHECK(divergence.found);
+  CHECK(divergence.replay.steps >= 1);
+  CHECK(divergence.replay.start->displacement == sound.displacement);
+  CHECK(divergence.replay.start->velocity == sound.velocity);
+  REQUIRE(divergence.replay.inputs.size() == 1);
+  CHECK(std::get<GrabInput>(divergence.replay.inputs[0].change).size() == 1);
+  CHECK_FALSE(simulation.diverged());
   const State back = simulation.state();
   CHECK(back.displacement == sound.displacement);
   CHECK(back.velocity == std::vector<Vector3d>(back.velocity.size(), Vector3d::Zero()));
@@ -162,10 +162,10 @@ TEST_CASE("a lost state is led back to the last sound one, and its replay begins
   CHECK_FALSE(simulation.check_now());
 }
 
-TEST_CASE("a replay that is cut within a breakdown says so") {
+TEST_CASE("a replay that is cut within a divergence says so") {
   const Box box;
   Replay replay = box.broken();
-  replay.inputs.push_back({replay.steps - 1, SoundInput{}});  // by which it would be led back
+  replay.inputs.push_back({replay.steps - 1, RestoreInput{}});  // by which it would be led back
   write_replay(box.folder / "led_back.fascia", replay);
   const CommandResult run = run_fascia(
       {"run", "--replay", "led_back.fascia", "--context", "osmesa", "--steps", std::to_string(replay.steps - 1)},
@@ -191,7 +191,7 @@ TEST_CASE("what came apart beside a body at rest is repeated with the same parts
   Simulation lived(scene, model, graphics.programs.get(), false);
   std::map<long, State> states;  // after so many steps
   constexpr long kTorn = 61;
-  for (long step = 0; !lived.astray() && step < kTorn + 40; ++step) {
+  for (long step = 0; !lived.diverged() && step < kTorn + 40; ++step) {
     if (step <= kTorn)
       lived.set_grab({{tip,
                        {0, step < kTorn ? 0.05 * std::sin(0.2 * static_cast<double>(step)) : 1e25, 0},
@@ -200,19 +200,19 @@ TEST_CASE("what came apart beside a body at rest is repeated with the same parts
     lived.step();
     states.emplace(lived.steps_made(), lived.gpu()->download());
   }
-  REQUIRE(lived.astray());
+  REQUIRE(lived.diverged());
   CHECK(lived.gpu()->share_solved() < 0.8);  // the other bar rested
-  const Breakdown breakdown = find_breakdown(lived, *lived.astray());
-  REQUIRE(breakdown.found);
-  const long step = std::lround(breakdown.time / scene.solver.time_step);
+  const Divergence divergence = find_divergence(lived, *lived.diverged());
+  REQUIRE(divergence.found);
+  const long step = std::lround(divergence.time / scene.solver.time_step);
   CHECK(step == kTorn + 1);
   reference::Corners rest, u;
   for (std::size_t a = 0; a < 4; ++a) {
-    const std::uint32_t v = model.tets[breakdown.tet][a];
+    const std::uint32_t v = model.tets[divergence.tet][a];
     rest[a] = model.rest_positions[v];
     u[a] = states.at(step - 1).displacement[v];
   }
-  CHECK(breakdown.strain == reference::green_strain_matrix(reference::RestTet(rest), u).norm());  // to the bit
+  CHECK(divergence.strain == reference::green_strain_matrix(reference::RestTet(rest), u).norm());  // to the bit
 }
 
 TEST_CASE("a replay that does not fit its mesh is refused") {

@@ -1,4 +1,4 @@
-// Several hands in the real window: one that stays, a second one moved by mouse and wheel, and the first let go of by
+// Several grabs in the real window: one that stays, a second one moved by mouse and wheel, and the first let go of by
 // its mark.
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -24,7 +24,7 @@ double changed_share(const Screenshot& a, const Screenshot& b) {
 }  // namespace
 
 TEST_CASE(
-    "two hands in the window: the first stays, the second goes away with the wheel, the first is let go of by its "
+    "two grabs in the window: the first stays, the second goes away with the wheel, the first is let go of by its "
     "mark") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
@@ -40,7 +40,7 @@ TEST_CASE(
   FasciaWindow window({(folder / "cube.json").string(), "--stats", "stats.json", "--size", "1000x700"}, folder.path());
   const Screenshot rest = window.screenshot();
 
-  INFO("Ctrl on release: the hand stays, and so does the pull");
+  INFO("Ctrl on release: the grab stays, and so does the pull");
   window.move(kMiddle - 40, kHeight / 2 - 60);
   window.press();
   window.move(kMiddle - 120, kHeight / 2 - 120);
@@ -52,7 +52,7 @@ TEST_CASE(
   const Screenshot one = window.screenshot();
   CHECK(changed_share(rest, one) > 0.01);
 
-  INFO("a second hand, led away from the viewer by the wheel, stays by T");
+  INFO("a second grab, led away from the viewer by the wheel, stays by T");
   window.move(kMiddle + 60, kHeight / 2);
   window.press();
   window.move(kMiddle + 66, kHeight / 2);
@@ -72,16 +72,16 @@ TEST_CASE(
   CHECK(window.wait() == 0);
   const auto stats = nlohmann::json::parse(read_file(folder / "stats.json"));
   CAPTURE(stats.at("grab_N").dump());
-  const auto& hands = stats.at("grab_N").at("hands");
-  REQUIRE(hands.size() == 1);
-  CHECK(hands[0].at("hand") == 1);
-  const double away = -hands[0].at("force")[2].get<double>();
+  const auto& grabs = stats.at("grab_N").at("hands");
+  REQUIRE(grabs.size() == 1);
+  CHECK(grabs[0].at("hand") == 1);
+  const double away = -grabs[0].at("force")[2].get<double>();
   CHECK(away > 0);
-  CHECK(away > std::abs(hands[0].at("force")[0].get<double>()));
+  CHECK(away > std::abs(grabs[0].at("force")[0].get<double>()));
 }
 
 TEST_CASE(
-    "hands that stay hold on through a comparison, whose sides both take more of them, and Escape lets go of all") {
+    "grabs that stay hold on through a comparison, whose sides both take more of them, and Escape lets go of all") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
   write_file(
@@ -94,7 +94,7 @@ TEST_CASE(
           .dump());
   FasciaWindow window({(folder / "cube.json").string(), "--size", "1000x700"}, folder.path());
   std::filesystem::path session;
-  const auto hands = [&] {  // that pull, as the newest session's file has it so far
+  const auto grabs = [&] {  // that pull, as the newest session's file has it so far
     session.clear();
     for (const auto& entry : std::filesystem::directory_iterator(display.state() / "sessions"))
       session = std::max(session, entry.path());
@@ -102,7 +102,7 @@ TEST_CASE(
     for (const Input& input : read_replay(session).inputs)
       if (const auto* springs = std::get_if<GrabInput>(&input.change)) {
         ids.clear();
-        for (const GrabSpring& spring : *springs) ids.insert(spring.hand);
+        for (const GrabSpring& spring : *springs) ids.insert(spring.grab);
       }
     return ids.size();
   };
@@ -110,7 +110,7 @@ TEST_CASE(
     window.move(x, y);
     window.press();
     window.move(x - 20, y - 40);
-    CHECK(eventually([&] { return window.screenshot(), hands() == expected; }));
+    CHECK(eventually([&] { return window.screenshot(), grabs() == expected; }));
     window.key("t");
     window.release();
     window.screenshot();
@@ -119,15 +119,15 @@ TEST_CASE(
   pull_and_stay(kMiddle + 50, kHeight / 2 - 40, 1);
   window.key("b");
   window.screenshot();
-  CHECK(hands() == 1);
+  CHECK(grabs() == 1);
   const int width = (kWidth - kPanels) / 2;
   pull_and_stay(kPanels + 3 * width / 2 - 20, kHeight / 2 + 10, 2);
   pull_and_stay(kPanels + width / 2 + 40, kHeight / 2 + 60, 3);
   window.key("b");
   window.screenshot();
-  CHECK(hands() == 3);
+  CHECK(grabs() == 3);
   window.key("Escape");
-  CHECK(eventually([&] { return window.screenshot(), hands() == 0; }));
+  CHECK(eventually([&] { return window.screenshot(), grabs() == 0; }));
 
   INFO("one that still follows the mouse lets go of both sides when the comparison ends");
   window.key("b");
@@ -135,9 +135,9 @@ TEST_CASE(
   window.move(kPanels + 3 * width / 2 - 20, kHeight / 2 + 10);
   window.press();
   window.move(kPanels + 3 * width / 2 - 40, kHeight / 2 - 30);
-  CHECK(eventually([&] { return window.screenshot(), hands() == 1; }));
+  CHECK(eventually([&] { return window.screenshot(), grabs() == 1; }));
   window.key("b");
-  CHECK(eventually([&] { return window.screenshot(), hands() == 0; }));
+  CHECK(eventually([&] { return window.screenshot(), grabs() == 0; }));
   window.release();
   window.key("ctrl+q");
   CHECK(window.wait() == 0);

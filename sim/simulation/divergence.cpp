@@ -1,4 +1,4 @@
-#include "sim/simulation/breakdown.h"
+#include "sim/simulation/divergence.h"
 
 #include <sstream>
 
@@ -44,7 +44,7 @@ class Repetition {
       tuning_.apply(input);
       model_.materials = tuning_.materials;
       model_.gravity = tuning_.gravity;
-      // As Simulation does, and no more: what did not change must not stir regions at rest.
+      // As Simulation does, and no more: what did not change must not wake regions at rest.
       if (std::holds_alternative<SolverSettings>(input.change))
         solver_->set_settings(tuning_.solver);
       else if (std::holds_alternative<GrabInput>(input.change))
@@ -65,7 +65,7 @@ class Repetition {
 
  private:
   void pull() {
-    const GrabInput springs = with_hands(tuning_.springs, model_.hands, solver_->time() + tuning_.solver.time_step);
+    const GrabInput springs = with_grabs(tuning_.springs, model_.grabs, solver_->time() + tuning_.solver.time_step);
     if (springs != solver_->springs()) solver_->set_grab(springs);
   }
 
@@ -91,7 +91,7 @@ void measure_tet(const Model& model, const State& state, std::size_t t, double& 
 
 }  // namespace
 
-std::string Breakdown::text(const Model& model) const {
+std::string Divergence::text(const Model& model) const {
   const Tet& v = model.tets[tet];
   std::ostringstream out;
   out.precision(3);
@@ -100,26 +100,26 @@ std::string Breakdown::text(const Model& model) const {
   return out.str();
 }
 
-Breakdown find_breakdown(Simulation& simulation, std::uint32_t lost) {
-  Breakdown breakdown;
-  simulation.back_to_sound();
-  breakdown.replay = replay_of(simulation, simulation.sound_state());
+Divergence find_divergence(Simulation& simulation, std::uint32_t lost) {
+  Divergence divergence;
+  simulation.back_to_valid();
+  divergence.replay = replay_of(simulation, simulation.valid_state());
   gl::ProgramCache& programs = *simulation.programs();
-  State before = *breakdown.replay.start;
-  breakdown.time = simulation.time();
+  State before = *divergence.replay.start;
+  divergence.time = simulation.time();
   const auto repeat = [&](long steps) {
-    Repetition repetition(programs, simulation, breakdown.replay);
+    Repetition repetition(programs, simulation, divergence.replay);
     for (long i = 0; i < steps; ++i) repetition.step();
     return repetition.solver().download();
   };
-  Repetition repetition(programs, simulation, breakdown.replay);
-  for (long step = 0; step < breakdown.replay.steps && !breakdown.found; ++step) {
+  Repetition repetition(programs, simulation, divergence.replay);
+  for (long step = 0; step < divergence.replay.steps && !divergence.found; ++step) {
     repetition.step();
-    if (const auto astray = repetition.solver().astray_now()) {
-      breakdown.found = true;
-      lost = *astray;
-      breakdown.time = repetition.solver().time();
-      breakdown.replay.steps = step + 1;
+    if (const auto diverged = repetition.solver().diverged_now()) {
+      divergence.found = true;
+      lost = *diverged;
+      divergence.time = repetition.solver().time();
+      divergence.replay.steps = step + 1;
       before = repeat(step);
     }
   }
@@ -130,12 +130,12 @@ Breakdown find_breakdown(Simulation& simulation, std::uint32_t lost) {
     double strain = 0, det_f = 1;
     measure_tet(simulation.model, before, t, strain, det_f);
     if (!(strain > largest)) continue;
-    largest = breakdown.strain = strain;
-    breakdown.det_f = det_f;
-    breakdown.tet = static_cast<std::uint32_t>(t);
+    largest = divergence.strain = strain;
+    divergence.det_f = det_f;
+    divergence.tet = static_cast<std::uint32_t>(t);
   }
   simulation.begin_anew();
-  return breakdown;
+  return divergence;
 }
 
 std::filesystem::path keep_replay(const Replay& replay) {
@@ -150,16 +150,16 @@ std::filesystem::path keep_replay(const Replay& replay) {
   }
 }
 
-void require_sound(Simulation& simulation) {
+void require_valid(Simulation& simulation) {
   gl::require_context();
   const std::optional<std::uint32_t> lost = simulation.check_now();
   if (!lost) return;
   simulation.require_device();
-  const bool cut = !simulation.astray();
-  const Breakdown breakdown = find_breakdown(simulation, *lost);
+  const bool cut = !simulation.diverged();
+  const Divergence divergence = find_divergence(simulation, *lost);
   throw Error(
       simulation.scene.file.string(),
-      breakdown.text(simulation.model) + ", repeated by " + keep_replay(breakdown.replay).string(),
+      divergence.text(simulation.model) + ", repeated by " + keep_replay(divergence.replay).string(),
       cut ? "expected more steps: the replay goes back to a sound state later"
           : "expected finite positions: more iterations or substeps, softer material or a smaller load may help");
 }

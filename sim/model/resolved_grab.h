@@ -10,7 +10,7 @@
 
 namespace fascia {
 
-struct ScriptedHand {
+struct ResolvedGrab {
   std::vector<GrabSpring> grip;         // at rest: targets are zero
   std::vector<ScriptedGrab::Key> path;  // in seconds of the scene; one key at least
   bool smooth = false;
@@ -20,9 +20,9 @@ struct ScriptedHand {
   double end() const;                            // [s] from then on nothing changes
 };
 
-/// Springs of all hands of the script that hold at the end of a step at time t [s], after those of others.
-std::vector<GrabSpring> with_hands(std::vector<GrabSpring> springs, std::span<const ScriptedHand> hands, double t);
+/// Springs of all grabs of the script that hold at the end of a step at time t [s], after those of others.
+std::vector<GrabSpring> with_grabs(std::vector<GrabSpring> springs, std::span<const ResolvedGrab> grabs, double t);
 /// As they are in the end, whether they would have let go or not: for static equilibria.
-std::vector<GrabSpring> with_hands_at_last(std::vector<GrabSpring> springs, std::span<const ScriptedHand> hands);
+std::vector<GrabSpring> with_grabs_at_last(std::vector<GrabSpring> springs, std::span<const ResolvedGrab> grabs);
 
 }  // namespace fascia

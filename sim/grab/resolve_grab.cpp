@@ -1,4 +1,4 @@
-#include "sim/grab/scripted_grab.h"
+#include "sim/grab/resolve_grab.h"
 
 #include <algorithm>
 #include <cmath>
@@ -162,7 +162,7 @@ Place place_of(const ScriptedGrab& grab, const Selection& selection, const Scene
 
 }  // namespace
 
-ScriptedHand resolve_hand(const Scene& scene, std::size_t index, const Model& model) {
+ResolvedGrab resolve_grab(const Scene& scene, std::size_t index, const Model& model) {
   const ScriptedGrab& grab = scene.grabs[index];
   const std::string where = scene.file.string() + ": grabs[" + std::to_string(index) + "]";
   const double size = scene_radius(model);
@@ -173,18 +173,18 @@ ScriptedHand resolve_hand(const Scene& scene, std::size_t index, const Model& mo
     throw Error(where, "holds only vertices that are fixed or prescribed", "expected a free one");
   const double radius = place.radius > 0 ? place.radius : kPatchRadius * size;
   const double stiffness = grab.stiffness.value_or(patch_stiffness(place.patch, radius));
-  ScriptedHand hand;
+  ResolvedGrab resolved;
   for (const PatchVertex& p : place.patch)
-    hand.grip.push_back(
-        {p.vertex, Vector3d::Zero(), p.share * stiffness, kFirstScriptedHand + static_cast<std::uint32_t>(index)});
+    resolved.grip.push_back(
+        {p.vertex, Vector3d::Zero(), p.share * stiffness, kFirstScriptedGrab + static_cast<std::uint32_t>(index)});
   std::vector<ScriptedGrab::Key> keys = grab.path;
   if (keys.empty()) keys.push_back({grab.duration, grab.push ? Vector3d(*grab.push * place.inward) : grab.translate});
-  hand.start = grab.start;
-  hand.path = slowed(keys, grab.start,
-                     kHandSpeed * size / (grab.smooth ? 1.5 : 1));  // which is 1.5 times as fast in the middle
-  hand.smooth = grab.smooth;
-  if (grab.release) hand.release = *grab.release;
-  return hand;
+  resolved.start = grab.start;
+  resolved.path = slowed(keys, grab.start,
+                         kGrabSpeed * size / (grab.smooth ? 1.5 : 1));  // which is 1.5 times as fast in the middle
+  resolved.smooth = grab.smooth;
+  if (grab.release) resolved.release = *grab.release;
+  return resolved;
 }
 
 }  // namespace fascia

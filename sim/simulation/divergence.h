@@ -7,7 +7,7 @@
 
 namespace fascia {
 
-struct Breakdown {
+struct Divergence {
   Replay replay;          // from the last sound state to the lost one
   bool found = false;     // whether repeating it led to a lost state again
   double time = 0;        // at the end of the step that was lost [s]
@@ -19,13 +19,13 @@ struct Breakdown {
   std::string text(const Model& model) const;
 };
 
-/// `lost`: what check_now() or astray() found. The simulation goes back to its last sound state, at rest.
-Breakdown find_breakdown(Simulation& simulation, std::uint32_t lost);
+/// `lost`: what check_now() or diverged() found. The simulation goes back to its last sound state, at rest.
+Divergence find_divergence(Simulation& simulation, std::uint32_t lost);
 
 /// For commands without a window: nothing if the state is sound; else writes a replay into the working folder, or the
 /// folder for temporary files where that cannot be written, and throws an Error that says what came apart and names the
 /// replay. Throws gl::ContextLost when there is no state any more. Waits for the GPU.
-void require_sound(Simulation& simulation);
+void require_valid(Simulation& simulation);
 
 /// The replay, under a dated name. Returns where.
 std::filesystem::path keep_replay(const Replay& replay);
