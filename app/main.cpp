@@ -2,7 +2,6 @@
 #include <exception>
 #include <iostream>
 
-#include "app/cli/command_line.h"
 #include "app/cli/usage_error.h"
 #include "app/commands/command.h"
 #include "app/session/reproduce.h"

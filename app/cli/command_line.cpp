@@ -38,23 +38,6 @@ const CLI::App& named_command(const CLI::App& program) {
   return named.empty() ? program : named_command(*named.front());
 }
 
-// "-" is the name of a file where an option does not say that it is more.
-void refuse_dashes(CLI::App& command) {
-  for (CLI::Option* option : command.get_options()) {
-    const OptionEntry entry = describe(*option);
-    const bool is_file = entry.takes == OptionEntry::Takes::file, is_folder = entry.takes == OptionEntry::Takes::folder;
-    if (entry.takes_dash || (!is_file && !is_folder)) continue;
-    const std::string expected = is_file ? "a file, ./- if that is its name" : "a folder, ./- if that is its name";
-    option->check(CLI::Validator(
-        [expected](std::string& value) {
-          return value == kStandardInput ? "- is standard input or output, which it does not take; expected " + expected
-                                         : std::string();
-        },
-        ""));
-  }
-  for (CLI::App* child : command.get_subcommands([](const CLI::App*) { return true; })) refuse_dashes(*child);
-}
-
 // What other programs call the same.
 std::string command_for(const std::string& word) {
   static const std::map<std::string, std::string> others{
@@ -122,24 +105,28 @@ void refuse_mistyped_command(const CLI::App& program, const std::string& scene) 
     throw CLI::ValidationError(unknown_command(program, scene));
 }
 
-std::unique_ptr<CLI::App> make_command_line(Invocation& invocation) {
+std::unique_ptr<CLI::App> make_program() {
   auto program = std::make_unique<CLI::App>(kAbout);
   program->formatter(std::make_shared<HelpFormatter>());
   program->set_version_flag("--version", std::string("fascia ") + FASCIA_VERSION);
   program->require_subcommand(0, 1);
-  add_view(*program, invocation);
-  add_render(*program, invocation);
-  add_check(*program, invocation);
-  add_run(*program, invocation);
-  add_bench(*program, invocation);
-  add_stress(*program, invocation);
-  add_soak(*program, invocation);
-  add_info(*program, invocation);
-  add_convert(*program, invocation);
-  add_completion(*program, invocation);
-  add_man(*program, invocation);
-  refuse_dashes(*program);
   return program;
+}
+
+void refuse_dashes(CLI::App& command) {
+  for (CLI::Option* option : command.get_options()) {
+    const OptionEntry entry = describe(*option);
+    const bool is_file = entry.takes == OptionEntry::Takes::file, is_folder = entry.takes == OptionEntry::Takes::folder;
+    if (entry.takes_dash || (!is_file && !is_folder)) continue;
+    const std::string expected = is_file ? "a file, ./- if that is its name" : "a folder, ./- if that is its name";
+    option->check(CLI::Validator(
+        [expected](std::string& value) {
+          return value == kStandardInput ? "- is standard input or output, which it does not take; expected " + expected
+                                         : std::string();
+        },
+        ""));
+  }
+  for (CLI::App* child : command.get_subcommands([](const CLI::App*) { return true; })) refuse_dashes(*child);
 }
 
 std::string usage_message(const CLI::App& program, const CLI::ParseError& error) {

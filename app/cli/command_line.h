@@ -1,6 +1,5 @@
-// The command line: one function per command, each in command_line_<name>.cpp, which adds its options and says what to
-// run. An option is added in its command's file and nowhere else: help, man page and completion are made from these
-// tables.
+// What the commands of the command line (app/commands) share: options that several have, help, and one line for what is
+// wrong. Help, man page and completion are made from the same options.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -17,20 +16,10 @@ struct Invocation {
   std::function<int()> run;  // returns the exit code
 };
 
-/// The program with all its commands; parsing it fills `invocation`, which must outlive it.
-std::unique_ptr<CLI::App> make_command_line(Invocation& invocation);
-
-void add_view(CLI::App& program, Invocation& invocation);  // as command, and as what runs without one
-void add_render(CLI::App& program, Invocation& invocation);
-void add_check(CLI::App& program, Invocation& invocation);
-void add_run(CLI::App& program, Invocation& invocation);
-void add_bench(CLI::App& program, Invocation& invocation);
-void add_stress(CLI::App& program, Invocation& invocation);
-void add_soak(CLI::App& program, Invocation& invocation);
-void add_info(CLI::App& program, Invocation& invocation);
-void add_convert(CLI::App& program, Invocation& invocation);
-void add_completion(CLI::App& program, Invocation& invocation);
-void add_man(CLI::App& program, Invocation& invocation);
+std::unique_ptr<CLI::App> make_program();  // without commands
+/// Where an option of the program or of a command below it is a file or a folder and does not say that it takes "-",
+/// "-" becomes an error.
+void refuse_dashes(CLI::App& program);
 
 // Options that several commands have.
 void add_size(CLI::App& command, int& width, int& height);

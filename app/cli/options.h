@@ -46,18 +46,6 @@ struct RenderOptions : CommonOptions {
   std::string split;  // --set texts, with semicolons between, for a second side
 };
 
-struct RunOptions : CommonOptions {
-  std::string export_path;  // .vtu, .csv, .msh, .obj
-  long every = 0;           // 0: the end only
-  std::string history;      // a CSV row every history_every-th step
-  long history_every = 1;
-  std::optional<std::uint32_t>
-      probe;           // vertex whose displacement the history has; none: the one farthest from the supports
-  std::string stats;   // stats.json
-  bool error = false;  // of the last step, against the exact one
-  bool hash = false;   // of the last state
-};
-
 struct ViewOptions : CommonOptions {
   int width = 1280, height = 720;
   int samples = 0;          // 0: 4 on a GPU, 1 on software renderers
@@ -69,18 +57,6 @@ struct BenchOptions : CommonOptions {
   std::string out;  // folder
   bool quick = false;
   int width = 1280, height = 720;
-};
-
-struct InfoOptions {
-  std::string input;
-  bool tissues = false;  // the table of presets instead of a mesh
-  std::vector<std::string> sets;
-};
-
-struct ConvertOptions {
-  std::string in, out;
-  bool weld = false;
-  bool with_mesh = false;  // IN is a scene or a replay, OUT the same with its files in it
 };
 
 }  // namespace fascia

@@ -30,6 +30,16 @@ std::vector<std::string> names_of(const Values& values) {
   return names;
 }
 
+// Of a display setting; empty: numbers.
+template <class Field>
+std::vector<std::string> values_of(const Field&) {
+  return {};
+}
+std::vector<std::string> values_of(bool) { return {"true", "false"}; }
+std::vector<std::string> values_of(ColorBy) { return names_of(all_colors()); }
+std::vector<std::string> values_of(ColorMap) { return names_of(all_color_maps()); }
+std::vector<std::string> values_of(Background) { return names_of(all_backgrounds()); }
+
 }  // namespace
 
 std::vector<SceneKey> scene_keys() {
@@ -50,8 +60,9 @@ std::vector<SceneKey> scene_keys() {
   for (SceneKey& key : keys) {
     if (key.name == "solver.method") key.values.assign(methods.begin(), methods.end());
     if (key.name == "solver.acceleration") key.values.assign(accelerations.begin(), accelerations.end());
-    if (key.name == "display.color") key.values = names_of(all_colors());
-    if (key.name == "display.wireframe") key.values = {"true", "false"};
+    visit_display(scene.display, [&](const auto& field, const std::string& name, auto&&...) {
+      if (key.name == "display." + name) key.values = values_of(field);
+    });
     if (key.name == "materials.default.model") key.values = names_of(material_models());
   }
   return keys;

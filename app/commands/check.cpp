@@ -6,6 +6,7 @@
 
 #include "app/check/check.h"
 #include "app/check/junit.h"
+#include "app/cli/command_line.h"
 #include "app/cli/name_pattern.h"
 #include "app/cli/output_files.h"
 #include "app/commands/command.h"
@@ -88,9 +89,7 @@ std::vector<CheckCase> chosen_cases(const CheckOptions& options) {
   return cases;
 }
 
-}  // namespace
-
-int command_check(const CheckOptions& options) {
+int check_folder(const CheckOptions& options) {
   require_outputs({{"--junit", options.junit, {".xml"}, OutputFile::Takes::all_but_foreign}});
   const std::vector<CheckCase> cases = chosen_cases(options);
   if (!options.out.empty()) {
@@ -120,6 +119,39 @@ int command_check(const CheckOptions& options) {
   if (bad > 0 || !options.quiet)
     std::cout << report.size() << (report.size() == 1 ? " scene, " : " scenes, ") << bad << " failed\n";
   return bad > 0 ? exit_failed : exit_done;
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, Invocation& invocation) {
+  const auto options = std::make_shared<CheckOptions>();
+  CLI::App& command = *program.add_subcommand(
+      "check", "a folder of scenes against golden pictures and states; exit code 1 where one differs");
+  command.add_option("folder", options->folder, "scenes and replays, their goldens beside them, and check.json")
+      ->type_name("DIR")
+      ->required();
+  command.add_flag("--update", options->update,
+                   "write the goldens anew and say what changed: look at every picture before you keep it");
+  command
+      .add_option("--out", options->out, "folder for the new picture, the new state and the difference of what fails")
+      ->type_name("DIR");
+  command.add_option("--junit", options->junit, "the results for GitLab, Jenkins or GitHub")->type_name("FILE.xml");
+  command.add_option("--only", options->only, "scenes whose name has such a part; * and ? as in file names")
+      ->type_name("PATTERN");
+  command.add_option("--timeout", options->timeout, "after which a scene counts as failed")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(1e-3, 1e7))
+      ->capture_default_str();
+  add_graphics(command, *options);
+  add_examples(
+      command,
+      {"fascia check assets/check", "fascia check tests/scenes --context osmesa --junit report.xml --out failures",
+       "fascia check tests/scenes --only liver --update"},
+      "a scene differs or could not be checked");
+  command.callback([&invocation, options] {
+    options->command_line = invocation.command_line;
+    invocation.run = [options] { return check_folder(*options); };
+  });
 }
 
 }  // namespace fascia

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <optional>
 
+#include "app/cli/command_line.h"
 #include "app/cli/output_files.h"
 #include "app/cli/usage_error.h"
 #include "app/commands/command.h"
@@ -16,8 +17,13 @@
 #include "sim/surface/surface_fill.h"
 
 namespace fascia {
-
 namespace {
+
+struct ConvertOptions {
+  std::string in, out;
+  bool weld = false;
+  bool with_mesh = false;  // IN is a scene or a replay, OUT the same with its files in it
+};
 
 // What opens anywhere: a scene or a replay with its files in it.
 int write_self_contained(const ConvertOptions& options) {
@@ -35,9 +41,7 @@ int write_self_contained(const ConvertOptions& options) {
   return exit_done;
 }
 
-}  // namespace
-
-int command_convert(const ConvertOptions& options) {
+int convert_file(const ConvertOptions& options) {
   if (options.with_mesh) return write_self_contained(options);
   if (const std::string ending = lower_ending(options.in); ending == ".json" || ending == ".fascia")
     throw UsageError(options.in, ending == ".json" ? "is a scene" : "is a replay",
@@ -64,6 +68,29 @@ int command_convert(const ConvertOptions& options) {
     std::cerr << "fascia: " << lost << '\n';
   for (const std::string& note : file.notes) std::cerr << "fascia: " << note << '\n';
   return exit_done;
+}
+
+}  // namespace
+
+void add_convert(CLI::App& program, Invocation& invocation) {
+  const auto options = std::make_shared<ConvertOptions>();
+  CLI::App& command = *program.add_subcommand(
+      "convert", "between mesh formats, by the ending of OUT; a scene or a replay to one that carries its meshes");
+  command.add_option("in", options->in, "mesh, scene or replay to read")->type_name("FILE")->required();
+  command
+      .add_option("out", options->out,
+                  "mesh to write: .msh, .vtk, .vtu, .node, .ele or .mesh; with --with-mesh a scene (.json) or a replay "
+                  "(.fascia)")
+      ->type_name("FILE")
+      ->required();
+  CLI::Option* const weld = command.add_flag(
+      "--weld", options->weld, "make vertices at exactly one place one: halves that only touch hold together");
+  command
+      .add_flag("--with-mesh", options->with_mesh,
+                "OUT is the scene or the replay IN with all the files in it that it refers to: it opens anywhere")
+      ->excludes(weld);
+  add_examples(command, {"fascia convert model.vtu model.msh", "fascia convert liver.json elsewhere.json --with-mesh"});
+  command.callback([&invocation, options] { invocation.run = [options] { return convert_file(*options); }; });
 }
 
 }  // namespace fascia

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <numeric>
 
+#include "app/cli/command_line.h"
 #include "app/cli/usage_error.h"
 #include "app/commands/command.h"
 #include "app/session/file_provenance.h"
@@ -22,8 +23,13 @@
 #include "sim/surface/surface_fill.h"
 
 namespace fascia {
-
 namespace {
+
+struct InfoOptions {
+  std::string input;
+  bool tissues = false;  // the table of presets instead of a mesh
+  std::vector<std::string> sets;
+};
 
 // Dispatches of a Gauss-Seidel sweep and how evenly they are filled.
 void print_coloring(const std::string& name, const Model& model, const Coloring& coloring) {
@@ -61,9 +67,7 @@ MeshFile filled_mesh(SurfaceMesh surface, const std::string& where, const Body& 
   return std::move(filled.file);
 }
 
-}  // namespace
-
-int command_info(const InfoOptions& options) {
+int inspect(const InfoOptions& options) {
   const EndAtOnce reading;  // nothing is written
   if (options.tissues) {
     print_tissues(std::cout);
@@ -109,6 +113,28 @@ int command_info(const InfoOptions& options) {
               << " of them outside of the tets, at most " << drawn.farthest << " m\n";
   for (const std::string& note : model.notes) std::cout << "  note         " << note << '\n';
   return exit_done;
+}
+
+}  // namespace
+
+void add_info(CLI::App& program, Invocation& invocation) {
+  const auto options = std::make_shared<InfoOptions>();
+  CLI::App& command =
+      *program.add_subcommand("info", "mesh doctor: sizes, materials, defects; what made a file of fascia's");
+  CLI::Option* scene = command
+                           .add_option("scene", options->input,
+                                       "scene (.json) or tetrahedral mesh; or a picture, video, replay or export; - is "
+                                       "a scene on standard input")
+                           ->type_name(std::string("FILE") + kOrDash);
+  command.add_flag("--tissues", options->tissues, "list the tissue presets with their sources, instead")
+      ->excludes(scene);
+  command.add_option("--set", options->sets, "override a scene value")->type_name("KEY=VALUE")->allow_extra_args(false);
+  add_examples(command,
+               {"fascia info liver.msh", "fascia info beam.json --set solver.colors=5", "fascia info --tissues"});
+  command.callback([&invocation, options] {
+    if (options->input.empty() && !options->tissues) throw CLI::RequiredError("scene, or --tissues,");
+    invocation.run = [options] { return inspect(*options); };
+  });
 }
 
 }  // namespace fascia

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <iostream>
 
+#include "app/cli/command_line.h"
 #include "app/cli/output_files.h"
 #include "app/cli/usage_error.h"
 #include "app/commands/command.h"
@@ -22,6 +23,17 @@
 
 namespace fascia {
 namespace {
+
+struct RunOptions : CommonOptions {
+  std::string export_path;  // .vtu, .csv, .msh, .obj
+  long every = 0;           // 0: the end only
+  std::string history;      // a CSV row every history_every-th step
+  long history_every = 1;
+  std::optional<std::uint32_t> probe;  // vertex of the history's displacement; none: the one farthest from supports
+  std::string stats;                   // stats.json
+  bool error = false;                  // of the last step, against the exact one
+  bool hash = false;                   // of the last state
+};
 
 using Clock = std::chrono::steady_clock;
 
@@ -87,9 +99,7 @@ void require_free_standard_output(const RunOptions& options) {
                      "expected a file name instead of -");
 }
 
-}  // namespace
-
-int command_run(const RunOptions& options) {
+int run_input(const RunOptions& options) {
   if (options.error && (options.static_equilibrium || options.reference))
     throw UsageError("--error", "compares steps of the GPU with the reference solver",
                      "leave out --static and --reference");
@@ -214,6 +224,46 @@ int command_run(const RunOptions& options) {
               << " s simulated in " << stats.wall_s << " s, median " << percentiles(stats.solve_ms).median
               << " ms a step\n";
   return interrupted() ? exit_interrupted : exit_done;
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, Invocation& invocation) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App& command = *program.add_subcommand("run", "simulate and draw nothing");
+  add_common(command, *options);
+  command
+      .add_option("--export", options->export_path,
+                  "the state after the last step: .vtu, .csv, .msh or .obj; to standard output as CSV")
+      ->type_name(std::string("FILE") + kOrDash);
+  command.add_option("--every", options->every, "export every K-th step as numbered files")
+      ->type_name("K")
+      ->check(at_least(1));
+  auto* history =
+      command.add_option("--history", options->history, "a row per step: energies, volume, forces, residual, times")
+          ->type_name(std::string("FILE.csv") + kOrDash);
+  command.add_option("--history-every", options->history_every, "a row every K-th step")
+      ->type_name("K")
+      ->check(at_least(1))
+      ->needs(history)
+      ->capture_default_str();
+  command
+      .add_option("--probe", options->probe,
+                  "vertex whose displacement the history has; default: the one farthest from the supports")
+      ->type_name("VERTEX")
+      ->needs(history);
+  command.add_option("--stats", options->stats, "numbers about the run")->type_name(std::string("FILE.json") + kOrDash);
+  command.add_flag("--error", options->error, "compare the last step with the exact one, by the reference solver");
+  command.add_flag("--hash", options->hash, "print a fingerprint of the last state");
+  add_examples(command,
+               {"fascia run beam.json --export out.vtu --every 10",
+                "fascia run liver.json --static --set materials.default.young_modulus=8000 --export hanging.csv",
+                "fascia run beam.json --time 1 --stats stats.json --quiet",
+                "generate_scene | fascia run - --quiet --stats - | jq .residual"});
+  command.callback([&invocation, options] {
+    options->command_line = invocation.command_line;
+    invocation.run = [options] { return run_input(*options); };
+  });
 }
 
 }  // namespace fascia

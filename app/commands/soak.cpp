@@ -1,12 +1,14 @@
 // fascia soak: long runs, and what creeps in them.
 #include "app/stress/soak.h"
 #include "app/bench/bench.h"
+#include "app/cli/command_line.h"
 #include "app/commands/command.h"
 #include "app/system/paths.h"
 
 namespace fascia {
+namespace {
 
-int command_soak(const BenchOptions& options, const std::vector<std::string>& scenes, long steps) {
+int run_soak(const BenchOptions& options, const std::vector<std::string>& scenes, long steps) {
   Bench bench(options, "soak");
   try {
     bench.say(describe(bench.graphics));
@@ -18,6 +20,29 @@ int command_soak(const BenchOptions& options, const std::vector<std::string>& sc
   } catch (const Interrupted&) {
     return exit_interrupted;
   }
+}
+
+}  // namespace
+
+void add_soak(CLI::App& program, Invocation& invocation) {
+  struct Options : BenchOptions {
+    std::vector<std::string> scenes;
+    long step_count = 100000;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *program.add_subcommand(
+      "soak", "scenes that are grabbed and let go for very long, twice: what drifts, what grows");
+  command.add_option("scenes", options->scenes, "scenes (.json) or tetrahedral meshes; default: three shipped ones")
+      ->type_name("FILE");
+  command.add_option("--out", options->out, "folder for the table")->type_name("DIR")->required();
+  command.add_option("--steps", options->step_count, "of every run")
+      ->check(CLI::Range(2400l, 1000000000l))
+      ->capture_default_str();
+  add_graphics(command, *options);
+  add_examples(command, {"fascia soak cube.json --steps 20000 --out soak"}, "something drifts or grows");
+  command.callback([&invocation, options] {
+    invocation.run = [options] { return run_soak(*options, options->scenes, options->step_count); };
+  });
 }
 
 }  // namespace fascia

@@ -1,7 +1,10 @@
 // What the picture shows of the tissue.
 #include <imgui.h>
 
+#include <iterator>
+#include <optional>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "app/panels/panels.h"
@@ -10,63 +13,6 @@
 
 namespace fascia {
 namespace {
-
-const char* help_of(ColorBy color) {
-  switch (color) {
-    case ColorBy::none:
-      return "The tissue's own color. Costs nothing";
-    case ColorBy::region:
-      return "Regions of the mesh, in colors that color-blind people tell apart. Costs nothing in a step";
-    case ColorBy::strain:
-      return "Green strain of the tets, averaged at vertices [-]. One pass over the tets a frame";
-    case ColorBy::von_mises:
-      return "Of the Cauchy stress, averaged at vertices [Pa]. One pass over the tets a frame";
-    case ColorBy::displacement:
-      return "Distance from the place at rest [m]. Costs next to nothing";
-    case ColorBy::velocity:
-      return "Speed of the vertices [m/s]. Costs next to nothing";
-    case ColorBy::volume_ratio:
-      return "J, volume over volume at rest [-]: 1 is unchanged, below 0 turned inside out. One pass over the tets a "
-             "frame";
-    case ColorBy::largest_stress:
-      return "Of the Cauchy stress [Pa]: positive where the tissue is pulled. One pass over the tets a frame";
-    case ColorBy::smallest_stress:
-      return "Of the Cauchy stress [Pa]: negative where the tissue is pressed. One pass over the tets a frame";
-    case ColorBy::error:
-      return "Distance of the last substep to the exact one [m], solved on another thread";
-  }
-  return "";
-}
-
-const char* help_of(ColorMap map) {
-  switch (map) {
-    case ColorMap::automatic:
-      return "dusk; polar for J and principal stresses";
-    case ColorMap::dusk:
-      return "Violet over green to yellow, always lighter";
-    case ColorMap::ember:
-      return "Black over red to yellow, always lighter";
-    case ColorMap::polar:
-      return "Blue, white, red: white is the neutral value of J (1) and principal stresses (0), else the middle";
-    case ColorMap::grey:
-      return "Dark to light, for print";
-  }
-  return "";
-}
-
-const char* help_of(Background background) {
-  switch (background) {
-    case Background::gradient:
-      return "A grey room";
-    case Background::white:
-      return "For papers";
-    case Background::black:
-      return "For slides";
-    case Background::transparent:
-      return "Pictures get an alpha channel; of the ground only the shadow is kept. No videos";
-  }
-  return "";
-}
 
 // Whether the range follows the values, and where it ends if not.
 bool range_rows(const Session& session, DisplaySettings& display) {
@@ -96,18 +42,16 @@ bool range_rows(const Session& session, DisplaySettings& display) {
   return changed;
 }
 
-bool section_rows(const Session& session, DisplaySettings& display) {
-  bool changed = false, on = display.section.has_value();
-  if (ImGui::Checkbox("Section", &on)) {
-    display.section.reset();
-    if (on) display.section = SectionPlane{Eigen::Vector3d::UnitX(), session.look.center.x()};
+bool section_rows(const Session& session, const char* name, const char* help, std::optional<SectionPlane>& given) {
+  bool changed = false, on = given.has_value();
+  if (ImGui::Checkbox(name, &on)) {
+    given.reset();
+    if (on) given = SectionPlane{Eigen::Vector3d::UnitX(), session.look.center.x()};
     changed = true;
   }
-  ui::tooltip(
-      "Cuts the picture of the body open; what is inside shows in the colors of the heat map. One pass over the tets a "
-      "frame");
-  if (!display.section) return changed;
-  SectionPlane& section = *display.section;
+  ui::tooltip(help);
+  if (!given) return changed;
+  SectionPlane& section = *given;
   ui::label("Across",
             "The axis that the plane lies across, or its opposite: what lies beyond the plane along it is left out");
   constexpr const char* kAxes[] = {"x", "y", "z", "-x", "-y", "-z"};
@@ -126,41 +70,40 @@ bool section_rows(const Session& session, DisplaySettings& display) {
   return changed;
 }
 
-bool tets_rows(DisplaySettings& display) {
-  bool changed = false, on = display.tets.has_value();
-  if (ImGui::Checkbox("Separate tets", &on)) {
-    display.tets.reset();
-    if (on) display.tets.emplace();
+bool tets_rows(const char* name, const char* help, std::optional<SeparateTets>& tets) {
+  bool changed = false, on = tets.has_value();
+  if (ImGui::Checkbox(name, &on)) {
+    tets.reset();
+    if (on) tets.emplace();
     changed = true;
   }
-  ui::tooltip(
-      "Draws every tet on its own instead of the surface: 4 triangles a tet. With a section whole tets are left out");
-  if (!display.tets) return changed;
+  ui::tooltip(help);
+  if (!tets) return changed;
   changed |= ui::number({"Shrink", "", 0.1, 1, 0.01, 1, false, false, "Size of every tet about its centroid [-]"},
-                        display.tets->shrink);
-  changed |=
-      ui::number({"Spread", "", 0, 2, 0, 10, false, false, "How much farther from the middle tets are drawn [-]"},
-                 display.tets->spread);
+                        tets->shrink);
+  changed |= ui::number(
+      {"Spread", "", 0, 2, 0, 10, false, false, "How much farther from the middle tets are drawn [-]"}, tets->spread);
   return changed;
 }
 
+// Switches, three in a row, and below them what has a strength.
 bool light_rows(DisplaySettings& display) {
-  const float column = ImGui::GetContentRegionAvail().x / 3, left = ImGui::GetCursorPosX();
-  bool changed = ImGui::Checkbox("Wireframe", &display.wireframe);
-  ui::tooltip("Edges of the surface, and of the tets in a section (W)");
-  ImGui::SameLine(left + 1.2f * column);
-  changed |= ImGui::Checkbox("Shadow", &display.shadow);
-  ui::tooltip("Draws the scene a second time, as the light sees it");
-  ImGui::SameLine(left + 2.15f * column);
-  changed |= ImGui::Checkbox("Ground", &display.ground);
-  ui::tooltip("A floor with a grid; every line is a round number of metres");
-  changed |= ui::number(
-      {"Occlusion", "", 0, 1, 0, 1, false, false,
-       "Darkens creases and what stands close together [-]. 0 costs nothing; software renderers pay for every pixel"},
-      display.ambient_occlusion);
-  changed |= ui::number(
-      {"Depth cue", "", 0, 1, 0, 1, false, false, "How far the back of the scene fades into the background [-]"},
-      display.depth_cue);
+  constexpr float kColumns[] = {0, 1.2f, 2.15f};  // thirds of the width
+  const float third = ImGui::GetContentRegionAvail().x / 3, left = ImGui::GetCursorPosX();
+  bool changed = false;
+  std::size_t switches = 0;
+  visit_display(display, [&](auto& field, const char*, const char* name, const char* help) {
+    if constexpr (std::is_same_v<decltype(field), bool&>) {
+      const std::size_t column = switches++ % std::size(kColumns);
+      if (column > 0) ImGui::SameLine(left + kColumns[column] * third);
+      changed |= ImGui::Checkbox(name, &field);
+      ui::tooltip(help);
+    }
+  });
+  visit_display(display, [&](auto& field, const char*, const char* name, const char* help) {
+    if constexpr (std::is_same_v<decltype(field), double&>)
+      changed |= ui::number({name, "", 0, 1, 0, 1, false, false, help}, field);
+  });
   changed |= ui::choice(
       "Background", all_backgrounds(), display.background, [](Background b) { return name_of(b); },
       [](Background b) { return std::string(help_of(b)); });
@@ -193,8 +136,12 @@ void display_panel(Session& session) {
     changed |= range_rows(session, display);
   }
   changed |= light_rows(display);
-  changed |= section_rows(session, display);
-  changed |= tets_rows(display);
+  visit_display(display, [&](auto& field, const char*, const char* name, const char* help) {
+    if constexpr (std::is_same_v<decltype(field), std::optional<SectionPlane>&>)
+      changed |= section_rows(session, name, help, field);
+    if constexpr (std::is_same_v<decltype(field), std::optional<SeparateTets>&>)
+      changed |= tets_rows(name, help, field);
+  });
   theme_row();
   if (changed) session.set_display(display);
 }

@@ -1,5 +1,5 @@
-// fascia stress: torture cases, each a replay with criteria that can fail. What is tortured is every pair of method and
-// acceleration.
+// fascia stress: the stress suite, cases for every choice of method and acceleration, each a replay with criteria that
+// can fail.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace fascia {
 
-/// What must hold besides finite values and no vertex gone diverged (sim/gpu/readback/state_guard.h). Sizes: diagonals
+/// What must hold besides finite values and no diverged vertex (sim/gpu/readback/state_guard.h). Sizes: diagonals
 /// of the box around the body at rest.
 struct StressCriteria {
   double farthest = 3;               // no displacement is longer than so many sizes, at any step

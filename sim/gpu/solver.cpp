@@ -159,13 +159,7 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
                   {&passes.refresh, &passes.first_iteration, &passes.iteration, &passes.end});
     before_every_ = stop_->interval();
   }
-  passes.end.push_back(r.over_vertices("sim/step/velocity.comp", {},
-                                       {{"step", &buffers_.step},
-                                        {"displacement", &buffers_.displacement},
-                                        {"previous_displacement", &buffers_.previous_displacement},
-                                        {"predicted", &buffers_.predicted},
-                                        {"velocity", &buffers_.velocity},
-                                        {"diverged", &buffers_.diverged}}));
+  passes.end.push_back(velocity_update(r));
   if (!fuses_)
     for (const Passes* list : passes.lists())
       for (const gl::ComputePass& pass : *list) pass.program().begin_link();

@@ -186,7 +186,7 @@ std::vector<Matrix3d> ElasticSystem::strains(const VectorXd& u) const {
 double ElasticSystem::min_det_f(const VectorXd& u) const {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t t = 0; t < rest_.size(); ++t)
-    smallest = std::min(smallest, deformation_gradient(rest_[t], corners(u, model_.tets[t])).determinant());
+    smallest = std::min(smallest, rest_[t].deformation_gradient(corners(u, model_.tets[t])).determinant());
   return smallest;
 }
 

@@ -56,7 +56,7 @@ class ElasticSystem {
                           bool project) const;
 
   const Model& model_;
-  std::vector<RestTet> rest_;
+  std::vector<LinearTet> rest_;
   std::vector<int> first_dof_;
   int dof_count_ = 0;
   EliminationTree tree_;

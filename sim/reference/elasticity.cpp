@@ -15,14 +15,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// H = F - I from differences of displacements, so that neither the identity nor a common translation costs
-// digits.
-Matrix3d displacement_gradient(const RestTet& rest, const Corners& u) {
-  Matrix3d h = Matrix3d::Zero();
-  for (int a = 1; a < 4; ++a) h += (u[a] - u[0]) * rest.gradients.col(a).transpose();
-  return h;
-}
-
 Matrix3d strain_of(const Matrix3d& h) { return 0.5 * (h + h.transpose() + h.transpose() * h); }
 
 double energy_density(const Matrix3d& strain, const Material& material) {
@@ -45,18 +37,6 @@ void clamp_negative_eigenvalues(Matrix12d& hessian) {
 
 }  // namespace
 
-RestTet::RestTet(const Corners& x) {
-  Matrix3d edges;
-  edges << x[1] - x[0], x[2] - x[0], x[3] - x[0];
-  gradients.rightCols<3>() = edges.inverse().transpose();
-  gradients.col(0) = -gradients.rightCols<3>().rowwise().sum();
-  volume = edges.determinant() / 6;
-}
-
-Matrix3d deformation_gradient(const RestTet& rest, const Corners& displacements) {
-  return Matrix3d::Identity() + displacement_gradient(rest, displacements);
-}
-
 Vector6d green_strain(const Matrix3d& f) {
   const Matrix3d strain = strain_of(f - Matrix3d::Identity());
   Vector6d voigt;
@@ -64,8 +44,8 @@ Vector6d green_strain(const Matrix3d& f) {
   return voigt;
 }
 
-Matrix3d green_strain_matrix(const RestTet& rest, const Corners& displacements) {
-  return strain_of(displacement_gradient(rest, displacements));
+Matrix3d green_strain_matrix(const LinearTet& rest, const Corners& displacements) {
+  return strain_of(rest.displacement_gradient(displacements));
 }
 
 Matrix3d second_piola_stress(const Matrix3d& strain, const Material& material) {
@@ -86,9 +66,9 @@ double von_mises(const Matrix3d& f, const Material& material) {
 }
 
 // The viscous part always acts on the Green strain itself: it is smooth, whatever the tet looks like.
-Derivatives elastic(const RestTet& rest, const Corners& displacements, const Material& material, double damping_over_h,
-                    const Matrix3d& previous_strain, bool with_hessian, bool project) {
-  const Matrix3d h = displacement_gradient(rest, displacements);
+Derivatives elastic(const LinearTet& rest, const Corners& displacements, const Material& material,
+                    double damping_over_h, const Matrix3d& previous_strain, bool with_hessian, bool project) {
+  const Matrix3d h = rest.displacement_gradient(displacements);
   const Matrix3d f = Matrix3d::Identity() + h;
   const Matrix3d strain = strain_of(h);
   const Matrix3d strain_change = strain - previous_strain;

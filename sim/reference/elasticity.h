@@ -8,8 +8,8 @@
 // Material::damping): the incremental potential is V [Psi(eps) + damping/h * Psi(eps - eps_n)].
 #pragma once
 #include <Eigen/Core>
-#include <array>
 
+#include "sim/elements/linear_tet.h"
 #include "sim/material/material.h"
 
 namespace fascia::reference {
@@ -17,19 +17,10 @@ namespace fascia::reference {
 using Matrix12d = Eigen::Matrix<double, 12, 12>;
 using Vector12d = Eigen::Matrix<double, 12, 1>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
-using Corners = std::array<Eigen::Vector3d, 4>;
 
-/// Constants of a tet at rest.
-struct RestTet {
-  explicit RestTet(const Corners& rest_positions);
-  Eigen::Matrix<double, 3, 4> gradients;  // b_a, columns: gradients of the shape functions [1/m]
-  double volume;                          // V [m^3]
-};
-
-Eigen::Matrix3d deformation_gradient(const RestTet& rest, const Corners& displacements);
 Vector6d green_strain(const Eigen::Matrix3d& f);  // xx, yy, zz, yz, xz, xy; tensor shears
 /// The same as a matrix, without the digits that forming F costs: small strains keep full relative accuracy.
-Eigen::Matrix3d green_strain_matrix(const RestTet& rest, const Corners& displacements);
+Eigen::Matrix3d green_strain_matrix(const LinearTet& rest, const Corners& displacements);
 Eigen::Matrix3d second_piola_stress(const Eigen::Matrix3d& strain,
                                     const Material& material);  // S [Pa] of St. Venant-Kirchhoff
 
@@ -46,7 +37,7 @@ struct Derivatives {
 /// `previous_strain` and `damping_over_h` (damping / h, 0 without) carry the viscous part. With `project`,
 /// negative eigenvalues of the Hessian are clamped to zero (Teran et al. 2005). `with_hessian` false leaves
 /// the Hessian unset.
-Derivatives elastic(const RestTet& rest, const Corners& displacements, const Material& material, double damping_over_h,
-                    const Eigen::Matrix3d& previous_strain, bool with_hessian, bool project);
+Derivatives elastic(const LinearTet& rest, const Corners& displacements, const Material& material,
+                    double damping_over_h, const Eigen::Matrix3d& previous_strain, bool with_hessian, bool project);
 
 }  // namespace fascia::reference

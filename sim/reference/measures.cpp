@@ -33,7 +33,7 @@ Measures measure(const Model& model, const State& state) {
     if (held[v]) result.fixed_reaction -= mass[v] * model.gravity;
   }
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
-    const RestTet rest(gather(model.rest_positions, model.tets[t]));
+    const LinearTet rest(gather(model.rest_positions, model.tets[t]));
     const Corners u = gather(state.displacement, model.tets[t]);
     const Derivatives d =
         elastic(rest, u, model.materials[model.tet_material[t]], 0, Eigen::Matrix3d::Zero(), false, false);
@@ -42,7 +42,7 @@ Measures measure(const Model& model, const State& state) {
       if (held[model.tets[t][a]]) result.fixed_reaction += d.gradient.segment<3>(3 * a);
     strain2 += rest.volume * green_strain_matrix(rest, u).squaredNorm();
     volume += rest.volume;
-    const double det_f = deformation_gradient(rest, u).determinant();
+    const double det_f = rest.deformation_gradient(u).determinant();
     result.min_det_f = t == 0 ? det_f : std::min(result.min_det_f, det_f);
     result.max_det_f = t == 0 ? det_f : std::max(result.max_det_f, det_f);
     growth += rest.volume * (det_f - 1);
@@ -81,7 +81,7 @@ std::vector<Support> support_forces(const Model& model, const State& state) {
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
     const Tet& tet = model.tets[t];
     if (std::all_of(tet.begin(), tet.end(), [&](std::uint32_t v) { return support_of[v] == kFree; })) continue;
-    const RestTet rest(gather(model.rest_positions, tet));
+    const LinearTet rest(gather(model.rest_positions, tet));
     const Derivatives d = elastic(rest, gather(state.displacement, tet), model.materials[model.tet_material[t]], 0,
                                   Eigen::Matrix3d::Zero(), false, false);
     for (int a = 0; a < 4; ++a)
@@ -99,8 +99,8 @@ StateFields export_fields(const Model& model, const State& state) {
   fields.von_mises.assign(tet_count, 0);
   fields.det_f.assign(tet_count, 1);
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
-    const RestTet rest(gather(model.rest_positions, model.tets[t]));
-    const Eigen::Matrix3d f = deformation_gradient(rest, gather(state.displacement, model.tets[t]));
+    const LinearTet rest(gather(model.rest_positions, model.tets[t]));
+    const Eigen::Matrix3d f = rest.deformation_gradient(gather(state.displacement, model.tets[t]));
     const std::uint32_t source = model.tet_source[t];
     fields.green_strain[source] = green_strain(f);
     fields.von_mises[source] = von_mises(f, model.materials[model.tet_material[t]]);

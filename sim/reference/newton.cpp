@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "sim/integrators/implicit_euler.h"
 #include "sim/reference/held_path.h"
 #include "sim/reference/minimizer.h"
 
@@ -109,10 +110,11 @@ NewtonReport NewtonSolver::Impl::follow(const HeldPath& path, const std::functio
 
 NewtonReport NewtonSolver::Impl::substep(State& state) {
   const double h = settings.substep();
+  const ImplicitEuler integrator{h};
   const VectorXd old = flat(state.displacement), velocity = flat(state.velocity);
   Potential potential;
-  potential.inertia = mass / (h * h);
-  potential.target = old + h * velocity + h * h * gravity;
+  potential.inertia = integrator.inertia(mass);
+  potential.target = integrator.predicted(old, velocity, gravity);
   potential.start = old;
   potential.force = VectorXd::Zero(old.size());
   for (const GrabSpring& spring : springs) add(spring, potential);
@@ -127,7 +129,7 @@ NewtonReport NewtonSolver::Impl::substep(State& state) {
   const NewtonReport report = follow(
       path, [&](double) { return potential; }, path.moves(), step_tolerance, u);
   state.displacement = vectors_of(u);
-  state.velocity = vectors_of((u - old) / h);
+  state.velocity = vectors_of(integrator.velocity(u, old));
   state.time += h;
   return report;
 }

@@ -6,69 +6,62 @@
 namespace fascia {
 namespace {
 
+// The values of one setting, by its type.
+void read(const Node& node, bool& on) { on = node.boolean(); }
+
+void read(const Node& node, double& share) { share = node.number(0, 1, ""); }
+
 template <class Choice>
-void read_choice(const Node& node, const char* key, const std::vector<Choice>& choices, Choice& chosen) {
-  const auto value = node.find(key);
-  if (!value) return;
+void read_choice(const Node& node, const std::vector<Choice>& choices, Choice& chosen) {
   std::vector<std::string> names;
   for (const Choice choice : choices) names.push_back(name_of(choice));
-  const std::string expected = "one of " + join(names), name = value->text(expected);
+  const std::string expected = "one of " + join(names), name = node.text(expected);
   for (const Choice choice : choices) {
     if (name != name_of(choice)) continue;
     chosen = choice;
     return;
   }
-  value->fail("is " + excerpt(name) + perhaps(name, names), expected);
+  node.fail("is " + excerpt(name) + perhaps(name, names), expected);
 }
 
-void read_switch(const Node& node, const char* key, bool& on) {
-  if (const auto value = node.find(key)) on = value->boolean();
-}
+void read(const Node& node, ColorBy& color) { read_choice(node, all_colors(), color); }
+void read(const Node& node, ColorMap& map) { read_choice(node, all_color_maps(), map); }
+void read(const Node& node, Background& background) { read_choice(node, all_backgrounds(), background); }
 
-Eigen::Vector2d read_range(const Node& node) {
+void read(const Node& node, std::optional<Eigen::Vector2d>& range) {
   const std::string expected = "a list of 2 numbers, the lower one first";
   const std::vector<Node> ends = node.elements(expected);
   if (ends.size() != 2) node.refuse(expected);
   constexpr double kLargest = 1e30;
-  const Eigen::Vector2d range(ends[0].number(-kLargest, kLargest, ""), ends[1].number(-kLargest, kLargest, ""));
-  if (!(range[0] < range[1])) node.refuse(expected);
-  return range;
+  range.emplace(ends[0].number(-kLargest, kLargest, ""), ends[1].number(-kLargest, kLargest, ""));
+  if (!((*range)[0] < (*range)[1])) node.refuse(expected);
 }
 
-SectionPlane read_section(const Node& node) {
-  SectionPlane section;
+void read(const Node& node, std::optional<SectionPlane>& given) {
+  SectionPlane& section = given.emplace();
   node.expect_object({"normal", "offset"});
   node.read("normal", section.normal, -kFarthestLook, kFarthestLook, "");
   node.read("offset", section.offset, -kFarthestLook, kFarthestLook, "m");
   if (section.normal.norm() < 1e-9) node.fail("normal has no length", "a vector across the plane");
-  return section;
 }
 
-SeparateTets read_tets(const Node& node) {
-  SeparateTets tets;
+void read(const Node& node, std::optional<SeparateTets>& given) {
+  SeparateTets& tets = given.emplace();
   node.expect_object({"shrink", "spread"});
   node.read("shrink", tets.shrink, 0.01, 1, "");
   node.read("spread", tets.spread, 0, 10, "");
-  return tets;
 }
 
 }  // namespace
 
 DisplaySettings read_display(const Node& node) {
   DisplaySettings display;
-  node.expect_object({"color", "range", "color_map", "wireframe", "section", "tets", "shadow", "ground",
-                      "ambient_occlusion", "depth_cue", "background"});
-  read_choice(node, "color", all_colors(), display.color);
-  if (const auto range = node.find("range")) display.range = read_range(*range);
-  read_choice(node, "color_map", all_color_maps(), display.color_map);
-  read_switch(node, "wireframe", display.wireframe);
-  if (const auto section = node.find("section")) display.section = read_section(*section);
-  if (const auto tets = node.find("tets")) display.tets = read_tets(*tets);
-  read_switch(node, "shadow", display.shadow);
-  read_switch(node, "ground", display.ground);
-  node.read("ambient_occlusion", display.ambient_occlusion, 0, 1, "");
-  node.read("depth_cue", display.depth_cue, 0, 1, "");
-  read_choice(node, "background", all_backgrounds(), display.background);
+  std::vector<std::string> keys;
+  visit_display(display, [&](auto&, const char* key, auto&&...) { keys.emplace_back(key); });
+  node.expect_object(keys);
+  visit_display(display, [&](auto& field, const char* key, auto&&...) {
+    if (const auto value = node.find(key)) read(*value, field);
+  });
   return display;
 }
 

@@ -61,21 +61,28 @@ OrderedJson material(const M& material) {
   return object;
 }
 
+// The value of one display setting, by its type.
+OrderedJson setting(bool on) { return on; }
+OrderedJson setting(double share) { return number(share); }
+template <class Choice>
+requires std::is_enum_v<Choice> OrderedJson setting(Choice choice) { return name_of(choice); }
+OrderedJson setting(const Eigen::Vector2d& range) { return {number(range[0]), number(range[1])}; }
+OrderedJson setting(const SectionPlane& section) {
+  return {{"normal", vector(section.normal)}, {"offset", number(section.offset)}};
+}
+OrderedJson setting(const SeparateTets& tets) {
+  return {{"shrink", number(tets.shrink)}, {"spread", number(tets.spread)}};
+}
+template <class Part>
+OrderedJson setting(const std::optional<Part>& part) {
+  return part ? setting(*part) : OrderedJson();
+}
+
 OrderedJson display(const DisplaySettings& display) {
-  OrderedJson object = {{"color", name_of(display.color)}};
-  if (const auto& range = display.range)
-    object["range"] = OrderedJson::array({number((*range)[0]), number((*range)[1])});
-  object["color_map"] = name_of(display.color_map);
-  object["wireframe"] = display.wireframe;
-  if (const auto& section = display.section)
-    object["section"] = {{"normal", vector(section->normal)}, {"offset", number(section->offset)}};
-  if (const auto& tets = display.tets)
-    object["tets"] = {{"shrink", number(tets->shrink)}, {"spread", number(tets->spread)}};
-  object["shadow"] = display.shadow;
-  object["ground"] = display.ground;
-  object["ambient_occlusion"] = number(display.ambient_occlusion);
-  object["depth_cue"] = number(display.depth_cue);
-  object["background"] = name_of(display.background);
+  OrderedJson object = OrderedJson::object();
+  visit_display(display, [&](const auto& field, const char* key, auto&&...) {
+    if (OrderedJson value = setting(field); !value.is_null()) object[key] = std::move(value);
+  });
   return object;
 }
 

@@ -79,14 +79,14 @@ class Repetition {
 
 void measure_tet(const Model& model, const State& state, std::size_t t, double& strain, double& det_f) {
   const Tet& tet = model.tets[t];
-  reference::Corners rest, u;
+  Corners rest, u;
   for (std::size_t a = 0; a < 4; ++a) {
     rest[a] = model.rest_positions[tet[a]];
     u[a] = state.displacement[tet[a]];
   }
-  const reference::RestTet shape(rest);
+  const LinearTet shape(rest);
   strain = reference::green_strain_matrix(shape, u).norm();
-  det_f = reference::deformation_gradient(shape, u).determinant();
+  det_f = shape.deformation_gradient(u).determinant();
 }
 
 }  // namespace

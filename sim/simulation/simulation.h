@@ -12,15 +12,9 @@
 #include "sim/scene/scene.h"
 #include "sim/simulation/scene_edits.h"
 #include "sim/simulation/settling.h"
+#include "sim/simulation/static_equilibrium.h"
 
 namespace fascia {
-
-/// Of the search for a static equilibrium.
-struct StaticReport {
-  int iterations = 0, newton_iterations = 0;  // of the scene's method, and of Newton's
-  double relative_residual = 0;               // reference::NewtonReport
-  bool converged = false;                     // to the tolerance
-};
 
 class Simulation {
  public:
@@ -173,14 +167,5 @@ class Simulation {
   long woken_step_ = 0;       // the last change came before this step
   long steps_asleep_ = 0;
 };
-
-/// "static equilibrium after 12 Newton iterations, relative residual 1e-11"
-/// One line.
-std::string describe(const StaticReport& report);
-/// Says on stderr how far a long solve is, every few seconds.
-std::function<void(const StaticReport&)> static_news(bool quiet);
-/// Throws Error where it is no equilibrium: neither to the tolerance nor, with a mesh too large for Newton's method, as
-/// far as float32 goes.
-void require_equilibrium(const Simulation& simulation, const StaticReport& report);
 
 }  // namespace fascia

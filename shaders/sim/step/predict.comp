@@ -2,7 +2,7 @@
 // Reads velocity and the inverse masses; writes previous_displacement, predicted, displacement (w: inverse mass).
 // First pass of a substep. Held vertices (inverse mass 0) stay where they are.
 // With START_WITHOUT_GRAVITY the iterations start at u_n + h v_n instead: a stiff body that is held hardly follows gravity within a step.
-// LOOSE: but where parts of the mesh are that nothing holds, which fall as they are predicted.
+// UNCONSTRAINED: but where parts of the mesh are that nothing holds, which fall as they are predicted.
 // With MASS_SPLITTING the w of displacement is what each of a vertex's n copies sees: a share m / n of its mass (Tonge, Benevolenski,
 // Voroshilov 2012). The mean of the n corrections is then their sum at full mass: positions get all that the multipliers got.
 // Copies: one per tet around the vertex (Jacobi), or the vertex and its phantoms (colors).
@@ -19,7 +19,7 @@ float copies(uint i) { return float(FETCH1(copy_begin, i + 1u) - FETCH1(copy_beg
 #else
 float copies(uint i) { return 1.0; }
 #endif
-#ifdef LOOSE
+#ifdef UNCONSTRAINED
 INPUT_UINT(Unconstrained, unconstrained)  // [vertex_count] not 0: starts with gravity
 #endif
 OUTPUT(vec4, PreviousDisplacement, previous_displacement)
@@ -42,7 +42,7 @@ void main() {
   predicted[i] = vec4(u + (drift + fall), inv_mass);
 #if START_WITHOUT_GRAVITY
   vec3 start = drift;
-#ifdef LOOSE
+#ifdef UNCONSTRAINED
   if (FETCH1(unconstrained, i) != 0u) start += fall;
 #endif
   displacement[i] = vec4(u + start, inv_mass);

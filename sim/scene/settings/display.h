@@ -23,30 +23,35 @@ enum class ColorBy {
 };
 
 struct Quantity {
-  const char* name;   // in scene files: "von_mises"
-  const char* title;  // "von Mises stress"
-  const char* unit;   // "Pa"; "" for none
-  std::optional<double>
-      neutral;  // of quantities that go both ways from a value of rest: the middle of a diverging color map
+  const char* name;                    // in scene files: "von_mises"
+  const char* title;                   // "von Mises stress"
+  const char* unit;                    // "Pa"; "" for none
+  const char* help;                    // what it is and what it costs
+  std::optional<double> neutral = {};  // of quantities that go both ways from a value of rest: a color map's middle
 };
 const Quantity& quantity_of(ColorBy color);
-inline const char* name_of(ColorBy color) { return quantity_of(color).name; }
 std::string label_of(ColorBy color);  // "von Mises stress [Pa]"
-const std::vector<ColorBy>& all_colors();
 /// Whether it is a number per vertex, shown by a color map.
 inline bool is_heat_map(ColorBy color) { return color != ColorBy::none && color != ColorBy::region; }
 
 /// automatic: dusk, or polar for quantities with a neutral value.
 enum class ColorMap { automatic, dusk, ember, polar, grey };
-const char* name_of(ColorMap map);
-const std::vector<ColorMap>& all_color_maps();
 /// What `automatic` is for this quantity; any other map is itself.
 ColorMap chosen_map(ColorMap map, ColorBy color);
 
 /// Behind the tissue. transparent: pictures have an alpha channel.
 enum class Background { gradient, white, black, transparent };
-const char* name_of(Background background);
+
+// Of each enumeration: all its values, the name in scene files, and what it is.
+const std::vector<ColorBy>& all_colors();
+const std::vector<ColorMap>& all_color_maps();
 const std::vector<Background>& all_backgrounds();
+inline const char* name_of(ColorBy color) { return quantity_of(color).name; }
+const char* name_of(ColorMap map);
+const char* name_of(Background background);
+inline const char* help_of(ColorBy color) { return quantity_of(color).help; }
+const char* help_of(ColorMap map);
+const char* help_of(Background background);
 
 /// Cuts the drawn body open: what lies beyond, normal . x > offset, is left out, and the cut is closed.
 struct SectionPlane {
@@ -75,5 +80,26 @@ struct DisplaySettings {
   Background background = Background::gradient;
   bool operator==(const DisplaySettings&) const = default;
 };
+
+/// f(field, key, label, help) for every setting. A field is a bool, a double from 0 to 1, one of the enumerations, or
+/// an optional part.
+template <class Settings, class F>
+void visit_display(Settings& s, F&& f) {
+  f(s.color, "color", "Color", "what colors the tissue");
+  f(s.range, "range", "Range", "values of the first and the last color");
+  f(s.color_map, "color_map", "Color map", "colors of the values");
+  f(s.wireframe, "wireframe", "Wireframe", "Edges of the surface, and of the tets in a section (W)");
+  f(s.section, "section", "Section",
+    "Cuts the picture of the body open; what is inside shows in the colors of the heat map. One pass over the tets a "
+    "frame");
+  f(s.tets, "tets", "Separate tets",
+    "Draws every tet on its own instead of the surface: 4 triangles a tet. With a section whole tets are left out");
+  f(s.shadow, "shadow", "Shadow", "Draws the scene a second time, as the light sees it");
+  f(s.ground, "ground", "Ground", "A floor with a grid; every line is a round number of metres");
+  f(s.ambient_occlusion, "ambient_occlusion", "Occlusion",
+    "Darkens creases and what stands close together [-]. 0 costs nothing; software renderers pay for every pixel");
+  f(s.depth_cue, "depth_cue", "Depth cue", "How far the back of the scene fades into the background [-]");
+  f(s.background, "background", "Background", "behind the tissue");
+}
 
 }  // namespace fascia

@@ -7,6 +7,7 @@
 #include "app/cli/completion.h"
 #include "app/cli/manual_page.h"
 #include "app/cli/scene_keys.h"
+#include "app/commands/command.h"
 #include "base/file.h"
 #include "tests/support/support.h"
 

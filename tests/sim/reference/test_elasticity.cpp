@@ -58,7 +58,7 @@ TEST_CASE("the gradient is the derivative of the energy", "[elasticity]") {
   for (const double nu : poisson_ratios)
     for (const double damping_over_h : {0.0, 2.5}) {
       const RandomTet tet = random_tet(random);
-      const RestTet rest(tet.rest);
+      const LinearTet rest(tet.rest);
       Material material = soft(1e5, nu);
       material.model = MaterialModel::st_venant_kirchhoff;
       const Derivatives exact =
@@ -82,7 +82,7 @@ TEST_CASE("the Hessian is symmetric and the derivative of the gradient", "[elast
   for (const double nu : poisson_ratios)
     for (const double damping_over_h : {0.0, 2.5}) {
       const RandomTet tet = random_tet(random);
-      const RestTet rest(tet.rest);
+      const LinearTet rest(tet.rest);
       Material material = soft(1e5, nu);
       material.model = MaterialModel::st_venant_kirchhoff;
       const Derivatives exact =
@@ -106,9 +106,9 @@ TEST_CASE("the energy is half of strain times stress in the six-vector form with
   Random random(3);
   for (const double nu : poisson_ratios) {
     const RandomTet tet = random_tet(random);
-    const RestTet rest(tet.rest);
+    const LinearTet rest(tet.rest);
     const Material material = soft(2e4, nu);
-    const Vector6d c = green_strain(deformation_gradient(rest, tet.displacements));
+    const Vector6d c = green_strain(rest.deformation_gradient(tet.displacements));
     Eigen::Matrix<double, 6, 6> d = Eigen::Matrix<double, 6, 6>::Zero();
     d.topLeftCorner<3, 3>().setConstant(material.lame_lambda());
     d.diagonal().head<3>().array() += 2 * material.lame_mu();
@@ -121,7 +121,7 @@ TEST_CASE("the energy is half of strain times stress in the six-vector form with
 }
 
 TEST_CASE("a stretched tet has the energy and stress of the closed form", "[elasticity]") {
-  const RestTet rest({Vector3d(0, 0, 0), Vector3d(0.2, 0, 0), Vector3d(0, 0.3, 0), Vector3d(0, 0, 0.1)});
+  const LinearTet rest({Vector3d(0, 0, 0), Vector3d(0.2, 0, 0), Vector3d(0, 0.3, 0), Vector3d(0, 0, 0.1)});
   CHECK(rest.volume == Approx(0.2 * 0.3 * 0.1 / 6).epsilon(1e-15));
   const Material material = soft(1e5, 0.25);  // lambda = mu = 4e4 Pa
   const double stretch = 1.5, strain = 0.5 * (stretch * stretch - 1);
@@ -132,7 +132,7 @@ TEST_CASE("a stretched tet has the energy and stress of the closed form", "[elas
   CHECK(d.gradient[3] == Approx(rest.volume * stretch * 12e4 * strain / 0.2).epsilon(1e-14));
   // Cauchy stress: axial P = stretch S, across (lambda strain) / stretch; von Mises is their difference.
   const double axial = stretch * 12e4 * strain, across = 4e4 * strain / stretch;
-  CHECK(von_mises(deformation_gradient(rest, u), material) == Approx(axial - across).epsilon(1e-13));
+  CHECK(von_mises(rest.deformation_gradient(u), material) == Approx(axial - across).epsilon(1e-13));
   CHECK(von_mises(0.8 * Matrix3d::Identity(), material) < 1e-10 * 1e5);
   CHECK(std::isfinite(von_mises(Vector3d(1, 1, 0).asDiagonal(), material)));
 }
@@ -141,7 +141,7 @@ TEST_CASE("rigid motion has no energy and no force, and rest has exactly none", 
   Random random(4);
   for (const double nu : poisson_ratios) {
     const RandomTet tet = random_tet(random);
-    const RestTet rest(tet.rest);
+    const LinearTet rest(tet.rest);
     const Material material = soft(1e6, nu);
     const Matrix3d turn = random.rotation();
     const Vector3d shift = random.vector();
@@ -164,7 +164,7 @@ TEST_CASE("turning the deformed tet turns its force and its stiffness", "[elasti
   Random random(5);
   for (const double nu : poisson_ratios) {
     const RandomTet tet = random_tet(random);
-    const RestTet rest(tet.rest);
+    const LinearTet rest(tet.rest);
     const Material material = soft(1e5, nu);
     const Matrix3d turn = random.rotation();
     Matrix12d turn_all = Matrix12d::Zero();
@@ -183,7 +183,7 @@ TEST_CASE("turning the deformed tet turns its force and its stiffness", "[elasti
 }
 
 TEST_CASE("the projected Hessian has no negative eigenvalue and keeps the positive ones", "[elasticity]") {
-  const RestTet rest({Vector3d(0, 0, 0), Vector3d(0.1, 0, 0), Vector3d(0, 0.1, 0), Vector3d(0, 0, 0.1)});
+  const LinearTet rest({Vector3d(0, 0, 0), Vector3d(0.1, 0, 0), Vector3d(0, 0.1, 0), Vector3d(0, 0, 0.1)});
   for (const double nu : poisson_ratios) {
     Corners squeezed = {Vector3d::Zero(), Vector3d(-0.05, 0, 0), Vector3d::Zero(), Vector3d(0.01, 0, 0)};
     const Derivatives plain = elastic(rest, squeezed, soft(1e5, nu), 0, Matrix3d::Zero(), true, false);
@@ -200,7 +200,7 @@ TEST_CASE("the projected Hessian has no negative eigenvalue and keeps the positi
 }
 
 TEST_CASE("small strains keep their digits", "[elasticity]") {
-  const RestTet rest({Vector3d(0, 0, 0), Vector3d(0.1, 0, 0), Vector3d(0, 0.1, 0), Vector3d(0, 0, 0.1)});
+  const LinearTet rest({Vector3d(0, 0, 0), Vector3d(0.1, 0, 0), Vector3d(0, 0.1, 0), Vector3d(0, 0, 0.1)});
   const Corners u = {Vector3d(0, 0, 0), Vector3d(1e-13, 0, 0), Vector3d(0, 0, 0), Vector3d(0, 3e-13, 0)};
   const Matrix3d strain = green_strain_matrix(rest, u);
   CHECK(strain(0, 0) == Approx(1e-12).epsilon(1e-11));  // the quadratic term is 1e-12 of the linear one

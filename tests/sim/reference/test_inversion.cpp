@@ -34,7 +34,7 @@ Vector12d moved(const Corners& corners, int component, double step) {
 }
 
 Derivatives at(const Vector12d& u, const Material& material, bool with_hessian) {
-  return elastic(RestTet(kRest), {u.segment<3>(0), u.segment<3>(3), u.segment<3>(6), u.segment<3>(9)}, material, 0,
+  return elastic(LinearTet(kRest), {u.segment<3>(0), u.segment<3>(3), u.segment<3>(6), u.segment<3>(9)}, material, 0,
                  Matrix3d::Zero(), with_hessian, false);
 }
 

@@ -62,7 +62,7 @@ TEST_CASE("a step solves the equations of implicit Euler", "[newton]") {
           old[a] = before.displacement[model.tets[t][a]];
           now[a] = after.displacement[model.tets[t][a]];
         }
-        const RestTet tet(rest);
+        const LinearTet tet(rest);
         const Vector12d gradient =
             elastic(tet, now, model.materials[0], damping / h, green_strain_matrix(tet, old), false, false).gradient;
         force_size += gradient.norm();
@@ -176,7 +176,7 @@ TEST_CASE("a small vibration of one vertex follows the damped recurrence", "[new
     model.fixed = {0, 1, 2};
     model.gravity.setZero();
     model.initial_velocity.assign(4, Vector3d::Zero());
-    const RestTet rest(
+    const LinearTet rest(
         {model.rest_positions[0], model.rest_positions[1], model.rest_positions[2], model.rest_positions[3]});
     Corners still;
     still.fill(Vector3d::Zero());

@@ -206,13 +206,13 @@ TEST_CASE("what came apart beside a body at rest is repeated with the same parts
   REQUIRE(divergence.found);
   const long step = std::lround(divergence.time / scene.solver.time_step);
   CHECK(step == kTorn + 1);
-  reference::Corners rest, u;
+  Corners rest, u;
   for (std::size_t a = 0; a < 4; ++a) {
     const std::uint32_t v = model.tets[divergence.tet][a];
     rest[a] = model.rest_positions[v];
     u[a] = states.at(step - 1).displacement[v];
   }
-  CHECK(divergence.strain == reference::green_strain_matrix(reference::RestTet(rest), u).norm());  // to the bit
+  CHECK(divergence.strain == reference::green_strain_matrix(LinearTet(rest), u).norm());  // to the bit
 }
 
 TEST_CASE("a replay that does not fit its mesh is refused") {

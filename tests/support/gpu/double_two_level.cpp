@@ -24,9 +24,9 @@ std::vector<Matrix3d> blocks(const Model& model, const VectorXd& u, const Vector
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
     const Tet& tet = model.tets[t];
     const auto& x = model.rest_positions;
-    const reference::RestTet rest(reference::Corners{x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]});
-    const reference::Corners corners{u.segment<3>(at(tet[0])), u.segment<3>(at(tet[1])), u.segment<3>(at(tet[2])),
-                                     u.segment<3>(at(tet[3]))};
+    const LinearTet rest(Corners{x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]});
+    const Corners corners{u.segment<3>(at(tet[0])), u.segment<3>(at(tet[1])), u.segment<3>(at(tet[2])),
+                          u.segment<3>(at(tet[3]))};
     const Material& material = model.materials[model.tet_material[t]];
     // Beyond the Green strain the block has no geometric term.
     const Matrix3d stress =

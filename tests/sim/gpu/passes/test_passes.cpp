@@ -25,65 +25,6 @@ std::vector<Vector3d> unpack(const gl::Buffer& buffer) {
 
 }  // namespace
 
-TEST_CASE("predict adds velocity and gravity to free vertices only", "[gpu]") {
-  const bool split = GENERATE(false, true);
-  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
-  Gpu gpu(loads);
-  const Model model = block();
-  SimBuffers buffers(model);
-  SolverSettings settings;
-  settings.time_step = 1.0 / 90;
-  const double h = settings.substep();
-  buffers.upload_step(model, settings);
-  const State state = random_state(model, 0.01, 1);
-  buffers.upload_state(model, state);
-  prediction(gpu.programs, buffers, split ? &buffers.tet_begin : nullptr).run();
-  const std::vector<char> held = model.held();
-  const std::vector<double> mass = lumped_masses(model);
-  std::vector<Vector3d> expected = state.displacement;
-  for (std::size_t i = 0; i < expected.size(); ++i)
-    if (!held[i]) expected[i] += h * (state.velocity[i] + h * model.gravity);
-  CHECK(relative_rms(unpack(buffers.displacement), expected) < 3e-7);
-  CHECK(relative_rms(unpack(buffers.predicted), expected) < 3e-7);
-  CHECK(relative_rms(unpack(buffers.previous_displacement), state.displacement) == 0);
-  const std::vector<vec4> values = buffers.displacement.read<vec4>(), predicted = buffers.predicted.read<vec4>();
-  std::vector<int> valence(values.size(), 0);
-  for (const Tet& tet : model.tets)
-    for (const auto v : tet) ++valence[v];
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    CAPTURE(i);
-    CHECK(predicted[i].w == Approx(held[i] ? 0 : 1 / mass[i]).epsilon(1e-6));
-    CHECK(values[i].w == Approx(held[i] ? 0 : (split ? valence[i] : 1) / mass[i]).epsilon(1e-6));
-  }
-}
-
-TEST_CASE("velocity is the change of displacement over the substep", "[gpu]") {
-  Gpu gpu;
-  const Model model = block();
-  SimBuffers buffers(model);
-  const SolverSettings settings;
-  const double h = settings.substep();
-  buffers.upload_step(model, settings);
-  const State now = random_state(model, 0.01, 1), before = random_state(model, 0.01, 2);
-  buffers.upload_state(model, before);
-  const std::vector<vec4> previous = buffers.displacement.read<vec4>();
-  buffers.previous_displacement.upload(0, buffers.previous_displacement.bytes(), previous.data());
-  buffers.upload_state(model, now);
-  gl::ComputePass(gpu.programs.compute("sim/step/velocity.comp"),
-                  {{"step", &buffers.step},
-                   {"displacement", &buffers.displacement},
-                   {"previous_displacement", &buffers.previous_displacement},
-                   {"predicted", &buffers.predicted},
-                   {"velocity", &buffers.velocity},
-                   {"diverged", &buffers.diverged}},
-                  buffers.vertex_count)
-      .run();
-  std::vector<Vector3d> expected;
-  for (std::size_t i = 0; i < now.displacement.size(); ++i)
-    expected.push_back((now.displacement[i] - before.displacement[i]) / h);
-  CHECK(relative_rms(unpack(buffers.velocity), expected) < 3e-7);
-}
-
 TEST_CASE("previous strain is the Green strain of the start of the substep", "[gpu]") {
   Gpu gpu;
   const Model model = block();
@@ -128,9 +69,9 @@ TEST_CASE("published positions and heat map scalars", "[gpu]") {
   const auto value_of = [&](const Tet& tet) {
     const auto& x = model.rest_positions;
     const auto& u = state.displacement;
-    const reference::RestTet rest({x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]});
-    const reference::Corners corners{u[tet[0]], u[tet[1]], u[tet[2]], u[tet[3]]};
-    const Eigen::Matrix3d f = reference::deformation_gradient(rest, corners);
+    const LinearTet rest({x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]});
+    const Corners corners{u[tet[0]], u[tet[1]], u[tet[2]], u[tet[3]]};
+    const Eigen::Matrix3d f = rest.deformation_gradient(corners);
     if (color == ColorBy::strain) return reference::green_strain_matrix(rest, corners).norm();
     if (color == ColorBy::von_mises) return reference::von_mises(f, model.materials[0]);
     if (color == ColorBy::volume_ratio) return f.determinant();

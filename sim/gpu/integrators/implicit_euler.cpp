@@ -1,4 +1,4 @@
-#include "sim/gpu/passes/prediction.h"
+#include "sim/gpu/integrators/implicit_euler.h"
 
 namespace fascia {
 
@@ -14,7 +14,7 @@ gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers
   if (copy_begin) bindings.emplace_back("copy_begin", copy_begin);
   gl::Defines defines{{"MASS_SPLITTING", copy_begin ? "1" : "0"}, {"START_WITHOUT_GRAVITY", start.gravity ? "0" : "1"}};
   if (start.unconstrained) {
-    defines.emplace_back("LOOSE", "1");
+    defines.emplace_back("UNCONSTRAINED", "1");
     bindings.emplace_back("unconstrained", start.unconstrained);
   }
   if (active) {
@@ -28,6 +28,16 @@ gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers
     pass.follow("moving_count", active->moving_count);
   }
   return pass;
+}
+
+gl::ComputePass velocity_update(const Recording& r) {
+  return r.over_vertices("sim/step/velocity.comp", {},
+                         {{"step", &r.buffers.step},
+                          {"displacement", &r.buffers.displacement},
+                          {"previous_displacement", &r.buffers.previous_displacement},
+                          {"predicted", &r.buffers.predicted},
+                          {"velocity", &r.buffers.velocity},
+                          {"diverged", &r.buffers.diverged}});
 }
 
 }  // namespace fascia

@@ -1,0 +1,44 @@
+// What the cases of the stress suite are made with: a beam, its scene, starts of it.
+#pragma once
+#include <Eigen/Core>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/stress/stress.h"
+#include "sim/mesh/tet_mesh.h"
+
+namespace fascia {
+
+inline constexpr double kBarLength = 0.4, kBarWidth = 0.2;                                // of the beam [m]
+inline const double kBarSize = Eigen::Vector3d(kBarLength, kBarWidth, kBarWidth).norm();  // [m]
+inline constexpr double kNearFace = 1e-6;                                                 // [m]
+
+struct StressCases {
+  SolverChoice pair;
+  MaterialModel model;
+  std::filesystem::path folder;
+  bool quick;
+  std::vector<StressCase> cases = {};
+
+  TetMesh beam(double length = kBarLength) const;
+  /// A scene of one body: tissue of 1 MPa, clamped at x = 0 unless it is free, no gravity.
+  Scene scene(const std::string& mesh_name, const TetMesh& mesh, bool clamped = true) const;
+  Scene beam_scene(bool clamped = true) const { return scene("beam", beam(), clamped); }
+  SolverSettings solver() const;
+  /// At rest in the places that `place` gives the vertices; those at x = 0 stay where a clamped body holds them.
+  std::optional<State> start(const Scene& scene,
+                             const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& place) const;
+  std::optional<State> bent(const Scene& scene) const;
+  StressCase& add(const std::string& group, const std::string& name, Scene scene, std::optional<State> state,
+                  long steps);
+};
+
+/// "1e+06"
+std::string in_short(double value);
+/// As a vector of float32 would be: both sides of a replay start from the same numbers.
+Eigen::Vector3d rounded(const Eigen::Vector3d& v);
+
+}  // namespace fascia

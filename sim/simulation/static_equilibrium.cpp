@@ -1,0 +1,83 @@
+#include "sim/simulation/static_equilibrium.h"
+
+#include <chrono>
+#include <iostream>
+#include <sstream>
+
+#include "base/error.h"
+#include "sim/gpu/static_march.h"
+#include "sim/simulation/simulation.h"
+
+namespace fascia {
+
+StaticReport Simulation::solve_static(const std::function<void(const StaticReport&)>& news, std::stop_token stop) {
+  pull(with_grabs_at_last(other_springs_, model.grabs));
+  const auto by_newton = [&](State& state, double tolerance) {
+    reference::NewtonSolver solver(model, scene.solver, stop);
+    solver.set_springs(springs_);
+    return solver.solve_static(state, tolerance);
+  };
+  if (reference_) {
+    newton_report_ = by_newton(reference_state_, scene.solver.tolerance);
+    if (gpu_) gpu_->upload(reference_state_);
+    return {0, newton_report_.iterations, newton_report_.relative_residual, newton_report_.converged};
+  }
+  const double tolerance = scene.solver.tolerance > 0 ? scene.solver.tolerance : 1e-5;
+  equilibrium_.emplace();
+  const auto tell_news = [&](const reference::NewtonReport& report) {
+    if (news) news({report.iterations, 0, report.relative_residual, false});
+  };
+  const reference::NewtonReport march = march_to_equilibrium(*gpu_, model, tolerance, *equilibrium_, stop, tell_news);
+  StaticReport report{march.iterations, 0, march.relative_residual, march.converged};
+  constexpr double kNear = 1e-2;  // from farther away Newton's method finds no way, either, and takes long for it
+  constexpr std::size_t kSoonFactored = 20'000;  // tets: in about a second
+  // A small residual may be a large error in bodies that bend easily, and Newton's last iterations take it away.
+  const bool refines = march.converged && scene.solver.tolerance == 0 && model.tets.size() <= kSoonFactored;
+  const bool rescues =
+      !march.converged && march.relative_residual <= kNear && model.tets.size() <= reference::NewtonSolver::kMostTets;
+  if (stop.stop_requested() || !(refines || rescues)) return report;
+  if (news) news({march.iterations, 1, march.relative_residual, false});
+  State exact = *equilibrium_;
+  const reference::NewtonReport newton = by_newton(exact, refines ? 0 : tolerance);
+  report.newton_iterations = newton.iterations;
+  if (!newton.converged) return report;
+  report.relative_residual = newton.relative_residual;
+  report.converged = true;
+  gpu_->upload(exact);
+  equilibrium_ = std::move(exact);
+  return report;
+}
+
+std::string describe(const StaticReport& report) {
+  std::ostringstream text;
+  text << (report.converged ? "static equilibrium after " : "no static equilibrium after ");
+  if (report.iterations > 0) text << report.iterations << (report.newton_iterations > 0 ? " and " : " ");
+  if (report.newton_iterations > 0) text << report.newton_iterations << " Newton ";
+  if (report.iterations + report.newton_iterations == 0) text << "no ";
+  text << (report.iterations + report.newton_iterations == 1 ? "iteration" : "iterations") << ", relative residual "
+       << report.relative_residual;
+  return text.str();
+}
+
+std::function<void(const StaticReport&)> static_news(bool quiet) {
+  if (quiet) return {};
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto kInterval = std::chrono::seconds(5);
+  return [last = Clock::now(), begin = Clock::now()](const StaticReport& report) mutable {
+    const bool newton = report.newton_iterations > 0 && Clock::now() - begin > kInterval;
+    if (Clock::now() - last < kInterval && !newton) return;
+    last = Clock::now();
+    std::cerr << "fascia: static equilibrium: " << report.iterations << " iterations";
+    if (report.relative_residual > 0) std::cerr << ", relative residual " << report.relative_residual;
+    std::cerr << (newton ? ", now by Newton's method in double precision" : "") << std::endl;
+  };
+}
+
+void require_equilibrium(const Simulation& simulation, const StaticReport& report) {
+  constexpr double kFloat32 = 1e-3;  // what rounding leaves of soft slender bodies, with room
+  const bool only_march = simulation.model.tets.size() > reference::NewtonSolver::kMostTets;
+  if (report.converged || (only_march && report.relative_residual <= kFloat32)) return;
+  throw Error(simulation.scene.file.string(), describe(report), "expected a body that is held and a load it can carry");
+}
+
+}  // namespace fascia
