@@ -4,6 +4,7 @@
 
 #include "render/passes/ambient_occlusion.h"
 #include "render/passes/ground.h"
+#include "render/passes/kept_stage.h"
 #include "render/passes/marks.h"
 #include "render/passes/shadow_map.h"
 #include "render/passes/surface_renderer.h"
@@ -96,6 +97,7 @@ struct SceneRenderer::Impl {
   SurfaceRenderer surface;
   ShadowMap shadow;
   Ground ground;
+  KeptStage kept_stage;
   Marks marks;
   gl::Buffer frame;
 };
@@ -161,8 +163,9 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
   gl::Enable(GL_DEPTH_TEST);
   gl::DepthMask(GL_TRUE);
   const bool transparent = look.backdrop == Backdrop::transparent;
+  const bool has_stage = parts.kept_stage.begin(parts.ground, frame, look, ground, target);
   if (transparent) gl::ClearColor(0, 0, 0, 0);
-  gl::Clear((transparent ? GL_COLOR_BUFFER_BIT : 0) | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  if (!has_stage) gl::Clear((transparent ? GL_COLOR_BUFFER_BIT : 0) | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   // From front to back, so that every pixel is lit once: software renderers live by their fill rate.
   if (look.shadow) parts.shadow.bind_depth(0);
   if (look.tets)
@@ -174,12 +177,13 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
   else if (cut_surface)
     parts.tets->draw_cap(look, positions);
   if (ground) {
+    if (!has_stage) parts.ground.draw_unshadowed(look);
     if (look.shadow) parts.shadow.bind_ground_light(0);
-    parts.ground.draw(look);
+    parts.ground.draw_shadowed(look);
   }
   const AmbientOcclusion* occlusion = parts.ambient_occlusion(look, target);
   if (occlusion) occlusion->darken(camera, look, target);
-  if (!transparent) parts.ground.draw_background(look);
+  if (!transparent && !has_stage) parts.ground.draw_background(look);
   if (!look.tets) parts.marks.draw(look, positions, grabs);  // vertices are not where separate tets are drawn
 }
 

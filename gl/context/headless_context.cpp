@@ -1,10 +1,28 @@
 #include "gl/context/context.h"
 
+#include <filesystem>
 #include <functional>
 
 #include "base/error.h"
 
 namespace fascia {
+namespace {
+
+// Whether the kernel shows a device that could be a GPU: Linux's own drivers, NVIDIA's, and those of virtual machines
+// and phones. To open EGL and look takes longer than most runs where there is none.
+bool may_have_gpu() {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator("/dev/dri", none))
+    if (const std::string name = entry.path().filename(); name.starts_with("renderD") || name.starts_with("card"))
+      return true;
+  for (const char* device :
+       {"/dev/nvidiactl", "/dev/nvidia0", "/dev/dxg", "/dev/mali0", "/dev/kgsl-3d0", "/dev/pvr_sync"})
+    if (fs::exists(device, none)) return true;
+  return !fs::exists("/dev", none);  // not Linux
+}
+
+}  // namespace
 
 std::unique_ptr<Context> make_headless_context(const ContextRequest& request) {
   if (request.name == "osmesa") return make_osmesa_context(request);
@@ -14,7 +32,11 @@ std::unique_ptr<Context> make_headless_context(const ContextRequest& request) {
   std::string tried;
   using Make = std::function<std::unique_ptr<Context>()>;
   const std::pair<const char*, Make> kinds[] = {
-      {"EGL on a GPU", [&] { return make_egl_context(request, EglDevices::hardware_only); }},
+      {"EGL on a GPU",
+       [&] {
+         if (!may_have_gpu()) throw Error("egl", "no device of a GPU in /dev", "expected a hardware renderer");
+         return make_egl_context(request, EglDevices::hardware_only);
+       }},
       {"OSMesa", [&] { return make_osmesa_context(request); }},
       {"EGL on software", [&] { return make_egl_context(request, EglDevices::any); }},
   };

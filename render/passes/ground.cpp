@@ -6,6 +6,12 @@
 #include "render/view/camera.h"
 
 namespace fascia {
+namespace {
+
+// Vertices of the cells around the shadow map's, and of that one.
+constexpr GLint kAround = 48, kMiddle = 6;
+
+}  // namespace
 
 GridScale grid_scale(double scene_radius) {
   // About eight fine lines across the scene.
@@ -24,21 +30,23 @@ void Ground::lay(const Look& look, FrameUniforms& frame) {
   frame.grid_z << standing.col(2).cast<float>(), 1 / float(scale.strong);
 }
 
-void Ground::draw(const Look& look) const {
-  constexpr GLint kAround = 48,
-                  kMiddle = 6;  // vertices of the cells around the shadow map's, and of that one
-  const auto program = [&](bool shadow) -> const gl::Program& {
-    gl::Defines defines = backdrop_defines(look);
-    defines.emplace_back("SHADOW", flag(shadow));
-    return programs_.draw("draw/ground.vert", "draw/ground.frag", defines);
-  };
+const gl::Program& Ground::program(const Look& look, bool shadow) const {
+  gl::Defines defines = backdrop_defines(look);
+  defines.emplace_back("SHADOW", flag(shadow));
+  return programs_.draw("draw/ground.vert", "draw/ground.frag", defines);
+}
+
+void Ground::draw_unshadowed(const Look& look) const {
+  if (look.backdrop == Backdrop::transparent) return;
   no_vertices_.bind();
-  if (look.backdrop != Backdrop::transparent) {
-    program(false).use();
-    gl::DrawArrays(GL_TRIANGLES, 0, look.shadow ? kAround : kAround + kMiddle);
-  }
+  program(look, false).use();
+  gl::DrawArrays(GL_TRIANGLES, 0, look.shadow ? kAround : kAround + kMiddle);
+}
+
+void Ground::draw_shadowed(const Look& look) const {
   if (!look.shadow) return;
-  program(true).use();
+  no_vertices_.bind();
+  program(look, true).use();
   gl::DrawArrays(GL_TRIANGLES, kAround, kMiddle);
 }
 

@@ -17,11 +17,15 @@ class Ground {
  public:
   explicit Ground(gl::ProgramCache& programs);
   static void lay(const Look& look, FrameUniforms& frame);
-  /// With shadows, the map of light on the ground is bound to texture unit 0.
-  void draw(const Look& look) const;
+  void draw_unshadowed(const Look& look) const;  // all of it, or with shadows what lies beside the shadow map
+  /// What lies under the shadow map, whose map of light on the ground is bound to texture unit 0. Nothing without
+  /// shadows.
+  void draw_shadowed(const Look& look) const;
   void draw_background(const Look& look) const;  // where nothing was drawn
 
  private:
+  const gl::Program& program(const Look& look, bool shadow) const;
+
   gl::ProgramCache& programs_;
   VertexArray no_vertices_;
 };

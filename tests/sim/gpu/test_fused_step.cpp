@@ -84,9 +84,9 @@ TEST_CASE("fused steps are those of passes one by one", "[gpu][.threads]") {
   CHECK(c.fused.dispatches_per_step() < c.alone.dispatches_per_step() / 3);
 
   if (grab) {
-    const std::vector<GrabSpring> grab{{3, {0.02, 0.01, 0}, 50}, {20, {0.3, 0.05, 0.02}, 50}};
-    c.alone.set_grab(grab);
-    c.fused.set_grab(grab);
+    const std::vector<GrabSpring> springs{{3, {0.02, 0.01, 0}, 50}, {20, {0.3, 0.05, 0.02}, 50}};
+    c.alone.set_grab(springs);
+    c.fused.set_grab(springs);
   }
   for (int i = 0; i < 2; ++i) c.step();
   CHECK(c.differences() == 0);
@@ -123,8 +123,8 @@ TEST_CASE("fused steps leave the same regions at rest", "[gpu][.threads]") {
   settings.rest_speed = 1e-3;
   Compared c(std::move(model), settings);
   const std::vector<GrabSpring> grab{{static_cast<std::uint32_t>(c.model.rest_positions.size() - 1), {0, 0.05, 0}, 20}};
-  c.alone.set_grab(grab);
-  c.fused.set_grab(grab);
+  c.alone.set_grab(springs);
+  c.fused.set_grab(springs);
   for (int i = 0; i < 30; ++i) c.step();
   CAPTURE(c.alone.share_solved());
   CHECK(c.fused.share_solved() < 1);
