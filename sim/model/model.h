@@ -1,5 +1,5 @@
-// What the solvers simulate: all bodies of a scene in one set of arrays, repaired, placed and with their
-// selections resolved. The reference solver and the GPU solver start from the same Model.
+// The input of the solvers: all bodies of a scene in one set of arrays, repaired, placed and with their selections
+// resolved. The reference solver and the GPU solver start from the same Model.
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace fascia {
 
-/// Moves its vertices from rest along a path to `target` and holds them (scene key "prescribed").
+/// Moves its vertices from rest along a path to `target` and constrains them there (scene key "prescribed").
 struct Motion {
   std::vector<std::uint32_t> vertices;
   std::vector<Eigen::Vector3d> targets;  // final positions [m]; path is straight unless the motion rotates
@@ -35,7 +35,7 @@ struct BodyPart {
   std::uint32_t vertex_begin = 0, vertex_count = 0;  // in rest_positions
   std::uint32_t tet_begin = 0, tet_count = 0;        // in Model::tets
   std::uint32_t material_begin = 0, material_count = 0;
-  std::map<int, std::string> regions;  // of its mesh: number, and name if it has one
+  std::map<int, std::string> regions;  // of its mesh: number, and name if there is one
 };
 
 struct Model {
@@ -52,8 +52,8 @@ struct Model {
   std::vector<BodyPart> bodies;
 
   std::vector<SurfaceMesh>
-      surfaces;  // [body] placed, drawn instead of the boundary of its tets; without triangles where that is drawn
-  EmbeddedPoints embedded;  // the vertices of all surfaces, one after the other, tied to the tets of their bodies
+      surfaces;  // [body] placed, drawn instead of the boundary of its tets; without triangles: the boundary is drawn
+  EmbeddedPoints embedded;  // the vertices of all surfaces, concatenated, embedded in the tets of their bodies
 
   TetMesh file_mesh;                      // every vertex and tet of the files (placed), for exports
   std::vector<std::uint32_t> tet_source;  // [tet_count] index of each tet in file_mesh.tets
