@@ -58,26 +58,26 @@ struct Model {
   TetMesh file_mesh;                      // every vertex and tet of the files (placed), for exports
   std::vector<std::uint32_t> tet_source;  // [tet_count] index of each tet in file_mesh.tets
   std::vector<std::string> notes;         // repairs and warnings for the user, one line each
-  std::vector<ReadFile> files;            // that were read for it
+  std::vector<ReadFile> files;            // files that were read for the model
 
   std::vector<char> held() const;  // [vertex_count] 1 where fixed or prescribed
-  double end_of_motions() const;   // [s] when the last prescribed vertex has arrived; 0 without any
-  double end_of_grabs() const;     // [s] when the last scripted grab has arrived or let go; 0 without any
+  double end_of_motions() const;   // [s] end of the last prescribed motion; 0 without any
+  double end_of_grabs() const;     // [s] when the last scripted grab ends its path or is released; 0 without any
 };
 
-/// Reads the meshes, surfaces and CSV files of the scene's bodies, without what pulls at them (sim/grab/build_model.h).
-/// Throws Error for anything unreadable, a selection of nothing, a material key that names no region, prescribed
-/// targets that miss vertices.
+/// Reads the meshes, surfaces and CSV files of the scene's bodies, without the grabs (sim/grab/build_model.h). Throws
+/// Error for an unreadable file, an empty selection, a material key that names no region, or prescribed targets that
+/// miss vertices.
 Model build_bodies(const Scene& scene, const Progress& progress = {});
 /// The same from meshes in memory, [body], instead of the files that the bodies name. Their vertex indices and
-/// positions are taken on trust.
+/// positions are not checked.
 Model build_bodies(const Scene& scene, std::vector<TetMesh> meshes);
 
-/// Lumped masses [vertex_count] [kg]: a quarter of density * volume of each tet per vertex. Zero for
-/// unreferenced ones.
+/// Lumped masses [vertex_count] [kg]: a quarter of density * volume of each tet per vertex. Zero for unreferenced
+/// vertices.
 std::vector<double> lumped_masses(const Model& model);
 
-/// FNV-1a 64 over vertex positions and tet indices: names the mesh in provenance stamps.
+/// FNV-1a 64 over vertex positions and tet indices: identifies the mesh in provenance stamps.
 std::uint64_t mesh_hash(const TetMesh& mesh);
 
 }  // namespace fascia
