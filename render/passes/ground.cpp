@@ -26,7 +26,7 @@ void Ground::lay(const Look& look, FrameUniforms& frame) {
 
 void Ground::draw(const Look& look) const {
   constexpr GLint kAround = 48,
-                  kMiddle = 6;  // vertices of the cells around the shadow map's, and of that one
+                  kMiddle = 6;  // vertices of the cells around that of the shadow map, and of that one
   const auto program = [&](bool shadow) -> const gl::Program& {
     gl::Defines defines = backdrop_defines(look);
     defines.emplace_back("SHADOW", flag(shadow));

@@ -12,7 +12,7 @@ INPUT_UINT(VertexTets, vertex_tets)  // [4 * tet_count] 4 * tet + corner, sorted
 struct VertexBlock {
   Sym3 hessian;   // [kg]
   vec3 gradient;  // of the tets only [kg m]
-  bool guard;     // with DEFERS: whether a tet needs one
+  bool guard;     // with DEFERS: whether a tet needs the guard
 };
 
 VertexBlock add_tets(uint v) {
