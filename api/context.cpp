@@ -8,14 +8,14 @@
 namespace fascia::api {
 namespace {
 
-const Context::Impl* loaded = nullptr;  // whose functions gl:: has
+const Context::Impl* loaded = nullptr;  // the context whose functions gl:: has
 
 struct WindowSystem {
   Context::GetProc get_proc = nullptr;
   void* (*get_current)() = nullptr;
 };
 
-/// The one that has a context current on this thread; nulls: none of those that are loaded.
+/// The window system with a current context on this thread; null members if none of the loaded ones has one.
 WindowSystem find_window_system() {
   struct Library {
     const char *file, *get_current, *get_proc;
@@ -29,7 +29,7 @@ WindowSystem find_window_system() {
     const auto get_current = reinterpret_cast<void* (*)()>(dlsym(handle, library.get_current));
     const auto get_proc = reinterpret_cast<Context::GetProc>(dlsym(handle, library.get_proc));
     const bool current = get_current && get_proc && get_current();
-    dlclose(handle);  // the caller has it open
+    dlclose(handle);  // the caller keeps it open
     if (current) return {get_proc, get_current};
   }
   return {};
@@ -40,7 +40,7 @@ WindowSystem find_window_system() {
 Context::Impl::~Impl() {
   try {
     enter();
-  } catch (...) {  // OpenGL has nothing to free where its context is gone
+  } catch (...) {  // there is nothing to free once the context is gone
   }
   programs.reset();
   if (loaded == this) loaded = nullptr;

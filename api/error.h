@@ -1,4 +1,4 @@
-// Errors of the library's own rooms become those of the public interface here; every public call goes through it.
+// Converts errors of the library's internals to those of the public interface; every public call passes through it.
 #pragma once
 #include <utility>
 
@@ -8,7 +8,7 @@
 
 namespace fascia::api {
 
-/// What `work` returns. Exceptions that are none of ours pass through.
+/// Returns the result of `work`. Exceptions of other libraries pass through.
 template <class F>
 decltype(auto) translated(F&& work) {
   try {

@@ -1,4 +1,4 @@
-// Materials of the public interface as the library's own, and back.
+// Converts materials of the public interface to the library's own, and back.
 #pragma once
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace fascia::api {
 
-/// Throws Error "where.young_modulus: ..." for a value out of range or a law that is unknown.
+/// Throws Error "where.young_modulus: ..." for a value out of range or an unknown law.
 fascia::Material checked(const Material& material, const std::string& where);
 Material shown(const fascia::Material& material);
 

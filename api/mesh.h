@@ -1,4 +1,4 @@
-// Meshes of the public interface as the library's own, and back.
+// Converts meshes of the public interface to the library's own, and back.
 #pragma once
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace fascia::api {
 
-/// Throws Error "where.tets: ..." for arrays that do not fit together, positions that are not finite, indices out of
+/// Throws Error "where.tets: ..." for arrays of inconsistent sizes, positions that are not finite, or indices out of
 /// range.
 TetMesh checked(const Mesh& mesh, const std::string& where);
 

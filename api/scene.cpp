@@ -48,7 +48,7 @@ fascia::Body checked(const Body& body, const std::string& where) {
 BuiltScene build(const Scene& scene) {
   BuiltScene built;
   fascia::Scene& own = built.scene;
-  own.file = "scene";  // as errors call it
+  own.file = "scene";  // the name in errors
   own.title = scene.title;
   own.gravity = vector_of(scene.gravity, "scene.gravity");
   own.solver = checked(scene.settings);

@@ -1,4 +1,4 @@
-// A scene from arrays as the library's own scene and model.
+// Converts a scene from arrays to the library's own scene and model.
 #pragma once
 #include "fascia/scene.h"
 #include "sim/model/model.h"
@@ -11,7 +11,7 @@ struct BuiltScene {
   Model model;
 };
 
-/// Throws Error of either kind for what does not fit together (fascia/scene.h).
+/// Throws Error of either kind for inconsistent input (fascia/scene.h).
 BuiltScene build(const Scene& scene);
 
 }  // namespace fascia::api

@@ -12,7 +12,7 @@ namespace fascia::api {
 Simulation::Impl::~Impl() {
   try {
     context.impl()->enter();
-  } catch (...) {  // OpenGL has nothing to free where its context is gone
+  } catch (...) {  // there is nothing to free once the context is gone
   }
   simulation.reset();
 }

@@ -1,4 +1,4 @@
-// What is behind a public simulation.
+// The implementation of a public simulation.
 #pragma once
 #include <map>
 #include <vector>
@@ -13,9 +13,9 @@ namespace fascia::api {
 
 struct Simulation::Impl {
   struct Held {
-    std::vector<GrabSpring> springs;  // as taken: targets are where the vertices were
-    Eigen::Vector3d center;           // where the center was when it was taken [m]
-    Eigen::Vector3d target;           // where it is led [m]
+    std::vector<GrabSpring> springs;  // initial ones: targets are the original places of the vertices
+    Eigen::Vector3d center;           // place of the center at the start of the grab [m]
+    Eigen::Vector3d target;           // current target of the center [m]
   };
 
   Context context;
@@ -30,7 +30,7 @@ struct Simulation::Impl {
   Impl& operator=(const Impl&) = delete;
 
   void start(fascia::Scene scene, Model model, bool reference, const Progress& progress);
-  /// work(simulation) with its context current, and errors translated.
+  /// Calls work(simulation) with its context current, and translates errors.
   template <class F>
   decltype(auto) call(F&& work) {
     return translated([&]() -> decltype(auto) {
@@ -38,10 +38,10 @@ struct Simulation::Impl {
       return work(*simulation);
     });
   }
-  /// Vertices with their shares become a grab. Throws Error where there are none.
+  /// Creates a grab of vertices with their shares. Throws Error if there are none.
   Grab take(const std::vector<PatchVertex>& patch, double stiffness);
-  Held& find(Grab grab);  // throws Error for a name that means nothing
-  void pull();            // hands the springs of all grabs to the simulation
+  Held& find(Grab grab);  // throws Error for an unknown grab
+  void pull();            // passes the springs of all grabs to the simulation
 };
 
 }  // namespace fascia::api

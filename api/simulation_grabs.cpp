@@ -1,11 +1,11 @@
-// Grabs of a simulation: springs by name, each a grab of its own to the solver.
+// Grabs of a simulation: springs by id, each a separate grab to the solver.
 #include "api/simulation.h"
 #include "api/values.h"
 
 namespace fascia::api {
 namespace {
 
-// As the program's grabs are unless a user chooses (sim/grab/grab_patch.h): a patch of its usual size.
+// The default stiffness of the program's grabs (sim/grab/grab_patch.h) for a patch of the default size.
 double usual_stiffness(const Model& model, const std::vector<PatchVertex>& patch) {
   return patch_stiffness(patch, kPatchRadius * scene_radius(model));
 }

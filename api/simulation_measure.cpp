@@ -1,4 +1,4 @@
-// Measurements of a simulation: on the GPU where it computes there, else by the reference solver's formulas.
+// Measurements of a simulation: on the GPU if it computes there, else by the reference solver's formulas.
 #include <limits>
 
 #include "api/simulation.h"

@@ -1,4 +1,4 @@
-// Reading, setting, keeping and writing the state of a simulation.
+// Reads, sets, saves and writes the state of a simulation.
 #include "api/simulation.h"
 #include "api/values.h"
 #include "sim/output/run_provenance.h"
@@ -22,7 +22,7 @@ std::vector<Eigen::Vector3d> positions_of(const fascia::Simulation& simulation) 
   return x;
 }
 
-/// Those of free vertices become those of `to`.
+/// Replaces the values of free vertices in `to`.
 void replace_free(const Model& model, const std::vector<Eigen::Vector3d>& from, std::vector<Eigen::Vector3d>& to) {
   const std::vector<char> held = model.held();
   for (std::size_t v = 0; v < to.size(); ++v)
@@ -105,7 +105,7 @@ unsigned Simulation::position_buffer() {
     if (!simulation.gpu())
       throw Error("position_buffer", "there is no GPU", "expected a simulation with an OpenGL context");
     simulation.gpu()->publish();
-    gl::MemoryBarrier(GL_ALL_BARRIER_BITS);  // whatever the caller reads it by
+    gl::MemoryBarrier(GL_ALL_BARRIER_BITS);  // the caller may read the buffer in any form
     return static_cast<unsigned>(simulation.gpu()->positions().id());
   });
 }

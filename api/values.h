@@ -1,4 +1,4 @@
-// Numbers and arrays of the public interface as the library's own types, and back.
+// Converts numbers and arrays of the public interface to the library's own types, and back.
 #pragma once
 #include <Eigen/Core>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace fascia::api {
 
 inline Vec3 array_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-/// Throws Error where a component is not finite.
+/// Throws Error if a component is not finite.
 inline Eigen::Vector3d vector_of(const Vec3& v, const std::string& where) {
   for (const double c : v)
     if (!std::isfinite(c)) throw Error(where, "is not finite", "expected three finite numbers");
@@ -59,7 +59,7 @@ struct RangeCheck {
   }
 };
 
-/// Throws Interrupted out of work that reports its progress.
+/// Throws Interrupted from work that reports its progress.
 inline Progress progress_of(const Control& control, const std::string& what) {
   return [control, what](double share, const char* next) {
     if (control.stop.stop_requested()) throw Interrupted(what + ": interrupted");

@@ -1,4 +1,4 @@
-// A fingerprint of bytes (FNV-1a, 64 bits: Fowler, Noll, Vo), to tell whether two runs gave the same; no protection
+// A fingerprint of bytes (FNV-1a, 64 bits: Fowler, Noll, Vo), to compare the results of two runs; it does not protect
 // against forgery.
 #pragma once
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Bytes as text: base64 (RFC 4648) as VTK writes it, possibly several padded streams one after the other,
-// with blanks between them.
+// Bytes as text: base64 (RFC 4648) as VTK writes it, possibly several padded streams in sequence, with blanks between
+// them.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@ struct Base64 {
   std::string bytes;
   std::size_t used;  // characters of the text that belong to `bytes`
 };
-/// Decodes until there are `most` bytes or the text ends. Nothing if the text is not base64.
+/// Decodes until there are `most` bytes or the text ends. None if the text is not base64.
 std::optional<Base64> base64_decoded(std::string_view text, std::size_t most = static_cast<std::size_t>(-1));
 
 }  // namespace fascia

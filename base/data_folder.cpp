@@ -16,7 +16,7 @@ fs::path& chosen() {
   return folder;
 }
 
-/// The file that this code is in: libfascia.so where another program uses it, else the program.
+/// The file that contains this code: libfascia.so in other programs, else the program.
 fs::path own_file() {
   Dl_info info{};
   link_map* map = nullptr;

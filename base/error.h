@@ -1,4 +1,4 @@
-// The one exception type of fascia: its text is the line a user reads on stderr.
+// The only exception type of fascia: its text is the line that a user reads on stderr.
 #pragma once
 #include <stdexcept>
 #include <string>

@@ -26,8 +26,7 @@ constexpr const char* writable = "expected a writable folder with free space";
 
 std::string reason(int error_number) { return error_number ? std::string(": ") + std::strerror(error_number) : ""; }
 
-/// Runs the writer and makes sure that every byte has left this process. Returns an empty text or what went
-/// wrong.
+/// Runs the writer and checks that every byte was written. Returns an empty text or the reason of a failure.
 std::string write_stream(const fs::path& path, const std::function<void(std::ostream&)>& writer) {
   errno = 0;
   std::ofstream out(path, std::ios::binary | std::ios::trunc);
@@ -41,8 +40,7 @@ std::string write_stream(const fs::path& path, const std::function<void(std::ost
   return "";
 }
 
-/// The data must be on disk before the name is: a power cut must not leave an empty file under the final
-/// name.
+/// The data must be on disk before the name: a power failure must not leave an empty file under the final name.
 std::string sync(const fs::path& path) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return "";
@@ -53,7 +51,8 @@ std::string sync(const fs::path& path) {
 
 std::string temporary_prefix(const fs::path& path) { return "." + path.stem().string() + "."; }
 
-/// Files ".stem.PID-NUMBER.part*" of processes that are gone. One whose number another process has by now stays.
+/// Removes files ".stem.PID-NUMBER.part*" of processes that have ended. A file whose PID another process has reused
+/// stays.
 void remove_stale(const fs::path& target) {
   const std::string prefix = temporary_prefix(target);
   std::error_code ec;
@@ -91,7 +90,7 @@ const std::string& read_standard_input() {
 }
 
 fs::path link_target(const fs::path& path) {
-  constexpr int kMostLinks = 40;  // as Linux follows
+  constexpr int kMostLinks = 40;  // the limit of Linux
   fs::path target = path;
   std::error_code ec;
   for (int links = 0; fs::is_symlink(fs::symlink_status(target, ec)); ++links) {
@@ -142,7 +141,7 @@ void require_writable(const fs::path& path) {
     const std::string link = target == path ? "" : "links to " + target.string() + ": ";
     throw Error(path.string(), link + "no such folder " + folder.string(), "expected an existing folder");
   }
-  // A rename would replace a read-only file too; whoever made it so wants to keep it.
+  // A rename would also replace a read-only file, although its permissions ask to keep it.
   if (fs::exists(status) && access(path.c_str(), W_OK) != 0) {
     throw Error(path.string(), "cannot be written" + reason(errno), "expected a file that may be changed");
   }

@@ -1,5 +1,5 @@
-// Reading whole files, and what cannot be read as one: pipes that nobody fills, files without data, files larger than
-// the memory.
+// Reads whole files, and refuses input that is none: pipes without a writer, files without data, files larger than the
+// memory.
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/resource.h>
@@ -27,9 +27,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kReadable = "expected a readable file";
-constexpr std::uint64_t kSmallHole = 16 << 20;         // [bytes] of zeros that are read without a word
-constexpr std::size_t kReadBlock = 1 << 20;            // [bytes] between reports
-constexpr auto kWriterWait = std::chrono::seconds(5);  // for the first one that opens a pipe
+constexpr std::uint64_t kSmallHole = 16 << 20;         // [bytes] of zeros that are read without an error
+constexpr std::size_t kReadBlock = 1 << 20;            // [bytes] between progress reports
+constexpr auto kWriterWait = std::chrono::seconds(5);  // for a first writer to open a pipe
 constexpr int kPollInterval = 100;                     // [ms]
 
 std::string bytes_text(std::uint64_t bytes) {
@@ -43,7 +43,7 @@ std::string bytes_text(std::uint64_t bytes) {
   return text;
 }
 
-/// What the kernel can give without swapping, or what is left of the process's own limit (ulimit -v) [bytes].
+/// Memory that the kernel can provide without swapping, or the rest of the process's own limit (ulimit -v) [bytes].
 std::uint64_t free_memory() {
   std::uint64_t free = std::numeric_limits<std::uint64_t>::max(), number = 0;
   std::ifstream system("/proc/meminfo");
@@ -75,7 +75,7 @@ class OpenFile {
     return fstat(descriptor_, &status) == 0 && status.st_size > 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
   }
 
-  /// Bytes that are stored; the others are holes, which read as zeros.
+  /// Number of bytes that are stored; the others are holes, which read as zeros.
   std::uint64_t stored(std::uint64_t size) const {
     std::uint64_t stored = 0;
     const auto end = static_cast<off_t>(size);
@@ -83,7 +83,7 @@ class OpenFile {
       const off_t data = lseek(descriptor_, at, SEEK_DATA);
       if (data < 0 && errno == ENXIO) break;
       const off_t hole = data < 0 ? -1 : lseek(descriptor_, data, SEEK_HOLE);
-      if (hole <= data) {  // a file system that knows no holes
+      if (hole <= data) {  // a file system without holes
         stored = size;
         break;
       }
@@ -94,7 +94,7 @@ class OpenFile {
     return stored;
   }
 
-  /// Appends what there is, at most a block. Returns its size, 0 at the end, or -1 where a pipe has nothing now.
+  /// Appends the available data, at most a block. Returns its size, 0 at the end, or -1 if a pipe has no data yet.
   ssize_t append_to(std::string& content) {
     const std::size_t before = content.size();
     content.resize(before + kReadBlock);
@@ -108,7 +108,7 @@ class OpenFile {
     return count;
   }
 
-  /// Waits a little for data. True if a writer was there and is gone.
+  /// Waits briefly for data. True if there was a writer that has closed the pipe.
   bool wait() const {
     pollfd state{descriptor_, POLLIN, 0};
     const bool gone =
@@ -132,8 +132,7 @@ std::string read_regular(const fs::path& path, const Progress& progress) {
   const std::uint64_t size = file.size();
   require_memory(path, size);
   if (size > kSmallHole) {
-    // What a download or a copy that broke off leaves, or a file made for its size: nothing to be gained by reading its
-    // zeros.
+    // An interrupted download or copy, or a file preallocated for its size: reading its zeros is useless.
     if (const std::uint64_t stored = file.stored(size); size - stored > std::max(kSmallHole, stored))
       throw Error(path.string(),
                   "is " + bytes_text(size) + " long, but only " + bytes_text(stored) +
@@ -150,7 +149,7 @@ std::string read_regular(const fs::path& path, const Progress& progress) {
 }
 
 std::string read_pipe_once(const fs::path& path, const Progress& progress) {
-  OpenFile file(path, O_NONBLOCK);  // else opening waits for a writer, perhaps for ever
+  OpenFile file(path, O_NONBLOCK);  // otherwise opening waits for a writer, possibly forever
   std::string content;
   bool has_writer = false;
   std::size_t next_check = kReadBlock;
@@ -161,7 +160,7 @@ std::string read_pipe_once(const fs::path& path, const Progress& progress) {
     has_writer |= count != 0;
     report(progress, 0, "Reading a pipe");
     if (content.size() >= next_check) {
-      require_memory(path, content.size());  // as much again: it has no size to be asked for
+      require_memory(path, content.size());  // the same amount again: the size of a pipe is unknown
       next_check = 2 * content.size();
     }
     if (count > 0) continue;
@@ -173,7 +172,7 @@ std::string read_pipe_once(const fs::path& path, const Progress& progress) {
   }
 }
 
-/// A pipe gives its bytes once, and files are read more than once: to see of what kind they are, for a report, for the
+/// A pipe provides its bytes once, but files are read more than once: to detect their kind, for a report, for the
 /// model.
 std::string read_pipe(const fs::path& path, const Progress& progress) {
   static std::mutex mutex;

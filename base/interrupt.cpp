@@ -8,7 +8,7 @@ namespace fascia {
 namespace {
 
 volatile std::sig_atomic_t flag = 0, ends_at_once = 0;
-std::stop_source source;  // requests are atomic operations as long as nobody registers callbacks
+std::stop_source source;  // requests are atomic operations as long as there are no callbacks
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Text made of numbers: the shortest digits that read back to the same double.
+// Formats numbers as text: the shortest digits that read back to the same double.
 #pragma once
 #include <charconv>
 #include <concepts>

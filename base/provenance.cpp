@@ -9,7 +9,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kMark = "fascia: {";
 constexpr std::size_t kSearched = 1 << 16;  // bytes at the beginning of a file
 
-// Behind the first line that is `line`, or at the beginning.
+// The position after the first line if that is `line`, else the beginning.
 std::size_t behind(const std::string& text, std::string_view line) {
   const std::size_t at = text.find(line);
   const std::size_t end = at == std::string::npos ? at : text.find('\n', at);

@@ -1,4 +1,4 @@
-// A line of sight and a plane: what picking, grabbing and drawing share.
+// A line of sight and a section plane, shared by picking, grabbing and drawing.
 #pragma once
 #include <Eigen/Core>
 
@@ -8,7 +8,7 @@ struct Ray {
   Eigen::Vector3d origin, direction;  // [m], unit length
 };
 
-/// A plane that cuts the body open: normal . x > offset is left out, the cut is closed.
+/// A plane that cuts the body open: the part with normal . x > offset is left out, and the cut is closed.
 struct SectionCut {
   Eigen::Vector3f normal;  // unit length
   float offset;            // [m]

@@ -9,7 +9,7 @@ namespace {
 
 bool is_separator(char c) { return c == '_' || c == '-' || c == ' ' || c == '\t'; }
 
-/// Small letters, and one separator for all.
+/// Lower case, with one kind of separator.
 std::string folded(std::string_view word) {
   std::string text(word);
   for (char& c : text) c = is_separator(c) ? '_' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -39,11 +39,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
-  constexpr std::size_t kLongestWord = 64;  // longer ones are no typing mistakes, and the distance costs its square
+  constexpr std::size_t kLongestWord = 64;  // longer words are not typing mistakes, and the distance has quadratic cost
   if (word.size() > kLongestWord) return "";
   const std::string text = folded(word), letters = without_separators(text);
   std::string best;
-  std::pair<std::size_t, std::size_t> best_distance;  // without separators; of the words as they are, among equals
+  std::pair<std::size_t, std::size_t> best_distance;  // without separators; of the original words, among equals
   for (const std::string& candidate : candidates) {
     const std::string other_text = folded(candidate), other_letters = without_separators(other_text);
     const std::pair distance{edit_distance(letters, other_letters), edit_distance(word, candidate)};

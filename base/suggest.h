@@ -1,4 +1,4 @@
-// "Perhaps you meant": the nearest known word to a mistyped one, for error messages.
+// Finds the known word nearest to a mistyped one, for error messages.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -11,13 +11,13 @@ namespace fascia {
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The candidate nearest to `word` (the first of equals), or "" if all differ in more than half of their characters.
-/// Case, "_", "-" and blanks make no difference: they decide among equals only.
+/// Case, "_", "-" and blanks are ignored, except among equals.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 /// ", perhaps \"iterations\"" or "".
 std::string perhaps(std::string_view word, const std::vector<std::string>& candidates);
 
-/// "a, b, c"; of many words the first twenty "... and 980 more".
+/// "a, b, c"; of more than twenty words the first twenty, "... and 980 more".
 std::string join(const std::vector<std::string>& words);
 
 }  // namespace fascia

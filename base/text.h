@@ -1,4 +1,4 @@
-// Words and numbers of the reports about meshes and surfaces.
+// Formats words and numbers for the reports about meshes and surfaces.
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
@@ -9,10 +9,10 @@ namespace fascia {
 
 std::string number(double value);  // 4 digits
 std::string plural(std::size_t count, const char* noun);
-/// A length in the unit people would use for it.
+/// A length in its customary unit.
 std::string length(double meters);
 std::string point(const Eigen::Vector3d& p);  // "(1, 2, 3)"
-/// Begins a labelled line.
+/// Begins a labeled line.
 std::ostream& line(std::ostream& out, const std::string& label);
 
 }  // namespace fascia

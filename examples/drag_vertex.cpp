@@ -1,4 +1,4 @@
-// Drags the upper corner of a cube that stands on its lower side, holds it, and lets go.
+// Drags the upper corner of a cube that stands on its lower side, keeps it there, and releases it.
 #include <cmath>
 #include <cstdio>
 
@@ -21,7 +21,8 @@ int main() try {
   cube.material = {.young_modulus = 2e4, .poisson_ratio = 0.4, .density = 1000, .damping = 0.05};
   for (std::uint32_t v = 0; v < cube.mesh.vertex_count(); ++v)
     if (cube.mesh.positions[3 * v + 1] == 0) cube.fixed.push_back(v);
-  const auto corner = static_cast<std::uint32_t>(cube.mesh.vertex_count() - 1);  // x, y and z at their largest
+  const auto corner =
+      static_cast<std::uint32_t>(cube.mesh.vertex_count() - 1);  // the vertex with the largest x, y and z
   scene.bodies.push_back(cube);
   fascia::Simulation simulation(scene);
 
@@ -32,12 +33,12 @@ int main() try {
     simulation.move(grab, {from[0] + 0.03 * step / kSteps, from[1] + 0.01 * step / kSteps, from[2]});
     simulation.step();
   }
-  const fascia::StaticReport report = simulation.solve_static();  // instead of steps until it is at rest
+  const fascia::StaticReport report = simulation.solve_static();  // instead of steps until the cube is at rest
   std::printf("residual %.2g\n", report.relative_residual);
   print("target", simulation.target(grab), "m");
   print("force", simulation.force(grab), "N");
 
-  // In equilibrium the forces of grab and supports carry the weight.
+  // In equilibrium the forces of grab and supports equal the weight.
   double weight = 0;
   for (const double mass : simulation.masses()) weight += mass * 9.81;
   fascia::Vec3 sum = simulation.force(grab);
@@ -50,7 +51,8 @@ int main() try {
   simulation.step(120);
   const std::vector<double> x = simulation.positions();
   std::printf("speed %.6f m/s\n", simulation.diagnostics().max_speed);
-  std::printf("left %.6f m\n", std::hypot(x[3 * corner] - kEdge, x[3 * corner + 2] - kEdge));  // aside of where it was
+  std::printf("left %.6f m\n", std::hypot(x[3 * corner] - kEdge,
+                                          x[3 * corner + 2] - kEdge));  // horizontal offset from the rest position
 } catch (const fascia::Error& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;

@@ -1,4 +1,4 @@
-// A soft cube in free fall: the smallest program.
+// A soft cube in free fall: the shortest program.
 #include <cstdio>
 
 #include "fascia/fascia.h"

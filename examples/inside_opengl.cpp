@@ -1,6 +1,5 @@
-// Tissue inside a program that has an OpenGL context and a loop of its own: drawn straight from the buffer that the
-// solver computes in. The context here is EGL's without a window, so that the example runs anywhere; a program with a
-// window differs in `Screen` only.
+// Tissue in a program with its own OpenGL context and loop: drawn directly from the solver's buffer. The context here
+// is EGL's without a window, so that the example runs anywhere; a program with a window differs in `Screen` only.
 #define GL_GLEXT_PROTOTYPES
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -16,7 +15,7 @@ namespace {
 
 constexpr int kSize = 64;  // of the picture, in pixels
 
-/// An OpenGL 4.3 context that is current, with a picture to draw into.
+/// A current OpenGL 4.3 context, with a picture to draw into.
 struct Screen {
   Screen() {
     EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
@@ -79,7 +78,7 @@ int main() try {
   glGenBuffers(1, &index_buffer);
   for (int frame = 0; frame <= 6; ++frame) {
     if (frame > 0) simulation.step();
-    // Calls of the simulation change which program and buffers are bound
+    // Calls of the simulation change the bound program and buffers
     const GLuint positions = simulation.position_buffer();
     glUseProgram(program);
     glBindBuffer(GL_ARRAY_BUFFER, positions);

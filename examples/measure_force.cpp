@@ -1,4 +1,4 @@
-// Measures the force of a bar as it is stretched, with state kept and gone back to: a tensile test by grabs.
+// Measures the force of a bar while it is stretched, and restores a saved state: a tensile test with grabs.
 #include <cstdio>
 
 #include "fascia/fascia.h"
@@ -35,7 +35,7 @@ int main() try {
                 simulation.supports()[0].force[0], law);
   }
 
-  // The same bar hangs at the clamp by its weight alone.
+  // The same bar hangs at the clamp under its weight.
   simulation.set_gravity({-9.81, 0, 0});
   simulation.move(clamp, from);
   simulation.solve_static();

@@ -1,5 +1,5 @@
-// A mesh from arrays of the program's own: a column of two materials that hangs from its upper end and stretches under
-// its weight.
+// A mesh from the program's own arrays: a column of two materials that hangs from its upper end and stretches under its
+// weight.
 #include <algorithm>
 #include <cstdio>
 
@@ -10,7 +10,7 @@ namespace {
 constexpr int kCells = 20;
 constexpr double kWidth = 0.02, kHeight = 0.2;  // [m]
 
-/// Four vertices a level, from the top down. Every cell is cut into six tets around its diagonal.
+/// Four vertices per level, from the top down. Every cell is cut into six tets around its diagonal.
 fascia::Mesh column() {
   fascia::Mesh mesh;
   for (int level = 0; level <= kCells; ++level)
@@ -26,7 +26,7 @@ fascia::Mesh column() {
   return mesh;
 }
 
-/// How far the lower end, its four vertices on average, has sunk [mm].
+/// Mean displacement of the lower end's four vertices, downward [mm].
 double stretch(const fascia::Simulation& simulation) {
   const std::vector<double> x = simulation.positions();
   double y = 0;
@@ -53,11 +53,11 @@ int main() try {
   const std::vector<double> stress = simulation.von_mises();
   std::printf("converged %d\n", report.converged);
   std::printf("stretch %.6f mm\n", stretch(simulation));
-  // Of small strains: the weight below every cross-section over its modulus, summed up.
+  // For small strains: the weight below every cross-section over its modulus, integrated.
   std::printf("closed_form %.6f mm\n", 1000 * 1000 * 9.81 * kHeight * kHeight * (3.0 / 8 / 1e6 + 1.0 / 8 / 5e5));
   std::printf("largest_stress %.3f Pa\n", *std::max_element(stress.begin(), stress.end()));
 
-  // Twice as stiff below, while it runs.
+  // Makes the lower part twice as stiff during the simulation.
   fascia::Material stiffer = simulation.material(1);
   stiffer.young_modulus = 1e6;
   simulation.set_material(simulation.material_name(1) == "column: 2" ? 1 : 0, stiffer);

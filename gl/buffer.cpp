@@ -20,7 +20,7 @@ void count_buffer(const std::string& label, std::size_t bytes, bool is_new) {
     bytes_by_label.erase(label);
 }
 
-// An empty buffer still gets one vec4 of storage, so that it can be bound and viewed like any other.
+// An empty buffer still gets one vec4 of storage, so that it can be bound and viewed.
 constexpr std::size_t kLeastBytes = 16;
 
 }  // namespace

@@ -16,7 +16,7 @@ class Buffer {
   /// Zero-filled when `data` is null. `label` shows in KHR_debug messages and in the statistics.
   Buffer(std::string label, std::size_t bytes, const void* data = nullptr)
       : Buffer(std::move(label), bytes, data, GL_DYNAMIC_COPY) {}
-  /// For what is copied there to be read later: where the CPU can read it without a way through the GPU's queue.
+  /// A buffer for copies that are read later, in memory that the CPU can read without waiting for the GPU's queue.
   static Buffer staging(std::string label, std::size_t bytes) {
     return {std::move(label), bytes, nullptr, GL_STREAM_READ};
   }
@@ -35,7 +35,7 @@ class Buffer {
   void upload(std::size_t offset, std::size_t bytes, const void* data);
   void download(std::size_t offset, std::size_t bytes, void* data) const;  // waits for the GPU
   void clear();                                                            // zeros
-  /// The first `bytes` of another buffer to `offset`, without a way through the CPU.
+  /// Copies the first `bytes` of another buffer to `offset`, on the GPU.
   void copy(const Buffer& from, std::size_t bytes, std::size_t offset = 0);
   template <class T>
   std::vector<T> read() const {
@@ -43,8 +43,8 @@ class Buffer {
     download(0, data.size() * sizeof(T), data.data());
     return data;
   }
-  /// A buffer texture over the whole buffer (GL_RGBA32F, GL_R32UI, ...), made at the first call and kept.
-  /// Throws Error when the buffer has more texels than the device can fetch.
+  /// A buffer texture over the whole buffer (GL_RGBA32F, GL_R32UI, ...), created at the first call and kept. Throws
+  /// Error if the buffer has more texels than the device can fetch.
   GLuint texel_view(GLenum internal_format) const;
 
  private:
@@ -56,13 +56,13 @@ class Buffer {
   mutable std::map<GLenum, GLuint> views_;
 };
 
-/// Bytes of all living Buffers and Textures, and of what else was counted with count_bytes (renderbuffers).
+/// Bytes of all existing Buffers and Textures, and those counted with count_bytes (renderbuffers).
 std::size_t allocated_bytes();
-/// Bytes of all living Buffers by label.
+/// Bytes of all existing Buffers by label.
 const std::map<std::string, std::size_t>& bytes_by_buffer();
 void count_bytes(std::ptrdiff_t change);
 
-/// Of the sized formats that fascia uses; throws Error for others.
+/// For the sized formats that fascia uses; throws Error for others.
 std::size_t bytes_per_texel(GLenum internal_format);
 
 }  // namespace fascia::gl

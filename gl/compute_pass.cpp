@@ -42,15 +42,14 @@ std::vector<std::string> resources(GLuint program, GLenum interface) {
   return names;
 }
 
-/// A buffer that a program uses, under the name that OpenGL gives it.
+/// A buffer that a program uses, under its name in OpenGL.
 struct Wanted {
   std::string resource;
   GLenum target, format;
   GLuint unit;
 };
 
-/// Numbers the binding points from 0, in the order of the program's resources, so that every pass of one
-/// program agrees.
+/// Numbers the binding points from 0, in the order of the program's resources, so that all passes of one program agree.
 std::vector<Wanted> assign_units(const Program& program, const std::string& where) {
   const GLuint id = program.id();
   std::vector<Wanted> wanted;
@@ -81,7 +80,7 @@ std::vector<Wanted> assign_units(const Program& program, const std::string& wher
   return wanted;
 }
 
-/// What is wrong with the buffers whatever the driver kept of the kernel.
+/// Checks the buffers, including those that the driver removed from the kernel.
 void check_bindings(const Program& program, const ComputePass::Bindings& buffers, const std::string& where) {
   const auto& declared = program.declared();
   const auto is_input = [&](const std::string& name) {
@@ -142,7 +141,7 @@ void ComputePass::resolve() const {
                   "expected a binding for every buffer that the kernel uses");
     const Buffer& buffer = *bound->second;
     if (texels)
-      buffer.texel_view(wanted.format);  // made here, so that run() makes nothing
+      buffer.texel_view(wanted.format);  // created here, so that run() creates nothing
     else if (static_cast<std::int64_t>(buffer.bytes()) > device().max_storage_block_size)
       throw Error(where, "buffer " + buffer.label() + " has " + std::to_string(buffer.bytes()) + " bytes",
                   "expected at most " + std::to_string(device().max_storage_block_size) + " in a block on " +
@@ -150,7 +149,7 @@ void ComputePass::resolve() const {
     used[static_cast<std::size_t>(bound - buffers_.begin())] = true;
     slots.push_back({&buffer, wanted.target, wanted.format, wanted.unit});
   }
-  // A declared buffer may be unused: the driver drops inputs that do not matter.
+  // A declared buffer may be unused: the driver drops inputs without effect.
   for (std::size_t i = 0; i < buffers_.size(); ++i)
     if (!used[i] && !program_->declared().contains(buffers_[i].first))
       throw Error(where, "has no buffer named " + buffers_[i].first, "expected a name that the kernel declares");
@@ -164,7 +163,7 @@ void ComputePass::resolve() const {
                 "expected at most " + std::to_string(device().max_compute_groups));
   groups_ = static_cast<std::uint32_t>(groups);
   group_size_ = static_cast<std::uint32_t>(size);
-  uniforms_.clear();  // a uniform that the driver optimised away has no location
+  uniforms_.clear();  // a uniform that the driver optimized away has no location
   for (const auto& [name, value] : constants_)
     if (const GLint location = GetUniformLocation(program_->id(), name.c_str()); location >= 0)
       uniforms_.emplace_back(location, value);

@@ -1,7 +1,6 @@
-// One recorded compute dispatch: a program, the buffers it reads and writes by block name, and the number of
-// invocations. Kernels declare inputs with INPUT_* and outputs with OUTPUT_* (shaders/common/io.glsl);
-// binding points are assigned here, by name, so no number is written twice. A name that the program does not
-// have, or a block left without a buffer, is an Error.
+// One recorded compute dispatch: a program, its buffers by block name, and the number of invocations. Kernels declare
+// inputs with INPUT_* and outputs with OUTPUT_* (shaders/common/io.glsl). Binding points are assigned here, by name, so
+// no number is written twice. A name that the program does not have, or a block without a buffer, is an Error.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -18,38 +17,38 @@ class ComputePass {
  public:
   using Bindings = std::vector<std::pair<std::string, const Buffer*>>;   // block or sampler name -> buffer
   using Constants = std::vector<std::pair<std::string, std::uint32_t>>;  // name of a uint uniform -> value
-  /// `invocations` is the number of items; the kernel's guard drops the rest of the last group. The buffers
-  /// must outlive the pass. `constants` are this pass's own values of the kernel's uniforms: other passes of the
-  /// same program may have others. Throws Error.
+  /// `invocations` is the number of items; the kernel's guard skips the rest of the last group. The buffers must
+  /// outlive the pass. `constants` are this pass's values of the kernel's uniforms: other passes of the same program
+  /// may have different ones. Throws Error.
   ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations, Constants constants = {});
 
-  /// Binds, dispatches and puts the barrier that later passes and draws need. Throws Error only when a
-  /// reloaded program wants other buffers.
+  /// Binds, dispatches and sets the barrier that later passes and draws need. Throws Error only if a reloaded program
+  /// needs other buffers.
   void run() const;
   const Program& program() const { return *program_; }
   std::uint32_t groups() const {
     prepare();
     return groups_;
   }
-  /// Of the buffers that it was given, each once: about what a run moves that reads or writes all of them.
+  /// Bytes of the given buffers, each counted once: an estimate of the memory traffic of a run that reads or writes all
+  /// of them.
   std::size_t bytes() const;
-  /// From now on the numbers of groups are the three that `arguments` (uint) holds from place `first` on when the pass
-  /// runs.
+  /// Takes the numbers of groups from the three values of `arguments` (uint), from index `first`, at each run.
   void set_indirect(const Buffer& arguments, std::uint32_t first);
   const Buffer* arguments() const { return arguments_; }  // of set_indirect; null without
   /// Before each run the bytes of `from` are copied to the start of `to`.
   void copy_first(const Buffer& from, Buffer& to);
-  /// From now on a constant, "invocations" included, is what `value` holds when the pass runs.
+  /// Takes a constant, also "invocations", from the variable `value` at each run.
   void follow(const std::string& constant, const std::uint32_t& value);
 
-  /// How many iterations an invocation of the kernel makes at most of all its loops together: passes that tell can be
-  /// fused (fused_pass.h).
+  /// The largest number of iterations of all loops together in an invocation: passes that state it can be fused
+  /// (fused_pass.h).
   ComputePass& loops(std::uint32_t most);
   std::optional<std::uint32_t> loops() const { return loops_; }
   /// Compiles the kernel, if that was postponed (program.h), and looks up the bindings. Throws Error.
   void prepare() const;
 
-  // What was recorded.
+  // The recorded data.
   using Followed = std::vector<std::pair<std::string, const std::uint32_t*>>;
   const Bindings& bindings() const { return buffers_; }
   const Constants& constants() const { return constants_; }  // "invocations" among them
@@ -58,7 +57,7 @@ class ComputePass {
   std::pair<const Buffer*, const Buffer*> copied() const { return {copied_, copy_}; }  // of copy_first: from, to
 
  private:
-  void resolve() const;  // block names to binding points; again after a reload
+  void resolve() const;  // block names to binding points; repeated after a reload
   struct Slot {
     const Buffer* buffer;
     GLenum target;  // GL_SHADER_STORAGE_BUFFER, GL_UNIFORM_BUFFER or GL_TEXTURE_BUFFER

@@ -1,5 +1,5 @@
-// A point in the stream of GPU commands, and whether the GPU has come there. Needs a current context, the destructor
-// too.
+// A point in the stream of GPU commands, with a test whether the GPU has reached it. Needs a current context, also in
+// the destructor.
 #pragma once
 #include "gl/loader.h"
 
@@ -12,7 +12,7 @@ class Fence {
   Fence(const Fence&) = delete;
   Fence& operator=(const Fence&) = delete;
 
-  /// Here, and no longer where it was.
+  /// Sets the fence here; an earlier position is discarded.
   void set() {
     clear();
     sync_ = FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -23,11 +23,11 @@ class Fence {
   }
   bool is_set() const { return sync_ != nullptr; }
 
-  /// Once, when a fence that is set has been passed, which clears it; with `wait`, waits for that. False when none is
-  /// set, too.
+  /// True once, when the fence is set and the GPU has passed it, which clears it; with `wait`, waits for that. False if
+  /// it is not set.
   bool take(bool wait) {
     if (!sync_) return false;
-    constexpr GLuint64 kSlice = 1'000'000'000;  // [ns]; drivers may bound a wait
+    constexpr GLuint64 kSlice = 1'000'000'000;  // [ns]; drivers may limit a wait
     while (ClientWaitSync(sync_, GL_SYNC_FLUSH_COMMANDS_BIT, wait ? kSlice : 0) == GL_TIMEOUT_EXPIRED)
       if (!wait) return false;
     clear();

@@ -11,18 +11,19 @@
 #include "gl/fused_source.h"
 
 namespace fascia::gl {
-namespace fused {  // named, for a class that others see has members of these types
+namespace fused {  // named, because a class with external linkage has members of these types
 
-// What shaders/common/fused.glsl is compiled with.
-constexpr std::uint32_t kKernelShift = 12,
-                        kNoKernel = 0xfffff;  // of the crew's first word: where the kernel is, and when all are done
-// Of work groups that were taken: beside the first word they slow down those who wait for it
+// Constants of shaders/common/fused.glsl.
+constexpr std::uint32_t
+    kKernelShift = 12,
+    kNoKernel = 0xfffff;  // of the crew's first word: the bits of the current kernel, and its value at the end
+// Counters of the work groups taken: beside the first word they would slow down the groups that wait for it
 constexpr std::uint32_t kFirstCounter = 16;
-constexpr std::uint32_t kMostLoops = 50'000;   // iterations of a work group
-constexpr std::uint32_t kLoopsOfAKernel = 16;  // each of its own is gone through once where there is nothing to do
+constexpr std::uint32_t kMostLoops = 50'000;   // iterations per work group
+constexpr std::uint32_t kLoopsOfAKernel = 16;  // each of its own loops runs at least once, even without work
 constexpr std::uint32_t kMostAtOnce = kMostLoops / 8;
 
-// As many as llvmpipe has threads.
+// The number of llvmpipe's threads.
 std::uint32_t crew_size() {
   const char* threads = std::getenv("LP_NUM_THREADS");
   return std::clamp(
@@ -31,7 +32,7 @@ std::uint32_t crew_size() {
 std::uint32_t group_size() { return static_cast<std::uint32_t>(device().vector_width); }
 std::uint32_t groups_of(std::uint32_t invocations) { return (invocations + group_size() - 1) / group_size(); }
 
-// The buffers of a fused program, each once for every way in which kernels see it.
+// The buffers of a fused program, each declared once per kind of access.
 class Declarations {
  public:
   std::string input(const Buffer& buffer, Texel texel) {
@@ -81,11 +82,11 @@ class Declarations {
   std::vector<Declared> all_;
 };
 
-// A value in the plan.
+// A value of the plan.
 struct Word {
   std::uint32_t value = 0;
   const std::uint32_t* followed = nullptr;
-  bool groups = false;  // of invocations
+  bool groups = false;  // number of groups instead of invocations
 };
 
 struct Run {
@@ -93,17 +94,17 @@ struct Run {
   std::vector<Word> record;
 };
 
-// Kernels, how they are run, and what they need.
+// The kernels, their schedule and their resources.
 struct Composition {
   Declarations declarations;
   std::vector<FusedKernel> kernels;
   std::vector<Run> runs;
-  const Buffer* step = nullptr;  // the uniform block of all
+  const Buffer* step = nullptr;  // the uniform block of all kernels
 
   bool fits() const {
     return declarations.outputs() + 1 <=
-               static_cast<std::size_t>(device().max_compute_storage_blocks) &&                     // and the crew
-           declarations.inputs() + 1 <= static_cast<std::size_t>(device().max_compute_textures) &&  // and the plan
+               static_cast<std::size_t>(device().max_compute_storage_blocks) &&                     // plus the crew
+           declarations.inputs() + 1 <= static_cast<std::size_t>(device().max_compute_textures) &&  // plus the plan
            runs.size() * kLoopsOfAKernel <= kMostAtOnce;
   }
 
@@ -144,7 +145,7 @@ struct Composition {
         throw Error("kernel " + pass.program().label(), "another step buffer", "expected one for all fused kernels");
       step = buffer;
     }
-    // Not a texel: outside of all conditions the compiler takes a second fetch from one place for the first one.
+    // Not read as a texel: outside conditions the compiler mistakes a second fetch from one place for the first.
     if (pass.arguments()) kernel.groups = declarations.output(*pass.arguments(), "uint");
     std::vector<Word> record(3);
     record[2].value = 1 + *pass.loops();
@@ -169,7 +170,7 @@ struct Composition {
   }
 
  private:
-  // "fused predict, elastic_force, ... (1906...)": with a fingerprint of all that makes the text.
+  // "fused predict, elastic_force, ... (1906...)", with a fingerprint of all inputs of the text.
   std::string label(const std::vector<FusedLoop>& loops) const {
     std::string names, all;
     for (const std::string& line : declarations.lines()) all += line + "\n";
@@ -209,7 +210,7 @@ struct Composition {
   }
 };
 
-// Runs of a kernel, or of up to four in turn, that follow each other become loops.
+// Combines consecutive runs of a kernel, or of up to four kernels in turn, to loops.
 struct Schedule {
   std::vector<FusedLoop> loops;
   std::vector<std::uint32_t> turns;
@@ -253,7 +254,7 @@ class FusedPasses::Dispatch {
       if (words_[k].followed) followed_.push_back(k);
     }
     plan_ = Buffer("plan", values_);
-    const std::uint32_t counters = (most_repeats() * words_.front().value + 15) / 16 * 16;  // of a stretch: fused.glsl
+    const std::uint32_t counters = (most_repeats() * words_.front().value + 15) / 16 * 16;  // per stretch: fused.glsl
     crew_ = Buffer("crew", sizeof(std::uint32_t) * (kFirstCounter + std::bit_ceil((crew_size() + 1) / 2) * counters));
     ComputePass::Bindings bindings = composition.declarations.bindings();
     bindings.insert(bindings.end(), {{"crew", &crew_}, {"plan", &plan_}});
@@ -263,7 +264,7 @@ class FusedPasses::Dispatch {
     together_->follow("repeats", repeats_);
   }
 
-  /// In one go.
+  /// In one dispatch.
   std::uint32_t most_repeats() const {
     return alone_ ? 1 : std::max(1u, kMostAtOnce / kLoopsOfAKernel / words_.front().value);
   }
@@ -299,8 +300,8 @@ class FusedPasses::Dispatch {
 
   std::optional<ComputePass> alone_, together_;
   std::vector<Word> words_;                    // the plan
-  std::vector<std::size_t> followed_;          // those of its words that may change
-  mutable std::vector<std::uint32_t> values_;  // of its words, as they are in plan_
+  std::vector<std::size_t> followed_;          // words that may change
+  mutable std::vector<std::uint32_t> values_;  // of its words, as uploaded to plan_
   mutable Buffer plan_, crew_;                 // uint: see fused.glsl
   mutable std::uint32_t repeats_ = 1;
 };

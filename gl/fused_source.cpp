@@ -9,17 +9,17 @@ namespace fascia::gl {
 namespace {
 
 constexpr std::string_view kUniform = "uniform uint ";
-// What all kernels see in the same way.
+// The common includes of all kernels.
 const std::vector<std::string> kCommon = {"common/step.glsl", "shared/types.h", "common/fused.glsl"};
 
-// What a kernel's text declares at its outermost level, where declarations begin in the first column.
+// The declarations of a kernel's text at its outermost level, which begin in the first column.
 struct Names {
   std::set<std::string> globals, macros;
 };
 
 bool in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// The word that begins at `at` or behind it.
+// The first word that begins at or after `at`.
 std::string word_from(const std::string& line, std::size_t at) {
   while (at < line.size() && !in_word(line[at])) ++at;
   std::size_t end = at;
@@ -63,13 +63,13 @@ class Composer {
     result_.text += text + "\n";
     result_.lines.push_back(from);
   }
-  // Without the #version line.
+  // Adds the text without the #version line.
   void all_of(const ShaderText& part) {
     std::istringstream in(part.text);
     std::string text;
     for (std::size_t i = 0; std::getline(in, text); ++i) {
       if (i == 0) continue;
-      if (text.starts_with(kUniform)) text.erase(0, 8);  // a variable here
+      if (text.starts_with(kUniform)) text.erase(0, 8);  // a plain variable here
       line(text, part.lines[i]);
     }
   }
@@ -84,7 +84,7 @@ void append_kernel(Composer& out, const std::filesystem::path& folder, const Fus
                    const Defines& all) {
   const ShaderText part = read_shader(folder, kernel.file, kernel.defines, kCommon);
   Names names = names_of(part.text);
-  names.globals.insert("invocations");  // which COMPUTE_1D declares
+  names.globals.insert("invocations");  // declared by COMPUTE_1D
   for (const auto& [name, fused] : kernel.buffers) names.globals.erase(name);
   for (const auto& [name, value] : all) names.macros.erase(name);
   for (const std::string& name : names.globals) out.line("#define " + name + " " + numbered(name, n));
@@ -100,8 +100,7 @@ void append_kernel(Composer& out, const std::filesystem::path& folder, const Fus
   for (const std::string& name : names.macros) out.line("#undef " + name);
 }
 
-// What groups_of() knows the kernel by that runs after the k-th one of a loop, or 0 where it does not know how many
-// there are.
+// The name in groups_of() of the kernel after the k-th one of a loop, or 0 if its number of groups is unknown there.
 std::string next_of(const std::vector<FusedKernel>& kernels, const std::vector<FusedLoop>& loops, std::size_t loop,
                     std::size_t k) {
   const bool last = k + 1 == loops[loop].size();
@@ -118,7 +117,7 @@ void append_call(Composer& out, const FusedKernel& kernel, std::size_t n, const 
   out.line("      most = PLAN(at + 1u);");
   out.line("      cost = PLAN(at + 2u);");
   out.line("      at += " + std::to_string(record_size(kernel)) + "u;");
-  // Loops whose condition comes last: llvmpipe goes once more through the others, with no invocation in them.
+  // Loops that test their condition last: llvmpipe runs other loops once more, with no active invocation.
   out.line("      begin_kernel();");
   out.line("      do {");
   out.line("        take_part(groups, most, cost);");
@@ -151,7 +150,7 @@ ShaderText read_fused(const std::filesystem::path& folder, const Defines& define
   out.line("}");
   out.line("void main() {");
   out.line("  kernel_count = repeats * PLAN(0u);");
-  // Who comes late goes through as little as can be; a loop of llvmpipe's is gone through once at least.
+  // A late group should execute as little as possible; a loop in llvmpipe runs at least once.
   out.line("  uint first = join_crew();");
   out.line(
       "  uint last_repeat = first == NO_KERNEL ? 0u : repeats, repeat = first == NO_KERNEL ? 0u : first / PLAN(0u);");

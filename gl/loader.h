@@ -1,8 +1,8 @@
-// OpenGL 4.3 core functions as variables in fascia::gl, filled from the context that is current. No GL symbol
-// is linked, so one program serves GLFW, OSMesa and EGL contexts, also several in one process.
+// OpenGL 4.3 core functions as variables in fascia::gl, filled from the context that is current. No GL symbol is
+// linked, so one program serves GLFW, OSMesa and EGL contexts, even several in one process.
 #pragma once
 #ifndef GL_GLEXT_PROTOTYPES
-#define GL_GLEXT_PROTOTYPES  // declarations only: nothing links against them
+#define GL_GLEXT_PROTOTYPES  // declarations only: nothing links to them
 #endif
 #include <GL/glcorearb.h>
 
@@ -46,13 +46,13 @@ FASCIA_GL_FUNCTIONS(X)
 
 using GetProc = void* (*)(const char* name);
 
-/// Fills every function above from the current context. Throws Error naming what is missing and what was
-/// found when the context is below 4.3 or has no compute shaders.
+/// Fills every function above from the current context. Throws Error with the missing and the available features if the
+/// context is below 4.3 or has no compute shaders.
 void load(GetProc get_proc);
 
-/// Why the context was lost, GL_NO_ERROR while it is not; null where the driver does not tell. Filled by load().
+/// The reason of a context loss, GL_NO_ERROR without one; null if the driver does not report it. Filled by load().
 extern GLenum (*GetGraphicsResetStatus)();
-/// Throws ContextLost when a reset of the device has taken what the context held. Asks the driver; waits for nothing.
+/// Throws ContextLost if a device reset has destroyed the context's data. Queries the driver; does not wait.
 void require_context();
 
 class ContextLost : public Error {
@@ -60,10 +60,10 @@ class ContextLost : public Error {
   using Error::Error;
 };
 
-/// Takes the errors that were made so far out of OpenGL's list. A lost context may have no end of them.
+/// Clears OpenGL's list of errors. The list of a lost context may never end.
 void forget_errors();
 
-/// What the current context is: filled by load().
+/// Properties of the current context; filled by load().
 struct Device {
   std::string renderer;                     // GL_RENDERER
   std::string version;                      // GL_VERSION
@@ -71,15 +71,15 @@ struct Device {
   int max_texture_buffer_size = 0;          // texels
   int max_compute_storage_blocks = 0;       // SSBO blocks in one compute kernel
   int max_compute_textures = 0;             // buffer textures in one compute kernel
-  int vector_width = 0;                     // of llvmpipe: invocations that it computes at once; 0 for others
+  int vector_width = 0;                     // for llvmpipe: number of invocations per vector; 0 for others
   std::int64_t max_storage_block_size = 0;  // [bytes]
   int max_compute_groups = 0;               // work groups along x in one dispatch
-  int timestamp_bits = 0;     // that GL_TIMESTAMP counts with; 0 where it says nothing: on software renderers
-  bool links_beside = false;  // tells whether a program is linked yet (KHR_parallel_shader_compile)
+  int timestamp_bits = 0;                   // of GL_TIMESTAMP; 0 on software renderers, where it is undefined
+  bool links_beside = false;                // whether the state of linking can be queried (KHR_parallel_shader_compile)
 };
 const Device& device();
 
-/// What decides whether a context can serve; the limits are those that OpenGL 4.3 guarantees.
+/// The requirements on a context; the limits are those that OpenGL 4.3 guarantees.
 struct Support {
   std::string renderer, version;
   int major = 0, minor = 0;
@@ -88,7 +88,7 @@ struct Support {
   int shared_memory = 0;   // [bytes]
   std::vector<std::string> missing_functions;
 };
-/// One line: what was found, what is missing. Empty when nothing is.
+/// One line with the available and the missing features. Empty if nothing is missing.
 std::string refusal(const Support& found);
 
 }  // namespace fascia::gl

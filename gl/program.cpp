@@ -8,7 +8,7 @@
 namespace fascia::gl {
 namespace {
 
-/// The lines of a driver's log as one line, for Error: without warnings, where there are errors.
+/// The lines of a driver's log as one line, for Error: without warnings if there are errors.
 std::string one_line(const std::string& log) {
   const bool errors = log.find("error") != std::string::npos;
   std::string result, line;
@@ -44,7 +44,7 @@ LoadPath fitting_load_path() {
                                                                                        : LoadPath::storage;
 }
 
-// Drivers that link on threads of their own wait for them when they are asked how it went.
+// Drivers that link on their own threads wait for them when the result is queried.
 struct Program::Link {
   struct Stage {
     GLuint shader;
@@ -65,7 +65,7 @@ struct Program::Link {
     CompileShader(stage.shader);
     AttachShader(id, stage.shader);
   }
-  /// Throws Error with what the driver says of the first stage that it refuses.
+  /// Throws Error with the driver's log of the first stage that fails.
   void require(const std::string& label) const {
     for (const Stage& stage : stages) {
       GLint done = 0;
@@ -92,7 +92,7 @@ Program::~Program() {
 }
 
 void Program::use() const { UseProgram(id_); }
-// Asked once: with drivers that work on a thread of their own, each question waits for it.
+// Queried once: drivers with their own thread synchronize at each query.
 GLint Program::location(const char* name) const {
   const auto found = locations_.find(name);
   if (found != locations_.end()) return found->second;
@@ -216,7 +216,7 @@ void ProgramCache::finish(Program& program, std::unique_ptr<Program::Link> link)
 std::vector<std::string> ProgramCache::reload() {
   std::vector<std::string> messages;
   for (const auto& [label, entry] : programs_) {
-    if (!entry.program->id()) continue;  // read when it is first used
+    if (!entry.program->id()) continue;  // read at its first use
     try {
       finish(*entry.program, begin_link(entry));
     } catch (const Error& error) {

@@ -1,4 +1,4 @@
-// Linked programs, cached by file and defines, reloaded from disk on demand.
+// Linked programs, cached by file and defines, reloaded from disk on request.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -12,13 +12,12 @@
 
 namespace fascia::gl {
 
-/// How kernels read their inputs (platform fact: SSBO reads cost llvmpipe 8 to 12 times a texelFetch of the
-/// same buffer).
+/// Access of kernels to their inputs (SSBO reads cost llvmpipe 8 to 12 times a texelFetch of the same buffer).
 enum class LoadPath { storage, texel };
 const char* name_of(LoadPath path);     // "ssbo", "texel"
-constexpr int kMostStorageBlocks = 14;  // that any kernel reads or writes
-/// Storage blocks on GPUs; texel fetches on llvmpipe, whose storage reads cost 8 to 12 times as much, and where kernels
-/// may have fewer blocks than they read and write buffers: OpenGL 4.3 promises eight. Needs a current context.
+constexpr int kMostStorageBlocks = 14;  // limit for the blocks that a kernel reads or writes
+/// Storage blocks on GPUs; texel fetches on llvmpipe, where storage reads cost 8 to 12 times as much, and on devices
+/// with fewer blocks per kernel than kernels use: OpenGL 4.3 guarantees eight. Needs a current context.
 LoadPath fitting_load_path();
 
 class ProgramCache;
@@ -39,19 +38,19 @@ class Program {
   const std::map<std::string, std::string>& output_types() const { return output_types_; }
   const std::string& file() const { return file_; }  // of a compute program, with its defines
   bool fused() const { return file_.empty(); }
-  /// Starts linking it, if that was postponed: drivers may do so beside the program's own work, and several at once.
-  /// Throws Error where the text cannot be read.
+  /// Starts linking, if that was postponed: drivers may link in parallel to the program, and several programs at once.
+  /// Throws Error if the text cannot be read.
   void begin_link() const;
-  /// False while the driver says that it still links it, true of one whose linking has not begun.
+  /// False while the driver reports that it is linking; true if linking has not begun.
   bool idle() const;
-  /// Waits until it is linked; starts that, if it was postponed. Throws Error.
+  /// Waits until the program is linked; starts linking if that was postponed. Throws Error.
   void require() const;
-  /// Before and after it is run; the cache's FirstRuns hear of code that has not been run.
+  /// Called before and after a run; the cache's FirstRuns is notified of code that has not run yet.
   void begin_run() const;
   void end_run() const { run_generation_ = generation_; }
   const Defines& defines() const { return defines_; }
-  // Uniforms by name, kept by the program until it is reloaded; it need not be in use. Setting one that the
-  // program does not have does nothing (the driver may have optimised it away).
+  // Uniforms by name, kept by the program until it is reloaded; it need not be in use. Setting a uniform that the
+  // program does not have has no effect (the driver may have optimized it away).
   void set(const char* name, float value) const;
   void set(const char* name, int value) const;
   void set(const char* name, unsigned value) const;
@@ -61,14 +60,14 @@ class Program {
  private:
   friend class ProgramCache;
   GLint location(const char* name) const;
-  mutable std::map<std::string, GLint, std::less<>> locations_;  // of uniforms, -1 of those that it does not have
+  mutable std::map<std::string, GLint, std::less<>> locations_;  // of uniforms, -1 for missing ones
   ProgramCache* cache_ = nullptr;
   GLuint id_ = 0;
-  /// Compiled and linked, not asked yet whether with success.
+  /// Compiled and linked, result not queried yet.
   struct Link;
   mutable std::unique_ptr<Link> link_;
   unsigned generation_ = 0;
-  mutable unsigned run_generation_ = 0;  // what was last run
+  mutable unsigned run_generation_ = 0;  // generation of the last run
   std::string label_;
   std::string file_;
   Defines defines_;
@@ -79,27 +78,28 @@ class Program {
 class ProgramCache {
  public:
   /// `folder` is the shaders folder. `load_path` becomes READ_TEXELS 0 or 1 in every program, and TEXELS_IN_ORDER is 1
-  /// on llvmpipe, where what an invocation fetches and stores happens in the order of its text.
+  /// on llvmpipe, where the fetches and stores of an invocation run in program order.
   ProgramCache(std::filesystem::path folder, LoadPath load_path);
   LoadPath load_path() const { return load_path_; }
-  /// Whether who records many passes should fuse them (fused_pass.h): it takes two to three times as long to compile.
-  /// Not at first.
+  /// Whether callers that record many passes should fuse them (fused_pass.h): compiling then takes two to three times
+  /// as long. Initially off.
   void set_fusing(bool on) { fusing_ = on; }
   bool fusing() const { return fusing_; }
 
-  /// Compiled at the first call, then kept at the same address. Throws Error with the log mapped to file:line
-  /// and the variant.
+  /// Compiled at the first call, then kept at the same address. Throws Error with the variant and the log mapped to
+  /// file:line.
   const Program& compute(const std::string& file, const Defines& defines = {});
   const Program& draw(const std::string& vertex_file, const std::string& fragment_file, const Defines& defines = {});
-  /// A compute program made of several kernels: by `read`, also at every reload. `label` tells it from the others.
+  /// A compute program made of several kernels by `read`, which is also called at every reload. `label` identifies the
+  /// program.
   const Program& fused(const std::string& label, std::function<ShaderText(const std::filesystem::path& folder)> read);
 
-  /// Compiles every cached program again from disk. One that fails keeps its old code; returns the messages.
+  /// Compiles every cached program again from disk. A program that fails keeps its old code; returns the messages.
   std::vector<std::string> reload();
-  std::size_t size() const;  // of linked ones
+  std::size_t size() const;  // number of linked ones
 
-  /// While it lives compute() only reads a program's text: the program is linked by begin_link(), or when it is first
-  /// used.
+  /// While an object exists, compute() only reads a program's text: the program is linked by begin_link(), or at its
+  /// first use.
   class Postponed {
    public:
     explicit Postponed(ProgramCache& cache) : cache_(cache) { ++cache_.postponed_; }
@@ -111,8 +111,8 @@ class ProgramCache {
     ProgramCache& cache_;
   };
 
-  /// While it lives `tell` is called before a compute program is run for the first time: many drivers translate it only
-  /// then. `tell` may draw, but not run compute programs. One at a time.
+  /// While an object exists, `tell` is called before the first run of a compute program, which many drivers translate
+  /// only then. `tell` may draw, but not run compute programs. One object at a time.
   class FirstRuns {
    public:
     FirstRuns(ProgramCache& cache, std::function<void()> tell) : cache_(cache) {
@@ -136,7 +136,7 @@ class ProgramCache {
   friend class Program;
   std::unique_ptr<Program::Link> begin_link(const Entry& entry) const;
   void finish(Program& program,
-              std::unique_ptr<Program::Link> link) const;  // the program stays as it is when this throws
+              std::unique_ptr<Program::Link> link) const;  // the program is unchanged if this throws
 
   std::filesystem::path folder_;
   LoadPath load_path_;

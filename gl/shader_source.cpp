@@ -20,7 +20,7 @@ class Flattener {
   Flattener(const std::filesystem::path& folder, ShaderText& result, const std::vector<std::string>& included)
       : folder_(folder), result_(result), done_(included) {}
 
-  /// Appends `file` unless it is there already. `from` is where it was asked for.
+  /// Appends `file` unless it is already included. `from` is the place of the include.
   void append(const std::string& file, const std::string& from) {
     if (std::find(open_.begin(), open_.end(), file) != open_.end()) {
       std::string chain;
@@ -85,7 +85,7 @@ class Flattener {
     for (std::sregex_iterator it(code.begin(), code.end(), declaration), end; it != end; ++it) {
       const std::string macro = (*it)[1], arguments = (*it)[2];
       std::smatch match;
-      if (!std::regex_match(arguments, match, names)) continue;  // the compiler will say it better
+      if (!std::regex_match(arguments, match, names)) continue;  // the compiler reports it better
       const std::string type = match[1], block = match[2], name = match[3];
       if (block != pascal_case(name))
         throw Error(where, macro + " of " + name + " names its block " + block, "expected " + pascal_case(name));

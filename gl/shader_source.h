@@ -1,6 +1,6 @@
-// Shader text from disk: #include "..." (relative to the shader folder, each file once), #define lines for a
-// variant, and a map from flat line numbers back to files, since drivers ignore the source number of #line.
-// No OpenGL here.
+// Reads shader text from disk: #include "..." (relative to the shader folder, each file once), #define lines for a
+// variant, and a map from flat line numbers back to files, since drivers ignore the source number of #line. Independent
+// of OpenGL.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -12,30 +12,29 @@ namespace fascia::gl {
 
 using Defines = std::vector<std::pair<std::string, std::string>>;  // NAME, value; sorted by the cache
 
-/// What one texel of an input is, as INPUT_VEC4, INPUT_UVEC4, INPUT_FLOAT or INPUT_UINT declares it; none for
+/// The type of an input's texel, from its declaration by INPUT_VEC4, INPUT_UVEC4, INPUT_FLOAT or INPUT_UINT; none for
 /// outputs. vec4_in_place (INPUT_VEC4_IN_PLACE): a vec4 of a buffer that the dispatch also writes, under another name.
 enum class Texel { none, vec4, vec4_in_place, uvec4, float1, uint1 };
 
 struct ShaderText {
-  std::string text;  // "#version 430 core", the defines, then the flattened file (whose own #version line
-                     // must not exist)
+  std::string
+      text;  // "#version 430 core", the defines, then the flattened file (which must not have its own #version line)
   struct Line {
     std::string file;  // relative to the shader folder: "sim/step/predict.comp"
     int line;
   };
   std::vector<Line> lines;  // [flat line - 1]
-  // Buffers declared with the macros of common/io.glsl, by their second name. Reflection tells neither a
-  // float texel from a vec4 texel nor what the driver optimised away, so the declarations are read here.
+  // Buffers declared with the macros of common/io.glsl, by their second name. The declarations are read here because
+  // reflection distinguishes neither a float texel from a vec4 texel nor inputs that the driver optimized away.
   std::map<std::string, Texel> declared;
   std::map<std::string, std::string> output_types;  // of an element: "vec4", "uint"
 };
 
-/// "slot_begin" to "SlotBegin": the block name that belongs to a buffer's name.
+/// "slot_begin" to "SlotBegin": the block name of a buffer.
 std::string pascal_case(const std::string& snake_case);
 
-/// Throws Error "shaders/sim/x.comp:3: ..." for a missing file, a circular include, or a declaration whose
-/// two names disagree.
-/// Files in `included` are taken to be there already.
+/// Throws Error "shaders/sim/x.comp:3: ..." for a missing file, a circular include, or a declaration with inconsistent
+/// names. Files in `included` are not included again.
 ShaderText read_shader(const std::filesystem::path& folder, const std::string& file, const Defines& defines,
                        const std::vector<std::string>& included = {});
 

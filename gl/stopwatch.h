@@ -1,5 +1,5 @@
-// How long pieces of GPU work take that follow each other: by timestamps of the device, which nothing waits for; where
-// there are none, as on software renderers, every piece is waited for and the clock on the wall read.
+// Measures consecutive pieces of GPU work: by timestamps of the device, without waiting; on devices without them, such
+// as software renderers, by waiting for every piece and reading the clock.
 #pragma once
 #include <chrono>
 #include <string>
@@ -12,13 +12,13 @@ namespace fascia::gl {
 
 class Stopwatch {
  public:
-  /// Starts after all work that was asked for before. Needs a current context, as do the others and the destructor.
+  /// Starts after all earlier commands. Needs a current context, as do the other functions and the destructor.
   explicit Stopwatch(bool timestamps = device().timestamp_bits > 0);
   ~Stopwatch();
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
 
-  /// The piece that was asked for since the last mark ends here.
+  /// Ends the piece of work since the last mark.
   void mark(std::string name);
   /// Milliseconds of every piece, by the names of their marks, in their order. Waits for the device.
   std::vector<std::pair<std::string, double>> laps() const;

@@ -17,7 +17,7 @@ Texture::Texture(std::string label, GLenum internal_format, int width, int heigh
                     std::to_string(samples) + " samples",
                 "expected a size and sample count that " + device().renderer + " has room for");
   };
-  // Asked for first: llvmpipe crashes on sizes far beyond its limit instead of refusing them.
+  // Queried first: llvmpipe crashes on sizes far beyond its limit instead of refusing them.
   GLint most = 0;
   GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
   if (width < 1 || height < 1 || width > most || height > most) fail();

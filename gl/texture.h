@@ -30,7 +30,7 @@ class Texture {
   std::size_t bytes_ = 0;
 };
 
-/// A framebuffer object that draws into this texture alone, as color, depth or depth and stencil; it is left bound.
+/// A framebuffer object that draws into this texture only, as color, depth or depth and stencil; it stays bound.
 GLuint make_target(GLenum attachment, const Texture& texture);
 
 }  // namespace fascia::gl

@@ -13,8 +13,9 @@ Timer::~Timer() {
 }
 
 void Timer::begin() {
-  measuring_ = pending_ <
-               kPairs;  // else the GPU is far behind, or nobody takes: this one goes unmeasured rather than waited for
+  measuring_ =
+      pending_ <
+      kPairs;  // otherwise the GPU is far behind, or results are not taken: this one is not measured, to avoid a wait
   if (!measuring_) return;
   if (timestamps_) {
     QueryCounter(queries_[2 * next_], GL_TIMESTAMP);

@@ -1,5 +1,5 @@
-// Elapsed milliseconds of GPU work: pairs of timestamps on a GPU (read some frames late, never waiting; two
-// timers may overlap), wall clock around glFinish where there are none.
+// Elapsed milliseconds of GPU work: pairs of timestamps on a GPU (read some frames late, without waiting; two timers
+// may overlap), wall clock around glFinish on devices without them.
 #pragma once
 #include <array>
 #include <chrono>
@@ -11,11 +11,11 @@ namespace fascia::gl {
 
 class Timer {
  public:
-  /// What was measured, with what was said of it when it ended: it is told some frames later.
+  /// A measurement with the data given at its end; it is available some frames later.
   struct Measurement {
     double milliseconds;
-    int steps;      // that were made meanwhile
-    bool compiled;  // kernels, too: the next ones will be faster
+    int steps;      // number during the measurement
+    bool compiled;  // whether kernels were compiled, too: the next measurements will be faster
   };
 
   Timer();
@@ -28,7 +28,7 @@ class Timer {
   std::optional<Measurement> take();
 
  private:
-  static constexpr unsigned kPairs = 4;  // measurements that may be under way
+  static constexpr unsigned kPairs = 4;  // measurements that may be pending
   const bool timestamps_;
   std::array<GLuint, 2 * kPairs> queries_{};  // begin, end, begin, end, ...
   std::array<Measurement, kPairs> measurements_{};

@@ -6,7 +6,7 @@
 namespace fascia::python {
 namespace {
 
-/// What a numpy array or a memoryview is a view of.
+/// The memory behind a numpy array or a memoryview.
 struct Block {
   std::variant<std::vector<double>, std::span<const double>, std::span<const std::uint32_t>> numbers;
   std::size_t columns = 1;

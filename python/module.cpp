@@ -1,4 +1,4 @@
-// The Python module `fascia`, over the public headers alone.
+// The Python module `fascia`, which uses only the public headers.
 #include <pybind11/functional.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace py::literals;
 
-/// A grab of Python knows its simulation, so that it can be asked itself.
+/// A grab in Python refers to its simulation, so that its methods can query it.
 struct Held {
   py::object owner;
   Grab grab;
@@ -25,7 +25,7 @@ std::string text_of(const T& value) {
   return py::repr(value);
 }
 
-/// Control whose stop is Ctrl-C, looked for whenever there is progress.
+/// A Control whose stop is Ctrl-C, checked at every progress report.
 Control control_of(const std::function<void(double, const std::string&)>& progress) {
   Control control;
   control.progress = [progress](double share, const char* what) {
@@ -323,7 +323,7 @@ PYBIND11_MODULE(fascia, m) {
   m.doc() = "Real-time simulation of soft tissue on the GPU.";
   m.attr("__version__") = version();
   const py::object error = py::register_exception<Error>(m, "Error", PyExc_RuntimeError);
-  py::register_exception<ContextLost>(m, "ContextLost", error);  // those that are registered last are tried first
+  py::register_exception<ContextLost>(m, "ContextLost", error);  // the last registered exceptions are tried first
   py::register_exception<Interrupted>(m, "Interrupted", error);
   python::define_arrays(m);
   python::define_values(m);

@@ -60,30 +60,31 @@ struct SceneRenderer::Impl {
         marks(programs, marked),
         frame("frame uniforms", sizeof(FrameUniforms)) {}
 
-  // Of the size of the target, or null where the look has none.
+  // Ambient occlusion in the size of the target, or null if the look has none.
   const AmbientOcclusion* ambient_occlusion(const Look& look, const Framebuffer& target) {
     if (look.ambient_occlusion <= 0 || (occlusion && !occlusion->fits(target))) occlusion.reset();
     if (look.ambient_occlusion > 0 && !occlusion) occlusion.emplace(programs, target.width(), target.height());
     return occlusion ? &*occlusion : nullptr;
   }
 
-  // The cut of a closed surface with tets inside that end elsewhere. What a pixel's ray meets of the surface beyond the
-  // plane, counted with its sign, is the winding number of the surface where the ray meets the plane: there the cut
-  // belongs, in the color of the tets where they are and of flesh where the surface stands off them.
+  // Draws the cut of a closed surface whose tets end elsewhere. The signed count of surface hits of a pixel's ray
+  // beyond the plane is the winding number of the surface at the ray's point on the plane. Where that is inside, the
+  // cut is drawn: in the color of the tets where there are tets, and of plain tissue where the surface is away from
+  // them.
   void draw_cut_within_surface(const Look& look, const gl::Buffer& positions) const {
     gl::Enable(GL_STENCIL_TEST);
     gl::StencilFunc(GL_ALWAYS, 0, 0xff);
     gl::StencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
     gl::StencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
     gl::ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    gl::Disable(GL_DEPTH_TEST);  // which would leave out what lies behind
+    gl::Disable(GL_DEPTH_TEST);  // it would reject surfaces behind others
     gl::Enable(GL_CLIP_DISTANCE0);
     surface.draw_bare(look);
     gl::Disable(GL_CLIP_DISTANCE0);
     gl::Enable(GL_DEPTH_TEST);
     gl::ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl::StencilFunc(GL_NOTEQUAL, 0, 0xff);
-    gl::StencilOp(GL_KEEP, GL_KEEP, GL_ZERO);  // once in every place
+    gl::StencilOp(GL_KEEP, GL_KEEP, GL_ZERO);  // once per pixel
     tets->draw_cap(look, positions);
     tets->draw_flesh(look);
     gl::Disable(GL_STENCIL_TEST);
@@ -92,8 +93,8 @@ struct SceneRenderer::Impl {
   gl::ProgramCache& programs;
   std::uint32_t vertex_count;
   TetView tet_view;
-  std::optional<TetRenderer> tets;            // while a look asks for them
-  std::optional<AmbientOcclusion> occlusion;  // the same
+  std::optional<TetRenderer> tets;            // while a look needs them
+  std::optional<AmbientOcclusion> occlusion;  // while a look needs it
   SurfaceRenderer surface;
   ShadowMap shadow;
   Ground ground;
@@ -150,7 +151,7 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
   };
   const bool above_ground = camera.eye.dot(look.up.normalized()) > look.ground_height;
   const bool ground = look.ground && above_ground;
-  // The cut itself is left out of the shadow map: light that enters through it still ends at the surface behind.
+  // The shadow map does not include the cut: light that enters through it still ends at the surface behind.
   const auto draw_depth = [&] {
     if (look.tets)
       parts.tets->draw_depth(look, positions);
@@ -166,7 +167,7 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
   const bool has_stage = parts.kept_stage.begin(parts.ground, frame, look, ground, target);
   if (transparent) gl::ClearColor(0, 0, 0, 0);
   if (!has_stage) gl::Clear((transparent ? GL_COLOR_BUFFER_BIT : 0) | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  // From front to back, so that every pixel is lit once: software renderers live by their fill rate.
+  // From front to back, so that every pixel is shaded once: the fill rate limits software renderers.
   if (look.shadow) parts.shadow.bind_depth(0);
   if (look.tets)
     parts.tets->draw_tets(look, positions);
@@ -184,7 +185,7 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
   const AmbientOcclusion* occlusion = parts.ambient_occlusion(look, target);
   if (occlusion) occlusion->darken(camera, look, target);
   if (!transparent && !has_stage) parts.ground.draw_background(look);
-  if (!look.tets) parts.marks.draw(look, positions, grabs);  // vertices are not where separate tets are drawn
+  if (!look.tets) parts.marks.draw(look, positions, grabs);  // separate tets are not drawn at the vertices
 }
 
 }  // namespace fascia

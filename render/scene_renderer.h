@@ -1,5 +1,5 @@
-// Draws a deforming surface from buffers that stay on the GPU: smooth normals, light, soft shadow, ground
-// grid, heat map, wireframe, marks. Knows triangles and positions, nothing of tissue.
+// Draws a deforming surface from buffers that stay on the GPU: smooth normals, light, soft shadow, ground grid, heat
+// map, wireframe, marks. It uses only triangles and positions and does not depend on the solver.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,34 +15,35 @@
 
 namespace fascia {
 
-/// Where the surface is this frame. Handed over by the solver, owned by it.
+/// The surface of this frame, provided and owned by the solver.
 struct SurfaceView {
   const gl::Buffer* positions = nullptr;  // vec4 [vertex_count]: x, y, z [m], w the scalar shown by the heat map
 };
 
 class SceneRenderer {
  public:
-  /// `triangles` index the vertices of SurfaceView::positions. `marked` are vertices drawn as dots (fixed
-  /// ones). With `rest_positions` [vertex_count], edges that are sharp at rest (a box's) stay sharp in the
-  /// shading; without, everything is shaded smooth. `colors` [3 * triangle_count] of the triangles' corners, sRGB
-  /// 0xAABBGGRR, replace Look::color where AA is ff; without, they cost nothing.
+  /// `triangles` index the vertices of SurfaceView::positions. `marked` are vertices drawn as dots (fixed ones). With
+  /// `rest_positions` [vertex_count], edges that are sharp at rest (a box's) stay sharp in the shading; without,
+  /// everything is shaded smooth. `colors` [3 * triangle_count] of the triangles' corners, sRGB 0xAABBGGRR, replace
+  /// Look::color where AA is ff; without, they cost nothing.
   SceneRenderer(gl::ProgramCache& programs, std::span<const std::array<std::uint32_t, 3>> triangles,
                 std::uint32_t vertex_count, std::span<const std::uint32_t> marked,
                 std::span<const Eigen::Vector3d> rest_positions = {}, std::span<const std::uint32_t> colors = {});
   ~SceneRenderer();
 
-  /// Vertices of the grabbed patch, drawn as brighter dots; empty lets go.
+  /// Sets the vertices of the grabbed patch, drawn as brighter dots; empty: none.
   void set_grabbed(std::span<const std::uint32_t> vertices);
 
-  /// What looks with a section plane or separate tets draw; the spans must outlive the renderer. Uploaded while a look
-  /// needs it.
+  /// Sets the tets for looks with a section plane or separate tets; the spans must outlive the renderer. Uploaded while
+  /// a look needs them.
   void set_tets(const TetView& view);
-  /// The region of every triangle, for looks that color by it; empty frees it, and colors are the tissue's.
+  /// Sets the region of every triangle, for looks that color by it; empty frees the regions and restores the tissue's
+  /// colors.
   void set_regions(std::span<const std::uint32_t> triangle_region);
   bool has_regions() const;
 
-  /// Over the whole of `target`, which need not be cleared and is left bound, depth test on and blending off. On a
-  /// transparent backdrop colors are premultiplied by alpha.
+  /// Draws over the whole of `target`, which need not be cleared and stays bound, with depth test on and blending off.
+  /// On a transparent backdrop colors are premultiplied by alpha.
   void draw(const SurfaceView& surface, const Camera& camera, const Look& look, std::span<const GrabArrow> grabs,
             const Framebuffer& target);
 

@@ -6,8 +6,8 @@
 namespace fascia {
 namespace {
 
-// The numbers 1, 2, 3... with their digits mirrored at the point: they fill 0 to 1 evenly (van der Corput 1935; Halton
-// 1964).
+// The numbers 1, 2, 3... with their digits mirrored at the radix point: they fill 0 to 1 evenly (van der Corput 1935;
+// Halton 1964).
 double mirrored(int number, int base) {
   double value = 0, digit = 1.0 / base;
   for (; number > 0; number /= base, digit /= base) value += digit * (number % base);
@@ -32,8 +32,7 @@ Framebuffer& Supersampler::draw(Camera& camera, const std::function<void(Framebu
     return framebuffer_;
   }
   const double width = framebuffer_.width(), height = framebuffer_.height();
-  // The renderer's own samples spread over a pixel: a shift within the part that each of them stands for fills the
-  // gaps.
+  // The renderer's own samples are spread over a pixel: a shift within the part that each represents fills the gaps.
   const double part = 1 / std::sqrt(static_cast<double>(framebuffer_.samples()));
   const std::size_t bytes =
       4 * static_cast<std::size_t>(framebuffer_.width()) * static_cast<std::size_t>(framebuffer_.height());

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Builds the document from the parser's events, because only the events show a key that is given twice.
+/// Builds the document from the parser's events, because only these show a repeated key.
 class DocumentBuilder : public nlohmann::json_sax<json> {
  public:
   DocumentBuilder(std::string_view text, std::string where) : text_(text), where_(std::move(where)) {}
@@ -40,7 +40,7 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
   }
 
   bool parse_error(std::size_t position, const std::string&, const json::exception& error) override {
-    // `position` counts the bytes read so far: the offending one is the last of them.
+    // `position` counts the bytes read so far: the wrong one is the last of them.
     const std::string_view before = text_.substr(0, std::min(position > 0 ? position - 1 : 0, text_.size()));
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t newline = before.rfind('\n');  // npos + 1 is 0
@@ -49,8 +49,8 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
   }
 
  private:
-  /// The parser's own words without its code, the position (ours is in front) and a long quotation of the
-  /// text.
+  /// The parser's message without its code, without the position (which precedes ours) and without a long quotation of
+  /// the text.
   static std::string reason(std::string text) {
     constexpr std::size_t kLongest = 200;
     if (const auto at = text.find("] "); at != std::string::npos) text.erase(0, at + 2);
@@ -96,8 +96,8 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
   std::string_view text_;
   std::string where_;
   json root_;
-  std::vector<json*> open_;        // from the root to the innermost open container; only the innermost one grows,
-  std::vector<std::string> keys_;  // so the pointers stay valid. The key last read in each of them.
+  std::vector<json*> open_;        // from the root to the innermost open container. Only the innermost one grows,
+  std::vector<std::string> keys_;  // so the pointers stay valid. The last key read in each container.
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// JSON text to a document, stricter than the parser it uses: a key given twice is refused, nesting is
-// bounded, and a syntax error is one line "file:line:column: ...".
+// Parses JSON text to a document, with more checks than the parser it uses: a repeated key is refused, nesting is
+// limited, and a syntax error is one line "file:line:column: ...".
 #pragma once
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 
 namespace fascia {
 
-/// Levels of lists and objects; more are refused, because what walks a document does so recursively.
+/// Levels of lists and objects; more are refused, because the code that traverses a document is recursive.
 inline constexpr std::size_t kDeepestNesting = 32;
 
 /// `where` names the text in errors: a file, or "--set KEY".
@@ -21,7 +21,7 @@ std::string on_one_line(std::string_view text);
 std::string path_of_key(const std::string& parent, std::string_view key);
 std::string path_of_element(const std::string& parent, std::size_t index);
 
-/// A value as errors print it, cut short where it is long.
+/// A value as errors print it, abbreviated if it is long.
 std::string excerpt(const nlohmann::json& value);
 
 }  // namespace fascia

@@ -1,5 +1,5 @@
-// Strict reading of a JSON document: a Node is a value that knows its path and who wrote it, so that every
-// warning names the file (or the --set) and the path, says what is there and what was expected.
+// Strict reading of a JSON document: a Node is a value with its path and origin, so that every error names the file (or
+// the --set) and the path, and states the value found and the one expected.
 #pragma once
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@
 
 namespace fascia {
 
-/// Who wrote the value at a path: the file, or the --set that put it there.
+/// The origin of the value at a path: the file, or the --set that set it.
 struct DocumentOrigin {
   struct Override {
     std::string key;      // as on the command line
@@ -23,7 +23,7 @@ struct DocumentOrigin {
   std::string where(const std::string& path) const;  // "scene.json: gravity", "--set gravity"
 };
 
-/// What the user typed for such a key: "--set gravity", "--grab".
+/// The option that the user typed for such a key: "--set gravity", "--grab".
 std::string option_of(const std::string& key);
 
 class Node {
@@ -31,12 +31,13 @@ class Node {
   Node(const nlohmann::json& value, std::string path, const DocumentOrigin& origin)
       : value_(&value), path_(std::move(path)), origin_(&origin) {}
 
-  std::string where(const std::string& key) const;  // as errors name the value at `key`, whether it is there or not
+  std::string where(
+      const std::string& key) const;  // the name in errors of the value at `key`, whether it exists or not
   [[noreturn]] void fail(const std::string& what, const std::string& expected) const;
   /// "is VALUE; expected ...".
   [[noreturn]] void refuse(const std::string& expected) const;
 
-  // Objects. `known` are all keys that may stand here.
+  // Objects. `known`: all keys that are permitted.
   void expect_object(const std::vector<std::string>& known) const;
   std::optional<Node> find(const std::string& key) const;
   Node at(const std::string& key, const std::string& expected) const;
@@ -54,7 +55,7 @@ class Node {
   bool boolean() const;
   Eigen::Vector3d vector(double min, double max, const std::string& unit) const;
 
-  // The same for a key that may be missing: the field keeps its default then.
+  // The same for an optional key: if it is missing, the field keeps its default.
   void read(const std::string& key, double& field, double min, double max, const std::string& unit) const;
   void read(const std::string& key, int& field, int min, int max) const;
   void read(const std::string& key, Eigen::Vector3d& field, double min, double max, const std::string& unit) const;

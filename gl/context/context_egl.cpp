@@ -1,7 +1,7 @@
-// EGL without a window: first every device (the way to a GPU on a server), then Mesa's surfaceless platform.
-// Opened at run time, so that fascia starts without it.
+// EGL without a window: first every device (a server has its GPU there), then Mesa's surfaceless platform. The library
+// is opened at run time, so that fascia starts without it.
 #define EGL_NO_X11
-#define EGL_EGLEXT_PROTOTYPES  // declarations only: nothing links against them
+#define EGL_EGLEXT_PROTOTYPES  // declarations only: nothing links to them
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <dlfcn.h>
@@ -34,7 +34,7 @@ bool has_word(const char* list, const std::string& word) {
   return list && (" " + std::string(list) + " ").find(" " + word + " ") != std::string::npos;
 }
 
-/// Opened once and never closed: drivers do not survive that.
+/// Opened once and never closed: drivers do not support unloading.
 const EglLibrary& egl() {
   static const EglLibrary opened = [] {
     void* handle = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
@@ -59,7 +59,7 @@ const EglLibrary& egl() {
   return opened;
 }
 
-/// A place where a context may be found.
+/// A device or platform that may provide a context.
 struct Candidate {
   std::string name;
   EGLenum platform;
@@ -90,7 +90,7 @@ class EglContext : public Context {
  public:
   explicit EglContext(const Candidate& where) : where_(where) {}
   void create(bool debug) {
-    // Displays are shared by everyone in the process who asks for the same one, so they are never terminated.
+    // Displays are shared within the process, so they are never terminated.
     display_ = egl().get_platform_display(where_.platform, where_.native, nullptr);
     if (display_ == EGL_NO_DISPLAY || !egl().Initialize(display_, nullptr, nullptr)) fail(where_, "no display");
     if (!egl().BindAPI(EGL_OPENGL_API)) fail(where_, "no OpenGL");
@@ -102,7 +102,7 @@ class EglContext : public Context {
       EGLint count = 0;
       if (!egl().ChooseConfig(display_, wanted, &config, 1, &count) || count == 0) fail(where_, "no config");
     }
-    // An older one than 4.3 only serves to say, in gl::load, what was found instead.
+    // A version below 4.3 is created only so that gl::load can report it.
     struct Wish {
       EGLint major, minor, reset;
     };
@@ -124,7 +124,7 @@ class EglContext : public Context {
     }
     if (context_ == EGL_NO_CONTEXT) fail(where_, "no OpenGL core context");
     if (surfaceless) return;
-    // Tiny, since everything is drawn into our own framebuffers.
+    // Tiny, because all drawing goes to fascia's own framebuffers.
     const EGLint size[] = {EGL_WIDTH, 4, EGL_HEIGHT, 4, EGL_NONE};
     surface_ = egl().CreatePbufferSurface(display_, config, size);
     if (surface_ == EGL_NO_SURFACE) fail(where_, "no pbuffer surface");
@@ -140,8 +140,8 @@ class EglContext : public Context {
   std::string name() const override { return "egl"; }
   bool is_current() const override { return egl().GetCurrentContext() == context_; }
   void make_current() override {
-    // Released first, since binding what it believes is bound already does nothing, even if OSMesa was
-    // current in between.
+    // Released first: if another library was current in between, EGL still considers its context bound, and binding it
+    // again would have no effect.
     egl().MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     egl().BindAPI(EGL_OPENGL_API);
     if (!egl().MakeCurrent(display_, surface_, surface_, context_)) fail(where_, "the context cannot be made current");
@@ -159,14 +159,14 @@ class EglContext : public Context {
 
 std::unique_ptr<Context> make_egl_context(const ContextRequest& request, EglDevices devices) {
   std::string tried;
-  std::unique_ptr<Context> on_software;  // the first one, for when there is no GPU
+  std::unique_ptr<Context> on_software;  // the first one, used if there is no GPU
   for (const Candidate& candidate : candidates()) {
     try {
       auto context = std::make_unique<EglContext>(candidate);
       context->create(request.debug);
       context->make_current();
       if (!gl::device().software) {
-        on_software.reset();  // whose end leaves no context current
+        on_software.reset();  // its end leaves no context current
         context->make_current();
         return context;
       }

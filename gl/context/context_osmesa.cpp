@@ -1,5 +1,5 @@
-// OSMesa: Mesa's software renderer without any window system. Opened at run time, and with the few
-// declarations of its header written here, so that neither building nor starting fascia needs it.
+// OSMesa: Mesa's software renderer without any window system. The library is opened at run time, and the few
+// declarations of its header are repeated here, so that neither building nor starting fascia needs it.
 #include <dlfcn.h>
 
 #include <array>
@@ -10,7 +10,7 @@
 #include "gl/loader.h"
 
 #ifdef __SANITIZE_ADDRESS__
-// OSMesa keeps a few hundred bytes of every context it has destroyed; that must not hide leaks of our own.
+// OSMesa keeps a few hundred bytes of every destroyed context; that must not hide leaks of fascia.
 extern "C" __attribute__((visibility("default"))) const char* __lsan_default_suppressions() {
   return "leak:libOSMesa.so\n";
 }
@@ -31,7 +31,7 @@ struct OsMesaLibrary {
   void* (*get_proc)(const char* name);
 };
 
-/// Opened once and never closed: drivers do not survive that.
+/// Opened once and never closed: drivers do not support unloading.
 const OsMesaLibrary& library() {
   static const OsMesaLibrary opened = [] {
     void* handle = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
@@ -67,8 +67,8 @@ class OsmesaContext : public Context {
   std::string name() const override { return "osmesa"; }
   bool is_current() const override { return library().get_current() == handle_; }
   void make_current() override {
-    // Released first, since binding what it believes is bound already does nothing, even if EGL was current
-    // in between.
+    // Released first: if EGL was current in between, OSMesa still considers its context bound, and binding it again
+    // would have no effect.
     library().make_current(nullptr, nullptr, 0, 0, 0);
     if (!library().make_current(handle_, surface_.data(), GL_UNSIGNED_BYTE, kSize, kSize))
       throw Error("osmesa", "the context cannot be made current", "expected a working OSMesa");
@@ -76,7 +76,7 @@ class OsmesaContext : public Context {
   }
 
  private:
-  static constexpr int kSize = 4;  // everything is drawn into our own framebuffers
+  static constexpr int kSize = 4;  // all drawing goes to fascia's own framebuffers
   std::array<std::uint32_t, kSize * kSize> surface_{};
   OsMesaLibrary::Handle handle_ = nullptr;
 };
@@ -85,7 +85,7 @@ class OsmesaContext : public Context {
 
 std::unique_ptr<Context> make_osmesa_context(const ContextRequest&) {
   auto context = std::make_unique<OsmesaContext>(4, 3);
-  // An older one only serves to say, in gl::load, what was found instead.
+  // A version below 4.3 is created only so that gl::load can report it.
   if (!context->valid()) context = std::make_unique<OsmesaContext>(3, 3);
   if (!context->valid()) throw Error("osmesa", "no OpenGL core context", "expected OpenGL 4.3");
   context->make_current();

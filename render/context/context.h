@@ -1,11 +1,11 @@
-// All kinds of contexts: those without a window (gl/context), and the window.
+// Creates contexts of all kinds: those without a window (gl/context), and the window.
 #pragma once
 #include "gl/context/context.h"
 
 namespace fascia {
 
-/// Made current and loaded (gl::load). Throws Error with what was tried and why each failed, or what compute
-/// support is missing.
+/// The context is current and loaded (gl::load). Throws Error with the attempts and the reason of each failure, or with
+/// the missing compute support.
 std::unique_ptr<Context> make_context(const ContextRequest& request);
 
 /// Throws Error without a display.

@@ -1,4 +1,4 @@
-// A window with GLFW. The only context that a person sees, and the only one that needs a display.
+// A window with GLFW: the only visible context, and the only one that needs a display.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -9,7 +9,7 @@
 namespace fascia {
 namespace {
 
-/// What GLFW said last; its messages end in no newline.
+/// GLFW's last message; these have no newline at the end.
 std::string glfw_error() {
   const char* message = nullptr;
   const int code = glfwGetError(&message);
@@ -23,8 +23,8 @@ class GlfwContext : public Context {
       throw Error(
           "window", "no display: " + glfw_error(),
           "expected a graphical session (DISPLAY or WAYLAND_DISPLAY); without one use render or --context osmesa");
-    // An older one than 4.3 only serves to say, in gl::load, what was found instead (macOS ends at 4.1).
-    // Not every driver tells of a device that was reset.
+    // A version below 4.3 is created only so that gl::load can report it (macOS ends at 4.1).
+    // Not every driver reports a device reset.
     struct Attempt {
       int major, minor, robustness;
     };
@@ -38,7 +38,7 @@ class GlfwContext : public Context {
       glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
       glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, request.debug ? GLFW_TRUE : GLFW_FALSE);
       glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
-      glfwWindowHint(GLFW_DEPTH_BITS, 0);  // everything is drawn into our own framebuffers
+      glfwWindowHint(GLFW_DEPTH_BITS, 0);  // all drawing goes to fascia's own framebuffers
       glfwWindowHint(GLFW_STENCIL_BITS, 0);
       window_ = glfwCreateWindow(request.width, request.height, request.title.c_str(), nullptr, nullptr);
       if (window_) return;
@@ -54,8 +54,8 @@ class GlfwContext : public Context {
   bool is_current() const override { return glfwGetCurrentContext() == window_; }
   GLFWwindow* window() const override { return window_; }
   void make_current() override {
-    // Released first, since binding what it believes is bound already does nothing, even if OSMesa was
-    // current in between.
+    // Released first: if OSMesa was current in between, GLFW still considers its context bound, and binding it again
+    // would have no effect.
     glfwMakeContextCurrent(nullptr);
     glfwMakeContextCurrent(window_);
     gl::load([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });

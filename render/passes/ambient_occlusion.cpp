@@ -3,7 +3,7 @@
 namespace fascia {
 namespace {
 
-constexpr double kReach = 0.3;  // how far occluders are looked for, in scene radii
+constexpr double kReach = 0.3;  // search radius for occluders, in scene radii
 
 void bind(GLuint unit, const gl::Texture& texture) {
   gl::ActiveTexture(GL_TEXTURE0 + unit);

@@ -1,5 +1,5 @@
-// Ambient occlusion from the depth of the picture: creases, folds and gaps between tets get less light from around. It
-// needs no geometry of its own, so it works for everything that is drawn, and its pattern stands still in the picture.
+// Ambient occlusion from the depth of the picture: creases, folds and gaps between tets get less ambient light. It
+// needs no geometry of its own, so it works for everything that is drawn, and its pattern is fixed in the picture.
 #pragma once
 #include "gl/program.h"
 #include "render/passes/vertex_array.h"
@@ -19,7 +19,7 @@ class AmbientOcclusion {
   bool fits(const Framebuffer& target) const {
     return target.width() == depth_.width() && target.height() == depth_.height();
   }
-  /// Darkens what `target`, which is bound before and after, shows so far; where nothing was drawn it stays as it is.
+  /// Darkens the current content of `target`, which is bound before and after; pixels without geometry are unchanged.
   void darken(const Camera& camera, const Look& look, const Framebuffer& target) const;
 
  private:

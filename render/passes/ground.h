@@ -1,4 +1,4 @@
-// The stage: a ground plane with a grid that fades into the background, and the background itself.
+// The surroundings of the scene: a ground plane with a grid that fades into the background, and the background itself.
 #pragma once
 #include "gl/program.h"
 #include "render/passes/vertex_array.h"
@@ -9,7 +9,7 @@ namespace fascia {
 
 struct GridScale {
   double spacing;  // of the fine lines [m]: 1, 2 or 5 times a power of ten
-  int strong;      // every how many fine lines a strong one
+  int strong;      // number of fine lines per strong one
 };
 GridScale grid_scale(double scene_radius);
 
@@ -21,7 +21,7 @@ class Ground {
   /// What lies under the shadow map, whose map of light on the ground is bound to texture unit 0. Nothing without
   /// shadows.
   void draw_shadowed(const Look& look) const;
-  void draw_background(const Look& look) const;  // where nothing was drawn
+  void draw_background(const Look& look) const;  // in pixels without geometry
 
  private:
   const gl::Program& program(const Look& look, bool shadow) const;

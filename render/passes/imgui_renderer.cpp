@@ -55,7 +55,7 @@ ImguiRenderer::~ImguiRenderer() {
 void ImguiRenderer::draw(const ImDrawData& data) {
   const ImVec2 scale = data.FramebufferScale, origin = data.DisplayPos, size = data.DisplaySize;
   const int width = static_cast<int>(size.x * scale.x), height = static_cast<int>(size.y * scale.y);
-  if (width <= 0 || height <= 0) return;  // a minimised window
+  if (width <= 0 || height <= 0) return;  // a minimized window
 
   gl::Viewport(0, 0, width, height);
   gl::Disable(GL_DEPTH_TEST);

@@ -1,4 +1,4 @@
-// Variants of the drawing shaders that a look asks for. Every flag is always defined, 0 or 1.
+// Variants of the drawing shaders that a look needs. Every flag is always defined, 0 or 1.
 #pragma once
 #include "gl/shader_source.h"
 #include "render/view/look.h"
@@ -13,10 +13,10 @@ inline gl::Defines backdrop_defines(const Look& look) {
           {"BACKDROP_TRANSPARENT", flag(look.backdrop == Backdrop::transparent)}};
 }
 
-/// Of surface.frag and what feeds it. `triangles` per item of the region buffer. `colored`: corners have
-/// colors of their own, which show.
+/// For surface.frag and the shaders before it. `triangles` per item of the region buffer. `colored`: corners have
+/// colors of their own, which are shown.
 gl::Defines tissue_defines(const Look& look, bool cap, int triangles, bool colored = false);
-/// The same for the depth map that the light sees.
+/// The same for the depth map of the light.
 gl::Defines depth_defines(const Look& look);
 
 }  // namespace fascia

@@ -1,4 +1,4 @@
-// What is drawn over the surface: dots on fixed and grabbed vertices, and an arrow for every grab.
+// Marks over the surface: dots on fixed and grabbed vertices, and an arrow for every grab.
 #pragma once
 #include <cstdint>
 #include <span>

@@ -9,9 +9,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kHalfSide = 1.8;    // half the map's side in scene radii: room for a body that is pulled about
-constexpr double kDepthReach = 4;    // half the map's depth in scene radii; what lies beyond is clamped, not lost
-constexpr double kLampSlope = 0.16;  // the lamp's size as the tangent of the angle that it fills
+constexpr double kHalfSide = 1.8;    // half the map's side in scene radii: room for a body that is dragged around
+constexpr double kDepthReach = 4;    // half the map's depth in scene radii; depths beyond it are clamped
+constexpr double kLampSlope = 0.16;  // the light's size as the tangent of the angle that it subtends
 
 void set_compare(const gl::Texture& texture, GLint mode) {
   gl::BindTexture(GL_TEXTURE_2D, texture.id());
@@ -64,7 +64,7 @@ void ShadowMap::aim(const Look& look, FrameUniforms& frame) {
   frame.light_projection[3] = vec4(shift, 1);
   frame.light = vec4(light, side / kSize);
 
-  // A point of the map, carried along the light down to the ground.
+  // A point of the map, projected along the light to the ground.
   const auto on_ground = [&](double u, double v) {
     const Vector3d start = look.center + across * (u - 0.5) * side + along * (v - 0.5) * side;
     return Vector3d(start + light * ((look.ground_height - start.dot(up)) / light.dot(up)));

@@ -1,4 +1,4 @@
-// The key light: where it stands, the depth map it sees, and how much of it reaches the ground.
+// The key light: its direction, its depth map, and the share of it that reaches the ground.
 #pragma once
 #include <functional>
 
@@ -20,9 +20,9 @@ class ShadowMap {
   ShadowMap(const ShadowMap&) = delete;
   ShadowMap& operator=(const ShadowMap&) = delete;
 
-  /// Light direction, its projection and the ground below it, for a scene of this center, radius and up.
+  /// Sets the light's direction, its projection and the ground below it, for a scene of this center, radius and up.
   static void aim(const Look& look, FrameUniforms& frame);
-  /// Calls `draw_depth` to draw what casts shadows, then blurs its shadow on the ground if that is wanted.
+  /// Calls `draw_depth` to draw the shadow casters, then blurs their shadow on the ground if `ground` is set.
   void draw(const std::function<void()>& draw_depth, bool ground) const;
   void bind_depth(GLuint unit) const;         // for sampler2DShadow
   void bind_ground_light(GLuint unit) const;  // for sampler2D

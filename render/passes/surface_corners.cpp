@@ -23,8 +23,7 @@ std::vector<Eigen::Vector3d> face_normals(Triangles triangles, std::span<const E
   return normals;
 }
 
-/// Which triangles around one vertex share its normal: those that reach each other over edges that are not
-/// sharp.
+/// The triangles around one vertex that share its normal: those connected over edges that are not sharp.
 class Fans {
  public:
   explicit Fans(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -57,7 +56,7 @@ struct Places {  // (3 * triangle + k) around every vertex, in the order of tria
   }
 };
 
-/// For every place the first place of the fan that it belongs to.
+/// For every place the first place of its fan.
 std::vector<std::uint32_t> first_of_fan(Triangles triangles, std::uint32_t vertex_count,
                                         std::span<const Eigen::Vector3d> rest_positions) {
   const Places places(triangles, vertex_count);
@@ -68,7 +67,7 @@ std::vector<std::uint32_t> first_of_fan(Triangles triangles, std::uint32_t verte
     return first;
   }
   const std::vector<Eigen::Vector3d> normals = face_normals(triangles, rest_positions);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> spokes;  // other vertex of an edge, which triangle here
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> spokes;  // other vertex of an edge, index of the triangle here
   for (std::uint32_t v = 0; v < vertex_count; ++v) {
     const std::span<const std::uint32_t> here = places.of(v);
     spokes.clear();
@@ -81,7 +80,7 @@ std::vector<std::uint32_t> first_of_fan(Triangles triangles, std::uint32_t verte
       if (spokes[s].first != spokes[s - 1].first) continue;
       const std::uint32_t i = spokes[s - 1].second, j = spokes[s].second;
       const Eigen::Vector3d &a = normals[here[i] / 3], &b = normals[here[j] / 3];
-      const bool no_area = a.isZero() || b.isZero();  // such a triangle has no say
+      const bool no_area = a.isZero() || b.isZero();  // such a triangle is ignored
       if (no_area || a.dot(b) > kCreaseCosine) fans.join(i, j);
     }
     for (std::uint32_t i = 0; i < here.size(); ++i) first[here[i]] = here[fans.root(i)];
@@ -108,7 +107,8 @@ SurfaceCorners make_surface_corners(std::span<const std::array<std::uint32_t, 3>
   const auto places = static_cast<std::uint32_t>(first.size());
   SurfaceCorners result;
   std::vector<std::uint32_t> newest(places, kNone);  // corner of the fan that starts at a place
-  std::vector<std::uint32_t> older, fan_of;  // [corner_count] of the same fan in another color; first place of the fan
+  std::vector<std::uint32_t> older,
+      fan_of;  // [corner_count] another corner of the same fan, with a different color; first place of the fan
   for (std::uint32_t place = 0; place < places; ++place) {
     std::uint32_t id = newest[first[place]];
     while (id != kNone && !colors.empty() && result.colors[id] != colors[place]) id = older[id];
@@ -122,7 +122,7 @@ SurfaceCorners make_surface_corners(std::span<const std::array<std::uint32_t, 3>
     result.indices.push_back(id);
   }
 
-  std::vector<std::uint32_t> begin(std::size_t{places} + 1, 0);  // of the places of the fan that starts at a place
+  std::vector<std::uint32_t> begin(std::size_t{places} + 1, 0);  // number of places of the fan that starts at a place
   for (const std::uint32_t start : first) ++begin[start + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<std::uint32_t> around(places), next(begin.begin(), begin.end() - 1);

@@ -87,7 +87,7 @@ void SurfaceRenderer::draw(const Look& look) const {
     gl::DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
     return;
   }
-  // All are made before any is bound: making one leaves it bound to the unit that is active.
+  // All views are created before any is bound, because creating one binds it to the active unit.
   const GLuint views[] = {indices_.texel_view(GL_R32UI), position_.texel_view(GL_RGBA32F),
                           normal_.texel_view(GL_RGBA32F)};
   for (GLuint i = 0; i < 3; ++i) bind(1 + i, views[i]);

@@ -1,5 +1,5 @@
-// The surface on the GPU: normals from the deformed positions each frame, then drawn for the light and for
-// the camera.
+// Draws the surface on the GPU: computes normals from the deformed positions in each frame, then draws for the light
+// and for the camera.
 #pragma once
 #include <optional>
 
@@ -13,14 +13,14 @@ namespace fascia {
 class SurfaceRenderer {
  public:
   SurfaceRenderer(gl::ProgramCache& programs, const SurfaceCorners& corners);
-  /// Positions and normals of this frame. `positions` is vec4 [vertex_count].
+  /// Computes positions and normals of this frame. `positions` is vec4 [vertex_count].
   void update(const gl::Buffer& positions);
-  /// Of every triangle, for looks that show them; empty frees them.
+  /// Sets the region of every triangle, for looks that show them; empty frees them.
   void set_regions(std::span<const std::uint32_t> regions);
   bool has_regions() const { return static_cast<bool>(regions_); }
   void draw_depth(const Look& look) const;
   void draw_bare(const Look& look) const;  // as draw(), for depth and stencil only
-  /// The shadow map, if any, is bound to texture unit 0.
+  /// The shadow map, if any, must be bound to texture unit 0.
   void draw(const Look& look) const;
   const gl::Buffer& corner_positions() const { return position_; }
   const gl::Buffer& corner_normals() const { return normal_; }
@@ -34,8 +34,8 @@ class SurfaceRenderer {
   GLsizei index_count_;
   VertexArray vertices_, no_vertices_;
   std::optional<gl::ComputePass> pass_;
-  const gl::Buffer* pass_positions_ = nullptr;  // buffer that pass_ was recorded for
-  GLuint pass_positions_id_ = 0;                // and its name then: buffers are made anew in their place
+  const gl::Buffer* pass_positions_ = nullptr;  // buffer for which pass_ was recorded
+  GLuint pass_positions_id_ = 0;                // and its OpenGL name then: a new buffer may have the same address
 };
 
 }  // namespace fascia

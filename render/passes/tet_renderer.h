@@ -1,5 +1,4 @@
-// Tets drawn from the solver's own positions, without a buffer of triangles: the cut of a section plane, and every tet
-// on its own.
+// Draws tets from the solver's positions, without a buffer of triangles: the cut of a section plane, and separate tets.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -11,11 +10,11 @@
 
 namespace fascia {
 
-/// Vertices of each tet, and which region it belongs to.
+/// Vertices and region of each tet.
 struct TetView {
   std::span<const std::array<std::uint32_t, 4>> tets;
   std::span<const std::uint32_t> region;  // [tets]
-  // The drawn surface is closed and not the boundary of these tets: a section ends where it does
+  // The drawn surface is closed and is not the boundary of these tets: a section ends at the surface
   bool within_surface = false;
 };
 
@@ -23,8 +22,8 @@ class TetRenderer {
  public:
   TetRenderer(gl::ProgramCache& programs, const TetView& view);
   void draw_cap(const Look& look, const gl::Buffer& positions) const;
-  void draw_flesh(const Look& look) const;  // all of the section plane, as the inside of tissue without tets
-  /// The shadow map, if any, is bound to texture unit 0.
+  void draw_flesh(const Look& look) const;  // the whole section plane, as the inside of tissue without tets
+  /// The shadow map, if any, must be bound to texture unit 0.
   void draw_tets(const Look& look, const gl::Buffer& positions) const;
   void draw_depth(const Look& look, const gl::Buffer& positions) const;  // of separate tets
 

@@ -73,10 +73,10 @@ void Framebuffer::bind() const {
 }
 
 void Framebuffer::resolve() const {
-  if (samples_ == 1) return;  // drawn into the resolved picture already
+  if (samples_ == 1) return;  // already drawn into the resolved picture
   gl::BindFramebuffer(GL_READ_FRAMEBUFFER, draw_);
   gl::BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
-  gl::Disable(GL_SCISSOR_TEST);  // which would cut the blit
+  gl::Disable(GL_SCISSOR_TEST);  // it would clip the blit
   gl::BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
@@ -96,7 +96,7 @@ Image Framebuffer::read() const {
 void Framebuffer::read_into(std::uint8_t* rgba) const {
   gl::BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
   gl::ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
-  const auto row = 4 * static_cast<std::size_t>(width_);  // OpenGL's bottom row first becomes top row first
+  const auto row = 4 * static_cast<std::size_t>(width_);  // converts from OpenGL's bottom row first to top row first
   for (std::size_t top = 0, bottom = static_cast<std::size_t>(height_) - 1; top < bottom; ++top, --bottom)
     std::swap_ranges(rgba + top * row, rgba + (top + 1) * row, rgba + bottom * row);
 }
@@ -112,7 +112,7 @@ void Framebuffer::replace(const std::uint8_t* rgba) {
 void Framebuffer::copy_to(const Framebuffer& target, int x) const {
   gl::BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
   gl::BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.resolved_);
-  gl::Disable(GL_SCISSOR_TEST);  // which would cut the blit
+  gl::Disable(GL_SCISSOR_TEST);  // it would clip the blit
   gl::BlitFramebuffer(0, 0, width_, height_, x, 0, x + width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 

@@ -1,4 +1,4 @@
-// Where everything is drawn: color, depth and stencil, multisampled if asked, resolved for reading or showing.
+// The target of all drawing: color, depth and stencil, multisampled on request, resolved for reading or display.
 #pragma once
 #include <cstddef>
 
@@ -19,13 +19,13 @@ class Framebuffer {
   int samples() const { return samples_; }
   void bind() const;                        // for drawing, viewport set
   GLuint draw_id() const { return draw_; }  // the framebuffer that bind() binds
-  void resolve() const;                     // multisample to single; afterwards bind_resolved() draws over it (panels)
+  void resolve() const;                     // multisample to single; bind_resolved() then draws over it (panels)
   void bind_resolved() const;
-  Image read() const;                        // resolved picture, its alpha straight as files want it
+  Image read() const;                        // resolved picture with straight alpha, as files need it
   void read_into(std::uint8_t* rgba) const;  // [4 * width * height], top row first, no allocation; premultiplied
-  void replace(const std::uint8_t* rgba);    // the resolved picture, by one as read_into gives it
+  void replace(const std::uint8_t* rgba);    // replaces the resolved picture by pixels in the format of read_into
   void copy_to(const Framebuffer& target,
-               int x) const;  // the resolved picture, into that of a wider one of the same height
+               int x) const;                                // the resolved picture, into a wider one of the same height
   void present(int window_width, int window_height) const;  // blit to the window's framebuffer
 
  private:

@@ -1,5 +1,5 @@
-// stb does the pixels. The chunks around them are walked and written here: stb neither checks a PNG's
-// checksums nor knows text.
+// Reads and writes PNG. stb handles the pixels; the chunks around them are read and written here because stb neither
+// checks a PNG's checksums nor supports text.
 #include "render/target/image.h"
 
 #include <zlib.h>
@@ -82,7 +82,7 @@ struct Chunk {
   std::string_view type, data;
 };
 
-/// Every chunk up to IEND, lengths and checksums verified.
+/// Every chunk up to IEND, with lengths and checksums verified.
 std::vector<Chunk> chunks_of(const std::filesystem::path& path, std::string_view file) {
   const auto bad = [&](const std::string& what) { return Error(path.string(), what, "expected a PNG picture"); };
   if (file.substr(0, kSignature.size()) != kSignature) throw bad("no PNG signature");
@@ -138,8 +138,8 @@ Image read_png(const std::filesystem::path& path) {
   const std::string file = read_file(path);
   const std::vector<Chunk> chunks = chunks_of(path, file);
   const std::uint64_t width = big_endian(chunks.front().data), height = big_endian(chunks.front().data.substr(4));
-  // Deflate cannot grow data by more than 1032, and a pixel has at least one bit: a header that claims more
-  // lies.
+  // Deflate cannot expand data by more than 1032, and a pixel has at least one bit: a header that claims more is
+  // invalid.
   constexpr std::uint64_t kMostPixels = 1 << 26, kMostBytes = 1 << 30;
   if (width == 0 || height == 0 || width > kMostPixels / height || file.size() > kMostBytes ||
       width * height / 8 > 1032 * file.size())
@@ -168,7 +168,7 @@ Metadata read_png_metadata(const std::filesystem::path& path) {
     const std::string keyword = utf8_of_latin1(chunk.data.substr(0, end));
     const std::string_view rest = chunk.data.substr(end + 1);
     if (chunk.type == "tEXt") metadata.emplace_back(keyword, utf8_of_latin1(rest));
-    if (chunk.type != "iTXt" || rest.empty() || rest[0] != 0) continue;  // compressed text is not ours
+    if (chunk.type != "iTXt" || rest.empty() || rest[0] != 0) continue;  // compressed text is not written by fascia
     const std::size_t language_end = rest.find('\0', 2);
     if (language_end == std::string_view::npos) continue;
     const std::size_t translation_end = rest.find('\0', language_end + 1);

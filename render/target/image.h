@@ -1,4 +1,4 @@
-// RGBA pictures: PNG in and out with text metadata, and how much two of them differ.
+// RGBA pictures: reads and writes PNG with text metadata, and compares two pictures.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -15,7 +15,7 @@ struct Image {
 
 using Metadata = std::vector<std::pair<std::string, std::string>>;  // keyword, text
 
-/// From colors premultiplied by alpha, as pictures are drawn, to straight ones, as files have them.
+/// From colors premultiplied by alpha, as drawn, to straight ones, as files store them.
 void straighten(std::vector<std::uint8_t>& rgba);
 
 /// Writes a PNG with one tEXt/iTXt chunk per metadata entry through a temporary name. Throws Error.
@@ -28,7 +28,7 @@ struct ImageDifference {
   double share = 0;  // of pixels with a channel off by more than `bound`
   Image picture;     // differences, amplified
 };
-/// Images of different size differ by 1 and 1.
+/// Images of different size have differences of 1 and 1.
 ImageDifference difference(const Image& a, const Image& b, double bound = 8.0 / 255);
 
 }  // namespace fascia

@@ -12,12 +12,12 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kRadians = std::numbers::pi / 180;
-constexpr double kMargin = 0.88;             // share of the picture that fit() lets the box take
+constexpr double kMargin = 0.88;             // share of the picture that fit() gives the box
 constexpr double kSteepest = 89 * kRadians;  // elevation at which orbit() stops
 constexpr double kNearShare = 0.02;          // near plane as a share of the distance to the target
-constexpr double kFarRadii = 20;             // far plane behind the target, in scene radii: holds the faded ground
+constexpr double kFarRadii = 20;             // far plane behind the target, in scene radii: includes the faded ground
 
-/// The horizontal axis that a front view shows to the right: +x for y up and for z up.
+/// The horizontal axis that points right in a front view: +x for y up and for z up.
 Vector3d front_right(const Vector3d& up) {
   const Vector3d seed = std::abs(up.x()) < 0.9 ? Vector3d::UnitX() : Vector3d::UnitY();
   return (seed - up * up.dot(seed)).normalized();
@@ -75,7 +75,7 @@ void Camera::fit(const Vector3d& box_min, const Vector3d& box_max, double aspect
   const Vector3d center = (box_min + box_max) / 2;
   const Eigen::Matrix3d basis = axes();
   const Eigen::Vector2d slope = kMargin * slopes(aspect).cwiseProduct(part);
-  // In camera axes, with depth f along the line of sight, an eye (r, u, f) sees a corner (r_i, u_i, f_i) when
+  // In camera axes, with depth f along the line of sight, an eye at (r, u, f) sees a corner (r_i, u_i, f_i) if
   // |r_i - r| <= slope (f_i - f), and the same for u. Per axis the tightest corner on either side bounds f.
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Eigen::Vector2d low(-kInfinity, -kInfinity), high(kInfinity, kInfinity);
@@ -88,7 +88,7 @@ void Camera::fit(const Vector3d& box_min, const Vector3d& box_max, double aspect
     high = high.cwiseMin(p.head<2>() + slope * depth);
   }
   const double f = (high - low).cwiseQuotient(2 * slope).minCoeff();
-  // A box without size is looked at from where the eye was.
+  // For a box without size the eye keeps its distance.
   const double back = (box_max - box_min).norm() > 0 ? -f : std::max(distance(), 1e-6);
   eye = center + basis * Vector3d((low.x() + high.x()) / 2, (low.y() + high.y()) / 2, back);
   target = eye - basis.col(2) * back;
@@ -124,8 +124,8 @@ Eigen::Matrix4f Camera::view() const {
 }
 
 Eigen::Matrix4f Camera::projection(double aspect, double scene_radius) const {
-  // The ground reaches up to the eye, so the near plane stays close; a ratio below 1e4 suits 24 bits of
-  // depth, also when zoomed in to a hundredth of the scene.
+  // The ground reaches up to the eye, so the near plane stays close; a ratio below 1e4 suits 24 bits of depth, also
+  // when zoomed in to a hundredth of the scene.
   const double near = kNearShare * std::max(distance(), 0.01 * scene_radius);
   const double far = distance() + kFarRadii * scene_radius;
   Eigen::Matrix4d result = Eigen::Matrix4d::Zero();

@@ -1,5 +1,4 @@
-// The uniform block of shaders/common/frame.glsl as C++ sees it: vec4 only, so std140 and C++ agree on the
-// layout.
+// The uniform block of shaders/common/frame.glsl in C++: vec4 only, so that the layouts of std140 and C++ agree.
 #pragma once
 #include <Eigen/Core>
 

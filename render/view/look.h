@@ -1,4 +1,4 @@
-// What a picture of the scene shows and how, apart from the camera.
+// The content and style of a picture of the scene, apart from the camera.
 #pragma once
 #include <Eigen/Core>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace fascia {
 
 enum class Backdrop { gradient, white, black, transparent };
 
-/// Every tet on its own: shrunk about its centroid, which is moved away from the scene's center by `spread` times its
+/// Separate tets: each is shrunk about its centroid, which is moved away from the scene's center by `spread` times its
 /// distance.
 struct TetSpread {
   float shrink, spread;
@@ -20,17 +20,16 @@ struct TetSpread {
 struct Look {
   bool wireframe = false;
   bool heat_map = false;  // color by position.w over `range`
-  bool regions = false;   // color by region; else by `color`
+  bool regions = false;   // color by region; otherwise by `color`
   Eigen::Vector2f range{0, 1};
   const ColorMapCurve* color_map = &color_maps::dusk;
-  std::optional<float>
-      neutral;  // the scalar in the middle of the map, which then reaches equally far to both sides of it
+  std::optional<float> neutral;  // the scalar in the middle of the map, which then extends equally far to both sides
   Eigen::Vector3f color{0.80f, 0.34f, 0.29f};  // tissue, sRGB
   bool shadow = true, ground = true;
   float ambient_occlusion = 0;  // strength, 0 to 1
   float depth_cue = 0;          // share by which the back of the scene fades into the backdrop
   Backdrop backdrop = Backdrop::gradient;
-  std::optional<SectionCut> section;  // this and the next are drawn for scenes that have tets
+  std::optional<SectionCut> section;  // this and the next apply to scenes with tets
   std::optional<TetSpread> tets;
   double ground_height = 0;         // of the ground plane along `up` [m]
   Eigen::Vector3d center{0, 0, 0};  // of the scene at rest [m]
@@ -38,27 +37,28 @@ struct Look {
   Eigen::Vector3d up{0, 1, 0};
 };
 
-/// Scalars at the two ends of the color map: `range`, or with a neutral scalar what reaches as far to both sides of it.
+/// Scalars at the two ends of the color map: `range`, or with a neutral scalar the interval that extends equally far to
+/// both sides of it.
 inline Eigen::Vector2f map_range(const Look& look) {
   if (!look.neutral) return look.range;
   const float reach = (look.range.array() - *look.neutral).abs().maxCoeff();
   return {*look.neutral - reach, *look.neutral + reach};
 }
 
-/// The stretched springs of a grab, from the grabbed patch to where they pull it.
+/// The springs of a grab as an arrow, from the grabbed patch to their target.
 struct GrabArrow {
   Eigen::Vector3f from, to;
 };
 
-/// Color of the heat map's default curve at t in [0, 1], sRGB. The shader uses the same numbers, and a surface in full
-/// light shows them unchanged.
+/// Color of the heat map's default curve at t in [0, 1], sRGB. The shader uses the same numbers, and a fully lit
+/// surface shows them unchanged.
 inline Eigen::Vector3f heat_color(float t) { return color_maps::dusk(t); }
 
 inline float linear_of_srgb(float srgb) {
   return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
 }
 
-/// The cut of a picture; none where whole tets are left out instead.
+/// The cut of a picture; none if the look shows separate tets, which are omitted whole instead.
 inline std::optional<SectionCut> shown_cut(const Look& look) { return look.tets ? std::nullopt : look.section; }
 
 }  // namespace fascia

@@ -1,5 +1,5 @@
-// The picture's backdrop, sRGB, from the height in the picture (0 bottom, 1 top). The ground fades into it. What fades into a
-// transparent one becomes white.
+// The picture's backdrop in sRGB, by the height in the picture (0 bottom, 1 top). The ground fades into it; with a
+// transparent backdrop, colors fade to white.
 vec3 background(float height) {
 #if BACKDROP_WHITE || BACKDROP_TRANSPARENT
   return vec3(1.0);
@@ -14,6 +14,6 @@ vec3 background(float height) {
 #endif
 }
 
-// Noise of one 8-bit step that breaks the bands a slow gradient would show; fixed in the picture. Steps of the plastic
-// number's inverse and its square spread the values of neighbouring pixels evenly.
+// Noise of one 8-bit step, which hides the bands of a slow gradient; fixed in the picture. Steps of the plastic
+// number's inverse and its square spread the values of neighboring pixels evenly.
 float dither(vec2 pixel) { return (fract(dot(pixel, vec2(0.7548777, 0.5698403))) - 0.5) / 255.0; }

@@ -1,4 +1,4 @@
-// Four words again and again, from the beginning of a buffer on.
+// Fills a buffer from its beginning by repeating four words.
 #include "common/io.glsl"
 COMPUTE_1D
 OUTPUT(uint, Filled, filled)

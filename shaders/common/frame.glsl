@@ -1,4 +1,4 @@
-// What is the same for everything drawn in one picture.
+// The uniform block that all drawing programs of one picture share.
 layout(std140, binding = 0) uniform Frame {
 #include "shared/frame.h"
 } frame;

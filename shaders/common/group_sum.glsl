@@ -1,6 +1,6 @@
-// Items whose work is a long sum, in kernels that have few of them: on GPUs a work group shares an item, LANES invocations of it each
-// take every LANES-th term, and the first one goes on with the sum; on software renderers, where shared memory costs 20 times more,
-// one invocation has all of it.
+// Sums for kernels with few items and a long sum for each. On GPUs a work group shares an item: each of its LANES
+// invocations adds every LANES-th term, and the first one continues with the sum. On software renderers, where shared
+// memory costs 20 times more, one invocation adds all terms.
 #if READ_TEXELS
 #define LANES 1u
 #define SHARED_ITEM_OR_RETURN(i, lane) ITEM_OR_RETURN(i) const uint lane = 0u;
@@ -10,7 +10,7 @@
 #define SHARED_ITEM_OR_RETURN(i, lane) uint i = gl_WorkGroupID.x, lane = gl_LocalInvocationID.x;
 shared vec3 lane_sums[GROUP_SIZE];
 
-// By all invocations of a group; only the first one's `sum` (vec3) is the sum afterwards.
+// Called by all invocations of a group; afterwards only the first one's `sum` (vec3) is the sum.
 #define SUM_OVER_LANES(sum, lane)                                     \
   barrier();                                                          \
   lane_sums[lane] = sum;                                              \

@@ -1,4 +1,4 @@
-// Color of the heat map, sRGB, for t in [0, 1] of the color map, a polynomial; scalars beyond the range keep the color of its end.
+// Color of the heat map in sRGB for t in [0, 1], a polynomial; scalars beyond the range have the color of its end.
 vec3 heat_color(float t) {
   t = clamp(t, frame.heat_range.z, frame.heat_range.w);
   vec3 color = frame.color_map[6].rgb;

@@ -1,4 +1,4 @@
-// How kernels declare what they read and write. Inputs go through FETCH so that one source serves real GPUs (storage
+// Declarations of kernel inputs and outputs. Inputs go through FETCH so that one source works for real GPUs (storage
 // blocks) and llvmpipe (buffer textures over the same memory, 8 to 12 times faster there, same bits).
 // A buffer that a dispatch writes must not be an INPUT of that dispatch: declare it INOUT.
 //
@@ -7,8 +7,9 @@
 //   OUTPUT(vec4, Correction, correction)     ->  correction[i] = ...;
 //   INOUT(vec4, Displacement, displacement)  ->  displacement[i] += ...;
 //   INPUT_VEC4_IN_PLACE(Corner, corner)      ->  vec4 u = FETCH_IN_PLACE(corner, i);
-//                                                an input that is the dispatch's own output under another name, for kernels where no
-//                                                invocation reads what another one writes, and each reads before it writes
+//                                                an input that is the dispatch's own output under another name, for
+//                                                kernels in which no invocation reads the output of another, and each
+//                                                reads before it writes
 // The application binds by the second name; the block name is the same word in PascalCase.
 // In a fused program (common/fused.glsl) the buffers of all kernels are declared before the first one.
 #ifdef FUSED
@@ -33,7 +34,8 @@
 #define OUTPUT(type, Block, name) layout(std430) writeonly buffer Block { type name[]; };
 #define INOUT(type, Block, name) layout(std430) buffer Block { type name[]; };
 #endif
-// Nothing orders the fetch of a texel before a store to the same memory (TEXELS_IN_ORDER), but that llvmpipe does one after the other.
+// No rule orders the fetch of a texel before a store to the same memory (TEXELS_IN_ORDER), but llvmpipe executes them
+// in order.
 #if READ_TEXELS && !TEXELS_IN_ORDER
 #define INPUT_VEC4_IN_PLACE(Block, name) layout(std430) readonly buffer Block { vec4 name[]; };
 #define FETCH_IN_PLACE(name, i) name[i]
@@ -49,8 +51,8 @@
 #define FETCH1(name, i) name[i]
 #endif
 
-// A vec4 whose w nobody reads, or which is 0 already. Software renderers take as long as there are floats to store, GPUs rather write
-// whole vectors.
+// A vec4 whose w is not read or is already 0. The cost on software renderers is proportional to the number of floats
+// stored; GPUs write whole vectors faster.
 #if READ_TEXELS
 #define STORE3(element, value) element.xyz = value;
 #else
@@ -67,20 +69,21 @@
 #define COMPUTE_1D layout(local_size_x = GROUP_SIZE) in; uniform uint invocations;
 #define INVOCATION gl_GlobalInvocationID.x
 #endif
-// With LISTED a kernel goes through the items of a list: those of a step in which the others rest.
+// With LISTED a kernel processes the items of a list: those that a step solves while the others rest.
 #ifdef LISTED
 INPUT_UINT(ItemList, item_list)  // [number of items]
 #define LISTED_ITEM(k) FETCH1(item_list, k)
 #else
 #define LISTED_ITEM(k) (k)
 #endif
-// Branches skip nothing where invocations run in lockstep, so what few items need is deferred: with DEFERS a kernel puts such an item on
-// a list and returns, and the same kernel with DEFERRED, dispatched by the list's count, goes through it (sim/gpu/passes/deferred_tets.h).
+// Branches save nothing where invocations run in lockstep, so work that few items need is deferred. With DEFERS a
+// kernel puts such an item on a list and returns; the same kernel with DEFERRED, dispatched by the list's count,
+// processes the list (sim/gpu/passes/deferred_tets.h).
 #if defined(DEFERS) || defined(DEFERRED)
-uniform uint deferred_list, deferred_begin;  // where the list's numbers are, and its items
+uniform uint deferred_list, deferred_begin;  // offset of the list's numbers, and of its items
 #endif
 #ifdef DEFERS
-INOUT(uint, Deferred, deferred)  // from deferred_list on: work groups for the items, 1, 1, how many
+INOUT(uint, Deferred, deferred)  // from deferred_list on: work groups for the items, 1, 1, number of items
 void defer(uint i) {
   uint k = atomicAdd(deferred[deferred_list + 3u], 1u);
   deferred[deferred_begin + k] = i;
@@ -94,9 +97,9 @@ INPUT_UINT(DeferredItems, deferred_items)  // the same
 #else
 #define ITEM_OR_RETURN(i) if (INVOCATION >= invocations) return; uint i = LISTED_ITEM(INVOCATION);
 #endif
-// For sums: lane i of `lanes`, a multiple of 8, goes through its share of `count` items, LISTED_ITEM(k). On GPUs all lanes go over the items side by side;
-// on software renderers, whose vectors hold eight invocations, those have a stretch of their own, for items beside each other share
-// what they read.
+// For sums: lane i of `lanes`, a multiple of 8, processes its share of `count` items, LISTED_ITEM(k). On GPUs
+// consecutive lanes process consecutive items. On software renderers, whose vectors hold eight invocations, each vector
+// has a contiguous stretch, since neighboring items share their inputs.
 #define LANE_OR_RETURN(i) uint i = INVOCATION; if (i >= invocations) return;
 #if READ_TEXELS
 #define FOR_ITEMS_OF_LANE(k, i, lanes, count)                                                                  \

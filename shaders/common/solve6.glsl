@@ -1,5 +1,6 @@
-// Solves a symmetric positive definite 6x6 system by LDL^T, written out: loops over arrays with computed indices go through
-// memory on some drivers (six times slower on llvmpipe). The matrix comes as its lower triangle, row by row (m10 is row 1, column 0).
+// Solves a symmetric positive definite 6x6 system by LDL^T, unrolled: loops over arrays with computed indices go
+// through memory on some drivers (six times slower on llvmpipe). The matrix is given by its lower triangle, row by row
+// (m10 is row 1, column 0).
 struct Lower6 {
   float m00;
   float m10, m11;
@@ -9,7 +10,7 @@ struct Lower6 {
   float m50, m51, m52, m53, m54, m55;
 };
 
-// Right-grab side and solution: components 0 to 2 in `top`, 3 to 5 in `bottom`.
+// Right-hand side and solution: components 0 to 2 in `top`, 3 to 5 in `bottom`.
 void solve6(Lower6 m, inout vec3 top, inout vec3 bottom) {
   float i0 = 1.0 / (m.m00);
   float c10 = m.m10, l10 = c10 * i0;

@@ -1,7 +1,8 @@
-// Singular values of a 3x3 matrix with proper rotations: F = U diag(s) V^T, det U = det V = 1, |s| descending, so that the last one
-// carries the sign of det F (Irving, Teran, Fedkiw 2004). By one-sided Jacobi rotations (Hestenes 1958): the columns of F V become
-// orthogonal, small values keep their relative accuracy, and equal or zero ones need no special case. One rotation in a loop, where
-// the columns take turns: where no invocation of a group that runs in lockstep wants the result, the group pays for one of the 15.
+// Singular values of a 3x3 matrix with proper rotations: F = U diag(s) V^T, det U = det V = 1, |s| descending, so that
+// the last one carries the sign of det F (Irving, Teran, Fedkiw 2004). Computed by one-sided Jacobi rotations (Hestenes
+// 1958): the columns of F V become orthogonal, small values keep their relative accuracy, and equal or zero ones need
+// no special case. The loop contains one rotation and permutes the columns: if no invocation of a group in lockstep
+// needs the result, the group executes one of the 15.
 struct Svd {
   mat3 u, v;
   vec3 s;
@@ -27,7 +28,7 @@ Svd signed_svd(mat3 f, bool wanted) {
   vec3 largest = max(abs(f[0]), max(abs(f[1]), abs(f[2])));
   float size = max(largest.x, max(largest.y, largest.z));
   mat3 b = size > 0.0 ? f * (1.0 / size) : mat3(0.0), v = mat3(1.0);
-  for (int left = wanted ? 15 : 0; left > 0; --left) {  // five for every pair
+  for (int left = wanted ? 15 : 0; left > 0; --left) {  // five for every pair of columns
     float pp = dot(b[0], b[0]), qq = dot(b[1], b[1]), pq = dot(b[0], b[1]);
     float zeta = 0.5 * (qq - pp) / pq;
     float t = (zeta >= 0.0 ? 1.0 : -1.0) / (abs(zeta) + sqrt(1.0 + zeta * zeta));

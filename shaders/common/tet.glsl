@@ -1,6 +1,7 @@
 // A tet's rest shape and its displacement gradient H = sum_k (u_k - u_0) b_k^T, k = 1..3.
 INPUT_UVEC4(TetVertices, tet_vertices)  // [tet_count]
-INPUT_VEC4(TetShape, tet_shape)         // [3 * tet_count] rows of Dm^-1: xyz gradient b_k [1/m], w of the first: volume [m^3]; of others: tet_pair.glsl
+INPUT_VEC4(TetShape, tet_shape)         // [3 * tet_count] rows of Dm^-1: xyz gradient b_k [1/m], w of the first: volume
+                                        // [m^3]; w of the others: tet_pair.glsl
 
 struct Tet {
   uvec4 v;

@@ -1,18 +1,21 @@
-// Two tets that share a face, or one by itself: what the two have in common is read and written once. Invocations go through the pairs
-// first and through the single tets after them; tets lie in that order, the second ones of pairs behind all others.
-// The corners of a pair are s0, s1, s2 of the face, x of tet a = (s0, s1, s2, x) and y of tet b = (s0, s2, s1, y). Along the face the
-// gradients of both tets' shape functions agree, so that those of b differ from those of a by multiples of b_x, which is normal to it:
+// Two tets that share a face, or a single tet: data that the two have in common is read and written once. Invocations
+// process the pairs first and then the single tets; tets are stored in that order, the second ones of pairs after all
+// others. The corners of a pair are s0, s1, s2 of the face, x of tet a = (s0, s1, s2, x) and y of tet b = (s0, s2, s1,
+// y). Along the face the gradients of both tets' shape functions agree, so that those of b differ from those of a by
+// multiples of b_x, which is normal to it:
 //   b_y = -c b_x,   b_s1 of b = b_s1 of a + d1 b_x,   b_s2 of b = b_s2 of a + d2 b_x,   V_b = V_a / c,
-// and the gradients of a field by w b_x^T, w = d1 (s1 - s0) + d2 (s2 - s0) - (x - s0) - c (y - s0) of its values. Three numbers are read
-// for the second tet instead of ten.
-// Of a single tet b is a copy of a whose shape functions are zero: it adds nothing to any force, and what it would write is left out.
+// and the gradients of a field differ by w b_x^T, w = d1 (s1 - s0) + d2 (s2 - s0) - (x - s0) - c (y - s0) of its
+// values. Three numbers are read for the second tet instead of ten.
+// For a single tet, b is a copy of a with zero shape functions: it adds nothing to any force, and its output is
+// omitted.
 #include "common/tet.glsl"
-INPUT_UVEC4(PairFifth, pair_fifth)  // [pairs and single tets] the vertex y and its slot, c and V_b [m^3] (float bits); of a single tet x, any, -1, V_a
-uniform uint pair_count;    // before the single tets
-uniform uint second_begin;  // of the pairs, the first one's second tet
+INPUT_UVEC4(PairFifth, pair_fifth)  // [pairs and single tets] the vertex y and its slot, c and V_b [m^3] (float bits);
+                                    // for a single tet x, any, -1, V_a
+uniform uint pair_count;    // number of pairs, which precede the single tets
+uniform uint second_begin;  // index of the first pair's second tet
 
 struct TetPair {
-  uint ta, tb;  // tb = ta of a single tet
+  uint ta, tb;  // for a single tet tb = ta
   bool two;
   Tet a, b;
   float c, d1, d2;
@@ -30,7 +33,7 @@ TetPair load_pair(uint i) {
   return TetPair(ta, tb, two, Tet(v, r1.xyz, r2.xyz, r3.xyz, r1.w), b, c, r2.w, r3.w, fifth.y);
 }
 
-// The gradients of a vector at the vertices in both tets.
+// The gradients of a vertex field in both tets.
 struct PairGradient {
   mat3 a, b;
 };

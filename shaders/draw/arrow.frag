@@ -1,4 +1,4 @@
-// Shaft, head and foot of the arrow as one shape by its distance in pixels, with a light border that
+// Draws shaft, head and foot of the arrow as one shape, defined by its distance in pixels, with a light border that
 // separates it from the surface below.
 #include "common/frame.glsl"
 in vec2 pixel;
@@ -19,7 +19,7 @@ void main() {
   vec2 local = vec2(dot(pixel - end, along), dot(pixel - end, vec2(-along.y, along.x)));  // x: beyond the tip
   float shape = to_segment(pixel, start, end - along * min(head, size)) - 1.4 * point;
   shape = min(shape, length(pixel - start) - 3.6 * point);
-  // A triangle with its tip at the end: inside where both flanks and the base are behind.
+  // A triangle with its tip at the end: a pixel is inside if it is behind both flanks and the base.
   float flank = dot(vec2(local.x, abs(local.y)), vec2(0.41, 0.912));
   shape = min(shape, max(flank, -local.x - head));
   float border = clamp(0.5 + 1.6 * point - shape, 0.0, 1.0), fill = clamp(0.5 - shape, 0.0, 1.0);

@@ -1,4 +1,4 @@
-// The backdrop where nothing was drawn; one of a single color stays that color.
+// The backdrop of pixels without geometry; a backdrop of a single color is not changed.
 #include "common/background.glsl"
 in vec2 place;
 layout(location = 0) out vec4 color;

@@ -1,6 +1,6 @@
-// The cut that a section plane leaves: where it goes through a tet, up to two triangles, made anew from the deformed positions in every
-// frame. Six vertices per tet; tets that the plane misses give triangles without area. Every cut edge is interpolated from its end
-// beyond the plane, so that tets which share it agree to the bit and the cut has no cracks.
+// The cut of a section plane through the tets: up to two triangles per tet, recomputed from the deformed positions in
+// every frame. Six vertices per tet; tets that the plane misses yield triangles without area. Every cut edge is
+// interpolated from its end beyond the plane, so that tets that share it agree to the bit and the cut has no cracks.
 #include "common/frame.glsl"
 layout(binding = 1) uniform usamplerBuffer tet_vertices;
 layout(binding = 2) uniform samplerBuffer positions;
@@ -17,12 +17,12 @@ void main() {
     if (d[i] >= 0.0) beyond |= 1 << i;
   }
   int within = 15 - beyond, count = bitCount(beyond), k = gl_VertexID % 6;
-  bool second = k >= 3;  // triangle of the two
+  bool second = k >= 3;  // the second of the two triangles
   if (count == 0 || count == 4 || (second && count != 2)) {
     grab_on_nothing();
     return;
   }
-  // The corners of the cut lie on edges: all of a lone vertex, or around a pair.
+  // The corners of the cut lie on edges: on all three of a separated vertex, or on the four between two pairs.
   int corner = k < 3 ? k : k == 3 ? 0 : k - 2;
   int a, b;
   if (count == 2) {
@@ -37,7 +37,7 @@ void main() {
   hand_on(cut, frame.section.xyz);
 #if WIREFRAME
   barycentric = vec3(k % 3 == 0, k % 3 == 1, k % 3 == 2);
-  // The line between the two triangles of a quadrangle is no edge of the tet.
+  // The line between the two triangles of a quadrilateral is not an edge of the tet.
   const float far = 1e6;
   if (count == 2) barycentric += second ? vec3(0.0, 0.0, far) : vec3(0.0, far, 0.0);
 #endif

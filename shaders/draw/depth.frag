@@ -1,2 +1,2 @@
-// Depth only: there is nothing to compute.
+// Writes only depth, so there is nothing to compute.
 void main() {}

@@ -1,10 +1,10 @@
-// Vertices as round dots: one instance each, a square that faces the camera, brought forward by its radius so
+// Vertices as round dots: one instance each, a square that faces the camera, moved toward the camera by its radius so
 // that the surface does not cut it.
 #include "common/frame.glsl"
 layout(location = 0) in uint vertex;
 layout(binding = 0) uniform samplerBuffer positions;
 uniform float radius;  // [points]
-out vec2 offset;       // [pixels] from the middle
+out vec2 offset;       // [pixels] from the center
 flat out float radius_in_pixels;
 
 void main() {

@@ -1,4 +1,4 @@
-// One triangle over the whole picture, at the far plane: what was drawn before stays.
+// One triangle over the whole picture at the far plane, so that it does not cover existing geometry.
 out vec2 place;  // 0 to 1
 
 void main() {

@@ -1,5 +1,5 @@
-// The ground: a pale floor with a grid of fine and strong lines, both fading into the background with the
-// distance from the scene, so that there is no horizon. On a transparent backdrop the floor is its shadow alone.
+// The ground: a pale floor with a grid of fine and strong lines, both fading into the background with the distance from
+// the scene, so that there is no horizon. On a transparent backdrop only the shadow is drawn.
 #include "common/frame.glsl"
 #include "common/background.glsl"
 in vec3 place;
@@ -22,8 +22,8 @@ void main() {
 #if BACKDROP_TRANSPARENT
   color = vec4(0.0, 0.0, 0.0, 0.45 * presence * (1.0 - texture(ground_light, shadow_position).x));
 #else
-  // The nearest line of each family: its share of the pixel, fading where lines come closer than a few
-  // pixels; every grid_z.w-th is strong, which also lets it fade later.
+  // The nearest line of each family: its share of the pixel, fading where lines come closer than a few pixels; every
+  // grid_z.w-th is strong, which also lets it fade later.
   vec2 nearest = floor(grid + 0.5), width = fwidth(grid);
   vec2 weak = step(0.5, abs(fract(nearest * frame.grid_z.w + 0.5) - 0.5) / frame.grid_z.w);
   vec2 thick = 0.5 + frame.picture.z * mix(vec2(0.7), vec2(0.5), weak);

@@ -1,5 +1,5 @@
-// The ground as nine cells of two triangles: eight that never see a shadow around the one under the shadow
-// map, which is the last. SHADOW draws that one alone.
+// The ground as nine cells of two triangles: eight that never receive a shadow around the one under the shadow map,
+// which is the last. SHADOW draws only that one.
 #include "common/frame.glsl"
 out vec3 place;  // from the scene's center, in its radii
 out vec2 grid;  // place in fine lines
@@ -7,7 +7,7 @@ out vec2 grid;  // place in fine lines
 out vec2 shadow_position;
 #endif
 invariant gl_Position;  // the cells of both programs share edges
-const float kReach = 1.8;  // of the outer cells, in sides of the middle one: to where the ground has faded
+const float kReach = 1.8;  // of the outer cells, in sides of the middle one: the ground has faded out there
 
 void main() {
   int cell = gl_VertexID / 6, corner = gl_VertexID % 6;

@@ -1,6 +1,5 @@
-// What stands between the lamp and the ground, for every point of the shadow map but coarser: the share that
-// is covered, and the mean height of the cover above the ground (as depth along the light), weighted by that
-// share.
+// The cover between the light and the ground, for points of the shadow map at lower resolution: the share that is
+// covered, and the mean height of the cover above the ground (as depth along the light), weighted by that share.
 #include "common/frame.glsl"
 layout(binding = 0) uniform sampler2D shadow_map;
 in vec2 place;
@@ -9,7 +8,7 @@ layout(location = 0) out vec4 cover;
 void main() {
   float depth = frame.ground_origin.w + place.x * frame.ground_u.w + place.y * frame.ground_v.w;
   vec4 share = vec4(0.0), height = vec4(0.0);
-  const float quarter = 0.25 / GROUND_SIZE;  // of a texel: four gathers of 2 x 2 spread over it
+  const float quarter = 0.25 / GROUND_SIZE;  // of a texel: four gathers of 2 x 2 are spread over it
   for (int i = 0; i < 4; ++i) {
     vec2 at = place + quarter * vec2((i & 1) * 2 - 1, (i >> 1) * 2 - 1);
     vec4 above = depth - textureGather(shadow_map, at);

@@ -1,7 +1,7 @@
-// How much key light reaches the ground, for every point under the shadow map, in the shadow map's
-// coordinates: small and smooth, so that the ground itself needs one lookup per pixel. The lamp has a size:
-// the higher the body is above the ground, the wider its shadow's edge. First the mean height of what is near
-// the way, then its share within that width.
+// The share of the key light that reaches the ground, for every point under the shadow map, in the shadow map's
+// coordinates: small and smooth, so that the ground itself needs one lookup per pixel. The light has a size: the higher
+// the body is above the ground, the wider the edge of its shadow. The first step is the mean height of the cover near
+// the light's path, the second the covered share within the corresponding width.
 layout(binding = 0) uniform sampler2D ground_cover;
 in vec2 place;
 layout(location = 0) out vec4 light;
@@ -19,7 +19,7 @@ void main() {
   float radius = clamp(PENUMBRA * near.y / max(near.x, 1e-3), kNarrowest, kWidest);
   float covered = 0.0;
   for (int i = 0; i < kTaps; ++i) covered += texture(ground_cover, place + radius * disc(i, kTaps)).x;
-  // Fades toward the map's border: what hangs over it is cut softly.
+  // Fades toward the map's border, so that geometry across the border gets a soft edge.
   vec2 inside = 0.5 - abs(place - 0.5);
   light = vec4(1.0 - covered / float(kTaps) * clamp(10.0 * min(inside.x, inside.y), 0.0, 1.0));
 }

@@ -1,4 +1,4 @@
-// A panel's triangle: its color times the font atlas or another picture.
+// A triangle of a panel: its color times the font atlas or another texture.
 layout(binding = 0) uniform sampler2D image;
 in vec2 at;
 in vec4 tint;

@@ -1,4 +1,4 @@
-// Panels: positions in ImGui's pixels, top left origin. Colors are display values and stay so.
+// Panels: positions in ImGui's pixels, origin at the top left. Colors are display values and are not converted.
 layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 texture_position;
 layout(location = 2) in vec4 vertex_color;

@@ -1,8 +1,7 @@
-// Smooth normals of the deformed surface. One invocation per corner: a vertex of the surface with the fan of
-// triangles that share its normal (a vertex on a sharp edge has several corners). Reads the solver's
-// positions; writes, in the order of corners, position and scalar, and the unit normal n ~ sum over the fan
-// of (b - p) x (c - p), that is weighted by area. The sum runs in a fixed order, so the same positions give
-// the same bits.
+// Smooth normals of the deformed surface. One invocation per corner: a vertex of the surface with the fan of triangles
+// that share its normal (a vertex on a sharp edge has several corners). Reads the solver's positions; writes, in the
+// order of corners, position and scalar, and the unit normal n ~ sum over the fan of (b - p) x (c - p), which weights
+// by area. The sum runs in a fixed order, so the same positions give the same bits.
 #include "common/io.glsl"
 INPUT_VEC4(Position, position)
 INPUT_UINT(CornerVertex, corner_vertex)

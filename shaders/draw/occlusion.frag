@@ -1,12 +1,13 @@
-// How much light from around each pixel is kept: the scalable ambient obscurance of McGuire, Mara, Luebke 2012, eq. 10, at full
-// resolution. Taps lie on a spiral that is turned by one of 16 angles per pixel; occlusion_darken averages over 4 x 4 pixels.
+// The share of ambient light that reaches each pixel: the scalable ambient obscurance of McGuire, Mara, Luebke 2012,
+// eq. 10, at full resolution. Taps lie on a spiral that is rotated by one of 16 angles per pixel; occlusion_darken
+// averages over 4 x 4 pixels.
 #include "draw/occlusion_view.glsl"
 layout(location = 0) out vec4 light;
 
 const int kTaps = 20;
-const float kTurns = 7.0, kLongest = 0.2;  // of the spiral; its radius at most, in heights of the picture
+const float kTurns = 7.0, kLongest = 0.2;  // turns of the spiral; its largest radius, in heights of the picture
 
-// Along the surface: of two neighbours the one that is nearer in depth, so that edges do not bend normals.
+// Direction along the surface, from the neighbor that is closer in depth, so that edges do not distort normals.
 vec3 along(vec3 p, ivec2 pixel, ivec2 direction) {
   vec3 next = view_place(pixel + direction) - p, before = p - view_place(pixel - direction);
   return abs(next.z) < abs(before.z) ? next : before;
@@ -19,7 +20,8 @@ void main() {
     return;
   }
   vec3 p = view_place(pixel);
-  vec3 n = normalize(cross(along(p, pixel, ivec2(0, 1)), along(p, pixel, ivec2(1, 0))));  // z points away: toward the eye
+  vec3 n = normalize(cross(along(p, pixel, ivec2(0, 1)), along(p, pixel, ivec2(1, 0))));  // z points away from the
+                                                                                          // scene, toward the camera
   float reach = occlusion.x, radius = min(reach / (frame.picture.w * p.z), kLongest * frame.picture.y);
   float start = 6.2831853 * float((pixel.x & 3) * 4 + (((pixel.y & 3) + 2 * (pixel.x & 1)) & 3)) / 16.0, sum = 0.0;
   for (int i = 0; i < kTaps; ++i) {

@@ -1,4 +1,4 @@
-// Averages the light of 4 x 4 pixels, of those at about the same depth, and multiplies the picture with it.
+// Averages the ambient light of 4 x 4 pixels at about the same depth, and multiplies the picture by it.
 #include "draw/occlusion_view.glsl"
 layout(binding = 1) uniform sampler2D gathered;
 layout(location = 0) out vec4 factor;

@@ -1,4 +1,4 @@
-// The section plane, as far as anybody looks: a square around the scene, a strip of four vertices.
+// The section plane as a square around the scene that is larger than the view: a strip of four vertices.
 #include "common/frame.glsl"
 #include "draw/tissue.glsl"
 

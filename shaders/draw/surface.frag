@@ -1,5 +1,5 @@
-// Lights the surface: key light with a soft shadow, sky and ground light, a gentle highlight and rim. A CAP, the cut of a section plane,
-// is no surface of the tissue: it shows its color as it is, wherever the light stands.
+// Lights the surface: key light with a soft shadow, sky and ground light, a gentle highlight and rim. A CAP, the cut of
+// a section plane, is not a surface of the tissue: its color does not depend on the light.
 #include "common/frame.glsl"
 #include "common/color.glsl"
 #include "common/heat.glsl"
@@ -9,7 +9,7 @@
 in vec3 to_eye;
 in vec3 surface_normal;
 #if BASE_COLOR
-in vec4 own_color;  // a 0: the look's
+in vec4 own_color;  // a 0: use the color of the look
 #endif
 #if HEAT_MAP
 in float heat;
@@ -42,7 +42,7 @@ float key_visibility() {
 }
 
 #if WIREFRAME
-// Share of the pixel covered by an edge of the triangle; fades where triangles are only a few pixels high.
+// Share of the pixel covered by an edge of the triangle; fades out where triangles are only a few pixels high.
 float edge_coverage() {
   vec3 per_pixel = sqrt(dFdx(barycentric) * dFdx(barycentric) + dFdy(barycentric) * dFdy(barycentric));
   vec3 distance = barycentric / per_pixel;
@@ -57,7 +57,7 @@ vec3 base_color() {
 #if REGIONS
   return frame.region_color[texelFetch(region, gl_PrimitiveID / TRIANGLES).x & 7u].rgb;
 #elif CAP
-  return mix(frame.base_color.rgb, vec3(1.0, 0.72, 0.62), 0.35);  // flesh is paler than its skin
+  return mix(frame.base_color.rgb, vec3(1.0, 0.72, 0.62), 0.35);  // tissue is paler inside
 #else
 #if BASE_COLOR
   vec3 tissue = mix(frame.base_color.rgb, own_color.rgb, own_color.a);
@@ -82,7 +82,7 @@ vec3 shaded() {
   float key = max((n_l + 0.15) / 1.15, 0.0) * mix(1.0, key_visibility(), clamp(4.0 * n_l + 0.5, 0.0, 1.0));
   float sky = 0.5 + 0.5 * n_up;
 #if HEAT_MAP
-  // The color carries a number: light only darkens it, and full light shows the color bar's own color.
+  // The color encodes a number: light only darkens it, and full light shows the color bar's own color.
   float shade = min(0.30 + 0.22 * sky + 0.62 * key, 1.0);
   return heat_color(heat) * linear_to_srgb(vec3(shade)).x;
 #else

@@ -1,5 +1,5 @@
-// The surface as seen by the camera, or with DEPTH_ONLY by the light. WIREFRAME reads each triangle's corners by number, so that every
-// vertex knows which corner it is; without it, vertices are attributes and shared.
+// The surface from the camera's view, or with DEPTH_ONLY from the light's. WIREFRAME reads each triangle's corners by
+// number, so that every vertex has its corner index; otherwise vertices are shared attributes.
 #include "common/frame.glsl"
 #if WIREFRAME
 layout(binding = 1) uniform usamplerBuffer indices;

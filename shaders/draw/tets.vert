@@ -1,5 +1,5 @@
-// Every tet on its own: four flat faces, shrunk about the centroid, which is moved outward from the scene's center. With SECTION, tets
-// whose centroid lies beyond the plane are left out whole.
+// Every tet separately: four flat faces, shrunk about the centroid, which is moved outward from the scene's center.
+// With SECTION, tets whose centroid lies beyond the plane are omitted entirely.
 #include "common/frame.glsl"
 layout(binding = 1) uniform usamplerBuffer tet_vertices;
 layout(binding = 2) uniform samplerBuffer positions;
@@ -16,7 +16,7 @@ void main() {
     return;
   }
 #endif
-  // The face opposite of vertex f, outward where the tet's volume is positive.
+  // The face opposite of vertex f, outward if the tet's volume is positive.
   int f = gl_VertexID % 12 / 3, k = gl_VertexID % 3;
   int a = (f + 1) & 3, b = (f + 2) & 3, c = (f + 3) & 3;
   if ((f & 1) == 1) {

@@ -1,4 +1,4 @@
-// What the vertex shaders of tissue hand on: to surface.frag, or with DEPTH_ONLY to the shadow map.
+// Outputs of the vertex shaders of tissue: to surface.frag, or with DEPTH_ONLY to the shadow map.
 #if !DEPTH_ONLY
 out vec3 to_eye;
 out vec3 surface_normal;
@@ -25,16 +25,16 @@ void hand_on(vec4 position, vec3 normal) {
   heat = (position.w - frame.heat_range.x) * frame.heat_range.y;
 #endif
 #if SHADOW
-  // Looked up a little off the surface, more so where the light grazes it: that removes self-shadowing
-  // without moving the shadow's foot.
+  // The lookup is slightly off the surface, farther at grazing light: that removes self-shadowing without moving the
+  // shadow's foot.
   float slope = 1.0 - max(dot(normal, frame.light.xyz), 0.0);
   shadow_position = to_shadow(position.xyz + normal * frame.light.w * (1.0 + 2.5 * slope));
-  shadow_position.z = min(shadow_position.z, 1.0);  // as far as the map reaches
+  shadow_position.z = min(shadow_position.z, 1.0);  // limit of the map's range
 #endif
 #endif
 }
 
-// A vertex of a triangle that is not drawn: all three are the same.
+// Output for a triangle that is not drawn: all three vertices are the same.
 void grab_on_nothing() {
   hand_on(vec4(0.0), vec3(0.0));
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);

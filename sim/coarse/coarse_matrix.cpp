@@ -15,8 +15,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-// (L L^T)^-1 = L^-T L^-1, by blocks of columns, without what is known to be zero: a third of the work of solving for
-// the identity.
+// (L L^T)^-1 = L^-T L^-1, by blocks of columns, skipping entries that are known to be zero: a third of the work of
+// solving for the identity.
 MatrixXd inverse_of(const MatrixXd& factor) {
   constexpr Eigen::Index kBlock = 64;
   const Eigen::Index n = factor.rows();
@@ -34,9 +34,9 @@ MatrixXd inverse_of(const MatrixXd& factor) {
   return inverse.selfadjointView<Eigen::Lower>();
 }
 
-// Tets of one material that follow each other and lie under the same coarse functions, as those within a cell of the
-// lattice do: the stiffness between two functions with gradients p and q is lambda p q^T + mu (q p^T + p.q I) times the
-// volume, linear in the sum of V p q^T over them, which is made once.
+// A run of consecutive tets with one material and the same coarse functions, such as those within a cell of the
+// lattice. The stiffness between two functions with gradients p and q is lambda p q^T + mu (q p^T + p.q I) times the
+// volume, linear in the sum of V p q^T over the tets, which is computed once.
 class AlikeTets {
  public:
   bool takes(const std::vector<std::uint32_t>& nodes, const Material& material) const {
@@ -53,7 +53,7 @@ class AlikeTets {
       scaled_.block<3, 1>(3 * static_cast<Eigen::Index>(i), count_) = std::sqrt(volume) * gradients[i];
     ++count_;
   }
-  /// To the lower triangle of `a`.
+  /// Adds to the lower triangle of `a`.
   void add_stiffness(MatrixXd& a, double h) {
     if (count_ == 0) return;
     const double scale = h * h * (1 + material_.damping / h), lambda = scale * material_.lame_lambda(),
@@ -131,19 +131,19 @@ Eigen::MatrixXf coarse_inverse(MatrixXd matrix) {
     factor.compute(matrix);
     if (factor.info() == Eigen::Success) return inverse_of(factor.matrixLLT()).cast<float>();
   }
-  return Eigen::MatrixXf::Zero(matrix.rows(), matrix.cols());  // not finite: the fine level works alone
+  return Eigen::MatrixXf::Zero(matrix.rows(), matrix.cols());  // not finite: only the fine level corrects
 }
 
 Eigen::MatrixXf with_stiffness(const Eigen::MatrixXf& inverse, const CoarseSpace& space,
                                const std::vector<VertexStiffness>& springs, double h) {
   constexpr double kLeast = 1e-3;                 // of the stiffest function
-  std::map<std::uint32_t, Eigen::Index> touched;  // node and its place among them
+  std::map<std::uint32_t, Eigen::Index> touched;  // node and its index here
   for (const VertexStiffness& s : springs)
     for (std::uint32_t k = space.begin[s.vertex]; k < space.begin[s.vertex + 1]; ++k)
       touched.emplace(space.node[k], static_cast<Eigen::Index>(touched.size()));
   const auto count = static_cast<Eigen::Index>(touched.size());
   if (count == 0) return inverse;
-  MatrixXd stiffness = MatrixXd::Zero(count, count);  // of one component [kg]; the others have the same
+  MatrixXd stiffness = MatrixXd::Zero(count, count);  // of one component [kg]; the same for the others
   for (const VertexStiffness& s : springs)
     for (std::uint32_t k = space.begin[s.vertex]; k < space.begin[s.vertex + 1]; ++k)
       for (std::uint32_t l = space.begin[s.vertex]; l < space.begin[s.vertex + 1]; ++l)

@@ -1,6 +1,6 @@
-// The coarse problem of the two-level solver: the Hessian of an implicit Euler step at rest, seen from the coarse
-// space, and its dense inverse. It depends on materials, h, masses and the held vertices only; rotations are applied
-// around it.
+// The coarse problem of the two-level solver: the Hessian of an implicit Euler step at rest, projected onto the coarse
+// space, and its dense inverse. It depends on materials, h, masses and the constrained vertices only; rotations are
+// applied around the matrix.
 #pragma once
 #include <Eigen/Core>
 
@@ -8,11 +8,11 @@
 
 namespace fascia {
 
-/// A_c = P^T (M + h^2 K) P [kg], with K the stiffness at rest, damping included. [3 * node_count] square, symmetric.
+/// A_c = P^T (M + h^2 K) P [kg], with K the stiffness at rest including damping. [3 * node_count] square, symmetric.
 Eigen::MatrixXd coarse_matrix(const Model& model, const CoarseSpace& space, double h);
 
-/// Of a symmetric positive semidefinite matrix, in single precision for the GPU. The diagonal is raised until it
-/// factors: a function that the others can express adds nothing.
+/// The inverse of a symmetric positive semidefinite matrix, in single precision for the GPU. The diagonal is raised
+/// until the factorization succeeds: a function that depends linearly on the others then adds nothing.
 Eigen::MatrixXf coarse_inverse(Eigen::MatrixXd matrix);
 
 struct VertexStiffness {
@@ -21,9 +21,9 @@ struct VertexStiffness {
   bool operator==(const VertexStiffness&) const = default;
 };
 
-/// The inverse with h^2 times the stiffness of `springs` added to the matrix, by the formula of Sherman, Morrison and
-/// Woodbury over what few functions the springs make: where a grab holds it, the body must not be as yielding as it is
-/// free. The springs turn with the nodes, which changes nothing as far as those around a grab turn alike.
+/// The inverse with h^2 times the stiffness of `springs` added to the matrix, by the Sherman-Morrison-Woodbury formula
+/// over the few functions that have springs. A grabbed region must not be as compliant as a free one. The springs
+/// rotate with the nodes, which has no effect while the nodes around a grab rotate alike.
 Eigen::MatrixXf with_stiffness(const Eigen::MatrixXf& inverse, const CoarseSpace& space,
                                const std::vector<VertexStiffness>& springs, double h);
 

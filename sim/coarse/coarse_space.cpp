@@ -12,11 +12,11 @@ namespace {
 
 using Eigen::Vector3d;
 constexpr double kWeakNode = 0.1;         // of the mean mass
-constexpr double kLeastWeight = 1e-12;    // of a lattice corner that counts
-constexpr double kEnough = 0.85;          // of the wanted nodes
+constexpr double kLeastWeight = 1e-12;    // below it a lattice corner is ignored
+constexpr double kEnough = 0.85;          // of the requested nodes
 constexpr int kMostCoarseCells = 100;     // along an axis
-constexpr std::uint32_t kNeighbors = 64;  // nodes among which they are sorted by their entries
-constexpr std::size_t kFewVertices = 24;  // below: more lattice nodes than vertices, and nothing to gain
+constexpr std::uint32_t kNeighbors = 64;  // nodes in each group that is sorted by number of entries
+constexpr std::size_t kFewVertices = 24;  // below it there would be more lattice nodes than vertices
 
 struct CoarseLattice {
   Vector3d low, extent;
@@ -49,7 +49,7 @@ struct CoarseLattice {
   }
 };
 
-struct Edges {  // of the mesh between free vertices, in rows
+struct Edges {  // of the mesh between free vertices, by rows
   std::vector<std::uint32_t> begin, other;
 };
 
@@ -86,7 +86,7 @@ Edges free_edges(const Model& model, const std::vector<char>& held, bool cut_mat
   return edges;
 }
 
-/// Pieces that `members` fall into when only edges between them count: [members] number of the piece of each. `local`
+/// The pieces of `members` that are connected by edges between members: [members] number of the piece of each. `local`
 /// [vertex_count] is scratch, all -1 before and after.
 std::vector<std::uint32_t> pieces(const std::vector<std::uint32_t>& members, const Edges& edges,
                                   std::vector<int>& local, std::uint32_t& count) {
@@ -114,7 +114,7 @@ std::vector<std::uint32_t> pieces(const std::vector<std::uint32_t>& members, con
   return piece;
 }
 
-/// Cells as near to cubes as the box allows, so many that about `target` lattice nodes have a vertex in reach.
+/// Cells as close to cubes as the box allows, with about `target` lattice nodes that have a vertex in reach.
 CoarseLattice fit_lattice(const std::vector<Vector3d>& positions, const std::vector<std::uint32_t>& free,
                           std::uint32_t target) {
   CoarseLattice lattice;
@@ -162,9 +162,9 @@ CoarseLattice fit_lattice(const std::vector<Vector3d>& positions, const std::vec
   return best;
 }
 
-/// Numbers nodes in the order of the vertices in their reach, so that who computes those reads what they are made of,
-/// and then, among neighbors, those with as many vertices side by side: invocations that go in step take as long as the
-/// one with the most.
+/// Numbers nodes in the order of the vertices in their reach, so that neighboring invocations read neighboring data.
+/// Then, among neighbors, nodes with equal numbers of vertices are adjacent: invocations in lockstep take as long as
+/// the longest of them.
 void order_nodes(CoarseSpace& space) {
   const std::uint32_t n = space.node_count;
   std::vector<std::uint32_t> entries(n, 0), order(n), number(n);
@@ -186,8 +186,8 @@ void order_nodes(CoarseSpace& space) {
   for (std::uint32_t& node : space.node) node = number[node];
 }
 
-/// Of about `target` lattice nodes, and of at most `most` functions: where that is too few for all parts of the mesh,
-/// the lightest have none and `complete` becomes false.
+/// A space of about `target` lattice nodes and at most `most` functions. If that is too few for all parts of the mesh,
+/// the lightest get none and `complete` becomes false.
 CoarseSpace lattice_space(const Model& model, const std::vector<std::uint32_t>& free, const Edges& edges,
                           std::uint32_t target, std::uint32_t most, bool& complete) {
   const std::size_t vertex_count = model.rest_positions.size();
@@ -210,7 +210,7 @@ CoarseSpace lattice_space(const Model& model, const std::vector<std::uint32_t>& 
   std::vector<std::uint32_t> part(vertex_count, 0);
   for (std::size_t i = 0; i < free.size(); ++i) part[free[i]] = free_part[i];
 
-  // One node per lattice node and piece; then the weak ones go.
+  // One node per lattice node and piece; weak ones are removed afterwards.
   std::vector<std::uint32_t> node_of(reaches.size()), node_part;
   std::vector<double> node_mass;
   for (std::size_t first = 0; first < reaches.size();) {
@@ -239,7 +239,7 @@ CoarseSpace lattice_space(const Model& model, const std::vector<std::uint32_t>& 
   const auto strong = [&](std::size_t j) {
     return node_mass[j] > kWeakNode * part_mass[node_part[j]] / part_nodes[node_part[j]];
   };
-  // The heaviest parts come first while there is room.
+  // The heaviest parts get their nodes first, up to the limit.
   std::vector<std::uint32_t> strong_nodes(part_count, 0), by_mass(part_count);
   for (std::size_t j = 0; j < node_mass.size(); ++j) strong_nodes[node_part[j]] += strong(j);
   std::iota(by_mass.begin(), by_mass.end(), 0u);
@@ -296,7 +296,7 @@ CoarseSpace make_coarse_space(const Model& model, std::uint32_t target) {
   if (free.size() < kFewVertices) return space;
   target = std::min(target, static_cast<std::uint32_t>(free.size() / 3));
 
-  // Many pieces make many functions: then a coarser lattice, or materials that share their functions.
+  // Many pieces result in many functions: the remedy is a coarser lattice, or functions shared between materials.
   const std::uint32_t most = target + target / 2;
   for (const bool cut_materials : {true, false}) {
     if (cut_materials && model.materials.size() == 1) continue;
@@ -307,7 +307,7 @@ CoarseSpace make_coarse_space(const Model& model, std::uint32_t target) {
       space = lattice_space(model, free, edges, wanted, most, complete);
       if (!complete) continue;
       if (space.node_count > kEnough * wanted) return space;
-      // Weak nodes have left: a finer lattice makes up for them, as far as twice as many can.
+      // Weak nodes were removed: a finer lattice compensates for them, with at most twice as many nodes.
       const std::uint32_t more = space.node_count > wanted / 2 ? wanted * wanted / space.node_count : 2 * wanted;
       const CoarseSpace finer = lattice_space(model, free, edges, more, wanted + wanted / 4, complete);
       return complete ? finer : space;

@@ -1,4 +1,5 @@
-// The linear tetrahedron: displacements interpolated between four corners, one deformation gradient for the whole tet.
+// The linear tetrahedron. Displacements are interpolated between four corners, so the whole tet has one deformation
+// gradient.
 //
 //   F = I + sum_a u_a b_a^T
 //
@@ -18,7 +19,7 @@ struct LinearTet {
   Eigen::Matrix<double, 3, 4> gradients;  // b_a, columns [1/m]
   double volume;                          // V [m^3]
 
-  /// F - I from differences of displacements, so that neither the identity nor a common translation costs digits.
+  /// F - I from differences of displacements, so that neither the identity nor a common translation costs accuracy.
   Eigen::Matrix3d displacement_gradient(const Corners& displacements) const;
   Eigen::Matrix3d deformation_gradient(const Corners& displacements) const;
 };

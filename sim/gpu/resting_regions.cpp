@@ -9,10 +9,10 @@
 namespace fascia {
 namespace {
 
-constexpr std::uint32_t kRegionVertices = 64;  // about four tets across
-constexpr double kMostShare = 0.75;            // of the tets: above, lists cost more than they save
+constexpr std::uint32_t kRegionVertices = 64;  // about four tets in each direction
+constexpr double kMostShare = 0.75;            // of the tets: above it lists cost more than they save
 
-// Of every vertex, the smallest vertex that tets connect it with.
+// For every vertex, the smallest vertex that tets connect with it.
 std::vector<std::uint32_t> component_of(std::size_t vertex_count, const std::vector<Tet>& tets) {
   std::vector<std::uint32_t> parent(vertex_count);
   std::iota(parent.begin(), parent.end(), 0u);
@@ -33,7 +33,7 @@ std::vector<std::uint32_t> component_of(std::size_t vertex_count, const std::vec
 
 RestingRegions::RestingRegions(gl::ProgramCache& programs, const SimBuffers& buffers)
     : buffers_(buffers), vertex_region_(buffers.vertex_count) {
-  // Vertices in the order in which the curve meets them, body by body, cut into pieces.
+  // Divides the vertices, in the order of the curve and body by body, into pieces.
   const std::vector<std::uint32_t> component = component_of(buffers.vertex_count, buffers.tets);
   std::vector<char> met(buffers.vertex_count, 0);
   for (const Tet& tet : buffers.tets)

@@ -1,8 +1,8 @@
-// Regions of the tissue that are at rest are left out of most steps. Two of eight steps solve everything; what rests in
-// both of them and has no moving region beside it goes on resting in the six that follow: its speed was below
-// solver.rest_speed after both. A resting region is held where it is, so that a step is what it would be if that region
-// were fixed; what it would have done in the meantime it does in the next whole step. Nothing is remembered from one
-// round to the next, so that steps from any state repeat to the bit.
+// Leaves regions of the tissue that are at rest out of most steps. Two of eight steps solve everything. A region that
+// rests in both of them and has no moving neighbor stays at rest in the six that follow: its speed was below
+// solver.rest_speed after both. Such a region is constrained at its current place, so that the step equals one with
+// that region fixed; the next whole step makes up for the motion that was left out. Nothing is stored from one round to
+// the next, so that steps from any state repeat to the bit.
 #pragma once
 #include <vector>
 
@@ -15,16 +15,17 @@ namespace fascia {
 
 class RestingRegions {
  public:
-  static constexpr std::uint32_t kLeastTets = 2000;  // of a mesh that is worth it
+  static constexpr std::uint32_t kLeastTets = 2000;  // smallest mesh for which regions pay
 
-  /// `buffers` must outlive this, with the tets in the order they have now.
+  /// `buffers` must outlive this object and keep the order of the tets.
   RestingRegions(gl::ProgramCache& programs, const SimBuffers& buffers);
 
-  /// Decides about the next step. True: active() holds what it solves; false: it solves everything. Waits for the GPU
-  /// once in a round.
+  /// Prepares the next step. True: active() lists what the step solves; false: it solves everything. Waits for the GPU
+  /// once per round.
   bool begin_step(const SolverSettings& settings, const std::vector<VertexStiffness>& springs);
   void end_step();
-  /// Something acts on all of it, or the state is another one or one to go back to: a round begins, with whole steps.
+  /// Begins a new round, with whole steps: an input acts on the whole body, or the state was replaced or must be
+  /// restorable.
   void restart() { phase_ = 0; }
 
   const ActiveSet& active() const { return active_; }
@@ -38,7 +39,7 @@ class RestingRegions {
   std::vector<std::uint32_t> vertex_region_;                   // [vertex_count]
   std::vector<std::uint32_t> region_begin_, region_vertices_;  // vertices by region
   std::vector<std::vector<std::uint32_t>> neighbors_;          // [region_count]
-  std::vector<char> listed_;  // [region_count] moving when the lists were made; empty: there are none
+  std::vector<char> listed_;  // [region_count] 1 for regions in the current lists; empty: no lists
   ActiveSet active_;
   gl::Buffer begin_, vertices_, motion_, measured_;
   std::vector<gl::ComputePass> measure_;  // after the first step of a round, after the second

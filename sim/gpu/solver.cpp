@@ -40,8 +40,8 @@ void GpuSolver::make_method() {
   const MethodInputs inputs{programs_, model_, buffers_, settings_};
   regions_.reset();
   if (!method_ || made_ != settings_.method || !method_->goes_on_with(inputs)) {
-    method_.reset();  // before the next one is made: both may not fit
-    // Not by the method that was: one that found no room for all of it may have left its order.
+    method_.reset();  // before the next one is created: memory may not suffice for both
+    // The condition is not the previous method: one that ran out of memory may have left its order.
     if (!kernels.orders_tets && buffers_.pair_count == 0) {
       buffers_.set_tet_order(model_, buffers_.placement.tets);
       buffers_.set_phantom_count(0);
@@ -83,7 +83,7 @@ void GpuSolver::record() {
   if (!may_rest) regions_.reset();
   if (may_rest && !regions_) regions_.emplace(programs_, buffers_);
   fuses_ = !stop_ && gl::fuses(programs_);
-  // A GPU jumps over a branch that none of a few neighbors takes; a second dispatch and its copies would only cost.
+  // A GPU skips a branch that no neighboring invocation takes; a second dispatch and its copies would only add cost.
   const bool branches_skip = programs_.load_path() == gl::LoadPath::storage;
   const Deferral most_deferred = method_->most_deferred(buffers_, fuses_);
   const bool may_defer =
@@ -91,7 +91,7 @@ void GpuSolver::record() {
   if (!may_defer) deferred_.reset();
   if (may_defer && (!deferred_ || deferred_->most != most_deferred)) deferred_.emplace(most_deferred);
   method_->prepare(recording(nullptr));
-  buffers_.correction.clear();  // of which kernels may leave the w as it is
+  buffers_.correction.clear();  // kernels may leave its w unchanged
   before_every_ = 1;
   whole_ = record_step(nullptr);
   whole_fused_ = fuse(whole_);
@@ -126,7 +126,7 @@ Recording GpuSolver::recording(const ActiveSet* active) {
 
 GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
   const gl::ProgramCache::Postponed postponed(
-      programs_);  // kernels that are part of another program need no program of their own
+      programs_);  // kernels that are part of another program need none of their own
   const Recording r = recording(active);
   StepPasses passes;
   passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), start(), active));
@@ -176,7 +176,7 @@ bool GpuSolver::ready() const {
 
 Passes GpuSolver::iteration(const Recording& r, bool first) {
   Passes passes = method_->iteration(r, first);
-  // Chebyshev acceleration goes with methods whose iterations start at the prediction.
+  // Chebyshev acceleration is for methods whose iterations start at the prediction.
   if (chebyshev_)
     append(passes, chebyshev_->passes(programs_, buffers_.step, buffers_.predicted, buffers_.displacement, first));
   if (anderson_) append(passes, anderson_->passes(programs_, first));
@@ -246,7 +246,7 @@ void GpuSolver::set_settings(const SolverSettings& settings) {
   const bool same_passes = needs(settings) == needs(settings_);
   SolverSettings before = settings_;
   before.iterations = settings.iterations;
-  // But for the number of iterations, which a frame budget changes all the time
+  // Ignores the number of iterations, which a frame budget changes constantly
   const bool same_step = before == settings;
   before = settings_;
   settings_ = settings;
@@ -257,7 +257,7 @@ void GpuSolver::set_settings(const SolverSettings& settings) {
   if (!same_passes) try {
       make_method();
       record();
-    } catch (...) {  // no room for it
+    } catch (...) {  // not enough memory
       settings_ = before;
       make_method();
       record();

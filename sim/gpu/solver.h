@@ -1,5 +1,5 @@
 // The GPU solver: owns the state and runs recorded lists of passes. A method adds its passes between prediction and
-// velocity update; what a scene does not use is not in the lists. Needs a current context with gl loaded.
+// velocity update; the lists contain only what the scene uses. Needs a current context with gl loaded.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -29,119 +29,118 @@ namespace fascia {
 
 class GpuSolver {
  public:
-  /// `model` must outlive the solver. Its materials and gravity may be changed; tell the solver with
-  /// materials_changed(). `drawn` are extra vertices to draw, tied to the tets (Model::embedded); none by default.
+  /// `model` must outlive the solver. Its materials and gravity may be changed; call materials_changed() afterwards.
+  /// `drawn` are extra vertices to draw, embedded in the tets (Model::embedded); none by default.
   GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
             const EmbeddedPoints& drawn = {}, const Progress& progress = {});
 
   /// One frame step of settings.time_step: substeps, each of predict, iterations, velocity.
   void step();
   struct KernelTime {
-    double ms = 0;  // of all runs
+    double ms = 0;  // of all runs together
     int runs = 0;
   };
-  /// A step whose passes are timed one by one: by the names of their kernels. What goes by between passes, uploads for
-  /// one, counts as the next one's.
+  /// A step with separately timed passes, by the names of their kernels. The time between passes, such as that of
+  /// uploads, counts for the next pass.
   std::map<std::string, KernelTime> timed_step();
   void reset();                          // to the initial state
   double time() const { return time_; }  // [s]
 
   const SolverSettings& settings() const { return settings_; }
   void set_settings(const SolverSettings& settings);
-  void materials_changed();  // also gravity: acts on the next step; no state buffer is rebuilt
-  void set_grab(const std::vector<GrabSpring>& springs);  // empty: let go
+  void materials_changed();  // also for gravity; acts on the next step; no state buffer is rebuilt
+  void set_grab(const std::vector<GrabSpring>& springs);  // empty: releases all grabs
   void set_color(ColorBy color);
   ColorBy color() const { return color_; }
-  /// What the heat map of ColorBy::error shows: float [vertex_count] [m]. Zero at first.
+  /// The values of the heat map of ColorBy::error: float [vertex_count] [m]. Zero at first.
   void set_vertex_errors(const std::vector<float>& errors);
 
-  /// Brings positions() up to date with the state, once for every state.
+  /// Updates positions() to the state, once per state.
   void publish();
   ShownRange* shown_range() { return surface_.range(); }  // of the heat map; null without one
-  /// Whether the method descends the objective of the step, so that a body comes to rest where its static equilibrium
-  /// is.
+  /// Whether the method descends the objective of the step, so that a body comes to rest at its static equilibrium.
   bool descends() const { return method_->gradient() != nullptr; }
   const gl::Buffer& positions() const { return surface_.positions(); }  // vec4 [vertex_count + points]
 
-  /// One substep that diagnoses the state after every iteration, and before the first: [iterations + 1]. For plots of
-  /// convergence: waits for the GPU each time.
+  /// One substep with diagnostics of the state before the first and after every iteration: [iterations + 1]. For plots
+  /// of convergence; waits for the GPU each time.
   std::vector<Diagnostics> traced_substep();
 
   void request_diagnostics();
   void set_probe(std::optional<std::uint32_t> vertex);        // Diagnostics::probe; below vertex_count
-  bool diagnosing() const { return diagnostics_.pending(); }  // a request was not taken yet
+  bool diagnosing() const { return diagnostics_.pending(); }  // a request whose result was not taken yet
   std::optional<Diagnostics> take_diagnostics(bool wait) { return diagnostics_.take(wait); }
 
-  /// Asks whether the state of now is sound, and takes the answer when it is there. Sound states are kept to go back
+  /// Requests a check of the current state, and takes the result when it is available. Valid states are kept to go back
   /// to.
   void request_check();
   std::optional<StateGuard::Verdict> take_check(bool wait);
-  /// The same at once, of a state that is not kept: waits for the GPU, and the steps that follow do not notice.
+  /// The same at once, for a state that is not kept: waits for the GPU and does not affect later steps.
   std::optional<std::uint32_t> diverged_now() const;
-  /// The state at rest `equilibrium`, with a step around it that has been solved, so that its diagnostics are those of
-  /// a step. No time passes.
+  /// Sets the state at rest `equilibrium`, inside a solved step, so that its diagnostics are those of a step. No time
+  /// passes.
   void settle(const State& equilibrium);
-  /// A step in which nothing moves: the state, which has just been found sound, stays as it is.
+  /// A step in which nothing moves: the state, which was just found valid, stays unchanged.
   void rest();
-  /// To the last state that was found sound, or was put there. With `at_rest` without its velocities.
+  /// Restores the last state that was found valid or was set. With `at_rest`, without its velocities.
   void restore_valid(bool at_rest);
 
-  /// Whether the buffers hold a substep from its start to its end, solved under the model, settings and springs of now.
+  /// Whether the buffers hold a complete substep, solved under the current model, settings and springs.
   bool has_step() const { return has_step_; }
   const std::vector<GrabSpring>& springs() const { return springs_; }
-  /// Steps that were solved, not rested: tells whether a state is another one.
+  /// The number of steps that were solved, without those at rest. A changed number means a changed state.
   long steps_solved() const { return steps_solved_; }
-  /// Of the tets, on average over the steps that were solved: less than 1 where regions rested (regions.h).
+  /// The share of the tets that a step solved, on average: less than 1 where regions rested (resting_regions.h).
   double share_solved() const;
   /// Whether the last step solved all tets.
   bool last_was_whole() const { return passes_ == &whole_; }
-  void solve_everything();  // from now on, in every step
+  void solve_everything();  // in every later step
 
   State download() const { return buffers_.download_state(time_); }
   State download_valid() const { return guard_.download(buffers_); }  // the state of restore_valid()
   void upload(const State& state);
-  /// Displacements in two floats each, for static equilibria: methods that descend the energy then sum up what float32
-  /// would lose.
+  /// Stores displacements in two floats each, for static equilibria: methods that descend the energy then accumulate
+  /// what float32 would lose.
   void set_compensated(bool compensated);
-  /// Of the substeps so far, on average: fewer than settings().iterations where solver.tolerance ends them. Waits for
-  /// the GPU then.
+  /// The mean over all substeps so far: below settings().iterations where solver.tolerance ends them, and then waits
+  /// for the GPU.
   double mean_iterations() const;
-  int last_iterations() const;  // of the last substep; as mean_iterations()
-  /// State, materials, gravity and grab of another solver of the same model; the state without a way through the CPU.
+  int last_iterations() const;  // of the last substep; waits as mean_iterations() does
+  /// Copies state, materials, gravity and grab from another solver of the same model; the state does not pass through
+  /// the CPU.
   void follow(const GpuSolver& leader);
-  /// Whether a step can begin without waiting for what is still computed since the method was made, or for kernels that
-  /// the driver still links.
+  /// Whether a step can begin without waiting for the method's setup or for kernels that the driver still links.
   bool ready() const;
-  /// Waits for what is computed beside the frame (the coarse level's inverse after a change of materials or h) and
-  /// takes it.
+  /// Waits for background computations (the coarse level's inverse after a change of materials or h) and takes their
+  /// results.
   void finish_background() { background_taken_ += method_->update(true); }
-  /// It is taken at the first step that finds it ready, which depends on the moment. Held back, it waits for
-  /// take_background().
+  /// The first step after a background result is ready takes the result, which depends on timing. While held, results
+  /// wait for take_background().
   void hold_background(bool held) { background_held_ = held; }
   void take_background(int results) { method_->take(results); }
-  /// Results that were taken without being told, since the last call.
+  /// The number of results that steps have taken on their own since the last call.
   int background_taken() { return std::exchange(background_taken_, 0); }
   const Coloring* coloring() const { return method_->coloring(); }  // of gauss_seidel; null for other methods
   const Chebyshev* chebyshev() const { return chebyshev_ ? &*chebyshev_ : nullptr; }
 
   std::uint64_t dispatches_per_step() const;
-  /// Estimated: every buffer that a kernel uses, once; what belongs to each iteration, the refreshes shared out,
-  /// deferred tets left out.
+  /// An estimate: every buffer that a kernel uses, once; passes of each iteration and their share of the refreshes,
+  /// without deferred tets.
   double bytes_per_iteration() const;
   const SimBuffers& buffers() const { return buffers_; }
 
  private:
   GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings, const EmbeddedPoints& drawn,
             const Progress& progress, MeshOrder placement);
-  void make_method();  // what the pair needs, and nothing else
+  void make_method();  // creates what the solver choice needs, and nothing else
   void record();
   void run(const Passes& passes);
   void look_beside();
   void begin_substep();
-  void iterate(int iteration, int count = 1);  // so many, if fused and alike_from() tells so
+  void iterate(int iteration, int count = 1);  // `count` iterations, if fused and alike_from() permits
   void end_substep();
   void solve_substep();
-  int alike_from(int iteration) const;  // the first of the iterations after it that does not do the same
+  int alike_from(int iteration) const;  // the first later iteration that runs other passes
   void settings_changed();
   struct StepPasses {
     Passes begin, before_first, before, refresh, first_iteration, iteration, end;  // of one substep
@@ -149,35 +148,35 @@ class GpuSolver {
       return {&begin, &before_first, &before, &refresh, &first_iteration, &iteration, &end};
     }
   };
-  // The same in few dispatches, where passes can be fused. `first`: the first iteration with what comes before it.
+  // The same in few dispatches, where passes can be fused. `first`: the first iteration with the passes before it.
   struct FusedStep {
     gl::FusedPasses begin, first, refresh, iteration, end;
   };
-  const FusedStep* fused_step() const;  // of passes_; null where they run by themselves
+  const FusedStep* fused_step() const;  // of passes_; null where they run unfused
   std::optional<FusedStep> fuse(const StepPasses& passes);
   Start start();
   Recording recording(const ActiveSet* active);
   StepPasses record_step(const ActiveSet* active);
-  int refreshes() const;  // in a substep
+  int refreshes() const;  // per substep
   Passes iteration(const Recording& recording, bool first);
   void choose_passes();
   void state_changed();
-  std::uint32_t vertex_at(std::uint32_t place) const;  // place as it was read back
+  std::uint32_t vertex_at(std::uint32_t place) const;  // `place`: as read back
 
   gl::ProgramCache& programs_;
   const Model& given_;
-  Model model_;  // given_ placed(), as all below sees it; materials and gravity follow
+  Model model_;  // given_ in the order of placed(), which all members below use; materials and gravity follow
   SolverSettings settings_;
   UnconstrainedParts parts_;
   Features features_;
   ColorBy color_ = ColorBy::none;
   SimBuffers buffers_;
-  gl::Buffer previous_strain_;  // vec4 [2 * tet_count]; made when a material is first damped
-  gl::Buffer unconstrained_;    // uint [vertex_count] 1 in parts that nothing holds; made where others are held, if the
-                                // method wants it
+  gl::Buffer previous_strain_;  // vec4 [2 * tet_count]; created when a material is first damped
+  gl::Buffer unconstrained_;    // uint [vertex_count] 1 in unconstrained components; exists if other components are
+                                // constrained and the method needs it
   std::unique_ptr<StepMethod> method_;
-  Method made_ = Method::two_level;     // what method_ is
-  std::optional<Chebyshev> chebyshev_;  // of these only what is in use exists
+  Method made_ = Method::two_level;     // the method of method_
+  std::optional<Chebyshev> chebyshev_;  // of these only the one in use exists
   std::optional<Anderson> anderson_;
   gl::Buffer multiplier_weight_;  // float [2 * tet_count], with Anderson acceleration of multipliers
   std::optional<StopRule> stop_;  // with solver.tolerance
@@ -189,22 +188,22 @@ class GpuSolver {
   StateGuard guard_;
   bool published_ = false;  // positions() are those of the state
   SurfacePositions surface_;
-  std::optional<DeferredTets> deferred_;   // with materials that have such
-  std::optional<RestingRegions> regions_;  // where some may rest while others move
+  std::optional<DeferredTets> deferred_;   // with materials that defer tets
+  std::optional<RestingRegions> regions_;  // where some regions may rest while others move
   StepPasses whole_,
-      partial_;  // for all tets; for those of a step in which regions rest, recorded when there first is one
+      partial_;  // for all tets; for the tets of a step with resting regions, recorded at the first such step
   std::optional<FusedStep> whole_fused_, partial_fused_;
   const StepPasses* passes_ = &whole_;
   bool always_whole_ = false;
   bool fuses_ = false;
   int before_every_ = 1;            // iterations from one run of `before` to the next
-  gl::Stopwatch* times_ = nullptr;  // of a timed step
+  gl::Stopwatch* times_ = nullptr;  // during a timed step
   bool background_held_ = false;
   int background_taken_ = 0;
   double time_ = 0;
   long steps_solved_ = 0;
   std::uint64_t tets_stepped_ = 0;
-  std::uint64_t substeps_ = 0;  // since stop_ was made
+  std::uint64_t substeps_ = 0;  // since stop_ was created
   bool has_step_ = false;
   unsigned materials_version_ = 0;  // changes of materials and gravity so far
 };

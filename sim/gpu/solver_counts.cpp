@@ -1,4 +1,4 @@
-// What the solver's steps take, counted: iterations, dispatches, bytes.
+// Counts the work of the solver's steps: iterations, dispatches, bytes.
 #include <algorithm>
 #include <set>
 
@@ -25,7 +25,7 @@ double GpuSolver::share_solved() const {
 double GpuSolver::bytes_per_iteration() const {
   const auto bytes_of = [&](const Passes& passes) {
     double bytes = 0;
-    std::set<const gl::Program*> counted;  // the colors of a sweep share what they go through
+    std::set<const gl::Program*> counted;  // the colors of a sweep share their data
     for (const gl::ComputePass& pass : passes)
       if (!(deferred_ && pass.arguments() == &deferred_->lists) && counted.insert(&pass.program()).second)
         bytes += static_cast<double>(pass.bytes());

@@ -1,4 +1,4 @@
-// How the solver runs what it has recorded: a step, and steps that are timed or looked into.
+// Runs the solver's recorded passes: plain steps, timed steps and traced ones.
 #include "sim/gpu/solver.h"
 
 namespace fascia {
@@ -84,7 +84,7 @@ void GpuSolver::solve_substep() {
   end_substep();
 }
 
-// Everything, or what moves beside regions at rest.
+// Selects the passes for all tets or for the moving part only.
 void GpuSolver::choose_passes() {
   const bool after_whole = passes_ == &whole_;
   passes_ = &whole_;
@@ -97,8 +97,8 @@ void GpuSolver::choose_passes() {
     partial_fused_ = fuse(partial_);
   }
   if (passes_ == &partial_ && after_whole) {
-    // Vertices beside resting tets sum what those, or a heat map or diagnostics since, left in their slots into the
-    // objective.
+    // Vertices beside resting tets would add stale values in the slots of those, from an earlier step, a heat map or
+    // diagnostics, to the objective.
     buffers_.correction.clear();
     method_->begin_partial();
   }

@@ -10,14 +10,14 @@ namespace fascia {
 namespace {
 
 constexpr int kIterations = 30;  // of the method per step
-constexpr int kPatience = 12;    // steps that may gain nothing
-// Of the body's size: less is no way. A slender body falls over for long with one residual
+constexpr int kPatience = 12;    // steps without progress before the march ends
+// Of the body's size: a smaller displacement counts as none. A slender body topples slowly at a constant residual
 constexpr double kStill = 1e-4;
 constexpr int kMostSteps = 400;
 constexpr double kFirstStep = 1.0 / 30;  // [s]
-constexpr double kLongestStep = 300;     // [s] inertia is nothing for whatever fits on a table
+constexpr double kLongestStep = 300;     // [s] inertia vanishes for objects of tabletop size
 
-/// So many that no prescribed vertex and no spring moves by more than a third of a tet's width at once.
+/// Enough increments that no prescribed vertex and no spring moves by more than a third of a tet's width at once.
 int increments(const Model& model, const std::vector<GrabSpring>& springs, double volume) {
   double farthest = 0;
   for (const Motion& motion : model.motions)
@@ -44,7 +44,7 @@ double farthest_way(const State& from, const State& to) {
   return farthest;
 }
 
-// Settings and springs of a solver, put back at the end, whatever that is.
+// Restores the settings and springs of a solver at the end, also after an exception.
 class AsBefore {
  public:
   explicit AsBefore(GpuSolver& solver) : solver_(solver), settings_(solver.settings()), springs_(solver.springs()) {}
@@ -53,7 +53,7 @@ class AsBefore {
   ~AsBefore() {
     if (!restored_) try {
         restore();
-      } catch (...) {  // of a lost context: what is thrown already says so
+      } catch (...) {  // the context is lost, and the exception in flight already reports that
       }
   }
   void restore() {
@@ -89,7 +89,7 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
 
   State state = solver.download();
   reference::NewtonReport report;
-  // To time `to` with h the step: where motions are then does not depend on h.
+  // One step to time `to` with h the step length: the place of the motions then does not depend on h.
   const auto step_to = [&](double to) {
     for (Eigen::Vector3d& v : state.velocity) v.setZero();
     state.time = to - marching.time_step;
@@ -127,7 +127,7 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
       report.relative_residual = residual;
       best = state;
     }
-    // Inertia slows the march: a longer step, unless this one was already too long for its iterations.
+    // Inertia slows the march: the next step is longer, unless this one was already too long for its iterations.
     if (residual < 2 * last && marching.time_step < kLongestStep) {
       marching.time_step *= 2;
       solver.set_settings(marching);

@@ -1,5 +1,5 @@
 // Static equilibrium on the GPU: implicit Euler steps without velocity, which only descend the energy of elasticity and
-// weight, with steps in time that grow until inertia is nothing (the proximal point method; as pseudo-transient
+// weight, with time steps that grow until inertia vanishes (the proximal point method; as pseudo-transient
 // continuation, Kelley and Keyes 1998). Prescribed motions are applied in increments first.
 #pragma once
 #include <functional>
@@ -10,12 +10,12 @@
 
 namespace fascia {
 
-/// Brings `solver` and its state to the end of all motions and to equilibrium, with the solver's own method, to a
-/// relative residual of `tolerance` (reference/static_residual.h) or as far as float32 goes: when a dozen steps gain
-/// nothing and move nothing any more. Its settings and materials are as before afterwards. `equilibrium` is what was
-/// found, to more digits than the solver's float32 holds. `iterations` of the report are the method's. Ends unconverged
-/// soon after `stop` is requested. Throws Error if gravity pulls at a part that nothing holds. `news`: hears of every
-/// step, unconverged.
+/// Brings `solver` and its state to the end of all motions and to equilibrium with the solver's own method, to a
+/// relative residual of `tolerance` (reference/static_residual.h) or to the limit of float32: when a dozen steps
+/// neither gain nor move anything. Restores the solver's settings and materials. `equilibrium`: the result, with more
+/// digits than the solver's float32 holds. `iterations` of the report are the method's. Ends unconverged soon after
+/// `stop` is requested. Throws Error if gravity acts on an unconstrained component. `news` is called after every step,
+/// unconverged.
 reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance,
                                              State& equilibrium, const std::stop_token& stop = {},
                                              const std::function<void(const reference::NewtonReport&)>& news = {});

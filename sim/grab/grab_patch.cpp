@@ -8,10 +8,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCorner = 0.3;  // weight of a point's own tet beside that of vertices in the middle of the patch
-constexpr double kRoundedWeight = 1e-6;  // barycentric: less is rounding
+constexpr double kCorner = 0.3;  // weight of a point's own tet relative to that of vertices in the middle of the patch
+constexpr double kRoundedWeight = 1e-6;  // barycentric: smaller is rounding
 
-// Mean Young's modulus of the tets around every vertex of a body; 0 where there are none.
+// Mean Young's modulus of the tets around every vertex of a body; 0 without tets.
 std::vector<double> local_modulus(const Model& model, const BodyPart& body) {
   std::vector<double> sum(body.vertex_count, 0.0), count(body.vertex_count, 0.0);
   for (std::uint32_t t = body.tet_begin; t < body.tet_begin + body.tet_count; ++t)
@@ -36,7 +36,7 @@ EmbeddedPoint tet_at(std::span<const Tet> tets, std::span<const Vector3d> x, con
   double best_smallest = -1e300;
   for (const Tet& tet : tets) {
     const double volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]);
-    if (volume == 0) continue;  // pressed flat
+    if (volume == 0) continue;  // flattened
     std::array<double, 4> w{};
     double smallest = 1;
     for (std::size_t a = 0; a < 4 && smallest > best_smallest; ++a) {

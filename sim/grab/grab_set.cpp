@@ -7,7 +7,7 @@ bool GrabSet::take(const Model& model, const VisualSurface& surface, std::span<c
   Grab grab;
   if (!grab.take(model, surface, positions, hit, scene_radius, settings)) return false;
   grabs_.push_back({next_id_, std::move(grab)});
-  next_id_ = (next_id_ + 1) % kFirstScriptedGrab;  // another one each time: forces are observed a frame late
+  next_id_ = (next_id_ + 1) % kFirstScriptedGrab;  // unique, because forces are observed a frame late
   following_ = grabs_.size() - 1;
   return true;
 }

@@ -1,5 +1,5 @@
 // The grabs of a user on the tissue: one follows the mouse, others stay where they were left until they are taken up
-// again or let go.
+// again or released.
 #pragma once
 #include <optional>
 #include <vector>
@@ -19,8 +19,8 @@ class GrabSet {
   bool take(const Model& model, const VisualSurface& surface, std::span<const Eigen::Vector3d> positions,
             const Hit& hit, double scene_radius, const GrabSettings& settings);
   Grab* following() { return following_ ? &grabs_[*following_].grab : nullptr; }
-  void stay() { following_.reset(); }  // the one that follows the mouse stays where it is
-  void take_up(std::size_t index);     // it follows the mouse again
+  void stay() { following_.reset(); }  // the one that follows the mouse stays in place
+  void take_up(std::size_t index);     // the grab follows the mouse again
   void let_go(std::size_t index);
   void let_go_following();
   void let_go_all() { grabs_.clear(), following_.reset(); }

@@ -5,9 +5,9 @@
 namespace fascia {
 namespace {
 
-constexpr std::size_t kMostParts = 8;  // grabs; more is no move but another grip
-// A grab adds its offset to where it took a vertex: two such sums differ by the offsets' difference but for some
-// roundings.
+constexpr std::size_t kMostParts = 8;  // grabs; with more, the springs count as new ones
+// A grab adds its offset to the original place of a vertex: two such sums differ by the offsets' difference, apart from
+// a few roundings.
 constexpr double kRoundings = 16 * std::numeric_limits<double>::epsilon();
 
 }  // namespace

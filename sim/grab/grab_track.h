@@ -1,6 +1,5 @@
-// Springs that follow grabs for thousands of steps, as little as has to be kept of them: once all of them, then how far
-// each grab has led its own. What is kept gives back the same bits, so the springs themselves are first put where it
-// says.
+// A compact record of springs that follow grabs for thousands of steps: all springs once, then only the offset of each
+// grab. The record restores the same bits, because the springs themselves are first rounded to it.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -10,7 +9,7 @@
 
 namespace fascia {
 
-/// From the springs that a GrabTrack restarted with: the first `count` by one offset, the next ones by another.
+/// Relative to the springs of the GrabTrack's last restart: the first `count` have one offset, the next ones another.
 struct GrabMove {
   struct Part {
     std::size_t count;
@@ -24,11 +23,11 @@ struct GrabMove {
 class GrabTrack {
  public:
   void restart(std::vector<GrabSpring> springs) { base_ = std::move(springs); }
-  /// The move that `springs` are, which may change in their last bits to be exactly that one. Nothing if they are no
-  /// move of the others.
+  /// The move that results in `springs`, whose last bits may change to match exactly. None if they are not a move of
+  /// the stored springs.
   std::optional<GrabMove> follow(std::vector<GrabSpring>& springs) const;
   bool fits(const GrabMove& move) const;
-  std::vector<GrabSpring> moved(const GrabMove& move) const;  // which fits
+  std::vector<GrabSpring> moved(const GrabMove& move) const;  // `move` must fit
 
  private:
   std::vector<GrabSpring> base_;

@@ -11,16 +11,16 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kReach = 0.5;      // lead of the springs over the tissue, in scene radii
-constexpr double kStride = 0.1;     // of the targets in one step, in scene radii, however long the step
-constexpr double kFirstPush = 0.5;  // depth at once, in patch radii
+constexpr double kStride = 0.1;     // of the targets in one step, in scene radii, for any length of the step
+constexpr double kFirstPush = 0.5;  // initial depth, in patch radii
 
 Vector3d shortened(const Vector3d& v, double length) {
   const double norm = v.norm();
   return norm > length ? Vector3d(v * (length / norm)) : v;
 }
 
-// The hit point by the vertices that carry it: corners of a boundary triangle, of the tet below an embedded one, or of
-// the tet that was cut.
+// The hit point in terms of the vertices that define it: corners of a boundary triangle, of the tet below an embedded
+// one, or of the tet that was cut.
 EmbeddedPoint place_of(const Model& model, const VisualSurface& surface, std::span<const Vector3d> positions,
                        const Hit& hit) {
   if (hit.on_cut) return tet_at(model.tets, positions, hit.point);
@@ -70,7 +70,7 @@ bool Grab::grip(const Model& model, const GrabSettings& settings) {
 void Grab::set_size(const Model& model, const GrabSettings& settings) {
   const Vector3d lead = force_ / stiffness_;
   grip(model, settings);
-  force_ = lead * stiffness_;  // until the next one is observed: the patch is where it was
+  force_ = lead * stiffness_;  // until the next observation: the patch has not moved
 }
 
 void Grab::point_at(const Ray& ray, const Vector3d& forward) {

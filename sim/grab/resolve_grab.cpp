@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of the scene's radius, or of the patch: farther from any vertex than both a place is beside the tissue
+// Of the scene's radius, or of the patch: a point farther than both from any vertex is outside the tissue
 constexpr double kNear = 0.1;
 
 std::size_t named_body(const std::string& name, const Model& model, const std::string& where) {
@@ -30,7 +30,7 @@ std::size_t named_body(const std::string& name, const Model& model, const std::s
               "expected one of " + join(names));
 }
 
-// The nearest vertex of a tet, of one body or of all.
+// The nearest vertex of a tet, in the given bodies.
 std::uint32_t nearest_vertex(const Model& model, const Vector3d& at, const std::vector<std::size_t>& bodies,
                              double& distance) {
   std::uint32_t nearest = 0;
@@ -45,7 +45,7 @@ std::uint32_t nearest_vertex(const Model& model, const Vector3d& at, const std::
   return nearest;
 }
 
-// The tets of one body with the numbers of the whole model.
+// The tets of one body with the numbering of the whole model.
 Model only_body(const Model& model, std::size_t b) {
   Model part;
   part.rest_positions = model.rest_positions;
@@ -70,7 +70,7 @@ double squared_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b,
   return std::min({to_segment(a, b), to_segment(b, c), to_segment(c, a)});
 }
 
-// Outward, of the boundary triangle that is nearest to the place and of those hardly farther, each by its area.
+// Outward normal: the mean over the boundary triangles nearest to the point, weighted by area.
 Vector3d surface_normal(const std::vector<Tet>& tets, const std::vector<Vector3d>& x, const Vector3d& at,
                         double radius) {
   const std::vector<Triangle> triangles = boundary_triangles(tets);
@@ -85,7 +85,7 @@ Vector3d surface_normal(const std::vector<Tet>& tets, const std::vector<Vector3d
   return sum.norm() > 0 ? Vector3d(sum.normalized()) : Vector3d(0, 0, 0);
 }
 
-// Keys in seconds of the scene, with later times where the way would be too fast.
+// Keys in seconds of the scene, with later times where the motion would be too fast.
 std::vector<ScriptedGrab::Key> slowed(const std::vector<ScriptedGrab::Key>& keys, double start, double fastest) {
   std::vector<ScriptedGrab::Key> path{{start, {0, 0, 0}}};
   for (const ScriptedGrab::Key& key : keys) {
@@ -104,7 +104,7 @@ std::string printed(const Vector3d& v) {
 struct Place {
   std::vector<PatchVertex> patch;
   double radius = 0;         // [m]
-  Vector3d inward{0, 0, 0};  // of the surface there; only for pushes
+  Vector3d inward{0, 0, 0};  // of the surface at the patch; only for pushes
 };
 
 Place place_at(const ScriptedGrab& grab, const Vector3d& at, const Model& model, const std::string& where,
@@ -120,7 +120,7 @@ Place place_at(const ScriptedGrab& grab, const Vector3d& at, const Model& model,
   const std::uint32_t nearest = nearest_vertex(model, at, bodies, distance);
   const Model body = only_body(model, body_of(model, nearest));
   const EmbeddedPoint tet = tet_at(body.tets, body.rest_positions, at);
-  // Also in tets larger than the patch
+  // Also true in tets larger than the patch
   const bool inside = *std::min_element(tet.weights.begin(), tet.weights.end()) >= -0.1;
   if (!inside && distance > std::max(place.radius, kNear * size)) {
     char text[64];
@@ -137,7 +137,7 @@ Place place_of(const ScriptedGrab& grab, const Selection& selection, const Scene
                const std::string& where) {
   const std::size_t b = grab.body.empty() ? 0 : named_body(grab.body, model, where);
   const BodyPart& body = model.bodies[b];
-  // Selections are on the positions of the file, before the transform.
+  // Selections refer to the positions in the file, before the transform.
   TetMesh mesh;
   const Eigen::Affine3d back = placement(scene.bodies[b].transform).inverse();
   for (std::uint32_t v = 0; v < body.vertex_count; ++v)
@@ -180,8 +180,9 @@ ResolvedGrab resolve_grab(const Scene& scene, std::size_t index, const Model& mo
   std::vector<ScriptedGrab::Key> keys = grab.path;
   if (keys.empty()) keys.push_back({grab.duration, grab.push ? Vector3d(*grab.push * place.inward) : grab.translate});
   resolved.start = grab.start;
-  resolved.path = slowed(keys, grab.start,
-                         kGrabSpeed * size / (grab.smooth ? 1.5 : 1));  // which is 1.5 times as fast in the middle
+  resolved.path =
+      slowed(keys, grab.start,
+             kGrabSpeed * size / (grab.smooth ? 1.5 : 1));  // smooth motion is 1.5 times as fast in the middle
   resolved.smooth = grab.smooth;
   if (grab.release) resolved.release = *grab.release;
   return resolved;

@@ -1,5 +1,5 @@
-// Functions of a deformation gradient F that laws share: J = det F, its cofactors, and what replaces log J for tets
-// that are flat or inside out.
+// Functions of a deformation gradient F that laws share: J = det F, its cofactors, and the replacement of log J for
+// flat or inverted tets.
 #pragma once
 #include <Eigen/Core>
 
@@ -7,7 +7,7 @@ namespace fascia {
 
 Eigen::Matrix3d cofactor(const Eigen::Matrix3d& f);  // dJ/dF
 
-/// The components of a matrix, column by column.
+/// The components of a matrix, in column-major order.
 inline Eigen::Map<const Eigen::Matrix<double, 9, 1>> flat(const Eigen::Matrix3d& m) {
   return Eigen::Map<const Eigen::Matrix<double, 9, 1>>(m.data());
 }
@@ -21,12 +21,12 @@ struct OfVolume {
   double value, first, second;
 };
 
-/// log J, and below kLeastVolumeRatio its parabola there: finite and ever steeper through J = 0, so that an inverted
-/// tet turns back.
+/// log J, continued below kLeastVolumeRatio by its parabola: finite and ever steeper through J = 0, so that an inverted
+/// tet recovers.
 inline constexpr double kLeastVolumeRatio = 0.2;
 OfVolume extended_log(double j);
 
-/// k v(J): v = (J - 1)^2 / 2, and (log J)^2 / 2 where k < 0 and J > 1, for a negative multiple of a parabola has no
+/// k v(J): v = (J - 1)^2 / 2, and (log J)^2 / 2 where k < 0 and J > 1, since a negative multiple of a parabola has no
 /// lower bound.
 OfVolume volume_term(double j, double k);
 

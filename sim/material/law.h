@@ -1,4 +1,4 @@
-// A hyperelastic law: what a MaterialModel makes of a deformation. Each law is one file here, one in
+// A hyperelastic law: the energy that a MaterialModel assigns to a deformation. Each law is one file here, one in
 // shaders/sim/material and one row of the table in laws.cpp; docs/developers/adding.md adds one step by step.
 #pragma once
 #include <Eigen/Core>
@@ -10,12 +10,12 @@ namespace fascia {
 
 using Matrix9d = Eigen::Matrix<double, 9, 9>;
 
-/// Energy density Psi [J/m^3] at a deformation gradient F, and its derivatives by the components of F, column by column
-/// [Pa].
+/// Energy density Psi [J/m^3] at a deformation gradient F, and its derivatives by the components of F, in column-major
+/// order [Pa].
 struct Density {
   double energy = 0;
   Eigen::Matrix3d first = Eigen::Matrix3d::Zero();  // first Piola stress P
-  Matrix9d second = Matrix9d::Zero();               // where it is asked for
+  Matrix9d second = Matrix9d::Zero();               // only where requested
 };
 
 struct MaterialLaw {
@@ -23,17 +23,17 @@ struct MaterialLaw {
   const char* name;   // in scene files; its kernel functions are NAME_response, NAME_curvature, NAME_block
   const char* label;  // in the panel
   const char* help;
-  const char* own_field;  // of Material, that this law alone reads; null: none
-  bool of_strain;  // Psi is a function of the Green strain that kernels see by deformation_of(), which the XPBD methods
-                   // need
-  /// Where Psi is St. Venant-Kirchhoff's, whose formulas keep more digits; null: nowhere.
+  const char* own_field;  // the field of Material that only this law reads; null: none
+  bool of_strain;  // Psi is a function of the Green strain that kernels get from deformation_of(), as the XPBD methods
+                   // require
+  /// Whether Psi equals St. Venant-Kirchhoff's, whose formulas keep more digits; null: never.
   bool (*is_st_venant_kirchhoff)(const Eigen::Matrix3d& f);
   Density (*density)(const Eigen::Matrix3d& f, const Material& material, bool with_second);
 };
 
 extern const MaterialLaw kSignedStVenantKirchhoff, kStVenantKirchhoff, kStableNeoHookean, kNeoHookean, kMooneyRivlin;
 
-const std::vector<const MaterialLaw*>& material_laws();  // all of them, in the order in which a user chooses
+const std::vector<const MaterialLaw*>& material_laws();  // all of them, in the order of the menu
 const MaterialLaw& law_of(MaterialModel model);
 bool reads(MaterialModel model, std::string_view field);  // of Material, by its name in visit_material()
 

@@ -1,4 +1,4 @@
-// Isotropic tissue material: what a user sets, and the constants that follow.
+// Isotropic tissue material: the parameters that a user sets, and the constants that follow.
 #pragma once
 #include <optional>
 #include <string>
@@ -8,7 +8,7 @@
 namespace fascia {
 
 /// The laws (sim/material/law.h) by name. signed_st_venant_kirchhoff is St. Venant-Kirchhoff where no direction is
-/// compressed below 0.6, and keeps on resisting where one is.
+/// compressed below 0.6, and keeps resisting where one is.
 enum class MaterialModel {
   signed_st_venant_kirchhoff,
   st_venant_kirchhoff,
@@ -17,11 +17,11 @@ enum class MaterialModel {
   mooney_rivlin
 };
 
-const std::vector<MaterialModel>& material_models();  // that exist
+const std::vector<MaterialModel>& material_models();  // all of them
 const char* name_of(MaterialModel model);             // "st_venant_kirchhoff", as in scene files
 std::optional<MaterialModel> find_material_model(std::string_view name);
 
-/// Linear tets are visibly too stiff above it, on any affordable mesh.
+/// Above this value linear tets are visibly too stiff on any affordable mesh.
 inline constexpr double kLockingPoissonRatio = 0.45;
 
 struct Material {
@@ -30,15 +30,15 @@ struct Material {
   double density = 1000;       // [kg/m^3]
   double damping = 0;          // ratio of viscosity to stiffness [s] (Kelvin-Voigt: S = D (eps + damping * d eps/dt))
   MaterialModel model = MaterialModel::signed_st_venant_kirchhoff;
-  double mooney_ratio = 0.2;  // of mooney_rivlin alone: C01 / (C10 + C01) [-]
+  double mooney_ratio = 0.2;  // for mooney_rivlin only: C01 / (C10 + C01) [-]
 
   double lame_lambda() const { return young_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio)); }
   double lame_mu() const { return young_modulus / (2 * (1 + poisson_ratio)); }
   bool operator==(const Material&) const = default;
 };
 
-/// One table of a Material's numbers: f(field, name, unit, min, max, logarithmic, help). The JSON reader,
-/// --set, the sliders and the provenance stamp are all made from it.
+/// The table of a Material's numbers: f(field, name, unit, min, max, logarithmic, help). The JSON reader, --set, the
+/// sliders and the provenance stamp are all generated from it.
 template <class M, class F>
 void visit_material(M& m, F&& f) {
   f(m.young_modulus, "young_modulus", "Pa", 1e-3, 1e14, true, "stiffness: stress per strain under uniaxial load");

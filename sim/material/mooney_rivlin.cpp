@@ -1,8 +1,8 @@
 // Compressible Mooney-Rivlin material (Ciarlet 1988, section 4.10; Holzapfel 2000, eq. 6.147):
 //   Psi = c1 (I1 - 3) + c2 (I2 - 3) - 2 (c1 + 2 c2) log J + k/2 (J - 1)^2, I1 = |F|^2, I2 = |cof F|^2
 //   c1 = (1 - r) mu/2, c2 = r mu/2, k = lambda - 2 r mu, r = Material::mooney_ratio
-// so that small strains see Lame's parameters for any r; r = 0 is neo_hookean. invariants.h says how log J and the last
-// term go on.
+// Small strains have Lame's parameters for any r; r = 0 is neo_hookean. invariants.h defines how log J and the last
+// term are continued.
 #include <Eigen/LU>
 
 #include "sim/material/invariants.h"

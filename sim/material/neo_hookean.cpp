@@ -1,6 +1,6 @@
 // Compressible neo-Hookean material (Simo, Pister 1984; Pence, Gou 2015):
 //   Psi = mu/2 (I1 - 3) - mu log J + lambda/2 (J - 1)^2, I1 = |F|^2
-// with Lame's parameters of small strains. invariants.h says how log J and the last term go on where they end.
+// with Lame's parameters of small strains. invariants.h defines how log J and the last term are continued.
 #include <Eigen/LU>
 
 #include "sim/material/invariants.h"

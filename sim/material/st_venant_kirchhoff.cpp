@@ -13,21 +13,21 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Whether St. Venant-Kirchhoff's own formulas hold: all singular values at least kLeastStretch and none of them
+// Whether St. Venant-Kirchhoff's own formulas apply: all singular values are at least kLeastStretch and none is
 // negative.
 bool upright(const Matrix3d& f) {
   Matrix3d c = f.transpose() * f;
   c.diagonal().array() -= kLeastStretch * kLeastStretch;
   return c(0, 0) > 0 && c(0, 0) * c(1, 1) > c(0, 1) * c(0, 1) && c.determinant() > 0 &&
-         f.determinant() > 0;  // Sylvester
+         f.determinant() > 0;  // Sylvester's criterion
 }
 
 }  // namespace
 
-// St. Venant-Kirchhoff of the strains e(s) = (s^2 - 1) / 2 of the signed singular values, and its tangent below
-// kLeastStretch (after Irving, Teran, Fedkiw 2004). The second derivative acts on U^T dF V: the diagonal by that of the
-// energy in s, pairs (i, j) by (w_i - w_j) / (s_i - s_j) on their symmetric and (w_i + w_j) / (s_i + s_j) on their
-// antisymmetric part, w = dPsi/ds.
+// St. Venant-Kirchhoff's law with the strains e(s) = (s^2 - 1) / 2 of the signed singular values, continued by its
+// tangent below kLeastStretch (after Irving, Teran, Fedkiw 2004). The second derivative acts on U^T dF V: on the
+// diagonal it is that of the energy in s; on pairs (i, j) it is (w_i - w_j) / (s_i - s_j) on their symmetric and (w_i +
+// w_j) / (s_i + s_j) on their antisymmetric part, w = dPsi/ds.
 Density signed_st_venant_kirchhoff_density(const Matrix3d& f, const Material& material, bool with_second) {
   const double lambda = material.lame_lambda(), mu = material.lame_mu();
   const SignedSvd svd = signed_svd(f);

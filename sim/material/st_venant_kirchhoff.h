@@ -1,4 +1,4 @@
-// St. Venant-Kirchhoff's law with signed stretches, and how far it is compressed before it leaves the plain law.
+// St. Venant-Kirchhoff's law with signed stretches, and the compression below which it departs from the plain law.
 #pragma once
 #include <Eigen/Core>
 
@@ -6,10 +6,10 @@
 
 namespace fascia {
 
-// Of signed_st_venant_kirchhoff: below, the strain of a principal direction falls linearly
+// Limit of signed_st_venant_kirchhoff: below it the strain of a principal direction falls linearly
 inline constexpr double kLeastStretch = 0.6;
 
-/// Psi of signed_st_venant_kirchhoff; of st_venant_kirchhoff where no stretch is below kLeastStretch.
+/// Psi of signed_st_venant_kirchhoff; equal to st_venant_kirchhoff's where no stretch is below kLeastStretch.
 Density signed_st_venant_kirchhoff_density(const Eigen::Matrix3d& f, const Material& material, bool with_second);
 
 }  // namespace fascia

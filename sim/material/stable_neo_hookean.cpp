@@ -17,9 +17,9 @@ Matrix3d cross_matrix(const Vector3d& v) {
   return m;
 }
 
-// Smith, de Goes, Kim 2018, eq. 14, with their Lame parameters (section 3.4), so that small strains see Young's modulus
-// and Poisson's ratio: Psi = mu/2 (I - 3) + lambda/2 (J - alpha)^2 - mu/2 log(I + 1), I = |F|^2, less its value at
-// rest.
+// Smith, de Goes, Kim 2018, eq. 14, with their Lame parameters (section 3.4), so that small strains have Young's
+// modulus and Poisson's ratio: Psi = mu/2 (I - 3) + lambda/2 (J - alpha)^2 - mu/2 log(I + 1), I = |F|^2, minus its
+// value at rest.
 Density stable_neo_hookean_density(const Matrix3d& f, const Material& material, bool with_second) {
   const double mu = 4.0 / 3.0 * material.lame_mu(), lambda = material.lame_lambda() + 5.0 / 6.0 * material.lame_mu();
   const double alpha = 1 + 0.75 * mu / lambda;
@@ -33,7 +33,7 @@ Density stable_neo_hookean_density(const Matrix3d& f, const Material& material, 
   density.second = mu * (1 - 1 / (i + 1)) * Matrix9d::Identity() +
                    2 * mu / ((i + 1) * (i + 1)) * flat(f) * flat(f).transpose() +
                    lambda * flat(c) * flat(c).transpose();
-  for (int k = 0; k < 3; ++k) {  // of J: columns of F against each other
+  for (int k = 0; k < 3; ++k) {  // of J: columns of F crossed with each other
     const Matrix3d cross = lambda * (j - alpha) * cross_matrix(f.col(k));
     const int before = (k + 2) % 3, after = (k + 1) % 3;
     density.second.block<3, 3>(3 * before, 3 * after) += cross;

@@ -7,7 +7,8 @@
 namespace fascia {
 namespace {
 
-/// Of what is nearly incompressible: the bulk modulus is then 3.3 times Young's, and linear tets still move.
+/// For nearly incompressible tissue: the bulk modulus is then 3.3 times Young's modulus, and linear tets can still
+/// deform.
 constexpr double kSoft = 0.45;
 
 std::string pascals(double value) {

@@ -1,6 +1,6 @@
-// Tissues with values from the literature, one table: presets of the panel, of scene files ("preset": "liver") and of
-// --set, and the listing of `fascia info --tissues`. The isotropic, linear stand-in for something that is neither: each
-// entry says how it was measured and how far values of others lie from it.
+// Tissues with values from the literature, in one table: presets of the panel, of scene files ("preset": "liver") and
+// of --set, and the listing of `fascia info --tissues`. Each is an isotropic, linear approximation of a tissue that is
+// neither; each entry states how the values were measured and how far published values spread.
 #pragma once
 #include <iosfwd>
 #include <string>
@@ -13,28 +13,28 @@ namespace fascia {
 
 struct Tissue {
   const char* name;      // "liver", as in scene files
-  const char* label;     // for people: "Liver"
+  const char* label;     // as displayed: "Liver"
   double young_modulus;  // [Pa] at small strain
   double poisson_ratio;  // [-] 0.45 where the tissue is nearly incompressible: 0.49 would be physical, but locks linear
                          // tets
-  double density;        // [kg/m^3] ICRU Report 46 (1992); what it does not list after the IT'IS tissue database
-  double least, most;    // [Pa] that measurements of healthy tissue commonly span, methods and loads included
-  const char* conditions;  // of the measurement that young_modulus is from
+  double density;      // [kg/m^3] ICRU Report 46 (1992); tissues that it does not list after the IT'IS tissue database
+  double least, most;  // [Pa] the common range of measurements of healthy tissue, over all methods and loads
+  const char* conditions;  // of the measurement of young_modulus
   const char* source;      // author, year, title, journal
 };
 
 const std::vector<Tissue>& tissues();              // by organ, soft ones first
-const Tissue* find_tissue(std::string_view name);  // null if there is none of that name
+const Tissue* find_tissue(std::string_view name);  // null if there is no such tissue
 std::vector<std::string> tissue_names();
 
-/// Modulus, Poisson's ratio and density become the tissue's; damping and model stay.
+/// Modulus, Poisson's ratio and density are set to the tissue's; damping and model stay unchanged.
 void apply(const Tissue& tissue, Material& material);
-/// The tissue whose values a material has; null for values of one's own.
+/// The tissue whose values a material has; null for custom values.
 const Tissue* tissue_of(const Material& material);
-/// What a user should know before using it: range, conditions, note on Poisson's ratio, source. Some lines.
+/// Information for a user before use: range, conditions, note on Poisson's ratio, source. Several lines.
 std::string about(const Tissue& tissue);
 
-/// A table with sources, for a terminal.
+/// Prints a table with sources for a terminal.
 void print_tissues(std::ostream& out);
 
 }  // namespace fascia

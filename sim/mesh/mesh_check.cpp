@@ -23,7 +23,7 @@ class DisjointSets {
     while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];
     return item;
   }
-  /// True if a and b were apart before.
+  /// True if a and b were separate before.
   bool join(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);
@@ -121,8 +121,8 @@ void examine_vertices(const TetMesh& mesh, const std::vector<Tet>& tets, MeshRep
   report.coincident_vertices = count_coincident(mesh.positions, tets);
 }
 
-/// A surface is manifold when each edge joins two triangles and the triangles around each vertex form one
-/// fan. Corners of triangles are joined across every good edge; the fans of a vertex are what stays apart.
+/// A surface is manifold when each edge joins two triangles and the triangles around each vertex form one fan. Corners
+/// of triangles are joined across every good edge; the fans of a vertex are the sets that remain separate.
 void examine_boundary(const std::vector<Triangle>& triangles, std::size_t vertex_count, MeshReport& report) {
   struct Edge {
     std::uint32_t low, high;

@@ -1,4 +1,4 @@
-// A mesh as a file had it, and what was passed over when it was read.
+// A mesh as stored in a file, and what the reader skipped.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -10,12 +10,12 @@ namespace fascia {
 
 struct MeshFile {
   TetMesh mesh;
-  std::string format;  // for people: "Gmsh 4.1 binary"
+  std::string format;  // as displayed: "Gmsh 4.1 binary"
   struct {
     std::size_t points = 0, lines = 0, triangles = 0,
-                others = 0;  // cells that are not tets: counted, not kept
+                others = 0;  // cells that are not tets: counted, not stored
   } ignored;
-  std::vector<std::string> notes;  // what else was passed over or changed, one sentence each
+  std::vector<std::string> notes;  // what else was skipped or changed, one sentence each
 };
 
 }  // namespace fascia

@@ -18,8 +18,8 @@ TetMesh make_box(int nx, int ny, int nz, const Eigen::Vector3d& size) {
       }
     }
   }
-  // One tet per order in which the three axes can be walked from the cell's low corner to its high one; odd
-  // orders are wound the other way. Every cell cuts its faces along the same diagonal, so neighbours conform.
+  // One tet per order of the three axes on a path from the cell's low corner to its high one; odd orders have the
+  // opposite winding. Every cell cuts its faces along the same diagonal, so neighbors conform.
   constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
   for (int k = 0; k < nz; ++k) {
     for (int j = 0; j < ny; ++j) {

@@ -1,4 +1,4 @@
-// Which tets of a file the physics can use.
+// Selects the tets of a file that the simulation can use.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -19,10 +19,10 @@ bool is_degenerate(const std::array<Eigen::Vector3d, 4>& p, double volume6) {
     largest_face = std::max(largest_face, (v - u).cross(w - u).squaredNorm());
   }
   const double height = std::abs(volume6) / std::sqrt(largest_face);
-  return !(height > kSmallestHeight * std::sqrt(longest));  // so written that 0/0 is degenerate too
+  return !(height > kSmallestHeight * std::sqrt(longest));  // in this form 0/0 counts as degenerate, too
 }
 
-/// [usable tet] 1 where an earlier usable tet has the same four vertices.
+/// [usable tet] 1 if an earlier usable tet has the same four vertices.
 std::vector<char> find_duplicates(const std::vector<Tet>& tets) {
   struct Entry {
     Tet vertices;  // ascending

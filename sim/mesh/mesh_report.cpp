@@ -1,4 +1,4 @@
-// The doctor's findings in words: one labelled line per finding, numbers with their units, bad tets by their
+// Writes the findings of the mesh check: one labeled line per finding, numbers with their units, bad tets by their
 // index.
 #include <ostream>
 #include <span>
@@ -11,10 +11,10 @@ namespace fascia {
 namespace {
 
 constexpr std::size_t kNamedVertices = 3;
-// From the smallest sample that is handled under a microscope to the largest whole body.
+// From the smallest sample under a microscope to the largest whole body.
 constexpr double kSmallestTissue = 1e-3, kLargestTissue = 3;  // [m]
 
-/// "degenerate  3 tets left out: ...: 0, 7, 12"; nothing if the list is empty.
+/// "degenerate  3 tets left out: ...: 0, 7, 12"; no line if the list is empty.
 void print_tets(std::ostream& out, const char* label, const std::vector<std::uint32_t>& tets, const char* what) {
   if (tets.empty()) return;
   line(out, label) << plural(tets.size(), "tet") << " " << what << ": ";
@@ -108,7 +108,7 @@ constexpr UnitGuess kTooSmall[] = {{"converted from millimetres twice?", 1e3},
 
 bool is_tissue(double extent) { return extent >= kSmallestTissue && extent <= kLargestTissue; }
 
-/// Those that would make it the size of tissue, the likeliest first.
+/// Units that result in the size of tissue, the most likely first.
 std::vector<UnitGuess> unit_guesses(double extent) {
   std::vector<UnitGuess> guesses;
   if (extent == 0 || is_tissue(extent)) return guesses;

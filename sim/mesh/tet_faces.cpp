@@ -10,7 +10,7 @@ namespace {
 constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
 struct Face {
-  std::uint32_t low, middle, high;  // the vertices in ascending order: equal for both sides of a shared face
+  std::uint32_t low, middle, high;  // the vertices in ascending order, equal for both sides of a shared face
   std::size_t id;                   // 4 * tet + face
   bool same_vertices(const Face& other) const {
     return low == other.low && middle == other.middle && high == other.high;
@@ -27,7 +27,7 @@ Face make_face(const std::vector<Tet>& tets, std::size_t id) {
   return {a, b, c, id};
 }
 
-/// All faces, grouped by their lowest vertex: a counting sort, so that only short runs are left to compare.
+/// All faces, grouped by their lowest vertex: a counting sort, so that only short runs remain to be compared.
 std::vector<Face> faces_by_lowest_vertex(const std::vector<Tet>& tets, std::vector<std::size_t>& group_begin) {
   std::uint32_t last = 0;
   for (const Tet& tet : tets) last = std::max(last, *std::max_element(tet.begin(), tet.end()));

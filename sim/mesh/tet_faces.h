@@ -1,4 +1,4 @@
-// The faces of a set of tets: the triangles that bound it, and who shares the others.
+// The faces of a set of tets: the boundary triangles, and the neighbor across each inner face.
 #pragma once
 #include <vector>
 
@@ -6,10 +6,10 @@
 
 namespace fascia {
 
-/// Faces that belong to exactly one tet, wound so that the right-hand normal points outward for tets of
-/// positive volume; in ascending order of their tet, so the same input gives the same output.
+/// Faces that belong to exactly one tet, wound so that the right-hand normal points outward for tets of positive
+/// volume; in ascending order of their tet, so the same input gives the same output.
 std::vector<Triangle> boundary_triangles(const std::vector<Tet>& tets);
-/// [boundary triangle] the tet that it bounds, in the order of boundary_triangles.
+/// [boundary triangle] its tet, in the order of boundary_triangles.
 std::vector<std::uint32_t> tets_at_boundary(const std::vector<Tet>& tets);
 
 constexpr std::uint32_t kNoTet = ~0u;

@@ -1,4 +1,4 @@
-// A tetrahedral mesh as a file holds it: the file's vertex order, the file's tets, nothing repaired.
+// A tetrahedral mesh as stored in a file: the file's vertex order, the file's tets, nothing repaired.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -14,12 +14,12 @@ using Tet = std::array<std::uint32_t, 4>;
 using Triangle = std::array<std::uint32_t, 3>;
 
 struct TetMesh {
-  std::vector<Eigen::Vector3d> positions;  // [vertex_count] rest positions [m], unreferenced vertices included
-  std::vector<Tet> tets;                   // [tet_count] in the file's order and winding
-  std::vector<int> regions;                // [tet_count] region number (Gmsh physical tag, TetGen attribute); 0 if none
+  std::vector<Eigen::Vector3d> positions;   // [vertex_count] rest positions [m], unreferenced vertices included
+  std::vector<Tet> tets;                    // [tet_count] in the file's order and winding
+  std::vector<int> regions;                 // [tet_count] region number (Gmsh physical tag, TetGen attribute); 0: none
   std::map<int, std::string> region_names;  // names of region numbers, where the file has them
-  /// Vertex sets that scenes select by name: every physical group of the file, of any dimension, under its name
-  /// (under its number in decimal if it has none). Ascending vertex indices.
+  /// Vertex sets that scenes select by name: every physical group of the file, of any dimension, under its name (under
+  /// its number in decimal if it has none). Ascending vertex indices.
   std::map<std::string, std::vector<std::uint32_t>> groups;
 };
 

@@ -7,7 +7,7 @@
 namespace fascia {
 namespace {
 
-// Of the length that holds the middle half of the vertices; graded meshes stay well below
+// Of the length that contains the middle half of the vertices; graded meshes stay well below it
 constexpr double kFarLengths = 1e4;
 
 std::vector<char> vertices_of(const std::vector<Tet>& tets, std::size_t vertex_count) {
@@ -72,7 +72,7 @@ std::size_t weld(TetMesh& mesh) {
 std::vector<std::uint32_t> far_vertices(const TetMesh& mesh) {
   const std::vector<char> used = vertices_of(mesh.tets, mesh.positions.size());
   Vector3d middle = Vector3d::Zero();
-  double length = 0;  // that holds the middle half of the vertices
+  double length = 0;  // that contains the middle half of the vertices
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> x;
     for (std::size_t v = 0; v < used.size(); ++v)

@@ -64,7 +64,7 @@ void FileReader::remember(const File& file, const std::string& name) {
 SurfaceMesh FileReader::surface(const File& file) {
   return read_obj_content(file.place, file.content, [&](const std::string& name) {
     const File library = find_beside(file, name);
-    // Another file by that name is none of the scene's, and stays where it is when the scene goes elsewhere.
+    // Another file of that name is not part of the scene, and is not moved with the scene.
     if (library.content.find("newmtl") != std::string::npos) remember(library, name);
     return library.content;
   });

@@ -1,5 +1,5 @@
-// Reads the files of a scene: what the scene carries, or what lies on disk. Notes what it found, so that a recording
-// can carry it.
+// Reads the files of a scene, from the scene itself if it carries them, else from disk. Records what was read, so that
+// a recording can carry it.
 #pragma once
 #include <string>
 #include <vector>
@@ -17,18 +17,18 @@ class FileReader {
 
   struct File {
     std::string path;             // as the scene has it
-    std::string key;              // that names it: "bodies[0].mesh"
-    std::filesystem::path place;  // on disk, or as errors name what the scene carries: scene.json/m.msh
+    std::string key;              // the scene key of the file: "bodies[0].mesh"
+    std::filesystem::path place;  // the path on disk, or the name of a carried file in errors: scene.json/m.msh
     std::string content;
   };
   /// Throws Error "scene.json: bodies[0].mesh: m.msh: ..." for a file that cannot be read.
   File read(const std::string& path, const std::string& key, const Progress& progress = {});
-  /// With its material libraries. Throws Error.
+  /// Includes the material libraries. Throws Error.
   SurfaceMesh surface(const File& file);
-  /// With the other half of a TetGen mesh. Throws Error.
+  /// Includes the other file of a TetGen mesh. Throws Error.
   MeshFile tets(const File& file);
 
-  std::vector<ReadFile> files;     // that were read, each key and name once
+  std::vector<ReadFile> files;     // files that were read, each key and name once
   std::vector<std::string> notes;  // one line each
 
  private:

@@ -39,7 +39,7 @@ std::vector<GrabForce> forces_of_grabs(const std::vector<GrabSpring>& springs, c
   std::vector<GrabForce> result;
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const GrabSpring &part = springs[i], &whole = joined[place[i]];
-    // k_j (t_j - u) with the u at which the joined spring has its force: K (T - u) = F.
+    // k_j (t_j - u), with the u at which the joined spring has its force: K (T - u) = F.
     const double share = whole.stiffness > 0 ? part.stiffness / whole.stiffness : 0;
     entry(result, part.grab).force += share * forces[place[i]] + part.stiffness * (part.target - whole.target);
   }

@@ -23,11 +23,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Edges of a tet that a surface may stand off before anybody is told: a filled surface always does a little, between
-/// its vertices.
+/// Distance of a surface from its tets, in edges of a tet, above which a note is added: a filled surface always
+/// deviates a little between its vertices.
 constexpr double kNotedDistance = 0.4;
 
-/// One body on its way into the model.
+/// One body while it is loaded.
 struct LoadedBody {
   FileReader& files;
   const Body& body;
@@ -35,7 +35,7 @@ struct LoadedBody {
   MeshFile file;
   SurfaceMesh surface;  // drawn instead of the boundary, if it has triangles
   MeshRepair repaired;
-  std::vector<char> used;  // [vertex_count] 1 where a usable tet has the vertex
+  std::vector<char> used;  // [vertex_count] 1 if a usable tet has the vertex
 };
 
 LoadedBody begin_body(const Scene& scene, std::size_t index, FileReader& files) {
@@ -43,7 +43,7 @@ LoadedBody begin_body(const Scene& scene, std::size_t index, FileReader& files) 
   return {files, scene.bodies[index], key, scene.file.string() + ": " + key, {}, {}, {}, {}};
 }
 
-/// `mesh_name`: of what is to be repaired, for errors.
+/// `mesh_name`: the name of the mesh in errors.
 void repair_body(LoadedBody& loaded, const std::string& mesh_name) {
   loaded.repaired = repair(loaded.file.mesh);
   if (loaded.repaired.tets.empty()) {
@@ -129,7 +129,7 @@ void add_materials(const LoadedBody& loaded, Model& model, BodyPart& part) {
   model.material_names.insert(model.material_names.end(), resolved.names.begin(), resolved.names.end());
 }
 
-/// Appends the body's motions and fixed vertices in the model's numbering; [vertex_count] 1 where held.
+/// Appends the body's motions and fixed vertices in the model's numbering; [vertex_count] 1 where constrained.
 std::vector<char> add_constraints(const LoadedBody& loaded, std::uint32_t vertex_begin, Model& model) {
   const TetMesh& mesh = loaded.file.mesh;
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -199,7 +199,7 @@ void add_mesh(const LoadedBody& loaded, const BodyPart& part, Model& model) {
   for (const std::uint32_t source : loaded.repaired.source) model.tet_source.push_back(first_tet + source);
 }
 
-/// Ties the body's surface to its tets, which are the last ones of the model.
+/// Embeds the body's surface in its tets, which are the last ones of the model.
 void add_surface(LoadedBody loaded, const BodyPart& part, Model& model) {
   SurfaceMesh& surface = model.surfaces.emplace_back(std::move(loaded.surface));
   if (surface.triangles.empty()) return;
@@ -309,7 +309,7 @@ std::vector<double> lumped_masses(const Model& model) {
 
 std::uint64_t mesh_hash(const TetMesh& mesh) {
   std::uint64_t hash = 0xcbf29ce484222325;
-  const auto add = [&](auto value) {  // least significant byte first, on any machine
+  const auto add = [&](auto value) {  // least significant byte first on every machine
     for (std::size_t byte = 0; byte < sizeof value; ++byte) {
       hash = (hash ^ ((value >> (8 * byte)) & 0xff)) * 0x100000001b3;
     }

@@ -1,5 +1,5 @@
-// What the solvers simulate: all bodies of a scene in one set of arrays, repaired, placed and with their
-// selections resolved. The reference solver and the GPU solver start from the same Model.
+// The input of the solvers: all bodies of a scene in one set of arrays, repaired, placed and with their selections
+// resolved. The reference solver and the GPU solver start from the same Model.
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace fascia {
 
-/// Moves its vertices from rest along a path to `target` and holds them (scene key "prescribed").
+/// Moves its vertices from rest along a path to `target` and constrains them there (scene key "prescribed").
 struct Motion {
   std::vector<std::uint32_t> vertices;
   std::vector<Eigen::Vector3d> targets;  // final positions [m]; path is straight unless the motion rotates
@@ -35,7 +35,7 @@ struct BodyPart {
   std::uint32_t vertex_begin = 0, vertex_count = 0;  // in rest_positions
   std::uint32_t tet_begin = 0, tet_count = 0;        // in Model::tets
   std::uint32_t material_begin = 0, material_count = 0;
-  std::map<int, std::string> regions;  // of its mesh: number, and name if it has one
+  std::map<int, std::string> regions;  // of its mesh: number, and name if there is one
 };
 
 struct Model {
@@ -52,32 +52,32 @@ struct Model {
   std::vector<BodyPart> bodies;
 
   std::vector<SurfaceMesh>
-      surfaces;  // [body] placed, drawn instead of the boundary of its tets; without triangles where that is drawn
-  EmbeddedPoints embedded;  // the vertices of all surfaces, one after the other, tied to the tets of their bodies
+      surfaces;  // [body] placed, drawn instead of the boundary of its tets; without triangles: the boundary is drawn
+  EmbeddedPoints embedded;  // the vertices of all surfaces, concatenated, embedded in the tets of their bodies
 
   TetMesh file_mesh;                      // every vertex and tet of the files (placed), for exports
   std::vector<std::uint32_t> tet_source;  // [tet_count] index of each tet in file_mesh.tets
   std::vector<std::string> notes;         // repairs and warnings for the user, one line each
-  std::vector<ReadFile> files;            // that were read for it
+  std::vector<ReadFile> files;            // files that were read for the model
 
   std::vector<char> held() const;  // [vertex_count] 1 where fixed or prescribed
-  double end_of_motions() const;   // [s] when the last prescribed vertex has arrived; 0 without any
-  double end_of_grabs() const;     // [s] when the last scripted grab has arrived or let go; 0 without any
+  double end_of_motions() const;   // [s] end of the last prescribed motion; 0 without any
+  double end_of_grabs() const;     // [s] when the last scripted grab ends its path or is released; 0 without any
 };
 
-/// Reads the meshes, surfaces and CSV files of the scene's bodies, without what pulls at them (sim/grab/build_model.h).
-/// Throws Error for anything unreadable, a selection of nothing, a material key that names no region, prescribed
-/// targets that miss vertices.
+/// Reads the meshes, surfaces and CSV files of the scene's bodies, without the grabs (sim/grab/build_model.h). Throws
+/// Error for an unreadable file, an empty selection, a material key that names no region, or prescribed targets that
+/// miss vertices.
 Model build_bodies(const Scene& scene, const Progress& progress = {});
 /// The same from meshes in memory, [body], instead of the files that the bodies name. Their vertex indices and
-/// positions are taken on trust.
+/// positions are not checked.
 Model build_bodies(const Scene& scene, std::vector<TetMesh> meshes);
 
-/// Lumped masses [vertex_count] [kg]: a quarter of density * volume of each tet per vertex. Zero for
-/// unreferenced ones.
+/// Lumped masses [vertex_count] [kg]: a quarter of density * volume of each tet per vertex. Zero for unreferenced
+/// vertices.
 std::vector<double> lumped_masses(const Model& model);
 
-/// FNV-1a 64 over vertex positions and tet indices: names the mesh in provenance stamps.
+/// FNV-1a 64 over vertex positions and tet indices: identifies the mesh in provenance stamps.
 std::uint64_t mesh_hash(const TetMesh& mesh);
 
 }  // namespace fascia

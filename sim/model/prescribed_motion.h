@@ -1,4 +1,4 @@
-// A scene's prescribed motion on the vertices of a mesh.
+// Resolves a scene's prescribed motion to the vertices of a mesh.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace fascia {
 
-/// `vertices` are those of the body's mesh; `key` is the motion's in the scene, "bodies[0].prescribed[0]". Throws Error
-/// as select_vertices and read_vertex_csv do, and for selected vertices that the CSV file of targets misses.
+/// `vertices` are those of the body's mesh; `key` is the scene key of the motion, "bodies[0].prescribed[0]". Throws
+/// Error as select_vertices and read_vertex_csv do, and if the CSV file of targets misses selected vertices.
 Motion resolve_motion(const PrescribedMotion& motion, FileReader& files, const TetMesh& mesh,
                       const std::vector<char>& used, const std::string& where, const std::string& key);
 

@@ -27,7 +27,7 @@ std::optional<int> number_of(const std::string& key) {
   return number;
 }
 
-/// The regions that a key names: those of that name, else the one of that number.
+/// The regions that a key names: those with that name, else the one with that number.
 std::vector<int> named(const std::string& key, const std::map<int, std::string>& regions) {
   std::vector<int> found;
   for (const auto& [number, name] : regions) {

@@ -1,4 +1,4 @@
-// Which material each region of a body's mesh has.
+// Assigns materials to the regions of a body's mesh.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -12,7 +12,7 @@ namespace fascia {
 struct BodyMaterials {
   std::vector<Material> materials;         // the default, then one per entry of Body::region_materials, in its order
   std::vector<std::string> names;          // "beam: default", "beam: 2"
-  std::map<int, std::uint32_t> of_region;  // regions that do not have the default: index into materials
+  std::map<int, std::uint32_t> of_region;  // regions without the default material: index into materials
 
   std::uint32_t material_of(int region) const {
     const auto it = of_region.find(region);
@@ -20,21 +20,21 @@ struct BodyMaterials {
   }
 };
 
-/// `material` with the values that are given.
+/// `material` with the given values replaced.
 Material with_override(Material material, const MaterialOverride& values);
 
-/// The regions that a mesh's tets have: number, and name if the file has one.
+/// The regions of a mesh's tets: number, and name if the file has one.
 std::map<int, std::string> regions_of(const TetMesh& mesh);
 
 /// Throws Error for a key that is neither a name nor a number of a region, and for two keys of one region.
 BodyMaterials resolve_materials(const Body& body, const std::map<int, std::string>& regions, const std::string& where);
 
-/// Materials, names and which tet has which, anew from the scene's bodies, after entries of "materials" came or went:
-/// the model is as build_model(scene) makes it. Throws Error as resolve_materials does, and leaves the model as it was.
+/// Assigns materials, names and each tet's material again from the scene's bodies, after entries of "materials" were
+/// added or removed: the result equals build_model(scene). Throws Error as resolve_materials does, and leaves the model
+/// unchanged.
 void assign_materials(const Scene& scene, Model& model);
 
-/// The key that a scene's "materials" calls a region by: its name where that is its own and no other region's, else its
-/// number.
+/// The key of a region in a scene's "materials": its name if no other region has it, else its number.
 std::string key_of_region(const std::map<int, std::string>& regions, int number);
 
 }  // namespace fascia

@@ -1,5 +1,5 @@
-// Springs that pull at vertices of a model along a path: a function of time alone, so that steps repeat to the bit from
-// wherever they start.
+// Springs that pull at vertices of a model along a path: a function of time only, so that steps from any state repeat
+// to the bit.
 #pragma once
 #include <limits>
 #include <span>
@@ -17,12 +17,12 @@ struct ResolvedGrab {
   double start = 0, release = std::numeric_limits<double>::infinity();  // [s]
 
   Eigen::Vector3d displacement(double t) const;  // of the springs' targets [m]
-  double end() const;                            // [s] from then on nothing changes
+  double end() const;                            // [s] nothing changes after this time
 };
 
-/// Springs of all grabs of the script that hold at the end of a step at time t [s], after those of others.
+/// Appends to `springs` those of all scripted grabs that act at the end of a step at time t [s].
 std::vector<GrabSpring> with_grabs(std::vector<GrabSpring> springs, std::span<const ResolvedGrab> grabs, double t);
-/// As they are in the end, whether they would have let go or not: for static equilibria.
+/// The same at the end of all paths, released or not: for static equilibria.
 std::vector<GrabSpring> with_grabs_at_last(std::vector<GrabSpring> springs, std::span<const ResolvedGrab> grabs);
 
 }  // namespace fascia

@@ -5,10 +5,9 @@
 namespace fascia {
 namespace {
 
-constexpr double kQuiet = 0.25;  // [s] that a pendulum may stand still at its turn
-constexpr int kLooks = 2;        // at least, however long the steps
-// Of a displacement, in float32: what an iteration that has converged goes on moving it by was never seen above half of
-// this.
+constexpr double kQuiet = 0.25;  // [s] longer than a pendulum stands still at its turning point
+constexpr int kLooks = 2;        // minimum, for steps of any length
+// Of a displacement, in float32: a converged iteration was never observed to move it by more than half of this.
 constexpr double kRounding = 6e-6;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The state of a model: where its vertices are and how fast they move.
+// The state of a model: positions and velocities of its vertices.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
@@ -12,7 +12,7 @@ struct State {
   std::vector<Eigen::Vector3d> velocity;      // [vertex_count] v [m/s]
   double time = 0;                            // [s]
 };
-/// At rest as the scene says, with its initial velocities, at time 0.
+/// The rest shape of the scene, with its initial velocities, at time 0.
 State initial_state(const Model& model);
 
 }  // namespace fascia

@@ -1,11 +1,11 @@
-// What is exported of a state beside its positions.
+// The fields that an export contains besides positions.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
 
 namespace fascia {
 
-/// What is known of a moment. Vertex arrays are [mesh.positions.size()], tet arrays [mesh.tets.size()].
+/// The fields at one time. Vertex arrays are [mesh.positions.size()], tet arrays [mesh.tets.size()].
 struct StateFields {
   std::vector<Eigen::Vector3d> displacement;              // [m]
   std::vector<Eigen::Vector3d> velocity;                  // [m/s]

@@ -32,7 +32,7 @@ std::optional<T> parse(std::string_view field) {
   return value;
 }
 
-/// The four fields of a line; more or fewer are an error of the caller's wording.
+/// The four fields of a line; none for more or fewer, for which the caller words the error.
 std::optional<std::array<std::string_view, 4>> split(std::string_view line) {
   std::array<std::string_view, 4> fields;
   for (std::size_t f = 0; f < 4; ++f) {
@@ -128,7 +128,7 @@ std::vector<Eigen::Vector3d> read_complete_vertex_csv(const std::filesystem::pat
                                                       std::size_t vertex_count) {
   VertexTable table = read_vertex_csv_content(path, content, vertex_count);
   if (table.vertices.size() == vertex_count) return std::move(table.values);
-  std::size_t missing = 0;  // the first row that does not hold the vertex of its number
+  std::size_t missing = 0;  // the first row that does not have the vertex of its number
   while (missing < table.vertices.size() && table.vertices[missing] == missing) ++missing;
   throw Error(path.string(),
               "misses " + std::to_string(vertex_count - table.vertices.size()) + " of " + std::to_string(vertex_count) +

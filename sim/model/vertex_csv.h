@@ -14,9 +14,8 @@ struct VertexTable {
   std::vector<Eigen::Vector3d> values;  // [row]
 };
 
-/// Reads a file whose rows may stand in any order and whose first line may be a header. Throws Error
-/// "file:line: ..." for a row that is not four finite numbers, an index that is not below `vertex_count` or
-/// is given twice; also for no rows.
+/// Reads a file whose rows may be in any order and whose first line may be a header. Throws Error "file:line: ..." for
+/// a row that is not four finite numbers, an index that is repeated or not below `vertex_count`; also for no rows.
 VertexTable read_vertex_csv(const std::filesystem::path& path, std::size_t vertex_count);
 /// As read_vertex_csv of a file with this content.
 VertexTable read_vertex_csv_content(const std::filesystem::path& path, std::string_view content,

@@ -62,7 +62,8 @@ struct Selector {
     std::vector<double> heights;
     for (std::size_t v = 0; v < used.size(); ++v)
       if (used[v]) heights.push_back(mesh.positions[v].y());
-    // A tip or an edge is a hinge, around which a body turns over: as many vertices as the share says, at least.
+    // A tip or an edge would be a hinge around which the body topples: at least as many vertices as the share states
+    // are selected.
     double limit = bottom + lowest.share * (top - bottom);
     if (const auto least = static_cast<std::size_t>(lowest.share * static_cast<double>(heights.size())); least > 0) {
       std::nth_element(heights.begin(), heights.begin() + static_cast<std::ptrdiff_t>(least - 1), heights.end());

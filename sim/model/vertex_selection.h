@@ -1,4 +1,4 @@
-// Which vertices of a mesh a scene's selection means.
+// Resolves a scene's selection to the vertices of a mesh.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -12,9 +12,8 @@ namespace fascia {
 /// [vertex_count] 1 where a tet uses the vertex.
 std::vector<char> used_vertices(const std::vector<Tet>& tets, std::size_t vertex_count);
 
-/// Ascending and unique. Positions are those of the file, before the body's transform. `used` is from the
-/// usable tets. Throws Error for a vertex or group that the mesh does not have, and for a selection that
-/// holds no vertex of a tet.
+/// Ascending and unique. Positions are those of the file, before the body's transform. `used` comes from the usable
+/// tets. Throws Error for a vertex or group that the mesh does not have, and for a selection without a vertex of a tet.
 std::vector<std::uint32_t> select_vertices(const Selection& selection, const TetMesh& mesh,
                                            const std::vector<char>& used, const std::string& where);
 

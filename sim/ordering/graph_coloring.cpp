@@ -6,7 +6,7 @@
 namespace fascia {
 namespace {
 
-// The colors that the tets around each vertex have: one bit per color.
+// The colors of the tets around each vertex: one bit per color.
 class UsedColors {
  public:
   explicit UsedColors(std::size_t vertex_count) : words_(vertex_count * words_per_vertex_) {}
@@ -64,7 +64,7 @@ Coloring color_exactly(const std::vector<Tet>& tets, const std::vector<char>& he
     color_of[t] = color;
     ++size[color];
   }
-  // First fit fills the first colors and leaves crumbs in the last ones.
+  // First fit fills the first colors and leaves few tets in the last ones.
   const std::size_t mean = tets.size() / std::max<std::size_t>(1, size.size());
   for (const std::uint32_t t : visit) {
     const std::uint32_t from = color_of[t];
@@ -90,7 +90,7 @@ class Copies {
  public:
   explicit Copies(std::size_t vertex_count) : masks_(vertex_count, std::vector<std::uint64_t>(1)) {}
 
-  /// The first copy that `color` does not move yet; count(vertex) when there is none.
+  /// The first copy that `color` does not move yet; count(vertex) if there is none.
   std::size_t free_copy(std::uint32_t vertex, std::uint32_t color) const {
     std::size_t copy = 0;
     while (copy < masks_[vertex].size() && (masks_[vertex][copy] >> color & 1)) ++copy;
@@ -140,7 +140,7 @@ Coloring color_with_phantoms(const std::vector<Tet>& tets, const std::vector<cha
   for (std::size_t t = 0; t < tets.size(); ++t)
     for (int a = 0; a < 4; ++a)
       if (copy_of[t][a] > 0) coloring.corners[t][a] = first[tets[t][a]] + copy_of[t][a] - 1;
-  std::erase(size, 0u);  // a mesh of fewer tets than colors
+  std::erase(size, 0u);  // if there are fewer tets than colors
   sort_by_color(coloring, visit, color_of, size);
   return coloring;
 }
@@ -164,7 +164,7 @@ VertexColoring color_vertices(const std::vector<Tet>& tets, const std::vector<ch
     for (const std::uint32_t v : tets[t]) around[next[v]++] = t;
 
   constexpr std::uint32_t kNone = ~0u;
-  std::vector<std::uint32_t> color(vertex_count, kNone), taken;  // taken: the last vertex that met each color
+  std::vector<std::uint32_t> color(vertex_count, kNone), taken;  // taken: the last vertex that used each color
   VertexColoring coloring{{}, {0}};
   for (std::uint32_t v = 0; v < vertex_count; ++v) {
     if (held[v] || tet_begin[v] == tet_begin[v + 1]) continue;

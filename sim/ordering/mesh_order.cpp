@@ -24,8 +24,8 @@ MeshOrder mesh_order_of(const Model& model) {
     for (const std::uint32_t v : model.tets[tets_by_pair.order[tets_by_pair.second_begin() + i]]) meet(v);
   }
   for (std::uint32_t v = 0; v < count; ++v) meet(v);
-  // A few invocations side by side take as long as the one with the most tets: among neighbors, those with as many are
-  // put side by side.
+  // Neighboring invocations take as long as the one with the most tets: among neighbors, vertices with equal numbers of
+  // tets are adjacent.
   constexpr std::size_t kNeighbors = 128;
   std::vector<std::uint32_t> tets(count, 0);
   for (const std::uint32_t t : placement.tets.order)

@@ -1,6 +1,5 @@
-// Where a solver keeps a model's tets and vertices: along a space-filling curve, so that what a kernel reads of
-// neighbors lies close together whatever order the mesh file had. Everything outside of the solver counts vertices as
-// the model does.
+// The order in which a solver stores a model's tets and vertices: along a space-filling curve, so that neighbors are
+// close in memory for any order of the mesh file. All code outside the solver uses the model's numbering.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -13,16 +12,16 @@ namespace fascia {
 struct MeshOrder {
   TetPairing tets;                    // paired_tets(model)
   std::vector<std::uint32_t> vertex;  // [vertex_count] the model's vertex at each place
-  std::vector<std::uint32_t> place;   // [vertex_count] of each of the model's vertices
+  std::vector<std::uint32_t> place;   // [vertex_count] place of each of the model's vertices
 };
 
-/// Vertices in the order in which the tets meet them, then, among neighbors, those with as many tets side by side;
-/// those with none come last.
+/// Vertices in the order in which the tets reference them; among neighbors, those with equal numbers of tets are
+/// adjacent; those without tets come last.
 MeshOrder mesh_order_of(const Model& model);
-/// Vertices where they are in the model.
+/// The identity: vertices in the model's order.
 MeshOrder unmoved(const Model& model);
 
-/// What of the model a solver needs, with its vertices counted by their places. Tets keep their order.
+/// The part of the model that a solver needs, with its vertices numbered by place. Tets keep their order.
 Model placed(const Model& model, const MeshOrder& placement);
 
 }  // namespace fascia

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kBits = 10;  // per axis
 
-// Puts two zero bits between neighbouring bits.
+// Puts two zero bits between neighboring bits.
 std::uint32_t spread(std::uint32_t v) {
   v = (v | v << 16) & 0x030000ffu;
   v = (v | v << 8) & 0x0300f00fu;

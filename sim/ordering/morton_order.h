@@ -1,5 +1,5 @@
-// An order of the tets along a space-filling curve: neighbours in space come close in memory, whatever order the mesh
-// file had.
+// An order of the tets along a space-filling curve: neighbors in space are close in memory for any order of the mesh
+// file.
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
@@ -14,11 +14,10 @@ namespace fascia {
 /// one cell keep their order. [tet_count] indices into `tets`.
 std::vector<std::uint32_t> curve_order(const std::vector<Eigen::Vector3d>& positions, const std::vector<Tet>& tets);
 
-/// The tets that a solver needs, along the curve: all but those whose vertices are all fixed, which never strain.
+/// The tets that a solver needs, along the curve: all except those with only fixed vertices, which never deform.
 std::vector<std::uint32_t> solved_tets(const Model& model);
-/// The same in pairs. Of a pair the larger tet, which is the higher one over their face, comes first: from its shape
-/// functions those of the other one are made without losing digits (shaders/common/tet_pair.glsl), however flat that
-/// one is.
+/// The same in pairs. The larger tet of a pair, which is the higher one over their face, comes first: its shape
+/// functions yield those of the other without loss of digits (shaders/common/tet_pair.glsl), however flat the other is.
 TetPairing paired_tets(const Model& model);
 
 }  // namespace fascia

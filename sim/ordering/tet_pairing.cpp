@@ -8,10 +8,10 @@
 namespace fascia {
 namespace {
 
-// The even permutations that bring a corner to the last place.
+// The even permutations that move a corner to the last place.
 constexpr int kCornerLast[4][4] = {{1, 3, 2, 0}, {0, 2, 3, 1}, {0, 3, 1, 2}, {0, 1, 2, 3}};
 
-// The corner of `a` that `b` does not have; -1 where it is not exactly one.
+// The corner of `a` that `b` does not have; -1 if there is not exactly one.
 int corner_apart(const Tet& a, const Tet& b) {
   int apart = -1;
   for (int k = 0; k < 4; ++k) {
@@ -51,7 +51,7 @@ class Matching {
       if (partner_[t] == kNoTet) match(t);
     }
   }
-  // With the neighbor that has the fewest choices; nothing where none is left.
+  // Matches with the neighbor that has the fewest choices, if any is free.
   void match(std::uint32_t t) {
     std::uint32_t best = kNoTet;
     for (std::uint32_t k = 4 * t; k < 4 * t + 4; ++k) {
@@ -72,7 +72,7 @@ class Matching {
 
   const std::vector<Tet>& tets_;
   std::vector<std::uint32_t> across_, partner_;
-  std::vector<char> choices_;  // of each tet: neighbors that are free
+  std::vector<char> choices_;  // number of free neighbors of each tet
   std::vector<std::uint32_t> forced_;
 };
 

@@ -1,4 +1,4 @@
-// What made a picture, a video or a table: version, renderer, mesh, parameters, command line.
+// The origin of a picture, a video or a table: version, renderer, mesh, parameters, command line.
 #pragma once
 #include <string>
 

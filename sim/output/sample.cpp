@@ -36,7 +36,7 @@ constexpr Column kColumns[] = {{"step", [](const Sample& s) { return static_cast
                                {"step_ms", [](const Sample& s) { return s.step_ms; }},
                                {"frame_ms", [](const Sample& s) { return s.frame_ms; }}};
 
-// On one line, as the others are.
+// Replaces line breaks, since a note is one line.
 std::string one_line(const std::string& text) {
   std::string line;
   bool indent = false;
@@ -152,7 +152,7 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
 }
 
 std::uint32_t tip_vertex(const Model& model) {
-  // Looked at, evenly spread: enough to tell a tip from a root, however fine the mesh
+  // Number of supports examined, evenly distributed: enough to distinguish a tip from a root on any mesh
   constexpr std::size_t kMostSupports = 256;
   const std::vector<char> held = model.held();
   std::vector<Eigen::Vector3d> supports;

@@ -11,7 +11,7 @@ bool earlier(const Sample& sample, double time) { return sample.time < time; }
 
 void SampleHistory::add(const Sample& sample) {
   while (!samples_.empty() && samples_.back().time >= sample.time) samples_.pop_back();
-  // Half at once: the others move once in a long while.
+  // Removes half at once, so that the rest is moved only rarely.
   if (samples_.size() >= kMost) samples_.erase(samples_.begin(), samples_.begin() + kMost / 2);
   samples_.push_back(sample);
 }

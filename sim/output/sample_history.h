@@ -1,4 +1,4 @@
-// Samples in the order of their times, as many as a long session needs.
+// Samples in the order of their times, enough for a long session.
 #pragma once
 #include <optional>
 #include <span>
@@ -12,13 +12,13 @@ class SampleHistory {
  public:
   static constexpr std::size_t kMost = 72000;  // 20 minutes at 60 per second
 
-  /// Time that has gone back, by a reset or a step backwards, takes the samples after it away.
+  /// Discards samples later than the new one, after a reset or a step back.
   void add(const Sample& sample);
   void clear() { samples_.clear(); }
   std::span<const Sample> all() const { return samples_; }
-  /// Those from `begin` to `end` [s], and one more at each side, where a line goes on.
+  /// Samples from `begin` to `end` [s], and one more at each side, where a line continues.
   std::span<const Sample> between(double begin, double end) const;
-  /// The one nearest in time; nothing without samples.
+  /// The sample nearest in time; null without samples.
   const Sample* nearest(double time) const;
 
  private:

@@ -53,7 +53,7 @@ std::string csv(const TetMesh& rest, const StateFields& fields) {
   return out.take();
 }
 
-/// The outward triangles of the usable tets and the vertices that they use, in the mesh's order.
+/// The outward triangles of the usable tets and their vertices, in the mesh's order.
 std::string obj(const TetMesh& rest, const StateFields& fields) {
   const std::vector<Eigen::Vector3d> points = deformed(rest, fields);
   const std::vector<Triangle> triangles = boundary_triangles(repair(rest).tets);
@@ -86,7 +86,7 @@ std::string msh(const fs::path& path, const TetMesh& rest, const StateFields& fi
   return gmsh22_text(path.string(), mesh);
 }
 
-/// Standard output, or a device or pipe whose name has no ending: there are no files beside it.
+/// Standard output, or a device or pipe whose name has no extension: no files can be written beside it.
 bool is_stream(const fs::path& path) {
   std::error_code ec;
   if (path == kStandardOutput) return true;
@@ -125,7 +125,7 @@ void StateSeries::write(double time_s, const TetMesh& rest, const StateFields& f
   char number[16];
   std::snprintf(number, sizeof number, "_%06zu", written_.size());
   const fs::path frame = path_.parent_path() / (path_.stem().string() + number + path_.extension().string());
-  // A series of .csv files has it once, beside the name that was asked for, and of no moment.
+  // A series of .csv files has one provenance file, beside the given name and without a time.
   const bool csv_series = lower_ending(path_) == ".csv";
   write_state(frame, rest, fields, csv_series ? Provenance{} : provenance);
   if (csv_series && written_.empty() && !provenance.empty())

@@ -12,15 +12,16 @@
 
 namespace fascia {
 
-/// Format by ending; standard output ("-") and a device get .csv, without what made it. .csv is `index,x,y,z` of
-/// deformed positions with shortest round-trip digits; .obj is the surface. .msh is Gmsh 2.2 ASCII with deformed
-/// positions. Temporary name and rename; throws Error. What made it goes with it (base/provenance.h).
+/// The format follows from the extension; standard output ("-") and a device get .csv, without provenance. .csv is
+/// `index,x,y,z` of deformed positions with shortest round-trip digits; .obj is the surface. .msh is Gmsh 2.2 ASCII
+/// with deformed positions. Writes a temporary file and renames it; throws Error. The provenance is included
+/// (base/provenance.h).
 inline const std::vector<std::string> state_endings{".vtu", ".csv", ".msh", ".obj"};
 void write_state(const std::filesystem::path& path, const TetMesh& rest, const StateFields& fields,
                  const Provenance& provenance = {});
 
-/// Numbered files and one .pvd that lists them with their times, rewritten after every frame so that an
-/// interrupted run leaves a readable series. For endings other than .vtu only the numbered files are written.
+/// Numbered files and one .pvd that lists them with their times. The .pvd is rewritten after every frame, so that an
+/// interrupted run leaves a readable series. For extensions other than .vtu only the numbered files are written.
 class StateSeries {
  public:
   explicit StateSeries(std::filesystem::path path) : path_(std::move(path)) {}  // "out.vtu" -> out_000000.vtu, out.pvd

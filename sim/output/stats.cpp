@@ -15,8 +15,8 @@ Json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 Json to_json(const Percentiles& p) { return {{"median", p.median}, {"p95", p.p95}, {"max", p.max}}; }
 
-// Of the grabs that pull at the end: a scene's by their place in its "grabs", those of the mouse or a replay by when
-// they took hold.
+// The grabs that pull at the end: those of a scene by their index in its "grabs", those of the mouse or a replay in the
+// order in which they began.
 Json grab_forces(const Simulation& simulation, const State& last) {
   Eigen::Vector3d total(0, 0, 0);
   Json grabs = Json::array();

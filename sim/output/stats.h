@@ -1,4 +1,4 @@
-// stats.json: what a run did, how fast, and how good its last state is.
+// stats.json: the amount of work of a run, its speed, and the quality of its last state.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -21,18 +21,17 @@ struct RunStats {
       solve_ms;         // [steps]; solve: without exports and other work between steps (docs/guide/command-line.md)
   double residual = 0;  // of the last step, relative
   std::optional<double> imbalance;        // of the forces in the last step of the GPU (Diagnostics::imbalance)
-  std::optional<double> error;            // of the last step, as in StepError; where it was asked for
-  std::uint64_t dispatches_per_step = 0;  // of a step that is solved
+  std::optional<double> error;            // of the last step, as in StepError; only on request
+  std::uint64_t dispatches_per_step = 0;  // of a solved step
   std::size_t kernels = 0;                // variants compiled
   std::size_t gpu_bytes = 0;
   std::map<std::string, std::size_t> gpu_buffers;  // bytes by name
 };
 
-/// What the GPU has and does for the simulation as it is now.
+/// Adds the GPU memory and work of the simulation in its current configuration.
 void count_work(RunStats& stats, Simulation& simulation);
 
-/// How times are summed up, here and in the window: the median, so that one step that waited for something else does
-/// not count.
+/// The summary of times, here and in the window: the median, so that a single delayed step does not count.
 struct Percentiles {
   double median = 0, p95 = 0, max = 0;
 };

@@ -34,7 +34,7 @@ Cholesky::Cholesky(const SparseMatrix& pattern, const EliminationTree& tree) {
     if (node.parent >= 0) fronts_[node.parent].children.push_back(static_cast<int>(n));
   }
 
-  // Of the lower triangle, by the vertex whose front eliminates them, in the matrix's numbers at first.
+  // Entries of the lower triangle, by the vertex whose front eliminates them, at first in the matrix's numbering.
   std::vector<std::vector<Entry>> entries(vertex_count);
   for (int j = 0; j < pattern.cols(); ++j)
     for (int value = pattern.outerIndexPtr()[j]; value < pattern.outerIndexPtr()[j + 1]; ++value) {
@@ -72,7 +72,8 @@ MatrixXd Cholesky::assemble(const Front& front, const SparseMatrix& matrix, doub
 }
 
 bool Cholesky::factorize(const SparseMatrix& matrix, double shift) {
-  std::vector<MatrixXd> updates(fronts_.size());  // what is left of each front for its parent, until that takes it
+  std::vector<MatrixXd> updates(
+      fronts_.size());  // the part of each front that remains for its parent, until that consumes it
   for (std::size_t n = 0; n < fronts_.size(); ++n) {
     Front& front = fronts_[n];
     MatrixXd sum = assemble(front, matrix, shift, updates);

@@ -1,5 +1,5 @@
-// Cholesky factor of a mesh's Hessian, front by front (multifrontal: Duff, Reid 1983): all that is eliminated together
-// is one dense matrix, so that the work is dense products, several times as fast as one column after the other.
+// Cholesky factor of a mesh's Hessian, front by front (multifrontal: Duff, Reid 1983). All unknowns that are eliminated
+// together form one dense matrix, so the work is dense products, which are several times as fast as single columns.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -17,14 +17,14 @@ class Cholesky {
   /// `pattern`: upper triangle, three unknowns per vertex, in the order of the tree.
   Cholesky(const SparseMatrix& pattern, const EliminationTree& tree);
 
-  /// Of `matrix`, which has the entries of the pattern, plus `shift` times the identity. False: it is not positive
-  /// definite, and there is no factor.
+  /// Factorizes `matrix`, which has the entries of the pattern, plus `shift` times the identity. False if that is not
+  /// positive definite; then there is no factor.
   bool factorize(const SparseMatrix& matrix, double shift = 0);
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
  private:
   struct Entry {
-    int value, row, column;  // from the matrix's values, to the front
+    int value, row, column;  // from the matrix's values to the front
   };
   struct Front {
     int begin = 0, pivots = 0;  // unknowns that it eliminates

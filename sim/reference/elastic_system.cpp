@@ -12,14 +12,14 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 struct FreeVertices {
-  std::vector<int> place;  // [vertex_count] in the order of elimination, -1 where not free or in no tet
+  std::vector<int> place;  // [vertex] in the order of elimination, -1 for vertices that are not free or in no tet
   EliminationTree tree;
 };
 
 FreeVertices free_vertices(const Model& model) {
   const std::vector<char> held = model.held();
   FreeVertices result;
-  std::vector<int>& place = result.place;  // first their numbers
+  std::vector<int>& place = result.place;  // at first their numbers
   place.assign(model.rest_positions.size(), -1);
   std::vector<Vector3d> positions;
   for (const Tet& tet : model.tets)

@@ -1,6 +1,6 @@
-// All tets of a Model at once: total elastic energy, its gradient over every vertex, and its Hessian over the
-// free ones as a sparse matrix. The sparsity is found once, in an elimination order that keeps the Cholesky
-// factor small, and tets then add straight into the stored values.
+// All tets of a Model together: total elastic energy, its gradient over every vertex, and its Hessian over the free
+// ones as a sparse matrix. The sparsity pattern is found once, in an elimination order that keeps the Cholesky factor
+// small, and tets then add directly to the stored values.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -25,18 +25,17 @@ class ElasticSystem {
   explicit ElasticSystem(const Model& model);
 
   int dof_count() const { return dof_count_; }
-  /// First of the three unknowns of each vertex, or -1 if it is held or in no tet.
+  /// First of the three unknowns of each vertex, or -1 if it is constrained or in no tet.
   const std::vector<int>& first_dof() const { return first_dof_; }
   /// The entries of free vertices, in the order of the unknowns.
   Eigen::VectorXd free_part(const Eigen::VectorXd& all) const;
   void add_to_free(const Eigen::VectorXd& free, double factor, Eigen::VectorXd& all) const;
 
-  /// Energy [J] at displacements `u` [3 * vertex_count], and its gradient [N] over all vertices, held ones
-  /// included.
+  /// Energy [J] at displacements `u` [3 * vertex_count], and its gradient [N] over all vertices, including constrained
+  /// ones.
   double evaluate(const Eigen::VectorXd& u, const ViscousStep& viscous, Eigen::VectorXd& gradient) const;
-  /// Upper triangle of the Hessian [N/m] over the unknowns into `hessian` (made by empty_hessian()). `scale`
-  /// [3 * vertex_count] receives sum_e |H_e| |u|: times the machine epsilon it bounds the rounding of the
-  /// gradient.
+  /// Upper triangle of the Hessian [N/m] over the unknowns into `hessian` (from empty_hessian()). `scale` [3 *
+  /// vertex_count] receives sum_e |H_e| |u|: times the machine epsilon it bounds the rounding of the gradient.
   void assemble(const Eigen::VectorXd& u, const ViscousStep& viscous, bool project, SparseMatrix& hessian,
                 Eigen::VectorXd& scale) const;
   /// Hessian over all vertices times `direction` [3 * vertex_count].
@@ -45,7 +44,7 @@ class ElasticSystem {
   const SparseMatrix& empty_hessian() const { return pattern_; }
   const EliminationTree& elimination_tree() const { return tree_; }  // of the free vertices, three unknowns each
 
-  bool viscous() const;                                                  // some material has damping
+  bool viscous() const;                                                  // whether any material has damping
   std::vector<Eigen::Matrix3d> strains(const Eigen::VectorXd& u) const;  // [tet_count] Green strain
   double min_det_f(const Eigen::VectorXd& u) const;
 
@@ -61,9 +60,8 @@ class ElasticSystem {
   int dof_count_ = 0;
   EliminationTree tree_;
   SparseMatrix pattern_;  // zeros
-  // Where tets add, [tet_count] [4 * row corner + column corner]: the three columns of a block column hold
-  // their blocks in the same order, so one rank says where the 3x3 block begins in each of them. -1: not
-  // stored.
+  // Where tets add, [tet_count] [4 * row corner + column corner]: the three columns of a block column store their
+  // blocks in the same order, so one rank gives the start of the 3x3 block in each of them. -1: not stored.
   std::vector<std::array<int, 16>> block_rank_;
 };
 

@@ -27,7 +27,7 @@ bool is_st_venant_kirchhoff(const Matrix3d& f, const Material& material) {
   return law.is_st_venant_kirchhoff && law.is_st_venant_kirchhoff(f);
 }
 
-// The eigenvectors are of run-time size: unrolled at 12 x 12 they take sanitizers minutes to compile.
+// The eigenvectors have run-time size: unrolled at 12 x 12 they take minutes to compile with sanitizers.
 void clamp_negative_eigenvalues(Matrix12d& hessian) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(hessian);
   if (eigen.eigenvalues()[0] >= 0) return;
@@ -58,14 +58,14 @@ Matrix3d first_piola_stress(const Matrix3d& f, const Material& material) {
 }
 
 double von_mises(const Matrix3d& f, const Material& material) {
-  // The Cauchy stress of a tet squashed flat is infinite; the bound keeps it a number that a file can hold.
+  // The Cauchy stress of a flattened tet is infinite; the bound keeps it a number that a file can hold.
   const double volume_ratio = std::max(std::abs(f.determinant()), 1e-12);
   const Matrix3d cauchy = first_piola_stress(f, material) * f.transpose() / volume_ratio;
   const Matrix3d deviator = cauchy - cauchy.trace() / 3 * Matrix3d::Identity();
   return std::sqrt(1.5 * deviator.squaredNorm());
 }
 
-// The viscous part always acts on the Green strain itself: it is smooth, whatever the tet looks like.
+// The viscous part always acts on the Green strain itself, which is smooth for any shape of the tet.
 Derivatives elastic(const LinearTet& rest, const Corners& displacements, const Material& material,
                     double damping_over_h, const Matrix3d& previous_strain, bool with_hessian, bool project) {
   const Matrix3d h = rest.displacement_gradient(displacements);
@@ -73,7 +73,7 @@ Derivatives elastic(const LinearTet& rest, const Corners& displacements, const M
   const Matrix3d strain = strain_of(h);
   const Matrix3d strain_change = strain - previous_strain;
   const bool plain = is_st_venant_kirchhoff(f, material);
-  const double share = (plain ? 1 : 0) + damping_over_h;  // of what has St. Venant-Kirchhoff's stiffness
+  const double share = (plain ? 1 : 0) + damping_over_h;  // weight of the terms with St. Venant-Kirchhoff's stiffness
   const Matrix3d stress = second_piola_stress((plain ? 1 : 0) * strain + damping_over_h * strain_change, material);
 
   Derivatives result;

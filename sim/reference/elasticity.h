@@ -19,14 +19,14 @@ using Vector12d = Eigen::Matrix<double, 12, 1>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 Vector6d green_strain(const Eigen::Matrix3d& f);  // xx, yy, zz, yz, xz, xy; tensor shears
-/// The same as a matrix, without the digits that forming F costs: small strains keep full relative accuracy.
+/// The same as a matrix, without the rounding of forming F: small strains keep full relative accuracy.
 Eigen::Matrix3d green_strain_matrix(const LinearTet& rest, const Corners& displacements);
 Eigen::Matrix3d second_piola_stress(const Eigen::Matrix3d& strain,
                                     const Material& material);  // S [Pa] of St. Venant-Kirchhoff
 
 Eigen::Matrix3d first_piola_stress(const Eigen::Matrix3d& f,
                                    const Material& material);  // P = dPsi/dF [Pa], elastic part
-/// Of the Cauchy stress F S F^T / J [Pa].
+/// Von Mises stress of the Cauchy stress F S F^T / J [Pa].
 double von_mises(const Eigen::Matrix3d& f, const Material& material);
 
 struct Derivatives {
@@ -34,9 +34,8 @@ struct Derivatives {
   Vector12d gradient;  // dE/du [N], vertex-major
   Matrix12d hessian;   // [N/m]
 };
-/// `previous_strain` and `damping_over_h` (damping / h, 0 without) carry the viscous part. With `project`,
-/// negative eigenvalues of the Hessian are clamped to zero (Teran et al. 2005). `with_hessian` false leaves
-/// the Hessian unset.
+/// `previous_strain` and `damping_over_h` (damping / h, 0 without) define the viscous part. With `project`, negative
+/// eigenvalues of the Hessian are clamped to zero (Teran et al. 2005). `with_hessian` false leaves the Hessian unset.
 Derivatives elastic(const LinearTet& rest, const Corners& displacements, const Material& material,
                     double damping_over_h, const Eigen::Matrix3d& previous_strain, bool with_hessian, bool project);
 

@@ -11,14 +11,14 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double largest_turn = 0.5;  // [rad] a linear prediction stretches what turns by this much to 1.12
+constexpr double largest_turn = 0.5;  // [rad] a linear prediction stretches a part that rotates by this much to 1.12
 
 }  // namespace
 
 HeldPath::HeldPath(const Model& model, const VectorXd& displacement, double from, double to)
     : model_(model), from_(from), to_(to), motions_(model.motions) {
   for (Motion& motion : motions_)
-    // A jump of this interval; a state at time 0 has made none yet.
+    // A jump in this interval; a state at time 0 has made none yet.
     if (motion.duration == 0 && motion.start <= to && (motion.start > from || from == 0)) {
       motion.start = from;
       motion.duration = to - from;

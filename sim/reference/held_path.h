@@ -1,4 +1,5 @@
-// Where the held vertices of a Model go during a step or a load increment, and which bodies lack any.
+// The path of a Model's constrained vertices during a step or a load increment, and a check that every component is
+// supported.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
@@ -7,16 +8,16 @@
 
 namespace fascia::reference {
 
-/// From where a state holds its vertices at time `from` to where the motions put them at time `to` [s].
-/// Between the ends it samples the motions, with jumps spread over the whole interval, so that a turn stays a
-/// turn; what the state differs from the motions by at the start fades out.
+/// Leads from the constrained positions of a state at time `from` to those of the motions at time `to` [s]. Between the
+/// ends it samples the motions, with jumps spread over the whole interval, so that a rotation stays a rotation; the
+/// initial difference between state and motions fades out.
 class HeldPath {
  public:
   HeldPath(const Model& model, const Eigen::VectorXd& displacement, double from, double to);
-  /// Moves the held entries of `u` [3 * vertex_count] to the share s in [0, 1] of the path.
+  /// Moves the constrained entries of `u` [3 * vertex_count] to the share s in [0, 1] of the path.
   void place(double s, Eigen::VectorXd& u) const;
   bool moves() const;
-  /// Largest increment of s that turns no motion by more than what a linear prediction survives.
+  /// Largest increment of s in which no motion rotates too far for a linear prediction.
   double largest_increment() const;
 
  private:
@@ -28,7 +29,7 @@ class HeldPath {
   Eigen::VectorXd offset_;
 };
 
-/// Throws Error if a part of the mesh that gravity pulls is held nowhere: it has no static equilibrium.
+/// Throws Error if gravity acts on an unconstrained component: it has no static equilibrium.
 void require_supports(const Model& model);
 
 }  // namespace fascia::reference

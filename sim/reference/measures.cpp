@@ -1,4 +1,4 @@
-// What is known of a state of the reference solver: energies, momenta, reactions, strains and stresses.
+// Measures a state of the reference solver: energies, momenta, reactions, strains and stresses.
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>

@@ -11,8 +11,8 @@ using Eigen::VectorXd;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-// While a step shrinks the gradient to this share, the factorisation at hand is as good as a new one at a
-// tenth of its cost: an iteration with it gains at least as many digits per second.
+// While a step shrinks the gradient to this share, the current factorization is as good as a new one at a tenth of its
+// cost: an iteration with it gains at least as many digits per second.
 constexpr double reuse_below = 0.1;
 
 }  // namespace
@@ -55,7 +55,7 @@ void Minimizer::factorize(const Potential& potential, const VectorXd& u) {
     }
     if (cholesky_.factorize(hessian_)) return;
   }
-  // Still singular: a body that nothing holds. A growing multiple of the identity makes a step of it.
+  // Still singular: a body without constraints. A growing multiple of the identity gives a usable step.
   const double largest = hessian_.diagonal().maxCoeff();
   double shift = 1e-10 * std::max(largest, std::numeric_limits<double>::min());
   while (!cholesky_.factorize(hessian_, shift)) shift *= 100;

@@ -1,6 +1,6 @@
-// Newton's method with backtracking for the one problem that a time step and a static equilibrium share:
+// Newton's method with backtracking for the problem that a time step and a static equilibrium have in common:
 //
-//   minimise over the free u:  sum_e V_e Psi_e(u) + 1/2 (u - target)^T diag(inertia) (u - target) - force . u
+//   minimize over the free u:  sum_e V_e Psi_e(u) + 1/2 (u - target)^T diag(inertia) (u - target) - force . u
 #pragma once
 #include <Eigen/Core>
 #include <stop_token>
@@ -10,7 +10,7 @@
 
 namespace fascia::reference {
 
-/// Arrays are [3 * vertex_count]; entries of held vertices are not used.
+/// Arrays are [3 * vertex_count]; entries of constrained vertices are not used.
 struct Potential {
   ViscousStep viscous;
   Eigen::VectorXd inertia;  // m / h^2 [N/m]; zero in statics
@@ -23,17 +23,17 @@ class Minimizer {
  public:
   explicit Minimizer(const ElasticSystem& system);
 
-  /// Moves held vertices by `change` [3 * vertex_count] and takes the free ones along by one linear step,
-  /// unless staying where they are has less energy or turns no tet inside out.
+  /// Moves constrained vertices by `change` [3 * vertex_count] and the free ones by one linear step, unless leaving the
+  /// free ones in place has less energy or inverts no tet.
   void move_held(const Potential& potential, const Eigen::VectorXd& change, Eigen::VectorXd& u);
 
   struct Limits {
     int iterations;
-    bool upright;  // give up as soon as a tet turns inside out
+    bool upright;  // give up as soon as a tet inverts
     std::stop_token stop;
   };
-  /// Minimises from `u` with its held entries as they are, to |gradient| <= tolerance * force scale
-  /// (NewtonReport) or to the rounding of the gradient, whichever is larger.
+  /// Minimizes from `u` with its constrained entries kept, to |gradient| <= tolerance * force scale (NewtonReport) or
+  /// to the rounding of the gradient, whichever is larger.
   NewtonReport minimize(const Potential& potential, double tolerance, const Limits& limits, Eigen::VectorXd& u);
 
  private:
@@ -51,7 +51,7 @@ class Minimizer {
   const ElasticSystem& system_;
   SparseMatrix hessian_;
   Cholesky cholesky_;
-  double rounding_ = 0;  // [N] bound on the rounding of the gradient at the last factorisation
+  double rounding_ = 0;  // [N] bound on the rounding of the gradient at the last factorization
 };
 
 }  // namespace fascia::reference

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kLeaf = 32;     // vertices that are not parted any more
+constexpr std::size_t kLeaf = 32;     // largest number of vertices that are not divided further
 constexpr double kWorthTrying = 0.5;  // of the longest side: planes across shorter ones cut more
 
 class Dissection {
@@ -68,7 +68,7 @@ class Dissection {
     std::nth_element(vertices.begin(), middle, vertices.end(), [&](int a, int b) {
       return std::pair(positions_[a][axis], a) < std::pair(positions_[b][axis], b);
     });
-    // Vertices in one plane, as those of a layer of a box, stay together where that leaves halves worth the name.
+    // Vertices in one plane, such as a layer of a box, stay together if the halves remain of useful size.
     const auto is_before = [&, plane = positions_[*middle][axis]](int v) { return positions_[v][axis] < plane; };
     if (3 * static_cast<std::size_t>(std::count_if(vertices.begin(), vertices.end(), is_before)) >= vertices.size())
       middle = std::partition(vertices.begin(), vertices.end(), is_before);
@@ -93,7 +93,7 @@ class Dissection {
 
   const std::vector<std::vector<int>>& neighbors_;
   const std::vector<Vector3d>& positions_;
-  std::vector<int> half_;  // [vertex] mark of the half in which it was seen last
+  std::vector<int> half_;  // [vertex] mark of the half that last contained it
   int marks_ = 0, eliminated_ = 0;
   EliminationTree tree_;
 };

@@ -15,10 +15,10 @@ using Eigen::VectorXd;
 
 constexpr double step_tolerance = 1e-12;
 constexpr double static_tolerance = 1e-10;
-constexpr double increment_tolerance = 1e-6;  // of equilibria on the way, which only start the next increment
+constexpr double increment_tolerance = 1e-6;  // of intermediate equilibria, which only start the next increment
 constexpr double smallest_increment = 1.0 / 128;
 constexpr int patience = 40;        // Newton iterations after which a smaller increment is tried
-constexpr int last_patience = 400;  // where there is none to try
+constexpr int last_patience = 400;  // if no smaller one can be tried
 
 VectorXd flat(const std::vector<Vector3d>& vectors) {
   return Eigen::Map<const VectorXd>(vectors.empty() ? nullptr : vectors[0].data(), 3 * vectors.size());
@@ -36,7 +36,7 @@ VectorXd per_component(const std::vector<double>& per_vertex) {
   return all;
 }
 
-// Two parabolas are one.
+// The sum of two parabolas is a parabola.
 void add(const GrabSpring& spring, Potential& potential) {
   const Eigen::Index i = 3 * static_cast<Eigen::Index>(spring.vertex);
   const double inertia = potential.inertia[i], sum = inertia + spring.stiffness;
@@ -60,9 +60,9 @@ struct NewtonSolver::Impl {
   NewtonReport substep(State& state);
   NewtonReport solve_static(State& state, double tolerance);
 
-  /// Minimises potential(1) with the held vertices at the end of their path, from `u`, by the largest
-  /// increments of s in (0, 1] that Newton's method survives with every tet upright. `divisible` says whether
-  /// smaller increments are smaller problems.
+  /// Minimizes potential(1) with the constrained vertices at the end of their path, from `u`, by the largest increments
+  /// of s in (0, 1] for which Newton's method converges with every tet upright. `divisible`: whether smaller increments
+  /// are smaller problems.
   NewtonReport follow(const HeldPath& path, const std::function<Potential(double s)>& potential, bool divisible,
                       double tolerance, VectorXd& u);
 
@@ -80,7 +80,7 @@ NewtonReport NewtonSolver::Impl::follow(const HeldPath& path, const std::functio
                                         bool divisible, double tolerance, VectorXd& u) {
   NewtonReport total;
   const double largest = path.largest_increment();
-  // Where small increments do not help either, or there are none, whatever comes is accepted.
+  // If small increments do not help or do not exist, any result is accepted.
   bool careful = divisible;
   const bool upright = system.min_det_f(u) > 0;
   double done = 0, increment = largest;
@@ -120,7 +120,7 @@ NewtonReport NewtonSolver::Impl::substep(State& state) {
   for (const GrabSpring& spring : springs) add(spring, potential);
   if (system.viscous()) potential.viscous = {system.strains(old), h};
 
-  // Coasting is the better start, but not if it turns tets inside out.
+  // The inertial prediction is the better start, but not if it inverts tets.
   VectorXd u = old;
   system.add_to_free(system.free_part(velocity), h, u);
   if (system.min_det_f(u) <= 0 && system.min_det_f(old) > 0) u = old;
@@ -141,13 +141,13 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance) {
   VectorXd u = flat(state.displacement), internal;
   const HeldPath path(model, u, state.time, std::max(end, state.time + 1e-3));
 
-  // The state is in equilibrium with a part of the load; the rest is added as s goes to 1.
+  // The state is in equilibrium with a part of the load; the rest is added as s increases to 1.
   const VectorXd weight = mass.cwiseProduct(gravity);
   system.evaluate(u, {}, internal);
   const VectorXd missing = weight - internal, start = u, zero = VectorXd::Zero(u.size());
   const auto potential = [&](double s) {
     Potential result{{}, zero, start, start, weight - (1 - s) * missing};
-    for (const GrabSpring& spring : springs) {  // their way, too, is gone step by step
+    for (const GrabSpring& spring : springs) {  // their displacement is also applied gradually
       const Vector3d from = start.segment<3>(3 * static_cast<Eigen::Index>(spring.vertex));
       GrabSpring now = spring;
       now.target = from + s * (spring.target - from);

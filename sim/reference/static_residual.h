@@ -1,4 +1,4 @@
-// How far a state is from static equilibrium, in double precision whatever computed it.
+// The distance of a state from static equilibrium, in double precision for any solver's result.
 #pragma once
 #include "sim/reference/elastic_system.h"
 #include "sim/reference/newton.h"
@@ -7,11 +7,11 @@ namespace fascia::reference {
 
 class StaticResidual {
  public:
-  /// `model` must outlive it, and its gravity and materials stay.
+  /// `model` must outlive this object, and its gravity and materials must not change.
   explicit StaticResidual(const Model& model);
-  /// Norm over the free vertices of the elastic energy's gradient minus the weight and the springs' forces, over the
-  /// larger norm, of the weight or of the gradient at all vertices, which at held ones is the reaction. 0 without any
-  /// forces.
+  /// Norm over the free vertices of the elastic energy's gradient minus the weight and the springs' forces, relative to
+  /// the larger norm of the weight and of the gradient at all vertices, which at constrained ones is the reaction. 0
+  /// without any forces.
   double operator()(const State& state, const std::vector<GrabSpring>& springs = {}) const;
 
  private:

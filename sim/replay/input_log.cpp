@@ -13,7 +13,7 @@ struct Applying {
   void operator()(const GravityInput& input) { tuning.gravity = input.gravity; }
   void operator()(const GrabInput& springs) { tuning.springs = springs; }
   template <class Other>
-  void operator()(const Other&) {}  // leaves no value behind
+  void operator()(const Other&) {}  // no value to keep
 };
 
 }  // namespace
@@ -27,7 +27,7 @@ void InputLog::restart(long step, Tuning tuning) {
 }
 
 void InputLog::add(Input input) {
-  // A slider that moves several times between two steps has acted once; springs are always the whole of them.
+  // Several moves of a slider between two steps act as one; each input of springs replaces all springs.
   if (!inputs_.empty() && inputs_.back().step == input.step && inputs_.back().change.index() == input.change.index() &&
       !std::holds_alternative<MaterialInput>(input.change))
     inputs_.back() = std::move(input);

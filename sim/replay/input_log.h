@@ -1,4 +1,4 @@
-// What a user did since the last state that is known to be sound: enough to do it again.
+// The user's inputs since the last known valid state: enough to repeat them.
 #pragma once
 #include <vector>
 
@@ -6,28 +6,28 @@
 
 namespace fascia {
 
-/// Everything that inputs change.
+/// All values that inputs change.
 struct Tuning {
   SolverSettings solver;
   std::vector<Material> materials;  // Model::materials
   Eigen::Vector3d gravity{0, 0, 0};
   GrabInput springs;
 
-  void apply(const Input& input);  // of those that InputLog has
+  void apply(const Input& input);  // only inputs that InputLog records
 };
 
 class InputLog {
  public:
-  /// Begins anew: before step `step`, with these values.
+  /// Clears the log: it then begins before step `step`, with these values.
   void restart(long step, Tuning tuning);
-  /// In the order of the steps. Springs as a GrabInput, granted iterations as SolverSettings.
+  /// Adds inputs in the order of the steps: springs as a GrabInput, granted iterations as SolverSettings.
   void add(Input input);
-  /// What happened before `step` needs no repetition.
+  /// Drops inputs before `step`, which need no repetition.
   void forget_before(long step);
 
   long begin() const { return begin_; }
-  const Tuning& tuning() const { return tuning_; }              // when the log begins
-  const std::vector<Input>& inputs() const { return inputs_; }  // since then
+  const Tuning& tuning() const { return tuning_; }              // at the beginning of the log
+  const std::vector<Input>& inputs() const { return inputs_; }  // since the beginning
 
  private:
   long begin_ = 0;

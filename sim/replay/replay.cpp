@@ -125,13 +125,13 @@ State read_start(const Node& start) {
   return state;
 }
 
-// What both forms have: scene and start.
+// The common part of both formats: scene and start.
 Replay read_beginning(nlohmann::json& document, const Node& root, const std::vector<std::string>& overrides,
                       DocumentOrigin& origin) {
   root.at("scene", "the scene that was open");
   apply_overrides(document["scene"], overrides, origin);
   Replay replay;
-  // Overrides name their keys from the scene on, as on the command line, and so do errors in the scene.
+  // Overrides name their keys relative to the scene, as on the command line, and so do errors in the scene.
   replay.scene = read_scene(Node(document["scene"], "", origin));
   if (const auto start = root.find("start")) replay.start = read_start(*start);
   return replay;
@@ -216,7 +216,7 @@ Replay read_replay_content(const std::filesystem::path& path, std::string_view c
   nlohmann::json document = parse_json(whole ? first : content, path.string());
   const bool in_lines =
       whole && document.is_object() && document.contains("fascia_replay") && document["fascia_replay"] == 2;
-  if (whole && !in_lines) document = parse_json(content, path.string());  // nothing may follow
+  if (whole && !in_lines) document = parse_json(content, path.string());  // no content may follow
   Replay replay = in_lines ? read_lines(std::move(document), path.string(),
                                         content.substr(std::min(first_end + 1, content.size())), overrides)
                            : read_object(std::move(document), path.string(), overrides);
@@ -227,7 +227,7 @@ Replay read_replay_content(const std::filesystem::path& path, std::string_view c
 std::uint64_t state_hash(const State& state) {
   ByteHash hash;
   const auto add = [&](double value) {
-    hash.add(std::bit_cast<std::array<std::uint8_t, sizeof value>>(value + 0.0));  // one zero, whatever its sign
+    hash.add(std::bit_cast<std::array<std::uint8_t, sizeof value>>(value + 0.0));  // both zeros hash alike
   };
   for (const std::vector<Vector3d>* vectors : {&state.displacement, &state.velocity})
     for (const Vector3d& v : *vectors)

@@ -1,4 +1,4 @@
-// When a replay's steps are: a session may change the time step as it goes.
+// The times of a replay's steps: a session may change the time step while it runs.
 #pragma once
 #include <vector>
 
@@ -10,14 +10,14 @@ class ReplayTime {
  public:
   explicit ReplayTime(const Replay& replay);
 
-  double seconds(long steps) const;   // that so many steps take
-  long steps(double seconds) const;   // that come closest to it
-  double time_step(long step) const;  // of that step, the first is 0 [s]
+  double seconds(long steps) const;   // duration of so many steps
+  long steps(double seconds) const;   // closest number of steps
+  double time_step(long step) const;  // of that step, counted from 0 [s]
   double longest_step() const;        // [s]
 
  private:
   struct Part {
-    long step;                // the first one
+    long step;                // first step
     double begin, time_step;  // [s]
   };
   const Part& part_of(long step) const;

@@ -1,4 +1,4 @@
-// Replays to text: a line per input, each number with the digits that read back to it.
+// Writes replays as text: a line per input, each number with the digits that read back to it.
 #include "base/file.h"
 #include "sim/replay/replay.h"
 #include "sim/scene/scene_write.h"

@@ -38,7 +38,7 @@ json list(const std::string& text) {
 }
 
 json value_of(const std::string& key, const std::string& text) {
-  if (key == "body") return text;  // which may be called 2
+  if (key == "body") return text;  // a body may be called 2
   if (text.starts_with('{') || text.starts_with('[')) return parse_json(text, "--grab " + key);
   if (key == "path") {
     json keys = json::array();

@@ -6,10 +6,10 @@
 
 namespace fascia {
 
-/// The same as an element of the scene's "grabs", for the strict reader to judge. Keys are those of the scene file;
-/// numbers with commas are lists, the keys of a path are separated by /: "path=0,0,0,0/0.5,0,0.1,0", and what begins as
-/// JSON does is JSON: select={"group":"tip"}. Throws Error for a part that is no KEY=VALUE, a key given twice and JSON
-/// that is none.
+/// The same as an element of the scene's "grabs", which the strict reader then checks. Keys are those of the scene
+/// file; numbers with commas are lists, the keys of a path are separated by /: "path=0,0,0,0/0.5,0,0.1,0", and a value
+/// that starts like JSON is JSON: select={"group":"tip"}. Throws Error for a part that is not KEY=VALUE, a repeated key
+/// and invalid JSON.
 nlohmann::json grab_document(std::string_view text);
 
 }  // namespace fascia

@@ -16,11 +16,11 @@
 namespace fascia {
 namespace {
 
-constexpr double kLowestShare = 0.02;  // of the height: how much of a mesh opened alone is held
+constexpr double kLowestShare = 0.02;  // of the height: the part of a mesh opened on its own that is fixed
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors start text files with it
 
-/// The first character that is no space and no byte order mark, without reading the whole of a large mesh.
+/// The first character that is no space and no byte order mark, without reading a whole large mesh.
 char first_character(const std::filesystem::path& path) {
   std::error_code ec;
   std::ifstream file;
@@ -29,11 +29,11 @@ char first_character(const std::filesystem::path& path) {
   if (is_file)
     file.open(path, std::ios::binary);
   else
-    kept.str(read_file(path));  // what a stream takes of a pipe is gone
+    kept.str(read_file(path));  // reading a pipe consumes its data
   std::istream& in = is_file ? static_cast<std::istream&>(file) : kept;
   for (char c = 0; in >> c;)
     if (kByteOrderMark.find(c) == kByteOrderMark.npos) return c;
-  read_file(path);  // says so if it is no readable file
+  read_file(path);  // throws the error of an unreadable file
   throw Error(path.string(), "is empty", "expected a scene (JSON) or a tet mesh");
 }
 

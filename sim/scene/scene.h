@@ -1,5 +1,5 @@
 // A scene as its JSON file states it (format: docs/guide/scenes.md), before any mesh is read.
-// Strict: an unknown key (with the nearest known one), a wrong type or a value out of range is an Error
+// The reader is strict: an unknown key (with the nearest known one), a wrong type or a value out of range is an Error
 // "file: bodies[0].materials.default.young_modulus: is -5; expected 0.001 to 1e+14 Pa"; a syntax error is
 // "file:line:column: ...".
 #pragma once
@@ -32,7 +32,7 @@ struct Transform {  // applied scale, then rotation, then translation
 /// From the mesh file's coordinates to the scene's.
 Eigen::Affine3d placement(const Transform& transform);
 
-struct PrescribedMotion {           // path from rest to target over [start, start + duration], then held
+struct PrescribedMotion {           // path from rest to target over [start, start + duration], constant afterwards
   std::optional<Selection> select;  // with translate/rotate/scale
   Eigen::Vector3d translate = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
@@ -54,8 +54,8 @@ struct MaterialOverride {
 
 struct Body {
   std::string name;
-  std::string mesh;  // as written (Scene::resolve); tets, or a closed surface (.obj) that is filled with tets
-  std::optional<int> resolution;  // of that filling: cells along the longest side; absent: some thousand tets
+  std::string mesh;  // as written (Scene::resolve); tets, or a closed surface (.obj) to be filled with tets
+  std::optional<int> resolution;  // cells along the longest side for the filling; absent: several thousand tets
   Transform transform;
   Material material;                                                       // "default"
   std::vector<std::pair<std::string, MaterialOverride>> region_materials;  // region number or group name
@@ -73,7 +73,7 @@ struct CameraSettings {
 };
 
 struct Scene {
-  std::filesystem::path file;  // of the scene, or of the mesh opened alone
+  std::filesystem::path file;  // of the scene, or of a mesh opened on its own
   std::string title;
   Eigen::Vector3d gravity{0, -9.81, 0};
   std::vector<Body> bodies;
@@ -82,28 +82,29 @@ struct Scene {
   std::optional<CameraSettings> camera;  // absent: framed on the bodies
   DisplaySettings display;
   double duration = 2;             // [s] of `run` and `--video` when neither --steps nor --time is given
-  std::vector<KnownFile> files;    // what is known of the files that the paths above name, or all of them
-  std::vector<std::string> notes;  // of the reader, one line each: files that it found elsewhere
+  std::vector<KnownFile> files;    // known data of all or some files that the paths above name
+  std::vector<std::string> notes;  // of the reader, one line each: files found at other places
   bool operator==(const Scene&) const = default;
 
-  /// Of a path as it is written: against the scene file's folder, or with "assets:" against that of the shipped files.
+  /// Resolves a path as written: relative to the scene file's folder, or with "assets:" to the folder of the shipped
+  /// files.
   std::filesystem::path resolve(const std::string& path) const;
-  const KnownFile* recorded(const std::string& path) const;  // of `files`; null if nothing is known
+  const KnownFile* recorded(const std::string& path) const;  // in `files`; null if unknown
   bool carries(const std::string& path) const;
 };
 
-/// Opens a scene (JSON) or a mesh alone (default material, lowest 2 percent fixed). `overrides` are --set
-/// texts "KEY=VALUE", or "--grab TEXT" (sim/scene/grab_text.h); a KEY that starts with a key of bodies (materials.,
-/// fixed., transform., ...) means body 0. An override's error names "--set KEY".
+/// Opens a scene (JSON) or a mesh on its own (default material, lowest 2 percent fixed). `overrides` are --set texts
+/// "KEY=VALUE", or "--grab TEXT" (sim/scene/grab_text.h); a KEY that starts with a key of bodies (materials., fixed.,
+/// transform., ...) means body 0. An override's error names "--set KEY".
 Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 /// As open_scene of a scene file with this content.
 Scene read_scene_content(const std::filesystem::path& path, std::string_view content,
                          const std::vector<std::string>& overrides = {});
 
-/// The scene as JSON text that open_scene reads back to the same scene, with paths as seen from `folder`
+/// The scene as JSON text that open_scene reads back to the same scene, with paths relative to `folder`
 /// (sim/scene/scene_paths.h).
 std::string scene_to_json(const Scene& scene, const std::filesystem::path& folder);
-/// The same without `files`: what says how the scene is, and not where it comes from.
+/// The same without `files`: the definition of the scene, without the origin of its files.
 std::string parameters_to_json(const Scene& scene, const std::filesystem::path& folder);
 
 }  // namespace fascia

@@ -26,7 +26,8 @@ void carry(ReadFile& read) {
   read.file.deflated = std::make_shared<const std::string>(deflated(content));
 }
 
-/// Every file of `read` once, by the path that `rename` makes of the scene's, which the scene has from then on.
+/// `scene` with every file of `read` once, under the path that `rename` gives it, which also replaces the path in the
+/// scene.
 Scene with_files(Scene scene, const std::vector<ReadFile>& read, const Rename& rename) {
   std::vector<KnownFile> files;
   for_each_path(scene, [&](std::string& path, const std::string& key) {
@@ -45,7 +46,7 @@ Scene with_files(Scene scene, const std::vector<ReadFile>& read, const Rename& r
   return scene;
 }
 
-/// Without their folders. Where there are several of these they get numbers, for their files may have the same names.
+/// Names without folders. If there are several folders, the files get numbers, since they may have the same names.
 Rename short_names(const Scene& scene) {
   std::map<std::string, std::string> folders;
   for_each_path(scene,
@@ -62,7 +63,7 @@ Rename short_names(const Scene& scene) {
 
 Scene with_known_files(Scene scene, std::vector<ReadFile> read) {
   for (ReadFile& r : read)
-    if (!r.place.empty()) r.file.deflated.reset();  // in memory for another scene
+    if (!r.place.empty()) r.file.deflated.reset();  // its data may be in memory for another scene
   return with_files(std::move(scene), read, [](const std::string& path) { return path; });
 }
 

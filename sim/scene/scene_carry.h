@@ -1,4 +1,5 @@
-// A scene together with its files: what is known of them, or all of them in it, so that it opens from an empty folder.
+// A scene together with its files: known data of them, or all of their contents, so that the scene opens in an empty
+// folder.
 #pragma once
 #include <vector>
 
@@ -6,16 +7,15 @@
 
 namespace fascia {
 
-/// `scene` with what is known of its files; those that it carried it still does. `read`: Model::files of the model that
+/// `scene` with known data of its files; files that it already carries are kept. `read`: Model::files of the model that
 /// was built from it.
 Scene with_known_files(Scene scene, std::vector<ReadFile> read);
 
-/// `scene` with all of its files in it, by their names without folders. What is not in memory yet is read again and
-/// kept in `read`. Throws Error where a file is gone, has changed or is too large to be carried.
+/// `scene` with the contents of all its files, under their names without folders. Contents not yet in memory are read
+/// again and kept in `read`. Throws Error if a file is missing, has changed or is too large to be carried.
 Scene self_contained(Scene scene, std::vector<ReadFile>& read);
 
-/// As self_contained(), or where that cannot be, or the files have more than `most` bytes together, as
-/// with_known_files().
+/// As self_contained(); if that fails, or the files exceed `most` bytes together, as with_known_files().
 Scene self_contained_if_possible(Scene scene, std::vector<ReadFile>& read, std::uint64_t most = kMostCarried);
 
 }  // namespace fascia

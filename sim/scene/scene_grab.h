@@ -1,5 +1,5 @@
-// A grab by script (scene key "grabs", option --grab): takes hold of a patch at a time, leads it along a path and lets
-// go. So tests, demos and measurements need no mouse.
+// A scripted grab (scene key "grabs", option --grab): grabs a patch at a given time, moves it along a path and releases
+// it, so that tests, demos and measurements need no mouse.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,21 +13,21 @@
 namespace fascia {
 
 struct ScriptedGrab {
-  /// "at": a place on or near the tissue at rest, with transforms applied [m]; or "select": vertices of `body`.
+  /// "at": a point on or near the tissue at rest, with transforms applied [m]; or "select": vertices of `body`.
   std::variant<Eigen::Vector3d, Selection> where = Eigen::Vector3d(0, 0, 0);
-  std::string body;                 // by name; empty: the one at that place, or the first one
+  std::string body;                 // by name; empty: the body at that point, or the first one
   std::optional<double> radius;     // of the patch around "at" [m]; absent: 0.08 of half the scene's diagonal
   std::optional<double> stiffness;  // of all springs together [N/m]; absent: from the tissue
   double start = 0, duration = 0;   // [s]
   std::optional<double> release;    // [s] absent: never
-  bool smooth = false;              // eases in and out at every key of the path
+  bool smooth = false;              // ease in and out at every key of the path
 
   struct Key {
     double time;                   // after start [s]
     Eigen::Vector3d displacement;  // [m]
     bool operator==(const Key&) const = default;
   };
-  // One of the three: where to in `duration`, how deep into the surface in `duration`, or key by key.
+  // One of three: target reached in `duration`, depth into the surface reached in `duration`, or a path of keys.
   Eigen::Vector3d translate{0, 0, 0};  // [m]
   std::optional<double> push;          // [m]
   std::vector<Key> path;               // times ascending

@@ -24,8 +24,8 @@ std::optional<std::size_t> index_of(const std::string& segment) {
   return index;
 }
 
-/// A scene with every default written out: shows which keys hold lists, and what a vector is before one of
-/// its elements is set.
+/// A scene with every default written out: shows which keys hold lists, and the value of a vector before one of its
+/// elements is set.
 const json& template_document() {
   static const json document = [] {
     Scene scene;
@@ -43,7 +43,7 @@ const json& template_document() {
   return document;
 }
 
-/// "bodies[0].mesh" and "bodies.0.mesh" to {"bodies", "0", "mesh"}; empty if any segment is.
+/// "bodies[0].mesh" and "bodies.0.mesh" to {"bodies", "0", "mesh"}; empty if any segment is empty.
 std::vector<std::string> segments_of(const std::string& key) {
   std::vector<std::string> segments(1);
   for (const char c : key) {
@@ -68,8 +68,8 @@ void collect_keys(const json& object, const std::string& path, std::vector<std::
   }
 }
 
-/// The known key that a first segment is nearest to: of a scene, of a body, or of what lies in them, which is then
-/// named with its path.
+/// The known key nearest to a first segment: of a scene, of a body, or of an object in them, which is then named with
+/// its path.
 std::string near_key(const std::string& segment, const std::vector<std::string>& first_keys) {
   const json &scene = template_document(), &body = scene["bodies"][0];
   std::vector<std::string> paths = first_keys, names;
@@ -83,8 +83,8 @@ std::string near_key(const std::string& segment, const std::vector<std::string>&
                       : paths[static_cast<std::size_t>(std::find(names.begin(), names.end(), near) - names.begin())];
 }
 
-/// Keys of bodies may begin a KEY, so the reader of the scene, which sees them at its top level only, would not suggest
-/// them.
+/// Suggests the keys of bodies, which may also begin a KEY: the reader of the scene sees them at its top level only and
+/// would not suggest them.
 void require_known(const json& document, const std::string& key, const std::string& segment) {
   if (!document.is_object() || document.contains(segment) || template_document().contains(segment)) return;
   std::vector<std::string> known;
@@ -101,7 +101,7 @@ const json* child(const json* parent, const std::string& segment) {
   return parent->contains(segment) ? &(*parent)[segment] : nullptr;
 }
 
-/// What a missing value must be for `next` to lead into it.
+/// The value that must be created for `next` to be an element of it.
 json container_for(const json* pattern, const std::string& next) {
   if (pattern && pattern->is_array()) return pattern->front().is_number() ? *pattern : json::array();
   if (pattern && pattern->is_object()) return json::object();
@@ -161,7 +161,7 @@ void clear_preset_values(json& document, const std::vector<std::string>& segment
   }
 }
 
-/// "--grab TEXT": one more grab behind those of the scene.
+/// "--grab TEXT": appends a grab to those of the scene.
 void append_grab(json& document, std::string_view text, DocumentOrigin& origin) {
   const std::size_t count = document.is_object() && document.contains("grabs") ? document["grabs"].size() : 0;
   apply(document, "--grab", {"grabs", std::to_string(count)}, grab_document(text), origin);

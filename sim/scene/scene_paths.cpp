@@ -9,14 +9,14 @@ namespace fascia {
 namespace fs = std::filesystem;
 namespace {
 
-/// Links in folders are followed; one in the file's own place keeps its name.
+/// The absolute path with links in folders resolved; a link in the place of the file itself keeps its name.
 fs::path whole(const fs::path& path) {
   std::error_code ec;
   const fs::path absolute = fs::absolute(path, ec);
   return fs::weakly_canonical(absolute.parent_path(), ec) / absolute.filename();
 }
 
-/// `path` as seen from `folder`, if it lies below; both whole.
+/// `path` relative to `folder` if it lies below; both are absolute.
 std::optional<fs::path> below(const fs::path& folder, const fs::path& path) {
   const fs::path relative = path.lexically_relative(folder);
   if (folder.empty() || relative.empty() || *relative.begin() == "..") return std::nullopt;
@@ -37,7 +37,7 @@ bool is_file(const fs::path& path) {
   return fs::exists(path, ec) && !fs::is_directory(path, ec);
 }
 
-/// A file of this content and ending. Of a folder that cannot be listed nothing is found.
+/// Finds a file with this content and extension. Finds nothing in a folder that cannot be listed.
 template <class Iterator>
 std::optional<fs::path> find_content(Iterator entry, const KnownFile& file) {
   std::error_code ec;
@@ -86,8 +86,7 @@ std::string path_beside(const std::string& path, const std::string& name) {
 Search search(const Scene& scene, const std::string& path) {
   const fs::path written = scene.resolve(path), folder = scene.file.parent_path(), assets = asset_folder();
   std::error_code ec;
-  if (fs::status(written, ec).type() != fs::file_type::not_found)
-    return {written, {}};  // reading says what is wrong with it
+  if (fs::status(written, ec).type() != fs::file_type::not_found) return {written, {}};  // the read reports the error
   Search result{{}, shown(written.parent_path())};
   if (written.filename().empty()) return result;
   const KnownFile* file = scene.recorded(path);
@@ -112,7 +111,7 @@ void find_moved_files(Scene& scene) {
     Scene there;
     there.file = *searched.found;
     path = path_from(scene.file.parent_path(), there, searched.found->filename().string());
-    std::vector<KnownFile> known;  // by the new paths, too
+    std::vector<KnownFile> known;  // also under the new paths
     for (KnownFile file : scene.files) {
       const std::string name = fs::path(file.path).filename().string();
       if (file.path != before && file.path != path_beside(before, name)) continue;

@@ -1,4 +1,4 @@
-// Where the files of a scene are, and how a scene says so.
+// Finds the files of a scene, and writes their paths relative to a scene.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -10,30 +10,30 @@
 
 namespace fascia {
 
-/// At the beginning of a path: below asset_folder() (base/data_folder.h), wherever the program is installed.
+/// Prefix of a path: below asset_folder() (base/data_folder.h), for any place of installation.
 inline constexpr std::string_view kAssetPrefix = "assets:";
 
-/// `path` of `scene` as a scene in `folder` (empty: the working folder) has it. One of a shipped file begins with
-/// "assets:"; one in the same folder as before, and one that is absolute, stays; any other is relative where it leads
-/// below `folder`, else absolute.
+/// The form of `path` of `scene` in a scene in `folder` (empty: the working folder). The path of a shipped file begins
+/// with "assets:"; an absolute path, or one in an unchanged folder, is kept; any other is relative if it leads below
+/// `folder`, else absolute.
 std::string path_from(const std::filesystem::path& folder, const Scene& scene, const std::string& path);
 
-/// The path of the file that the one at `path` calls `name`: kidney.mtl of meshes/kidney.obj.
+/// The path of the file that is called `name` in the file at `path`: kidney.mtl of meshes/kidney.obj.
 std::string path_beside(const std::string& path, const std::string& name);
 
-/// Where a file was looked for.
+/// The result of a search for a file.
 struct Search {
   std::optional<std::filesystem::path> found;
-  std::string looked;  // the places, for people; and what was there but is another file
+  std::string looked;  // the places searched, for messages, and different files found there
 };
-/// At `path`, then, by its name, in the scene's folder, then, by the content that `scene` knows of it, there and among
-/// shipped files. One that was found by its name and has another content than that is not taken.
+/// Searches at `path`, then by name in the scene's folder, then by the content known to `scene`, there and among
+/// shipped files. A file found by its name is not taken if its content differs from the known one.
 Search search(const Scene& scene, const std::string& path);
 
-/// Files that are found elsewhere than the scene's paths say: these lead there, with a note for each.
+/// Updates the scene's paths to files that were found at other places, with a note for each.
 void find_moved_files(Scene& scene);
 
-/// visit(path, key) of every file that the keys of a scene name; key: "bodies[0].mesh".
+/// visit(path, key) for every file that the keys of a scene name; key: "bodies[0].mesh".
 template <class S, class Visit>
 void for_each_path(S& scene, const Visit& visit) {
   using Text = std::conditional_t<std::is_const_v<S>, const std::string, std::string>;

@@ -1,4 +1,4 @@
-// The top level of a scene file: everything but the bodies.
+// Reads the top level of a scene file: everything except the bodies.
 #include "sim/scene/scene_read.h"
 
 #include <Eigen/Geometry>
@@ -23,7 +23,7 @@ CameraSettings read_camera(const Node& node) {
   node.read("fov_deg", camera.fov_deg, 1, 170, "degrees");
   const Eigen::Vector3d view = camera.target - camera.eye;
   if (view.isZero(0)) node.fail("eye and target are the same point", "two different points");
-  // Below a millionth of a radian the right-hand axis of the picture has no digits left in float32.
+  // Below a millionth of a radian the right-hand axis of the picture has no accuracy left in float32.
   if (view.cross(camera.up).norm() <= 1e-6 * view.norm() * camera.up.norm()) {
     node.fail("up has no part across the view from eye to target", "an up vector across the view");
   }

@@ -1,4 +1,4 @@
-// A JSON document to a Scene, strictly; the one reader behind scene files, --set, meshes opened alone and replays.
+// Reads a JSON document strictly to a Scene; scene files, --set, meshes on their own and replays all use this reader.
 #pragma once
 #include <nlohmann/json.hpp>
 
@@ -7,12 +7,12 @@
 
 namespace fascia {
 
-// Bounds of what scenes may say.
+// Bounds of the values in scenes.
 inline constexpr double kFarthestLook = 1e9;    // [m] of cameras and planes
-inline constexpr double kFarthestTissue = 1e6;  // [m] of anything that moves: float32 resolves 0.06 m there
+inline constexpr double kFarthestTissue = 1e6;  // [m] for everything that moves: float32 resolves 0.06 m there
 inline constexpr double kLongestTime = 1e9;     // [s]
 
-/// All of the scene but `file`. Throws Error, as do the readers of its parts.
+/// Reads everything in the scene except `file`. Throws Error, as do the readers of its parts.
 Scene read_scene(const Node& root);
 SolverSettings read_solver(const Node& node);
 Body read_body(const Node& node);

@@ -1,4 +1,4 @@
-// One body of a scene file: its mesh, materials, selections and motions.
+// Reads one body of a scene file: its mesh, materials, selections and motions.
 #include <charconv>
 #include <limits>
 
@@ -11,7 +11,7 @@
 namespace fascia {
 namespace {
 
-constexpr double kAnywhere = 1e30;    // selections may reach as far as people like to write "infinite"
+constexpr double kAnywhere = 1e30;    // selections may use a large number for "infinite"
 constexpr double kMostTurns = 36000;  // [degrees]
 constexpr double kFastest = 1e6;      // [m/s]
 
@@ -35,8 +35,8 @@ const Tissue& read_preset(const Node& node) {
   return *tissue;
 }
 
-/// Into a Material or a MaterialOverride: the given keys replace what `material` holds, and a preset's values what is
-/// not given.
+/// Reads a Material or a MaterialOverride: given keys replace the values of `material`, and a preset's values replace
+/// those of keys that are not given.
 template <class M>
 void read_material(const Node& node, M& material) {
   std::vector<std::string> known = {"model", "preset"};

@@ -1,4 +1,4 @@
-// The key "display" of a scene file.
+// Reads the key "display" of a scene file.
 #include "base/json/json_document.h"
 #include "base/suggest.h"
 #include "sim/scene/scene_read.h"

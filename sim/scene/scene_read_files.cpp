@@ -1,4 +1,4 @@
-// What a scene file knows of the files that it refers to, and those that it carries ("files").
+// Reads the key "files" of a scene file: known data of the files that it refers to, and files that it carries.
 #include <charconv>
 
 #include "base/byte_text.h"

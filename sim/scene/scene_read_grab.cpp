@@ -1,4 +1,4 @@
-// The grabs of a scene file ("grabs").
+// Reads the grabs of a scene file ("grabs").
 #include "sim/scene/scene_read.h"
 
 namespace fascia {

@@ -1,4 +1,4 @@
-// Which vertices of a body a scene file means (model_selection.h finds them).
+// The selections of a scene file, which name vertices of a body (sim/model/vertex_selection.h resolves them).
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
@@ -25,8 +25,8 @@ struct GroupSelection {
   std::string group;
   bool operator==(const GroupSelection&) const = default;
 };
-/// "lowest": the vertices within `share` of the height from the bottom along y, or, where those are fewer, this share
-/// of all vertices, those that lie lowest; how a mesh alone is held.
+/// "lowest": the vertices within `share` of the height from the bottom along y or, if those are fewer, the lowest
+/// `share` of all vertices. These are fixed when a mesh is opened on its own.
 struct LowestSelection {
   double share;
   bool operator==(const LowestSelection&) const = default;

@@ -42,7 +42,7 @@ OrderedJson selection(const Selection& selection) {
   return object;
 }
 
-/// Of a Material or a MaterialOverride: what it has. A default that the law of a Material does not read is left out.
+/// The values of a Material or a MaterialOverride. A default that the law of a Material does not read is left out.
 template <class M>
 OrderedJson material(const M& material) {
   OrderedJson object = OrderedJson::object();

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The log, as a replay that begins with the sound state.
+// The log as a replay that begins with the valid state.
 Replay replay_of(Simulation& simulation, State start) {
   const InputLog& log = simulation.log();
   Replay replay{simulation.scene, std::move(start), log.inputs(), simulation.steps_made() - log.begin()};
@@ -26,7 +26,7 @@ Replay replay_of(Simulation& simulation, State start) {
   return replay;
 }
 
-// Steps through what the log holds, on a solver of its own.
+// Repeats the steps of the log on a separate solver.
 class Repetition {
  public:
   Repetition(gl::ProgramCache& programs, const Simulation& simulation, const Replay& replay)
@@ -44,7 +44,7 @@ class Repetition {
       tuning_.apply(input);
       model_.materials = tuning_.materials;
       model_.gravity = tuning_.gravity;
-      // As Simulation does, and no more: what did not change must not wake regions at rest.
+      // As Simulation does: applies only changes, since an unchanged value must not wake regions at rest.
       if (std::holds_alternative<SolverSettings>(input.change))
         solver_->set_settings(tuning_.solver);
       else if (std::holds_alternative<GrabInput>(input.change))
@@ -56,7 +56,7 @@ class Repetition {
     pull();
     solver_->step();
     ++steps_;
-    if (steps_ % Simulation::kCheckInterval == 0) {  // the first of the steps came after such a check, too
+    if (steps_ % Simulation::kCheckInterval == 0) {  // the first of the steps also followed such a check
       solver_->request_check();
       solver_->take_check(true);
     }

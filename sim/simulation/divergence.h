@@ -1,5 +1,5 @@
-// A state that came apart: found again from the last sound one, step by step, to say where it began and to keep what
-// repeats it.
+// Locates a divergence: repeats the steps from the last valid state one by one, to report where it began and to keep a
+// replay that reproduces it.
 #pragma once
 #include <string>
 
@@ -8,10 +8,10 @@
 namespace fascia {
 
 struct Divergence {
-  Replay replay;          // from the last sound state to the lost one
-  bool found = false;     // whether repeating it led to a lost state again
-  double time = 0;        // at the end of the step that was lost [s]
-  std::uint32_t tet = 0;  // of Model::tets: the most strained one around the lost vertices, before that step
+  Replay replay;          // from the last valid state to the diverged one
+  bool found = false;     // whether the repetition diverged again
+  double time = 0;        // at the end of the step that diverged [s]
+  std::uint32_t tet = 0;  // in Model::tets: the most strained one around the diverged vertices, before that step
   double strain = 0;      // of it: Frobenius norm of the Green strain
   double det_f = 1;       // of it: J
 
@@ -19,15 +19,15 @@ struct Divergence {
   std::string text(const Model& model) const;
 };
 
-/// `lost`: what check_now() or diverged() found. The simulation goes back to its last sound state, at rest.
+/// `lost`: the result of check_now() or diverged(). The simulation returns to its last valid state, at rest.
 Divergence find_divergence(Simulation& simulation, std::uint32_t lost);
 
-/// For commands without a window: nothing if the state is sound; else writes a replay into the working folder, or the
-/// folder for temporary files where that cannot be written, and throws an Error that says what came apart and names the
-/// replay. Throws gl::ContextLost when there is no state any more. Waits for the GPU.
+/// For commands without a window: does nothing if the state is valid; otherwise writes a replay to the working folder,
+/// or to the folder for temporary files if that is not writable, and throws an Error that states what diverged and
+/// names the replay. Throws gl::ContextLost if the state no longer exists. Waits for the GPU.
 void require_valid(Simulation& simulation);
 
-/// The replay, under a dated name. Returns where.
+/// Writes the replay under a dated name. Returns its path.
 std::filesystem::path keep_replay(const Replay& replay);
 
 }  // namespace fascia

@@ -5,7 +5,7 @@
 namespace fascia {
 namespace {
 
-// Only what is not the body's default, or was given before, so that a saved scene stays as short as it was.
+// Stores only values that differ from the body's default or were given before, so that a saved scene stays short.
 void follow(MaterialOverride& values, const Material& now, const Material& fallback) {
   std::vector<double> numbers, defaults;
   visit_material(now, [&](double value, auto&&...) { numbers.push_back(value); });

@@ -1,4 +1,4 @@
-// Changes made with sliders, written back into the scene, so that it can be saved and pictures tell the truth about it.
+// Writes changes from sliders back to the scene, so that it can be saved and the provenance of pictures is correct.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -9,18 +9,19 @@
 
 namespace fascia {
 
-/// The "materials" of a body, as a scene file has them.
+/// The "materials" of a body, as in a scene file.
 struct MaterialEntries {
   Material material;                                                       // "default"
   std::vector<std::pair<std::string, MaterialOverride>> region_materials;  // by key, ascending
   bool operator==(const MaterialEntries&) const = default;
 };
 
-/// Those of every body of the scene, with the values of `materials` [model.materials.size()], wherever they differ.
+/// The entries of every body of the scene, updated to the values of `materials` [model.materials.size()] where they
+/// differ.
 std::vector<MaterialEntries> material_entries(const Scene& scene, const Model& model,
                                               const std::vector<Material>& materials);
 
-/// The scene's material entries get the values of `materials` [model.materials.size()], wherever they differ.
+/// Updates the scene's material entries to the values of `materials` [model.materials.size()] where they differ.
 void follow_materials(Scene& scene, const Model& model, const std::vector<Material>& materials);
 inline void follow_materials(Scene& scene, const Model& model) { follow_materials(scene, model, model.materials); }
 

@@ -23,7 +23,7 @@ void Settling::begin(const Model& model, const SolverSettings& settings, const s
       if (!solver.solve_static(state).converged) return std::nullopt;
       state.time = time;
       return state;
-    } catch (const Error&) {  // gravity pulls at a part that nothing holds
+    } catch (const Error&) {  // gravity acts on an unconstrained component
       return std::nullopt;
     }
   };

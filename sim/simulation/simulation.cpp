@@ -35,7 +35,7 @@ void Simulation::step() {
 }
 
 void Simulation::make_step() {
-  const bool replaying_timed = replaying() && replay_->timed;  // has the iterations that fitted then
+  const bool replaying_timed = replaying() && replay_->timed;  // uses the recorded number of iterations
   pull(with_grabs(other_springs_, model.grabs, time() + scene.solver.time_step));
   ++steps_;
   if (!reference_) {
@@ -59,7 +59,7 @@ void Simulation::make_step() {
 }
 
 void Simulation::wake() {
-  if (asleep_) {  // nothing before this step needs repetition
+  if (asleep_) {  // steps before this one need no repetition
     checked_step_ = steps_;
     log_.forget_before(steps_);
   }
@@ -86,7 +86,8 @@ void Simulation::back_to_valid() {
 
 Tuning Simulation::tuning() const {
   Tuning now{scene.solver, model.materials, model.gravity, other_springs_};
-  now.solver.frame_budget = 0;  // how many iterations fit depends on the moment; those that did are inputs
+  now.solver.frame_budget =
+      0;  // the number of iterations that fit depends on timing; the actual numbers are recorded as inputs
   return now;
 }
 
@@ -103,17 +104,18 @@ void Simulation::step_within_budget() {
     iterations = static_cast<int>(
         std::clamp<double>(std::floor(wanted.frame_budget / (ms_per_iteration_ * wanted.substeps)), 1, iterations));
   if (iterations != gpu_->settings().iterations) {
-    --steps_;  // before this step
+    --steps_;  // inputs apply before this step
     grant(iterations);
     ++steps_;
   }
-  gl::Finish();  // what was queued before is not the step's
+  gl::Finish();  // earlier queued work is not part of the step
   const auto start = std::chrono::steady_clock::now();
   gpu_->step();
   gl::Finish();
   const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   const double per_iteration = ms / (std::max(gpu_->last_iterations(), 1) * wanted.substeps);
-  constexpr double kNews = 0.2;  // share of a new measurement: a hiccup must not halve the accuracy of many steps
+  constexpr double kNews =
+      0.2;  // weight of a new measurement: one slow step must not halve the accuracy of many others
   ms_per_iteration_ = ms_per_iteration_ > 0 ? (1 - kNews) * ms_per_iteration_ + kNews * per_iteration : per_iteration;
 }
 
@@ -139,7 +141,7 @@ void Simulation::go_on_from(const State& state) {
 
 State Simulation::go_on_as_replay() {
   const State now = state();
-  set_settings(scene.solver);  // all iterations, whatever was granted last
+  set_settings(scene.solver);  // all iterations, regardless of the last number granted
   if (gpu_) {
     gpu_->materials_changed();
     gpu_->finish_background();
@@ -153,7 +155,7 @@ double Simulation::time() const { return reference_ ? reference_state_.time : gp
 
 void Simulation::set_settings(const SolverSettings& settings) {
   require_carried(settings.method, model.materials, "solver.method");
-  if (gpu_) gpu_->set_settings(settings);  // first: it may find no room
+  if (gpu_) gpu_->set_settings(settings);  // first, because it may run out of memory
   if (settings.choice() != scene.solver.choice()) ms_per_iteration_ = 0;
   scene.solver = settings;
   SolverSettings logged = settings;
@@ -184,14 +186,14 @@ void Simulation::set_material_entries(const std::vector<MaterialEntries>& entrie
   assign_materials(changed, other);
   require_carried(scene.solver.method, other.materials, "materials");
   const auto regions = [](const Model& m) { return std::tie(m.tet_material, m.material_names); };
-  if (regions(other) == regions(model)) {  // only values, or entries of nothing: every solver goes on
+  if (regions(other) == regions(model)) {  // only values or empty entries changed: every solver continues
     scene = std::move(changed);
     for (std::size_t i = 0; i < other.materials.size(); ++i)
       if (other.materials[i] != model.materials[i]) set_material(i, other.materials[i]);
     return;
   }
   const State now = state();
-  std::swap(model, other);  // where the solver that is made will look for it
+  std::swap(model, other);  // the new solver reads it there
   try {
     if (gpu_) {
       auto renewed = std::make_unique<GpuSolver>(*programs_, model, gpu_->settings(), model.embedded);
@@ -200,7 +202,7 @@ void Simulation::set_material_entries(const std::vector<MaterialEntries>& entrie
       renewed->set_grab(gpu_->springs());
       gpu_ = std::move(renewed);
     }
-  } catch (...) {  // no room for it
+  } catch (...) {  // not enough memory
     std::swap(model, other);
     throw;
   }
@@ -221,7 +223,7 @@ void Simulation::set_gravity(const Eigen::Vector3d& gravity) {
 
 void Simulation::set_grab(std::vector<GrabSpring> springs) {
   const std::optional<GrabMove> move = held_.follow(springs);
-  if (springs == other_springs_) return;  // a grab that holds still wakes nobody
+  if (springs == other_springs_) return;  // an unchanged grab wakes no region
   if (!move) held_.restart(springs);
   if (move)
     apply_grab(springs, *move);
@@ -237,7 +239,7 @@ void Simulation::apply_grab(const std::vector<GrabSpring>& springs, Change chang
   pull(with_grabs(springs, model.grabs, time() + scene.solver.time_step));
 }
 
-// Grabs of the scene are no inputs: a replay has them with its scene.
+// Grabs of the scene are not recorded as inputs: a replay has them in its scene.
 void Simulation::pull(std::vector<GrabSpring> springs) {
   if (springs == springs_) return;
   wake();

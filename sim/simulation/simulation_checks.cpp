@@ -1,5 +1,4 @@
-// What a simulation learns of its state every few steps: whether it is finite, whether it has come to rest, whether the
-// device computes.
+// Checks the state every few steps: whether it is finite, whether it has come to rest, whether the device computes.
 #include <algorithm>
 
 #include "sim/gpu/passes/compute_probe.h"
@@ -8,26 +7,25 @@
 
 namespace fascia {
 
-// The answer to the last question is there long since, or waited for: so a body falls asleep at the same step in every
-// run.
+// The result of the last check has long been available, or is waited for: so a body falls asleep at the same step in
+// every run.
 void Simulation::look() {
   follow_check(true);
   if (diverged_) return;
   checked_step_ = steps_;
   gpu_->request_check();
   if (!quiet_ || time() < model.end_of_motions()) return settling_.cancel();
-  follow_check(true);  // what sleeps must be known to be sound
+  follow_check(true);  // a sleeping state must be known to be valid
   asleep_ = quiet_ && !diverged_ && settle();
 }
 
-// Whether the body, which hardly moves, has no way left to go. Where its equilibrium can be found soon, it is put
-// there.
+// Whether a body that hardly moves has come to rest. If its equilibrium can be found quickly, the body is put there.
 bool Simulation::settle() {
   constexpr double kUnseen = 3e-4;             // of the scene's size: a third of a pixel
   constexpr double kLong = 1, kVeryLong = 16;  // [s] at rest
-  constexpr double kFloat32 = 1e-3;            // of a static residual, what rounding leaves of soft slender bodies
+  constexpr double kFloat32 = 1e-3;            // of a static residual: rounding in soft slender bodies
   const bool descends = gpu_->descends();
-  if (!descends) return rest_.quiet() >= kLong;  // comes to rest elsewhere
+  if (!descends) return rest_.quiet() >= kLong;  // such methods come to rest elsewhere
   if (model.tets.size() > Settling::kMostTets)
     return rest_.quiet() >= kLong &&
            (rest_.quiet() >= kVeryLong || reference::StaticResidual(model)(gpu_->download(), springs_) <= kFloat32);
@@ -67,7 +65,7 @@ void Simulation::follow_check(bool wait) {
   if (checked_step_ > woken_step_) quiet_ = rest_.add(verdict->movement, scene.solver, gpu_->buffers().size);
 }
 
-// Throws Error where nothing at all fell.
+// Throws Error if no vertex has fallen.
 void Simulation::judge_device(const StateGuard::Verdict& first) {
   unproven_ = false;
   diverged_from_the_start_ = first.diverged.has_value();
@@ -79,7 +77,7 @@ void Simulation::judge_device(const StateGuard::Verdict& first) {
 
 void Simulation::require_device() const {
   if (!diverged_from_the_start_) return;
-  // Tissue whose forces overflow is lost within a step, too. A box in its place tells which of the two it was.
+  // Tissue whose forces overflow also diverges within a step. A box in its place distinguishes the two causes.
   const Model box = trial_model();
   SolverSettings settings;
   settings.method = scene.solver.method;

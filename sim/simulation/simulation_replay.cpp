@@ -1,4 +1,4 @@
-// What a simulation tells of itself for a recording, and how it repeats one.
+// Records the inputs of a simulation, and repeats them in a replay.
 #include <algorithm>
 
 #include "base/error.h"
@@ -76,7 +76,7 @@ void Simulation::repeat(const Change& change) {
     }
     void operator()(const GrabMove& move) {
       if (simulation.held_.fits(move))
-        simulation.apply_grab(simulation.held_.moved(move), move);  // else set_grab() has taken over
+        simulation.apply_grab(simulation.held_.moved(move), move);  // otherwise set_grab() has taken over
     }
     void operator()(const GrantInput& input) { simulation.grant(input.iterations); }
     void operator()(const BackgroundInput& input) {
@@ -87,11 +87,11 @@ void Simulation::repeat(const Change& change) {
     void operator()(const ResetInput& reset) { simulation.go_back_to(reset.to_rest); }
     void operator()(const RestoreInput&) {
       if (!simulation.gpu_ || simulation.reference_) return;
-      simulation.follow_check(true);  // so that the last sound state is the one it was
+      simulation.follow_check(true);  // so that the last valid state is the same
       simulation.back_to_valid();
       simulation.begin_anew();
     }
-    void operator()(const CameraSettings&) {}  // whoever draws looks after these
+    void operator()(const CameraSettings&) {}  // the drawing code applies these
     void operator()(const DisplaySettings&) {}
   };
   std::visit(Visitor{*this}, change);
@@ -102,7 +102,7 @@ void Simulation::repeat_inputs() {
   for (; next_input_ < replay_->inputs.size() && replay_->inputs[next_input_].step <= steps_ - replay_begin_;
        ++next_input_) {
     repeat(replay_->inputs[next_input_].change);
-    // What is computed beside the frame would be ready at another step each time.
+    // Background results would be ready at a different step in each run.
     if (gpu_ && !replay_->timed) gpu_->finish_background();
     tell_of_background(steps_);
   }
@@ -124,7 +124,7 @@ void Simulation::reset() {
     replay_begin_ = steps_;
   }
   go_back_to(!start_);
-  if (!replaying()) repeat_inputs();  // of a replay without steps
+  if (!replaying()) repeat_inputs();  // for a replay without steps
 }
 
 void Simulation::go_back_to(bool rest) {

@@ -29,9 +29,9 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
   };
   const reference::NewtonReport march = march_to_equilibrium(*gpu_, model, tolerance, *equilibrium_, stop, tell_news);
   StaticReport report{march.iterations, 0, march.relative_residual, march.converged};
-  constexpr double kNear = 1e-2;  // from farther away Newton's method finds no way, either, and takes long for it
-  constexpr std::size_t kSoonFactored = 20'000;  // tets: in about a second
-  // A small residual may be a large error in bodies that bend easily, and Newton's last iterations take it away.
+  constexpr double kNear = 1e-2;                 // from farther away Newton's method also fails, after a long time
+  constexpr std::size_t kSoonFactored = 20'000;  // tets: factorized in about a second
+  // A small residual may mean a large error in bodies that bend easily, and Newton's last iterations remove it.
   const bool refines = march.converged && scene.solver.tolerance == 0 && model.tets.size() <= kSoonFactored;
   const bool rescues =
       !march.converged && march.relative_residual <= kNear && model.tets.size() <= reference::NewtonSolver::kMostTets;
@@ -74,7 +74,7 @@ std::function<void(const StaticReport&)> static_news(bool quiet) {
 }
 
 void require_equilibrium(const Simulation& simulation, const StaticReport& report) {
-  constexpr double kFloat32 = 1e-3;  // what rounding leaves of soft slender bodies, with room
+  constexpr double kFloat32 = 1e-3;  // rounding in soft slender bodies, with a margin
   const bool only_march = simulation.model.tets.size() > reference::NewtonSolver::kMostTets;
   if (report.converged || (only_march && report.relative_residual <= kFloat32)) return;
   throw Error(simulation.scene.file.string(), describe(report), "expected a body that is held and a load it can carry");

@@ -1,4 +1,4 @@
-// What a search for a static equilibrium (Simulation::solve_static) reports, and how that is told.
+// The report of a search for a static equilibrium (Simulation::solve_static), and its messages.
 #pragma once
 #include <functional>
 #include <string>
@@ -7,7 +7,7 @@ namespace fascia {
 
 class Simulation;
 
-/// Of the search for a static equilibrium.
+/// The result of the search.
 struct StaticReport {
   int iterations = 0, newton_iterations = 0;  // of the scene's method, and of Newton's
   double relative_residual = 0;               // reference::NewtonReport
@@ -17,10 +17,10 @@ struct StaticReport {
 /// "static equilibrium after 12 Newton iterations, relative residual 1e-11"
 /// One line.
 std::string describe(const StaticReport& report);
-/// Says on stderr how far a long solve is, every few seconds.
+/// A callback that reports the progress of a long solve on stderr every few seconds.
 std::function<void(const StaticReport&)> static_news(bool quiet);
-/// Throws Error where it is no equilibrium: neither to the tolerance nor, with a mesh too large for Newton's method, as
-/// far as float32 goes.
+/// Throws Error if the state is not an equilibrium: neither to the tolerance nor, with a mesh too large for Newton's
+/// method, to the limit of float32.
 void require_equilibrium(const Simulation& simulation, const StaticReport& report);
 
 }  // namespace fascia

@@ -23,7 +23,7 @@ StepError TrueError::compare(const Problem& problem, const SolvedStep& step, std
   const double h = problem.settings.time_step;
   const std::size_t n = step.solution.size();
   State state{step.previous, {}, problem.end_time - h};
-  for (std::size_t v = 0; v < n; ++v)  // the velocity that leads to the very u~ the solver had
+  for (std::size_t v = 0; v < n; ++v)  // the velocity that leads to exactly the u~ of the solver
     state.velocity.push_back((step.predicted[v] - step.previous[v]) / h - h * problem.model.gravity);
   reference::NewtonSolver solver(problem.model, problem.settings, std::move(stop));
   solver.set_springs(problem.springs);

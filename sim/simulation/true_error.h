@@ -1,5 +1,5 @@
-// How far the solver's steps are from the exact ones: now and then the last substep is solved again from where it
-// started, by the reference solver on another thread, while the frames go on.
+// The distance between the solver's steps and exact ones: at intervals the reference solver repeats the last substep
+// from its start on another thread, while the frames continue.
 #pragma once
 #include <future>
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace fascia {
 
-/// Both shapes at the end of a substep compared.
+/// Compares both shapes at the end of a substep.
 struct StepError {
-  double relative = 0;          // RMS |u - u_exact| over RMS |u_exact - u~|: 1 is as far away as the prediction
+  double relative = 0;          // RMS |u - u_exact| over RMS |u_exact - u~|: 1: as far away as the prediction
   double largest = 0;           // [m]
   long step = 0;                // GpuSolver::steps_solved() at the end of the substep
-  bool converged = true;        // the reference solver: if not, the error means little
+  bool converged = true;        // the reference solver; if false, the error is unreliable
   std::vector<float> distance;  // [vertex_count] |u - u_exact| [m]
 };
 
@@ -28,21 +28,21 @@ class TrueError {
   TrueError& operator=(const TrueError&) = delete;
   ~TrueError();  // stops the thread and waits for it
 
-  void request() { requested_ = true; }          // one, of the next step
-  bool requested() const { return requested_; }  // and not begun
+  void request() { requested_ = true; }          // requests one measurement, of the next step
+  bool requested() const { return requested_; }  // and not yet begun
   bool busy() const { return waiting_ || running_.valid(); }
   const std::optional<StepError>& result() const { return result_; }
 
-  /// Once a frame, after its steps: copies the last substep if a measurement is due, with `continuously` whenever none
-  /// is under way and the last result is of an older substep. True when there is a new result.
+  /// Call once per frame, after its steps: copies the last substep if a measurement is due, or with `continuously`
+  /// whenever none is pending and the last result is of an older substep. True when there is a new result.
   bool update(Simulation& simulation, bool continuously);
-  /// The error of the last substep, waited for; zero before the first step. For a solver that always solves everything.
+  /// Waits for the error of the last substep; zero before the first step. For a solver that always solves everything.
   /// Throws Error for more than kMostTets.
   const StepError& measure(Simulation& simulation);
-  void forget();  // the state has jumped: what is under way is of no interest
+  void forget();  // the state has jumped: discards a pending measurement
 
  private:
-  struct Problem {  // copies: model, settings and springs may change before the thread is done
+  struct Problem {  // copies: model, settings and springs may change before the thread ends
     Model model;
     SolverSettings settings;  // a single substep
     std::vector<GrabSpring> springs;
@@ -53,7 +53,7 @@ class TrueError {
   void begin(Simulation& simulation);
 
   bool requested_ = false;
-  std::optional<Problem> waiting_;  // for its snapshot
+  std::optional<Problem> waiting_;  // waits for its snapshot
   StepSnapshot snapshot_;
   std::stop_source stop_;
   std::future<StepError> running_;

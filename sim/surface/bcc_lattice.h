@@ -1,5 +1,4 @@
-// The body-centered cubic lattice that isosurface stuffing (sim/surface/isosurface_stuffing.h) cuts: points, cells,
-// tets.
+// The body-centered cubic lattice of isosurface stuffing (sim/surface/isosurface_stuffing.h): points, cells, tets.
 #pragma once
 #include <Eigen/Geometry>
 #include <cmath>
@@ -15,7 +14,8 @@ class BccLattice {
  public:
   BccLattice(const Eigen::AlignedBox3d& box, int cells) : spacing(box.sizes().maxCoeff() / cells) {
     for (int k = 0; k < 3; ++k) count[k] = static_cast<int>(std::ceil(box.sizes()[k] / spacing - 1e-9)) + 2;
-    // Off the planes where modelled surfaces like to lie, or every point there would be a matter of rounding.
+    // Keeps lattice points off the planes where modeled surfaces often lie, since rounding would decide the side of
+    // every point there.
     const Eigen::Vector3d shift(0.0031, 0.0047, 0.0059);
     origin = box.center() - spacing * (count.cast<double>() / 2 + shift);
     corner_count = static_cast<std::uint32_t>((count.x() + 1) * (count.y() + 1) * (count.z() + 1));
@@ -52,8 +52,8 @@ class BccLattice {
         for (int k = low.z(); k <= high.z(); ++k) f(Eigen::Vector3i(i, j, k));
   }
 
-  /// The tets around the face between a cell and the next one along an axis; f(tet, number), numbers ascend over the
-  /// lattice.
+  /// The tets around the face between a cell and the next one along an axis: f(tet, number), with ascending numbers
+  /// over the lattice.
   template <class F>
   void for_tets_of_face(const Eigen::Vector3i& c, int axis, F f) const {
     const Eigen::Vector3i along = Eigen::Vector3i::Unit(axis), u = Eigen::Vector3i::Unit((axis + 1) % 3),

@@ -44,7 +44,7 @@ class Grid {
       }
     const Vector3d size = (max - min_).cwiseMax(1e-30);
     cell_ = std::cbrt(size.prod() / static_cast<double>(tets.size()));
-    cell_ = std::max(cell_, size.maxCoeff() / 256);  // bounded memory for thin bodies
+    cell_ = std::max(cell_, size.maxCoeff() / 256);  // limits memory for thin bodies
     count_ = (size / cell_).array().ceil().cast<int>().max(1).min(257).matrix();
     cells_.resize(static_cast<std::size_t>(count_.prod()));
     for (std::uint32_t t = 0; t < tets.size(); ++t) {

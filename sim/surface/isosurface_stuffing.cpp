@@ -18,8 +18,8 @@ using Eigen::Vector3i;
 // A cut closer to a lattice point than these shares of a long or short edge moves the point (table 1 of the paper, for
 // the best smallest angle).
 constexpr double kNearLong = 0.24999, kNearShort = 0.41189;
-constexpr double kMissed = 0.25;  // spacings from the tets at which a piece of the surface counts as lost
-constexpr int kRounds = 4;        // of finding lost pieces
+constexpr double kMissed = 0.25;  // spacings from the tets beyond which a piece of the surface counts as missed
+constexpr int kRounds = 4;        // of finding missed pieces
 constexpr int kBisections = 20;
 constexpr std::uint32_t kNone = ~0u;
 constexpr std::size_t kTrianglesBetweenReports = 256;
@@ -58,7 +58,7 @@ class Filler {
  private:
   struct Cut {
     std::uint32_t in, out;  // lattice points
-    double share;           // of the way from `in`
+    double share;           // of the edge, from `in`
     std::uint32_t vertex;   // of the result
   };
 
@@ -85,7 +85,7 @@ class Filler {
     return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
   }
 
-  /// The first share of the way from `in` at which the outside begins.
+  /// The first share of the edge from `in` at which the outside begins.
   double crossing(std::uint32_t in, std::uint32_t out) const {
     const Vector3d a = lattice_.position(in), b = lattice_.position(out);
     const std::vector<double> shares = surface_.crossings(a, b);
@@ -101,7 +101,7 @@ class Filler {
     return low;
   }
 
-  /// Moves lattice points onto cuts that are too near, in the order of points; those of kept tets stay where they are.
+  /// Moves lattice points onto cuts that are too close, in the order of points; points of kept tets are not moved.
   void warp() {
     now_ = side_;
     moved_.clear();
@@ -184,7 +184,7 @@ class Filler {
   std::uint32_t cut(std::uint32_t in, std::uint32_t out) {
     Cut& cut = cuts_[cut_of_.at(key(in, out))];
     if (cut.vertex == kNone) {
-      // Points of kept tets do not move, however near: then the cut does.
+      // Points of kept tets are never moved; close cuts move instead.
       const bool is_long = lattice_.is_long(in, out);
       const double nearest = is_long ? kNearLong : kNearShort;
       cut.vertex = static_cast<std::uint32_t>(out_.positions.size());
@@ -199,11 +199,11 @@ class Filler {
     rank_.back() = rank;
   }
 
-  // Which vertex of a face with four corners its diagonal leads from: that of the highest rank, so that both tets at
-  // the face agree and no prism is left without a cut. Cuts of long edges come first, then those of short ones.
+  // Selects the start of the diagonal of a face with four corners: the vertex of the highest rank, so that both tets at
+  // the face agree and every prism can be divided. Cuts of long edges come first, then those of short ones.
   bool before(std::uint32_t a, std::uint32_t b) const { return rank_[a] != rank_[b] ? rank_[a] > rank_[b] : a < b; }
 
-  /// `base` in the order around it.
+  /// `base` is in cyclic order.
   void add_pyramid(std::uint32_t apex, const std::array<std::uint32_t, 4>& base, std::vector<Tet>& tets) {
     std::size_t first = 0;
     for (std::size_t i = 1; i < 4; ++i)
@@ -241,7 +241,7 @@ class Filler {
     const auto apex = static_cast<std::size_t>(shortest - sides.begin());
     const Vector3d &a = x[t[apex]], ab = x[t[(apex + 1) % 3]] - a, ac = x[t[(apex + 2) % 3]] - a;
     const int rows = static_cast<int>(std::ceil(2 * *longest / lattice_.spacing));
-    // Of a long triangle each row has few points, or one
+    // For a long triangle each row has few points, or one
     const double widening = std::min(1.0, 2 * *shortest / *longest);
     for (int row = 0; row < rows; ++row) {
       const int points = std::max(1, static_cast<int>(std::ceil(widening * (row + 1))));
@@ -252,7 +252,7 @@ class Filler {
     }
   }
 
-  /// Keeps the tets that hold samples far from what was filled; true if there are new ones.
+  /// Keeps the tets that contain samples far from the filling; true if there are new ones.
   bool keep_missed(const Progress& progress) {
     std::optional<TriangleTree> boundary;
     const std::size_t before = kept_.size();
@@ -306,7 +306,7 @@ class Filler {
   const TriangleTree& surface_;
   BccLattice lattice_;
   const Progress& progress_;
-  std::vector<Side> side_, now_;                           // [point_count] as found, and after the moves
+  std::vector<Side> side_, now_;                           // [point_count] as found, and after the warp
   std::vector<Cut> cuts_;                                  // between points inside and outside
   std::unordered_map<std::uint64_t, std::size_t> cut_of_;  // by the points of the edge
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> cuts_at_;

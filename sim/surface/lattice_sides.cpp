@@ -10,9 +10,9 @@ using Eigen::Vector3d;
 using Eigen::Vector3i;
 
 constexpr double kMargin = 1e-6;                     // spacings
-constexpr std::uint32_t kPointsBetweenReports = 64;  // where triangles are long each point asks all of them
+constexpr std::uint32_t kPointsBetweenReports = 64;  // with long triangles each point tests all of them
 
-/// A triangle, or what is left of it within a box.
+/// A triangle, or its part within a box.
 class Piece {
  public:
   explicit Piece(const std::array<Vector3d, 3>& corners) : size_(3) {
@@ -28,7 +28,7 @@ class Piece {
   /// The part where sign * x[axis] <= sign * limit.
   Piece cut(int axis, double limit, double sign) const {
     Piece part;
-    if (size_ + 2 > corners_.size()) return *this;  // more corners than boxes cut off: only rounding makes them
+    if (size_ + 2 > corners_.size()) return *this;  // more corners than a box can cut off come from rounding only
     for (std::size_t i = 0; i < size_; ++i) {
       const Vector3d &a = corners_[i], &b = corners_[(i + 1) % size_];
       const double da = sign * (limit - a[axis]), db = sign * (limit - b[axis]);
@@ -51,8 +51,7 @@ class CellMarker {
   CellMarker(const BccLattice& lattice, std::vector<char>& marked)
       : lattice_(lattice), marked_(marked), margin_(Vector3d::Constant(kMargin * lattice.spacing)) {}
 
-  /// Halves the cells from `low` to `high` until single ones are left: a long triangle reaches few of those that its
-  /// box holds.
+  /// Halves the cells from `low` to `high` down to single ones: a long triangle reaches few of the cells in its box.
   void mark(const Piece& piece, Vector3i low, Vector3i high) {
     const Eigen::AlignedBox3d box = piece.box();
     if (box.isEmpty()) return;
@@ -87,8 +86,7 @@ class SideFinder {
     known_.assign(lattice_.point_count(), 0);
   }
 
-  /// Points that no cell with a piece of the surface touches have the sides of their neighbors: those regions are asked
-  /// once.
+  /// Points in cells without a piece of the surface have the sides of their neighbors: each such region is tested once.
   void flood_cells() {
     std::vector<char> done = cells_at_surface(surface_, lattice_);
     std::vector<Vector3i> queue;
@@ -113,8 +111,8 @@ class SideFinder {
     });
   }
 
-  /// The other points, each from a neighbor before it from which no triangle parts it, where there is one: to cross few
-  /// triangles is quicker than to ask all for the winding number.
+  /// Tests the other points. If no triangle separates a point from an earlier neighbor, it has that neighbor's side:
+  /// testing few triangles is faster than the winding number over all.
   void ask_points(bool balanced, const Progress& progress) {
     std::uint32_t asked = 0;
     const auto ask = [&](std::uint32_t point, const auto& neighbors) {
@@ -149,7 +147,7 @@ class SideFinder {
     known_[point] = 1;
   }
   Side side_at(std::uint32_t point) const { return surface_.is_inside(lattice_.position(point)) ? inside : outside; }
-  /// Whether the segment between two points, and a little beyond them, meets no triangle.
+  /// Whether the segment between two points, slightly extended, intersects no triangle.
   bool is_beside(std::uint32_t a, std::uint32_t b) const {
     const Vector3d p = lattice_.position(a), q = lattice_.position(b), beyond = kMargin * (q - p);
     return surface_.crossings(p - beyond, q + beyond).empty();

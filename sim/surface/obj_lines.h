@@ -1,4 +1,4 @@
-// The lines of a Wavefront file and what they begin with.
+// Splits a Wavefront file into lines and their keywords.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -8,10 +8,10 @@ namespace fascia {
 
 struct ObjLine {
   std::size_t number;           // from 1
-  std::string_view word, rest;  // without the white space around them; rest may be empty
+  std::string_view word, rest;  // without surrounding white space; rest may be empty
 };
 
-/// Of every line that is not empty. Lines end with CR, LF or both.
+/// Calls `take` for every line that is not empty. Lines end with CR, LF or both.
 template <typename Take>
 void for_each_obj_line(std::string_view content, const Take& take) {
   const auto trimmed = [](std::string_view text) {

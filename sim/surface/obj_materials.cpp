@@ -45,7 +45,7 @@ void ObjMaterials::read(std::string_view content) {
       described_[current] = true;
       in_material = true;
     } else if (line.word == "Kd" && in_material) {
-      std::istringstream numbers{std::string(line.rest)};  // none where the color is given as a spectrum
+      std::istringstream numbers{std::string(line.rest)};  // empty if the color is given as a spectrum
       if (double r, g, b; numbers >> r >> g >> b) materials_[current].color = packed_color(r, g, b);
     }
   });

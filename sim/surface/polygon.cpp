@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Corners in the plane across the polygon's area vector (Newell), so that they lead around it counterclockwise.
+/// Corners projected to the plane perpendicular to the polygon's area vector (Newell), counterclockwise.
 std::vector<Vector2d> flattened(const std::vector<Vector3d>& positions, const std::vector<std::uint32_t>& corners) {
   const Vector3d& origin = positions[corners[0]];
   Vector3d area = Vector3d::Zero();
@@ -24,8 +24,8 @@ std::vector<Vector2d> flattened(const std::vector<Vector3d>& positions, const st
   return flat;
 }
 
-/// Remembers of each corner whether it is an ear and, if not, a corner in its way: it is looked at again only when that
-/// one or a neighbor is gone.
+/// Stores for each corner whether it is an ear and, if not, a corner that blocks it: it is tested again only when the
+/// blocking corner or a neighbor is removed.
 class EarClipper {
  public:
   explicit EarClipper(std::vector<Vector2d> flat) : flat_(std::move(flat)), corners_(flat_.size()) {
@@ -56,13 +56,13 @@ class EarClipper {
   struct Corner {
     std::size_t previous, next;
     double turn, cut;        // convex if turn > 0; squared length of the cut
-    std::size_t in_the_way;  // a corner in its triangle
+    std::size_t in_the_way;  // a blocking corner in its triangle
     bool is_ear;
   };
 
   std::size_t left() const { return flat_.size() - cut_off_; }
 
-  /// The ear with the shortest cut, or where there is none the sharpest corner.
+  /// The ear with the shortest cut or, without ears, the sharpest corner.
   bool is_better(std::size_t i, std::size_t than) const {
     const Corner &a = corners_[i], &b = corners_[than];
     return a.is_ear != b.is_ear ? a.is_ear : a.is_ear ? a.cut < b.cut : a.turn > b.turn;
@@ -89,7 +89,7 @@ class EarClipper {
   }
 
   std::vector<Vector2d> flat_;
-  std::vector<Corner> corners_;  // a ring of those that are left
+  std::vector<Corner> corners_;  // a ring of the remaining corners
   std::size_t first_ = 0, cut_off_ = 0;
 };
 

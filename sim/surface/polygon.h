@@ -1,4 +1,4 @@
-// Cuts polygons of surfaces into triangles, concave ones too.
+// Divides polygons of surfaces into triangles, including concave ones.
 #pragma once
 #include <vector>
 
@@ -6,9 +6,9 @@
 
 namespace fascia {
 
-/// Appends corner_count - 2 triangles, of the corners of a polygon around which `corners` leads. Ears are cut off in
-/// the plane that fits the polygon best, the ear with the shortest cut first; a polygon that crosses itself is cut
-/// somehow.
+/// Appends corner_count - 2 triangles with the corners of the polygon that `corners` traverses. Ears are cut off in the
+/// best-fit plane of the polygon, the ear with the shortest cut first; the result for a self-intersecting polygon is
+/// arbitrary.
 void triangulate(const std::vector<Eigen::Vector3d>& positions, const std::vector<std::uint32_t>& corners,
                  std::vector<Triangle>& triangles);
 

@@ -1,4 +1,4 @@
-// Where a surface cuts itself.
+// Finds self-intersections of a surface.
 #include <algorithm>
 
 #include "sim/surface/surface_repair.h"
@@ -8,8 +8,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Pairs of boxes that are compared for each triangle. Surfaces of well-shaped triangles take some 50; where thousands
-// of long triangles lie across each other it is every one with every other one.
+// Pairs of boxes that are compared for each triangle. Surfaces of well-shaped triangles need some 50; where thousands
+// of long triangles lie across each other every pair would be compared.
 constexpr std::size_t kMostPairsEach = 200;
 constexpr std::size_t kPairsBetweenReports = 1 << 16;
 
@@ -27,7 +27,8 @@ bool on_one_side(const std::array<double, 3>& side) {
   return !(*low < 0 && *high > 0);
 }
 
-/// Whether an edge of `t`, whose corners lie on these sides of the other triangle's plane, leads through that one.
+/// Whether an edge of `t`, whose corners lie on these sides of the other triangle's plane, passes through that
+/// triangle.
 bool pierces(const TriangleCorners& t, const std::array<double, 3>& side, const TriangleCorners& other,
              Vector3d& where) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -43,7 +44,7 @@ bool pierces(const TriangleCorners& t, const std::array<double, 3>& side, const 
   return false;
 }
 
-/// What lies on one side of the other's plane neither pierces it nor is pierced by it.
+/// Whether two triangles intersect. A triangle on one side of the other's plane does not.
 bool cut(const TriangleCorners& one, const TriangleCorners& other, Vector3d& where) {
   const std::array<double, 3> of_one = sides(one, other);
   if (on_one_side(of_one)) return false;

@@ -11,8 +11,8 @@ namespace fascia {
 namespace {
 
 constexpr double kWantedTets = 7000, kMostTets = 4e6;
-// Tets of a lattice of spacing h: 12 in a cube of the inside, and about as many more for each square of the surface as
-// were counted on tori of 10 to 40 cells (1.4 to 2).
+// Tets of a lattice of spacing h: 12 per cube of the inside, and for each square of the surface about the number
+// counted on tori of 10 to 40 cells (1.4 to 2).
 constexpr double kTetsInside = 12, kTetsOnSurface = 1.5;
 
 double expected_tets(const SurfaceReport& report, double spacing) {
@@ -65,7 +65,7 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
     double volume = 0;
     const auto& x = filled.file.mesh.positions;
     for (const Tet& t : filled.file.mesh.tets) volume += signed_volume6(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) / 6;
-    // A sharp edge is thinner than any lattice: only what one would notice is told.
+    // A sharp edge is thinner than any lattice: only a visible difference is reported.
     constexpr double kVolume = 0.02, kShare = 0.1;
     const double share = static_cast<double>(whole) / static_cast<double>(filled.file.mesh.tets.size());
     const bool notable = std::abs(volume / found.volume - 1) > kVolume || share > kShare;

@@ -1,5 +1,4 @@
-// A closed surface as a tet mesh: read, examined, put right and filled by a lattice
-// (sim/surface/isosurface_stuffing.h).
+// A closed surface as a tet mesh: read, checked, repaired and filled by a lattice (sim/surface/isosurface_stuffing.h).
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -10,23 +9,23 @@
 
 namespace fascia {
 
-inline constexpr int kFewestCells = 2, kMostCells = 256;  // of a resolution, along the longest side
+inline constexpr int kFewestCells = 2, kMostCells = 256;  // limits of a resolution, along the longest side
 
 struct FilledSurface {
-  SurfaceMesh surface;  // of the file, put right
+  SurfaceMesh surface;  // of the file, repaired
   SurfaceRepair repaired;
-  MeshFile file;  // the tets; notes of the surface, then of the filling
+  MeshFile file;  // the tets, with notes about the surface, then about the filling
   std::ptrdiff_t notes_of_surface = 0;
   int resolution = 0;  // cells along the longest side
 };
 
-/// Tets for a surface. Without a resolution there are about 7,000 of them, more where the surface is thinner than that
-/// allows. Throws Error with `where` for a surface without an inside and for a resolution of more than some millions of
+/// Tets for a surface. The default resolution gives about 7,000 of them, or more if the surface is too thin for that.
+/// Throws Error with `where` for a surface without an inside and for a resolution that gives more than some millions of
 /// tets.
 FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::optional<int> resolution,
                            const Progress& progress = {});
 
-/// The mesh of a file: of a .obj its surface filled, else as read_mesh.
+/// The mesh of a file: the filled surface of a .obj, else as read_mesh.
 MeshFile read_mesh_or_fill(const std::filesystem::path& path, std::optional<int> resolution = {},
                            const Progress& progress = {});
 

@@ -14,7 +14,7 @@
 namespace fascia {
 namespace {
 
-constexpr std::size_t kMostCorners = 255;  // of a polygon: the library counts them in a byte
+constexpr std::size_t kMostCorners = 255;  // of a polygon: the library stores the number in a byte
 
 [[noreturn]] void fail_at(const std::filesystem::path& path, std::size_t line, const std::string& what,
                           const std::string& expected) {
@@ -23,8 +23,8 @@ constexpr std::size_t kMostCorners = 255;  // of a polygon: the library counts t
   throw Error(where, what, expected);
 }
 
-/// Vertices and faces for the library, materials by their numbers. What other lines say is passed over anyway, and the
-/// library believes the counts of some (a tag "t") and allocates for them.
+/// The vertices and faces for the library, with materials by number. Other lines are dropped: they are skipped in any
+/// case, and the library trusts the counts of some (a tag "t") for allocations.
 std::string prepared(const std::filesystem::path& path, std::string_view content, const ObjMaterials::Library& library,
                      ObjMaterials& materials) {
   std::string out = "mtllib all\n";
@@ -52,7 +52,7 @@ std::string prepared(const std::filesystem::path& path, std::string_view content
   return out;
 }
 
-/// Tells the library the numbers of the materials.
+/// Gives the library the numbers of the materials.
 class Numbers : public tinyobj::MaterialReader {
  public:
   explicit Numbers(std::size_t count) : count_(count) {}
@@ -84,7 +84,7 @@ ObjContent parse(const std::filesystem::path& path, const std::string& prepared,
   return obj;
 }
 
-/// Of the first line that begins with `word` and for which `wrong(rest)`; 0 if there is none.
+/// The number of the first line that begins with `word` and for which `wrong(rest)` holds; 0 if there is none.
 template <typename Wrong>
 std::size_t line_of(std::string_view content, std::string_view word, const Wrong& wrong) {
   std::size_t found = 0;
@@ -113,7 +113,7 @@ bool names(std::string_view face, int vertex) {
   return false;
 }
 
-/// The triangles of all faces, and of each the number of its material, -1 for none.
+/// The triangles of all faces, and the number of each triangle's material, -1 for none.
 std::vector<int> read_faces(const std::filesystem::path& path, std::string_view content, const ObjContent& obj,
                             SurfaceMesh& mesh) {
   std::vector<int> material;

@@ -14,16 +14,16 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::uint32_t kNoTriangle = ~0u;
-constexpr std::size_t kFewestTriangles = 4;  // of a shell that holds anything
+constexpr std::size_t kFewestTriangles = 4;  // of a shell that encloses a volume
 constexpr std::uint32_t kShellsBetweenReports = 64;
 constexpr const char* kExamining = "Examining the surface";
-constexpr std::size_t kSamples = 9;  // vertices of a shell that are asked whether they lie in another one
+constexpr std::size_t kSamples = 9;  // vertices of a shell that are tested for lying in another one
 
 double area_of(const Vector3d& a, const Vector3d& b, const Vector3d& c) { return (b - a).cross(c - a).norm() / 2; }
 
 class Repairer {
  public:
-  /// What becomes of two triangles with the same vertices that are wound against each other.
+  /// Treatment of two triangles with the same vertices and opposite winding.
   enum class Opposites { keep_one, drop_both };
 
   Repairer(const SurfaceMesh& surface, Opposites opposites, const Progress& progress)
@@ -39,12 +39,13 @@ class Repairer {
     find_holes();
     place_shells();
     repaired_.balanced = repaired_.closed() && is_balanced();
-    if (repaired_.balanced && !crowded_.empty()) report_.volume = enclosed_volume();  // its shells are not closed each
+    if (repaired_.balanced && !crowded_.empty())
+      report_.volume = enclosed_volume();  // its single shells are not closed
   }
   SurfaceRepair take() { return std::move(repaired_); }
 
  private:
-  /// Triangles of welded vertices, without those that have no area or are there already.
+  /// Triangles of welded vertices, without duplicates and those without area.
   void collect(const SurfaceMesh& surface) {
     const std::vector<std::uint32_t> first = first_at_place(x_);
     for (std::uint32_t v = 0; v < first.size(); ++v) report_.welded += first[v] != v;
@@ -74,7 +75,7 @@ class Repairer {
     enum Fate : char { stays, is_duplicate, is_wall };
     std::vector<Fate> fate(entries.size(), stays);
     for (std::size_t begin = 0, end; begin < entries.size(); begin = end) {
-      int turns = 0;  // how often one way round, less how often the other way
+      int turns = 0;  // occurrences in one orientation minus those in the other
       for (end = begin; end < entries.size() && entries[end].ascending == entries[begin].ascending; ++end)
         turns += is_even(entries[end].triangle) ? 1 : -1;
       bool kept = opposites_ == Opposites::drop_both && turns == 0;
@@ -101,10 +102,10 @@ class Repairer {
     }
   }
 
-  /// Whether the triangle leads round as its vertices in ascending order do.
+  /// Whether the triangle has the orientation of its vertices in ascending order.
   static bool is_even(const Triangle& t) { return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2; }
 
-  /// Who is beyond each edge of each triangle, over edges of exactly two.
+  /// Finds the neighbor across each edge of each triangle, for edges of exactly two.
   void connect() {
     struct Edge {
       std::uint32_t low, high, place;  // 3 * triangle + number of the edge, which leads from that corner to the next
@@ -137,7 +138,7 @@ class Repairer {
     }
   }
 
-  /// Numbers the shells and turns the triangles that disagree with most of their shell.
+  /// Numbers the shells and reverses the triangles that disagree with most of their shell.
   void orient() {
     shell_.assign(triangles_.size(), kNoTriangle);
     std::vector<char> turn(triangles_.size(), 0);
@@ -153,7 +154,8 @@ class Repairer {
         for (std::uint32_t place = 3 * t; place < 3 * t + 3; ++place) {
           if (beyond_[place] == kNoTriangle) continue;
           const std::uint32_t other = beyond_[place] / 3;
-          const bool opposed = ends(place)[0] == ends(beyond_[place])[0];  // both lead the same way along their edge
+          const bool opposed =
+              ends(place)[0] == ends(beyond_[place])[0];  // both traverse their edge in the same direction
           const char wanted = static_cast<char>(turn[t] ^ static_cast<char>(opposed));
           if (shell_[other] == kNoTriangle) {
             shell_[other] = number;
@@ -166,7 +168,7 @@ class Repairer {
       }
       const std::size_t turned = static_cast<std::size_t>(
           std::count_if(queue.begin(), queue.end(), [&](std::uint32_t t) { return turn[t] != 0; }));
-      const char less = 2 * turned <= queue.size();  // turned ones are the fewer
+      const char less = 2 * turned <= queue.size();  // reversed ones are the minority
       std::sort(queue.begin(), queue.end());
       for (const std::uint32_t t : queue) {
         if (turn[t] != less) continue;
@@ -176,7 +178,7 @@ class Repairer {
     }
   }
 
-  /// Open edges that hang together are a hole; its area is that of the flat patch with the same area vector.
+  /// Connected open edges form a hole; its area is that of the flat patch with the same area vector.
   void find_holes() {
     std::unordered_map<std::uint32_t, std::uint32_t> parent;
     const auto root = [&](std::uint32_t v) {
@@ -198,8 +200,8 @@ class Repairer {
     report_.hole_area = std::accumulate(areas.begin(), areas.end(), 0.0);
   }
 
-  /// Volumes; a shell that is inside out is turned, unless it lies in another one, whose cavity it is. Where a shell is
-  /// open, its volume is that of the cone to its middle, and of a flat one nothing is known.
+  /// Computes volumes. An inverted shell is reversed, unless it lies in another one as its cavity. The volume of an
+  /// open shell is that of the cone to its center, which is unknown for a flat one.
   void place_shells() {
     std::vector<SurfaceShell>& shells = report_.shells;
     constexpr double kFlat = 1e-6;  // volume for the area's 3/2 power
@@ -216,7 +218,7 @@ class Repairer {
       shell.volume += p.cross(q).dot(r) / 6;
       parts[shell_[t]].push_back(triangles_[t]);
     }
-    std::vector<TriangleTree> trees;  // of shells that may hold others
+    std::vector<TriangleTree> trees;  // of shells that may contain others
     std::vector<std::size_t> tree_of(shells.size(), shells.size());
     const auto holds = [&](std::size_t outer, std::size_t inner) {
       if (tree_of[outer] == shells.size()) {
@@ -256,7 +258,7 @@ class Repairer {
                      [](const SurfaceShell& a, const SurfaceShell& b) { return a.area > b.area; });
   }
 
-  /// Whether the edges of more than two triangles are passed as often one way as the other.
+  /// Whether the edges of more than two triangles are traversed equally often in both directions.
   bool is_balanced() const {
     int sum = 0;
     for (std::size_t e = 0; e < crowded_.size(); ++e) {
@@ -296,7 +298,7 @@ class Repairer {
   struct TriangleEdge {
     std::uint32_t triangle, low, high;
   };
-  /// Whether the triangle passes its edge from the lower vertex to the higher one.
+  /// Whether the triangle traverses its edge from the lower vertex to the higher one.
   bool ascends(const TriangleEdge& edge) const {
     const Triangle& t = triangles_[edge.triangle];
     return t[(std::find(t.begin(), t.end(), edge.low) - t.begin() + 1) % 3] == edge.high;
@@ -313,9 +315,9 @@ class Repairer {
   SurfaceReport& report_ = repaired_.report;
   std::vector<Vector3d>& x_ = repaired_.positions;
   std::vector<Triangle>& triangles_ = repaired_.triangles;
-  std::vector<std::uint32_t> beyond_;         // [3 * triangle_count] place of the other triangle at each edge
+  std::vector<std::uint32_t> beyond_;         // [3 * triangle_count] index of the other triangle at each edge
   std::vector<std::uint32_t> shell_;          // [triangle_count]
-  std::vector<std::uint32_t> source_;         // [triangle_count] number in the file
+  std::vector<std::uint32_t> source_;         // [triangle_count] index in the file
   std::vector<TriangleEdge> open_, crowded_;  // edges of one triangle, and of more than two
 };
 
@@ -329,7 +331,7 @@ SurfaceRepair repair(const SurfaceMesh& surface, const Progress& progress) {
   using Opposites = Repairer::Opposites;
   SurfaceRepair repaired = Repairer(surface, Opposites::keep_one, part_of(progress, 0, 0.5)).take();
   if (!repaired.closed() || repaired.balanced || repaired.report.duplicates.count == 0) return repaired;
-  // Cells with all their faces: those between two cells are there twice, wound against each other, and part nothing.
+  // Cells with all their faces: a face between two cells occurs twice, with opposite windings, and separates nothing.
   SurfaceRepair hull = Repairer(surface, Opposites::drop_both, part_of(progress, 0.5, 1)).take();
   return hull.balanced && hull.report.volume > 0 ? hull : repaired;
 }

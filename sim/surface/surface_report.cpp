@@ -1,4 +1,4 @@
-// The doctor's findings about a surface in words.
+// Writes the findings of the surface check.
 #include <algorithm>
 #include <ostream>
 
@@ -10,10 +10,9 @@
 namespace fascia {
 namespace {
 
-// A surface with larger holes has no inside that anybody would agree on. A tube that is open at both ends has 1/7 at 14
-// radii.
+// A surface with larger holes has no well-defined inside. A tube that is open at both ends has 1/7 at 14 radii.
 constexpr double kLargestHoles = 0.2;  // of the area
-// And one that is mostly walls between cells, each there once, has an inside only for who knows the cells.
+// A surface that is mostly walls between cells, each present once, has an inside only if the cells are known.
 constexpr double kLargestWalls = 0.5;  // of the area
 constexpr std::size_t kNamedShells = 8;
 constexpr const char* kExpected = "expected a closed surface, to be filled with tets";
@@ -51,7 +50,7 @@ void require_fillable(const SurfaceRepair& repaired, const std::string& where) {
                     plural(report.holes, "hole") + " of " + percent(report.hole_area / report.area) + " of its area",
                 "expected a closed surface, or holes of at most " + percent(kLargestHoles) +
                     ": close them, or give a sheet a thickness");
-  // The volume of a sheet that is drawn from both sides is rounding.
+  // The volume of a sheet with two sides is only rounding.
   if (!(std::abs(report.volume) > 1e-9 * std::pow(report.area, 1.5)))
     throw Error(where, "encloses no volume (" + number(report.volume) + " m^3 in " + number(report.area) + " m^2)",
                 kExpected);

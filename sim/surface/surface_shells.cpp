@@ -42,7 +42,7 @@ std::uint32_t ShellTree::largest_around(const Eigen::AlignedBox3d& box, double a
                                         const std::function<bool(std::uint32_t)>& holds) const {
   struct Entry {
     double area;
-    std::uint32_t number;  // of a shell; kNone for a node, which comes before shells of its area
+    std::uint32_t number;  // of a shell; kNone for a node, which precedes shells of its area
     std::uint32_t node;
     bool operator<(const Entry& other) const {
       if (area != other.area) return area < other.area;

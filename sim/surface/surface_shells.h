@@ -1,4 +1,4 @@
-// Which shell lies around which: a tree of their boxes, so that not every shell is compared with every other one.
+// Finds the shell around each shell with a tree of their boxes, so that not all shells are compared with each other.
 #pragma once
 #include <Eigen/Geometry>
 #include <cstdint>
@@ -18,8 +18,8 @@ class ShellTree {
 
   explicit ShellTree(std::vector<Shell> shells);
 
-  /// Number of the shell of the largest area beyond `area` whose box contains `box` and for which holds(number); among
-  /// equal ones the first. `holds` is asked in the order of areas, until it says yes.
+  /// The number of the largest shell beyond `area` whose box contains `box` and for which holds(number) is true; among
+  /// equal areas the first. `holds` is called in the order of areas until it returns true.
   std::uint32_t largest_around(const Eigen::AlignedBox3d& box, double area,
                                const std::function<bool(std::uint32_t)>& holds) const;
 
@@ -28,7 +28,7 @@ class ShellTree {
     Eigen::AlignedBox3d box;   // around all boxes
     double area;               // the largest
     std::uint32_t begin, end;  // in shells_
-    std::uint32_t right = 0;   // child; the left one follows its parent; 0: a leaf
+    std::uint32_t right = 0;   // right child; the left one follows its parent; 0: a leaf
   };
   void build(std::uint32_t begin, std::uint32_t end);
 

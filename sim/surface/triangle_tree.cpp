@@ -24,7 +24,7 @@ bool share_vertex(const Triangle& a, const Triangle& b) {
   return std::any_of(a.begin(), a.end(), [&](std::uint32_t v) { return v != kNoVertex && has(b, v); });
 }
 
-/// Of a triangle as seen from the origin [sr] (Van Oosterom, Strackee 1983).
+/// Solid angle of a triangle as seen from the origin [sr] (Van Oosterom, Strackee 1983).
 double solid_angle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
   const double volume = a.dot(b.cross(c));
@@ -36,7 +36,7 @@ bool touches(const AlignedBox3d& box, const Vector3d& a, const Vector3d& inverse
   for (int k = 0; k < 3; ++k) {
     double first = (box.min()[k] - a[k]) * inverse[k], second = (box.max()[k] - a[k]) * inverse[k];
     if (first > second) std::swap(first, second);
-    // Not a number (a on a side of the box, along that side) excludes nothing.
+    // A NaN (a on a side of the box, along that side) excludes nothing.
     if (first > enter) enter = first;
     if (second < leave) leave = second;
   }
@@ -193,7 +193,7 @@ TriangleTree::Nearest TriangleTree::nearest(const Vector3d& p) const {
     if (node.right != 0) {
       Entry left{entry.node + 1, nodes_[entry.node + 1].box.squaredExteriorDistance(p)};
       Entry right{node.right, nodes_[node.right].box.squaredExteriorDistance(p)};
-      if (left.distance2 < right.distance2) std::swap(left, right);  // the nearer one is looked at first
+      if (left.distance2 < right.distance2) std::swap(left, right);  // the nearer one is visited first
       stack[height++] = left;
       stack[height++] = right;
       continue;
@@ -212,7 +212,7 @@ TriangleTree::Nearest TriangleTree::nearest(const Vector3d& p) const {
   return best;
 }
 
-/// Vertices that all triangles of a leaf have; kNoVertex in the other places.
+/// Vertices that all triangles of a leaf share; kNoVertex in the other places.
 Triangle TriangleTree::common_vertices(const Node& node) const {
   Triangle common = triangles_[order_[node.begin]];
   for (std::uint32_t place = node.begin + 1; place < node.end; ++place)
@@ -225,7 +225,7 @@ bool TriangleTree::for_touching_pairs(const std::function<void(std::size_t, std:
                                       const std::function<bool(std::size_t)>& go_on) const {
   if (nodes_.empty()) return true;
   // Around a vertex with thousands of triangles all boxes touch, and no pair counts: two nodes with a common vertex are
-  // passed over.
+  // skipped.
   std::vector<Triangle> common(nodes_.size());
   for (std::size_t at = nodes_.size(); at-- > 0;) {  // children follow their parents
     const Node& node = nodes_[at];

@@ -30,7 +30,7 @@ Vector3d nearest_on_segment(const Ray& ray, const Vector3d& a, const Vector3d& b
 
 double beyond(const SectionCut& cut, const Vector3d& p) { return cut.normal.cast<double>().dot(p) - cut.offset; }
 
-// The part of the ray [m] on which there is something; empty if low > high.
+// The part of the ray [m] on which the body is visible; empty if low > high.
 struct Reach {
   double low = 0, high = kEndless;
 };
@@ -63,7 +63,7 @@ std::optional<Hit> pick(const Ray& ray, std::span<const Triangle> triangles, std
   }
   if (!first) return std::nullopt;
   const Vector3d normal = normal_of(triangles[*first], positions);
-  // Seen from its inside: the ray came in through the cut.
+  // Seen from its inside: the ray entered through the cut.
   if (reach.low > 0 && normal.dot(ray.direction) > 0)
     return Hit{*first, ray.origin + reach.low * ray.direction, cut->normal.cast<double>(), true};
   return Hit{*first, ray.origin + nearest * ray.direction, normal};
@@ -79,7 +79,7 @@ std::optional<Hit> pick_nearest(const Ray& ray, std::span<const Triangle> triang
       const Vector3d point = nearest_on_segment(ray, positions[triangles[i][k]], positions[triangles[i][(k + 1) % 3]]);
       const Vector3d from_eye = point - ray.origin;
       const double along = ray.direction.dot(from_eye);
-      if (along <= 0 || (cut && beyond(*cut, point) > 0)) continue;  // behind the eye
+      if (along <= 0 || (cut && beyond(*cut, point) > 0)) continue;  // behind the camera
       const double distance = (from_eye - along * ray.direction).squaredNorm();
       if (!(distance < nearest)) continue;
       nearest = distance;

@@ -12,7 +12,7 @@ std::array<std::uint32_t, n> ascending(std::array<std::uint32_t, n> vertices) {
   return vertices;
 }
 
-// Which body and which number of its file each tet has; file_mesh holds the tets of all bodies one after the other.
+// The body and the region number of each tet; file_mesh holds the tets of all bodies one after the other.
 std::vector<std::pair<std::uint32_t, int>> keys_of(const Model& model) {
   std::vector<std::pair<std::uint32_t, int>> keys;
   for (std::uint32_t b = 0; b < model.bodies.size(); ++b)

@@ -1,5 +1,4 @@
-// The regions of a scene's meshes as pictures show them: one number for every tet and for every triangle of the drawn
-// surface.
+// The regions of a scene's meshes for pictures: one number for every tet and for every triangle of the drawn surface.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -15,8 +14,8 @@ struct VisualRegions {
   std::vector<std::uint32_t> of_triangle;  // [VisualSurface::triangles]
 };
 
-/// A region is what has a body and a region number of its own, in ascending order of both. A triangle of an embedded
-/// surface takes the region of the tet that its first vertex hangs on.
+/// Each combination of body and region number is a region, in ascending order of both. A triangle of an embedded
+/// surface takes the region of the tet in which its first vertex is embedded.
 VisualRegions drawn_regions(const Scene& scene, const Model& model, const VisualSurface& surface);
 
 }  // namespace fascia

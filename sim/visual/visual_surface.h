@@ -1,5 +1,5 @@
-// What is drawn of a model: the boundary of its tets or, for bodies with a surface of their own, that surface embedded
-// in them.
+// The drawn surface of a model: the boundary of its tets or, for bodies with a surface of their own, that surface
+// embedded in them.
 #pragma once
 #include <vector>
 
@@ -13,7 +13,7 @@ struct VisualSurface {
   std::vector<std::uint32_t> colors{};          // as SurfaceMesh::colors, of all triangles; empty if no surface has any
 };
 VisualSurface drawn_surface(const Model& model);
-/// Whether bodies have surfaces of their own, and all of them enclose an inside.
+/// Whether there are bodies with surfaces of their own and all of these enclose a volume.
 bool closed_around_tets(const Model& model);
 
 }  // namespace fascia

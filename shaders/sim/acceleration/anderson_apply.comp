@@ -6,7 +6,7 @@ INPUT_FLOAT(AndersonState, anderson_state)
 INPUT_VEC4(Image, image)               // [invocations] G(z_k)
 INPUT_VEC4(ImageChange, image_change)  // [window * invocations] dG
 OUTPUT(vec4, Iterate, iterate)         // [invocations] z_{k+1}
-OUTPUT(vec4, Value, value)             // [invocations] z_{k+1}; w stays
+OUTPUT(vec4, Value, value)             // [invocations] z_{k+1}; w is kept
 
 void main() {
   ITEM_OR_RETURN(i)

@@ -1,4 +1,5 @@
-// Anderson acceleration, after the first sweep of a substep: z_1 = G(z_0) is the plain one, the history is empty.
+// Anderson acceleration, after the first sweep of a substep: z_1 = G(z_0) is the plain iterate, and the history is
+// empty.
 #include "common/io.glsl"
 #include "sim/acceleration/anderson_state.glsl"
 COMPUTE_1D

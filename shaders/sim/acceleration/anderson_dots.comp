@@ -1,5 +1,5 @@
 // Anderson acceleration, second pass: weighted dot products of every column j of dF with the newest column and with f.
-// After anderson_difference, before anderson_solve. Held vertices have f = 0.
+// After anderson_difference, before anderson_solve. Constrained vertices have f = 0.
 #include "common/io.glsl"
 #include "common/reduce.glsl"
 #include "sim/acceleration/anderson_state.glsl"
@@ -8,7 +8,7 @@ INPUT_FLOAT(AndersonState, anderson_state)
 INPUT_VEC4(Residual, residual)               // [vector_count] xyz f_k, w weight
 INPUT_VEC4(ResidualChange, residual_change)  // [window * vector_count] dF
 INPUT_VEC4(Image, image)                     // [vector_count] G(z_k)
-// x dF_new . dF_j, y dF_j . f, z f . f, w G . G; those of column 0, then of column 1, ...
+// x dF_new . dF_j, y dF_j . f, z f . f, w G . G; first those of column 0, then of column 1, ...
 OUTPUT(vec4, DotPartials, dot_partials)
 uniform uint vector_count, lanes;            // lanes of one column
 uniform uint first_partial;

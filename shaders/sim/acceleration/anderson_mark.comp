@@ -1,4 +1,4 @@
-// Anderson acceleration, before the first sweep of a substep: remembers where it starts, z_0.
+// Anderson acceleration, before the first sweep of a substep: stores its start z_0.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_VEC4(Value, value)        // [invocations]

@@ -1,7 +1,7 @@
-// Anderson acceleration, third pass, one work group: theta = argmin |f_k - dF theta|^2 by the normal equations, scaled to a unit
-// diagonal. REGULARIZATION keeps columns that float32 cannot tell apart from cancelling each other.
-// When |f|^2 has grown fourfold the history misleads, and when |f| is as small as the rounding of G it is noise: it is forgotten, and
-// the iteration is a plain one.
+// Anderson acceleration, third pass, one work group: theta = argmin |f_k - dF theta|^2 by the normal equations, scaled
+// to a unit diagonal. REGULARIZATION keeps columns that float32 cannot distinguish from canceling each other.
+// When |f|^2 has grown fourfold the history misleads, and when |f| is as small as the rounding of G it is noise: it is
+// forgotten, and the iteration is a plain one.
 // After anderson_dots, before anderson_apply.
 #include "common/io.glsl"
 #include "common/finite.glsl"
@@ -15,7 +15,7 @@ uniform uint window, partials, parts;  // partials of one column of one part
 #define ROUNDING 3e-7  // relative, of a sweep in float32
 
 shared vec4 dots[LARGEST_WINDOW];
-// Arrays that are indexed by variables: an invocation's own lie in a GPU's slowest memory, shared ones in llvmpipe's.
+// Arrays with variable indices: private ones are in a GPU's slowest memory, shared ones in llvmpipe's.
 #if !READ_TEXELS
 shared float factor[LARGEST_WINDOW][LARGEST_WINDOW], theta[LARGEST_WINDOW], scale[LARGEST_WINDOW];
 #endif

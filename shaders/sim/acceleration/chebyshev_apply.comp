@@ -6,7 +6,7 @@ INPUT_FLOAT(ChebyshevState, chebyshev_state)
 INPUT_VEC4_IN_PLACE(Swept, swept)        // [vertex_count] G(x_k) [m]
 INPUT_VEC4_IN_PLACE(Current, current)    // [vertex_count] x_k
 INPUT_VEC4_IN_PLACE(Earlier, earlier)    // [vertex_count] x_{k-1}
-OUTPUT(vec4, Displacement, displacement)  // [vertex_count] x_{k+1}; w stays
+OUTPUT(vec4, Displacement, displacement)  // [vertex_count] x_{k+1}; w is kept
 OUTPUT(vec4, Iterate, iterate)            // [vertex_count] x_{k+1}
 OUTPUT(vec4, Before, before)              // [vertex_count] x_k
 

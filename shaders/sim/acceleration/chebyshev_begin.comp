@@ -1,4 +1,4 @@
-// Chebyshev acceleration on positions, last pass of a substep's first iteration: x_1 = G(x_0) is the plain one.
+// Chebyshev acceleration on positions, last pass of a substep's first iteration: x_1 = G(x_0) is the plain iterate.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_VEC4(Start, start)                // [vertex_count] x_0 [m]

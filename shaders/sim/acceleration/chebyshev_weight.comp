@@ -19,9 +19,9 @@ uniform uint partials;
 #define DAMPING 0.75
 #define LARGEST_RADIUS 0.9995
 #define GROWTH 4.0  // of |f|^2
-#define ROUNDING 1e-8  // share of the first |f|^2 below which the residual tells of float32 and no longer of the iteration
+#define ROUNDING 1e-8  // share of the first |f|^2 below which the residual is rounding of float32
 
-#define LANES 8u  // however large the work group is: the sum is the same
+#define LANES 8u  // fixed, so that the sum is the same for any size of the work group
 shared float lane_sums[LANES];
 
 float larger_radius(float rho, float p, float b) {

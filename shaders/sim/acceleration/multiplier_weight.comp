@@ -1,5 +1,5 @@
-// Weight 1 / (h^2 V E) [1/(kg m^2)] of both vectors of a tet's multipliers in Anderson's inner product: their energy, next to which
-// displacements count with their mass.
+// Weight 1 / (h^2 V E) [1/(kg m^2)] of both vectors of a tet's multipliers in Anderson's inner product: their energy,
+// while displacements are weighted by mass.
 #include "common/io.glsl"
 #include "common/step.glsl"
 #include "common/symmetric.glsl"

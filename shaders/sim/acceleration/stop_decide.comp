@@ -1,5 +1,6 @@
-// Ends the iterations of a substep once the relative residual (Diagnostics::residual) is at most the tolerance: the passes that are
-// left get no work groups, so nothing is read back. One work group, before an iteration. After stop_residual.
+// Ends the iterations of a substep once the relative residual (Diagnostics::residual) is at most the tolerance: the
+// remaining passes get no work groups, so nothing is read back. One work group, before an iteration. After
+// stop_residual.
 #include "common/io.glsl"
 #include "common/finite.glsl"
 #include "common/step.glsl"
@@ -22,7 +23,7 @@ void main() {
     }
     float scale = sqrt(sum.y) + sqrt(sum.z) + sqrt(sum.w);
     float rounding = 1e-6 * SUBSTEP * sqrt(motion);  // ten float32 roundings of M (u - u_n)
-    // False where a sum is not a number or has overflown.
+    // False if a sum is not a number or has overflowed.
     stopped = is_finite(sum.x) && (scale <= rounding || sqrt(sum.x) <= TOLERANCE * scale);
 #if FIRST_ITERATION
     uint done = 0u;

@@ -6,7 +6,7 @@
 COMPUTE_1D
 INPUT_VEC4(Gradient, gradient)          // [vertex_count] xyz g = M (u - u~) + h^2 dU/du [kg m]
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
-INPUT_VEC4(Predicted, predicted)        // [vertex_count] xyz u~ [m], w inverse mass, 0 where held
+INPUT_VEC4(Predicted, predicted)        // [vertex_count] xyz u~ [m], w inverse mass, 0 where constrained
 INPUT_VEC4(Velocity, velocity)          // [vertex_count] v_n [m/s]
 INPUT_FLOAT(Mass, mass)                 // [vertex_count] [kg]
 #include "sim/energy/terms.glsl"

@@ -9,7 +9,7 @@
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
 #if COMPENSATED
-INPUT_VEC4(DisplacementLow, displacement_low)  // [vertex_count] what float32 cannot hold of u [m]
+INPUT_VEC4(DisplacementLow, displacement_low)  // [vertex_count] the part of u that float32 cannot represent [m]
 #endif
 
 void main() {

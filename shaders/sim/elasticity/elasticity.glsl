@@ -1,6 +1,7 @@
-// The elastic and viscous response of a tet with displacement gradient H: energy, first Piola stress and their linearisation.
-//   laws of the Green strain: P = F S, S = D : e, with F and e as deformation_of() gives them
-//   laws beyond it: sim/material/laws.glsl
+// The elastic and viscous response of a tet with displacement gradient H: energy, first Piola stress and their
+// linearization.
+//   laws of the Green strain: P = F S, S = D : e, with F and e as returned by deformation_of()
+//   other laws: sim/material/laws.glsl
 //   viscous, of every model (Kelvin-Voigt): P = damping/h F D : (E - E_n) of the plain Green strain E
 #include "sim/material/deformation.glsl"
 #include "sim/elasticity/feature_damping.glsl"
@@ -32,7 +33,7 @@ Sym3 viscous_stress(uint t, Sym3 strain, vec4 material) {
 }
 #endif
 
-// With what damping adds over the substep.
+// Includes the damping over the substep.
 Elastic response_of(uint t, mat3 h, vec4 material) {
   Elastic r = elastic_of(h, material);
 #if DAMPING
@@ -44,8 +45,9 @@ Elastic response_of(uint t, mat3 h, vec4 material) {
   return r;
 }
 
-// The strain-based part's second derivative of the energy: stiff dE : D : dE + dF S : dF with dE = sym(F^T dF). Where signed stretches
-// guard a tet it is that of St. Venant-Kirchhoff at the guarded F: the rotation of the principal directions is left out.
+// The strain-based part's second derivative of the energy: stiff dE : D : dE + dF S : dF with dE = sym(F^T dF). Where
+// signed stretches guard a tet, it is that of St. Venant-Kirchhoff at the guarded F: the rotation of the principal
+// directions is neglected.
 struct Tangent {
   mat3 f;
   Sym3 s;
@@ -88,8 +90,8 @@ float curvature(Tangent tangent, mat3 h, vec4 material, mat3 a, mat3 b) {
   return sum;
 }
 
-// Second derivative by the position of one corner, whose shape function has the gradient b, without the negative part of b.Sb, the only
-// one that can be:
+// Second derivative by the position of one corner, whose shape function has the gradient b, without its negative part,
+// which can only come from b.Sb:
 //   max(0, b.Sb) I + stiff ((lambda + mu) (F b)(F b)^T + mu |b|^2 F F^T).
 Sym3 corner_block(Tangent tangent, mat3 h, vec4 material, vec3 b) {
   mat3 f = tangent.f;

@@ -1,10 +1,11 @@
-// Gradient g = M (u - u~) + h^2 dU/du, external energies included, of the step's objective at every vertex, 0 where held, with the vertex's share of the objective
-// in w. After elastic_force. A gather in fixed order, so runs repeat bit for bit.
+// Gradient g = M (u - u~) + h^2 dU/du of the step's objective at every vertex, including external energies, 0 where
+// constrained, with the vertex's share of the objective in w. After elastic_force. A gather in fixed order, so runs
+// repeat bit for bit.
 #include "common/io.glsl"
 #include "common/step.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
-INPUT_VEC4(Predicted, predicted)        // [vertex_count] xyz u~ [m], w inverse mass, 0 where held
+INPUT_VEC4(Predicted, predicted)        // [vertex_count] xyz u~ [m], w inverse mass, 0 where constrained
 INPUT_FLOAT(Mass, mass)                 // [vertex_count] [kg]
 INPUT_UINT(SlotBegin, slot_begin)       // [vertex_count + 1]
 INPUT_VEC4(Correction, correction)      // [slots] from elastic_force

@@ -1,4 +1,4 @@
-// Numbers that the heat map shows.
+// Quantities of the heat map.
 float strain_norm(Sym3 e) { return sqrt(contract(e, e)); }
 
 // Von Mises stress of the Cauchy stress P F^T / J [Pa].

@@ -1,7 +1,8 @@
 // The 3x3 block of a vertex in the Hessian of the step's objective, and the vertex's gradient, from the tets around it:
 //   H_ii = m I + h^2 sum V corner_block(b_i), positive definite.
-// The kernel declares `displacement` [vertex_count] as it reads it (AT_VERTEX(v): vec3 u). GUARDED_ELSEWHERE: blocks that only
-// precondition do without the decomposition of guarded tets. What the guard adds to F F^T is no more than LEAST_STRETCH^2 I.
+// The kernel declares its own access to `displacement` [vertex_count] (AT_VERTEX(v): vec3 u). GUARDED_ELSEWHERE: blocks
+// that are only a preconditioner omit the decomposition of guarded tets. The guard adds at most LEAST_STRETCH^2 I to F
+// F^T.
 #include "common/step.glsl"
 #include "common/tet.glsl"
 #include "sim/elasticity/elasticity.glsl"
@@ -10,8 +11,8 @@ INPUT_UINT(VertexTets, vertex_tets)  // [4 * tet_count] 4 * tet + corner, sorted
 
 struct VertexBlock {
   Sym3 hessian;   // [kg]
-  vec3 gradient;  // of the tets alone [kg m]
-  bool guard;     // with DEFERS: whether a tet needs one
+  vec3 gradient;  // of the tets only [kg m]
+  bool guard;     // with DEFERS: whether a tet needs the guard
 };
 
 VertexBlock add_tets(uint v) {

@@ -1,5 +1,6 @@
-// Springs that hold single vertices: E = 1/2 k |u - target|^2.
-INPUT_VEC4(VertexSpring, vertex_spring)  // [vertex_count] xyz target displacement [m], w stiffness [N/m], 0 where nothing pulls
+// Springs at single vertices: E = 1/2 k |u - target|^2.
+INPUT_VEC4(VertexSpring, vertex_spring)  // [vertex_count] xyz target displacement [m], w stiffness [N/m], 0 without a
+                                         // spring
 
 vec4 grab_gradient(uint v, vec3 u, float scale) {
   vec4 spring = FETCH(vertex_spring, v);

@@ -1,6 +1,7 @@
-// The external energies of the step's objective at a vertex, added up. Each term is one file with two functions, for methods that descend the
-// objective: NAME_gradient(v, u, scale) and NAME_stiffness(v, scale). EXTERNAL_GRADIENT and EXTERNAL_STIFFNESS, which add up those of the terms
-// that act, are made from the solver's list (sim/gpu/passes/energy_term.cpp).
+// The sum of the external energies of the step's objective at a vertex. Each term is one file with two functions, for
+// methods that descend the objective: NAME_gradient(v, u, scale) and NAME_stiffness(v, scale). EXTERNAL_GRADIENT and
+// EXTERNAL_STIFFNESS, the sums over the terms that act, are generated from the solver's list
+// (sim/gpu/passes/energy_term.cpp).
 #if GRAB
 #include "sim/energy/grab.glsl"
 #endif
@@ -14,7 +15,7 @@ vec4 external_gradient(uint v, vec3 u, float scale) {
 #endif
 }
 
-// The block of the vertex in the Hessian is this times the identity [N/m], times `scale`.
+// The factor of the identity in the vertex's block of the Hessian [N/m], times `scale`.
 float external_stiffness(uint v, float scale) {
 #if EXTERNAL
   return EXTERNAL_STIFFNESS(v, scale);

@@ -1,7 +1,8 @@
-// Springs of zero rest length that pull grabbed vertices to their targets, as XPBD constraints of compliance 1 / stiffness:
+// Springs of zero rest length that pull grabbed vertices to their targets, as XPBD constraints of compliance 1 /
+// stiffness:
 //   (w + alpha~) dlambda = -(u - target) - alpha~ lambda,  u += w dlambda.   Force on the tissue: lambda / h^2.
-// Both sides times 1 / alpha~: a spring may have no stiffness.
-// One vertex per spring, so nothing collides. After every iteration of the method.
+// Both sides are multiplied by 1 / alpha~, since the stiffness of a spring may be zero.
+// One vertex per spring, so no two invocations write to one vertex. After every iteration of the method.
 #include "common/io.glsl"
 #include "common/step.glsl"
 COMPUTE_1D

@@ -1,5 +1,5 @@
-// Adds the springs' impulse to what the tets around each grabbed vertex do, so that the residual counts it.
-// After diagnose_tet, before diagnose_vertex. A vertex between fixed tets only has no slots, and no residual.
+// Adds the springs' impulse to that of the tets around each grabbed vertex, so that the residual includes it.
+// After diagnose_tet, before diagnose_vertex. A vertex with only fixed tets has no slots, and no residual.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_UINT(GrabVertex, grab_vertex)          // [grab_count]

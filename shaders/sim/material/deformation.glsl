@@ -1,7 +1,7 @@
-// What the strain-based models see of a tet with displacement gradient H: F and the Green strain. With signed_st_venant_kirchhoff, where
-// a direction is compressed below LEAST_STRETCH or the tet is turned inside out, they are those of singular values that are no
-// smaller, and of strains that go on along the tangent (sim/reference/elasticity.h): in St. Venant-Kirchhoff's formulas they give
-// the forces of that material.
+// The deformation that the strain-based models use for a tet with displacement gradient H: F and the Green strain. With
+// signed_st_venant_kirchhoff, where a direction is compressed below LEAST_STRETCH or the tet is inverted, they are
+// replaced: F by that of singular values that are no smaller, and the strains by their continuation along the tangent
+// (sim/material/st_venant_kirchhoff.h). In St. Venant-Kirchhoff's formulas these give the forces of that material.
 #include "common/symmetric.glsl"
 #include "common/tet.glsl"
 #include "sim/elasticity/feature_material.glsl"
@@ -14,10 +14,11 @@ struct Deformation {
 #if SIGNED_ST_VENANT_KIRCHHOFF
 #include "common/svd.glsl"
 #define LEAST_STRETCH 0.6
-// The tets that need it are few and the decomposition is dear. DEFERS: those are put on a list, and what is left are upright ones.
-// DEFERRED: the kernel goes through that list. GUARDED_ELSEWHERE: the kernel does something else about them.
+// Few tets need the decomposition, which is expensive. DEFERS: they are put on a list, and the kernel processes the
+// upright ones. DEFERRED: the kernel processes that list. GUARDED_ELSEWHERE: the kernel treats them in another way.
 
-// Whether all singular values are above LEAST_STRETCH and none is negative: Sylvester's criterion for F^T F = I + 2 e.
+// Whether all singular values are above LEAST_STRETCH and none is negative, by Sylvester's criterion for F^T F = I + 2
+// e.
 bool upright(mat3 h, Sym3 e) {
   vec3 d = (1.0 - LEAST_STRETCH * LEAST_STRETCH) + 2.0 * e.d, s = 2.0 * e.s;
   float minor = d.x * d.y - s.z * s.z;

@@ -1,7 +1,7 @@
-// Functions of the displacement gradient H = F - I that laws share. Written in H, so that small strains lose no digits to what cancels at
-// rest. sim/material/invariants.h has the formulas.
+// Functions of the displacement gradient H = F - I that laws share. Written in H, so that small strains lose no
+// accuracy to terms that cancel at rest. sim/material/invariants.h has the formulas.
 
-// Cofactors of F, dJ/dF, less the identity.
+// Cofactors of F, dJ/dF, minus the identity.
 mat3 cofactor_minus_one(mat3 h) {
   mat3 c = mat3(h[0].x + h[1].y + h[2].z) - transpose(h);
   return c + mat3(cross(h[1], h[2]), cross(h[2], h[0]), cross(h[0], h[1]));
@@ -30,7 +30,7 @@ struct OfVolume {
   float value, first, second;
 };
 
-// J - 1 - l(J), l the logarithm that goes on as a parabola below LEAST_VOLUME_RATIO; j1 = J - 1.
+// J - 1 - l(J), where l is the logarithm, continued as a parabola below LEAST_VOLUME_RATIO; j1 = J - 1.
 #define LEAST_VOLUME_RATIO 0.2
 OfVolume above_extended_log(float j1) {
   float j = 1.0 + j1;
@@ -40,7 +40,7 @@ OfVolume above_extended_log(float j1) {
                   1.0 / (LEAST_VOLUME_RATIO * LEAST_VOLUME_RATIO));
 }
 
-// k (J - 1)^2 / 2; k (log J)^2 / 2 where k < 0 and J > 1.
+// k (J - 1)^2 / 2; k (log J)^2 / 2 if k < 0 and J > 1.
 OfVolume volume_term(float j1, float k) {
   if (k >= 0.0 || j1 <= 0.0) return OfVolume(0.5 * k * j1 * j1, k * j1, k);
   float logarithm = j1 - above_logarithm(j1), j = 1.0 + j1;

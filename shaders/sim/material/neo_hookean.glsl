@@ -18,8 +18,8 @@ float neo_hookean_curvature(mat3 h, vec4 material, mat3 a, mat3 b) {
          (mu * (above.first - 1.0) + volume.first) * inner(f, tensor_cross(a, b));
 }
 
-// Second derivative by the position of one corner, whose shape function has the gradient b. J is linear in it: positive semidefinite but
-// for a negative second derivative by J, which is left out.
+// Second derivative by the position of one corner, whose shape function has the gradient b. J is linear in the
+// position, so the block is positive semidefinite except for a negative second derivative by J, which is neglected.
 Sym3 neo_hookean_block(mat3 h, vec4 material, vec3 b) {
   float mu = lame_mu(material), j1 = det_f_minus_one(h);
   float outer = max(0.0, mu * above_extended_log(j1).second + volume_term(j1, lame_lambda(material)).second);

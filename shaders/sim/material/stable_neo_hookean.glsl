@@ -1,6 +1,6 @@
 // Stable neo-Hookean material (Smith, de Goes, Kim 2018, eq. 14, with their Lame parameters):
-//   Psi = mu/2 (I - 3) + lambda/2 (J - alpha)^2 - mu/2 log(I + 1), I = |F|^2, alpha = 1 + 3 mu / (4 lambda), less its value at rest.
-// Written in H = F - I, so that small strains lose no digits to the stresses that cancel at rest.
+//   Psi = mu/2 (I - 3) + lambda/2 (J - alpha)^2 - mu/2 log(I + 1), I = |F|^2, alpha = 1 + 3 mu / (4 lambda), minus its
+//   value at rest. Written in H = F - I, so that small strains lose no accuracy to stresses that cancel at rest.
 float stable_neo_hookean_mu(vec4 material) { return 4.0 / 3.0 * lame_mu(material); }
 float stable_neo_hookean_lambda(vec4 material) { return lame_lambda(material) + 5.0 / 6.0 * lame_mu(material); }
 
@@ -28,8 +28,8 @@ float stable_neo_hookean_curvature(mat3 h, vec4 material, mat3 a, mat3 b) {
          (lambda * det_f_minus_one(h) - 0.75 * mu) * second_j;
 }
 
-// Second derivative by the position of one corner, whose shape function has the gradient b: positive semidefinite, for J is linear in
-// it.
+// Second derivative by the position of one corner, whose shape function has the gradient b: positive semidefinite,
+// since J is linear in the position.
 Sym3 stable_neo_hookean_block(mat3 h, vec4 material, vec3 b) {
   float mu = stable_neo_hookean_mu(material), lambda = stable_neo_hookean_lambda(material), i1 = stretch_invariant(h) + 4.0;
   vec3 fb = b + h * b, cb = b + cofactor_minus_one(h) * b;

@@ -1,6 +1,7 @@
-// Elastic (and viscous) force, energy, J, volume, strain and stress of every tet after a step. Each invocation walks through its
-// share of the pairs of tets and keeps its own sums: deterministic on every device.
-// Writes h^2 times the force on each corner, -h^2 V P b_a [kg m], into the slots for diagnose_vertex, and one TetPartial per invocation.
+// Elastic (and viscous) force, energy, J, volume, strain and stress of every tet after a step. Each invocation
+// processes its share of the pairs of tets and keeps its own sums, so the result is deterministic on every device.
+// Writes h^2 times the force on each corner, -h^2 V P b_a [kg m], into the slots for diagnose_vertex, and one
+// TetPartial per invocation.
 #include "common/io.glsl"
 #include "common/step.glsl"
 #include "common/tet_pair.glsl"

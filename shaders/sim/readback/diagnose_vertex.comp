@@ -1,11 +1,11 @@
-// Momentum, energies, support reaction and the residual g = M (u - u~) - h^2 f of the implicit step, after diagnose_tet.
-// Each invocation walks through its share of the vertices and keeps its own sums. Forces of the residual are in units of the mean
-// mass, so that the squares of small bodies stay in the range of float32.
+// Momentum, energies, support reaction and the residual g = M (u - u~) - h^2 f of the implicit step, after
+// diagnose_tet. Each invocation processes its share of the vertices and keeps its own sums. Forces of the residual are
+// in units of the mean mass, so that the squares of small bodies stay in the range of float32.
 #include "common/io.glsl"
 #include "common/step.glsl"
 COMPUTE_1D
 INPUT_VEC4(RestPosition, rest_position)  // [vertex_count] w inverse mass [1/kg]
-INPUT_FLOAT(Mass, mass)                  // [vertex_count] [kg], also of held vertices
+INPUT_FLOAT(Mass, mass)                  // [vertex_count] [kg], also of constrained vertices
 INPUT_VEC4(Displacement, displacement)   // [vertex_count] u [m]
 INPUT_VEC4(Predicted, predicted)         // [vertex_count] u~ [m], w inverse mass in this step
 INPUT_VEC4(Velocity, velocity)           // [vertex_count] [m/s]
@@ -28,7 +28,7 @@ void main() {
     partial.momentum += vec4(p, 0.5 * dot(p, velocity_v));
     partial.angular += vec4(cross(rest.xyz + u, p), -m * dot(GRAVITY, u));
     partial.reaction.w = max(partial.reaction.w, dot(velocity_v, velocity_v));
-    bool rests = rest.w > 0.0 && FETCH(predicted, v).w == 0.0;  // held for this step
+    bool rests = rest.w > 0.0 && FETCH(predicted, v).w == 0.0;  // constrained for this step
     if (rests) continue;
     if (rest.w > 0.0) {
       float unit = INVERSE_MEAN_MASS;

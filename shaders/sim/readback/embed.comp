@@ -1,5 +1,5 @@
-// Positions of embedded surface vertices, x = X + sum_a w_a u_a, after publish has written the mesh vertices (whose scalars
-// are blended the same way). They lie behind the mesh vertices in the same buffer.
+// Positions of embedded surface vertices, x = X + sum_a w_a u_a, after publish has written the mesh vertices (whose
+// scalars are blended in the same manner). They follow the mesh vertices in the same buffer.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_VEC4(EmbedPosition, embed_position)    // [count] X of the surface vertex [m]
@@ -7,7 +7,7 @@ INPUT_UVEC4(EmbedVertices, embed_vertices)   // [count]
 INPUT_VEC4(EmbedWeights, embed_weights)      // [count] barycentric
 INPUT_VEC4(Displacement, displacement)       // [vertex_count] u [m]
 #if HEAT
-INPUT_UINT(PlacedVertex, placed_vertex)      // [vertex_count] where publish has put what lies at each place
+INPUT_UINT(PlacedVertex, placed_vertex)      // [vertex_count] index in Position of the vertex at each place
 #endif
 INOUT(vec4, Position, position)              // [vertex_count + count]
 uniform uint vertex_count;

@@ -1,5 +1,5 @@
-// The scalar that the heat map shows, weighted by volume, into the slots that publish averages: x volume * scalar, y volume. Runs only
-// while shown.
+// The scalar of the heat map, weighted by volume, into the slots that publish averages: x volume * scalar, y volume.
+// Runs only while the map is shown.
 #include "common/io.glsl"
 #include "common/step.glsl"
 #include "common/tet_pair.glsl"

@@ -1,11 +1,11 @@
-// How much the vertices move: the largest squares of the way since an earlier state, of the speed and of the displacement, as bits of
-// floats, which have the order of the floats as long as these are not negative.
+// Measures the motion of the vertices: the largest squares of the displacement since an earlier state, of the speed and
+// of the total displacement, as bits of floats, whose order is that of the floats as long as these are not negative.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)                 // [vertex_count] u [m]
 INPUT_VEC4(Velocity, velocity)                         // [vertex_count] v [m/s]
 INPUT_VEC4(EarlierDisplacement, earlier_displacement)  // [vertex_count] [m]
-INOUT(uint, Motion, motion)                            // [3] zero at first
+INOUT(uint, Motion, motion)                            // [3] initially zero
 uniform uint vertex_count;
 
 void main() {

@@ -1,4 +1,5 @@
-// Positions for drawing, x = X + u, with the heat map's scalar in w, in the order of the model outside of the solver (sim/ordering/mesh_order.h).
+// Positions for drawing, x = X + u, with the heat map's scalar in w, in the vertex order of the model outside the
+// solver (sim/ordering/mesh_order.h).
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_UINT(PlacedVertex, placed_vertex)  // [vertex_count]
@@ -8,7 +9,7 @@ INPUT_VEC4(Displacement, displacement)   // [vertex_count] u [m]
 INPUT_UINT(SlotBegin, slot_begin)   // [vertex_count + 1]
 INPUT_VEC4(Correction, correction)  // [slots] from heat_tet
 #elif HEAT_BY_VERTEX
-INPUT_FLOAT(VertexScalar, vertex_scalar)  // [vertex_count] in that order, too
+INPUT_FLOAT(VertexScalar, vertex_scalar)  // [vertex_count] also in that order
 #elif HEAT_VELOCITY
 INPUT_VEC4(Velocity, velocity)  // [vertex_count] v [m/s]
 #endif

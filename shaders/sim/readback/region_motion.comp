@@ -1,4 +1,4 @@
-// The largest squares of speed, since the run without `accumulate`, and of displacement in every region.
+// The largest squares of the speed, since the run without `accumulate`, and of the displacement in every region.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)       // [vertex_count] u [m]

@@ -1,5 +1,6 @@
-// Smallest and largest scalar of the heat map. Each invocation walks through its share of the vertices; the CPU finishes the sum.
-// Reads what publish has written. What is not finite is left out: the state guard speaks of it.
+// Smallest and largest scalar of the heat map. Each invocation processes its share of the vertices; the CPU combines
+// the results. Reads the output of publish. Values that are not finite are left out, since the state guard reports
+// them.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_VEC4(Position, position)                 // [vertex_count] w: scalar

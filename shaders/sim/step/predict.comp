@@ -1,11 +1,12 @@
 // Inertial prediction u~ = u_n + h v_n + h^2 g of every vertex; the iterations start there.
-// Reads velocity and the inverse masses; writes previous_displacement, predicted, displacement (w: inverse mass).
-// First pass of a substep. Held vertices (inverse mass 0) stay where they are.
-// With START_WITHOUT_GRAVITY the iterations start at u_n + h v_n instead: a stiff body that is held hardly follows gravity within a step.
-// UNCONSTRAINED: but where parts of the mesh are that nothing holds, which fall as they are predicted.
-// With MASS_SPLITTING the w of displacement is what each of a vertex's n copies sees: a share m / n of its mass (Tonge, Benevolenski,
-// Voroshilov 2012). The mean of the n corrections is then their sum at full mass: positions get all that the multipliers got.
-// Copies: one per tet around the vertex (Jacobi), or the vertex and its phantoms (colors).
+// Reads velocity and the inverse masses; writes previous_displacement, predicted, displacement (w: inverse mass). First
+// pass of a substep. Constrained vertices (inverse mass 0) are not moved.
+// With START_WITHOUT_GRAVITY the iterations start at u_n + h v_n instead: a stiff supported body hardly follows gravity
+// within a step. UNCONSTRAINED: except in unconstrained components, which fall as predicted.
+// With MASS_SPLITTING the w of displacement is the inverse mass of each of a vertex's n copies: a share m / n of its
+// mass (Tonge, Benevolenski, Voroshilov 2012). The mean of the n corrections then equals their sum at full mass:
+// positions get the same step as the multipliers. Copies: one per tet around the vertex (Jacobi), or the vertex and its
+// phantoms (colors).
 #include "common/io.glsl"
 #include "common/step.glsl"
 COMPUTE_1D
@@ -14,7 +15,7 @@ INPUT_VEC4(Velocity, velocity)           // [vertex_count] [m/s]
 INPUT_VEC4_IN_PLACE(Iterate, iterate)    // [vertex_count] u [m]
 OUTPUT(vec4, Displacement, displacement)
 #if MASS_SPLITTING
-INPUT_UINT(CopyBegin, copy_begin)  // [vertex_count + 1] its differences are the numbers of copies
+INPUT_UINT(CopyBegin, copy_begin)  // [vertex_count + 1] differences are the numbers of copies
 float copies(uint i) { return float(FETCH1(copy_begin, i + 1u) - FETCH1(copy_begin, i)); }
 #else
 float copies(uint i) { return 1.0; }
@@ -26,7 +27,7 @@ OUTPUT(vec4, PreviousDisplacement, previous_displacement)
 OUTPUT(vec4, Predicted, predicted)
 
 #ifdef LISTED
-uniform uint moving_count;  // of the list: the others rest and are held where they are
+uniform uint moving_count;  // in the list: the others rest and are constrained where they are
 #endif
 
 void main() {

@@ -1,4 +1,5 @@
-// Puts prescribed vertices where their motion wants them at the end of this substep. After predict, before the iterations.
+// Puts prescribed vertices at the place that their motion has at the end of this substep. After predict, before the
+// iterations.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_UINT(PrescribedVertex, prescribed_vertex)  // [prescribed_count]

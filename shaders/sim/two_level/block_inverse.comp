@@ -1,5 +1,5 @@
-// Inverse of every vertex's 3x3 block, kept for some iterations: a fresh one each time would cost more than the iterations that it
-// saves. After predict and prescribe.
+// Inverse of every vertex's 3x3 block, kept for some iterations: a new one each time would cost more than the
+// iterations that it saves. After predict and prescribe.
 #include "common/io.glsl"
 #define GUARDED_ELSEWHERE 1
 #define AT_VERTEX(v) FETCH(displacement, v).xyz
@@ -14,7 +14,7 @@ void main() {
   ITEM_OR_RETURN(i)
   Sym3 a = add_tets(i).hessian;
   a.d += FETCH1(mass, i) + external_stiffness(i, SUBSTEP * SUBSTEP);
-  // Scaled to a unit trace: the determinant of a small mesh's block would leave the range of floats.
+  // Scaled to a unit trace: the determinant of a small mesh's block would exceed the range of floats.
   float scale = 1.0 / (a.d.x + a.d.y + a.d.z);
   Sym3 inverse = inverse_of(Sym3(scale * a.d, scale * a.s));
   STORE3(block_inverse[2u * i], scale * inverse.d)

@@ -1,14 +1,15 @@
-// To the coarse space: the rotation R_j of every coarse node, nearest to the mean deformation gradient around it, M_j = I + sum_a u_a c_ja^T,
-// and the gradient that the node sees, turned back into the rest frame, where the coarse matrix lives: S R_j^T sum_a P_aj g_a (S: coarse_solve). On GPUs a
-// work group per node, else an invocation. After gradient.
-// The rotation is the unit quaternion q that maximises tr(R(q)^T M) = q^T K q (Davenport's problem): the leading eigenvector of K,
-// by squaring K plus a shift that makes it positive. Always a rotation, also where M is singular or mirrored.
+// Restriction to the coarse space: the rotation R_j of every coarse node, nearest to the mean deformation gradient
+// around it, M_j = I + sum_a u_a c_ja^T, and the gradient at the node, rotated back to the rest frame of the coarse
+// matrix: S R_j^T sum_a P_aj g_a (S: coarse_solve). On GPUs a work group per node, else an invocation. After gradient.
+// The rotation is the unit quaternion q that maximizes tr(R(q)^T M) = q^T K q (Davenport's problem): the leading
+// eigenvector of K, by squaring K plus a shift that makes it positive. The result is always a rotation, even if M is
+// singular or mirrored.
 #include "common/io.glsl"
 #include "common/group_sum.glsl"
 COMPUTE_1D
 INPUT_UINT(CoarseNodeBegin, coarse_node_begin)      // [2 * (node_count + 1)] first entry in gather_entry and in coarse_columns
 INPUT_UVEC4(GatherEntry, gather_entry)              // [entries] xyz c_ja [1/m] (float bits), w vertex
-INPUT_UVEC4(CoarseColumns, coarse_columns)          // two entries of P each: vertex and weight (float bits) in turn
+INPUT_UVEC4(CoarseColumns, coarse_columns)          // two entries of P each: vertex and weight (float bits) alternating
 INPUT_VEC4(Gradient, gradient)                      // [vertex_count] g [kg m]
 INPUT_VEC4(Displacement, displacement)              // [vertex_count] u [m]
 INPUT_VEC4(CoarseScale, coarse_scale)               // [node_count] xyz of S [1/sqrt(kg)]
@@ -22,17 +23,17 @@ vec4 nearest_rotation(mat3 m) {
   // Rows and columns in the order x, y, z, w.
   mat4 k = mat4(vec4(2.0 * m[0].x - trace, s01, s02, twist.x), vec4(s01, 2.0 * m[1].y - trace, s12, twist.y),
                 vec4(s02, s12, 2.0 * m[2].z - trace, twist.z), vec4(twist, trace));
-  // |eigenvalues of K| <= sum of the singular values of M <= sqrt(3) |M|. A little more: where all has collapsed to a point M is 0, and
-  // the rotation the identity.
+  // |eigenvalues of K| <= sum of the singular values of M <= sqrt(3) |M|. The shift is slightly larger: if the tissue
+  // has collapsed to a point, M is 0 and the rotation the identity.
   float shift = 1e-6 + 1.7320508 * sqrt(dot(m[0], m[0]) + dot(m[1], m[1]) + dot(m[2], m[2]));
   k += mat4(shift);
-  for (int i = 0; i < 10; ++i) {  // symmetric, so half of the products will do
+  for (int i = 0; i < 10; ++i) {  // symmetric, so half of the products suffice
     k *= 1.0 / (k[0].x + k[1].y + k[2].z + k[3].w);
     float k01 = dot(k[0], k[1]), k02 = dot(k[0], k[2]), k03 = dot(k[0], k[3]), k12 = dot(k[1], k[2]), k13 = dot(k[1], k[3]), k23 = dot(k[2], k[3]);
     k = mat4(vec4(dot(k[0], k[0]), k01, k02, k03), vec4(k01, dot(k[1], k[1]), k12, k13), vec4(k02, k12, dot(k[2], k[2]), k23),
              vec4(k03, k13, k23, dot(k[3], k[3])));
   }
-  // The longest column of what has become a projection.
+  // The longest column of the resulting projection.
   vec4 q = k[3];
   if (k[0].x > max(k[1].y, max(k[2].z, k[3].w))) q = k[0];
   else if (k[1].y > max(k[2].z, k[3].w)) q = k[1];

@@ -1,7 +1,7 @@
-// The coarse correction at every coarse node, R_j (A_c^-1 r)_j: three rows of the dense inverse each. On GPUs a work group per
-// node, else an invocation. After coarse_restrict.
-// The inverse is S C S with the same diagonal throughout C, of which 16-bit integers hold as many digits as such a correction needs, in
-// half of what there would be to read. S r comes from coarse_restrict.
+// The coarse correction at every coarse node, R_j (A_c^-1 r)_j: three rows of the dense inverse each. On GPUs a work
+// group per node, else an invocation. After coarse_restrict.
+// The inverse is S C S, where the diagonal of C is constant. 16-bit integers represent C with enough accuracy for this
+// correction and halve the data to read. S r comes from coarse_restrict.
 #include "common/io.glsl"
 #include "common/group_sum.glsl"
 COMPUTE_1D

@@ -1,4 +1,4 @@
-// Forgets what subspace_curvature left for the pairs of tets that elastic_force deferred.
+// Clears the results of subspace_curvature for the pairs of tets that elastic_force deferred.
 #include "common/io.glsl"
 COMPUTE_1D
 OUTPUT(vec4, GuardedCurvature, guarded_curvature)  // [pairs and single tets]

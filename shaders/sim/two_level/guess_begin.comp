@@ -1,9 +1,9 @@
-// The iterations' start, u_n + h v_n, as a step p away from u_n like any other: put aside, so that the objective is known without it.
-// Held vertices stay where they are led to. After predict and prescribe.
+// The iterations' start, u_n + h v_n, stored as a step p from u_n like any other, so that the objective without it can
+// be evaluated. Constrained vertices keep their prescribed places. After predict and prescribe.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_VEC4(PreviousDisplacement, previous_displacement)  // [vertex_count] u_n [m]
-INPUT_VEC4(Predicted, predicted)                         // [vertex_count] w inverse mass, 0 where held
+INPUT_VEC4(Predicted, predicted)                         // [vertex_count] w inverse mass, 0 where constrained
 OUTPUT(vec4, LastStep, last_step)                        // [vertex_count] p [m]
 INPUT_VEC4_IN_PLACE(Iterate, iterate)                    // [vertex_count] u [m]
 OUTPUT(vec4, Displacement, displacement)

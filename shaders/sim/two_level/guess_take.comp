@@ -1,4 +1,4 @@
-// The step p of guess_begin is taken, now that the objective and its gradient before it are known. After gradient.
+// Applies the step p of guess_begin, after the objective and its gradient before it are known. After gradient.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_VEC4(Gradient, gradient)                     // [vertex_count] g at u_n [kg m]

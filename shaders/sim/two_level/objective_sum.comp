@@ -1,4 +1,5 @@
-// The objective of the step, summed over the vertices, into the w of the partials that subspace_solve reads. After gradient.
+// Sums the objective of the step over the vertices, into the w of the partials that subspace_solve reads. After
+// gradient.
 #include "common/io.glsl"
 #include "common/reduce.glsl"
 COMPUTE_1D

@@ -1,6 +1,7 @@
-// Partial sums added up by one work group: each of SLICES invocations adds up a slice of them with Kahan's correction (1965), the first
-// one adds up the slices. The order is the same in every kernel that includes this, so that the objective of one state has the same bits
-// wherever it is summed: a difference of two orders would be taken for a step uphill. For kernels that have declared `dot_partials`.
+// Sums partials in one work group: each of SLICES invocations adds a slice of them with Kahan's correction (1965), and
+// the first one adds the slices. The order is the same in every kernel that includes this file, so that the objective
+// of one state always has the same bits: a difference of two orders would be mistaken for a step uphill. For kernels
+// that have declared `dot_partials`.
 #if READ_TEXELS
 #define SLICES 2u  // four sums fill one vector of eight invocations on software renderers
 #else

@@ -1,7 +1,7 @@
 // Curvature of the elastic energy along z_f and z_c: sums over the pairs of tets of h^2 times
-//   V dF_i : d^2 Psi / dF^2 : dF_j,   with damping its viscous part.
-// Only the three sums are needed, not the products of the Hessian with the directions. After two_level_correct. With DEFERRED the terms
-// of the tets that elastic_force deferred; those of the others and the sums come after it.
+//   V dF_i : d^2 Psi / dF^2 : dF_j,   and with damping its viscous part.
+// Only the three sums are needed, not the products of the Hessian with the directions. After two_level_correct. With
+// DEFERRED it computes the terms of the tets that elastic_force deferred; the terms of the others and the sums follow.
 #include "common/io.glsl"
 #include "common/reduce.glsl"
 #include "common/step.glsl"
@@ -14,12 +14,13 @@ INPUT_VEC4(FineDirection, fine_direction)     // [vertex_count] z_f [m]
 INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]
 #endif
 #ifdef DEFERRED
-OUTPUT(vec4, GuardedCurvature, guarded_curvature)  // [pairs and single tets] xyz the terms of one with a guarded tet, w 1
+OUTPUT(vec4, GuardedCurvature, guarded_curvature)  // [pairs and single tets] xyz terms of a pair with a guarded tet, w
+                                                   // 1
 #else
 OUTPUT(vec4, CurvaturePartials, curvature_partials)  // from first_partial on: x z_f H z_f, y z_f H z_c, z z_c H z_c
 uniform uint pair_and_single_count, first_partial;
 #ifdef GUARDED_ELSEWHERE
-INPUT_VEC4(GuardedTerms, guarded_terms)  // [the same] w 0 where not guarded
+INPUT_VEC4(GuardedTerms, guarded_terms)  // [the same] w 0 if not guarded
 #endif
 #endif
 
@@ -34,7 +35,7 @@ vec3 terms_of(uint t, Tet tet, mat3 h, mat3 df, mat3 dc) {
   return tet.volume * terms;
 }
 
-// Of a pair as it stands; `guard`: whether a tet of it needs one.
+// Terms of a pair as stored; `guard`: whether one of its tets needs the guard.
 vec3 terms_of(uint i, out bool guard) {
   TetPair pair = load_pair(i);
   PairGradient h = GRADIENTS(pair, displacement);
@@ -68,7 +69,8 @@ void main() {
     bool guard;
     vec3 terms = terms_of(pair, guard);
 #ifdef GUARDED_ELSEWHERE
-    // Upright ones, most of all, read one and the same element. Where rounding makes the two kernels disagree both terms are right.
+    // Upright pairs, the great majority, all read the same element. If the two kernels disagree because of rounding,
+    // both results are correct.
     vec4 other = FETCH(guarded_terms, guard ? pair : 0u);
     if (guard && other.w > 0.0) terms = other.xyz;
 #endif

@@ -1,9 +1,9 @@
-// The sums for the step of the subspace where its directions are not those that two_level_correct made. After sweep_direction.
+// The sums for the step of the subspace if its directions are not those of two_level_correct. After sweep_direction.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_VEC4(Gradient, gradient)                // [vertex_count] xyz g [kg m], w objective [kg m^2]
-INPUT_VEC4(FineDirection, fine_direction)     // [vertex_count] the one direction [m]
-INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] the other [m]
+INPUT_VEC4(FineDirection, fine_direction)     // [vertex_count] the first direction [m]
+INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] the second direction [m]
 #include "sim/two_level/subspace_sums.glsl"
 
 void main() {

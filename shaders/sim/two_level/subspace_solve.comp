@@ -1,11 +1,13 @@
-// The step within span{z_f, z_c, p} that minimises the quadratic model of the objective, one work group. The model is scaled by its
-// diagonal, and its eigenvalues count by their absolute value, at least EIGENVALUE_FLOOR: a direction of negative curvature is
-// descended like one of positive, and one that the others can express adds nothing. At rest, where changes of the gradient are rounding,
-// small eigenvalues come about by accident, and long steps along them would kick the tissue; in motion the floor changes next to nothing.
-// Of a last step that raised the objective only a part is kept instead: where phi(t) = phi(0) + phi'(0) t + c t^n has its minimum, but no
-// more than half. The exponent n follows from both values and both slopes, between 2 (a swing that brakes) and 4 (strained tissue, whose
-// energy is of fourth order in the displacement). Nothing is kept of a step that had no slope down, nor with FINAL.
-// Unless the method remembers, and in the first iteration, the span is that of z_f and z_c.
+// The step within span{z_f, z_c, p} that minimizes the quadratic model of the objective, one work group. The model is
+// scaled by its diagonal, and its eigenvalues count by their absolute value, at least EIGENVALUE_FLOOR: a direction of
+// negative curvature is descended like one of positive curvature, and a direction that depends on the others adds
+// nothing. At rest, where changes of the gradient are rounding, small eigenvalues are accidental, and long steps along
+// them would perturb the tissue; in motion the floor changes almost nothing. If the last step raised the objective,
+// only a part of it is kept instead: up to the minimum of phi(t) = phi(0) + phi'(0) t + c t^n, but at most half. The
+// exponent n follows from both values and both slopes, between 2 (an oscillation that slows down) and 4 (strained
+// tissue, whose energy is of fourth order in the displacement). A step without a descending slope is discarded
+// entirely, and with FINAL every step that raised the objective. Unless `remembers` is set, and in the first iteration,
+// the span is that of z_f and z_c.
 // After two_level_correct or subspace_dots, and subspace_curvature; before subspace_update.
 #include "common/io.glsl"
 #include "common/finite.glsl"
@@ -60,7 +62,8 @@ void main() {
   vec3 step = vec3(0.0), last = vec3(0.0);
   float objective = sums[0].w;
   float before = subspace_state[SUBSPACE_OBJECTIVE];
-  // A start whose objective overflows is left by any step; a step of nothing raises nothing, whatever is rounded.
+  // Any step from a start with an overflowing objective is accepted; an empty step cannot raise the objective, whatever
+  // the rounding.
   bool accepted = is_finite(objective) &&
                   (!is_finite(before) || objective <= before + OBJECTIVE_ROUNDING * (abs(before) + abs(objective)));
 #if !FINAL
@@ -73,7 +76,8 @@ void main() {
     subspace_state[SUBSPACE_OBJECTIVE] = objective;
     vec3 slope = sums[0].xyz;
     float ff = sums[1].x + sums[3].x, fc = sums[1].y + sums[3].y, cc = sums[1].z + sums[3].z;
-    // The elastic energy adds to the curvature of the masses; what falls below it is the rounding of two gradients' difference.
+    // The elastic energy adds to the curvature of the masses; a lower value is rounding in the difference of two
+    // gradients.
     float fp = sums[2].x, cp = sums[2].y, pp = max(sums[2].z, sums[1].w);
     vec3 diagonal = abs(vec3(ff, cc, remembers != 0u ? pp : 0.0));
     vec3 scale = vec3(diagonal.x > 0.0 ? inversesqrt(diagonal.x) : 0.0, diagonal.y > 0.0 ? inversesqrt(diagonal.y) : 0.0,
@@ -93,7 +97,7 @@ void main() {
     if (!is_finite(dot(step, step))) step = vec3(0.0);
     last = step;
   } else {
-    float slope_before = sums[0].z - sums[2].z, slope = sums[0].z;  // along p, where it began and here
+    float slope_before = sums[0].z - sums[2].z, slope = sums[0].z;  // along p, at its start and here
     float excess = objective - before - slope_before;
     float exponent = clamp((slope - slope_before) / excess, 2.0, 4.0);
     float kept = slope_before < 0.0 && is_finite(objective) ? min(0.5, pow(-slope_before / (exponent * excess), 1.0 / (exponent - 1.0))) : 0.0;

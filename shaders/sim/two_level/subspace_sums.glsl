@@ -1,6 +1,6 @@
-// Sums over the vertices for the step of the subspace: slopes of the objective along the directions z_f, z_c and p (the last step),
-// the part of its curvature that vertices carry, the change y of the gradient over the last step, which stands for H p, and the
-// objective. For kernels that have declared `gradient`.
+// Sums over the vertices for the step of the subspace: slopes of the objective along the directions z_f, z_c and p (the
+// last step), the part of its curvature that vertices carry, the change y of the gradient over the last step, which
+// approximates H p, and the objective. For kernels that have declared `gradient`.
 #include "common/reduce.glsl"
 #include "common/step.glsl"
 #include "sim/energy/terms.glsl"

@@ -1,4 +1,4 @@
-// Takes the step that subspace_solve chose.
+// Applies the step of subspace_solve.
 #include "common/io.glsl"
 #include "sim/two_level/subspace_state.glsl"
 COMPUTE_1D
@@ -16,7 +16,7 @@ INPUT_VEC4_IN_PLACE(StepBefore, step_before)  // [vertex_count] p [m]
 INPUT_VEC4_IN_PLACE(Iterate, iterate)         // [vertex_count] u [m]
 OUTPUT(vec4, Displacement, displacement)
 #if COMPENSATED
-INPUT_VEC4_IN_PLACE(IterateLow, iterate_low)  // [vertex_count] what float32 cannot hold of u [m]
+INPUT_VEC4_IN_PLACE(IterateLow, iterate_low)  // [vertex_count] the part of u that float32 cannot represent [m]
 OUTPUT(vec4, DisplacementLow, displacement_low)
 #endif
 
@@ -37,7 +37,7 @@ void main() {
   if (FETCH1(subspace_state, SUBSPACE_ACCEPTED) > 0.5) STORE3(previous_gradient[i], FETCH(gradient, i).xyz)
 #endif
 #if COMPENSATED
-  // Knuth's sum of two: precise, so that no compiler simplifies the rounding away.
+  // Knuth's two-sum; `precise` keeps compilers from simplifying the rounding away.
   vec3 u = FETCH_IN_PLACE(iterate, i).xyz, low = FETCH_IN_PLACE(iterate_low, i).xyz + step;
   precise vec3 sum = u + low, added = sum - u;
   precise vec3 lost = (u - (sum - added)) + (low - added);

@@ -1,4 +1,5 @@
-// What an accelerated sweep proposes, as a direction to step along: z with u - z the proposal. After the acceleration's last pass.
+// The result of an accelerated sweep as a direction z to step along: u - z is the result. After the acceleration's last
+// pass.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)      // [vertex_count] u [m]

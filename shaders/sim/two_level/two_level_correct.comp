@@ -1,14 +1,15 @@
-// Both corrections of every vertex: of its own block, z_f = H_ii^-1 g, and of the coarse space, z_c = P times the nodes' corrections;
-// and, unless a sweep is made of them, the sums for the step along them. After gradient and, with COARSE, coarse_solve.
+// Both corrections of every vertex: of its own block, z_f = H_ii^-1 g, and of the coarse space, z_c = P times the
+// nodes' corrections; and, unless they form a sweep, the sums for the step along them. After gradient and, with COARSE,
+// coarse_solve.
 #include "common/io.glsl"
 #include "common/symmetric.glsl"
 COMPUTE_1D
 INPUT_VEC4(Gradient, gradient)           // [vertex_count] xyz g [kg m], w objective [kg m^2]
-INPUT_VEC4(Predicted, predicted)         // [vertex_count] w inverse mass, 0 where held
+INPUT_VEC4(Predicted, predicted)         // [vertex_count] w inverse mass, 0 where constrained
 INPUT_VEC4(BlockInverse, block_inverse)  // [2 * vertex_count]
 #if COARSE
 INPUT_UINT(CoarseRowBegin, coarse_row_begin)     // [vertex_count + 1]
-INPUT_UVEC4(CoarseRows, coarse_rows)             // two entries each: node and weight (float bits) in turn
+INPUT_UVEC4(CoarseRows, coarse_rows)             // two entries each: node and weight (float bits) alternating
 INPUT_VEC4(CoarseCorrection, coarse_correction)  // [node_count] [m]
 #endif
 OUTPUT(vec4, FineDirection, fine_direction)  // [vertex_count] z_f [m]; without SPLIT the sum of both, with SWEEP the swept u
@@ -16,7 +17,8 @@ OUTPUT(vec4, FineDirection, fine_direction)  // [vertex_count] z_f [m]; without 
 OUTPUT(vec4, CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]; with SWEEP the sum of both
 #endif
 #if SWEEP
-// u - 0.4 (z_f + z_c): near the minimum the largest eigenvalue of the preconditioned Hessian was never seen above 2.3, so this contracts.
+// u - 0.4 (z_f + z_c): near the minimum the largest eigenvalue of the preconditioned Hessian was never observed above
+// 2.3, so this is a contraction.
 #define RELAXATION 0.4
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
 OUTPUT(vec4, Iterate, iterate)          // [vertex_count] u [m]

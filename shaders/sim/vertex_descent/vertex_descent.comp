@@ -1,5 +1,6 @@
-// Vertex block descent (Chen, Liu, Yang, Yuksel 2024): every vertex of one color minimises the quadratic model of the step's objective
-// in its own three coordinates. No two vertices of a color share a tet, so each sees what the colors before it did.
+// Vertex block descent (Chen, Liu, Yang, Yuksel 2024): every vertex of one color minimizes the quadratic model of the
+// step's objective in its own three coordinates. No two vertices of a color share a tet, so each uses the results of
+// the colors before it.
 #include "common/io.glsl"
 #define AT_VERTEX(v) FETCH_IN_PLACE(neighbor, v).xyz
 COMPUTE_1D
@@ -8,9 +9,9 @@ INPUT_VEC4_IN_PLACE(Neighbor, neighbor)  // [vertex_count] displacement u [m]
 #include "sim/energy/terms.glsl"
 INPUT_VEC4(Predicted, predicted)         // [vertex_count] u~ [m]
 INPUT_FLOAT(Mass, mass)                  // [vertex_count] [kg]
-INPUT_UINT(ColorVertex, color_vertex)    // vertices sorted by color, held ones left out
+INPUT_UINT(ColorVertex, color_vertex)    // vertices sorted by color, without constrained ones
 OUTPUT(vec4, Displacement, displacement)
-uniform uint first_item;                 // where this color begins
+uniform uint first_item;                 // first entry of this color
 
 void main() {
   ITEM_OR_RETURN(i)

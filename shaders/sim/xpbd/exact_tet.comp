@@ -1,5 +1,6 @@
-// Exact XPBD, first of four passes: the force of the multipliers on the corners, G_a^T lambda = F mat(lambda) b_a, and what the
-// tension adds to a corner's mass, 2 |b_a|^2 |mat(lambda)|, into the slots that exact_vertex gathers.
+// Exact XPBD, first of four passes: the force of the multipliers on the corners, G_a^T lambda = F mat(lambda) b_a, and
+// the contribution of the tension to a corner's mass, 2 |b_a|^2 |mat(lambda)|, into the slots that exact_vertex
+// gathers.
 #include "common/io.glsl"
 #include "common/tet_pair.glsl"
 #include "common/pair_slots.glsl"

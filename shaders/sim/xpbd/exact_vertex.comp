@@ -1,13 +1,14 @@
-// Exact XPBD, second pass: the residual of the positions, g = M (u - u~) - sum G^T lambda, that XPBD assumes to be zero, and the mass
-// m^ that every vertex moves with. The tets then see n / m^ of a vertex with n tets, as with split masses. After exact_tet.
+// Exact XPBD, second pass: the residual of the positions, g = M (u - u~) - sum G^T lambda, that XPBD assumes to be
+// zero, and the raised mass m^ of every vertex. The tets then use n / m^ for a vertex with n tets, as with split
+// masses. After exact_tet.
 #include "common/io.glsl"
 #include "common/step.glsl"
 COMPUTE_1D
-INPUT_VEC4(Predicted, predicted)    // [vertex_count] xyz u~ [m], w inverse mass, 0 where held
+INPUT_VEC4(Predicted, predicted)    // [vertex_count] xyz u~ [m], w inverse mass, 0 where constrained
 INPUT_FLOAT(Mass, mass)             // [vertex_count] [kg]
 INPUT_UINT(SlotBegin, slot_begin)   // [vertex_count + 1]
 INPUT_VEC4(Correction, correction)  // [slots] from exact_tet
-INPUT_UINT(CopyBegin, copy_begin)   // [vertex_count + 1] its differences are the numbers of tets
+INPUT_UINT(CopyBegin, copy_begin)   // [vertex_count + 1] differences are the numbers of tets
 #include "sim/energy/terms.glsl"
 INPUT_VEC4_IN_PLACE(Iterate, iterate)     // [vertex_count] u [m]
 OUTPUT(vec4, Displacement, displacement)  // [vertex_count] w becomes n / m^ [1/kg]

@@ -1,5 +1,5 @@
-// The tets of one color, in place: no two of them share a free vertex, so each sees what the colors before it did.
-// Dispatched once per color, in the order of the colors.
+// The tets of one color, in place: no two of them share a free vertex, so each uses the results of the colors before
+// it. Dispatched once per color, in the order of the colors.
 #include "common/io.glsl"
 #include "sim/xpbd/xpbd_block.glsl"
 COMPUTE_1D
@@ -7,7 +7,7 @@ INPUT_VEC4_IN_PLACE(Corner, corner)       // [vertex_count + phantom_count] disp
 OUTPUT(vec4, Displacement, displacement)
 INPUT_VEC4_IN_PLACE(Lambda, lambda)       // [2 * tet_count] multiplier: xyz of xx, yy, zz then of yz, xz, xy
 OUTPUT(vec4, Multiplier, multiplier)
-uniform uint first_item;                 // where this color begins: the tets are sorted by color
+uniform uint first_item;                 // first tet of this color: the tets are sorted by color
 
 void main() {
   ITEM_OR_RETURN(i)
@@ -29,7 +29,7 @@ void main() {
   BlockStep s = solve_block(t, tet, h, vec4(u0.w, u1.w, u2.w, u3.w), lambda_d, lambda_s, Sym3(vec3(0.0), vec3(0.0)));
   STORE3(multiplier[2u * t], lambda_d + s.change_d)
   STORE3(multiplier[2u * t + 1u], lambda_s + s.change_s)
-  // Held vertices may be shared within a color: they do not move, so they are not written.
+  // Constrained vertices may be shared within a color: they do not move, so they are not written.
   if (u0.w > 0.0) displacement[tet.v.x].xyz = u0.xyz + s.dx0;
   if (u1.w > 0.0) displacement[tet.v.y].xyz = u1.xyz + s.dx1;
   if (u2.w > 0.0) displacement[tet.v.z].xyz = u2.xyz + s.dx2;

@@ -1,6 +1,7 @@
-// One Jacobi sweep over all tets, in pairs: every tet solves its block from the same displacements. With EXACT each vertex will also
-// move by -g/m^ (exact_vertex.comp), which the tets foresee.
-// Reads displacement; writes multiplier and one correction per corner of a pair into the slots that jacobi_vertex gathers.
+// One Jacobi sweep over all tets, in pairs: every tet solves its block from the same displacements. With EXACT each
+// vertex will also move by -g/m^ (exact_vertex.comp), which the tets take into account.
+// Reads displacement; writes multiplier and one correction per corner of a pair into the slots that jacobi_vertex
+// gathers.
 #include "common/io.glsl"
 #include "common/tet_pair.glsl"
 #include "common/pair_slots.glsl"

@@ -1,12 +1,13 @@
 // Averages the corrections of a vertex's tets: u += 1/n sum dx. A gather in fixed order, so runs repeat bit for bit.
-// After jacobi_tet. This averaging is the poster's; its fixed point is softer than the material (docs/concepts/i3d2019.md).
+// After jacobi_tet. This averaging is that of the I3D 2019 paper; its fixed point is softer than the material
+// (docs/concepts/i3d2019.md).
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_UINT(SlotBegin, slot_begin)        // [vertex_count + 1]
 INPUT_VEC4(Correction, correction)       // [slots] sorted by vertex
-INPUT_UINT(CopyBegin, copy_begin)        // [vertex_count + 1] its differences are the numbers of tets
+INPUT_UINT(CopyBegin, copy_begin)        // [vertex_count + 1] differences are the numbers of tets
 #if EXACT
-INPUT_VEC4(PrimalStep, primal_step)      // [vertex_count] xyz g/m^ [m], 0 where held
+INPUT_VEC4(PrimalStep, primal_step)      // [vertex_count] xyz g/m^ [m], 0 where constrained
 #endif
 INPUT_VEC4_IN_PLACE(Iterate, iterate)    // [vertex_count] u [m]
 OUTPUT(vec4, Displacement, displacement)

@@ -1,5 +1,5 @@
-// A split vertex goes to the mean of itself and its phantoms: each moved with its share of the mass, so momentum is kept.
-// After the colors of a sweep.
+// Moves a split vertex to the mean of itself and its phantoms: each moved with its share of the mass, so momentum is
+// conserved. After the colors of a sweep.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_UINT(SplitVertex, split_vertex)    // [split_count] vertices that have phantoms

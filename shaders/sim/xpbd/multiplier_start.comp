@@ -1,5 +1,5 @@
-// Multipliers in balance with the stress, lambda = -h^2 V D (C + damping/h (C - C_n)), at the displacements from which the iterations
-// start. D counts each tensor shear twice. After predict and prescribe.
+// Multipliers in equilibrium with the stress, lambda = -h^2 V D (C + damping/h (C - C_n)), at the displacements from
+// which the iterations start. D counts each tensor shear twice. After predict and prescribe.
 #include "common/io.glsl"
 #include "common/step.glsl"
 #include "common/tet.glsl"

@@ -1,4 +1,4 @@
-// Puts every phantom where its vertex is, with the vertex's inverse mass as tets see it. Before the colors of a sweep.
+// Moves every phantom to its vertex, with the vertex's inverse mass as the tets use it. Before the colors of a sweep.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_UINT(PhantomVertex, phantom_vertex)  // [phantom_count]

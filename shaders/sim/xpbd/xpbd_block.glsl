@@ -18,8 +18,8 @@ struct BlockStep {
   vec3 dx0, dx1, dx2, dx3;      // corrections of the corners [m]
 };
 
-// h: displacement gradient of tet t. inverse_mass [1/kg]: of its corners. `foreseen`: strain that the corners are about to lose whatever
-// the tet does.
+// h: displacement gradient of tet t. inverse_mass [1/kg]: of its corners. `foreseen`: change of strain that the corners
+// will undergo in any case.
 BlockStep solve_block(uint t, Tet tet, mat3 h, vec4 inverse_mass, vec3 lambda_d, vec3 lambda_s, Sym3 foreseen) {
   vec4 material = material_of(t);
   Deformation deformation = deformation_of(h, material);

@@ -87,7 +87,7 @@ Passes Anderson::passes(gl::ProgramCache& programs, bool first) const {
         .loops(part.count / lanes_ + 2);
   }
   if (first) return passes;
-  constexpr std::uint32_t kLeastWidth = 4;  // of a vector, whose invocations take columns in turn
+  constexpr std::uint32_t kLeastWidth = 4;  // invocations per vector, which share the columns
   passes
       .emplace_back(
           programs.compute("sim/acceleration/anderson_solve.comp"),

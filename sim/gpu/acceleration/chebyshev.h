@@ -13,11 +13,11 @@ class Chebyshev {
  public:
   Chebyshev(const gl::ProgramCache& programs, std::uint32_t vertex_count);
 
-  /// Three passes to run after the method's passes of an iteration. `start` is where the first iteration of the substep
-  /// began, vec4 [vertex_count]; `displacement` what the sweep made of it; `step` the uniform block.
+  /// Three passes that run after the method's passes of an iteration. `start`: where the first iteration of the substep
+  /// began, vec4 [vertex_count]; `displacement`: the result of the sweep; `step`: the uniform block.
   std::vector<gl::ComputePass> passes(gl::ProgramCache& programs, const gl::Buffer& step, const gl::Buffer& start,
                                       const gl::Buffer& displacement, bool first) const;
-  /// The estimate belongs to the materials and the step it was made with.
+  /// Discards the estimate, which is valid only for the materials and the step of its computation.
   void forget_spectral_radius();
   double spectral_radius() const;  // waits for the GPU; 0: not estimated yet
 

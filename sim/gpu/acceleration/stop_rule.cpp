@@ -47,7 +47,7 @@ void StopRule::record(const Recording& r, Passes& before_first, Passes& before,
   std::vector<std::uint32_t> groups;
   const auto govern = [&](Passes& list) {
     for (gl::ComputePass& pass : list) {
-      if (pass.arguments()) continue;  // has nothing to do where those before it do nothing
+      if (pass.arguments()) continue;  // already dispatched indirectly, without work if the passes before it have none
       pass.set_indirect(arguments_, static_cast<std::uint32_t>(3 * groups.size()));
       groups.push_back(pass.groups());
     }

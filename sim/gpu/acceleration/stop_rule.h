@@ -1,6 +1,6 @@
-// Ends a substep's iterations on the GPU at a relative residual of solver.tolerance: the passes that would follow are
-// dispatched indirectly, with numbers of work groups that a check sets to zero. Nothing is read back and the frame does
-// not wait.
+// Ends a substep's iterations on the GPU at a relative residual of solver.tolerance. The passes that would follow are
+// dispatched indirectly, and a check sets their numbers of work groups to zero, so nothing is read back and the frame
+// does not wait.
 #pragma once
 #include <initializer_list>
 #include <optional>
@@ -12,12 +12,12 @@ namespace fascia {
 
 class StopRule {
  public:
-  /// `gradient`: what the method's iterations start from, so that a check before each of them is cheap. Without one
-  /// (null) a gradient of its own is computed, before every kOwnInterval-th iteration only.
+  /// `gradient`: the start of the method's iterations, which makes a check before each of them cheap. Without one
+  /// (null) the rule computes a gradient of its own, before every kOwnInterval-th iteration only.
   StopRule(const gl::ProgramCache& programs, const SimBuffers& buffers, const StepGradient* gradient);
 
-  /// Appends the check to what runs before the first iteration of a substep and before later ones, and makes the passes
-  /// `before` and `governed` such that a check ends them.
+  /// Appends the check to the passes that run before the first iteration of a substep and before later ones, and
+  /// changes the passes `before` and `governed` so that a check can end them.
   void record(const Recording& recording, Passes& before_first, Passes& before,
               std::initializer_list<Passes*> governed);
   static constexpr int kOwnInterval = 8;
@@ -25,7 +25,7 @@ class StopRule {
 
   const gl::Buffer& state() const {
     return state_;
-  }  // uint [2] iterations of the last substep, and of all since this was made
+  }  // uint [2]: iterations of the last substep, and of all substeps since construction
 
  private:
   Passes check(const Recording& recording, bool first, std::uint32_t pass_count) const;

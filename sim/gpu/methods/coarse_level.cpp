@@ -14,11 +14,11 @@ namespace {
 
 using shared::vec4;
 
-// A sparse matrix in rows, for the GPU.
+// A sparse matrix by rows, for the GPU.
 struct PackedRows {
   std::vector<std::uint32_t> begin{0};  // [row count + 1]
   std::vector<Tet>
-      pairs;  // two entries each: column and weight (float bits) in turn; a last one alone is padded with zeros
+      pairs;  // two entries each: column and weight (float bits) alternating; an odd last one is padded with zeros
 };
 
 PackedRows pack_rows(const std::vector<std::uint32_t>& begin, const std::vector<std::uint32_t>& column,
@@ -34,7 +34,7 @@ PackedRows pack_rows(const std::vector<std::uint32_t>& begin, const std::vector<
   return rows;
 }
 
-/// What the coarse matrix is made of, without the arrays that only files and drawing need.
+/// The part of the model that determines the coarse matrix, without arrays for files and drawing only.
 Model material_part(const Model& model) {
   Model part;
   part.rest_positions = model.rest_positions;

@@ -1,7 +1,7 @@
 // The coarse level of the two-level method on the GPU: from the gradient to a smooth correction, R A_c^-1 R^T P^T g at
 // the coarse nodes, with the rest matrix A_c and one rotation R per node, taken from the displacements of every
-// iteration. The inverse is computed on another thread: the first one while other things are made, those for other
-// materials or h while the old one serves.
+// iteration. The inverse is computed on another thread: the first one during setup, later ones for other materials or h
+// while the old one is in use.
 #pragma once
 #include <Eigen/Core>
 #include <future>
@@ -18,26 +18,28 @@ class CoarseLevel {
 
   /// Two passes from `gradient` (vec4 [vertex_count]) to correction().
   Passes passes(const Recording& recording, const gl::Buffer& gradient) const;
-  // P in rows of vertices (two_level_correct.comp): uint [vertex_count + 1], uvec4
+  // P by rows of vertices (two_level_correct.comp): uint [vertex_count + 1], uvec4
   const gl::Buffer& row_begin() const { return row_begin_; }
   const gl::Buffer& rows() const { return rows_; }
   const gl::Buffer& correction() const { return correction_; }  // vec4 [node_count] [m]
 
-  /// Whether the first inverse is computed; nothing can be solved before.
+  /// Whether the first inverse is computed; the solver cannot step before.
   bool ready() const;
-  /// Waits until it is, and uploads it.
+  /// Waits for the first inverse and uploads it.
   void complete();
-  /// Starts to compute the inverse if materials or h are other ones; one that waits for older values is let go.
+  /// Starts to compute the inverse if materials or h have changed; discards a request that still waits with older
+  /// values.
   void values_changed(const Model& model, const SolverSettings& settings);
-  /// What holds the body beside the tissue, from now on.
+  /// Sets the stiffness that springs add to that of the tissue.
   void set_stiffness(const std::vector<VertexStiffness>& springs);
-  /// Uploads an inverse for other values that is ready; with `wait`, waits until the newest is. Returns how many.
+  /// Uploads a finished inverse for new values; with `wait`, waits for the newest one. Returns the number of inverses
+  /// uploaded.
   int update(bool wait);
-  /// Waits for so many inverses, or as many as are asked for, and uploads them.
+  /// Waits for up to `count` of the requested inverses and uploads them.
   void take(int count);
 
  private:
-  struct Job {  // a copy of what the thread needs: the model may change meanwhile
+  struct Job {  // a copy of the thread's input: the model may change meanwhile
     Model model;
     double h;
   };
@@ -49,12 +51,12 @@ class CoarseLevel {
   CoarseSpace space_;
   std::uint32_t lanes_ = 1;         // invocations that share a node (shaders/common/group_sum.glsl)
   std::uint32_t row_octets_ = 0;    // uvec4 per row of the inverse, eight 16-bit integers each
-  std::uint32_t most_entries_ = 0;  // of a node, in both lists that coarse_restrict goes through
+  std::uint32_t most_entries_ = 0;  // largest number of entries of a node in either list of coarse_restrict
   gl::Buffer node_begin_, gather_entry_, columns_, row_begin_, rows_;
   gl::Buffer rotation_, gradient_, inverse_rows_, scale_, correction_;
-  Eigen::MatrixXf free_inverse_;  // without springs; empty before the first is taken
+  Eigen::MatrixXf free_inverse_;  // without springs; empty before the first upload
   std::vector<VertexStiffness> springs_;
-  std::vector<Material> materials_;  // that the newest inverse is for, ready or not
+  std::vector<Material> materials_;  // of the newest inverse, ready or not
   double h_ = 0;                     // [s]
   std::future<Eigen::MatrixXf> inverse_;
   std::optional<Job> next_;

@@ -1,7 +1,7 @@
-// XPBD with an exact fixed point. XPBD drops the residual of the positions, g = M (x - x~) - G^T lambda, which is zero
-// only in the limit of small steps; Jacobi sweeps leave it there for good. Fed back with every sweep, and with each
-// vertex's mass raised by the tension around it so that the sweep stays a contraction, it vanishes at the fixed point,
-// which then is the implicit Euler step:
+// XPBD with an exact fixed point. XPBD neglects the residual of the positions, g = M (x - x~) - G^T lambda, which is
+// zero only in the limit of small steps; Jacobi sweeps never remove it. This method feeds g back with every sweep and
+// raises each vertex's mass by the tension around it, so that the sweep stays a contraction. Then g vanishes at the
+// fixed point, which is the implicit Euler step:
 //
 //   g_i = m_i (x_i - x~_i) - sum_e G_i^T lambda_e,     m^_i = m_i + 2 sum_e |b_i|^2 |mat(lambda_e)|
 //   [ sum_a (n_a / m^_a) G_a G_a^T + alpha~ ] dlambda = -C - alpha~ lambda + sum_a G_a g_a / m^_a
@@ -16,7 +16,7 @@ class ExactXpbdMethod : public StepMethod {
   explicit ExactXpbdMethod(const SimBuffers& buffers);
   const gl::Buffer* multiplier() const override { return &multiplier_; }
   const gl::Buffer& weight_of_vertices(const SimBuffers&) const override { return raised_mass_; }
-  /// The multipliers start in balance with the stress at the prediction: from zero, accelerated iterations stall.
+  /// The multipliers start in equilibrium with the stress at the prediction: accelerated iterations stall from zero.
   Passes begin(const Recording& recording) const override;
   Deferral most_deferred(const SimBuffers& buffers, bool) const override {
     return {1, buffers.pair_and_single_count()};

@@ -55,8 +55,8 @@ Deferral GaussSeidelMethod::most_deferred(const SimBuffers& buffers, bool fused)
 Passes GaussSeidelMethod::iteration(const Recording& r, bool first) const {
   gl::Defines defines = defines_of(r.features);
   defines.emplace_back("FIRST_ITERATION", first ? "1" : "0");
-  // Invocations without a tet take as long as the others on software renderers, and small colors leave most of a group
-  // without one.
+  // On software renderers invocations without a tet take as long as the others, and in small colors most invocations of
+  // a group have none.
   constexpr std::size_t kSmall = 32;  // tets of a color
   if (coloring_.order.size() <= kSmall * coloring_.color_count())
     defines.emplace_back("GROUP_SIZE", std::to_string(kSmall));

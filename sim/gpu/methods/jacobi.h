@@ -1,7 +1,7 @@
 // XPBD with the Green strain of each tet as a 6-vector constraint, all tets at once, corrections averaged per vertex:
-// the poster's method (Boukadida, Andrews, Paquette 2019). On whole masses its fixed point is softer than the material:
-// averaging gives the multipliers the whole step and the positions only a part of it. On split masses (predict.comp)
-// both get the same.
+// the method of the I3D 2019 paper (Boukadida, Andrews, Paquette 2019). On whole masses its fixed point is softer than
+// the material, because averaging gives the multipliers the full step and the positions only a part of it. On split
+// masses (predict.comp) both get the same part.
 #pragma once
 #include "sim/gpu/methods/method.h"
 

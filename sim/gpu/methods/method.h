@@ -1,4 +1,4 @@
-// What a solver method is to the step: the passes that it records between the prediction and the velocity update.
+// The interface of a solver method: the passes that it records between the prediction and the velocity update.
 #pragma once
 #include <vector>
 
@@ -17,58 +17,59 @@ class StepMethod {
   StepMethod(const StepMethod&) = delete;
   StepMethod& operator=(const StepMethod&) = delete;
 
-  /// Takes over other settings of the same method, if that needs no new one: true then.
+  /// Takes over other settings of the same method. False where they need a new object.
   virtual bool goes_on_with(const MethodInputs&) { return false; }
-  /// uint [vertex_count + 1], copies before each vertex, of methods that share a vertex's mass between copies; null for
-  /// the others.
+  /// uint [vertex_count + 1], the number of copies before each vertex, for methods that share a vertex's mass between
+  /// copies; null for the others.
   virtual const gl::Buffer* copy_begin() const { return nullptr; }
-  /// Whether the iterations start where inertia alone leads, x_n + h v_n, and not at the prediction, which gravity has
-  /// moved too.
+  /// Whether the iterations start at the inertial position x_n + h v_n instead of the prediction, which includes
+  /// gravity.
   virtual bool starts_without_gravity() const { return false; }
-  /// vec4 [2 * tet_count], of methods whose multipliers are part of the state that an acceleration combines; null for
+  /// vec4 [2 * tet_count], for methods whose multipliers are part of the state that an acceleration combines; null for
   /// the others.
   virtual const gl::Buffer* multiplier() const { return nullptr; }
-  /// float [vertex_count] by which Anderson acceleration weighs changes of the vertices [kg].
+  /// float [vertex_count]: weights of the vertices' changes in Anderson acceleration [kg].
   virtual const gl::Buffer& weight_of_vertices(const SimBuffers& buffers) const { return buffers.mass; }
   virtual bool accelerates_itself() const { return false; }     // Acceleration::anderson is part of its iterations
-  virtual bool may_rest_in_regions() const { return false; }    // a step may go through a part of the tets only
-  virtual const Coloring* coloring() const { return nullptr; }  // of the tets, of methods that sweep them by color
-  /// Whether iterations descend the objective with its external energies; else these are projected as constraints after
-  /// each.
+  virtual bool may_rest_in_regions() const { return false; }    // a step may process only some of the tets
+  virtual const Coloring* coloring() const { return nullptr; }  // of the tets, for methods that sweep them by color
+  /// Whether iterations descend the objective with its external energies; otherwise these are projected as constraints
+  /// after each iteration.
   virtual bool descends() const { return false; }
-  /// What is computed before every iteration, of methods that descend the step's objective; null for the others.
+  /// What is computed before every iteration by methods that descend the step's objective; null for the others.
   virtual const StepGradient* gradient() const { return nullptr; }
-  virtual Passes begin(const Recording&) const { return {}; }  // once a substep, after the prediction
-  /// What changes slowly enough to serve for some iterations: before those that refreshes_before() names.
+  virtual Passes begin(const Recording&) const { return {}; }  // once per substep, after the prediction
+  /// Recomputes data that changes slowly enough to be reused for some iterations; runs before those of
+  /// refreshes_before().
   virtual Passes refresh(const Recording&) const { return {}; }
-  /// The first, and every eighth unless so few are left that they would save less than it costs.
+  /// The first iteration and every eighth, unless so few remain that a refresh would cost more than it saves.
   static bool refreshes_before(int iteration, int iterations) {
     constexpr int kInterval = 8, kLeastLeft = 4;
     return iteration == 0 || (iteration % kInterval == 0 && iterations - iteration >= kLeastLeft);
   }
-  /// One iteration, external energies included. The first one of a substep finds no history.
+  /// One iteration, external energies included. The first one of a substep has no history.
   virtual Passes iteration(const Recording& recording, bool first) const = 0;
   virtual Passes end(const Recording&) const {
     return {};
   }  // after the last iteration of a substep, unless a stop rule ended them
-  /// What the passes of an iteration may put off (deferred_tets.h). `fused`: whether passes are (gl/fused_pass.h).
+  /// Upper bounds on what the passes of an iteration may defer (deferred_tets.h). `fused`: whether the passes are fused
+  /// (gl/fused_pass.h).
   virtual Deferral most_deferred(const SimBuffers&, bool fused) const { return static_cast<void>(fused), Deferral{}; }
-  /// Before passes are recorded, with what they will be recorded from.
+  /// Called before passes are recorded, with their recording.
   virtual void prepare(const Recording&) {}
-  /// Before the first step of some that go through a part of the tets only.
+  /// Called before the first of a series of steps that process only some of the tets.
   virtual void begin_partial() {}
-  /// Materials, masses, gravity or h have other values; buffers and passes stay.
+  /// Materials, masses, gravity or h have new values; buffers and passes stay valid.
   virtual void values_changed(const Model&, const SolverSettings&) {}
-  /// What external energies add to the body's stiffness.
+  /// Sets the stiffness that external energies add to the body's.
   virtual void set_stiffness(const std::vector<VertexStiffness>&) {}
-  /// Whether all is there that the first step needs; what takes long is computed beside what else is made.
+  /// Whether everything for the first step is available; long computations run in parallel with the rest of the setup.
   virtual bool ready() const { return true; }
-  /// Waits until it is. Before any step, and before the two below tell of later results.
+  /// Waits for ready(). Called before any step, and before the two functions below report later results.
   virtual void complete() {}
-  /// Uploads what was computed beside the frame, if it is ready, or, with `wait`, all of it when it is. Returns how
-  /// many results.
+  /// Uploads a finished background result or, with `wait`, waits for all of them. Returns the number of results.
   virtual int update(bool wait) { return static_cast<void>(wait), 0; }
-  /// Waits for so many results, if as many are computed, and uploads them.
+  /// Waits for up to `results` background results and uploads them.
   virtual void take(int results) { static_cast<void>(results); }
 };
 

@@ -1,4 +1,4 @@
-// The kernels of each solver method: how they are made, one row a method. What users read about methods is in
+// The kernels of each solver method: one row per method states how it is constructed. The descriptions for users are in
 // sim/scene/settings/solver_choice.h.
 #pragma once
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace fascia {
 
-/// What a method is made from. All of it outlives the method.
+/// The inputs of a method. All of them outlive the method.
 struct MethodInputs {
   gl::ProgramCache& programs;
   const Model& model;  // in the order of the buffers
@@ -20,7 +20,7 @@ struct MethodInputs {
 struct MethodKernels {
   Method method;
   std::unique_ptr<StepMethod> (*make)(const MethodInputs& inputs);
-  bool orders_tets = false;  // the method puts the tets of the buffers into an order of its own
+  bool orders_tets = false;  // the method reorders the tets of the buffers
 };
 
 const MethodKernels& kernels_of(Method method);

@@ -50,7 +50,7 @@ void TwoLevelMethod::prepare(const Recording& r) {
   guarded_curvature_.clear();
 }
 
-// The start that inertia proposes may be far up the energy's walls: it is a step from u_n, to be kept only if it lowers
+// The inertial start may have a much higher energy: it is treated as a step from u_n, which is kept only if it lowers
 // the objective.
 Passes TwoLevelMethod::begin(const Recording& r) const {
   Passes passes;
@@ -129,7 +129,7 @@ Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
 }
 
 Passes TwoLevelMethod::end(const Recording& r) const {
-  Passes passes = gradient_.passes(r);  // the last step, too, is taken back if it raised the objective
+  Passes passes = gradient_.passes(r);  // also reverts the last step if it raised the objective
   append(passes, subspace_step(r, false, true));
   return passes;
 }

@@ -1,11 +1,12 @@
 // Two levels: every vertex's own 3x3 block of the step's Hessian, and a coarse space of a few hundred functions whose
-// stiffness turns with the tissue (coarse_level.h). What the blocks cannot see, motion of large parts, the coarse space
-// solves at once, so the number of iterations hardly depends on the mesh. The two corrections z_f and z_c are combined
-// with the last step p by minimising a quadratic model of the objective over their span, with the curvature of the last
-// step taken from the change of the gradient (compare the locally optimal block iteration of Knyazev 2001, and the
-// two-dimensional subspace trust region of Byrd, Schnabel, Shultz 1988); of a step that raises the objective only a
-// part is kept. The first iteration's span has no p: that is inertia's step, so long that the change of the gradient
-// along it is not the curvature at its end (errors in motion were 2 to 3 times larger with it).
+// stiffness rotates with the tissue (coarse_level.h). The coarse space solves the motion of large parts, to which the
+// blocks are blind, at once, so the number of iterations hardly depends on the mesh. The two corrections z_f and z_c
+// are combined with the last step p by minimizing a quadratic model of the objective over their span, with the
+// curvature along the last step taken from the change of the gradient (compare the locally optimal block iteration of
+// Knyazev 2001, and the two-dimensional subspace trust region of Byrd, Schnabel, Shultz 1988). Only a part of a step
+// that raises the objective is kept. The span of the first iteration has no p: that would be the inertial step, which
+// is so long that the change of the gradient along it is not the curvature at its end (errors in motion were 2 to 3
+// times larger with it).
 #pragma once
 #include "sim/gpu/acceleration/anderson.h"
 #include "sim/gpu/methods/coarse_level.h"
@@ -17,12 +18,12 @@ namespace fascia {
 class TwoLevelMethod : public StepMethod {
  public:
   /// `subspace`: z_f and z_c each get their own factor. `nonlinear_cg`: their sum gets one. `none`: the same without p.
-  /// `anderson`: their sum gets one, and the direction to what Anderson makes of relaxed sweeps u - 0.4 (z_f + z_c)
+  /// `anderson`: their sum gets one, and the direction to Anderson's combination of relaxed sweeps u - 0.4 (z_f + z_c)
   /// another.
   TwoLevelMethod(const gl::ProgramCache& programs, const Model& model, const SimBuffers& buffers,
                  const SolverSettings& settings);
 
-  bool goes_on_with(const MethodInputs& inputs) override;  // the levels stay as they are
+  bool goes_on_with(const MethodInputs& inputs) override;  // the levels stay unchanged
   bool accelerates_itself() const override { return true; }
   bool may_rest_in_regions() const override { return !anderson_; }
   bool starts_without_gravity() const override { return true; }
@@ -44,7 +45,9 @@ class TwoLevelMethod : public StepMethod {
   void complete() override { coarse_.complete(); }
   int update(bool wait) override { return coarse_.update(wait); }
   void take(int results) override { coarse_.take(results); }
-  void begin_partial() override { gradient_.clear(); }  // the coarse level gathers the resting vertices' too
+  void begin_partial() override {
+    gradient_.clear();
+  }  // the coarse level also gathers the gradient of resting vertices
 
  private:
   void set_acceleration(const gl::ProgramCache& programs, const SimBuffers& buffers, const SolverSettings& settings);
@@ -54,16 +57,18 @@ class TwoLevelMethod : public StepMethod {
   Passes subspace_step(const Recording& recording, bool first, bool last) const;
 
   bool remembers_ = false,
-       splits_ = false;  // whether the span has p, but in the first iteration; whether it has two directions beside it
+       splits_ =
+           false;  // whether the span has p except in the first iteration; whether it has two directions besides p
   StepGradient gradient_;
   CoarseLevel coarse_;
   gl::Buffer vertex_tets_, block_inverse_;
   Reduction vertices_, pairs_;
-  gl::Buffer fine_direction_, coarse_direction_;  // vec4 [vertex_count]; the two directions, whatever they are
-  gl::Buffer last_step_, previous_gradient_;      // vec4 [vertex_count]
-  gl::Buffer partials_, state_;       // partials_: vec4, three sums over the vertices and one over the pairs
+  gl::Buffer fine_direction_,
+      coarse_direction_;                      // vec4 [vertex_count]; the two directions, depending on the acceleration
+  gl::Buffer last_step_, previous_gradient_;  // vec4 [vertex_count]
+  gl::Buffer partials_, state_;               // partials_: vec4, three sums over the vertices and one over the pairs
   gl::Buffer guarded_curvature_;      // vec4 [pairs and single tets], with deferred ones: their terms of the curvature
-  std::optional<Anderson> anderson_;  // of the sweeps; its results stand in fine_direction_
+  std::optional<Anderson> anderson_;  // of the sweeps; its results are in fine_direction_
 };
 
 }  // namespace fascia

@@ -8,8 +8,8 @@ namespace fascia {
 
 namespace {
 
-// A few invocations side by side take as long as the one with the most tets: within some hundred neighbors of a color,
-// those with as many are put side by side.
+// Neighboring invocations take as long as the one with the most tets: within some hundred neighbors of a color,
+// vertices with equal numbers of tets are adjacent.
 VertexColoring alike_together(VertexColoring coloring, const std::vector<std::uint32_t>& tet_begin) {
   constexpr std::uint32_t kNeighbors = 256;
   const auto tets = [&](std::uint32_t v) { return tet_begin[v + 1] - tet_begin[v]; };

@@ -1,5 +1,5 @@
-// Vertex block descent (Chen, Liu, Yang, Yuksel 2024): Gauss-Seidel over vertices, each solves the 3x3 Newton system of
-// the step's objective in its own coordinates. One pass per vertex color.
+// Vertex block descent (Chen, Liu, Yang, Yuksel 2024): Gauss-Seidel over vertices. Each vertex solves the 3x3 Newton
+// system of the step's objective in its own coordinates. One pass per vertex color.
 #pragma once
 #include "sim/gpu/methods/method.h"
 #include "sim/ordering/graph_coloring.h"

@@ -1,4 +1,4 @@
-// The vertices and pairs of tets that a step solves when the others rest. Lists on the GPU, for kernels compiled with
+// The vertices and pairs of tets that a step solves while the others rest: lists on the GPU, for kernels compiled with
 // LISTED (common/io.glsl).
 #pragma once
 #include <cstdint>
@@ -8,10 +8,10 @@
 namespace fascia {
 
 struct ActiveSet {
-  gl::Buffer vertices;  // uint [vertex_count of the mesh], of which the first vertex_count count: those that move, then
-                        // those beside them, which are held where they are
-  gl::Buffer pairs;     // uint [pairs and single tets], of which the first pair_count count: all with a tet at a vertex
-                        // that moves
+  gl::Buffer vertices;  // uint [vertex_count of the mesh], the first vertex_count entries are valid: the vertices that
+                        // move, then their neighbors, which are kept in place
+  gl::Buffer
+      pairs;  // uint [pairs and single tets], the first pair_count entries are valid: all with a tet at a moving vertex
   std::uint32_t moving_count = 0, vertex_count = 0, pair_count = 0;
   std::uint32_t tet_count = 0;  // in these pairs
 };

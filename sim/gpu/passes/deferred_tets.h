@@ -1,6 +1,6 @@
-// Pairs of tets, or vertices, that need more work than the others: the kernel that meets them puts them on a list, and
-// a second dispatch goes through the list (DEFERS and DEFERRED in shaders/common/io.glsl). Where invocations run in
-// lockstep a branch saves nothing; this way upright tets do not pay for the singular values of those turned inside out.
+// Pairs of tets, or vertices, that need more work than the others: the first kernel puts them on a list, and a second
+// dispatch processes the list (DEFERS and DEFERRED in shaders/common/io.glsl). Where invocations run in lockstep a
+// branch saves nothing; with the list, upright tets do not pay for the singular values of inverted ones.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace fascia {
 
-/// The room that a method needs: lists that are filled one after another before all are emptied, and items on all of
+/// The capacity that a method needs: the number of lists that are filled before all are emptied, and of items on all of
 /// them together.
 struct Deferral {
   std::uint32_t lists = 0, items = 0;
@@ -33,9 +33,9 @@ struct DeferredTets {
   }
 
   Deferral most;
-  gl::Buffer lists;  // uint, of each list: work groups of the second dispatch, 1, 1, number of items; after these the
-                     // items of all
-  gl::Buffer none;   // uint [4 * most.lists] what empties them
+  gl::Buffer lists;  // uint, for each list: work groups of the second dispatch, 1, 1, number of items; then the items
+                     // of all lists
+  gl::Buffer none;   // uint [4 * most.lists] the contents of empty lists
 };
 
 }  // namespace fascia

@@ -13,8 +13,8 @@ std::string capitals(std::string name) {
   return name;
 }
 
-// One of the laws' functions, called for the law that the material has: HAS_MODEL(material, 2.0) ?
-// stable_neo_hookean_block(...) : ...
+// A call of a law's function, selected by the material's law: HAS_MODEL(material, 2.0) ? stable_neo_hookean_block(...)
+// : ...
 std::string call_of_law(const std::vector<const MaterialLaw*>& laws, const std::string& function) {
   std::string text;
   for (const MaterialLaw* law : laws) {

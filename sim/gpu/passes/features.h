@@ -1,5 +1,5 @@
-// What a scene needs of the kernels. Turns into defines (shaders/sim/feature_*.glsl), so that what is off is not
-// compiled, not bound and not allocated.
+// The kernel features that a scene needs. They become defines (shaders/sim/feature_*.glsl), so that unused features are
+// not compiled, bound or allocated.
 #pragma once
 #include <set>
 
@@ -11,7 +11,7 @@ namespace fascia {
 struct Features {
   bool material_per_tet = false;
   bool damping = false;
-  std::set<MaterialModel> models;  // that the materials have
+  std::set<MaterialModel> models;  // of the materials
   bool operator==(const Features&) const = default;
 };
 
@@ -24,10 +24,10 @@ gl::ComputePass::Bindings with_material(gl::ComputePass::Bindings bindings, cons
 gl::ComputePass::Bindings with_damping(gl::ComputePass::Bindings bindings, const Features& features,
                                        const gl::Buffer& previous_strain);
 
-/// Adds what kernels need that go through pairs of tets (shaders/common/tet_pair.glsl).
+/// Adds the buffers of kernels that process pairs of tets (shaders/common/tet_pair.glsl).
 gl::ComputePass::Bindings with_pairs(gl::ComputePass::Bindings bindings, const SimBuffers& buffers);
 gl::ComputePass::Constants constants_of_pairs(const SimBuffers& buffers);
-/// Adds that, and what those need that leave something at the corners of pairs of tets
+/// Adds the same, and the buffers of kernels that write to the corners of pairs of tets
 /// (shaders/common/pair_slots.glsl).
 gl::ComputePass::Bindings with_slots(gl::ComputePass::Bindings bindings, const SimBuffers& buffers);
 

@@ -9,8 +9,8 @@ using shared::vec4;
 
 namespace {
 
-// values[i] to vertices[i] and zeros between near ones: a drag does so in every step, and an upload for each would be a
-// copy on the GPU for each.
+// Uploads values[i] to vertices[i], and zeros between close ones. A drag does so in every step, and single uploads
+// would be one copy each on the GPU.
 void upload_spans(gl::Buffer& to, const std::vector<std::uint32_t>& vertices, const std::vector<vec4>& values) {
   constexpr std::uint32_t kNear = 1024;
   std::vector<std::size_t> order(vertices.size());

@@ -8,7 +8,7 @@ void list(gl::Defines& defines, gl::ComputePass::Bindings& bindings, const gl::B
   bindings.emplace_back("item_list", &items);
 }
 
-// Of the kernel that fills a list and the one that goes through it: where it is, and where its items are.
+// Constants of the kernel that fills a list and of the one that processes it: the list, and its first item.
 gl::ComputePass::Constants list_constants(const Deferral& most, std::uint32_t list, std::uint32_t first_item) {
   return {{"deferred_list", 4 * list}, {"deferred_begin", 4 * most.lists + first_item}};
 }
@@ -122,7 +122,7 @@ gl::ComputePass Recording::sum_over_vertices(const char* kernel, gl::Defines def
   if (active) list(defines, bindings, active->vertices);
   constants.emplace_back("vertex_count", buffers.vertex_count);
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), sum.lanes, std::move(constants));
-  pass.loops(loops_of_sum(buffers.vertex_count, sum, 9));  // a vertex is in the reach of eight coarse nodes
+  pass.loops(loops_of_sum(buffers.vertex_count, sum, 9));  // a vertex is in the support of eight coarse nodes
   if (active) pass.follow("vertex_count", active->vertex_count);
   return pass;
 }

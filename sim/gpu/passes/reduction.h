@@ -1,4 +1,4 @@
-// Sizes of the sums that kernels make with shaders/common/reduce.glsl.
+// Sizes of the sums that kernels compute with shaders/common/reduce.glsl.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -9,16 +9,17 @@ namespace fascia {
 
 struct Reduction {
   std::uint32_t lanes;     // invocations that share the items, a multiple of kGroup
-  std::uint32_t partials;  // sums that are left to add up
+  std::uint32_t partials;  // partial sums that remain to be added
 
   static constexpr std::uint32_t kGroup = 64;  // GROUP_SIZE of shaders/common/io.glsl
 
   static constexpr std::uint32_t whole_groups(std::uint32_t lanes) { return (lanes + kGroup - 1) / kGroup * kGroup; }
 
-  /// `wide`: the kernel does more for an item than to add it up, and on a GPU needs as many invocations as another one.
+  /// `wide`: the kernel does more work per item than an addition and, on a GPU, needs as many invocations as any other
+  /// kernel.
   Reduction(const gl::ProgramCache& programs, std::uint32_t items, bool wide = false) {
-    // Software renderers get few lanes, whose sums one invocation adds up, of large meshes enough for many cores; GPUs
-    // get many, and a tree leaves one sum per group.
+    // Software renderers get few lanes, whose sums one invocation adds; large meshes get enough lanes for many cores.
+    // GPUs get many lanes, and a tree leaves one sum per group.
     const bool tree = programs.load_path() == gl::LoadPath::storage;
     const std::uint32_t share = !tree  ? 16
                                 : wide ? 1
@@ -31,7 +32,7 @@ struct Reduction {
   }
 };
 
-/// Lanes of a sum whose partials, one of each lane, the CPU adds up: few enough to read back cheaply, enough to fill a
+/// Lanes of a sum whose partial sums, one per lane, the CPU adds: few enough to read back cheaply, enough to fill a
 /// GPU.
 inline std::uint32_t lanes_read_back(std::uint32_t items, std::uint32_t most) {
   return Reduction::whole_groups(std::clamp(items / 16, Reduction::kGroup, most));

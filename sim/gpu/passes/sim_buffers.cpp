@@ -11,7 +11,8 @@ namespace {
 
 using shared::vec4;
 
-// Sizes of the scene, and of gravity's way in a substep, that the forces may throw a vertex away from its prediction.
+// Largest distance of a vertex from its prediction before it counts as diverged, in sizes of the scene plus
+// displacements of gravity in a substep.
 constexpr double kFarthest = 100;
 
 vec4 to_vec4(const Eigen::Vector3d& v, double w) {
@@ -34,7 +35,7 @@ std::vector<std::uint32_t> tets_before(const std::vector<Tet>& tets, std::size_t
 }
 
 struct Shape {
-  Eigen::Matrix3d gradients;  // in rows, of the last three corners
+  Eigen::Matrix3d gradients;  // rows for the last three corners
   double volume;
 
   Shape(const Model& model, const Tet& tet) {
@@ -45,8 +46,8 @@ struct Shape {
   }
 };
 
-// The shapes of tets in the order of a TetPairing, its pairs aligned, and what shaders/common/tet_pair.glsl reads of
-// their second ones; the fifth corners' slots are left to others.
+// The shapes of tets in the order of a TetPairing with aligned pairs, and the data that shaders/common/tet_pair.glsl
+// reads of their second tets; without the slots of the fifth corners.
 struct Shapes {
   std::vector<vec4> rows;
   std::vector<Tet> fifth;
@@ -74,12 +75,13 @@ struct Shapes {
   }
 };
 
-// Where the corners of pairs and single tets put their corrections: a counting sort of corners by vertex.
+// The slots in which the corners of pairs and single tets store their corrections: a counting sort of corners by
+// vertex.
 struct Slots {
   gl::Buffer correction, pair, begin;  // as in SimBuffers
-  std::uint32_t most = 0;              // of a vertex
+  std::uint32_t most = 0;              // largest number per vertex
 
-  // Of the fifth corners the slots are put beside the vertices.
+  // The slots of the fifth corners are written next to the vertices.
   Slots(const std::vector<Tet>& tets, std::uint32_t pair_count, std::uint32_t vertex_count, std::vector<Tet>& fifth) {
     const std::uint32_t count = static_cast<std::uint32_t>(tets.size()) - pair_count;
     std::vector<Tet> corners(tets.begin(), tets.begin() + count);
@@ -92,7 +94,7 @@ struct Slots {
     for (std::uint32_t v = 0; v < vertex_count; ++v) most = std::max(most, begins[v + 1] - begins[v]);
     begin = gl::Buffer("slot_begin", begins);
     correction = gl::Buffer("correction", begins.back() * sizeof(vec4));
-    std::vector<std::uint32_t>& next = begins;  // of each vertex the next free slot
+    std::vector<std::uint32_t>& next = begins;  // next free slot of each vertex
     for (std::uint32_t i = 0; i < count; ++i) {
       for (std::uint32_t& v : corners[i]) v = next[v]++;
       if (i < pair_count) fifth[i][1] = next[fifth[i][0]]++;

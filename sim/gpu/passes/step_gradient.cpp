@@ -26,7 +26,7 @@ Passes StepGradient::passes(const Recording& r) const {
 
 gl::Buffer make_vertex_tets(const SimBuffers& buffers) {
   const std::vector<Tet>& tets = buffers.tets;
-  std::vector<std::uint32_t> next = buffers.tet_offsets;  // of each vertex the next free entry
+  std::vector<std::uint32_t> next = buffers.tet_offsets;  // next free entry of each vertex
   std::vector<std::uint32_t> entries(4 * tets.size());
   for (std::uint32_t t = 0; t < tets.size(); ++t)
     for (std::uint32_t a = 0; a < 4; ++a) entries[next[tets[t][a]]++] = 4 * t + a;

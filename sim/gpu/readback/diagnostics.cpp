@@ -91,7 +91,7 @@ std::optional<Diagnostics> DiagnosticsReader::take(bool wait) {
   Pending& older = pending_[newest_ ^ 1u];
   for (Pending* p : {&newest, &older}) {
     if (!p->fence.take(wait)) continue;
-    if (p == &newest) older.fence.clear();  // overtaken
+    if (p == &newest) older.fence.clear();  // superseded
     return sum_up(*p);
   }
   return std::nullopt;
@@ -162,7 +162,7 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
   d.inverted = static_cast<int>(inverted);
   d.max_speed = std::sqrt(speed2);
   d.volume_ratio = 1 + growth / volume_;
-  // What is not finite in one tet or at one vertex is not finite in the sums either.
+  // A value that is not finite in one tet or at one vertex makes the sums not finite.
   d.finite = std::isfinite(d.elastic) && std::isfinite(growth) && std::isfinite(d.gravitational) &&
              d.angular_momentum.allFinite();
   return d;

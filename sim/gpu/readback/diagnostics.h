@@ -1,5 +1,5 @@
-// Numbers about the state, computed on the GPU and read without waiting: residual, energies, momentum, J,
-// volume, strain, stress, grab force, the way of one vertex.
+// Numbers about the state, computed on the GPU and read without waiting: residual, energies, momentum, J, volume,
+// strain, stress, grab force, the displacement of one vertex.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -18,7 +18,7 @@ struct Diagnostics {
   /// |g| / (|M (u - u~)| + |h^2 f| + |h^2 loads|) with g = M (u - u~) - h^2 f over free vertices: 0 is solved, 1 is
   /// nothing solved. Zero when all forces are below the rounding of the motion itself.
   double residual = 0;
-  double time = 0;                                               // simulated, of the state that was measured [s]
+  double time = 0;                                               // simulated time of the measured state [s]
   double kinetic = 0, elastic = 0, gravitational = 0;            // [J]; gravitational: 0 at the rest positions
   double volume_ratio = 1;                                       // of all tets together, over their volume at rest
   Eigen::Vector3d momentum{0, 0, 0}, angular_momentum{0, 0, 0};  // [kg m/s], [kg m^2/s]
@@ -26,11 +26,10 @@ struct Diagnostics {
   Eigen::Vector3d grab_force{0, 0, 0};                           // of all grabs on the body [N]
   std::vector<GrabForce> grab_forces;                            // of each of them
   Eigen::Vector3d inertia{0, 0, 0};                              // mass times acceleration, of free vertices [N]
-  /// reaction + grab_force + `weight` - inertia over the largest of them [-]: nothing where the last step is solved,
-  /// since the forces inside a body cancel. The weight is that of the whole scene [N]. 0 where there are no forces
-  /// beyond rounding.
+  /// reaction + grab_force + `weight` - inertia over the largest of them [-]: zero where the last step is solved, since
+  /// internal forces cancel. The weight is that of the whole scene [N]. 0 where there are no forces beyond rounding.
   double imbalance(const Eigen::Vector3d& weight) const;
-  double force_rounding = 0;  // [N] of the inertia in float32, at most
+  double force_rounding = 0;  // [N] upper bound of the inertia's rounding in float32
   double min_det_f = 1, max_det_f = 1, max_strain = 0, max_von_mises = 0, max_speed = 0;  // [-], [-], [-], [Pa], [m/s]
   double rms_strain = 0;  // root of the mean of |strain|^2 (Frobenius) over the volume
   int inverted = 0;
@@ -44,15 +43,15 @@ class DiagnosticsReader {
   explicit DiagnosticsReader(const SimBuffers& buffers);
   void record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
               const gl::Buffer& previous_strain, const EnergyTerms& terms);
-  /// A vertex whose displacement is read beside the sums; none: nothing more is read.
+  /// A vertex whose displacement is read together with the sums; none: no vertex.
   void set_probe(std::optional<std::uint32_t> vertex) { probe_ = vertex; }
   /// Dispatches the sums over the current state, of `time` [s], and queues their copy. `substep` h [s]. `stop_state`:
   /// of a StopRule, or null.
   void request(const GrabSprings& grab, double substep, double time, const gl::Buffer* stop_state);
   bool pending() const {
     return pending_[0].fence.is_set() || pending_[1].fence.is_set();
-  }  // a request was not taken yet
-  /// The newest finished request, if there is one that was not taken yet. With `wait`, the last request.
+  }  // a request whose result was not taken yet
+  /// The newest finished result that was not taken yet, if any. With `wait`, the last request's.
   std::optional<Diagnostics> take(bool wait);
 
  private:
@@ -66,7 +65,7 @@ class DiagnosticsReader {
   Diagnostics sum_up(const Pending& pending) const;
 
   std::uint32_t tet_partial_count_, vertex_partial_count_;
-  bool leaves_out_;          // tets, which are as they are at rest
+  bool leaves_out_;          // whether tets that stay at rest are left out
   double volume_;            // of all tets [m^3]
   const double& mean_mass_;  // [kg] follows the materials
   const gl::Buffer& displacement_;

@@ -13,11 +13,11 @@ class ShownRange {
  public:
   /// `positions` vec4 [vertex_count or more], of which w is the scalar.
   ShownRange(gl::ProgramCache& programs, const gl::Buffer& positions, std::uint32_t vertex_count);
-  /// Over the positions of now, which the CPU may ask for a frame later.
+  /// Queues the range of the current positions; the CPU can take it a frame later.
   void request();
   bool pending() const { return fence_.is_set(); }
-  /// Of the last request, once: smallest and largest; with `wait`, waits for the GPU. Nothing while it is not there or
-  /// no value is finite.
+  /// The smallest and largest value of the last request, once; with `wait`, waits for the GPU. None while it is not
+  /// available or no value is finite.
   std::optional<Eigen::Vector2d> take(bool wait);
 
  private:

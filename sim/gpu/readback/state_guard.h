@@ -1,7 +1,6 @@
-// Keeps a state to go back to. The last pass of every substep notes a vertex that is not finite or has run away
-// (shaders/sim/step/velocity.comp); the guard copies that note and the state beside it on the GPU, so that no frame
-// waits, and keeps the copy as soon as the note turns out to be empty. It also measures how much the state has moved
-// since the one it keeps.
+// Keeps a state to go back to. The last pass of every substep records a vertex that is not finite or has left the scene
+// (shaders/sim/step/velocity.comp); the guard copies that record and the state on the GPU, so that no frame waits, and
+// keeps the copy as soon as the record proves empty. It also measures how much the state has moved since the kept one.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -18,25 +17,26 @@ class StateGuard {
  public:
   struct Verdict {
     std::optional<std::uint32_t>
-        diverged;       // the place of a vertex that is lost; none: the state is kept as the last good one
-    Movement movement;  // since the good one before it
+        diverged;       // the place of a vertex that diverged; none: the state is kept as the last valid one
+    Movement movement;  // since the valid state before it
   };
 
   StateGuard(gl::ProgramCache& programs, SimBuffers& buffers);
   StateGuard(const StateGuard&) = delete;
   StateGuard& operator=(const StateGuard&) = delete;
 
-  /// The state is sound as it is: it has just been put there.
+  /// Keeps the state without a check: it was set from outside and is valid.
   void keep(SimBuffers& buffers, double time);
-  /// The kept state is still that of now: time has passed and nothing moved.
+  /// The kept state is still the current one: time has passed and nothing moved.
   void pass_time(double seconds) { good_.time += seconds; }
-  /// Queues the measurement and the copies, unless some are still under way. Needs a current context, as do the others.
+  /// Queues the measurement and the copies, unless earlier ones are still pending. Needs a current context, as do the
+  /// other functions.
   void request(const SimBuffers& buffers, double time);
-  /// Once for every request, when the copies are made; with `wait`, waits for them.
+  /// The result, once per request, when the copies are complete; with `wait`, waits for them.
   std::optional<Verdict> take(bool wait);
-  /// Back to the last sound state. Returns its time [s].
+  /// Restores the last valid state. Returns its time [s].
   double restore(SimBuffers& buffers);
-  State download(const SimBuffers& buffers) const;  // of it; waits for the GPU
+  State download(const SimBuffers& buffers) const;  // of the kept state; waits for the GPU
 
  private:
   void clear(SimBuffers& buffers);
@@ -49,7 +49,7 @@ class StateGuard {
 
   Copy good_, candidate_;
   gl::ProgramCache& programs_;
-  gl::Buffer motion_;  // uint [3] (shaders/sim/readback/motion.comp); this and the next two are made when first asked
+  gl::Buffer motion_;  // uint [3] (shaders/sim/readback/motion.comp); created at the first request, as the next two
   gl::Buffer note_;    // uint [4] copy of SimBuffers::diverged, then of motion_
   std::optional<gl::ComputePass> measure_;
   gl::Fence fence_;

@@ -1,4 +1,4 @@
-// What a substep started from and what the solver made of it, copied on the GPU and read when it is there, so that no
+// The start of a substep and the solver's result, copied on the GPU and read when the copies are complete, so that no
 // frame waits: for comparisons with the exact step.
 #pragma once
 #include <optional>
@@ -9,10 +9,9 @@
 namespace fascia {
 
 struct SolvedStep {
-  std::vector<Eigen::Vector3d> previous;  // [vertex_count] u_n [m]
-  std::vector<Eigen::Vector3d>
-      predicted;  // [vertex_count] u~, where inertia, gravity and prescribed motions alone lead [m]
-  std::vector<Eigen::Vector3d> solution;  // [vertex_count] u_n+1 [m]
+  std::vector<Eigen::Vector3d> previous;   // [vertex_count] u_n [m]
+  std::vector<Eigen::Vector3d> predicted;  // u~, the result of inertia, gravity and prescribed motions alone [m]
+  std::vector<Eigen::Vector3d> solution;   // [vertex_count] u_n+1 [m]
 };
 
 class StepSnapshot {
@@ -21,9 +20,10 @@ class StepSnapshot {
   StepSnapshot(const StepSnapshot&) = delete;
   StepSnapshot& operator=(const StepSnapshot&) = delete;
 
-  /// Queues copies of what the last substep left. Needs a current context, as does take().
+  /// Queues copies of the last substep's data. Needs a current context, as does take().
   void request(const SimBuffers& buffers);
-  /// Once for every request, when the copies are made; with `wait`, waits for them. `buffers`: those that were asked.
+  /// The result, once per request, when the copies are complete; with `wait`, waits for them. `buffers`: those of the
+  /// request.
   std::optional<SolvedStep> take(const SimBuffers& buffers, bool wait);
 
  private:

@@ -1,5 +1,5 @@
 // Positions for drawing, x = X + u in float32, with the heat map's scalar in w: first the mesh vertices, then the
-// vertices of surfaces embedded in the tets. Made by the GPU for the GPU.
+// vertices of surfaces embedded in the tets. Computed and used on the GPU.
 #pragma once
 #include <vector>
 
@@ -13,17 +13,17 @@ namespace fascia {
 class SurfacePositions {
  public:
   SurfacePositions(const SimBuffers& buffers, const EmbeddedPoints& embedded);
-  /// Passes for the heat map that is shown; none costs one pass.
+  /// Passes for the shown heat map; without a heat map one pass.
   void record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features, ColorBy color);
   void run() const;
-  void set_vertex_errors(const std::vector<float>& errors);    // [vertex_count], shown with ColorBy::error
+  void set_vertex_errors(const std::vector<float>& errors);    // [vertex_count], displayed with ColorBy::error
   ShownRange* range() { return range_ ? &*range_ : nullptr; }  // of the scalars; null without a heat map
   const gl::Buffer& positions() const { return positions_; }   // vec4 [vertex_count + embedded]
 
  private:
   std::uint32_t vertex_count_, embedded_count_;
   gl::Buffer positions_, embed_position_, embed_vertices_, embed_weights_;
-  gl::Buffer vertex_errors_;         // float [vertex_count]; made when first needed
+  gl::Buffer vertex_errors_;         // float [vertex_count]; created at first use
   std::optional<ShownRange> range_;  // with a heat map
   std::vector<gl::ComputePass> passes_;
 };

@@ -17,7 +17,7 @@ void sort_unique(std::vector<std::uint32_t>& vertices, std::size_t vertex_count)
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return;
   }
-  std::vector<char> member(vertex_count, 0);  // a set this large is faster marked than sorted
+  std::vector<char> member(vertex_count, 0);  // marking is faster than sorting for a set of this size
   for (const std::uint32_t v : vertices) member[v] = 1;
   vertices.clear();
   for (std::size_t v = 0; v < vertex_count; ++v) {

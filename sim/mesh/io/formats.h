@@ -1,5 +1,5 @@
-// One reader and one writer per mesh format, and what they share. A reader fills a MeshFile from a whole file
-// in memory; a writer returns the text of the file.
+// One reader and one writer per mesh format, and their common functions. A reader fills a MeshFile from a whole file in
+// memory; a writer returns the text of the file.
 #pragma once
 #include <cmath>
 #include <filesystem>
@@ -19,11 +19,11 @@ void read_gmsh(Scanner& in, MeshFile& file);
 void read_vtk_legacy(Scanner& in, MeshFile& file);
 void read_vtu(Scanner& in, MeshFile& file);
 void read_medit(Scanner& in, MeshFile& file);
-/// Gives the content of a file by its name, beside the one that is read. Throws Error.
+/// Returns the content of a file by its name, in the folder of the file that is read. Throws Error.
 using ReadBeside = std::function<std::string(const std::string& name)>;
 
-/// `path` is the .node or the .ele file and `content` what is in it; the other one is read, on disk if `read_beside` is
-/// empty.
+/// `path` is the .node or the .ele file and `content` its content; the other file is read, from disk if `read_beside`
+/// is empty.
 void read_tetgen(const std::filesystem::path& path, std::string_view content, MeshFile& file,
                  const ReadBeside& read_beside = {});
 /// As read_tetgen of two files with these contents.
@@ -34,7 +34,7 @@ void read_tetgen_content(const std::filesystem::path& node_path, std::string_vie
 MeshFile read_mesh_content(const std::filesystem::path& path, std::string_view content,
                            const ReadBeside& read_beside = {});
 
-/// `where` is the file's name for the Error about what a format cannot hold.
+/// `where` is the file's name for the Error about data that a format cannot hold.
 std::string gmsh41_text(const std::string& where, const TetMesh& mesh);
 std::string gmsh22_text(const std::string& where, const TetMesh& mesh);
 std::string vtk_legacy_text(const TetMesh& mesh);
@@ -46,26 +46,25 @@ std::string tetgen_ele_text(const TetMesh& mesh);
 /// Adds a cell that is not a tet to `ignored`, by its dimension and number of corners.
 void count_ignored(MeshFile& file, int dimension, int corners, std::size_t cells = 1);
 
-/// Last step of every reader: refuses a mesh without tets, makes regions selectable as groups and puts groups
-/// in order.
+/// Last step of every reader: refuses a mesh without tets, makes regions selectable as groups and puts groups in order.
 void finish_mesh(MeshFile& file, const std::string& where);
 
-/// Notes when a text file whose last number counts does not end with a line end: it may have been longer.
+/// Adds a note if a text file that must end with a number does not end with a line break: it may be truncated.
 void note_cut_off(const Scanner& in, MeshFile& file);
 
 /// Throws Error if a mesh has more vertices than a 32-bit index can name.
 void check_vertex_count(const Scanner& in, std::size_t vertices);
 
-/// The name under which a region is a group: its own, or its number in decimal.
+/// The group name of a region: its own name, or its number in decimal.
 std::string region_group_name(const TetMesh& mesh, int region);
 
 /// Ascending vertices of the tets of each region but 0, by region_group_name.
 std::map<std::string, std::vector<std::uint32_t>> region_groups(const TetMesh& mesh);
 
-/// The groups that reading the regions does not bring back by itself; pointers into the mesh.
+/// The groups that are not restored by reading the regions; pointers into the mesh.
 std::vector<std::pair<std::string, const std::vector<std::uint32_t>*>> groups_beyond_regions(const TetMesh& mesh);
 
-/// Whether a number of a format that has only floating-point ones can be a region.
+/// Whether a number can be a region, for formats that only have floating-point numbers.
 inline bool is_region(double value) {
   return value == std::round(value) && value >= std::numeric_limits<int>::min() &&
          value <= std::numeric_limits<int>::max();

@@ -1,4 +1,4 @@
-// Medit .mesh in text: sections by keyword, vertices counted from 1, a reference number after each item.
+// Medit .mesh in text: sections by keyword, vertices numbered from 1, a reference number after each item.
 #include <array>
 #include <cctype>
 #include <map>
@@ -83,7 +83,7 @@ class MeditReader {
     if (nodes > 4 && count > 0) file_.notes.push_back("Tets of higher order: kept the four corners of each.");
   }
 
-  /// Numbers up to the next keyword; cells of other kinds are counted.
+  /// Skips numbers up to the next keyword; cells of other kinds are counted.
   void skip_section(const std::string& keyword) {
     struct Kind {
       int dimension, corners;

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* known_formats =
     "expected Gmsh .msh, VTK .vtk or .vtu, TetGen .node/.ele or Medit .mesh with tetrahedra";
 
-/// What a file that is no tet mesh probably is, to spare its owner the search.
+/// The probable kind of a file that is not a tet mesh, as a hint for the user.
 std::string likely_kind(std::string_view content, const std::string& ending) {
   if (content.starts_with("solid") || ending == ".stl") return "is an STL surface";
   if (content.starts_with("ply")) return "is a PLY surface";

@@ -121,7 +121,7 @@ std::size_t Scanner::count(const char* things, std::size_t bytes_each) {
 }
 
 void Scanner::check_count(std::uint64_t count, const char* things, std::size_t bytes_each) const {
-  // +1: the last line of a text need not end
+  // +1: the last line of a text may lack a line break
   if (count > (remaining() + 1) / bytes_each) {
     fail(
         "claims " + std::to_string(count) + " " + things + " but only " + std::to_string(remaining()) + " bytes follow",

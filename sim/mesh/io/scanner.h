@@ -1,5 +1,5 @@
-// A bounds-checked walk over a file held in memory: words, numbers and raw binary, which mesh formats mix
-// freely. Every failure names the place: the line in a text file, the byte and section in a binary one.
+// A bounds-checked walk over a file held in memory: words, numbers and raw binary, which mesh formats mix freely. Every
+// error names the location: the line in a text file, the byte and section in a binary one.
 #pragma once
 #include <charconv>
 #include <concepts>
@@ -12,7 +12,7 @@ namespace fascia {
 
 class Scanner {
  public:
-  /// Begins behind a UTF-8 byte order mark, which some editors write.
+  /// Begins after a UTF-8 byte order mark, which some editors write.
   Scanner(std::string where, std::string_view data) : where_(std::move(where)), data_(data) {
     if (data.starts_with("\xef\xbb\xbf")) seek(3);
   }
@@ -22,7 +22,7 @@ class Scanner {
   std::size_t offset() const { return pos_; }
   std::size_t remaining() const { return data_.size() - pos_; }
   void seek(std::size_t offset) { pos_ = word_ = offset; }
-  /// What fails next fails at this offset.
+  /// The next error names this offset.
   void blame(std::size_t offset) { word_ = offset; }
 
   /// Errors name bytes from here on, not lines.
@@ -31,7 +31,7 @@ class Scanner {
   void set_section(std::string_view section) { section_ = section; }
   /// '#' starts a comment that runs to the end of the line.
   void skip_comments() { comments_ = true; }
-  /// Binary numbers are of the other byte order.
+  /// Binary numbers have the other byte order.
   void set_swapped(bool swapped) { swapped_ = swapped; }
 
   // --- text
@@ -39,7 +39,7 @@ class Scanner {
   bool at_line_end();                       // nothing but blanks and comments left on this line
   std::string_view word(const char* what);  // the next word, across lines
   std::string_view peek_word();             // the next word without taking it; empty at the end
-  bool take(std::string_view text);         // the next word if it is this one; else nothing moves
+  bool take(std::string_view text);         // the next word if it is this one; else the position is unchanged
   std::string_view line();                  // what is left of this line, without its end
   void end_line(const char* what);          // fails unless at_line_end(), then goes to the next line
   bool skip_past(std::string_view text);    // false if it does not occur
@@ -49,7 +49,7 @@ class Scanner {
   T number_on_line(const char* what);           // fails at the end of the line
   double coordinate(const char* what);          // a finite number
   double coordinate_on_line(const char* what);  // a finite number, on this line
-  /// A count of things of which each takes at least `bytes_each` bytes of what is left of the file.
+  /// A count of items that each take at least `bytes_each` bytes of the rest of the file.
   std::size_t count(const char* things, std::size_t bytes_each);
   void check_count(std::uint64_t count, const char* things, std::size_t bytes_each) const;
 
@@ -60,9 +60,9 @@ class Scanner {
   double binary_coordinate(const char* what);
   void skip(std::uint64_t size, const char* what);
 
-  /// Throws Error at the last word or binary number.
+  /// Throws Error with the location of the last word or binary number.
   [[noreturn]] void fail(const std::string& what, const std::string& expected) const;
-  /// "path:12" or "path: byte 99, $Nodes" of an offset.
+  /// The location of an offset: "path:12" or "path: byte 99, $Nodes".
   std::string place(std::size_t offset) const;
 
  private:
@@ -78,12 +78,12 @@ class Scanner {
   std::string where_;
   std::string_view data_;
   std::size_t pos_ = 0;
-  std::size_t word_ = 0;  // where the last word or number starts
+  std::size_t word_ = 0;  // start of the last word or number
   std::string section_;
   bool by_byte_ = false, comments_ = false, swapped_ = false;
 };
 
-/// A piece of file content fit for one line of an error message: at most 24 bytes, rubbish escaped.
+/// A piece of file content for one line of an error message: at most 24 bytes, other bytes escaped.
 std::string in_quotes(std::string_view text);
 
 template <class T>

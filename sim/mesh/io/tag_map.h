@@ -1,4 +1,4 @@
-// From the numbers by which a file calls its vertices (sparse, in any order) to their place in the file.
+// Maps the vertex numbers of a file (sparse, in any order) to indices in the order of the file.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -9,14 +9,13 @@ namespace fascia {
 
 class TagMap {
  public:
-  /// tags[i] is the number of vertex i. Returns the index of a vertex whose number an earlier one has, if
-  /// any.
+  /// tags[i] is the number of vertex i. Returns the index of a vertex that repeats an earlier number, if any.
   std::optional<std::size_t> assign(const std::vector<std::int64_t>& tags);
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
 
-  /// The vertex of a number, or nothing if the file has no such vertex.
+  /// The index of the vertex with this number, or none if the file has no such vertex.
   std::optional<std::uint32_t> find(std::int64_t tag) const {
     if (!dense_.empty()) {
       if (tag < first_ || tag > last_) return std::nullopt;
@@ -32,7 +31,7 @@ class TagMap {
 
   std::size_t size_ = 0;
   std::int64_t first_ = 0, last_ = -1;
-  std::vector<std::uint32_t> dense_;  // [last - first + 1], when that is not much larger than size
+  std::vector<std::uint32_t> dense_;  // [last - first + 1], if that is not much larger than the number of vertices
   std::vector<std::pair<std::int64_t, std::uint32_t>> sparse_;  // else sorted by number
 };
 

@@ -1,4 +1,4 @@
-// TetGen: vertices in NAME.node, tets in NAME.ele, counted from 0 or from 1 as the first vertex says.
+// TetGen: vertices in NAME.node, tets in NAME.ele, numbered from 0 or 1 as the first vertex is.
 #include "base/error.h"
 #include "base/file.h"
 #include "base/number_text.h"
@@ -81,7 +81,7 @@ void read_ele(Scanner& in, const TagMap& vertex_of_tag, MeshFile& file) {
   if (nodes > 4) file.notes.push_back("Tets of higher order: kept the four corners of each.");
 }
 
-/// The file beside `path` with another ending, in the same case.
+/// The file beside `path` with the other extension, in the same case.
 fs::path partner(const fs::path& path, const char* lower, const char* upper) {
   fs::path other = path;
   const std::string ending = path.extension().string();

@@ -1,5 +1,5 @@
-// What the pictures of a scene show and how (scene key "display"). Names, titles and units of everything that can be
-// chosen stand here once: for scene files, the command line, the panels and the color bar.
+// The content and look of a scene's pictures (scene key "display"). Names, titles and units of all choices are defined
+// here once: for scene files, the command line, the panels and the color bar.
 #pragma once
 #include <Eigen/Core>
 #include <optional>
@@ -8,7 +8,8 @@
 
 namespace fascia {
 
-/// What colors the tissue. Stresses are principal stresses of the Cauchy stress; error: distance to the exact step.
+/// The quantity that colors the tissue. Stresses are principal stresses of the Cauchy stress; error: the distance from
+/// the exact step.
 enum class ColorBy {
   none,
   region,
@@ -23,26 +24,27 @@ enum class ColorBy {
 };
 
 struct Quantity {
-  const char* name;                    // in scene files: "von_mises"
-  const char* title;                   // "von Mises stress"
-  const char* unit;                    // "Pa"; "" for none
-  const char* help;                    // what it is and what it costs
-  std::optional<double> neutral = {};  // of quantities that go both ways from a value of rest: a color map's middle
+  const char* name;   // in scene files: "von_mises"
+  const char* title;  // "von Mises stress"
+  const char* unit;   // "Pa"; "" for none
+  const char* help;   // what it shows and what it costs
+  std::optional<double> neutral =
+      {};  // for quantities of both signs around a neutral value: the middle of the color map
 };
 const Quantity& quantity_of(ColorBy color);
 std::string label_of(ColorBy color);  // "von Mises stress [Pa]"
-/// Whether it is a number per vertex, shown by a color map.
+/// Whether a color map shows a number per vertex.
 inline bool is_heat_map(ColorBy color) { return color != ColorBy::none && color != ColorBy::region; }
 
 /// automatic: dusk, or polar for quantities with a neutral value.
 enum class ColorMap { automatic, dusk, ember, polar, grey };
-/// What `automatic` is for this quantity; any other map is itself.
+/// The map that `automatic` means for this quantity; any other map is returned unchanged.
 ColorMap chosen_map(ColorMap map, ColorBy color);
 
-/// Behind the tissue. transparent: pictures have an alpha channel.
+/// The background behind the tissue. transparent: pictures have an alpha channel.
 enum class Background { gradient, white, black, transparent };
 
-// Of each enumeration: all its values, the name in scene files, and what it is.
+// For each enumeration: all values, the name in scene files, and the description.
 const std::vector<ColorBy>& all_colors();
 const std::vector<ColorMap>& all_color_maps();
 const std::vector<Background>& all_backgrounds();
@@ -53,17 +55,17 @@ inline const char* help_of(ColorBy color) { return quantity_of(color).help; }
 const char* help_of(ColorMap map);
 const char* help_of(Background background);
 
-/// Cuts the drawn body open: what lies beyond, normal . x > offset, is left out, and the cut is closed.
+/// Cuts the drawn body open: the part beyond the plane, normal . x > offset, is left out, and the cut is closed.
 struct SectionPlane {
-  Eigen::Vector3d normal{1, 0, 0};  // of any length but zero, in the scene's coordinates
+  Eigen::Vector3d normal{1, 0, 0};  // of any nonzero length, in the scene's coordinates
   double offset = 0;                // along the unit normal from the origin [m]
   bool operator==(const SectionPlane&) const = default;
 };
 
-/// Draws every tet on its own instead of the surface.
+/// Draws every tet separately instead of the surface.
 struct SeparateTets {
   double shrink = 0.85;  // size of each about its centroid [-]
-  double spread = 0;  // how much farther from the middle of the scene centroids are drawn [-]: 1 doubles their distance
+  double spread = 0;     // increase of the centroids' distance from the middle of the scene [-]: 1 doubles it
   bool operator==(const SeparateTets&) const = default;
 };
 
@@ -76,7 +78,7 @@ struct DisplaySettings {
   std::optional<SeparateTets> tets;
   bool shadow = true, ground = true;
   double ambient_occlusion = 0;  // strength, 0 (off) to 1
-  double depth_cue = 0;          // how far the back of the scene fades into the background, 0 (off) to 1
+  double depth_cue = 0;          // fading of the back of the scene into the background, 0 (off) to 1
   Background background = Background::gradient;
   bool operator==(const DisplaySettings&) const = default;
 };

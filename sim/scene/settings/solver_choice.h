@@ -1,4 +1,4 @@
-// Solver methods and their accelerations: one table of each, with names, help and what goes with what. A method's
+// Solver methods and their accelerations: one table of each, with names, help and valid combinations. A method's
 // kernels are in sim/gpu/methods.
 #pragma once
 #include <cstddef>
@@ -16,18 +16,18 @@ enum class Acceleration { none, chebyshev, anderson_positions, anderson, nonline
 
 struct MethodInfo {
   Method method;
-  const char *name, *label, *help;  // as in scene files; for people, in menus; what it is, what it costs, its limits
-  std::vector<Acceleration> accelerations;      // that make sense with it, best first
-  std::vector<std::string_view> settings = {};  // solver settings that do nothing with others
-  bool carries_every_law = false;  // else those that are quadratic in the Green strain, which is the constraint of XPBD
-  bool in_i3d2019 = false;         // of the I3D 2019 paper (Boukadida, Andrews, Paquette), and mass splitting
-  std::size_t dispatches = 1;      // of an iteration, about, that do much
+  const char *name, *label, *help;              // in scene files; in menus; description with cost and limits
+  std::vector<Acceleration> accelerations;      // that suit the method, best first
+  std::vector<std::string_view> settings = {};  // solver settings that have no effect with other methods
+  bool carries_every_law = false;  // else only laws quadratic in the Green strain, which is the constraint of XPBD
+  bool in_i3d2019 = false;     // the methods of the I3D 2019 paper (Boukadida, Andrews, Paquette), and mass splitting
+  std::size_t dispatches = 1;  // approximate number of expensive dispatches per iteration
 };
 
 struct AccelerationInfo {
   Acceleration acceleration;
-  const char *name, *label, *help;         // as those of MethodInfo
-  std::vector<std::string_view> settings;  // likewise
+  const char *name, *label, *help;         // as in MethodInfo
+  std::vector<std::string_view> settings;  // as in MethodInfo
 };
 
 const std::vector<MethodInfo>& methods();  // best first
@@ -47,17 +47,17 @@ struct SolverChoice {
   bool operator==(const SolverChoice&) const = default;
 };
 
-const std::vector<SolverChoice>& solver_choices();  // that make sense, best first
+const std::vector<SolverChoice>& solver_choices();  // all sensible ones, best first
 std::vector<SolverChoice> i3d2019_choices();        // those of MethodInfo::in_i3d2019, in the same order
-/// The best one with the given names (nullopt: any); nothing if there is none.
+/// The best choice with the given names (nullopt: any); none if there is no such choice.
 std::optional<SolverChoice> find_choice(std::optional<std::string_view> method,
                                         std::optional<std::string_view> acceleration);
 std::string list_of_choices();  // for error messages: "jacobi with none, ..."
 
-/// Whether a solver setting does anything with this choice: "colors", for instance, only with gauss_seidel.
+/// Whether a solver setting has an effect with this choice: "colors", for instance, only with gauss_seidel.
 bool applies(std::string_view setting, const SolverChoice& choice);
 bool carries(Method method, MaterialModel model);
-/// Throws Error naming `where` if the method does not carry the model of one of the materials.
+/// Throws Error naming `where` if the method does not support the model of one of the materials.
 void require_carried(Method method, const std::vector<Material>& materials, const std::string& where);
 
 }  // namespace fascia

@@ -1,4 +1,4 @@
-// Solver settings: every number a user may turn, listed once, with unit, range and help.
+// Solver settings: every number that a user can change, listed once with unit, range and help.
 #pragma once
 #include "sim/scene/settings/solver_choice.h"
 
@@ -10,14 +10,14 @@ struct SolverSettings {
   Method method = Method::two_level;
   Acceleration acceleration = Acceleration::subspace;
   int iterations = 10;            // per substep, at most
-  double tolerance = 0;           // relative residual at which a step's iterations stop; 0 runs all of them
+  double tolerance = 0;           // relative residual at which a step's iterations stop; 0: all are run
   double time_step = 1.0 / 60.0;  // dt [s] of a frame step
-  int substeps = 1;               // equal parts of a step, h = dt / substeps
+  int substeps = 1;               // [ms] time limit of a step, which gets the iterations that fit; 0: no limit
   double frame_budget = 0;        // [ms] that a step may take: it gets the iterations that fit; 0: no limit
-  int colors = 0;                 // of gauss_seidel; 0: as many as the mesh needs, else phantoms make do with so many
-  double spectral_radius = 0;     // of the plain iteration, for chebyshev; 0: estimated while it runs
-  int window = 5;                 // earlier iterations that Anderson acceleration combines
-  // [1/s] sizes of the scene a second; what moves slower for a while sleeps; 0: nothing sleeps
+  int colors = 0;  // for gauss_seidel; 0: as many as the mesh needs, else phantoms limit them to this number
+  double spectral_radius = 0;  // of the plain iteration, for chebyshev; 0: estimated during the run
+  int window = 5;              // earlier iterations that Anderson acceleration combines
+  // [1/s] scene sizes per second; tissue that stays slower for a while sleeps; 0: nothing sleeps
   double rest_speed = 1e-5;
   bool operator==(const SolverSettings&) const = default;
 
@@ -25,8 +25,8 @@ struct SolverSettings {
   SolverChoice choice() const { return {method, acceleration}; }
 };
 
-/// f(field, name, unit, min, max, logarithmic, help) for the numeric fields; method and acceleration are
-/// named choices (solver_choice.h).
+/// f(field, name, unit, min, max, logarithmic, help) for the numeric fields; method and acceleration are named choices
+/// (solver_choice.h).
 template <class S, class F>
 void visit_settings(S& s, F&& f) {
   f(s.iterations, "iterations", "", 1, 10000, true, "sweeps over all tets per substep: more is stiffer and slower");

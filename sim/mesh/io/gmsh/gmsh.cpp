@@ -1,4 +1,4 @@
-// Gmsh .msh: sections, physical names, and what all versions do with an element.
+// Gmsh .msh: sections, physical names, and the handling of elements in all versions.
 #include "sim/mesh/io/gmsh/gmsh.h"
 
 #include <algorithm>
@@ -68,7 +68,7 @@ void GmshReader::read_section(std::string_view name) {
   }
 }
 
-/// The counts of a section say where it ends: its end tag may be missing.
+/// The counts of a section determine its end: its end tag may be missing.
 void GmshReader::end_section(std::string_view name) {
   const std::string_view found = in_.peek_word();
   const bool missing = found.empty() || (found.size() > 1 && found[0] == '$' && !is_gmsh_end_tag(found));
@@ -152,7 +152,7 @@ void GmshReader::name_nodes(const std::vector<std::int64_t>& tags) {
 int GmshReader::physical_tag(std::int64_t tag) const {
   constexpr std::int64_t most = std::numeric_limits<int>::max();
   if (tag < -most || tag > most) in_.fail("physical tag " + std::to_string(tag), "expected a 32-bit number");
-  return static_cast<int>(tag < 0 ? -tag : tag);  // a minus sign says that the group turns the element round
+  return static_cast<int>(tag < 0 ? -tag : tag);  // a minus sign means that the group reverses the element
 }
 
 void GmshReader::add_element(const GmshElementType& type, std::int64_t element, std::span<const int> physicals,

@@ -1,4 +1,4 @@
-// What the readers of the Gmsh versions share: physical groups, node tags and what becomes of an element.
+// The common part of the readers of all Gmsh versions: physical groups, node tags and the handling of elements.
 // File format: Gmsh reference manual, "Gmsh file formats".
 #pragma once
 #include <map>
@@ -76,9 +76,9 @@ class GmshReader {
   bool binary_ = false;
   int size_bytes_ = 8;  // of a size_t in a binary version 4 file
   int major_ = 1;
-  bool line_each_ = false;  // an entity of a version 4 text file ends with its line
+  bool line_each_ = false;  // every entity of a version 4 text file ends with its line
   bool has_format_ = false, has_nodes_ = false, has_elements_ = false, second_order_ = false;
-  std::size_t nodes_at_ = 0;  // where the list starts
+  std::size_t nodes_at_ = 0;  // offset of the list
   TagMap node_of_tag_;
   std::map<Physical, std::string> names_;
   std::map<Physical, std::vector<std::uint32_t>> group_vertices_;
@@ -86,7 +86,7 @@ class GmshReader {
   std::vector<std::uint32_t>* last_vertices_ = nullptr;
   std::map<Physical, std::vector<int>> entity_physicals_;  // by dimension and tag of the entity
 
-  std::optional<GmshTags> tags_;                 // where they are needed
+  std::optional<GmshTags> tags_;                 // created when needed
   std::set<std::string> passed_over_, endless_;  // sections
   bool has_stray_lines_ = false, wrong_counts_ = false, has_surplus_ = false;
 };

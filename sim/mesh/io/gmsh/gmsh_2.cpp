@@ -1,5 +1,5 @@
-// Gmsh .msh 1.0 and 2.x: one list of nodes, one list of elements that carry their physical tag. A parametric node names
-// its entity after its coordinates, and its parameters there if that is a curve (one) or a surface (two).
+// Gmsh .msh 1.0 and 2.x: one list of nodes, and one list of elements with their physical tags. In a parametric node the
+// entity follows the coordinates, and then the parameters if that is a curve (one) or a surface (two).
 #include <array>
 
 #include "sim/mesh/io/gmsh/gmsh.h"

@@ -1,4 +1,4 @@
-// Gmsh .msh 4.1: nodes and elements in blocks by geometric entity, and the entities carry the physical tags.
+// Gmsh .msh 4.1: nodes and elements in blocks by geometric entity; the entities have the physical tags.
 #include <array>
 
 #include "base/error.h"
@@ -48,7 +48,7 @@ void GmshReader::read_entity_4(int dimension, bool partitioned) {
 }
 
 void GmshReader::begin_entity_4() {
-  if (line_each_) in_.at_end();  // to the next line with anything on it
+  if (line_each_) in_.at_end();  // to the next line that is not empty
 }
 
 void GmshReader::end_entity_4() {
@@ -60,8 +60,8 @@ void GmshReader::end_entity_4() {
 void GmshReader::read_entities_4() { read_entity_lists_4(false); }
 void GmshReader::read_partitioned_entities_4() { read_entity_lists_4(true); }
 
-/// Some writers put more numbers behind an entity than belong there, and Gmsh reads by number, not by line: first line
-/// by line, where what is too much shows, else number by number.
+/// Some writers append extra numbers to an entity, and Gmsh reads by number, not by line. The lists are first read line
+/// by line, which reveals extra numbers, else number by number.
 void GmshReader::read_entity_lists_4(bool partitioned) {
   const Scanner before = in_;
   const auto physicals = entity_physicals_;

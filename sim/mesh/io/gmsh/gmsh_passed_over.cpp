@@ -1,4 +1,4 @@
-// Gmsh .msh: sections that no mesh needs. None of them makes a file unreadable, whatever is in it.
+// Gmsh .msh: sections that a mesh does not need. No content of theirs makes a file unreadable.
 #include <algorithm>
 
 #include "base/error.h"
@@ -17,7 +17,7 @@ std::size_t tag_count(Scanner& in, const char* tags) {
   return count;
 }
 
-/// Behind the numbers of a binary $NodeData, $ElementData or $ElementNodeData, whose head is text. Throws Error.
+/// Skips the numbers of a binary $NodeData, $ElementData or $ElementNodeData, whose head is text. Throws Error.
 void skip_binary_data(Scanner& in, bool per_node) {
   const std::size_t names = tag_count(in, "names");
   in.end_line("the number of names");
@@ -46,7 +46,7 @@ void skip_binary_data(Scanner& in, bool per_node) {
 
 }  // namespace
 
-/// By the counts in the section, if they lead to its end tag: among its numbers may be some that look like one.
+/// Skips by the counts in the section, if they lead to its end tag: the numbers may contain bytes that look like a tag.
 bool GmshReader::skip_by_counts(std::string_view name) {
   const bool per_node = name == "$ElementNodeData";
   if (!binary_ || wrong_counts_ || (name != "$NodeData" && name != "$ElementData" && !per_node)) return false;
@@ -54,7 +54,7 @@ bool GmshReader::skip_by_counts(std::string_view name) {
   try {
     skip_binary_data(in_, per_node);
     if (in_.take(gmsh_end_tag(name))) return true;
-  } catch (const Error&) {  // the tag is searched for
+  } catch (const Error&) {  // falls back to a search for the tag
   }
   in_ = before;
   wrong_counts_ = true;
@@ -78,14 +78,14 @@ void GmshReader::skip_section(std::string_view name) {
   in_.seek(next);
 }
 
-/// Text between sections: Gmsh passes it over, too.
+/// Text between sections: Gmsh skips it, too.
 void GmshReader::skip_stray_line(std::string_view word) {
   if (!has_stray_lines_) file_.notes.push_back("Text between sections passed over, first " + in_quotes(word) + ".");
   has_stray_lines_ = true;
   in_.line();
 }
 
-/// Reads the section, or pass it over if it cannot be understood.
+/// Reads the section, or skips it if it is not understood.
 void GmshReader::read_optional(std::string_view name, void (GmshReader::*reader)()) {
   if (passed_over_.contains(std::string(name))) return skip_section(name);
   const Scanner before = in_;

@@ -1,5 +1,5 @@
-// Where the tags of a Gmsh file's sections stand. Text and binary are searched alike; in binary an end tag may follow
-// the last number without a line end.
+// Positions of the section tags in a Gmsh file. Text and binary are searched alike; in binary an end tag may follow the
+// last number without a line break.
 #pragma once
 #include <cstddef>
 #include <map>
@@ -20,7 +20,7 @@ class GmshTags {
   /// One pass over `data`, which must outlive the tags.
   explicit GmshTags(std::string_view data);
 
-  /// Offset of the first such tag at or behind `from`: an end tag anywhere, another tag at the beginning of a line.
+  /// Offset of the first such tag at or after `from`: an end tag anywhere, another tag only at the beginning of a line.
   std::optional<std::size_t> find(std::string_view tag, std::size_t from) const;
 
  private:

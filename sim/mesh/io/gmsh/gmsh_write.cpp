@@ -1,5 +1,5 @@
-// Writing Gmsh .msh, 4.1 and 2.2 in ASCII. A region becomes a physical volume; any other vertex group becomes
-// a physical point group, one point element per vertex, which is how the format can hold a set of vertices.
+// Writing Gmsh .msh, 4.1 and 2.2 in ASCII. A region becomes a physical volume; any other vertex group becomes a
+// physical point group with one point element per vertex, the format's representation of a set of vertices.
 #include <algorithm>
 #include <set>
 
@@ -18,10 +18,10 @@ struct PointGroup {
 struct Groups {
   std::vector<int> regions;  // ascending, 0 included if any tet has none
   std::vector<PointGroup> points;
-  std::string physical_names;  // the section, or nothing
+  std::string physical_names;  // the section, or empty
 };
 
-/// The physical tag that a group without a name must have, or 0.
+/// The physical tag that a group without a name must keep, or 0.
 int tag_in(const std::string& name) {
   int tag = 0;
   const auto [stop, status] = std::from_chars(name.data(), name.data() + name.size(), tag);

@@ -43,7 +43,7 @@ CellType cell_type(std::int64_t type) {
   }
 }
 
-/// Best first. Compared without case.
+/// Best first. Compared case-insensitively.
 constexpr std::array<std::string_view, 14> region_names = {
     "region",   "regions",   "region_id",   "gmsh:physical", "cellentityids", "medit:ref", "tetgen:ref",
     "material", "materials", "material_id", "materialid",    "materialids",   "subdomain", "attribute"};
@@ -152,7 +152,7 @@ void VtkGrid::add_cells(const Scanner& in, const VtkCells& cells) {
     }
     const std::int64_t* const points = cells.connectivity.data() + begin;
     begin = end;
-    if (cells.types[c] != 42) {  // a polyhedron of a legacy file lists counts among its points
+    if (cells.types[c] != 42) {  // a polyhedron in a legacy file lists counts among its points
       for (std::int64_t i = 0; i < nodes; ++i) {
         if (points[i] < 0 || points[i] >= point_count) {
           fail("names point " + std::to_string(points[i]), "expected 0 to " + std::to_string(point_count - 1));

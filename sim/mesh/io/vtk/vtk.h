@@ -1,6 +1,6 @@
-// What VTK's legacy and XML files share: scalar types, cells by offsets, and the arrays that hold regions and
-// groups. fascia keeps a vertex group as a point array "group:NAME" (1 inside) and a region's name as a field
-// array "region_name:NAME" that holds its number, so that both survive in files that ParaView reads too.
+// The common part of VTK's legacy and XML formats: scalar types, cells by offsets, and the arrays that hold regions and
+// groups. fascia keeps a vertex group as a point array "group:NAME" (1 inside) and a region's name as a field array
+// "region_name:NAME" that holds its number, so that both are preserved in files that ParaView reads.
 #pragma once
 #include <optional>
 #include <string>
@@ -18,7 +18,7 @@ std::size_t size_of(VtkType type);
 inline constexpr std::string_view vtk_group_prefix = "group:";
 inline constexpr std::string_view vtk_region_name_prefix = "region_name:";
 
-/// Values of `bytes` (a whole number of them), in the file's byte order. Floats that are no int64 become its
+/// Values of `bytes` (a whole number of them), in the file's byte order. Floats that do not fit int64 become its
 /// minimum.
 template <class T>
 std::vector<T> vtk_values(std::string_view bytes, VtkType type, bool swapped);
@@ -36,9 +36,9 @@ class VtkGrid {
   explicit VtkGrid(MeshFile& file) : file_(file) {}
 
   void add_points(const Scanner& in, const std::vector<double>& coordinates);
-  /// Cells name the points of the piece that was added last. Fails at the scanner's place.
+  /// Cells name the points of the piece that was added last. Errors have the scanner's location.
   void add_cells(const Scanner& in, const VtkCells& cells);
-  /// Cell, point and field arrays with one component; those that mean nothing to us are passed over.
+  /// Cell, point and field arrays with one component; unknown ones are skipped.
   void add_cell_array(const std::string& name, std::vector<double> values);
   void add_point_array(const std::string& name, const std::vector<double>& values);
   void add_field_array(const std::string& name, const std::vector<double>& values);
@@ -55,7 +55,7 @@ class VtkGrid {
   std::size_t first_point_ = 0, first_tet_ = 0;  // of the piece
   std::vector<std::size_t> tet_cells_;           // [tets of the piece] index of the cell
   bool second_order_ = false;
-  std::optional<std::pair<std::string, std::vector<double>>> region_array_;  // best of the piece so far
+  std::optional<std::pair<std::string, std::vector<double>>> region_array_;  // the best candidate of the piece so far
 };
 
 }  // namespace fascia

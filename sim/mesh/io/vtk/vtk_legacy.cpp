@@ -16,7 +16,7 @@ std::string upper(std::string_view text) {
   return out;
 }
 
-/// Array names carry %20 for a blank and so on.
+/// Array names contain %20 for a space and so on.
 std::string decoded(std::string_view name) {
   std::string out;
   for (std::size_t i = 0; i < name.size(); ++i) {
@@ -55,10 +55,10 @@ class LegacyReader {
   /// Bytes (binary) or words (text) of an array; end_line() first.
   template <class T>
   std::vector<T> values(VtkType type, std::size_t count, const char* what);
-  /// Fails if an array has more values than the file could hold; so their number does not overflow either.
+  /// Fails if an array has more values than the file can hold, so their number does not overflow either.
   void check_array(const std::string& name, std::size_t components, std::size_t tuples,
                    std::size_t values_per_byte) const;
-  /// One array of the current owner: kept if it says something of regions or groups.
+  /// One array of the current owner: kept if it contains regions or groups.
   void array(const std::string& name, VtkType type, std::size_t components, std::size_t tuples);
 
   Scanner& in_;
@@ -66,7 +66,7 @@ class LegacyReader {
   VtkGrid grid_;
   bool binary_ = false, has_points_ = false, has_cells_ = false, has_types_ = false;
   VtkCells cells_;
-  std::size_t cells_at_ = 0;  // where the list starts
+  std::size_t cells_at_ = 0;  // offset of the list
   Owner owner_ = Owner::field;
   std::size_t owner_count_ = 0;
   bool bits_ = false;  // the last type() was "bit"
@@ -111,7 +111,7 @@ void LegacyReader::read_keyword(const std::string& keyword) {
   if (keyword == "FIELD") return read_field();
   if (keyword == "CELL_DATA" || keyword == "POINT_DATA") {
     const bool of_cells = keyword == "CELL_DATA";
-    // An array is counted against what it belongs to, which must be known by then.
+    // The size of an array follows from its owner, which must be known by then.
     if (of_cells && !(has_cells_ && has_types_))
       in_.fail("stands before the cells", "expected CELLS and CELL_TYPES first");
     if (!of_cells && !has_points_) in_.fail("stands before the points", "expected POINTS first");
@@ -310,7 +310,7 @@ void LegacyReader::skip_strings(std::uint64_t count) {
       in_.line();
       continue;
     }
-    // The two highest bits of the first byte say how many bytes hold the length: 8, 4, 2 or 1.
+    // The two highest bits of the first byte give the number of bytes of the length: 8, 4, 2 or 1.
     const auto first = static_cast<unsigned char>(in_.bytes(1, "the length of a string")[0]);
     std::uint64_t length = first & 63;
     for (int rest = (8 >> (first >> 6)) - 1; rest > 0; --rest) {
@@ -320,7 +320,7 @@ void LegacyReader::skip_strings(std::uint64_t count) {
   }
 }
 
-/// Information lines that end with an empty one.
+/// Skips information lines up to an empty one.
 void LegacyReader::skip_metadata() {
   in_.line();
   while (in_.remaining() > 0 && in_.line().find_first_not_of(" \t") != std::string_view::npos) {

@@ -1,11 +1,11 @@
-// Writing VTK legacy files: version 3.0 in text, the layout that every VTK reads.
+// Writes VTK legacy files: version 3.0 in text, the layout that every VTK reads.
 #include "base/number_text.h"
 #include "sim/mesh/io/vtk/vtk.h"
 
 namespace fascia {
 namespace {
 
-/// Names cannot hold blanks; VTK writes them as %20 and so on.
+/// Names cannot contain spaces; VTK writes them as %20 and so on.
 std::string encoded(std::string_view name) {
   std::string out;
   for (const char c : name) {

@@ -42,7 +42,7 @@ class VtuReader {
     fail_at(in_, parent, "has no DataArray " + in_quotes(name), "expected one");
   }
 
-  /// What fails next fails in this array.
+  /// The next error is located in this array.
   void locate(const XmlElement& array) {
     in_.set_section("DataArray " + in_quotes(array.attribute("Name")));
     in_.blame(array.at);
@@ -50,7 +50,7 @@ class VtuReader {
 
   std::size_t count(const XmlElement& piece, const char* key) {
     const std::uint64_t value = xml_count(in_, piece, key);
-    constexpr std::uint64_t values_per_byte = 1032;  // of deflated data, at the very most
+    constexpr std::uint64_t values_per_byte = 1032;  // upper bound for deflated data
     if (value / values_per_byte > in_.data().size()) {
       fail_at(in_, piece, std::string(key) + " is " + std::to_string(value),
               "expected no more than a file of " + std::to_string(in_.data().size()) + " bytes can hold");

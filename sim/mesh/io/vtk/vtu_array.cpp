@@ -11,7 +11,7 @@
 namespace fascia {
 namespace {
 
-constexpr std::uint64_t zlib_best = 1032;  // deflate never shrinks further than this factor
+constexpr std::uint64_t zlib_best = 1032;  // largest compression factor of deflate
 
 VtkType type_of(Scanner& in, const XmlElement& array) {
   static const std::map<std::string_view, VtkType> types = {
@@ -138,7 +138,7 @@ std::uint64_t VtuArrays::header_word(std::string_view words, std::size_t index) 
       vtk_values<std::int64_t>(words.substr(index * header_size_, header_size_), type, swapped_)[0]);
 }
 
-/// The first `size` bytes that base64 text stands for; *used: how many characters that took.
+/// The first `size` bytes that a base64 text encodes; *used: the number of characters read.
 std::string VtuArrays::decoded(const XmlElement& array, std::string_view text, std::uint64_t size,
                                std::size_t* used) const {
   std::optional<Base64> out;
@@ -166,7 +166,7 @@ std::string VtuArrays::plain(const XmlElement& array, std::string_view text, boo
 }
 
 std::string VtuArrays::inflated(const XmlElement& array, std::string_view text, bool base64) const {
-  // header: number of blocks, size of a block, size of the last one (0: as the others), deflated size of each
+  // header: number of blocks, size of a block, size of the last one (0: as the others), compressed size of each
   std::size_t used = 0;
   const auto header_of = [&](std::uint64_t words) {
     if (words > text.size() / header_size_) {

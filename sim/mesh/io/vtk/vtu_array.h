@@ -1,4 +1,4 @@
-// The bytes behind a DataArray of a .vtu file: inline base64 or appended, plain or deflated in blocks.
+// Decodes the data of a DataArray in a .vtu file: inline base64 or appended, plain or zlib-compressed in blocks.
 #pragma once
 #include <optional>
 #include <string>
@@ -11,14 +11,13 @@ namespace fascia {
 
 class VtuArrays {
  public:
-  /// Takes byte order, header type, compressor and appended data from the root element.
+  /// Reads byte order, header type, compressor and appended data from the root element.
   VtuArrays(Scanner& in, const XmlElement& root);
 
-  /// "ASCII", "base64", "appended raw" or "appended base64", with ", zlib" if deflated.
+  /// "ASCII", "base64", "appended raw" or "appended base64", with ", zlib" if compressed.
   std::string encoding(const XmlElement& array) const;
 
-  /// All values of an array, and exactly `expected` of them if that is known. `finite` refuses nan and
-  /// infinity in text.
+  /// All values of an array, exactly `expected` of them if that is known. `finite` refuses nan and infinity in text.
   template <class T>
   std::vector<T> values(const XmlElement& array, std::optional<std::size_t> expected, bool finite = false) const;
 

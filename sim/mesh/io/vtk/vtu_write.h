@@ -1,4 +1,4 @@
-// Writing .vtu: inline base64, not deflated, which every reader of the format takes.
+// Writes .vtu files: inline base64, uncompressed, which every reader of the format accepts.
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
@@ -31,7 +31,7 @@ struct VtuGrid {
 };
 std::string vtu_text(const VtuGrid& grid);
 
-/// The names of a mesh's regions, and its groups beyond them, as arrays that the reader of .vtu takes for them.
+/// The names of a mesh's regions, and its groups beyond them, as arrays that the .vtu reader recognizes.
 class VtuNames {
  public:
   explicit VtuNames(const TetMesh& mesh);
@@ -39,10 +39,10 @@ class VtuNames {
 
  private:
   std::vector<std::pair<std::string, std::vector<std::int32_t>>> regions_;
-  std::vector<std::pair<std::string, std::vector<std::uint8_t>>> groups_;  // [vertex] 1 where it belongs to it
+  std::vector<std::pair<std::string, std::vector<std::uint8_t>>> groups_;  // [vertex] 1 for vertices of the group
 };
 
-/// Text fit for an attribute's value.
+/// Escapes text for an attribute's value.
 std::string xml_escaped(std::string_view text);
 
 }  // namespace fascia

@@ -45,7 +45,7 @@ class Parser {
     if (found == std::string_view::npos) fail("", "");
   }
 
-  /// Blanks, comments, processing instructions and a document type.
+  /// Skips blanks, comments, processing instructions and a document type.
   void skip_misc() {
     for (;;) {
       skip_spaces();

@@ -1,5 +1,4 @@
-// The part of XML that VTK files use: elements, attributes, text, comments. A file that breaks the rules is
-// refused.
+// The subset of XML that VTK files use: elements, attributes, text, comments. A malformed file is refused.
 #pragma once
 #include <string>
 #include <string_view>
@@ -23,10 +22,10 @@ struct XmlElement {
   const XmlElement* child(std::string_view child_name) const;
 };
 
-/// The root element. The content of an AppendedData element is not looked into: it may be raw binary.
+/// The root element. The content of an AppendedData element is skipped: it may be raw binary.
 XmlElement parse_xml(Scanner& in);
 
-/// Throws Error at the line of an element, naming it.
+/// Throws Error with the line and the name of an element.
 [[noreturn]] void fail_at(Scanner& in, const XmlElement& element, const std::string& what, const std::string& expected);
 
 }  // namespace fascia
