@@ -1,4 +1,4 @@
-"""Types of the Python module `fascia` (docs: include/fascia). Arrays are numpy arrays where numpy is installed, else memoryviews."""
+"""Types of the Python module `fascia`; help(fascia) describes every name. Arrays are numpy arrays where numpy is installed, else memoryviews."""
 from typing import Any, Callable, Optional, Sequence, Tuple
 
 Vec3 = Tuple[float, float, float]
@@ -17,19 +17,20 @@ class Material:
     damping: float  # viscosity over stiffness [s]
     mooney_ratio: float  # C01 / (C10 + C01) of the model mooney_rivlin
     model: str  # one of material_models()
-    def __init__(self, young_modulus: float = ..., poisson_ratio: float = ..., density: float = ..., damping: float = ..., model: str = ..., mooney_ratio: float = ...) -> None: ...
+    def __init__(self, young_modulus: float = ..., poisson_ratio: float = ..., density: float = ..., damping: float = ..., model: str = ...,
+                 mooney_ratio: float = ...) -> None: ...
 
 class Settings:
     method: str
     acceleration: str
     iterations: int  # per substep, at most
-    tolerance: float  # relative residual at which iterations stop; 0: all of them run
+    tolerance: float  # relative residual at which iterations stop; 0: all iterations run
     time_step: float  # [s]
     substeps: int
     frame_budget: float  # [ms]; 0: no limit
-    colors: int
-    spectral_radius: float
-    window: int
+    colors: int  # of gauss_seidel; 0: the mesh decides
+    spectral_radius: float  # of chebyshev; 0: estimated
+    window: int  # of anderson
     rest_speed: float  # [1/s]; 0: nothing falls asleep
     def __init__(self, **fields: Any) -> None: ...
 
@@ -40,7 +41,7 @@ class Mesh:
     @property
     def tets(self) -> Array: ...  # [tet_count, 4], read only
     @property
-    def regions(self) -> list[int]: ...
+    def regions(self) -> list[int]: ...  # [tet_count], or empty
     @property
     def region_names(self) -> dict[int, str]: ...
     @property
@@ -70,13 +71,13 @@ class State:
 
 class Diagnostics:
     @property
-    def time(self) -> float: ...
+    def time(self) -> float: ...  # [s]
     @property
     def kinetic(self) -> float: ...  # [J]
     @property
-    def elastic(self) -> float: ...
+    def elastic(self) -> float: ...  # [J]
     @property
-    def gravitational(self) -> float: ...
+    def gravitational(self) -> float: ...  # [J]
     @property
     def volume_ratio(self) -> float: ...
     @property
@@ -92,9 +93,9 @@ class Diagnostics:
     @property
     def max_speed(self) -> float: ...  # [m/s]
     @property
-    def momentum(self) -> list[float]: ...
+    def momentum(self) -> list[float]: ...  # [kg m/s]
     @property
-    def angular_momentum(self) -> list[float]: ...
+    def angular_momentum(self) -> list[float]: ...  # [kg m^2/s] about the origin
     @property
     def reaction(self) -> list[float]: ...  # of the supports on the tissue [N]
     @property
@@ -123,7 +124,7 @@ class StaticReport:
     def converged(self) -> bool: ...
 
 class Grab:
-    target: Vec3  # where the center is led [m]
+    target: Vec3  # [m]; assign it to move the grab
     @property
     def force(self) -> list[float]: ...  # on the tissue [N]
     @property
@@ -147,7 +148,7 @@ class Context:
 class Simulation:
     positions: Array  # [vertex_count, 3] [m]; a copy
     velocities: Array  # [vertex_count, 3] [m/s]; a copy
-    settings: Settings  # a copy: assign it to change it
+    settings: Settings  # a copy; assign settings to change them
     gravity: Vec3  # [m/s^2]
     def __init__(self, scene: Scene, context: Optional[Context] = ..., reference: bool = ...) -> None: ...
     @staticmethod
@@ -168,7 +169,7 @@ class Simulation:
     @property
     def surface_triangles(self) -> Array: ...  # [triangle_count, 3], read only
     @property
-    def fixed(self) -> Array: ...
+    def fixed(self) -> Array: ...  # [fixed_count], read only
     @property
     def masses(self) -> Array: ...  # [vertex_count] [kg]
     @property

@@ -37,52 +37,62 @@ Control control_of(const std::function<void(double, const std::string&)>& progre
 }
 
 void define_values(py::module_& m) {
-  py::class_<Material>(m, "Material", "Isotropic tissue material.")
+  py::class_<Material>(m, "Material",
+                       "An isotropic tissue material. Calls that receive a value out of range raise Error.")
       .def(py::init([](double young_modulus, double poisson_ratio, double density, double damping,
                        const std::string& model, double mooney_ratio) {
              return Material{young_modulus, poisson_ratio, density, damping, model, mooney_ratio};
            }),
            "young_modulus"_a = Material().young_modulus, "poisson_ratio"_a = Material().poisson_ratio,
            "density"_a = Material().density, "damping"_a = Material().damping, "model"_a = Material().model,
-           "mooney_ratio"_a = Material().mooney_ratio)
-      .def_readwrite("young_modulus", &Material::young_modulus, "E [Pa]")
-      .def_readwrite("poisson_ratio", &Material::poisson_ratio, "nu [-]")
-      .def_readwrite("density", &Material::density, "[kg/m^3]")
-      .def_readwrite("damping", &Material::damping, "viscosity over stiffness [s]")
-      .def_readwrite("mooney_ratio", &Material::mooney_ratio, "C01 / (C10 + C01) of the model mooney_rivlin")
-      .def_readwrite("model", &Material::model, "one of material_models()")
-      .def("__eq__", [](const Material& a, const Material& b) { return a == b; })
+           "mooney_ratio"_a = Material().mooney_ratio, "Makes a material; every argument is a field.")
+      .def_readwrite("young_modulus", &Material::young_modulus, "Young's modulus E [Pa], 1e-3 to 1e14.")
+      .def_readwrite("poisson_ratio", &Material::poisson_ratio, "Poisson's ratio nu [-], -0.9 to 0.499.")
+      .def_readwrite("density", &Material::density, "The density at rest [kg/m^3], 1e-3 to 1e6.")
+      .def_readwrite("damping", &Material::damping, "The Kelvin-Voigt damping: viscosity over stiffness [s], 0 to 10.")
+      .def_readwrite("mooney_ratio", &Material::mooney_ratio,
+                     "The ratio C01 / (C10 + C01) [-] of the law mooney_rivlin, 0 to 1.")
+      .def_readwrite("model", &Material::model, "The law: one of material_models().")
+      .def(
+          "__eq__", [](const Material& a, const Material& b) { return a == b; }, "Compares all fields.")
       .def("__repr__", [](const Material& a) {
         return "Material(young_modulus=" + text_of(py::float_(a.young_modulus)) +
                ", poisson_ratio=" + text_of(py::float_(a.poisson_ratio)) +
                ", density=" + text_of(py::float_(a.density)) + ", damping=" + text_of(py::float_(a.damping)) +
                ", model=" + text_of(py::str(a.model)) + ", mooney_ratio=" + text_of(py::float_(a.mooney_ratio)) + ")";
       });
-  py::class_<Settings> settings(m, "Settings", "How steps are solved. Keyword arguments set the fields.");
+  py::class_<Settings> settings(m, "Settings",
+                                "The settings of the solver. Calls that receive a value out of range raise Error.");
   settings.def(py::init([](const py::kwargs& fields) {
-    Settings made;
-    const py::object object = py::cast(&made, py::return_value_policy::reference);
-    for (const auto& [name, value] : fields) {
-      if (!py::hasattr(object, name)) throw py::type_error("Settings has no field " + std::string(py::str(name)));
-      py::setattr(object, name, value);
-    }
-    return made;
-  }));
-  settings.def_readwrite("method", &Settings::method)
-      .def_readwrite("acceleration", &Settings::acceleration)
-      .def_readwrite("iterations", &Settings::iterations, "per substep, at most")
+                 Settings made;
+                 const py::object object = py::cast(&made, py::return_value_policy::reference);
+                 for (const auto& [name, value] : fields) {
+                   if (!py::hasattr(object, name))
+                     throw py::type_error("Settings has no field " + std::string(py::str(name)));
+                   py::setattr(object, name, value);
+                 }
+                 return made;
+               }),
+               "Makes settings; keyword arguments set the fields. Raises TypeError for an unknown field.");
+  settings.def_readwrite("method", &Settings::method, "The method, as in scene files.")
+      .def_readwrite("acceleration", &Settings::acceleration, "The acceleration of the method, as in scene files.")
+      .def_readwrite("iterations", &Settings::iterations, "The largest number of iterations per substep, 1 to 10000.")
       .def_readwrite("tolerance", &Settings::tolerance,
-                     "relative residual at which iterations stop; 0: all of them run")
-      .def_readwrite("time_step", &Settings::time_step, "of one step [s]")
-      .def_readwrite("substeps", &Settings::substeps)
-      .def_readwrite("frame_budget", &Settings::frame_budget, "wall time of a step [ms]; 0: no limit")
-      .def_readwrite("colors", &Settings::colors)
-      .def_readwrite("spectral_radius", &Settings::spectral_radius)
-      .def_readwrite("window", &Settings::window)
-      .def_readwrite("rest_speed", &Settings::rest_speed, "[1/s] what is slower falls asleep; 0: nothing does")
-      .def("__eq__", [](const Settings& a, const Settings& b) { return a == b; });
-  py::class_<Mesh>(m, "Mesh",
-                   "A tetrahedral mesh: positions [vertex_count, 3] [m], tets [tet_count, 4], regions [tet_count].")
+                     "The relative residual at which iterations stop [-], 0 to 1. With 0 all iterations run.")
+      .def_readwrite("time_step", &Settings::time_step, "The length of one step [s], 1e-6 to 1.")
+      .def_readwrite("substeps", &Settings::substeps, "The number of equal parts of a step, 1 to 1000.")
+      .def_readwrite("frame_budget", &Settings::frame_budget,
+                     "The wall time of a step [ms], 0 to 10000. With 0 there is no limit.")
+      .def_readwrite("colors", &Settings::colors,
+                     "The number of colors of gauss_seidel, 0 to 64. With 0 the mesh decides.")
+      .def_readwrite("spectral_radius", &Settings::spectral_radius,
+                     "The spectral radius of chebyshev [-], 0 to 0.9999. With 0 it is estimated.")
+      .def_readwrite("window", &Settings::window, "The number of earlier iterations that anderson combines, 1 to 10.")
+      .def_readwrite("rest_speed", &Settings::rest_speed,
+                     "The speed [1/s], in sizes of the scene, below which tissue falls asleep. With 0 nothing does.")
+      .def(
+          "__eq__", [](const Settings& a, const Settings& b) { return a == b; }, "Compares all fields.");
+  py::class_<Mesh>(m, "Mesh", "A tetrahedral mesh.")
       .def(py::init([](const py::object& positions, const py::object& tets, const py::object& regions) {
              Mesh mesh;
              mesh.positions = numbers_of(positions);
@@ -91,24 +101,33 @@ void define_values(py::module_& m) {
                for (const double region : numbers_of(regions)) mesh.regions.push_back(static_cast<int>(region));
              return mesh;
            }),
-           "positions"_a, "tets"_a, "regions"_a = py::none())
+           "positions"_a, "tets"_a, "regions"_a = py::none(),
+           "Makes a mesh of positions [vertex_count, 3] [m], tets [tet_count, 4] and regions [tet_count]. Raises "
+           "ValueError for numbers that are no indices.")
       .def_property_readonly(
           "positions", [](const py::object& self) { return view_of(self.cast<const Mesh&>().positions, 3, self); },
-          "[vertex_count, 3] [m], read only")
+          "The positions at rest [m], [vertex_count, 3]; a view, read only.")
       .def_property_readonly(
           "tets", [](const py::object& self) { return view_of(self.cast<const Mesh&>().tets, 4, self); },
-          "[tet_count, 4], read only")
-      .def_property_readonly("regions", [](const Mesh& mesh) { return mesh.regions; })
-      .def_property_readonly("region_names", [](const Mesh& mesh) { return mesh.region_names; })
-      .def_property_readonly("groups", [](const Mesh& mesh) { return mesh.groups; })
-      .def_property_readonly("vertex_count", &Mesh::vertex_count)
-      .def_property_readonly("tet_count", &Mesh::tet_count);
-  py::class_<Motion>(m, "Motion", "Vertices that are led along a straight line and then held.")
+          "The vertices of each tet, [tet_count, 4]; a view, read only.")
+      .def_property_readonly(
+          "regions", [](const Mesh& mesh) { return mesh.regions; },
+          "The region of each tet, [tet_count]; a copy. If it is empty, all regions are 0.")
+      .def_property_readonly(
+          "region_names", [](const Mesh& mesh) { return mesh.region_names; },
+          "The names of regions by number, if a file has them; a copy.")
+      .def_property_readonly(
+          "groups", [](const Mesh& mesh) { return mesh.groups; },
+          "The vertex sets of a file by name, each ascending; a copy.")
+      .def_property_readonly("vertex_count", &Mesh::vertex_count, "The number of vertices.")
+      .def_property_readonly("tet_count", &Mesh::tet_count, "The number of tets.");
+  py::class_<Motion>(m, "Motion", "Vertices that follow a straight line from their rest positions.")
       .def(py::init([](const py::object& vertices, const Vec3& translate, double start, double duration) {
              return Motion{indices_of(vertices), translate, start, duration};
            }),
-           "vertices"_a, "translate"_a, "start"_a = 0.0, "duration"_a = 0.0);
-  py::class_<Body>(m, "Body", "A mesh with materials and supports.")
+           "vertices"_a, "translate"_a, "start"_a = 0.0, "duration"_a = 0.0,
+           "Moves the vertices by translate [m], from the time start for duration [s], and holds them there.");
+  py::class_<Body>(m, "Body", "A mesh with materials, supports and motions.")
       .def(py::init([](const Mesh& mesh, const Material& material, const std::string& name, const py::object& fixed,
                        const std::map<int, Material>& region_materials, const std::vector<Motion>& motions,
                        const py::object& initial_velocity) {
@@ -122,59 +141,75 @@ void define_values(py::module_& m) {
            }),
            "mesh"_a, "material"_a = Material(), "name"_a = "body", "fixed"_a = py::tuple(),
            "region_materials"_a = std::map<int, Material>(), "motions"_a = std::vector<Motion>(),
-           "initial_velocity"_a = py::none());
-  py::class_<Scene>(m, "Scene", "Bodies, gravity [m/s^2] and solver settings.")
+           "initial_velocity"_a = py::none(),
+           "Makes a body. fixed has the indices of vertices that stay at rest; region_materials has the materials of "
+           "single regions by number; initial_velocity is [vertex_count, 3] [m/s].");
+  py::class_<Scene>(m, "Scene", "Bodies, gravity and settings.")
       .def(py::init([](const std::vector<Body>& bodies, const Vec3& gravity, const Settings& settings_of_scene,
                        const std::string& title) {
              return Scene{title, bodies, gravity, settings_of_scene};
            }),
-           "bodies"_a, "gravity"_a = Scene().gravity, "settings"_a = Settings(), "title"_a = "");
-  py::class_<State>(m, "State", "A moment that can be gone back to.")
-      .def_readonly("time", &State::time, "[s]")
+           "bodies"_a, "gravity"_a = Scene().gravity, "settings"_a = Settings(), "title"_a = "",
+           "Makes a scene of at least one body; gravity is in m/s^2.");
+  py::class_<State>(m, "State", "A state of a simulation, to be restored later.")
+      .def_readonly("time", &State::time, "The simulated time [s].")
       .def_property_readonly(
           "displacements",
-          [](const py::object& self) { return view_of(self.cast<const State&>().displacements, 3, self); })
+          [](const py::object& self) { return view_of(self.cast<const State&>().displacements, 3, self); },
+          "The displacements u = x - X [m], [vertex_count, 3]; a view, read only.")
       .def_property_readonly(
-          "velocities", [](const py::object& self) { return view_of(self.cast<const State&>().velocities, 3, self); });
+          "velocities", [](const py::object& self) { return view_of(self.cast<const State&>().velocities, 3, self); },
+          "The velocities [m/s], [vertex_count, 3]; a view, read only.");
 }
 
 void define_measures(py::module_& m) {
-  py::class_<Diagnostics>(m, "Diagnostics", "Energies [J], momenta, forces on the tissue [N] and quality of the state.")
-      .def_readonly("time", &Diagnostics::time)
-      .def_readonly("kinetic", &Diagnostics::kinetic)
-      .def_readonly("elastic", &Diagnostics::elastic)
-      .def_readonly("gravitational", &Diagnostics::gravitational)
-      .def_readonly("volume_ratio", &Diagnostics::volume_ratio)
-      .def_readonly("min_det_f", &Diagnostics::min_det_f)
-      .def_readonly("max_det_f", &Diagnostics::max_det_f)
-      .def_readonly("inverted", &Diagnostics::inverted)
-      .def_readonly("max_strain", &Diagnostics::max_strain)
-      .def_readonly("max_von_mises", &Diagnostics::max_von_mises)
-      .def_readonly("max_speed", &Diagnostics::max_speed)
-      .def_readonly("momentum", &Diagnostics::momentum)
-      .def_readonly("angular_momentum", &Diagnostics::angular_momentum)
-      .def_readonly("reaction", &Diagnostics::reaction)
-      .def_readonly("grab_force", &Diagnostics::grab_force)
-      .def_readonly("residual", &Diagnostics::residual)
-      .def_readonly("iterations", &Diagnostics::iterations);
-  py::class_<Support>(m, "Support", "Force [N] of fixed vertices, or of those of a motion, on a body.")
-      .def_readonly("body", &Support::body)
-      .def_readonly("motion", &Support::motion)
-      .def_readonly("force", &Support::force);
-  py::class_<StaticReport>(m, "StaticReport")
-      .def_readonly("iterations", &StaticReport::iterations)
-      .def_readonly("newton_iterations", &StaticReport::newton_iterations)
-      .def_readonly("relative_residual", &StaticReport::relative_residual)
-      .def_readonly("converged", &StaticReport::converged);
-  py::class_<Held>(m, "Grab", "Springs that pull tissue to a target.")
+  py::class_<Diagnostics>(m, "Diagnostics", "Measurements of the current state and of the last step.")
+      .def_readonly("time", &Diagnostics::time, "The simulated time [s].")
+      .def_readonly("kinetic", &Diagnostics::kinetic, "The kinetic energy [J].")
+      .def_readonly("elastic", &Diagnostics::elastic, "The elastic energy [J].")
+      .def_readonly("gravitational", &Diagnostics::gravitational,
+                    "The energy of the weight [J]; 0 at the rest positions.")
+      .def_readonly("volume_ratio", &Diagnostics::volume_ratio,
+                    "The volume of all tets together over their volume at rest [-].")
+      .def_readonly("min_det_f", &Diagnostics::min_det_f, "The smallest J = det F of all tets [-].")
+      .def_readonly("max_det_f", &Diagnostics::max_det_f, "The largest J = det F of all tets [-].")
+      .def_readonly("inverted", &Diagnostics::inverted, "The number of tets with J <= 0.")
+      .def_readonly("max_strain", &Diagnostics::max_strain, "The largest Frobenius norm of the Green strain [-].")
+      .def_readonly("max_von_mises", &Diagnostics::max_von_mises, "The largest von Mises stress [Pa].")
+      .def_readonly("max_speed", &Diagnostics::max_speed, "The largest speed of a vertex [m/s].")
+      .def_readonly("momentum", &Diagnostics::momentum, "The linear momentum [kg m/s], three numbers.")
+      .def_readonly("angular_momentum", &Diagnostics::angular_momentum,
+                    "The angular momentum about the origin [kg m^2/s], three numbers.")
+      .def_readonly("reaction", &Diagnostics::reaction, "The force of all supports on the tissue [N], three numbers.")
+      .def_readonly("grab_force", &Diagnostics::grab_force, "The force of all grabs on the tissue [N], three numbers.")
+      .def_readonly("residual", &Diagnostics::residual,
+                    "The relative residual of the last step [-]; NaN before the first step.")
+      .def_readonly("iterations", &Diagnostics::iterations,
+                    "The iterations of the last substep, if the tolerance or Newton's method ends them, else None.");
+  py::class_<Support>(m, "Support", "The force of fixed vertices, or of those of a motion, on a body.")
+      .def_readonly("body", &Support::body, "The index of the body.")
+      .def_readonly("motion", &Support::motion, "The index of the motion in the body; None for the fixed vertices.")
+      .def_readonly("force", &Support::force, "The force on the tissue [N], three numbers.");
+  py::class_<StaticReport>(m, "StaticReport", "The result of the search for a static equilibrium.")
+      .def_readonly("iterations", &StaticReport::iterations, "The iterations of the scene's method.")
+      .def_readonly("newton_iterations", &StaticReport::newton_iterations, "The iterations of Newton's method.")
+      .def_readonly("relative_residual", &StaticReport::relative_residual,
+                    "The forces out of balance over the largest of weight and inner forces [-].")
+      .def_readonly("converged", &StaticReport::converged,
+                    "True if the relative residual is at most 1e-5, or at most the tolerance if that is not 0.");
+  py::class_<Held>(m, "Grab", "Springs that pull tissue to a target. After release() every other call raises Error.")
       .def_property(
           "target", [](const Held& h) { return h.simulation().target(h.grab); },
-          [](const Held& h, const Vec3& target) { h.simulation().move(h.grab, target); }, "where the center is led [m]")
+          [](const Held& h, const Vec3& target) { h.simulation().move(h.grab, target); },
+          "The point [m] to which the springs pull the center of the grab; can be assigned.")
       .def_property_readonly(
-          "force", [](const Held& h) { return h.simulation().force(h.grab); }, "on the tissue [N]")
+          "force", [](const Held& h) { return h.simulation().force(h.grab); },
+          "The force on the tissue in the current state [N], three numbers.")
       .def_property_readonly(
-          "stiffness", [](const Held& h) { return h.simulation().stiffness(h.grab); }, "[N/m]")
-      .def("release", [](const Held& h) { h.simulation().release(h.grab); });
+          "stiffness", [](const Held& h) { return h.simulation().stiffness(h.grab); },
+          "The stiffness of all springs together [N/m].")
+      .def(
+          "release", [](const Held& h) { h.simulation().release(h.grab); }, "Ends the grab.");
 }
 
 Context chosen(const std::optional<Context>& context, bool reference) {
@@ -210,20 +245,26 @@ StaticReport solve_static(Simulation& simulation) {
 
 void define_simulation(py::module_& m) {
   py::class_<Context>(m, "Context",
-                      "The OpenGL context that simulations compute in. Share one among several simulations.")
+                      "The OpenGL context that simulations compute in. Several simulations can share one.")
       .def_static("own", &Context::own, "kind"_a = "auto",
-                  "A context without a window: \"auto\", \"egl\" or \"osmesa\".")
+                  "Makes a context without a window; kind is \"auto\", \"egl\" or \"osmesa\". Raises Error if that "
+                  "fails.")
       .def_static(
-          "current", [] { return Context::current(); }, "The context that is current on this thread.")
-      .def_static("none", &Context::none, "No OpenGL: for the reference solver.")
-      .def_property_readonly("kind", &Context::kind)
-      .def_property_readonly("renderer", &Context::renderer)
-      .def_property_readonly("software", &Context::software);
-  py::class_<Simulation>(m, "Simulation", "One scene that is simulated. Arrays of vertices are [vertex_count, 3].")
+          "current", [] { return Context::current(); },
+          "Adopts the context that is current on this thread. Raises Error if there is none with OpenGL 4.3.")
+      .def_static("none", &Context::none, "Makes a context without OpenGL, for the reference solver.")
+      .def_property_readonly("kind", &Context::kind, "\"egl\", \"osmesa\", \"current\" or \"none\".")
+      .def_property_readonly("renderer", &Context::renderer, "The name of the renderer; empty for none().")
+      .def_property_readonly("software", &Context::software, "True if the CPU computes what OpenGL is asked for.");
+  py::class_<Simulation>(m, "Simulation",
+                         "One scene that is simulated. Arrays over the vertices are [vertex_count, 3]. A simulation "
+                         "is used on one thread.")
       .def(py::init([](const Scene& scene, const std::optional<Context>& context, bool reference) {
              return Simulation(scene, chosen(context, reference), {.reference = reference});
            }),
-           "scene"_a, "context"_a = py::none(), "reference"_a = false)
+           "scene"_a, "context"_a = py::none(), "reference"_a = false,
+           "Makes a simulation of a scene. With reference=True the double-precision reference solver replaces the GPU. "
+           "Raises Error for arrays that do not fit together and values out of range.")
       .def_static(
           "open",
           [](const std::string& path, const std::optional<Context>& context, const std::vector<std::string>& set,
@@ -232,86 +273,116 @@ void define_simulation(py::module_& m) {
           },
           "path"_a, "context"_a = py::none(), "set"_a = std::vector<std::string>(), "reference"_a = false,
           "progress"_a = py::none(),
-          "Opens a scene (JSON) or a mesh; `set` replaces keys: [\"solver.iterations=20\"]. `progress` is called with "
-          "share and text.")
-      .def_property_readonly("context", &Simulation::context)
-      .def_property_readonly("notes", &Simulation::notes)
-      .def_property_readonly("vertex_count", &Simulation::vertex_count)
-      .def_property_readonly("tet_count", &Simulation::tet_count)
+          "Opens a scene (.json) or a mesh. set replaces values of the scene: [\"solver.iterations=20\"]. progress is "
+          "called with the completed share, 0 to 1, and the name of the next part; an exception of it ends the "
+          "opening. "
+          "Raises Error for what cannot be read or is out of range.")
+      .def_property_readonly("context", &Simulation::context, "The context that the simulation computes in.")
+      .def_property_readonly("notes", &Simulation::notes,
+                             "The repairs of the mesh and the warnings of the opening, one line each.")
+      .def_property_readonly("vertex_count", &Simulation::vertex_count, "The number of vertices.")
+      .def_property_readonly("tet_count", &Simulation::tet_count, "The number of simulated tets.")
       .def_property_readonly(
           "rest_positions",
           [](const py::object& self) { return view_of(self.cast<const Simulation&>().rest_positions(), 3, self); },
-          "[vertex_count, 3] [m], read only, not copied")
+          "The rest positions [m], [vertex_count, 3]; a view, read only.")
       .def_property_readonly(
           "tets", [](const py::object& self) { return view_of(self.cast<const Simulation&>().tets(), 4, self); },
-          "[tet_count, 4], read only, not copied")
+          "The vertices of the simulated tets, [tet_count, 4]; a view, read only.")
       .def_property_readonly(
           "surface_triangles",
           [](const py::object& self) { return view_of(self.cast<const Simulation&>().surface_triangles(), 3, self); },
-          "[triangle_count, 3], read only, not copied")
+          "The vertices of the surface triangles, [triangle_count, 3]; a view, read only.")
       .def_property_readonly(
-          "fixed", [](const py::object& self) { return view_of(self.cast<const Simulation&>().fixed(), 1, self); })
+          "fixed", [](const py::object& self) { return view_of(self.cast<const Simulation&>().fixed(), 1, self); },
+          "The indices of the fixed vertices, ascending, [fixed_count]; a view, read only.")
       .def_property_readonly(
-          "masses", [](const Simulation& s) { return array_of(s.masses()); }, "[vertex_count] [kg]")
-      .def_property_readonly("bodies",
-                             [](const Simulation& s) {
-                               py::list names;
-                               for (const BodyRange& b : s.bodies())
-                                 names.append(py::dict("name"_a = b.name, "vertex_begin"_a = b.vertex_begin,
-                                                       "vertex_count"_a = b.vertex_count, "tet_begin"_a = b.tet_begin,
-                                                       "tet_count"_a = b.tet_count));
-                               return names;
-                             })
-      .def("step", &step, "count"_a = 1, "Makes steps of settings.time_step.")
-      .def("solve_static", &solve_static, "Goes on from the static equilibrium.")
-      .def("reset", &Simulation::reset)
-      .def_property_readonly("time", &Simulation::time, "[s]")
-      .def_property_readonly("asleep", &Simulation::asleep)
+          "masses", [](const Simulation& s) { return array_of(s.masses()); },
+          "The masses of the vertices [kg], [vertex_count]; a copy.")
+      .def_property_readonly(
+          "bodies",
+          [](const Simulation& s) {
+            py::list names;
+            for (const BodyRange& b : s.bodies())
+              names.append(py::dict("name"_a = b.name, "vertex_begin"_a = b.vertex_begin,
+                                    "vertex_count"_a = b.vertex_count, "tet_begin"_a = b.tet_begin,
+                                    "tet_count"_a = b.tet_count));
+            return names;
+          },
+          "The bodies: a list of dicts with name, vertex_begin, vertex_count, tet_begin and tet_count.")
+      .def("step", &step, "count"_a = 1, "Makes steps of settings.time_step. Ctrl-C ends it after a step.")
+      .def("solve_static", &solve_static,
+           "Finds the static equilibrium, from which the simulation continues. Ctrl-C ends it. Raises Error if gravity "
+           "pulls at a part without support.")
+      .def("reset", &Simulation::reset, "Returns to the start of the scene; settings, materials and grabs stay.")
+      .def_property_readonly("time", &Simulation::time, "The simulated time [s].")
+      .def_property_readonly("asleep", &Simulation::asleep,
+                             "True if nothing moves, so that steps only advance the time.")
       .def("diverged_vertex", &Simulation::diverged_vertex,
-           "A vertex that is no longer finite or has left the scene; None: the state is sound.")
-      .def("restore_valid", &Simulation::restore_valid)
+           "Returns a vertex that is not finite or has left the scene; None if the state is valid.")
+      .def("restore_valid", &Simulation::restore_valid,
+           "Returns to the last valid state, at rest. Raises Error with the reference solver.")
       .def_property(
           "positions", [](const Simulation& s) { return array_of(s.positions(), 3); },
-          [](Simulation& s, const py::object& x) { s.set_positions(numbers_of(x)); }, "[vertex_count, 3] [m]; a copy")
+          [](Simulation& s, const py::object& x) { s.set_positions(numbers_of(x)); },
+          "The positions [m], [vertex_count, 3]; a copy. Assign an array to set them; values at fixed and moved "
+          "vertices "
+          "are ignored. Raises Error for another size.")
       .def_property(
           "velocities", [](const Simulation& s) { return array_of(s.velocities(), 3); },
           [](Simulation& s, const py::object& v) { s.set_velocities(numbers_of(v)); },
-          "[vertex_count, 3] [m/s]; a copy")
-      .def("save", &Simulation::save)
-      .def("restore", &Simulation::restore, "state"_a)
-      .def("write", &Simulation::write, "path"_a, "Writes the state: .vtu, .msh, .csv or .obj.")
-      .def_property("settings", &Simulation::settings, &Simulation::set_settings, "a copy: assign it to change it")
-      .def_property("gravity", &Simulation::gravity, &Simulation::set_gravity, "[m/s^2]")
-      .def_property_readonly("material_names",
-                             [](const Simulation& s) {
-                               std::vector<std::string> names;
-                               for (std::size_t i = 0; i < s.material_count(); ++i) names.push_back(s.material_name(i));
-                               return names;
-                             })
-      .def("material", &Simulation::material, "index"_a = 0)
-      .def("set_material", &Simulation::set_material, "index"_a, "material"_a)
+          "The velocities [m/s], [vertex_count, 3]; a copy. Assign an array to set them; values at fixed and moved "
+          "vertices are ignored. Raises Error for another size.")
+      .def("save", &Simulation::save, "Returns the state.")
+      .def("restore", &Simulation::restore, "state"_a, "Continues from a state of this scene.")
+      .def("write", &Simulation::write, "path"_a,
+           "Writes the state to a file; its ending decides the format: .vtu, .msh, .csv or .obj. Raises Error for "
+           "another ending or a failed write.")
+      .def_property("settings", &Simulation::settings, &Simulation::set_settings,
+                    "The settings of the solver; a copy. Assign settings to change them.")
+      .def_property("gravity", &Simulation::gravity, &Simulation::set_gravity,
+                    "The acceleration of gravity [m/s^2], three numbers; a copy. Assign three numbers to change it.")
+      .def_property_readonly(
+          "material_names",
+          [](const Simulation& s) {
+            std::vector<std::string> names;
+            for (std::size_t i = 0; i < s.material_count(); ++i) names.push_back(s.material_name(i));
+            return names;
+          },
+          "The names of the materials: one for each body and for each region with a material of its own.")
+      .def("material", &Simulation::material, "index"_a = 0,
+           "Returns a copy of a material. Raises Error for an index out of range.")
+      .def("set_material", &Simulation::set_material, "index"_a, "material"_a,
+           "Sets a material. Raises Error for an index or values out of range.")
       .def(
           "grab",
           [](const py::object& self, const py::object& vertices, double stiffness) {
             return Held{self, self.cast<Simulation&>().grab(indices_of(vertices), stiffness)};
           },
           "vertices"_a, "stiffness"_a = 0.0,
-          "Takes hold of vertices; stiffness of all springs together [N/m], 0: from the tissue.")
+          "Grabs the free ones of the vertices. stiffness is that of all springs together [N/m]; with 0 it follows "
+          "from "
+          "the tissue. Raises Error if no vertex is free.")
       .def(
           "grab_patch",
           [](const py::object& self, const Vec3& point, double radius, double stiffness) {
             return Held{self, self.cast<Simulation&>().grab_patch(point, radius, stiffness)};
           },
-          "point"_a, "radius"_a, "stiffness"_a = 0.0)
-      .def("diagnostics", &Simulation::diagnostics)
-      .def("supports", &Simulation::supports)
+          "point"_a, "radius"_a, "stiffness"_a = 0.0,
+          "Grabs a round patch around the tissue nearest to point [m]; the springs fade out at radius [m]. stiffness "
+          "as "
+          "in grab(). Raises Error if no vertex is free.")
+      .def("diagnostics", &Simulation::diagnostics, "Returns energies, momenta, forces and the quality of the state.")
+      .def("supports", &Simulation::supports, "Returns the forces of the supports, body by body.")
       .def(
-          "von_mises", [](const Simulation& s) { return array_of(s.von_mises()); }, "[tet_count] [Pa]")
+          "von_mises", [](const Simulation& s) { return array_of(s.von_mises()); },
+          "Returns the von Mises stress of all tets [Pa], [tet_count].")
       .def(
           "green_strain", [](const Simulation& s) { return array_of(s.tet_fields().green_strain, 6); },
-          "[tet_count, 6] xx, yy, zz, yz, xz, xy")
+          "Returns the Green strain of all tets [-], [tet_count, 6]: xx, yy, zz, yz, xz, xy; tensor shears.")
       .def(
-          "det_f", [](const Simulation& s) { return array_of(s.tet_fields().det_f); }, "[tet_count]");
+          "det_f", [](const Simulation& s) { return array_of(s.tet_fields().det_f); },
+          "Returns J = det F of all tets [-], [tet_count].");
 }
 
 }  // namespace
@@ -320,23 +391,34 @@ void define_simulation(py::module_& m) {
 PYBIND11_MODULE(fascia, m) {
   using namespace fascia;
   namespace py = pybind11;
-  m.doc() = "Real-time simulation of soft tissue on the GPU.";
+  m.doc() =
+      "Real-time simulation of soft tissue on the GPU.\n\n"
+      "Units are SI. Arrays are numpy arrays where numpy is installed, else memoryviews of the same shape; arguments "
+      "may "
+      "also be lists. docs/guide/library.md has an introduction.";
   m.attr("__version__") = version();
   const py::object error = py::register_exception<Error>(m, "Error", PyExc_RuntimeError);
-  py::register_exception<ContextLost>(m, "ContextLost", error);  // the last registered exceptions are tried first
-  py::register_exception<Interrupted>(m, "Interrupted", error);
+  error.attr("__doc__") = "The base of all exceptions of fascia: one line, \"where: what; what was expected\".";
+  // Those that are registered last are tried first.
+  py::register_exception<ContextLost>(m, "ContextLost", error).attr("__doc__") =
+      "The graphics device was reset; simulations of its context can only be destroyed.";
+  py::register_exception<Interrupted>(m, "Interrupted", error).attr("__doc__") = "The work was stopped.";
   python::define_arrays(m);
   python::define_values(m);
   python::define_measures(m);
   python::define_simulation(m);
   m.def("make_box", &make_box, py::arg("nx"), py::arg("ny"), py::arg("nz"), py::arg("size"),
-        "Box [0, size] of cells, six tets each.");
+        "Makes the box from 0 to size [m] of nx * ny * nz cells with six tets each. Raises Error for counts below 1.");
   m.def(
-      "read_mesh", [](const std::string& path) { return read_mesh(path); }, py::arg("path"));
-  m.def("tissue", &tissue, py::arg("name"), "A material from the literature: \"liver\".");
-  m.def("tissues", &tissues);
-  m.def("material_models", &material_models);
-  m.def("solver_pairs", &solver_pairs, "Method and acceleration of all pairs, best first.");
-  m.def("data_dir", &data_dir);
-  m.def("set_data_dir", &set_data_dir, py::arg("folder"));
+      "read_mesh", [](const std::string& path) { return read_mesh(path); }, py::arg("path"),
+      "Reads a Gmsh, VTK, TetGen or Medit mesh. Raises Error for what cannot be read.");
+  m.def(
+      "tissue", &tissue, py::arg("name"),
+      "Returns the material of a tissue from the literature, for example \"liver\". Raises Error for an unknown name.");
+  m.def("tissues", &tissues, "Returns the names of the tissues.");
+  m.def("material_models", &material_models, "Returns the names of the laws.");
+  m.def("solver_pairs", &solver_pairs, "Returns method and acceleration of all pairs, the best pair first.");
+  m.def("data_dir", &data_dir, "Returns the folder with shaders and shipped scenes. Raises Error if there is none.");
+  m.def("set_data_dir", &set_data_dir, py::arg("folder"),
+        "Sets the data folder for contexts that are made afterwards. Raises Error if it holds no shaders.");
 }

@@ -1,4 +1,4 @@
-// How a program follows and ends long work.
+// Progress and cancellation of long work, such as opening a scene or reading a mesh.
 #pragma once
 #include <functional>
 #include <stop_token>
@@ -7,11 +7,14 @@
 
 namespace fascia {
 FASCIA_INLINE namespace api {
+  /// Follows long work and ends it early. A default Control does neither.
   struct Control {
-    /// Called on the calling thread now and then: the share that is done, 0 to 1, and what comes next. An exception
-    /// that it throws ends the work and reaches the caller.
+    /// The library calls this function at intervals on the calling thread. `share` is the completed share of the work,
+    /// 0 to 1, and `what` names the next part. An exception that the function throws ends the work and reaches the
+    /// caller.
     std::function<void(double share, const char* what)> progress{};
-    std::stop_token stop{};  // ends the work soon after a stop is requested, from any thread
+    /// The work ends soon after a stop is requested, from any thread, and the call throws Interrupted.
+    std::stop_token stop{};
   };
 
 }  // namespace api

@@ -1,4 +1,4 @@
-// What the library throws. Running out of memory is std::bad_alloc, as everywhere.
+// The exceptions of the library. If memory runs out, calls throw std::bad_alloc.
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -7,25 +7,31 @@
 
 namespace fascia {
 FASCIA_INLINE namespace api {
-  /// The text is one line for a person: "where: what; what was expected". `where` is a file with line or JSON path, or
-  /// an argument. A call that throws has changed nothing, unless its description says otherwise.
+  /// The base of all exceptions of the library. The text is one line for a reader: "where: what; what was expected".
+  /// `where` is a file with a line or a JSON path, or an argument. A call that throws has changed nothing, unless its
+  /// description states otherwise.
   class FASCIA_EXPORT Error : public std::runtime_error {
    public:
+    /// Makes an error with `message` as its text.
     explicit Error(const std::string& message);
+    /// Makes an error with the text "where: what; expected".
     Error(const std::string& where, const std::string& what, const std::string& expected);
     ~Error() override;
   };
 
-  /// Work was ended by a stop token.
+  /// Thrown if a stop token ended the work.
   class FASCIA_EXPORT Interrupted : public Error {
    public:
+    /// Makes an error with `message` as its text.
     explicit Interrupted(const std::string& message);
     ~Interrupted() override;
   };
 
-  /// The graphics device was reset, and what it held is lost: every simulation of that context can only be destroyed.
+  /// Thrown if the graphics device was reset. Its content is lost; every simulation of that context can only be
+  /// destroyed.
   class FASCIA_EXPORT ContextLost : public Error {
    public:
+    /// Makes an error with `message` as its text.
     explicit ContextLost(const std::string& message);
     ~ContextLost() override;
   };

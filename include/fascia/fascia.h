@@ -1,5 +1,6 @@
-// The whole public interface of libfascia: a real-time simulator of soft tissue on the GPU. Link fascia::fascia
-// (find_package(fascia)) or the flags of pkg-config fascia.
+// All public headers of libfascia, a real-time simulator of soft tissue on the GPU.
+//
+// Link the CMake target fascia::fascia (find_package(fascia)) or use the flags of pkg-config fascia.
 #pragma once
 #include "fascia/context.h"
 #include "fascia/control.h"

@@ -1,4 +1,4 @@
-// Tetrahedral meshes as arrays: of a program's own, by formula, or from a file.
+// Tetrahedral meshes as arrays: from a program, from a formula or from a file.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -10,24 +10,35 @@
 
 namespace fascia {
 FASCIA_INLINE namespace api {
+  /// A tetrahedral mesh. Calls that receive a mesh check it and throw Error for arrays of wrong size, indices out of
+  /// range and positions that are not finite.
   struct Mesh {
-    std::vector<double> positions{};  // [vertex_count][3] at rest [m]
-    std::vector<std::uint32_t>
-        tets{};  // [tet_count][4] vertices; of either winding: simulations reorient those of negative volume
-    std::vector<int> regions{};                 // [tet_count] numbers that materials are given by; empty: all 0
-    std::map<int, std::string> region_names{};  // where a file has them
-    std::map<std::string, std::vector<std::uint32_t>> groups{};  // vertex sets of a file by name, ascending
+    /// [vertex_count][3] The positions at rest [m].
+    std::vector<double> positions{};
+    /// [tet_count][4] The vertices of each tet, in either winding. Simulations reorient tets of negative volume.
+    std::vector<std::uint32_t> tets{};
+    /// [tet_count] The region of each tet, by which Body::region_materials selects materials. If it is empty, all
+    /// regions are 0.
+    std::vector<int> regions{};
+    /// The names of regions, if a file has them.
+    std::map<int, std::string> region_names{};
+    /// The named vertex sets of a file. Each set is ascending.
+    std::map<std::string, std::vector<std::uint32_t>> groups{};
 
+    /// Returns the number of vertices.
     std::size_t vertex_count() const { return positions.size() / 3; }
+    /// Returns the number of tets.
     std::size_t tet_count() const { return tets.size() / 4; }
   };
 
-  /// Box [0, size] of nx * ny * nz cells, six tets each; size [m]. The vertex at cell corner (i, j, k) is (k * (ny + 1)
-  /// + j) * (nx + 1) + i. Throws Error for cells below 1 or a size that is not positive.
+  /// Makes the box [0, size] of nx * ny * nz cells with six tets each. `size` is in m. The vertex at the cell corner
+  /// (i, j, k) has the index (k * (ny + 1) + j) * (nx + 1) + i. Throws Error if a count is below 1 or a size is not
+  /// positive.
   FASCIA_EXPORT Mesh make_box(int nx, int ny, int nz, const Vec3& size);
 
-  /// Gmsh .msh, VTK .vtk and .vtu, TetGen .node/.ele, Medit .mesh; found by the content. Throws Error with file and
-  /// line, Interrupted.
+  /// Reads a mesh from a Gmsh .msh, VTK .vtk or .vtu, TetGen .node/.ele or Medit .mesh file. The content decides the
+  /// format. Coordinates are taken as m. Throws Error with file and line for content that cannot be read, and
+  /// Interrupted if `control` stops the work.
   FASCIA_EXPORT Mesh read_mesh(const std::string& path, const Control& control = {});
 
 }  // namespace api

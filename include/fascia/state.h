@@ -1,4 +1,4 @@
-// A moment of a simulation that can be kept and gone back to.
+// A state of a simulation that a program keeps and restores later.
 #pragma once
 #include <vector>
 
@@ -6,11 +6,12 @@
 
 namespace fascia {
 FASCIA_INLINE namespace api {
-  /// Displacements rather than positions, since these are what the solvers hold: restoring gives back the same bits.
+  /// A state of a simulation (Simulation::save(), Simulation::restore()). It holds displacements instead of positions
+  /// because the solvers do; a restored state therefore has the same bits.
   struct State {
-    std::vector<double> displacements{};  // [vertex_count][3] u = x - X [m]
-    std::vector<double> velocities{};     // [vertex_count][3] v [m/s]
-    double time = 0;                      // [s]
+    std::vector<double> displacements{};  // [vertex_count][3] The displacements u = x - X [m].
+    std::vector<double> velocities{};     // [vertex_count][3] The velocities v [m/s].
+    double time = 0;                      // The simulated time [s].
   };
 
 }  // namespace api

@@ -3,6 +3,7 @@
 Arguments: the stub file, the folder of the examples.
 """
 import ast
+import gc
 import re
 import subprocess
 import sys
@@ -44,6 +45,37 @@ class Arrays(unittest.TestCase):
             rest[0, 0] = 1
         del s
         self.assertEqual(rest[26, 0], 0.1)
+
+    def test_views_of_every_owner_outlive_its_name(self):
+        s = simulation()
+        s.step()
+        mesh, state = fascia.make_box(2, 2, 2, (0.1, 0.1, 0.1)), s.save()
+        views = [mesh.positions, mesh.tets, state.displacements, state.velocities, s.rest_positions, s.tets, s.surface_triangles, s.fixed]
+        copies = [s.positions, s.velocities, s.masses, s.von_mises(), s.green_strain(), s.det_f()]
+        before = [memoryview(a).tobytes() for a in views + copies]
+        del mesh, state, s
+        gc.collect()
+        others = [simulation() for _ in range(3)]  # in the memory that may have become free
+        self.assertEqual([memoryview(a).tobytes() for a in views + copies], before)
+        self.assertEqual([memoryview(a).readonly for a in views], [True] * len(views))
+        self.assertEqual([memoryview(a).readonly for a in copies], [False] * len(copies))
+        del others
+
+    @unittest.skipUnless(numpy, "numpy is not installed")
+    def test_views_cannot_be_made_writeable(self):
+        s = simulation()
+        with self.assertRaises(ValueError):
+            s.rest_positions.flags.writeable = True
+
+    def test_a_grab_keeps_its_simulation(self):
+        grab = simulation().grab([26], 50)
+        gc.collect()
+        self.assertEqual(grab.stiffness, 50)
+        self.assertEqual(len(grab.force), 3)
+
+    def test_empty_arrays(self):
+        s = fascia.Simulation(fascia.Scene([fascia.Body(fascia.make_box(1, 1, 1, (1, 1, 1)))]), CONTEXT)
+        self.assertEqual(tuple(s.fixed.shape), (0,))
 
     def test_positions_are_a_copy_that_can_be_assigned(self):
         s = simulation(gravity=(0, 0, 0))
@@ -134,20 +166,66 @@ class Simulating(unittest.TestCase):
         self.assertEqual(fascia.Simulation.open(scene, CONTEXT, set=["solver.iterations=3"]).settings.iterations, 3)
 
 
-class Stub(unittest.TestCase):
-    def test_stub_has_the_names_of_the_module(self):
-        def public(names):
-            return {n for n in names if not n.startswith("_")}
+def public(names):
+    return {n for n in names if not n.startswith("_")}
+
+
+EXCEPTIONS = ("Error", "ContextLost", "Interrupted")
+
+
+class Documentation(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
         with open(STUB) as file:
             tree = ast.parse(file.read())
-        classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
-        functions = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
-        self.assertEqual(public(dir(fascia)), set(classes) | functions)
-        for name, node in classes.items():
-            if name in ("Error", "ContextLost", "Interrupted"):
+        cls.classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+        cls.functions = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
+
+    def members(self):
+        """Name, Python's object and the stub's node of each function, method, property and field."""
+        for name, node in self.functions.items():
+            yield name, getattr(fascia, name), node
+        for owner, owner_node in self.classes.items():
+            for node in owner_node.body:
+                name = node.target.id if isinstance(node, ast.AnnAssign) else getattr(node, "name", None)
+                if name:
+                    yield f"{owner}.{name}", vars(getattr(fascia, owner))[name], node
+
+    def test_stub_has_the_names_of_the_module(self):
+        self.assertEqual(public(dir(fascia)), set(self.classes) | set(self.functions))
+        listed = [name for name, _, _ in self.members()]
+        self.assertEqual(len(listed), len(set(listed)))
+        for name in set(self.classes) - set(EXCEPTIONS):
+            own = {n.split(".")[1] for n in listed if n.startswith(name + ".")}
+            self.assertEqual(public(dir(getattr(fascia, name))), public(own), name)
+
+    def test_stub_has_the_parameters(self):
+        checked = 0
+        for name, value, node in self.members():
+            if isinstance(value, property) or isinstance(node, ast.AnnAssign) or name == "Settings.__init__":
                 continue
-            told = {m.name for m in node.body if isinstance(m, ast.FunctionDef)} | {m.target.id for m in node.body if isinstance(m, ast.AnnAssign)}
-            self.assertEqual(public(dir(getattr(fascia, name))), public(told), name)
+            signature = getattr(value, "__func__", value).__doc__.splitlines()[0]
+            given = [a for a in re.findall(r"[(,] ?(\w+): ", signature) if a != "self"]
+            arguments = [a.arg for a in node.args.args if a.arg != "self"]
+            self.assertEqual(given, arguments, name)
+            self.assertEqual(len(re.findall(r"\w+: [^=]*? = ", signature)), len(node.args.defaults), f"defaults of {name}")
+            checked += 1
+        self.assertGreater(checked, 30)
+
+    def test_stub_knows_what_can_be_assigned(self):
+        for name, value, node in self.members():
+            if isinstance(value, property):
+                self.assertEqual(value.fset is not None, isinstance(node, ast.AnnAssign), name)
+
+    def test_everything_has_a_description(self):
+        self.assertIn("Units are SI", fascia.__doc__)
+        for name in self.classes:
+            self.assertTrue(getattr(fascia, name).__doc__, name)
+        for name, value, _ in self.members():
+            text = getattr(value, "__func__", value).__doc__
+            if not isinstance(value, property):
+                text = text.partition("\n\n")[2]  # behind the signature
+            self.assertRegex(text.strip(), r"(?s)^\S.*\.$", name)
 
 
 class Examples(unittest.TestCase):
