@@ -1,5 +1,6 @@
 #include "app/bench/chart.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
@@ -11,7 +12,6 @@ namespace {
 
 // Okabe and Ito's colors without yellow, which is lost on white; the last one is for lines beside a palette of six.
 constexpr std::array kColors{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
-constexpr std::size_t kLegendColumns = 3;
 constexpr std::array kDashes{"solid", "(14,5)", "(3,4)", "(14,4,3,4)"};
 constexpr std::array kMarks{7, 5, 9, 11, 13, 15};  // filled shapes; one less is the same shape, empty
 
@@ -39,7 +39,9 @@ void write_points(std::ostream& out, std::size_t index, const Series& series, co
   out << "END\n";
 }
 
-std::string legend(const std::string& name) { return name.empty() ? "notitle" : "title " + gnuplot_quoted(name); }
+std::string title_in_legend(const std::string& name) {
+  return name.empty() ? "notitle" : "title " + gnuplot_quoted(name);
+}
 
 void write_series(std::ostream& out, std::size_t index, const Series& series, const Chart& chart) {
   bool any = false;
@@ -49,7 +51,25 @@ void write_series(std::ostream& out, std::size_t index, const Series& series, co
   out << " linecolor rgb '" << turn(kColors, series.color) << '\'';
   if (series.line) out << " dashtype " << turn(kDashes, series.dash) << " linewidth 2";
   if (series.marks) out << " pointtype " << turn(kMarks, series.color) + (series.line ? 0 : -1) << " pointsize 1.3";
-  out << ' ' << legend(series.name);
+  out << ' ' << title_in_legend(series.name);
+}
+
+struct Legend {
+  std::size_t rows;
+  double correction;  // of gnuplot's estimate of a column's width [characters], which is too wide for small letters
+};
+
+// In as many columns as the longest name leaves room for, three at most.
+Legend legend_of(const Chart& chart) {
+  constexpr double kSample = 0.06, kCharacter = 0.0078;  // of the chart's width
+  std::size_t names = 0, longest = 0;
+  for (const Series& series : chart.series) {
+    names += !series.name.empty();
+    longest = std::max(longest, series.name.size());
+  }
+  const auto columns =
+      static_cast<std::size_t>(std::clamp(1 / (kSample + kCharacter * static_cast<double>(longest)), 1.0, 3.0));
+  return {std::max<std::size_t>(1, (names + columns - 1) / columns), -0.15 * static_cast<double>(longest)};
 }
 
 std::string script_of(const Chart& chart, const std::string& terminal) {
@@ -57,9 +77,11 @@ std::string script_of(const Chart& chart, const std::string& terminal) {
   out.precision(7);
   out << "set encoding utf8\nset terminal " << terminal << '\n';
   out << "set title " << gnuplot_quoted(chart.title) << '\n';
-  // Below the data, so that it covers none of them.
-  out << "set key outside below center vertical maxrows " << (chart.series.size() + kLegendColumns - 1) / kLegendColumns
-      << " Left reverse samplen 2.5 font ',13'\n";
+  // Below the data and the title of their axis, so that the legend covers neither.
+  const Legend legend = legend_of(chart);
+  out << "set bmargin " << 4.6 + 0.9 * static_cast<double>(legend.rows) << '\n'
+      << "set key at screen 0.5, screen 0.015 center bottom vertical maxrows " << legend.rows
+      << " Left reverse samplen 2.5 width " << legend.correction << " font ',13'\n";
   out << "set border 3 linecolor rgb '#404040'\nset tics nomirror out\nset grid linetype 1 linecolor rgb '#e0e0e0'\n";
   write_axis(out, 'x', chart.x);
   write_axis(out, 'y', chart.y);

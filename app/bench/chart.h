@@ -34,8 +34,8 @@ struct Chart {
   std::vector<Level> levels;
 };
 
-/// Draws `path`.svg and `path`.png; the legend stands below, in three columns. Throws Error, also when gnuplot is not
-/// installed.
+/// Draws `path`.svg and `path`.png; the legend stands below, in up to three columns. Throws Error, also when gnuplot is
+/// not installed.
 void write_chart(const std::filesystem::path& path, const Chart& chart);
 
 /// A text as a gnuplot string.
