@@ -5,6 +5,7 @@
 #include "api/settings.h"
 #include "api/values.h"
 #include "sim/grab/build_model.h"
+#include "sim/model/region_materials.h"
 
 namespace fascia::api {
 namespace {
@@ -21,8 +22,7 @@ fascia::Body checked(const Body& body, const std::string& where) {
   own.material = checked(body.material, where + ".material");
   for (const auto& [region, material] : body.region_materials) {
     const fascia::Material m = checked(material, where + ".region_materials[" + std::to_string(region) + "]");
-    own.region_materials.emplace_back(
-        std::to_string(region), MaterialOverride{m.young_modulus, m.poisson_ratio, m.density, m.damping, m.model});
+    own.region_materials.emplace_back(std::to_string(region), override_with(m));
   }
   require_vertices(body.fixed, body.mesh.vertex_count(), where + ".fixed");
   if (!body.fixed.empty()) own.fixed.emplace_back(VertexSelection{body.fixed});

@@ -18,6 +18,16 @@ Material with_override(Material material, const MaterialOverride& values) {
   return material;
 }
 
+MaterialOverride override_with(const Material& material) {
+  std::vector<double> numbers;
+  visit_material(material, [&](double number, auto&&...) { numbers.push_back(number); });
+  MaterialOverride values;
+  std::size_t next = 0;
+  visit_material(values, [&](auto& field, auto&&...) { field = numbers[next++]; });
+  values.model = material.model;
+  return values;
+}
+
 namespace {
 
 std::optional<int> number_of(const std::string& key) {

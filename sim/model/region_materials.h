@@ -22,6 +22,7 @@ struct BodyMaterials {
 
 /// `material` with the given values replaced.
 Material with_override(Material material, const MaterialOverride& values);
+MaterialOverride override_with(const Material& material);  // all values given
 
 /// The regions of a mesh's tets: number, and name if the file has one.
 std::map<int, std::string> regions_of(const TetMesh& mesh);

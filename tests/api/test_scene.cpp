@@ -63,7 +63,12 @@ TEST_CASE("Bodies keep their order, regions have materials of their own") {
   Scene scene = scene_of(standing_cube());
   scene.bodies[0].mesh.regions.assign(scene.bodies[0].mesh.tet_count(), 0);
   for (std::size_t t = 0; t < 10; ++t) scene.bodies[0].mesh.regions[t] = 4;
-  scene.bodies[0].region_materials[4] = {.young_modulus = 3e4, .density = 2000};
+  scene.bodies[0].region_materials[4] = {.young_modulus = 3e4,
+                                         .poisson_ratio = 0.2,
+                                         .density = 2000,
+                                         .damping = 0.01,
+                                         .model = "mooney_rivlin",
+                                         .mooney_ratio = 0.7};
   Body second = standing_cube(1);
   second.name = "second";
   for (std::size_t i = 0; i < second.mesh.positions.size(); i += 3) second.mesh.positions[i] += 1;
@@ -76,7 +81,15 @@ TEST_CASE("Bodies keep their order, regions have materials of their own") {
   CHECK(bodies[1].vertex_count == 8);
   REQUIRE(simulation.material_count() == 3);
   CHECK(simulation.material_name(1) == "cube: 4");
-  CHECK(simulation.material(1).young_modulus == 3e4);
+  const Material& region = simulation.material(1);
+  CAPTURE(region.model, region.young_modulus, region.poisson_ratio, region.density, region.damping,
+          region.mooney_ratio);
+  CHECK(region.young_modulus == 3e4);
+  CHECK(region.poisson_ratio == 0.2);
+  CHECK(region.density == 2000);
+  CHECK(region.damping == 0.01);
+  CHECK(region.model == "mooney_rivlin");
+  CHECK(region.mooney_ratio == 0.7);
   CHECK(simulation.fixed().size() == 9 + 4);
   double mass = 0;
   for (const double m : simulation.masses()) mass += m;
