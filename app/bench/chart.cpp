@@ -9,11 +9,12 @@
 namespace fascia {
 namespace {
 
-// Okabe and Ito's colors without yellow, which is lost on white; the last one is for lines beside a palette of six.
+// Okabe and Ito's colors without yellow, which is invisible on white; the last one is for lines beside a palette of
+// six.
 constexpr std::array kColors{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
 constexpr std::size_t kLegendColumns = 3;
 constexpr std::array kDashes{"solid", "(14,5)", "(3,4)", "(14,4,3,4)"};
-constexpr std::array kMarks{7, 5, 9, 11, 13, 15};  // filled shapes; one less is the same shape, empty
+constexpr std::array kMarks{7, 5, 9, 11, 13, 15};  // filled shapes; the number below is the same shape, unfilled
 
 template <class Table>
 auto turn(const Table& table, int index) {
@@ -44,7 +45,7 @@ std::string legend(const std::string& name) { return name.empty() ? "notitle" : 
 void write_series(std::ostream& out, std::size_t index, const Series& series, const Chart& chart) {
   bool any = false;
   for (const Eigen::Vector2d& p : series.points) any = any || (visible(p.x(), chart.x) && visible(p.y(), chart.y));
-  out << (any ? "$data" + std::to_string(index) + " using 1:2" : "NaN");  // NaN: the name in the legend and no line
+  out << (any ? "$data" + std::to_string(index) + " using 1:2" : "NaN");  // NaN: an entry in the legend without a line
   out << " with " << (series.line && series.marks ? "linespoints" : series.line ? "lines" : "points");
   out << " linecolor rgb '" << turn(kColors, series.color) << '\'';
   if (series.line) out << " dashtype " << turn(kDashes, series.dash) << " linewidth 2";
@@ -57,7 +58,7 @@ std::string script_of(const Chart& chart, const std::string& terminal) {
   out.precision(7);
   out << "set encoding utf8\nset terminal " << terminal << '\n';
   out << "set title " << gnuplot_quoted(chart.title) << '\n';
-  // Below the data, so that it covers none of them.
+  // Below the data, so that it covers none.
   out << "set key outside below center vertical maxrows " << (chart.series.size() + kLegendColumns - 1) / kLegendColumns
       << " Left reverse samplen 2.5 font ',13'\n";
   out << "set border 3 linecolor rgb '#404040'\nset tics nomirror out\nset grid linetype 1 linecolor rgb '#e0e0e0'\n";

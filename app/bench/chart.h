@@ -1,4 +1,4 @@
-// Line charts as files: what is drawn, apart from how gnuplot is told to.
+// Line charts as files; the content of a chart is independent of gnuplot.
 #pragma once
 #include <Eigen/Core>
 #include <filesystem>
@@ -11,18 +11,18 @@ namespace fascia {
 struct Axis {
   std::string label;  // with its unit
   bool logarithmic = false;
-  std::optional<Eigen::Vector2d> range;  // smallest and largest value; absent: that of the data, from 0 if linear
+  std::optional<Eigen::Vector2d> range;  // absent: the range of the data, from 0 if linear
 };
 
 struct Series {
   std::string name;                     // in the legend; empty: none
-  std::vector<Eigen::Vector2d> points;  // what is not finite, or not positive on a logarithmic axis, is a gap
-  int color = 0;                        // number of a palette that color-blind people can tell apart, from 0
+  std::vector<Eigen::Vector2d> points;  // values that are not finite, or not positive on a logarithmic axis, are gaps
+  int color = 0;                        // index into a palette that color-blind people can distinguish, from 0
   int dash = 0;                         // 0: solid
   bool line = true, marks = false;
 };
 
-struct Level {  // a horizontal line through the whole chart, with its name on it at the left
+struct Level {  // a horizontal line across the chart, labeled at the left
   std::string name;
   double y = 0;
 };
@@ -34,7 +34,7 @@ struct Chart {
   std::vector<Level> levels;
 };
 
-/// Draws `path`.svg and `path`.png; the legend stands below, in three columns. Throws Error, also when gnuplot is not
+/// Draws `path`.svg and `path`.png; the legend is below, in three columns. Throws Error, also if gnuplot is not
 /// installed.
 void write_chart(const std::filesystem::path& path, const Chart& chart);
 
