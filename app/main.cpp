@@ -1,4 +1,4 @@
-// The one place where errors end: a line on stderr and exit code 1 (2 for wrong usage).
+// Catches all errors of the program: a line on stderr and exit code 1 (2 for wrong usage).
 #include <exception>
 #include <iostream>
 

@@ -34,7 +34,7 @@ std::string processor() {
   return "unknown processor";
 }
 
-// Of the program and its kernels: an interrupted benchmark goes on only with the build that began it.
+// Hash of the program and its kernels: an interrupted benchmark continues only with the same build.
 std::string build_hash(const fs::path& shaders) {
   std::vector<fs::path> files{fs::read_symlink("/proc/self/exe")};
   for (const auto& entry : fs::recursive_directory_iterator(shaders))
@@ -75,7 +75,7 @@ void Bench::write(const std::string& name, Table table) const {
 
 void Bench::write(const std::string& name, const Image& picture, Session& session, long step) const {
   const Simulation& simulation = session.simulation;
-  // Without --out: these pictures are made to be shown, and the user's folders are nobody's business.
+  // Without --out: these pictures are meant for publication and must not contain the user's paths.
   const std::string command = std::string("fascia bench figures") + (options.quick ? " --quick" : "");
   write_png(folder / (name + ".png"), picture,
             provenance_of(simulation.scene, simulation.model, session.renderer_description(), command, step,

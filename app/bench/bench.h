@@ -1,4 +1,4 @@
-// What the benchmarks of `fascia bench` share: the graphics they measure, the folder they write to, and who measured.
+// The common part of the benchmarks of `fascia bench`: graphics, output folder, and a description of the machine.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -12,11 +12,11 @@
 
 namespace fascia {
 
-struct Interrupted {};  // thrown between pieces of work after Ctrl-C
+struct Interrupted {};  // thrown between work items after Ctrl-C
 
 class Bench {
  public:
-  /// Makes the output folder and the context. `name` is that of the command, "figures". Throws Error.
+  /// Creates the output folder and the context. `name` is that of the command, "figures". Throws Error.
   Bench(const BenchOptions& options, const std::string& name);
 
   const BenchOptions& options;
@@ -28,16 +28,16 @@ class Bench {
   T full_or_quick(T full, T quick) const {
     return options.quick ? quick : full;
   }
-  /// One line on stderr, unless quiet. Throws Interrupted after Ctrl-C, as does stop_if_interrupted().
+  /// Prints one line on stderr, unless quiet. Throws Interrupted after Ctrl-C, as does stop_if_interrupted().
   void say(const std::string& line) const;
   void stop_if_interrupted() const;
 
-  /// That every table begins with: version, renderer, machine.
+  /// The head of every table: version, renderer, machine.
   const std::vector<std::string>& notes() const { return notes_; }
-  /// NAME.csv, below the notes that every table has.
+  /// Writes NAME.csv, with the notes of every table.
   void write(const std::string& name, Table table) const;
   void write(const std::string& name, const Image& picture, Session& session, long step) const;  // NAME.png
-  void draw(const std::string& name, const Chart& chart) const;  // NAME.svg and NAME.png; nothing without gnuplot
+  void draw(const std::string& name, const Chart& chart) const;  // NAME.svg and NAME.png; no effect without gnuplot
 
  private:
   std::vector<std::string> notes_;
@@ -46,7 +46,7 @@ class Bench {
 std::string name_of(const SolverChoice& pair);   // "jacobi + chebyshev", as in scene files
 std::string label_of(const SolverChoice& pair);  // for legends
 
-/// The parts, in the order of the poster. Each writes its files and throws Error or Interrupted.
+/// The parts, in the order of the I3D 2019 paper. Each writes its files and throws Error or Interrupted.
 void bench_scenes(Bench& bench);       // figure 1: the two scenes and their times
 void bench_stiff_beam(Bench& bench);   // figure 2: a stiff beam after half a second
 void bench_convergence(Bench& bench);  // figures 3 and 4: strain against iterations and time

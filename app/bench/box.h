@@ -1,4 +1,4 @@
-// Boxes of any number of tets for the benchmarks of speed: held at one end, bent, of one soft material.
+// Boxes of any number of tets for the speed benchmarks: clamped at one end, bent, of one soft material.
 #pragma once
 #include <vector>
 
@@ -7,11 +7,11 @@
 
 namespace fascia {
 
-/// A box of 1 m x 0.25 m x 0.25 m of cells cut into 6 tets each, held at x = 0; E = 1e6 Pa, Poisson's ratio 0.3,
+/// A box of 1 m x 0.25 m x 0.25 m of cells cut into 6 tets each, clamped at x = 0; E = 1e6 Pa, Poisson's ratio 0.3,
 /// density 1000.
 Model box_model(const Eigen::Vector3i& cells);
 
-/// Cells of a box of about so many tets, as cubic as they come.
+/// Cells of a box with about `tets` tets, as cubic as possible.
 Eigen::Vector3i cells_of(std::size_t tets);
 
 }  // namespace fascia

@@ -14,7 +14,7 @@ constexpr int kDispatches = 200;  // in a row
 double median_of(const std::function<double()>& measure) {
   std::vector<double> values;
   for (int i = 0; i <= kRepetitions; ++i)
-    if (const double value = measure(); i > 0) values.push_back(value);  // the first finds nothing in its place
+    if (const double value = measure(); i > 0) values.push_back(value);  // the first run is a warm-up
   return spread_of(std::move(values)).median;
 }
 

@@ -1,4 +1,4 @@
-// What the device itself can do, for judging what kernels make of it.
+// Measures the speed of the device itself, as a reference for the speed of kernels.
 #pragma once
 #include "app/bench/table.h"
 #include "gl/program.h"
@@ -6,10 +6,10 @@
 namespace fascia {
 
 struct DeviceSpeed {
-  double copy_gigabytes_per_s = 0;  // a large buffer to another one; read and written bytes together
+  double copy_gigabytes_per_s = 0;  // from a large buffer to another; read and written bytes together
   double dispatch_us = 0;           // a kernel of one work group that waits for the one before it
-  double dispatch_submit_us = 0;    // what of it the CPU is busy with
-  double read_us = 0;               // four bytes, when the device has nothing else to do
+  double dispatch_submit_us = 0;    // the part that occupies the CPU
+  double read_us = 0;               // four bytes, while the device is idle
 };
 
 /// Medians. `bytes`: of the buffer that is copied. Throws Error.

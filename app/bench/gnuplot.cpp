@@ -20,7 +20,7 @@ namespace fascia {
 namespace fs = std::filesystem;
 namespace {
 
-// The script goes in and the picture comes out through files: no pipe can break or fill up.
+// Script and picture are passed as files: no pipe can break or fill up.
 struct WorkFiles {
   fs::path picture, script, log;
 
@@ -34,7 +34,7 @@ struct WorkFiles {
   }
 };
 
-// gnuplot quotes the line, points at the error, then names it: its last line that says something.
+// gnuplot quotes the line, marks the error, then names it: the result is its last line that is not empty.
 std::string last_line(const fs::path& log) {
   std::istringstream lines(read_file(log));
   std::string last = "no message";
@@ -43,18 +43,18 @@ std::string last_line(const fs::path& log) {
   return last;
 }
 
-// Exit status of gnuplot. Throws Error when it cannot be started.
+// Exit status of gnuplot. Throws Error if it cannot be started.
 int run(const fs::path& path, const WorkFiles& files) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 0, files.script.c_str(), O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 1, files.picture.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
   posix_spawn_file_actions_addopen(&actions, 2, files.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  // A process group of its own: Ctrl-C in the terminal must reach us alone, so that the chart can be finished.
+  // A separate process group: Ctrl-C in the terminal must reach only fascia, so that the chart can be completed.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  std::string program = "gnuplot", default_settings = "-d";  // not what the user's ~/.gnuplot says
+  std::string program = "gnuplot", default_settings = "-d";  // ignores the user's ~/.gnuplot
   char* argv[] = {program.data(), default_settings.data(), nullptr};
   pid_t child = -1;
   const int spawned = posix_spawnp(&child, "gnuplot", &actions, &attributes, argv, environ);

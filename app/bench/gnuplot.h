@@ -1,4 +1,4 @@
-// gnuplot as a child process: it draws the charts, so that fascia needs no plotting code of its own.
+// Runs gnuplot as a child process: it draws the charts, so that fascia needs no plotting code of its own.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -9,8 +9,8 @@ inline constexpr const char* kGnuplotPackage = "expected the Debian package gnup
 
 bool gnuplot_installed();  // found in PATH
 
-/// Puts what `script` draws on gnuplot's standard output under `path`, through a temporary name. Throws Error when
-/// gnuplot is not installed or fails; an old file stays then.
+/// Writes gnuplot's output for `script` to `path`, through a temporary name. Throws Error if gnuplot is not installed
+/// or fails; an old file is then kept.
 void run_gnuplot(const std::filesystem::path& path, const std::string& script);
 
 }  // namespace fascia

@@ -9,7 +9,7 @@
 namespace fascia {
 namespace {
 
-// A solver with its own model, as a feature's switch may change both.
+// A solver with its own model, since the switch of a feature may change both.
 struct Subject {
   Model model;
   std::unique_ptr<GpuSolver> solver;
@@ -32,7 +32,7 @@ struct Feature {
   std::string name;
   SolverChoice pair;
   std::function<void(Subject&)> on, off;
-  Model (*built_in)(Model) = nullptr;  // instead of them: what a scene has from the start or never
+  Model (*built_in)(Model) = nullptr;  // replaces them for features that a scene has from the start or never
   MaterialModel law = MaterialModel::signed_st_venant_kirchhoff;  // without it
 };
 

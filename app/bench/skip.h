@@ -1,5 +1,4 @@
-// fascia bench skip: the cost of every feature that a scene may do without, when it was never there, when it has been
-// switched off, and on.
+// fascia bench skip: the cost of every optional feature, in three states: never on, switched off, and on.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,7 +7,7 @@
 
 namespace fascia {
 
-/// Writes skip.csv. Returns the lines that name what costs something although it is off. Throws Error or Interrupted.
+/// Writes skip.csv. Returns a line for each feature that costs time although it is off. Throws Error or Interrupted.
 std::vector<std::string> bench_skip(Bench& bench);
 
 }  // namespace fascia

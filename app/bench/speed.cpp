@@ -14,7 +14,7 @@ namespace fascia {
 namespace {
 
 constexpr int kIterations = 10;
-constexpr std::size_t kFewPairs = 500'000;  // tets, from which on only the best pair of every method is measured
+constexpr std::size_t kFewPairs = 500'000;  // tets, above which only the best choice of every method is measured
 
 std::vector<std::size_t> sizes_of(const Bench& bench) {
   return bench.full_or_quick<std::vector<std::size_t>>({500, 5'000, 20'000, 100'000, 1'000'000}, {500, 5'000});
@@ -57,7 +57,7 @@ Table speed_table() {
   return table;
 }
 
-// Every pair on one mesh; adds to both tables.
+// Measures every choice on one mesh; adds to both tables.
 void measure_pairs(Bench& bench, const Model& model, const DeviceSpeed& device, Table& table,
                    std::vector<SpeedRow>& rows) {
   const bool one_of_each = bench.options.quick || model.tets.size() >= kFewPairs;
@@ -98,7 +98,7 @@ void measure_pairs(Bench& bench, const Model& model, const DeviceSpeed& device, 
   }
 }
 
-// Where the time of a step goes, with the default pair.
+// Measures the kernels of a step, with the default choice.
 void measure_kernels(Bench& bench, const Model& model, Table& table) {
   GpuSolver solver(*bench.graphics.programs, model, settings_of(solver_choices().front()));
   const State start = bent_beam(model);
@@ -115,7 +115,7 @@ void measure_kernels(Bench& bench, const Model& model, Table& table) {
     solver.upload(start);
     if (const double ms = milliseconds_of([&] { solver.step(); }); turn > 0) whole.push_back(ms);
   }
-  // On GPUs what the kernels do not add up to are gaps between them; fused passes are other programs.
+  // On GPUs the difference to the sum of the kernels is gaps between them; fused passes are separate programs.
   times["the whole step, untimed"] = std::move(whole);
   last["the whole step, untimed"].runs = 1;
   for (auto& [kernel, values] : times) {
@@ -125,7 +125,7 @@ void measure_kernels(Bench& bench, const Model& model, Table& table) {
   }
 }
 
-// From a file to the first steps and pictures, once.
+// Measures the time from a file to the first steps and pictures, once.
 void measure_opening(Bench& bench, const Eigen::Vector3i& cells, Table& table) {
   const std::filesystem::path mesh = bench.folder / "speed.msh";
   write_mesh(mesh, make_box(cells.x(), cells.y(), cells.z(), {1, 0.25, 0.25}));

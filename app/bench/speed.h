@@ -1,5 +1,5 @@
-// fascia bench speed: what steps cost, for every pair of method and acceleration and meshes from 500 to a million tets;
-// what it takes to open such a mesh and to draw it; and where the time of a step goes.
+// fascia bench speed: the cost of steps for every solver choice and for meshes from 500 to a million tets, of opening
+// and drawing such a mesh, and of each kernel of a step.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -13,7 +13,8 @@ namespace fascia {
 /// Writes speed.csv, meshes.csv and kernels.csv. Throws Error or Interrupted.
 std::vector<SpeedRow> bench_speed(Bench& bench);
 
-/// compared.csv, `now` over what the file holds. Returns the lines that name what became slower beyond the noise.
+/// Writes compared.csv, `now` relative to the content of the file. Returns a line for each row that became slower
+/// beyond the noise.
 std::vector<std::string> compare_with(Bench& bench, const std::filesystem::path& against,
                                       const std::vector<SpeedRow>& now);
 

@@ -1,4 +1,4 @@
-// Times of benchmarks, compared with those of an earlier run.
+// Compares times of benchmarks with those of an earlier run.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -18,11 +18,11 @@ std::vector<SpeedRow> read_speeds(const std::filesystem::path& path);
 
 struct SpeedChange {
   std::string name;
-  double ratio;  // of the medians, now over then
-  bool slower;   // beyond the noise: the median by a tenth, and a tenth of the times at most as short as the longest
-                 // tenth of then
+  double ratio;  // of the medians, now to then
+  bool slower;   // beyond the noise: the median by a tenth, and a tenth of the times at least as long as the longest
+                 // tenth of the earlier ones
 };
-/// Rows that both have, in the order of `now`.
+/// Rows in both, in the order of `now`.
 std::vector<SpeedChange> compare_speeds(const std::vector<SpeedRow>& then, const std::vector<SpeedRow>& now);
 
 }  // namespace fascia

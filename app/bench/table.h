@@ -1,4 +1,4 @@
-// Tables of a benchmark as CSV files: lines "# ..." that say what was measured, the names of the columns, rows.
+// Tables of a benchmark as CSV files: lines "# ..." that describe the measurement, the column names, rows.
 #pragma once
 #include <concepts>
 #include <filesystem>
@@ -7,8 +7,7 @@
 
 namespace fascia {
 
-/// A text, an integer, or a number with the seven digits that float32 results are good for. Empty: there is no such
-/// number.
+/// A text, an integer, or a number with the seven digits that are significant in float32 results. Empty: no value.
 class Cell {
  public:
   Cell() = default;
@@ -28,7 +27,7 @@ struct Table {
   std::vector<std::vector<Cell>> rows;
 };
 
-/// Through a temporary name. Throws Error.
+/// Writes through a temporary name. Throws Error.
 void write_table(const std::filesystem::path& path, const Table& table);
 
 }  // namespace fascia

@@ -1,4 +1,4 @@
-// Wall-clock times of GPU work, with their spread: a machine that does other things too is never quiet.
+// Wall-clock times of GPU work, with their spread, since other work disturbs every machine.
 #pragma once
 #include <functional>
 #include <memory>
@@ -8,17 +8,17 @@
 
 namespace fascia {
 
-/// Of one piece of work and of the GPU work it started, waited for before and after [ms].
+/// Time of `work` and of its GPU work, with waits before and after [ms].
 double milliseconds_of(const std::function<void()>& work);
 
 struct Spread {
-  double median = 0, low = 0, high = 0;  // low and high: a tenth of the values is below, above
+  double median = 0, low = 0, high = 0;  // low and high: the 10th and 90th percentiles
 };
 Spread spread_of(std::vector<double> values);
 
 /// Milliseconds per iteration, prediction and velocity update included, of one step of each solver from `start`. The
-/// solvers take turns, so that a disturbance hits all of them alike; a first turn, in which kernels are compiled, does
-/// not count.
+/// solvers take turns, so that a disturbance affects all of them alike; a first turn, in which kernels are compiled, is
+/// not counted.
 std::vector<Spread> time_iterations(const std::vector<GpuSolver*>& solvers, const State& start, int repetitions);
 
 }  // namespace fascia

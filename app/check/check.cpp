@@ -27,15 +27,15 @@ void keep_failure(const CheckOptions& options, const CheckCase& check, const Out
   if (comparison.picture) write_png(left_behind(options, check, ".diff.png"), *comparison.picture, outcome.provenance);
 }
 
-// Also of folders whose names are no UTF-8.
+// Also handles folders with names that are not UTF-8.
 std::string text_of(const json& found) { return found.dump(-1, ' ', false, json::error_handler_t::replace); }
 
-// In the child. What it found, as a text.
+// Runs in the child process. Returns its findings as a text.
 std::string judge(const CheckCase& check, const CheckOptions& options) {
   Headless headless(check.options);
   headless.run();
   if (interrupted())
-    throw Error(check.name, "was interrupted", "expected time for all of its steps");  // and nothing of it is written
+    throw Error(check.name, "was interrupted", "expected time for all of its steps");  // so that no results are written
   const Outcome outcome = headless.outcome();
   if (options.update) return text_of(json{{"lines", update_goldens(outcome, check.options.goldens())}});
   const Comparison comparison = compare(outcome, check.options.goldens(), check.options.limits);

@@ -1,4 +1,4 @@
-// One scene of a checked folder, stepped, drawn and compared in a process of its own.
+// Checks one scene of a folder: it is stepped, drawn and compared in a separate process.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -11,7 +11,7 @@ namespace fascia {
 
 struct CheckOptions : CommonOptions {
   std::string folder;
-  std::string out;    // folder for what failures leave; empty: they leave nothing
+  std::string out;    // folder for the results of failures; empty: none
   std::string junit;  // XML
   std::string only;   // pattern
   bool update = false;
@@ -21,13 +21,13 @@ struct CheckOptions : CommonOptions {
 struct CheckResult {
   enum class Verdict { passed, failed, error, updated };
   Verdict verdict = Verdict::error;
-  std::vector<std::string> lines;                // what was found, or what changed
+  std::vector<std::string> lines;                // findings, or updates
   std::optional<double> mean, share, deviation;  // as in GoldenLimits; absent: not compared
   double seconds = 0;
   std::string said;
 };
 
-/// Throws nothing for a scene that does not open, crashes or hangs: that is a result.
+/// A scene that does not open, crashes or hangs is a result, not an exception.
 CheckResult run_check(const CheckCase& check, const CheckOptions& options);
 
 }  // namespace fascia

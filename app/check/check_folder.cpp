@@ -73,7 +73,7 @@ void require_file_name(const Node& node, const std::string& name) {
     node.fail("its name names goldens", "a file name without folder, not beginning with a dot");
 }
 
-// NAME -> file, of the scenes and replays that lie in the folder.
+// NAME -> file, for the scenes and replays in the folder.
 std::map<std::string, fs::path> files_of(const fs::path& folder) {
   std::map<std::string, fs::path> files;
   std::error_code ec;
@@ -87,7 +87,7 @@ std::map<std::string, fs::path> files_of(const fs::path& folder) {
     if ((ending != ".json" && ending != ".fascia") || file.filename() == kSettingsName ||
         file.filename().string()[0] == '.')
       continue;
-    if (lower_ending(file.stem()) == ".csv") continue;  // what made an exported state
+    if (lower_ending(file.stem()) == ".csv") continue;  // provenance of an exported state
     const auto [other, added] = files.emplace(file.stem().string(), file);
     if (!added)
       throw Error(file.string(), "has the same goldens as " + other->second.filename().string(),

@@ -8,8 +8,8 @@
 namespace fascia {
 namespace {
 
-// Bytes of the UTF-8 character that a text begins with, or 0 if it begins with something else, or with what XML 1.0
-// forbids.
+// The number of bytes of the UTF-8 character at the beginning of a text, or 0 for other bytes and for characters that
+// XML 1.0 forbids.
 std::size_t character_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const unsigned first = byte(0);
@@ -45,7 +45,7 @@ std::string escaped(std::string_view text) {
         break;
       case '\n':
         result += "&#10;";
-        break;  // an attribute's plain line break would be read as a space
+        break;  // a plain line break in an attribute would be read as a space
       case '\t':
         result += "&#9;";
         break;

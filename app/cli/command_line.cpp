@@ -17,7 +17,7 @@ constexpr const char* kAbout =
     "The manual: fascia man | man -l -, and once installed man fascia. Scene files and their keys: "
     "docs/guide/scenes.md";
 
-// "--samples INT in [1 - 256] [4]": what an option takes and what it is without, shorter than CLI11 says it.
+// "--samples INT in [1 - 256] [4]": the value of an option and its default, shorter than CLI11 prints it.
 class HelpFormatter : public CLI::Formatter {
  public:
   HelpFormatter() { column_width(32); }
@@ -32,13 +32,13 @@ class HelpFormatter : public CLI::Formatter {
   }
 };
 
-// The innermost command that was named.
+// The innermost command on the command line.
 const CLI::App& named_command(const CLI::App& program) {
   const std::vector<CLI::App*> named = program.get_subcommands();
   return named.empty() ? program : named_command(*named.front());
 }
 
-// What other programs call the same.
+// Command names of other programs.
 std::string command_for(const std::string& word) {
   static const std::map<std::string, std::string> others{
       {"simulate", "run"},   {"simulation", "run"}, {"sim", "run"},     {"solve", "run"},     {"open", "view"},
@@ -65,7 +65,7 @@ std::string unknown_command(const CLI::App& command, const std::string& word) {
   return near.empty() ? what + "; expected one of " + join(names_below(command)) : what + ", perhaps you meant " + near;
 }
 
-// Of what is left over the first word that is nearly an option, else the first of all.
+// The first remaining word that resembles an option, else the first of all.
 std::string left_over(const CLI::App& command, const std::vector<std::string>& words, bool any) {
   std::vector<std::string> options;
   for (const OptionEntry& option : describe(command).options) options.push_back(option.name);
@@ -77,11 +77,11 @@ std::string left_over(const CLI::App& command, const std::vector<std::string>& w
   return any && !words.empty() ? on_one_line(name_of(words.front())) + ": not expected here" : "";
 }
 
-// What went wrong, where the parser blames another word than a person would; else nothing.
+// A better message if the parser names the wrong word; else empty.
 std::string better_reason(const CLI::App& program, const CLI::App& command, const CLI::ParseError& error) {
   const bool is_extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
   const std::vector<std::string> words = program.remaining(true);
-  // A mistyped command is taken for a scene, and then for one argument too many.
+  // The parser takes a mistyped command for a scene, and then reports an extra argument.
   if (!command.get_parent() && is_extra)
     for (const std::string& scene : command.get_option("scene")->results())
       if (may_be_command(scene)) return unknown_command(command, scene);

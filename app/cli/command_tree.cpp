@@ -21,7 +21,7 @@ OptionEntry entry_of(const CLI::Option& option) {
   OptionEntry entry;
   entry.name = option.get_positional() ? option.get_name() : option.get_name(false, true);
   const std::size_t comma = entry.name.find(',');
-  if (comma != std::string::npos) entry.name = entry.name.substr(comma + 1);  // the long one of "-h,--help"
+  if (comma != std::string::npos) entry.name = entry.name.substr(comma + 1);  // the long name of "-h,--help"
   entry.help = option.get_description();
   entry.required = option.get_required();
   entry.many = option.get_expected_max() > 1 || option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;

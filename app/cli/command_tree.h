@@ -1,4 +1,4 @@
-// The command line as a tree of plain texts: what the man page and the completion of shells are written from.
+// The command line as a tree of plain texts, from which the man page and the completion of shells are generated.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <string>
@@ -10,7 +10,7 @@ struct OptionEntry {
   enum class Takes { nothing, anything, choice, file, folder, scene_value };
   std::string name;            // "--set"; of a positional "scene"
   std::string value;           // "KEY=VALUE"; empty: it is a flag
-  std::string help, fallback;  // fallback: the default, where it is worth a word
+  std::string help, fallback;  // fallback: the default, if it is worth mentioning
   Takes takes = Takes::anything;
   std::vector<std::string> choices;  // of Takes::choice
   std::string ending;                // of Takes::file: ".png"; empty: any
@@ -28,13 +28,13 @@ struct CommandEntry {
 CommandEntry describe(const CLI::App& program);
 OptionEntry describe(const CLI::Option& option);
 
-/// The command and all below it, parents first.
+/// The command and all its descendants, parents first.
 std::vector<const CommandEntry*> all_commands(const CommandEntry& command);
 
-/// With a space between them.
+/// Joins words with spaces.
 std::string spaced(const std::vector<std::string>& words);
 
-/// "INT" of "INT:INT in [1 - 16]": what an option takes, without how it is checked.
+/// "INT" of "INT:INT in [1 - 16]": the value of an option, without its validation.
 std::string value_name(const CLI::Option& option);
 
 }  // namespace fascia

@@ -1,5 +1,5 @@
-// Completion for shells, written from the command line's own tables: commands, options, choices, files by their ending,
-// keys of --set.
+// Completion for shells, generated from the command line's own tables: commands, options, choices, files by their
+// extension, keys of --set.
 #pragma once
 #include <string>
 

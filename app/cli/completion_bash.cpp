@@ -1,4 +1,4 @@
-// For bash alone: nothing of the package bash-completion is used, for not everybody has it.
+// Completion for bash alone: it does not use the package bash-completion, which is not always installed.
 #include "app/cli/completion.h"
 #include "app/cli/scene_keys.h"
 

@@ -21,7 +21,7 @@ std::string names_of(const std::vector<CommandEntry>& commands) {
   return spaced(names);
 }
 
-// Where a command's own words may stand: it was typed, and none below it.
+// True where a command's own words are valid: the command was typed, and none of its subcommands.
 std::string condition(const CommandEntry& command) {
   std::string text;
   for (const std::string& word : command.path)

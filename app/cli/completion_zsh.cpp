@@ -6,7 +6,7 @@ namespace {
 
 using Takes = OptionEntry::Takes;
 
-// Within single quotes; square brackets and colons mean something to _arguments.
+// Quotes for single quotes; square brackets and colons are special to _arguments.
 std::string quoted(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -49,7 +49,7 @@ std::string option_line(const OptionEntry& option) {
   return text + "' \\\n";
 }
 
-// With commands below, the first word chooses among them (or is a file), and the rest is that command's.
+// For a command with subcommands, the first word selects one of them (or is a file), and the rest belongs to it.
 std::string function(const CommandEntry& command) {
   std::string options;
   for (const OptionEntry& option : command.options) options += option_line(option);
@@ -87,7 +87,7 @@ std::string zsh_completion(const CommandEntry& program) {
   }
   text += "    *) compadd -S = -- " + keys + " ;;\n  esac\n}\n";
   for (const CommandEntry* command : all_commands(program)) text += function(*command);
-  // Sourced or autoloaded: the second calls it at once.
+  // Supports sourcing and autoloading; the second calls the function at once.
   return text + "if [ \"$funcstack[1]\" = _fascia ]; then _fascia \"$@\"; else compdef _fascia fascia; fi\n";
 }
 

@@ -3,7 +3,7 @@
 namespace fascia {
 namespace {
 
-// A text that roff shows as it is. A line may begin with neither "." nor "'".
+// Escapes a text for roff. A line must begin with neither "." nor "'".
 std::string plain(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {

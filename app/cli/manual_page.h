@@ -1,4 +1,4 @@
-// The manual page, written from the command line's own tables, so that it cannot say what the program does not.
+// Generates the manual page from the command line's own tables, so that it always agrees with the program.
 #pragma once
 #include <string>
 

@@ -1,10 +1,10 @@
-// What --only means: a part of a name, in which * and ? stand for what they stand for in file names.
+// Matches the pattern of --only: a part of a name, in which * and ? have their meaning for file names.
 #pragma once
 #include <string>
 
 namespace fascia {
 
-/// An empty pattern matches all.
+/// An empty pattern matches every name.
 bool matches(const std::string& name, const std::string& pattern);
 
 }  // namespace fascia

@@ -1,4 +1,4 @@
-// What the command line says, one struct per command.
+// The values on the command line, one struct per command.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -15,8 +15,8 @@ struct CommonOptions {
   std::vector<std::string> grabs;   // --grab TEXT (sim/scene/grab_text.h)
   std::string replay;               // recorded inputs, with their scene
   std::string context = "auto";     // auto, window, egl, osmesa
-  std::string loads = "auto";       // how kernels read: auto, ssbo, texel
-  std::string data_dir;             // shaders and assets; empty: found beside the program or in the source tree
+  std::string loads = "auto";       // how kernels read buffers: auto, ssbo, texel
+  std::string data_dir;             // shaders and assets; empty: beside the program or in the source tree
   std::optional<long> steps;        // --steps
   std::optional<double> time;       // --time [s]
   bool static_equilibrium = false;  // --static
@@ -26,30 +26,32 @@ struct CommonOptions {
 };
 
 struct RenderOptions : CommonOptions {
-  std::string out;    // PNG
-  std::string video;  // MP4 or whatever ffmpeg knows by its ending, or a pattern of pictures, frames/%05d.png
+  std::string out;  // PNG
+  std::string
+      video;  // MP4 or any format that ffmpeg derives from the extension, or a pattern of pictures, frames/%05d.png
   int width = 1280, height = 720;
   int samples = 4;
   double fps = 60;
-  double slow = 1;                // times slower than life
-  std::string camera = "follow";  // follow a replay's, scene, a file that has one, or eye and target as six numbers
-  bool hash = false;              // of the last state and of all frames
-  bool panels = false;            // --ui
-  std::string color;              // overrides display.color
+  double slow = 1;  // times slower than real time
+  std::string camera =
+      "follow";         // follow (the replay's), scene, a file with a camera, or eye and target as six numbers
+  bool hash = false;    // of the last state and of all frames
+  bool panels = false;  // --ui
+  std::string color;    // overrides display.color
   bool wireframe = false;
   std::string compare;  // golden PNG
   std::string state;    // golden CSV
   GoldenLimits limits;
   std::string difference;  // --diff, PNG
-  bool update = false;     // the goldens, instead of comparing
+  bool update = false;     // updates the goldens instead of comparing
   GoldenFiles goldens() const { return {compare, state}; }
-  std::string split;  // --set texts, with semicolons between, for a second side
+  std::string split;  // --set texts for a second side, separated by semicolons
 };
 
 struct ViewOptions : CommonOptions {
   int width = 1280, height = 720;
   int samples = 0;          // 0: 4 on a GPU, 1 on software renderers
-  std::string export_path;  // state when the window closes: .vtu, .csv, .msh, .obj
+  std::string export_path;  // state at the closing of the window: .vtu, .csv, .msh, .obj
   std::string stats;        // stats.json
 };
 

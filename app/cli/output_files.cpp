@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Endings that say what a file is. Others, such as .txt, .log or none, say nothing.
+// Extensions that identify a kind of file. Others, such as .txt, .log or none, do not.
 constexpr auto kKinds = std::to_array<std::string_view>(
     {".png", ".jpg",  ".jpeg", ".gif",  ".bmp",  ".tif", ".tiff", ".webp",  ".svg",  ".ppm", ".tga",  // pictures
      ".mp4", ".m4v",  ".mov",  ".mkv",  ".webm", ".avi", ".ogv",  ".mpg",   ".mpeg", ".wmv", ".flv",  // videos
@@ -24,7 +24,7 @@ bool is_special(const fs::path& path) {
   return fs::exists(path, ec) && !fs::is_regular_file(path, ec);
 }
 
-// Also by other names, links and paths. Devices take what comes; standard output takes one thing.
+// Also detects other names, links and paths. Devices accept any output; standard output accepts one.
 bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code ec;
   if (a == kStandardOutput || b == kStandardOutput) return a == b;

@@ -1,5 +1,4 @@
-// The files that a command is going to write, looked at before its work begins: a mistyped folder must not cost hours
-// of it.
+// Checks the files that a command will write before its work begins: a mistyped folder must not cost hours of work.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,17 +7,17 @@
 namespace fascia {
 
 struct OutputFile {
-  std::string option, path;          // an empty path: not asked for; "-": standard output
-  std::vector<std::string> endings;  // in small letters; empty: any
+  std::string option, path;          // empty path: not requested; "-": standard output
+  std::vector<std::string> endings;  // in lower case; empty: any
   enum class Takes {
-    these,            // only these endings
-    all_but_foreign,  // every ending but that of another kind of file
+    these,            // only these extensions
+    all_but_foreign,  // every extension except those of other kinds of files
   } takes = Takes::these;
 };
 
-/// Throws UsageError for an ending that the option does not know, and where two outputs, or an output and one of
-/// `inputs`, are one file; Error where a file cannot be written. A command asks twice: before it opens anything, and
-/// again once it knows what it reads.
+/// Throws UsageError for an extension that the option does not support, and if two outputs, or an output and one of
+/// `inputs`, are the same file; Error if a file cannot be written. A command calls it twice: before it opens anything,
+/// and again when its inputs are known.
 void require_outputs(const std::vector<OutputFile>& outputs, const std::vector<std::filesystem::path>& inputs = {});
 
 }  // namespace fascia

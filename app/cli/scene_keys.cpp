@@ -30,7 +30,7 @@ std::vector<std::string> names_of(const Values& values) {
   return names;
 }
 
-// Of a display setting; empty: numbers.
+// The values of a display setting; empty: numbers.
 template <class Field>
 std::vector<std::string> values_of(const Field&) {
   return {};

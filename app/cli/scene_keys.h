@@ -1,4 +1,4 @@
-// What may stand before the "=" of --set, and after it where the choice is small: for completion of command lines.
+// The keys before the "=" of --set, and the values after it if they are few: for completion of command lines.
 #pragma once
 #include <string>
 #include <vector>
@@ -6,11 +6,12 @@
 namespace fascia {
 
 struct SceneKey {
-  std::string name;                 // "solver.method", of body 0 without "bodies.0."
+  std::string name;                 // "solver.method"; without "bodies.0." for body 0
   std::vector<std::string> values;  // empty: any
 };
 
-/// Of a scene with one body of one material, as scenes are written; no key can be forgotten here.
+/// The keys of a scene with one body of one material as the writer of scenes outputs them, so that the list is
+/// complete.
 std::vector<SceneKey> scene_keys();
 
 }  // namespace fascia

@@ -1,4 +1,4 @@
-// Options that do not go with each other, or mean nothing: exit code 2.
+// Errors of options that are invalid or contradict each other: exit code 2.
 #pragma once
 #include "base/error.h"
 
@@ -9,8 +9,8 @@ class UsageError : public Error {
   using Error::Error;
 };
 
-/// What `open` returns; an Error that begins with an option's name ("--set ...") is a UsageError: the option's fault,
-/// not the file's.
+/// Returns the result of `open`. An Error that begins with an option's name ("--set ...") becomes a UsageError, since
+/// the option is wrong and not the file.
 template <class Open>
 auto blaming_options(Open&& open) {
   try {

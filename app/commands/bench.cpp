@@ -1,6 +1,6 @@
-// fascia bench figures: measures and draws what the poster shows in its four figures, and what colorings cost.
+// fascia bench figures: measures and draws the four figures of the I3D 2019 paper, and the cost of colorings.
 // fascia bench accuracy: error against iterations and time, every method and acceleration.
-// fascia bench speed and skip: what steps cost, and what features cost that are off.
+// fascia bench speed and skip: the cost of steps, and of features that are off.
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -18,7 +18,7 @@
 namespace fascia {
 namespace {
 
-// `measure` returns what it found wrong, a line each.
+// `measure` returns its findings, one line each.
 int run_bench(const BenchOptions& options, const std::string& name,
               const std::function<std::vector<std::string>(Bench&)>& measure) {
   const auto start = std::chrono::steady_clock::now();
@@ -60,7 +60,7 @@ int run_accuracy(const BenchOptions& options, bool fresh) {
 }
 
 int run_speed(const BenchOptions& options, const std::string& against) {
-  if (!against.empty()) read_speeds(against);  // what cannot be read is said before an hour is spent
+  if (!against.empty()) read_speeds(against);  // an unreadable file is reported before an hour of work
   return run_bench(options, "speed", [&](Bench& bench) {
     const std::vector<SpeedRow> now = bench_speed(bench);
     return against.empty() ? std::vector<std::string>() : compare_with(bench, against, now);

@@ -1,4 +1,4 @@
-// fascia check: a folder of scenes against their goldens, as a table and for CI as JUnit XML.
+// fascia check: compares a folder of scenes with their goldens, as a table and as JUnit XML for CI.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -103,7 +103,7 @@ int check_folder(const CheckOptions& options) {
   std::vector<JunitCase> report;
   for (const CheckCase& check : cases) {
     const CheckResult result = run_check(check, options);
-    if (interrupted() && result.verdict == Verdict::error) break;  // it did not come to its end
+    if (interrupted() && result.verdict == Verdict::error) break;  // it was not completed
     print(check, result, name_width, options.quiet);
     report.push_back(junit_case(check, result));
     if (interrupted()) break;

@@ -2,7 +2,7 @@
 
 namespace fascia {
 
-// A command adds itself to the program, and leaves in the invocation what it does.
+// Adds a command to the program; when parsed, it stores its action in the invocation.
 using AddCommand = void(CLI::App& program, Invocation& invocation);
 AddCommand add_view, add_render, add_check, add_run, add_bench, add_stress, add_soak, add_info, add_convert,
     add_completion, add_man;

@@ -1,4 +1,4 @@
-// The commands of fascia, each in the file of its name: its options and its work.
+// The commands of fascia, each in the file of its name, with its options and its work.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <memory>

@@ -1,4 +1,4 @@
-// fascia completion and fascia man: both print what is made from the tables of the other commands.
+// fascia completion and fascia man: both print text that is generated from the tables of the other commands.
 #include <iostream>
 
 #include "app/cli/command_line.h"

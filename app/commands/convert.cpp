@@ -1,5 +1,5 @@
-// fascia convert: between mesh formats, keeping vertex order, regions and names where the format can; scenes and
-// replays to such that carry their meshes.
+// fascia convert: converts between mesh formats, preserving vertex order, regions and names where the format can;
+// converts scenes and replays to files that carry their meshes.
 #include <iostream>
 #include <optional>
 
@@ -25,7 +25,7 @@ struct ConvertOptions {
   bool with_mesh = false;  // IN is a scene or a replay, OUT the same with its files in it
 };
 
-// What opens anywhere: a scene or a replay with its files in it.
+// Writes a scene or a replay with its files in it, which opens anywhere.
 int write_self_contained(const ConvertOptions& options) {
   const bool is_replay = lower_ending(options.in) == ".fascia";
   Opened opened = open_file(options.in);
@@ -46,7 +46,7 @@ int convert_file(const ConvertOptions& options) {
   if (const std::string ending = lower_ending(options.in); ending == ".json" || ending == ".fascia")
     throw UsageError(options.in, ending == ".json" ? "is a scene" : "is a replay",
                      "expected a mesh, or --with-mesh for a copy with its meshes in it");
-  const auto files_of = [](const std::string& path) {  // TetGen's are two
+  const auto files_of = [](const std::string& path) {  // TetGen has two files
     const std::string ending = lower_ending(path);
     std::vector<std::filesystem::path> files{path};
     if (ending == ".node" || ending == ".ele")

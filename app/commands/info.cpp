@@ -1,4 +1,4 @@
-// fascia info: the mesh doctor's report, for a mesh or for every body of a scene.
+// fascia info: the report of the mesh check, for a mesh or for every body of a scene.
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
@@ -31,7 +31,7 @@ struct InfoOptions {
   std::vector<std::string> sets;
 };
 
-// Dispatches of a Gauss-Seidel sweep and how evenly they are filled.
+// Prints the dispatches of a Gauss-Seidel sweep and their balance.
 void print_coloring(const std::string& name, const Model& model, const Coloring& coloring) {
   std::size_t least = model.tets.size(), most = 0;
   for (std::size_t color = 0; color < coloring.color_count(); ++color) {
@@ -56,19 +56,19 @@ void print_colorings(const Model& model, int asked) {
                    color_tets(model.tets, held, visit, static_cast<std::uint32_t>(asked)));
 }
 
-/// The tets of a surface, after the report about it. That comes first: a surface that cannot be filled is described,
-/// too.
+/// The tets of a surface, printed after the report about the surface. That comes first, so that a surface that cannot
+/// be filled is described, too.
 MeshFile filled_mesh(SurfaceMesh surface, const std::string& where, const Body& body, const Progress& progress) {
   print_report(std::cout, surface, repair(surface, part_of(progress, 0.1, 0.3)), part_of(progress, 0.3, 0.5));
   FilledSurface filled = fill_surface(std::move(surface), where, body.resolution, part_of(progress, 0.5, 1));
   std::cout << "\nfilled with tets, resolution " << filled.resolution << '\n';
   filled.file.notes.erase(filled.file.notes.begin(),
-                          filled.file.notes.begin() + filled.notes_of_surface);  // told already
+                          filled.file.notes.begin() + filled.notes_of_surface);  // already printed
   return std::move(filled.file);
 }
 
 int inspect(const InfoOptions& options) {
-  const EndAtOnce reading;  // nothing is written
+  const EndAtOnce reading;  // no file is being written
   if (options.tissues) {
     print_tissues(std::cout);
     return exit_done;
@@ -78,7 +78,7 @@ int inspect(const InfoOptions& options) {
     for (const auto& [keyword, text] : *provenance)
       std::cout << "  " << std::left << std::setw(12) << keyword << ' ' << text << (text.ends_with('\n') ? "" : "\n");
     const std::string ending = lower_ending(options.input);
-    if (ending != ".vtu" && ending != ".msh") return exit_done;  // those are meshes, too
+    if (ending != ".vtu" && ending != ".msh") return exit_done;  // such files may be meshes
   }
   const Scene scene = blaming_options([&] { return open_scene_or_input(options.input, options.sets); });
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {

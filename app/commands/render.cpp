@@ -1,4 +1,4 @@
-// fascia render: the same scene, headless: a PNG at the end, a video on the way.
+// fascia render: renders a scene headless: a PNG at the end, a video during the run.
 #include <filesystem>
 #include <iostream>
 
@@ -29,7 +29,7 @@ std::vector<OutputFile> outputs_of(const RenderOptions& options) {
           {"--video", pictures ? "" : options.video, {}}};
 }
 
-// The exit code.
+// Returns the exit code.
 int judge(const RenderOptions& options, const Outcome& outcome) {
   if (options.update) {
     for (const std::string& change : update_goldens(outcome, options.goldens()))
@@ -37,7 +37,7 @@ int judge(const RenderOptions& options, const Outcome& outcome) {
     return exit_done;
   }
   if (std::error_code ignored; !options.difference.empty())
-    std::filesystem::remove(options.difference, ignored);  // of an earlier run
+    std::filesystem::remove(options.difference, ignored);  // from an earlier run
   const Comparison comparison = compare(outcome, options.goldens(), options.limits);
   for (const Finding& finding : comparison.findings)
     if (!finding.passed || !options.quiet) std::cerr << "fascia: " << finding.text << '\n';

@@ -1,4 +1,4 @@
-// fascia run: simulate and draw nothing; exports and stats.json.
+// fascia run: simulates without drawing; exports and stats.json.
 #include <chrono>
 #include <iostream>
 
@@ -26,10 +26,10 @@ namespace {
 
 struct RunOptions : CommonOptions {
   std::string export_path;  // .vtu, .csv, .msh, .obj
-  long every = 0;           // 0: the end only
+  long every = 0;           // 0: only at the end
   std::string history;      // a CSV row every history_every-th step
   long history_every = 1;
-  std::optional<std::uint32_t> probe;  // vertex of the history's displacement; none: the one farthest from supports
+  std::optional<std::uint32_t> probe;  // vertex of the history's displacement; none: the one farthest from the supports
   std::string stats;                   // stats.json
   bool error = false;                  // of the last step, against the exact one
   bool hash = false;                   // of the last state
@@ -49,7 +49,7 @@ void require_finite(const State& state, const Scene& scene) {
                   "expected finite positions: more substeps, softer material or a smaller load may help");
 }
 
-// What --history asks for: kept while the steps go on, written at the end, also at a bad one.
+// The samples of --history: collected during the steps, written at the end, also after a failure.
 class HistoryFile {
  public:
   HistoryFile(const RunOptions& options, const std::string& renderer, Simulation& simulation)

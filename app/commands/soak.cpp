@@ -1,4 +1,4 @@
-// fascia soak: long runs, and what creeps in them.
+// fascia soak: long runs that reveal drift and leaks.
 #include "app/stress/soak.h"
 #include "app/bench/bench.h"
 #include "app/cli/command_line.h"

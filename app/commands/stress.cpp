@@ -1,4 +1,4 @@
-// fascia stress: the torture table as CSV and Markdown, and for every failure a replay and a picture.
+// fascia stress: the stress suite as CSV and Markdown, and for every failure a replay and a picture.
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -41,7 +41,7 @@ std::string joined(const std::vector<std::string>& parts, const char* between) {
   return text;
 }
 
-// The replay, and what its last state looks like.
+// Writes the replay, and a picture of its last state.
 void keep_failure(Bench& bench, Row& row) {
   const std::string name = file_name(full_name(row.made, row.pair));
   Replay replay = row.made.replay;
@@ -75,11 +75,11 @@ Table table_of(const std::vector<Row>& rows) {
   return table;
 }
 
-// Pairs down, groups across: how many cases passed; then every failure in a line.
+// Solver choices by groups: the number of cases that passed; then every failure on a line.
 std::string summary_of(const Bench& bench, const std::vector<Row>& rows) {
   std::vector<std::string> groups;
   std::vector<SolverChoice> pairs;
-  std::map<std::pair<std::size_t, std::string>, std::pair<int, int>> counts;  // passed, of
+  std::map<std::pair<std::size_t, std::string>, std::pair<int, int>> counts;  // passed, total
   for (const Row& row : rows) {
     if (std::find(groups.begin(), groups.end(), row.made.group) == groups.end()) groups.push_back(row.made.group);
     if (std::find(pairs.begin(), pairs.end(), row.pair) == pairs.end()) pairs.push_back(row.pair);

@@ -1,4 +1,4 @@
-// fascia view: the window.
+// fascia view: opens the window.
 #include <iostream>
 
 #include "app/cli/command_line.h"
@@ -44,7 +44,7 @@ int open_window(const ViewOptions& options) {
 void add_view_options(CLI::App& command, ViewOptions& options) {
   add_common(command, options);
   command
-      .get_option("scene")  // not from standard input: a window reads its scene again
+      .get_option("scene")  // not from standard input, since a window reads its scene again
       ->type_name("FILE")
       ->description("scene (.json), tetrahedral mesh, surface (.obj) or replay (.fascia); default: the shipped liver");
   command.get_option("--steps")->description(
@@ -76,7 +76,7 @@ void add_view(CLI::App& program, Invocation& invocation) {
     add_examples(*app, {"fascia                                  # the window on the default scene",
                         "fascia liver.json --set solver.iterations=20",
                         "fascia render liver.json --out shot.png  # fascia COMMAND --help says more"});
-    // The program's own callback runs last, whatever the command was.
+    // The program's own callback runs last, after any command.
     app->callback([&program, &invocation, options] {
       if (invocation.run) return;
       refuse_mistyped_command(program, options->input);

@@ -50,7 +50,7 @@ std::string side_result(const Session& session, const std::optional<Diagnostics>
 
 namespace {
 
-// The first material that is another one than at the other side.
+// The first material that differs from the other side's.
 std::optional<std::size_t> first_other_material(const Model& model, const Model& other) {
   for (std::size_t i = 0; i < model.materials.size(); ++i)
     if (i >= other.materials.size() || model.materials[i] != other.materials[i]) return i;
@@ -126,7 +126,7 @@ void SplitView::swap(std::unique_ptr<Session>& a) {
 }
 
 void SplitView::make_step(Session& session, Side& side) {
-  if (session.simulation.asleep()) {  // what that takes is no step's time
+  if (session.simulation.asleep()) {  // its time is not that of a step
     session.simulation.step();
     return;
   }
@@ -148,7 +148,7 @@ void SplitView::follow(Session& a, const std::function<void()>& change_a) {
   for (std::size_t i = 0; i < std::min(before.size(), b.model.materials.size()); ++i)
     if (b.model.materials[i] == before[i] && materials[i] != before[i]) b.set_material(i, materials[i]);
   share(a);
-  b.gpu()->finish_background();  // else when it is taken would depend on the moment
+  b.gpu()->finish_background();  // otherwise the step that takes the result would depend on timing
   if (a.simulation.time() < time) restart_from(a);
 }
 
@@ -166,7 +166,7 @@ void SplitView::step(Session& a, Session& grab) {
   make_step(*b_, sides_[1]);
   if (a.simulation.time() < time) restart_from(a);  // a replay that ends with a reset
   if (!b_->simulation.diverged()) return;
-  ++lost_;  // what B does may not stop A: it goes on from where all was well
+  ++lost_;  // a divergence of B must not stop A: B continues from the valid state of A
   b_->simulation.back_to_valid();
   b_->simulation.begin_anew();
 }
@@ -195,7 +195,7 @@ Framebuffer& SplitView::picture_of(int width, int height, int samples) {
     if (picture && picture->width() == width && picture->height() == height && picture->samples() == samples)
       return *picture;
   std::swap(pictures_[0], pictures_[1]);
-  pictures_[0].reset();  // before the new one: both may not fit
+  pictures_[0].reset();  // before the new one, since memory may not suffice for both
   pictures_[0] = std::make_unique<Framebuffer>(width, height, samples);
   return *pictures_[0];
 }
@@ -239,7 +239,8 @@ void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int h
     const float middle = left + 0.5f * room, widest = room - ui::px(40);
     LabelPlaces free({left, 0, left + room, bottom}, ui::px(kLabelGap));
     for (const Box& box : labels.covered) free.keep_clear(box);
-    const bool edited = labels.measured && (i == 1) == labels.editing_b;  // without a clock there is nobody who edits
+    const bool edited =
+        labels.measured && (i == 1) == labels.editing_b;  // only the window, which has a clock, can edit
     free.keep_clear(ui::pill(list, (i == 0 ? "A   " : "B   ") + side_text(session, other), middle, ui::px(46),
                              edited ? ui::kAccent : ui::kText, widest));
     std::string result = side_result(session, i == 0 ? labels.of_a : diagnostics_, sides_[i].step_ms, labels.measured);

@@ -1,6 +1,6 @@
-// Two settings of one scene side by side: A is the session that is open, B another of the same bodies with other
-// settings. Both make the same steps under the same grab and are drawn with the same camera. Exists only while two are
-// compared.
+// Two settings of one scene side by side: A is the open session, B another session of the same bodies with other
+// settings. Both make the same steps under the same grab and are drawn with the same camera. Exists only during a
+// comparison.
 #pragma once
 #include <array>
 #include <functional>
@@ -19,60 +19,61 @@ struct ImDrawList;
 
 namespace fascia {
 
-/// What a side costs and reaches, in one line; the time of a step, or that it sleeps, only where it is `measured`.
+/// Cost and accuracy of a side in one line; the time of a step, or that the side sleeps, only if it is `measured`.
 std::string side_result(const Session& session, const std::optional<Diagnostics>& diagnostics, double step_ms,
                         bool measured);
 
 class SplitView {
  public:
-  /// B is `scene` in the state that A is in; `model` goes with it. Throws Error if it has other vertices than A, or
-  /// where one of them is solved by the reference solver.
+  /// B is `scene` in the current state of A; `model` belongs to it. Throws Error if it has other vertices than A, or if
+  /// one of them uses the reference solver.
   SplitView(Graphics& graphics, const Session& a, Scene scene, Model model);
 
   Session& b() { return *b_; }
   const Session& b() const { return *b_; }
-  UndoHistory history;  // of the side that the panels do not show
+  UndoHistory history;  // of the side that is not shown in the panels
 
-  /// The other side gets the springs of `grab`, which is one of them, or of A while a replay leads it.
+  /// Gives the other side the springs of `grab`, which is one of the two sessions, or those of A while a replay plays.
   void lead(Session& a, Session& grab);
-  /// One step of both, led so. What a replay does to A happens to B, too: grabs, gravity, time step, resets; settings
-  /// and materials where both have the same.
+  /// One step of both with these springs. A replay's inputs to A apply to B, too: grabs, gravity, time step, resets;
+  /// settings and materials if both have the same.
   void step(Session& a, Session& grab);
-  void reset(Session& a);               // both to where A starts
-  void restart_from(const Session& a);  // B into the state that A is in
-  /// What both must have in common goes over from the side where it changed: display, gravity, time step.
+  void reset(Session& a);               // both to the start of A
+  void restart_from(const Session& a);  // sets B to the current state of A
+  /// Copies common properties from the side that changed: display, gravity, time step.
   void share(Session& a);
-  /// A becomes B and B becomes A.
+  /// Exchanges A and B.
   void swap(std::unique_ptr<Session>& a);
   bool asleep() const { return b_->simulation.asleep(); }
 
-  void request_diagnostics() { b_->simulation.gpu()->request_diagnostics(); }     // of B's state of now
-  bool take_diagnostics(bool wait);                                               // whether there were any that are new
+  void request_diagnostics() { b_->simulation.gpu()->request_diagnostics(); }     // of B's current state
+  bool take_diagnostics(bool wait);                                               // whether there were new ones
   const std::optional<Diagnostics>& diagnostics() const { return diagnostics_; }  // the last ones taken
-  bool busy() const { return b_->true_error.busy() || b_->simulation.gpu()->diagnosing(); }  // results are under way
+  bool busy() const { return b_->true_error.busy() || b_->simulation.gpu()->diagnosing(); }  // results are pending
 
   struct Area {
     int x = 0, width = 0;  // [pixels] of the picture
   };
-  /// Where the sides are in a picture of this width. B's has the color bar at its right, beside as much room as A has.
+  /// The areas of the sides in a picture of this width. The color bar is at the right of B, beside an area as large as
+  /// that of A.
   static std::array<Area, 2> areas(int width, const Margins& margins);
-  /// Such an area in a list whose unit is `scale` pixels, of a picture of this height.
+  /// The same area in a list whose unit is `scale` pixels, in a picture of this height.
   static MarkArea area_of(ImDrawList& list, const Area& area, int height, float scale);
   using SideGrabs = std::array<std::vector<GrabMark>, 2>;
-  /// What pulls at A and at B; `of_user` null where there is none.
+  /// The grabs of A and B; `of_user` is null if there are none.
   SideGrabs grabs(const Session& a, const std::optional<Diagnostics>& of_a, const GrabSet* of_user) const;
-  /// `drawn`, if any, is called with each side's own picture, which has a depth.
+  /// `drawn`, if given, is called with each side's own picture, which has a depth buffer.
   void draw(Session& a, Framebuffer& framebuffer, const Margins& margins, const SideGrabs& grabs,
             const std::function<void(std::size_t, const Framebuffer&)>& drawn = {});
   struct Labels {
     const std::optional<Diagnostics>& of_a;
     bool measured;   // with times
-    bool editing_b;  // which side the panels show
+    bool editing_b;  // the panels show B
     const SideGrabs& grabs;
     std::vector<Box> covered;  // by windows and the like
   };
-  /// Over a picture of `width` x `height` pixels with the same margins: what each side is, what it costs and reaches,
-  /// and its grabs. The list's unit is `scale` pixels.
+  /// Draws over a picture of `width` x `height` pixels with the same margins: a description of each side, its cost and
+  /// accuracy, and its grabs. The list's unit is `scale` pixels.
   void draw_labels(ImDrawList& list, const Session& a, int width, int height, const Margins& margins, float scale,
                    const Labels& labels) const;
 
@@ -95,10 +96,10 @@ class SplitView {
 
   std::unique_ptr<Session> b_;
   std::array<Side, 2> sides_;
-  std::array<std::unique_ptr<Framebuffer>, 2> pictures_;  // of a side: in the window, and in a video of another size
+  std::array<std::unique_ptr<Framebuffer>, 2> pictures_;  // for a side: in the window, and in a video of another size
   Shared shared_;
   std::optional<Diagnostics> diagnostics_;  // of B
-  int lost_ = 0;                            // times that B came apart
+  int lost_ = 0;                            // number of divergences of B
 };
 
 }  // namespace fascia

@@ -87,7 +87,7 @@ fs::path FileDialogs::typed_path() const {
   if (typed_.empty()) return {};
   std::error_code ec;
   const fs::path path = typed_.starts_with("~/") ? home_folder() / typed_.substr(2) : browser_.folder() / typed_;
-  // A part of a name that only one file has is as good as its name; so is a path from where the program was started.
+  // A part of a name that only one file has is accepted as its name, and so is a path relative to the working folder.
   if (!fs::exists(path, ec) && fs::exists(typed_, ec)) return fs::absolute(typed_, ec);
   if (!fs::exists(path, ec) && browser_.entries().size() == 1) return browser_.entries()[0].path;
   return path;
@@ -98,7 +98,7 @@ void FileDialogs::draw_open(Requests& requests) {
   ImGui::TextColored(ui::kDim, "%s", browser_.folder().c_str());
   bool chosen = name_field(typed_, FolderBrowser::width(), std::exchange(focus_, false));
   browser_.walk_by_keys();
-  if (typed_ != listed_for_) {  // a part of a name narrows the list; a path is taken as it is
+  if (typed_ != listed_for_) {  // a part of a name filters the list; a path does not
     listed_for_ = typed_;
     browser_.go_to(fs::path(browser_.folder()), openable_kinds()[kind_],
                    typed_.find('/') == std::string::npos ? typed_ : "");

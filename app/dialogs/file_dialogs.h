@@ -1,5 +1,4 @@
-// Asking for a path: to open something, to save the scene, the state or a replay; and the files that were opened
-// before.
+// Asks for a path: to open a file, to save the scene, the state or a replay; and lists recently opened files.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -16,7 +15,7 @@ class FileDialogs {
  public:
   FileDialogs(const std::filesystem::path& data_dir, UserStore& user) : assets_(data_dir / "assets"), user_(user) {}
 
-  void ask_open(const std::filesystem::path& open_file);     // begins in its folder, unless it was shipped
+  void ask_open(const std::filesystem::path& open_file);     // begins in its folder, unless it is a shipped file
   void ask_save(const std::filesystem::path& scene_file);    // suggests its name
   void ask_export(const std::filesystem::path& scene_file);  // suggests its name
   void ask_replay();                                         // suggests a dated name
@@ -24,8 +23,8 @@ class FileDialogs {
   void set_last_session(const std::filesystem::path& file) {
     last_session_ = file;
   }                                                // to continue from that menu; empty: none
-  void opened(const std::filesystem::path& path);  // for the list of recent ones
-  /// Between ImGui::NewFrame and ImGui::Render; what was chosen is in `requests`.
+  void opened(const std::filesystem::path& path);  // adds it to the list of recent files
+  /// Call between ImGui::NewFrame and ImGui::Render; the selection is added to `requests`.
   void draw(Requests& requests);
 
  private:
@@ -39,11 +38,11 @@ class FileDialogs {
 
   std::filesystem::path assets_, last_session_;
   UserStore& user_;
-  FolderBrowser browser_;  // of the dialog that opens
+  FolderBrowser browser_;  // of the open dialog
   std::size_t kind_ = 0;
   bool focus_ = false;
   std::string typed_, listed_for_;
-  std::filesystem::path scene_folder_;  // empty: of a shipped one
+  std::filesystem::path scene_folder_;  // empty for a shipped scene
   SaveDialog scene_{
       "Save the scene",
       {{".json", ""}},

@@ -15,7 +15,7 @@ float files_width() {
   return std::min(ui::px(420), ImGui::GetIO().DisplaySize.x - FolderBrowser::places_width() - ui::px(56));
 }
 
-// Absolute, without a slash at its end.
+// The absolute path without a trailing slash.
 fs::path plain_folder(const fs::path& folder) {
   std::error_code ec;
   return (fs::absolute(folder, ec) / "").lexically_normal().parent_path();

@@ -1,5 +1,5 @@
-// The lists that dialogs for opening and saving share: places at the left, at the right what a folder holds, walked by
-// mouse and keys.
+// The lists of the dialogs for opening and saving: places at the left, the content of a folder at the right, navigated
+// by mouse and keys.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -21,18 +21,18 @@ struct Place {
 
 class FolderBrowser {
  public:
-  /// Lists its folders and files of this kind, of which names contain `part`.
+  /// Lists its folders, and its files of this kind, whose names contain `part`.
   void go_to(const std::filesystem::path& folder, const FileKind& kind, const std::string& part = "");
   const std::filesystem::path& folder() const { return folder_; }
-  /// Without `part` the folder above it comes first.
+  /// Without `part` the parent folder comes first.
   const std::vector<FolderEntry>& entries() const { return entries_; }
 
-  /// The arrow and page keys mark an entry while a text field keeps the keyboard.
+  /// The arrow and page keys select an entry while a text field keeps the keyboard focus.
   void walk_by_keys();
   const FolderEntry* marked() const { return marked_ < 0 ? nullptr : &entries_[static_cast<std::size_t>(marked_)]; }
   void unmark() { marked_ = -1; }
 
-  /// What was clicked; `more` draws below the places.
+  /// Returns the clicked entry; `more` draws below the places.
   std::optional<FolderEntry> draw(const std::vector<Place>& places, const std::function<void()>& more = {});
   static float width();  // of both lists [pixels]
   static float places_width();
@@ -44,7 +44,7 @@ class FolderBrowser {
   std::vector<FolderEntry> entries_;
   bool has_parent_ = false;  // entries_[0]
   int marked_ = -1;
-  bool scroll_ = false;  // to the marked one
+  bool scroll_ = false;  // to the selected entry
 };
 
 }  // namespace fascia

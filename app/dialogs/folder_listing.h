@@ -1,4 +1,5 @@
-// What a dialog shows of a folder: its folders, then the files that can be opened, each sorted by name, without case.
+// The content of a folder in a dialog: its folders, then the files that can be opened, each sorted by name, ignoring
+// case.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,9 +9,9 @@ namespace fascia {
 
 struct FileKind {
   const char* name;
-  std::vector<std::string> endings;  // lower case, with the dot; of TetGen's pairs the .node file
+  std::vector<std::string> endings;  // lower case, with the dot; for TetGen's pairs the .node file
 };
-/// All first, then by what they are.
+/// First all kinds together, then each kind.
 const std::vector<FileKind>& openable_kinds();
 
 struct FolderEntry {
@@ -18,7 +19,7 @@ struct FolderEntry {
   bool is_folder = false;
 };
 
-/// Hidden ones are left out. `part`: only names that have it, whatever the case. Nothing for a folder that cannot be
+/// Hidden entries are left out. `part`: only names that contain it, ignoring case. Empty for a folder that cannot be
 /// read.
 std::vector<FolderEntry> list_folder(const std::filesystem::path& folder, const FileKind& kind,
                                      const std::string& part = "");

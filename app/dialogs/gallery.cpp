@@ -46,7 +46,7 @@ std::vector<Example> shipped_examples(const fs::path& assets) {
       ++next;
     }
   } catch (const std::exception&) {
-    return examples;  // by name then
+    return examples;  // in the order of their names
   }
   return examples;
 }
@@ -66,7 +66,7 @@ void Gallery::load() {
 }
 
 bool Gallery::draw(Requests& requests) {
-  if (!open_) pictures_.clear();  // not in the frame that closes it, which still draws them
+  if (!open_) pictures_.clear();  // not in the closing frame, which still draws them
   if (start_) {
     load();
     ImGui::OpenPopup(kGalleryTitle);

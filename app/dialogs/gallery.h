@@ -1,4 +1,4 @@
-// The shipped scenes as pictures, one click away.
+// A gallery of the shipped scenes, which open with one click.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -14,16 +14,16 @@ struct Example {
   std::string title, says;
 };
 
-/// Scenes of assets/scenes: in the order of assets/gallery.json, which also says what each is, then those that it does
-/// not name. What cannot be read is left out.
+/// Scenes of assets/scenes: in the order of assets/gallery.json, which also describes them, then those that it does not
+/// name. Unreadable ones are left out.
 std::vector<Example> shipped_examples(const std::filesystem::path& assets);
 
 class Gallery {
  public:
   explicit Gallery(const std::filesystem::path& data_dir) : assets_(data_dir / "assets") {}
   void ask() { start_ = true; }
-  /// Between ImGui::NewFrame and ImGui::Render; needs a current context. True once, when it was closed, whatever was
-  /// chosen.
+  /// Call between ImGui::NewFrame and ImGui::Render; needs a current context. True once, when it was closed, with or
+  /// without a selection.
   bool draw(Requests& requests);
 
  private:
@@ -32,7 +32,8 @@ class Gallery {
   std::filesystem::path assets_;
   bool start_ = false, open_ = false;
   std::vector<Example> examples_;
-  std::vector<gl::Texture> pictures_;  // of the examples, while it is open; no texture where there is no picture
+  std::vector<gl::Texture>
+      pictures_;  // of the examples, while the gallery is open; no texture for an example without a picture
 };
 
 }  // namespace fascia

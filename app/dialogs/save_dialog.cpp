@@ -38,7 +38,7 @@ void SaveDialog::go_to(const fs::path& folder) {
   focus_ = true;
 }
 
-// What Enter and the button do: go on into a folder, or take the name.
+// The action of Enter and the button: open a folder, or accept the name.
 void SaveDialog::choose() {
   std::error_code ec;
   const FolderEntry* marked = browser_.marked();
@@ -74,7 +74,7 @@ void SaveDialog::choose_format() {
   }
 }
 
-// Enter alone replaces nothing: the first button goes back.
+// Enter must not replace a file: the first button goes back.
 void SaveDialog::question(const Shipped& shipped) {
   if (!begin_dialog(kQuestion)) return;
   ImGui::PushTextWrapPos(ui::px(420));

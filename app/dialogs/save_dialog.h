@@ -1,5 +1,4 @@
-// Asks where a file is to go: a name, and the folders to put it in. A file that is there already is replaced only after
-// a question.
+// Asks for the path of a file to save: a name, and a folder. An existing file is replaced only after confirmation.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -16,19 +15,19 @@ class SaveDialog {
   struct Format {
     std::string ending, help;
   };
-  using Shipped = std::function<bool(const std::filesystem::path&)>;  // whether a file came with fascia
+  using Shipped = std::function<bool(const std::filesystem::path&)>;  // whether a file was shipped with fascia
   struct Option {
-    std::string label, help;  // no label: there is none
+    std::string label, help;  // empty label: no option
   };
-  /// Of several formats one is chosen by the ending of the name; a name without one gets the first. `option`: a box to
-  /// tick, off at first.
+  /// The extension of the name selects one of several formats; a name without an extension gets the first. `option`: a
+  /// check box, initially off.
   SaveDialog(const char* title, std::vector<Format> formats, Option option = {});
 
-  /// Opens with this name, at first in the working folder, then in the folder that was saved to last.
+  /// Opens with this name, at first in the working folder, later in the folder of the last save.
   void ask(const std::string& name);
-  /// Between ImGui::NewFrame and ImGui::Render. `places`: beside the usual ones.
+  /// Call between ImGui::NewFrame and ImGui::Render. `places`: in addition to the usual ones.
   std::optional<std::filesystem::path> draw(const std::vector<Place>& places, const Shipped& shipped);
-  bool option() const { return option_on_; }  // whether the box is ticked
+  bool option() const { return option_on_; }  // whether the check box is on
 
  private:
   void go_to(const std::filesystem::path& folder);
@@ -43,7 +42,7 @@ class SaveDialog {
   bool option_on_ = false;
   FileKind kind_;
   FolderBrowser browser_;
-  std::string name_, walked_from_;  // the name that the arrow keys left
+  std::string name_, walked_from_;  // walked_from_: the name before the arrow keys changed it
   std::string warning_;
   std::filesystem::path target_;
   enum class Stage { closed, asked, open, questioned, done } stage_ = Stage::closed;

@@ -37,7 +37,7 @@ Pixel difference_color(const std::uint8_t* golden, int apart, double bound) {
     const auto gray = static_cast<std::uint8_t>((golden[0] + golden[1] + golden[2]) / 12);
     return {gray, gray, gray, 255};
   }
-  // Even a difference of one must be seen, so each of the two colors begins bright.
+  // Even a difference of one must be visible, so both colors begin bright.
   const double share = apart / 255.0;
   if (share <= bound) return {40, 90, static_cast<std::uint8_t>(160 + 95 * share / bound), 255};
   return {255, static_cast<std::uint8_t>(255 * std::sqrt((share - bound) / (1 - bound))), 0, 255};

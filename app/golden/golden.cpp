@@ -37,7 +37,7 @@ ImageDifference picture_difference(const Image& picture, const Image& golden, co
 }
 
 std::vector<Eigen::Vector3d> read_state(const fs::path& path, std::size_t vertices) {
-  constexpr std::size_t kAnyVertex = std::numeric_limits<std::uint32_t>::max();  // their number is judged as a whole
+  constexpr std::size_t kAnyVertex = std::numeric_limits<std::uint32_t>::max();  // their number is compared separately
   VertexTable table = read_vertex_csv(path, kAnyVertex);
   if (table.vertices.size() != vertices || table.vertices.back() != vertices - 1)
     throw Error(
@@ -51,7 +51,7 @@ Deviation deviation(const Outcome& outcome, const std::vector<Eigen::Vector3d>& 
   Deviation result;
   for (std::size_t v = 0; v < golden.size(); ++v) {
     const double distance = (outcome.mesh.positions[v] + outcome.fields.displacement[v] - golden[v]).norm();
-    if (result.largest < distance || std::isnan(distance)) result = {distance, v};  // once no number, always none
+    if (result.largest < distance || std::isnan(distance)) result = {distance, v};  // once NaN, always NaN
   }
   return result;
 }
@@ -94,7 +94,7 @@ Finding finding_of(const F& compare_one) {
   }
 }
 
-// What an update replaces; nothing where there was no golden, or none that can be read.
+// Replaces the golden and describes the change; empty without a readable golden.
 std::string update_picture(const Outcome& outcome, const fs::path& path) {
   std::string change = "new";
   if (std::error_code ec; fs::exists(path, ec)) {
@@ -160,7 +160,7 @@ Comparison compare(const Outcome& outcome, const GoldenFiles& goldens, const Gol
     comparison.reasons = provenance_differences(read_png_metadata(goldens.picture), outcome.provenance);
     if (comparison.reasons.empty())
       comparison.reasons.push_back("made by the same version, renderer, parameters, mesh and moment as the golden");
-  } catch (const Error&) {  // is a finding already
+  } catch (const Error&) {  // already reported as a finding
   }
   return comparison;
 }

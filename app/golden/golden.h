@@ -1,6 +1,5 @@
-// A picture and a state against those that were made before and looked at, their "goldens": a PNG, and a CSV of
-// positions. What render
-// --compare and check do, and what the tests of the shipped scenes are made of.
+// Compares a picture and a state with earlier ones that were approved, their "goldens": a PNG, and a CSV of positions.
+// Used by render --compare, by check, and by the tests of the shipped scenes.
 #pragma once
 #include <optional>
 #include <string>
@@ -15,37 +14,36 @@
 
 namespace fascia {
 
-/// What is compared.
+/// The data to compare.
 struct Outcome {
   Image picture;
   Provenance provenance;
-  TetMesh mesh;        // as its file has it
-  StateFields fields;  // of which displacements are compared and written
+  TetMesh mesh;        // as in its file
+  StateFields fields;  // the displacements are compared and written
   double size = 1;     // of the scene [m]
 };
 
 struct Finding {
   bool passed = false;
-  std::string text;  // one line: what was measured against which limit
+  std::string text;  // one line: the measured value and its limit
 };
 
 struct Comparison {
   std::vector<Finding> findings;     // one per golden
-  std::vector<std::string> reasons;  // of a failure: what differs in how golden and outcome were made
-  std::optional<Image>
-      picture;  // golden, outcome and difference side by side, where pictures of one size were compared
-  std::optional<double> mean, share, deviation;  // as in GoldenLimits; absent: could not be compared
+  std::vector<std::string> reasons;  // of a failure: differences in the provenance of golden and outcome
+  std::optional<Image> picture;  // golden, outcome and difference side by side, if pictures of one size were compared
+  std::optional<double> mean, share, deviation;  // as in GoldenLimits; absent: not comparable
   bool passed() const;
 };
 
-/// One line for each golden that is named and not there. To be asked before the work that would be compared with it.
+/// One line for each named golden that does not exist. Called before the work whose result is compared.
 std::vector<std::string> missing_goldens(const GoldenFiles& goldens);
 
-/// Throws nothing for a golden that is missing, unreadable or of another size or mesh: that is a finding.
+/// A golden that is missing, unreadable or of another size or mesh is a finding, not an exception.
 Comparison compare(const Outcome& outcome, const GoldenFiles& goldens, const GoldenLimits& limits);
 
-/// Makes the goldens what the outcome is, each through a temporary name, and says in a line each what changed. A golden
-/// with the same pixels and provenance, or the same positions, is left alone. Throws Error.
+/// Replaces the goldens by the outcome, each through a temporary name, and describes each change in a line. A golden
+/// with the same pixels and provenance, or the same positions, is not written. Throws Error.
 std::vector<std::string> update_goldens(const Outcome& outcome, const GoldenFiles& goldens);
 
 }  // namespace fascia

@@ -1,4 +1,4 @@
-// Where goldens lie, and how far from them a picture or a state may be.
+// Paths of goldens, and the permitted distance of a picture or a state from them.
 #pragma once
 #include <filesystem>
 

@@ -19,7 +19,7 @@ std::string now_and_then(const std::string& what, const std::string& golden, con
   return what + ": golden " + golden + ", now " + now;
 }
 
-// "/solver/iterations" of a JSON pointer as people write it.
+// Converts "/solver/iterations" of a JSON pointer to a dotted path.
 std::string dotted(std::string pointer) {
   if (!pointer.empty()) pointer.erase(0, 1);
   std::replace(pointer.begin(), pointer.end(), '/', '.');

@@ -1,5 +1,5 @@
-// Why two pictures differ, as far as their provenance tells: another renderer, version, mesh or parameter is the usual
-// reason.
+// Explains why two pictures differ by comparing their provenance: the usual reason is another renderer, version, mesh
+// or parameter.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace fascia {
 
-/// A line for each that differs, parameters by their path: "solver.iterations: golden 10, now 20". Empty: none does.
-/// Command lines are not compared, for they name folders.
+/// A line for each difference, parameters by their path: "solver.iterations: golden 10, now 20". Empty: none. Command
+/// lines are not compared, because they contain folders.
 std::vector<std::string> provenance_differences(const Provenance& golden, const Provenance& now);
 
 }  // namespace fascia

@@ -17,7 +17,7 @@
 namespace fascia {
 namespace {
 
-// `split` are more sets in one text, with semicolons between: for the second side.
+// `split`: additional sets for the second side in one text, separated by semicolons.
 Opened open_with_display(const RenderOptions& options, const std::string& split = "") {
   std::vector<std::string> sets = options.sets;
   std::istringstream parts(split);
@@ -48,7 +48,7 @@ Headless::Headless(const RenderOptions& options, Opened opened)
   if (const auto camera = camera_.at(0)) session_.look_from(*camera);
   session_.measure_extent();
   Simulation& simulation = session_.simulation;
-  // What is chosen here for the display holds for all of a replay.
+  // Display settings from the options apply to the whole replay.
   const auto names_display = [](const std::string& set) { return set.starts_with("display."); };
   const bool chosen = !options.color.empty() || options.wireframe ||
                       std::any_of(options.sets.begin(), options.sets.end(), names_display);
@@ -122,7 +122,7 @@ Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
   if (split_) return draw_split(diagnostics);
   std::vector<GrabMark> grabs = marks_of(session_.simulation, diagnostics);
   if (positions && !remembered_grabs_.empty()) {
-    constexpr double kRounding = 1e-6;  // a whole step may come as a little less
+    constexpr double kRounding = 1e-6;  // a whole step may be slightly less because of rounding
     const auto ago = static_cast<std::size_t>(step_ - static_cast<long>(std::floor(step + kRounding)));
     grabs = remembered_grabs_[remembered_grabs_.size() - 1 - std::min(ago, remembered_grabs_.size() - 1)];
   }

@@ -1,4 +1,5 @@
-// A scene that is stepped and drawn without a window: what render and check share, so that both make the same picture.
+// Steps and draws a scene without a window. The commands render and check share this code, so that both produce the
+// same picture.
 #pragma once
 #include <deque>
 #include <functional>
@@ -19,36 +20,37 @@ namespace fascia {
 
 class Headless {
  public:
-  /// Opens what the options name, and says so unless they are quiet. Throws Error. The options must outlive it.
+  /// Opens the input of the options and reports it, unless they are quiet. Throws Error. The options must outlive this
+  /// object.
   explicit Headless(const RenderOptions& options);
 
-  /// Makes the steps that the options ask for, or finds the static equilibrium; ends early when interrupted.
-  /// `after_step` runs at the start, too. Throws Error when a vertex is lost.
+  /// Makes the steps that the options request, or finds the static equilibrium; ends early when interrupted.
+  /// `after_step` also runs at the start. Throws Error if the state diverges.
   void run(const std::function<void()>& after_step = {});
 
-  /// The scene as it is now, with panels and color bar where they are wanted, whatever was drawn before. Throws Error
-  /// when a vertex is lost.
+  /// Draws the current scene, with panels and color bar if requested, independent of earlier pictures. Throws Error if
+  /// the state has diverged.
   Framebuffer& draw();
-  /// The same after `step` steps, with these positions and colors (null: those of now), seen by the camera and with the
-  /// grabs of then; panels, the range of colors and which vertices are held are of now. A replay goes on to the same
-  /// bits afterwards.
+  /// The same after `step` steps, with these positions and colors (null: the current ones), and with the camera and the
+  /// grabs of that time; panels, the range of colors and the set of grabbed vertices are the current ones. A replay
+  /// continues to the same bits afterwards.
   Framebuffer& draw(double step, const gl::Buffer* positions);
-  /// The display is that of a replay after `step` steps.
+  /// Sets the display to that of a replay after `step` steps.
   void show_as_of(double step);
-  /// Keeps where the grabs are now, for pictures of this moment that are drawn later.
+  /// Stores the current grabs, for pictures of this time that are drawn later.
   void remember_grabs();
 
   Session& session() { return session_; }
   long step() const { return step_; }
-  long steps() const { return steps_; }  // that run() makes
-  Provenance provenance() const;         // of this moment
-  Outcome outcome();                     // the same, drawn, with the state that it shows
+  long steps() const { return steps_; }  // number of steps that run() makes
+  Provenance provenance() const;         // of the current picture
+  Outcome outcome();                     // draws the current picture, and includes its state
 
  private:
   Headless(const RenderOptions& options, Opened opened);
   void look(double step);
   std::optional<Diagnostics> diagnose();
-  std::optional<Diagnostics> diagnose_grabs();  // nothing where nobody holds anything
+  std::optional<Diagnostics> diagnose_grabs();  // none without grabs
   Margins margins(bool bar);                    // of the picture
   Framebuffer& draw_split(const std::optional<Diagnostics>& diagnostics);
 
@@ -58,8 +60,8 @@ class Headless {
   Supersampler picture_;
   RenderCamera camera_;
   ReplayView view_;
-  DisplaySettings opened_;                              // until a replay has another one
-  std::deque<std::vector<GrabMark>> remembered_grabs_;  // after the last steps, that of now at the end
+  DisplaySettings opened_;                              // until a replay changes it
+  std::deque<std::vector<GrabMark>> remembered_grabs_;  // after the last steps, the current ones at the end
   Overlay overlay_;
   std::optional<SplitView> split_;  // with --split
   long step_ = 0, steps_ = 0;

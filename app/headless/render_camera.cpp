@@ -9,7 +9,7 @@
 namespace fascia {
 namespace {
 
-// Six numbers, or nothing.
+// Parses six numbers; none for other text.
 std::optional<CameraSettings> read_eye_and_target(const std::string& text, CameraSettings camera) {
   double numbers[6];
   const char* at = text.data();
@@ -35,7 +35,7 @@ RenderCamera::RenderCamera(const std::string& choice, const Scene& scene, const 
     if (replay) path_ = ReplayView(*replay);
     return;
   }
-  if (choice == "scene") return;  // where it stands at first
+  if (choice == "scene") return;  // the initial camera
   still_ = read_eye_and_target(choice, scene.camera.value_or(CameraSettings()));
   if (still_) return;
   if (lower_ending(choice) == ".fascia") {

@@ -1,4 +1,4 @@
-// The camera of pictures that nobody looks at: the one that was recorded, the scene's, or one that is named.
+// The camera of a headless picture: a recorded one, the scene's, or one from the command line.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,10 +9,10 @@ namespace fascia {
 
 class RenderCamera {
  public:
-  /// `choice`: "follow" (that of `replay`, where there is one), "scene", eye and target as six numbers with commas
-  /// between them, a scene file that has a camera, or a replay whose camera is followed. Throws Error.
+  /// `choice`: "follow" (that of `replay`, if there is one), "scene", eye and target as six comma-separated numbers, a
+  /// scene file with a camera, or a replay whose camera is followed. Throws Error.
   RenderCamera(const std::string& choice, const Scene& scene, const Replay* replay);
-  /// After `step` steps, whole or not; nothing: as it is.
+  /// The camera after `step` steps, whole or fractional; none: unchanged.
   std::optional<CameraSettings> at(double step) const;
 
  private:

@@ -9,7 +9,7 @@
 namespace fascia {
 namespace {
 
-constexpr double kRounding = 1e-6;  // [frames], [steps] of moments that were summed up
+constexpr double kRounding = 1e-6;  // [frames], [steps] rounding of accumulated times
 
 double longest_step(const Simulation& simulation) {
   return simulation.replay() ? ReplayTime(*simulation.replay()).longest_step() : simulation.scene.solver.time_step;
@@ -35,11 +35,11 @@ void VideoRender::after_step() {
   const long step = headless_.step();
   frame_of_step_.push_back(rate_ * simulation.simulated());
   if (interpolated_) {
-    headless_.show_as_of(static_cast<double>(step));  // what colors show is kept with the positions
+    headless_.show_as_of(static_cast<double>(step));  // the colors are stored with the positions
     interpolated_->add(step, headless_.session().simulation);
     headless_.remember_grabs();
   }
-  if (step == headless_.steps()) return;  // finish() knows how many are left
+  if (step == headless_.steps()) return;  // only finish() knows the number of remaining frames
   double end = frame_of_step_.back() + 0.5 * rate_ * simulation.scene.solver.time_step;
   if (interpolated_)
     end = step < InterpolatedFrames::kAhead
@@ -48,7 +48,7 @@ void VideoRender::after_step() {
   while (static_cast<double>(frame_) < end - kRounding) write_frame();
 }
 
-// Steps that were made by then, whole or not.
+// The number of steps at the time of a frame, whole or fractional.
 double VideoRender::step_at(double frame) const {
   const auto next = std::upper_bound(frame_of_step_.begin(), frame_of_step_.end(), frame + kRounding);
   const auto before = std::prev(next);

@@ -1,4 +1,4 @@
-// The frames of a video of a scene that runs without a window.
+// Writes the frames of a video of a scene that runs without a window.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -14,13 +14,13 @@ namespace fascia {
 
 class VideoRender {
  public:
-  /// Frames go to `options.video`. A video that runs at the speed of life, or as much slower as is asked for, whatever
-  /// the time step, also where a replay changes it: where there are more steps than frames, a frame shows the nearest
-  /// step, else the tissue moves between steps (InterpolatedFrames). Throws Error.
+  /// Frames are written to `options.video`. The video runs in real time, or slower by the requested factor, for any
+  /// time step, even if a replay changes it: if there are more steps than frames, a frame shows the nearest step, else
+  /// the positions are interpolated (InterpolatedFrames). Throws Error.
   VideoRender(const RenderOptions& options, Headless& headless);
 
-  void after_step();  // writes the frames that can be drawn by now. Throws Error
-  void finish();      // all frames of the steps that were made
+  void after_step();  // writes the frames that can be drawn so far. Throws Error
+  void finish();      // writes all remaining frames
   long frames() const { return frame_; }
   std::uint64_t hash() const { return hash_.value(); }  // of all frames
 
@@ -31,7 +31,7 @@ class VideoRender {
   const RenderOptions& options_;
   Headless& headless_;
   double rate_;                        // frames per simulated second
-  std::vector<double> frame_of_step_;  // where the steps lie between the frames [steps made + 1]
+  std::vector<double> frame_of_step_;  // times of the steps in frames [steps made + 1]
   std::optional<InterpolatedFrames> interpolated_;
   std::unique_ptr<FrameSink> sink_;
   std::vector<std::uint8_t> pixels_;

@@ -14,7 +14,7 @@
 namespace fascia {
 namespace {
 
-constexpr int kBands = 48;  // of the gradient; each is shaded from edge to edge, so steps are not seen
+constexpr int kBands = 48;  // of the gradient; each is interpolated between its edges, so that no steps are visible
 
 ImU32 color_of(const Eigen::Vector3f& c) { return ImGui::GetColorU32(ImVec4(c.x(), c.y(), c.z(), 1)); }
 
@@ -30,13 +30,13 @@ Ink ink_on(Backdrop backdrop) {
   return {kBlack, kBlack, {1, 1, 1, 1}};
 }
 
-// White on dark can be read whatever a transparent picture is laid upon; a light plate would stand out on everything
-// but white.
+// White on dark is readable on any backdrop of a transparent picture; a light plate would contrast with everything but
+// white.
 Ink ink_of_bar(Backdrop backdrop) { return ink_on(backdrop == Backdrop::transparent ? Backdrop::black : backdrop); }
 
 constexpr float kPad = 10, kEdge = 12;  // inside a plate, and to the picture's edge [points]
 
-// A plate for contents of this size, at the right edge, half way up. None where it would hide too much of the picture.
+// A plate for contents of this size, at the right edge, halfway up. None if it would hide too much of the picture.
 std::optional<Box> plate_for(float width, float height, const Box& picture) {
   constexpr float kMostShare = 0.2f;
   width += 2 * ui::px(kPad);
@@ -46,14 +46,14 @@ std::optional<Box> plate_for(float width, float height, const Box& picture) {
   return Box{left, top, left + width, top + height};
 }
 
-// The upper left corner of its contents.
+// Draws the plate and returns the upper left corner of its contents.
 ImVec2 draw_plate(ImDrawList& list, const Box& plate, const Ink& ink) {
   list.AddRectFilled({plate.left, plate.top}, {plate.right, plate.bottom},
                      ImGui::GetColorU32(ImVec4(ink.panel.x, ink.panel.y, ink.panel.z, 0.78f)), ui::px(8));
   return {plate.left + ui::px(kPad), plate.top + ui::px(kPad)};
 }
 
-// A number without a unit gets as many decimals as its step has.
+// A number without a unit gets as many decimals as the step between ticks.
 std::string tick_text(double value, double step, int digits, const std::string& unit) {
   if (std::abs(value) < 1e-9 * step) value = 0;
   const double size = std::max(std::abs(value), step);
@@ -67,11 +67,11 @@ std::string tick_text(double value, double step, int digits, const std::string& 
 struct Bar {
   Ticks ticks;
   std::vector<std::string> texts;
-  float width, gap, height, above;  // of the gradient, from it to its numbers, and from the title down to it
+  float width, gap, height, above;  // width of the gradient, gap to its numbers, and distance from the title
   std::optional<Box> plate;
 };
 
-// With a number at either end, where round steps lead from one to the other.
+// Ticks with a number at both ends, if round steps connect them.
 Ticks ticks_of(const Eigen::Vector2d& range) {
   constexpr int kUsual = 5;  // intervals
   for (const int most : {kUsual, 4, 3, 2, 6, 7, 8, 9, 10}) {
@@ -92,13 +92,13 @@ Bar bar_in(const Box& picture, const Look& look, const Quantity& quantity) {
           2 * ImGui::GetFontSize(),
           {}};
   const std::vector<double>& ticks = bar.ticks.values;
-  // So wide that the plate, and the tissue beside it, stay where they are while the range follows the values.
+  // Wide enough that plate and tissue do not move while the range follows the values.
   float text_width = ImGui::CalcTextSize(*quantity.unit ? "-500 kPa" : "-0.05").x;
   for (const double tick : ticks) {
     bar.texts.push_back(tick_text(tick, ticks.size() > 1 ? ticks[1] - ticks[0] : 1, bar.ticks.digits, quantity.unit));
     text_width = std::max(text_width, ImGui::CalcTextSize(bar.texts.back().c_str()).x);
   }
-  // Labels reach half a line over the bar's ends, and the upper one stays as much below the title.
+  // Labels extend half a line beyond the bar's ends, and the upper one keeps the same distance from the title.
   const float below = 0.5f * ImGui::GetFontSize();
   bar.plate = plate_for(std::max(bar.width + bar.gap + text_width, ImGui::CalcTextSize(quantity.title).x),
                         bar.above + bar.height + below, picture);
@@ -136,7 +136,7 @@ void draw_bar(const MarkArea& area, const Look& look, const Quantity& quantity) 
 }
 
 struct RegionList {
-  std::size_t shown;  // of the names
+  std::size_t shown;  // number of names
   std::string more;   // "and 3 more"
   float row, gap;
   std::optional<Box> plate;

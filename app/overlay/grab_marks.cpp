@@ -49,7 +49,7 @@ std::vector<GrabMark> grab_marks(const Simulation& simulation, const std::vector
           mark.arrow = {grab.anchor().cast<float>(), grab.pointer().cast<float>()};
           if (observed)
             mark.arrow.from +=
-                ((grab.force() - force) / grab.stiffness()).cast<float>();  // of this simulation's tissue
+                ((grab.force() - force) / grab.stiffness()).cast<float>();  // for this simulation's tissue
           mark.stays = !grabs->follows(i);
         }
     marks.push_back(mark);

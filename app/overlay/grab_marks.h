@@ -1,5 +1,5 @@
-// Where the grabs are and how hard they pull, drawn over the tissue: those of the user, of the scene and of a replay
-// alike. And what else marks places of it.
+// Marks over the tissue: position and force of the grabs of the user, of the scene and of a replay, and other marked
+// places.
 #pragma once
 #include <optional>
 #include <vector>
@@ -16,21 +16,21 @@ inline constexpr float kLabelGap = 3;      // between labels [points]
 inline constexpr double kMarkRadius = 11;  // of the handle of a grab [1/720 of the picture's height]
 
 struct GrabMark {
-  GrabArrow arrow;        // from the tissue to where it is pulled: along the force, as long as the springs are
+  GrabArrow arrow;        // from the tissue to the target: in the direction of the force, as long as the springs
   Eigen::Vector3d force;  // [N]
-  bool stays = false;     // a grab of the user that does not follow the mouse: can be taken up by its handle
+  bool stays = false;     // a grab of the user that does not follow the mouse and can be taken up by its handle
 };
 
-/// `forces` as last observed; `grabs` of the user, null where there is none.
+/// `forces` as last observed; `grabs` of the user, null if there are none.
 std::vector<GrabMark> grab_marks(const Simulation& simulation, const std::vector<GrabForce>& forces,
                                  const GrabSet* grabs);
 std::vector<GrabArrow> arrows(const std::vector<GrabMark>& marks);
 
-/// Pixel of a place in a picture of the session; nothing behind the eye.
+/// Pixel of a place in a picture of the session; none behind the camera.
 std::optional<Eigen::Vector2d> pixel_of(const Session& session, const Eigen::Vector3d& place, double width,
                                         double height);
 
-/// A list to draw into and where the picture of a session is in it, in the list's units.
+/// A draw list and the area of a session's picture in it, in the list's units.
 struct MarkArea {
   ImDrawList& list;
   float x, width, height;
@@ -38,15 +38,15 @@ struct MarkArea {
   static MarkArea whole();  // ImGui's background, between ImGui::NewFrame and ImGui::Render
 };
 
-/// Handles and forces in newtons, these where `places` has room for them.
+/// Draws handles and forces in newtons, the latter where `places` has room for them.
 void draw_grab_marks(const MarkArea& area, const Session& session, const std::vector<GrabMark>& marks,
                      LabelPlaces& places);
 
-/// A circle of the patch's radius [m] on the tissue at this place, square to `normal`.
+/// Draws a circle with the patch's radius [m] on the tissue at this place, perpendicular to `normal`.
 void draw_patch_ring(const MarkArea& area, const Session& session, const Eigen::Vector3d& place,
                      const Eigen::Vector3d& normal, double radius);
 
-/// A dot on the vertex that is plotted; `place` is where it is [m].
+/// Draws a dot at `place` [m], the position of the plotted vertex.
 void draw_probe(const MarkArea& area, const Session& session, const Eigen::Vector3d& place);
 
 }  // namespace fascia

@@ -24,8 +24,9 @@ Overlay::Overlay(Graphics& graphics) : graphics_(graphics) {
   io.IniFilename = nullptr;
   if (GLFWwindow* window = graphics.context->window()) {
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    ImGui_ImplGlfw_InitForOther(window,
-                                false);  // its callbacks are called by WindowInput, which sees every event first
+    ImGui_ImplGlfw_InitForOther(
+        window,
+        false);  // WindowInput calls the backend's callbacks, since it receives every event first
   }
 }
 
@@ -47,7 +48,7 @@ void Overlay::scale_to(int height) {
   set_scale(std::clamp(static_cast<float>(height) / 720, 0.5f, 12.0f));
   if (scale == scale_) return;
   ImGui::GetIO().DisplaySize = {static_cast<float>(height), static_cast<float>(height)};
-  ImGui::NewFrame();  // takes up the font
+  ImGui::NewFrame();  // uses the new font
   ImGui::EndFrame();
 }
 
@@ -65,7 +66,7 @@ void Overlay::begin(int width, int height) {
 }
 
 void Overlay::end() {
-  ImGui::ErrorCheckEndFrameRecover(nullptr);  // closes what an exception left open
+  ImGui::ErrorCheckEndFrameRecover(nullptr);  // closes the groups that an exception left open
   ImGui::Render();
 }
 
@@ -147,7 +148,7 @@ void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool pan
   WindowState state;
   state.facts = SceneFacts(session.simulation.scene, session.simulation.model);
   state.statistics.diagnostics = diagnostics;
-  // Twice, since ImGui settles sizes of tables and of auto-sized windows on their second frame.
+  // Twice, since ImGui determines sizes of tables and of auto-sized windows in their second frame.
   for (int pass = 0; pass < 2; ++pass) {
     ImGui::NewFrame();
     Requests nobody_asks;

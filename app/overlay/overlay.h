@@ -1,6 +1,6 @@
-// What is drawn over the picture: the panels, and lists of marks and labels. Owns the ImGui context; works in a window
-// and headless. Everything is laid out in pixels of the picture, so that a window, a screenshot and a headless
-// rendering look alike.
+// Draws over the picture: the panels, and lists of marks and labels. Owns the ImGui context; works in a window and
+// headless. Everything is laid out in pixels of the picture, so that a window, a screenshot and a headless rendering
+// look alike.
 #pragma once
 #include <functional>
 #include <memory>
@@ -22,27 +22,29 @@ class Overlay {
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
 
-  /// One frame of panels (if wanted), color bar and forces of grabs over the resolved framebuffer, without a window.
-  /// `more` is called with ImGui to draw what else belongs to the picture.
+  /// Draws one frame of panels (if requested), color bar and forces of grabs over the resolved framebuffer, without a
+  /// window. `more` is called to draw additional content with ImGui.
   void draw_headless(Session& session, Framebuffer& framebuffer, bool panels,
                      const std::optional<Diagnostics>& diagnostics, const std::vector<GrabMark>& grabs,
                      const std::function<void()>& more = {});
-  /// So that lengths in pixels and texts are measured right before the first picture of this height.
+  /// Sets the scale, so that lengths in pixels and texts are measured correctly before the first picture of this
+  /// height.
   void scale_to(int height);
 
-  /// A window's frame: begin, which gives ImGui the next input (WindowInput::feed), then any ImGui calls, then end;
-  /// then draw over the resolved framebuffer, first what belongs to the picture, then what does not (ImGui's foreground
-  /// layer).
+  /// The sequence of a window's frame: begin, which gives ImGui the next input (WindowInput::feed); any ImGui calls;
+  /// end; then draw over the resolved framebuffer, first the part that belongs to the picture, then the rest (ImGui's
+  /// foreground layer).
   void begin(int width, int height);
   void end();
   void draw(const Framebuffer& framebuffer);
   void draw_foreground(const Framebuffer& framebuffer);
-  /// The same frame over a picture of another size, as large as fits; without `panels` only what lies behind them.
+  /// Draws the same frame over a picture of another size, as large as fits; without `panels` only the layer behind
+  /// them.
   void draw_onto(const Framebuffer& framebuffer, bool panels);
-  /// What windows and pills of the frame cover [pixels of the frame].
+  /// The areas that windows and pills of the frame cover [pixels of the frame].
   std::vector<Box> covered() const;
-  float scale_onto(const Framebuffer& framebuffer) const;  // of that frame there
-  /// What `paint` draws, in units of `scale` pixels, over the picture. Once a frame has begun.
+  float scale_onto(const Framebuffer& framebuffer) const;  // scale of that frame on it
+  /// Draws the output of `paint`, in units of `scale` pixels, over the picture. Call after the first begin().
   void draw_list(const Framebuffer& framebuffer, float scale, const std::function<void(ImDrawList&)>& paint);
 
  private:

@@ -41,7 +41,7 @@ std::optional<UnitHint> unit_hint(const Scene& scene, const Model& model) {
 }
 
 std::optional<Hint> iterations_hint(const SolverSettings& settings, const std::optional<Diagnostics>& diagnostics) {
-  // A tenth of the step's work left undone is what one begins to see.
+  // A residual of a tenth of the step is where the error becomes visible.
   constexpr double kVisible = 0.1;
   if (!diagnostics || !std::isfinite(diagnostics->residual) || diagnostics->residual < kVisible) return std::nullopt;
   char text[64];

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Containers keep keywords in capitals or small letters, and spaces or not, as they like; ours begin with a capital.
+// Containers change the capitals of keywords and add spaces; fascia's begin with a capital.
 std::string keyword_of(std::string text) {
   for (char& c : text) c = c == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
@@ -27,7 +27,7 @@ std::string keyword_of(std::string text) {
 }
 
 Provenance of_video(const fs::path& path) {
-  if (std::ifstream in(path); in.peek() == std::ifstream::traits_type::eof()) read_file(path);  // for its errors
+  if (std::ifstream in(path); in.peek() == std::ifstream::traits_type::eof()) read_file(path);  // throws its errors
   const std::string command = "ffprobe -v error -show_entries format_tags -of json " +
                               shell_quoted(fs::absolute(path).string()) + " 2>/dev/null";
   FILE* const pipe = popen(command.c_str(), "r");

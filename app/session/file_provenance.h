@@ -1,4 +1,4 @@
-// What made a file that fascia wrote.
+// Reads the provenance of a file that fascia wrote.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace fascia {
 
-/// Of a picture, a video, a replay, an exported state or stats.json. Nothing if it is none of fascia's. Throws Error
-/// for a file that cannot be read.
+/// The provenance of a picture, a video, a replay, an exported state or stats.json. None if fascia did not write the
+/// file. Throws Error for a file that cannot be read.
 std::optional<Provenance> provenance_of_file(const std::filesystem::path& path);
 
 }  // namespace fascia

@@ -5,14 +5,14 @@
 namespace fascia {
 
 void frame_picture(Camera& camera, const Eigen::Vector2d& extent, const Frame& frame) {
-  constexpr double kGap = 0.02;  // at either end of the room [room]
-  // As `extent`: a body that reaches farther, out of the picture too, is meant to be seen in part
+  constexpr double kGap = 0.02;  // at both ends of the free space, as a share of it
+  // Limit of `extent`: a body that extends farther, beyond the picture, is intentionally shown in part
   constexpr double kWidest = 1.3;
   const double width = frame.width, left = frame.margins.left, right = frame.margins.right,
                room = std::max(width - left - right, 1.0);
   const auto half_of = [&](double across) { return 0.5 * std::min(across, static_cast<double>(frame.height)); };
-  // Without a bar the target is in the middle of what panels leave, and the lens spans the shorter side of the picture.
-  // Both sides of a comparison are drawn so, whichever of them has the bar.
+  // Without a bar the target is in the center of the space beside the panels, and the lens spans the shorter side of
+  // the picture. Both sides of a comparison are drawn in this manner, whichever has the bar.
   double target = 0.5 * (frame.side ? left - right : left);  // from the picture's middle to the right
   const double half = frame.side ? half_of(room) : half_of(width);
   camera.reach = half_of(width) / half;

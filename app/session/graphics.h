@@ -1,4 +1,4 @@
-// The context and the shader programs that a command works with.
+// The context and the shader programs of a command.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -18,16 +18,16 @@ struct Graphics {
   std::unique_ptr<gl::ProgramCache> programs;
 };
 
-/// Makes the context that the options ask for. On software renderers the number of worker threads is chosen first
-/// (LP_NUM_THREADS, if the user did not set it); it cannot be changed later.
+/// Creates the context that the options request. On software renderers the number of worker threads is set first
+/// (LP_NUM_THREADS, unless the user set it); it cannot be changed later.
 Graphics open_graphics(const CommonOptions& options, bool for_view, int width = 16, int height = 16,
                        const Workload& workload = {});
 
 /// "llvmpipe (LLVM 15.0.6, 256 bits) through osmesa, kernels read by texel"
 std::string describe(const Graphics& graphics);
 
-/// Says on stderr, unless quiet, what the command works with: the renderer, if there is one, and what the model's
-/// makers noted. After loading, so that a failed load says one line only.
+/// Prints on stderr, unless quiet, the renderer, if there is one, and the notes about the model. Called after loading,
+/// so that a failed load prints only one line.
 void announce(const CommonOptions& options, const Graphics& graphics, const std::vector<std::string>& notes);
 
 }  // namespace fascia

@@ -28,7 +28,8 @@ Opened open_replay(const std::filesystem::path& path, const std::vector<std::str
   if (mesh == read.made_by.end() || mesh->second == hash_text(mesh_hash(opened.model.file_mesh)) ||
       !read.scene.files.empty())
     return opened;
-  // Without a note of its files, a replay shows only here that what was found by its name elsewhere is another mesh.
+  // Without a record of its files, this is the only check that a replay's file that was found by name elsewhere is the
+  // same mesh.
   if (!read.scene.notes.empty())
     throw Error(read.scene.notes.front(), "another mesh than that of the recording",
                 "expected that one beside the replay");
@@ -53,7 +54,7 @@ std::vector<std::filesystem::path> input_files(const Scene& scene) {
 
 Scene open_scene_or_input(const std::filesystem::path& path, const std::vector<std::string>& sets) {
   if (path != kStandardInput) return open_scene(path, sets);
-  constexpr const char* kName = "standard input";  // has no folder: paths are relative to the working folder
+  constexpr const char* kName = "standard input";  // without a folder: paths are relative to the working folder
   if (read_standard_input().empty()) throw Error(kName, "is empty", "expected a scene (JSON)");
   return read_scene_content(kName, read_standard_input(), sets);
 }
@@ -66,7 +67,7 @@ Opened open_file(const std::filesystem::path& path, const std::vector<std::strin
 }
 
 Opened open_input(const CommonOptions& options, const std::vector<std::string>& sets) {
-  if (!options.data_dir.empty()) find_data_dir(options.data_dir);  // where "assets:" leads
+  if (!options.data_dir.empty()) find_data_dir(options.data_dir);  // sets the folder of "assets:"
   std::vector<std::string> overrides = sets;
   for (const std::string& grab : options.grabs) overrides.push_back("--grab " + grab);
   if (!options.replay.empty() && !options.input.empty())

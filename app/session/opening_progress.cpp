@@ -13,7 +13,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kFirstLine = 3, kBetweenLines = 5;  // [s]
-constexpr double kLeastShare = 0.02;                 // done, before it says anything of the rest
+constexpr double kLeastShare = 0.02;                 // completed, before a remaining time is estimated
 
 std::string line_of(const std::string& name, double share, const char* what, double seconds) {
   char rest[64] = "";
@@ -31,7 +31,7 @@ Progress opening_progress(const std::string& name) {
     Clock::time_point start = Clock::now();
     double next = kFirstLine;
   };
-  // Shared: parts of the work have copies of the callback.
+  // Shared, because parts of the work copy the callback.
   return [name = std::filesystem::path(name).filename().string(), clocks = std::make_shared<Clocks>()](
              double share, const char* what) {
     const double seconds = std::chrono::duration<double>(Clock::now() - clocks->start).count();

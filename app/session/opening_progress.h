@@ -1,4 +1,4 @@
-// On stderr: how far a file that takes long to open has come, and how long it takes still.
+// Reports on stderr the progress and the remaining time of opening a large file.
 #pragma once
 #include <string>
 
@@ -6,7 +6,7 @@
 
 namespace fascia {
 
-/// A line now and then, the first after some seconds, each with the name of what is opened.
+/// Prints a line at intervals, the first after some seconds, each with the name of the file.
 Progress opening_progress(const std::string& name);
 
 }  // namespace fascia

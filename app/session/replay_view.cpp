@@ -10,13 +10,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-// [s] between pictures that were drawn one after the other: what is longer apart is a camera that stood still in
-// between.
+// [s] largest interval between consecutive pictures: across a longer one the camera did not move.
 constexpr double kLongestMove = 0.15;
 
 bool same_lens(const CameraSettings& a, const CameraSettings& b) { return a.up == b.up && a.fov_deg == b.fov_deg; }
 
-// What is interpolated: target, direction, logarithm of the distance.
+// The interpolated quantities: target, direction, logarithm of the distance.
 struct Pose {
   Vector3d target, direction;
   double distance;
@@ -41,7 +40,7 @@ ReplayView::ReplayView(const Replay& replay) {
     if (!camera) continue;
     const double gap = kLongestMove / time.time_step(input.step);
     if (!keys_.empty() && keys_.back().step == step) keys_.pop_back();
-    // A camera that stood still begins to move one picture before it is seen elsewhere.
+    // A camera at rest begins to move one picture before its next recorded position.
     if (!keys_.empty() && step - keys_.back().step > std::max(gap, 1.0))
       keys_.push_back({step - std::max(gap / 4, 1.0), keys_.back().camera});
     keys_.push_back({step, *camera});
@@ -56,9 +55,9 @@ std::optional<CameraSettings> ReplayView::camera(double step) const {
   if (next == keys_.end() || from->camera == next->camera || !same_lens(from->camera, next->camera))
     return from->camera;
   const Pose a(from->camera), b(next->camera);
-  if (a.direction.dot(b.direction) < 0) return from->camera;  // another view, not a turn
+  if (a.direction.dot(b.direction) < 0) return from->camera;  // a different view, not a rotation
   const double length = next->step - from->step, t = (step - from->step) / length;
-  // Slopes over one interval, from the keys on either side.
+  // Slopes over one interval, from the keys on both sides.
   const auto slope = [&](auto member) {
     const auto at = [&](std::vector<Key>::const_iterator key) { return Pose(key->camera).*member; };
     using T = std::decay_t<decltype(at(from))>;

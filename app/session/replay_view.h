@@ -1,4 +1,4 @@
-// What the user of a replay looked at: camera and display at any moment, between two steps, too.
+// The camera and display of a recorded session at any time, also between two steps.
 #pragma once
 #include <optional>
 #include <utility>
@@ -13,9 +13,9 @@ class ReplayView {
   ReplayView() = default;
   explicit ReplayView(const Replay& replay);
 
-  /// After `step` steps, whole or not. The camera goes through what was recorded on a smooth path (Catmull and Rom
-  /// 1974, in the target, the direction and the logarithm of the distance), and stands where it stood. Nothing if none
-  /// was recorded by then.
+  /// The camera after `step` steps, whole or fractional. It follows a smooth path through the recorded cameras (Catmull
+  /// and Rom 1974, in the target, the direction and the logarithm of the distance), and rests where it rested. None if
+  /// none was recorded by then.
   std::optional<CameraSettings> camera(double step) const;
   std::optional<DisplaySettings> display(double step) const;
 

@@ -15,7 +15,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// As --set reads it back: JSON, or a text that is no JSON.
+/// The value in the syntax of --set: JSON, or a text that is not JSON.
 std::string text_of_value(const OrderedJson& value) {
   if (!value.is_string()) return value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
   const std::string text = value.get<std::string>();
@@ -27,7 +27,7 @@ std::string text_of_value(const OrderedJson& value) {
   return value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
-/// To the bit: -0 is not 0.
+/// Exact comparison: -0 differs from 0.
 bool same(const OrderedJson& a, const OrderedJson& b) {
   return a == b && a.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) ==
                        b.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
@@ -35,7 +35,7 @@ bool same(const OrderedJson& a, const OrderedJson& b) {
 
 bool can_be_segment(const std::string& key) { return !key.empty() && key.find_first_of(".[]=") == std::string::npos; }
 
-/// Whether --set can make `from` into `to` key by key.
+/// Whether --set can change `from` to `to` key by key.
 bool can_descend(const OrderedJson& from, const OrderedJson& to) {
   if (from.is_object() && to.is_object()) {
     for (const auto& item : from.items())
@@ -78,7 +78,7 @@ std::vector<std::string> sets_between(const Scene& from, const Scene& to) {
       throw Error(to.file.string(), "has \"" + item.key() + "\", which no --set takes away", "save the scene instead");
   std::vector<std::string> sets;
   collect("", before, after, sets);
-  // Half a pair means the best that goes with it, not what the file has.
+  // If only one of method and acceleration is set, the best matching other one is chosen, not that of the file.
   const bool method = before.at("solver").at("method") != after.at("solver").at("method");
   const bool acceleration = before.at("solver").at("acceleration") != after.at("solver").at("acceleration");
   if (method != acceleration)

@@ -8,7 +8,7 @@
 namespace fascia {
 namespace {
 
-// Of the tets' vertices.
+// Positions of the tets' vertices.
 std::vector<Eigen::Vector3d> places_of(const Model& model, const std::vector<Eigen::Vector3d>& displacement) {
   std::vector<char> used(model.rest_positions.size());
   for (const Tet& tet : model.tets)
@@ -104,7 +104,7 @@ void Session::show_error() { simulation.gpu()->set_vertex_errors(true_error.resu
 std::optional<Eigen::Vector2d> Session::measure_shown(bool now) {
   GpuSolver& solver = *simulation.gpu();
   ShownRange& range = *solver.shown_range();
-  const bool wait = now || !shown_;  // a range of nothing would give the colors another meaning for some frames
+  const bool wait = now || !shown_;  // without a range the colors would have another meaning for some frames
   if (const auto shown = range.take(false); shown && !wait) shown_ = shown;
   if (wait || !range.pending()) {
     solver.publish();

@@ -69,7 +69,7 @@ void follow_range(const Eigen::Vector2d& shown, ColorBy color, std::optional<Eig
   const double middle = neutral.value_or(0), wanted = neutral ? (shown.array() - middle).abs().maxCoeff() : shown.y();
   if (!(wanted > 0) || !std::isfinite(wanted)) return;
   if (const double reach = range ? range->y() - middle : 0; wanted <= reach && wanted >= 0.2 * reach) return;
-  // Closer to a neutral 1 than this, float32 has no digits left.
+  // Closer to a neutral value of 1, float32 has no accuracy left.
   const double next = std::max(round_up(wanted), middle == 0 ? 0.0 : 1e-5);
   range = Eigen::Vector2d(neutral ? middle - next : 0, middle + next).cast<float>();
 }

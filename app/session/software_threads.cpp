@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostThreads = 16;  // of llvmpipe 22
 
-// In the order in which they were made.
+// In the order of creation.
 std::vector<int> threads_of_this_program() {
   std::vector<int> threads;
   std::error_code none;
@@ -24,7 +24,7 @@ std::vector<int> threads_of_this_program() {
   return threads;
 }
 
-// Of those that a driver made: before it first waits it may not have run yet, and has no name.
+// Whether a thread of a driver waits: before its first wait it may not have run yet, and then has no name.
 bool waits(int thread) {
   std::ifstream file("/proc/self/task/" + std::to_string(thread) + "/stat");
   std::string text;
@@ -41,7 +41,7 @@ std::string name_in(const std::string& folder) {
   return name;
 }
 
-// Where it may run: not all of the machine's in a container, for example.
+// The cores on which the program may run: in a container, for example, fewer than the machine has.
 std::vector<int> cores_of_this_program() {
   std::vector<int> cores;
   cpu_set_t allowed;
@@ -57,9 +57,9 @@ Workload workload_of(const Scene& scene, const Model& model, bool static_equilib
   return {scene.solver.method, model.tets.size(), drawn, static_equilibrium || scene.solver.tolerance == 0};
 }
 
-// llvmpipe's worker threads cost something where they wait for each other: in a step of fused passes (gl/fused_pass.h)
-// after every kernel, of which colors make many; else they are woken and awaited in every dispatch, which takes as long
-// as they save on some thousands of tets. The rasteriser gains from every core, more than a step loses.
+// llvmpipe's worker threads have a cost whenever they wait for each other: in a step of fused passes (gl/fused_pass.h)
+// after every kernel, of which colors need many; otherwise at every dispatch, where waking and waiting take as long as
+// the threads save on some thousands of tets. The rasterizer gains from every core, more than a step loses.
 SoftwareThreads::SoftwareThreads(const Workload& workload) : before_(threads_of_this_program()) {
   constexpr std::size_t kTetsFused = 2000, kTetsOfColors = 8'000, kTetsPerDispatch = 5000;
   const std::size_t cores = std::clamp<std::size_t>(cores_of_this_program().size(), 1, kMostThreads);
@@ -78,7 +78,7 @@ void SoftwareThreads::spread() const {
   constexpr int kPatience = 1000;  // ms, on a busy machine
   for (int i = 0; i < kPatience && !std::all_of(made.begin(), made.end(), waits); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  // Those that run kernels have no name of their own; the rasteriser's, and helpers, do.
+  // Threads that run kernels have no name of their own; those of the rasterizer and helpers do.
   const std::string program = name_in("/proc/self");
   std::size_t worker = 0;
   for (const int thread : made) {

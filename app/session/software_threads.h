@@ -1,4 +1,4 @@
-// The worker threads of the software renderer llvmpipe: how many there are, and on which cores they run.
+// Configures the worker threads of the software renderer llvmpipe: their number, and the cores on which they run.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -8,29 +8,29 @@
 
 namespace fascia {
 
-/// What a software renderer will mostly do.
+/// The predominant work of a software renderer.
 struct Workload {
   Method method = Method::jacobi;
   std::size_t tets = 0;
   bool drawn = true;
-  bool fused = true;  // whether the passes of a step are (gl/fused_pass.h): not with solver.tolerance, which --static
-                      // has another way
+  bool fused = true;  // whether the passes of a step are fused (gl/fused_pass.h): not with solver.tolerance, which
+                      // --static reaches differently
 };
 Workload workload_of(const Scene& scene, const Model& model, bool static_equilibrium, bool drawn = true);
 
-/// Made before a context, asked to spread what came with it afterwards.
+/// Create it before a context, and call spread() afterwards for the threads of that context.
 class SoftwareThreads {
  public:
-  /// Chooses how many there will be (LP_NUM_THREADS, if the user did not set it); it cannot be changed later.
+  /// Sets the number of threads (LP_NUM_THREADS, unless the user set it); it cannot be changed later.
   explicit SoftwareThreads(const Workload& workload);
 
-  /// Gives each of the threads that run kernels a core of its own, where there are as many of both: left to itself
-  /// Linux at times runs two of them on one (docs/concepts/performance.md has what it brings). Without a word where it
-  /// is no Linux or there are no such threads.
+  /// Binds each thread that runs kernels to a core of its own, if there are as many cores as threads: otherwise Linux
+  /// at times runs two of them on one core (docs/concepts/performance.md has the gain). No effect on other systems or
+  /// without such threads.
   void spread() const;
 
  private:
-  std::vector<int> before_;  // the threads that there were
+  std::vector<int> before_;  // threads that existed before
 };
 
 }  // namespace fascia

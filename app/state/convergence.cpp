@@ -6,7 +6,7 @@
 namespace fascia {
 namespace {
 
-// What makes a line of its own; how many iterations and how long a step is the same for all.
+// The settings that distinguish a line; the number of iterations and the time step are common to all.
 bool same_line(const SolverSettings& a, const SolverSettings& b) {
   return a.choice() == b.choice() && a.colors == b.colors && a.window == b.window &&
          a.spectral_radius == b.spectral_radius;

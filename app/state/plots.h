@@ -1,4 +1,5 @@
-// What the panel Plots shows: samples over time, which charts, and which part of the time. Off, nothing is kept.
+// The state of the panel Plots: samples over time, the charts, and the shown interval. While it is off, no samples are
+// kept.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -11,21 +12,21 @@ namespace fascia {
 struct Plots {
   static constexpr std::size_t kCharts = 8;
 
-  bool shown = false, held = false;  // held: nothing is added, to read what is there
+  bool shown = false, held = false;  // held: samples are not added, so that the chart can be read
   std::array<bool, kCharts> chosen{true, true, true, true, false, false, false, false};
   SampleHistory history;
   double span = 10;           // seconds shown
   std::optional<double> end;  // right edge [s]; none: the latest sample
   std::optional<double> cursor,
-      cursor_next;  // time under the mouse [s], in the frame before and in this one: all charts show the same
-  std::optional<std::uint32_t> probe;              // vertex that is followed; none: the tip, once there are plots
-  bool choosing = false;                           // the next click on the tissue chooses the probe
+      cursor_next;  // time under the mouse [s], in the previous frame and in this one: all charts show the same
+  std::optional<std::uint32_t> probe;              // tracked vertex; none: the tip, once there are plots
+  bool choosing = false;                           // the next click on the tissue selects the probe
   float left = 0, top = 0, width = 0, height = 0;  // of the panel in the picture [pixels]
-  bool docked = true;  // until it is moved or resized, it fills the picture's right side, whatever size that gets
-  std::array<float, 4> dock{};  // where that was in the frame before: left, top, width, height [pixels]
+  bool docked = true;           // until it is moved or resized, it fills the right side of the picture, at any size
+  std::array<float, 4> dock{};  // its area in the previous frame: left, top, width, height [pixels]
 
   double right_edge() const { return end ? *end : history.all().empty() ? span : history.all().back().time; }
-  /// Another scene: its samples and its vertex are gone.
+  /// Call when the scene changes: discards samples and probe.
   void forget();
 };
 

@@ -22,7 +22,7 @@ class ChangeList {
   template <class Value>
   void number(const std::string& what, const Value& from, const Value& to, const std::string& unit) {
     if (from == to) return;
-    // More digits where three would show the same.
+    // More digits if three would not show the difference.
     int digits = 3;
     while (digits < 9 && engineering(double(from), unit, digits) == engineering(double(to), unit, digits)) ++digits;
     add(what, engineering(double(from), unit, digits), engineering(double(to), unit, digits));
@@ -30,7 +30,7 @@ class ChangeList {
   std::vector<std::string> lines;
 };
 
-/// The table's fields of both, one after the other: f(from, to, name, unit).
+/// Visits the table's fields of both in parallel: f(from, to, name, unit).
 template <class Visit, class F>
 void visit_both(Visit visit, F f) {
   std::vector<double> values;
@@ -86,7 +86,7 @@ void compare_entries(const MaterialEntries& from, const MaterialEntries& to, boo
     if (!find(to, key)) list.lines.push_back("The default material" + of_body + ", " + key);
 }
 
-/// Of the display every key is compared as a scene file has it: a new one needs nothing here.
+/// Compares every display key in its scene-file form, so that new keys are included automatically.
 void compare_display(const DisplaySettings& from, const DisplaySettings& to, ChangeList& list) {
   const auto document = [](const DisplaySettings& display) {
     Scene scene;
@@ -117,7 +117,7 @@ Tunables tunables_of(const Session& session, const GrabSettings& grab) {
 void set_tunables(Session& session, GrabSettings& grab, const Tunables& tunables) {
   Simulation& simulation = session.simulation;
   const Tunables now = tunables_of(session, grab);
-  // A method must carry the materials of the moment: first what goes with every one.
+  // A method must support the current materials: methods that support every law are set first.
   const bool settings_first = std::all_of(simulation.model.materials.begin(), simulation.model.materials.end(),
                                           [&](const Material& m) { return carries(tunables.solver.method, m.model); });
   if (now.solver != tunables.solver && settings_first) simulation.set_settings(tunables.solver);

@@ -1,5 +1,5 @@
-// Everything that a user can turn while a scene is simulated, as one value: what undo goes back to, what two sides of a
-// comparison differ in. The camera is no tunable.
+// All parameters that a user can change during a simulation, as one value: undo restores it, and the two sides of a
+// comparison differ in it. The camera is not included.
 #pragma once
 #include <string>
 #include <vector>
@@ -21,10 +21,11 @@ struct Tunables {
 
 Tunables tunables_of(const Session& session, const GrabSettings& grab);
 
-/// Sets what differs, through the session's own setters, so that replays hear of it. Throws Error as they do.
+/// Sets the parameters that differ, through the session's own setters, so that replays record them. Throws Error as
+/// they do.
 void set_tunables(Session& session, GrabSettings& grab, const Tunables& tunables);
 
-/// What changed from one to the other, for people: "Young's modulus, tumour: 10 kPa to 12 kPa". One line per change.
+/// The changes from one to the other as text: "Young's modulus, tumour: 10 kPa to 12 kPa". One line per change.
 std::vector<std::string> changes(const Tunables& from, const Tunables& to);
 
 }  // namespace fascia

@@ -1,6 +1,6 @@
-// Undo and redo of everything that a user turns. The window shows it the tunables once nobody holds one: what differs
-// from the last time is one entry, whatever made it, so a drag of a slider, a key and a combo are each undone in one
-// piece. Knows values only.
+// Undo and redo of all parameter changes. The window passes the tunables whenever no widget is active: the difference
+// from the last call is one entry, so a drag of a slider, a key and a combo are each undone at once. Works on values
+// only.
 #pragma once
 #include <deque>
 #include <string>
@@ -19,22 +19,24 @@ class UndoHistory {
   };
 
   void restart(const Tunables& now);
-  /// What differs from the last call becomes an entry, and what was undone is gone.
+  /// Makes an entry of the difference from the last call, and discards undone entries.
   void follow(const Tunables& now);
-  /// As follow(), but what differs is nobody's change: a replay's.
+  /// As follow(), but without an entry, since the change is a replay's.
   void accept(const Tunables& now) { last_ = now; }
 
   bool can_undo() const { return done_ > 0; }
   bool can_redo() const { return done_ < entries_.size(); }
   const Entry& undone_next() const { return entries_[done_ - 1]; }
   const Entry& redone_next() const { return entries_[done_]; }
-  /// The tunables to set for it. Call accept() with what they then are.
+  /// Returns the tunables to set. Call accept() with the resulting ones.
   Tunables undo() { return entries_[--done_].before; }
   Tunables redo() { return entries_[done_++].after; }
 
   const std::deque<Entry>& entries() const { return entries_; }
-  std::size_t done() const { return done_; }   // entries that are not undone
-  bool complete() const { return complete_; }  // false: there were more than kMostEntries, the first ones are gone
+  std::size_t done() const { return done_; }  // entries in effect
+  bool complete() const {
+    return complete_;
+  }  // false: there were more than kMostEntries, and the first ones were dropped
 
  private:
   Tunables last_;

@@ -1,5 +1,5 @@
-// What the window knows beside the session, shared by its loop, its keys and its panels; and what keys and panels ask
-// of it.
+// The window's state outside the session, shared by its loop, its keys and its panels, and the requests of keys and
+// panels.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -20,12 +20,12 @@ namespace fascia {
 
 struct Statistics {
   bool measured = false;  // false: a headless picture, which must not depend on a clock
-  /// Of so many steps, as the GPU measured them together [ms]; `compiled`: kernels, too, which says nothing about the
-  /// next steps. Adds the time of each to `all`, from which stats.json is made.
+  /// Adds the time of `count` steps, which the GPU measured together [ms]; `compiled`: includes compilation, so it does
+  /// not predict the next steps. Appends the time of each to `all`, from which stats.json is made.
   void add_steps(double milliseconds, int count, bool compiled, std::vector<double>& all);
 
   RecentValues frame, solve, render;  // [ms]; solve: one time step
-  double step_ms = 0;                 // one step, averaged with fading weights: what the next one may take
+  double step_ms = 0;                 // one step, an average with decaying weights: the estimate for the next one
   double speed = 1;                   // simulated over real time
   bool keeps_pace = true;
   double waits = 0;  // for a solver that cannot step yet [s]
@@ -33,62 +33,63 @@ struct Statistics {
   std::optional<Diagnostics> diagnostics;
 };
 
-/// What of a model does not change while it is simulated, for the panels.
+/// Constant properties of a model, for the panels.
 struct SceneFacts {
   SceneFacts() = default;
   SceneFacts(const Scene& scene, const Model& model);
-  double mass(const Model& model) const;  // [kg], at the densities of now
+  double mass(const Model& model) const;  // [kg], at the current densities
 
   struct Region {
     std::size_t body;
     int number;         // in the mesh
     std::string key;    // in the scene's "materials"
-    std::string label;  // for people
+    std::string label;  // as displayed
     double volume;      // [m^3]
     std::uint32_t material;
   };
-  std::vector<Region> regions;              // that have tets, body by body, ascending numbers
-  double volume = 0;                        // of all [m^3]
-  std::optional<UnitHint> unit;             // where the size is no tissue's
+  std::vector<Region> regions;              // with tets, body by body, ascending numbers
+  double volume = 0;                        // total [m^3]
+  std::optional<UnitHint> unit;             // if the size is not that of tissue
   std::vector<double> material_volume;      // [material_count] [m^3]
-  std::vector<std::string> material_names;  // without the body's name where there is only one body
+  std::vector<std::string> material_names;  // without the body's name if there is only one body
 };
 
-/// What is asked of a comparison of two settings side by side.
+/// A request to a comparison of two settings side by side.
 enum class CompareAsk { nothing, open_or_close, edit_a, edit_b, copy_a, swap, keep_b };
 
 struct WindowState {
   bool paused = false, show_panels = true, show_help = false, recording = false;
-  bool show_convergence = false;  // measured only while it is shown
+  bool show_convergence = false;  // measured only while shown
   Convergence convergence;
   Plots plots;
   GrabSettings grab;
-  std::size_t grabs = 0;  // of the user, on the tissue
+  std::size_t grabs = 0;  // number of the user's grabs
   SceneFacts facts;
-  std::size_t chosen_material = 0;  // whose sliders are shown
+  std::size_t chosen_material = 0;  // the one whose sliders are shown
   HintBoard hints;
   UndoHistory history;
   bool comparing = false, editing_b = false;  // the panels show side B
   Statistics statistics;
   bool show_recording = false;
   VideoSettings video;
-  double replay_speed = 1;    // of a replay that plays, over real time
-  bool replay_camera = true;  // look where its user looked
+  double replay_speed = 1;    // of a replay, over real time
+  bool replay_camera = true;  // use the recorded camera
 };
 
-/// Asked during a frame, carried out between frames.
+/// Requests during a frame, executed between frames.
 struct Requests {
   bool open_dialog = false, save_dialog = false, reset = false, step = false, frame_view = false, screenshot = false,
        video = false, reload_shaders = false, close = false, plot_table = false, plot_picture = false, recent = false,
        export_dialog = false, gallery = false, copy_command = false, resume_recovered = false, forget_recovered = false,
        let_go = false, save_replay_dialog = false, end_replay = false, save_with_mesh = false;
   std::optional<std::filesystem::path> open, save, export_state, save_replay,
-      resume;  // resume: what a session left (autosave.h)
+      resume;  // resume: the recording of an interrupted session (autosave.h)
   CompareAsk compare = CompareAsk::nothing;
-  std::optional<std::size_t> history;                     // so many of its entries shall be in force
-  std::optional<std::vector<MaterialEntries>> materials;  // regions that get a material of their own, or lose it
-  std::optional<double> rescale;                          // of all bodies, by this factor: the file was in another unit
-  /// Some are carried out with the steps and the picture of a frame.
+  std::optional<std::size_t> history;  // number of entries that shall be in effect
+  std::optional<std::vector<MaterialEntries>>
+      materials;                  // regions that get a material of their own, or the default one
+  std::optional<double> rescale;  // factor for all bodies: the file has another unit
+  /// Some requests are executed with the steps and the picture of a frame.
   bool wait_for_picture() const { return step || screenshot || video || plot_table || plot_picture; }
 };
 

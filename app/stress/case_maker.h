@@ -1,4 +1,4 @@
-// What the cases of the stress suite are made with: a beam, its scene, starts of it.
+// Builds the cases of the stress suite: a beam, its scene, and initial states.
 #pragma once
 #include <Eigen/Core>
 #include <filesystem>
@@ -28,7 +28,7 @@ struct StressCases {
   Scene scene(const std::string& mesh_name, const TetMesh& mesh, bool clamped = true) const;
   Scene beam_scene(bool clamped = true) const { return scene("beam", beam(), clamped); }
   SolverSettings solver() const;
-  /// At rest in the places that `place` gives the vertices; those at x = 0 stay where a clamped body holds them.
+  /// At rest at the places that `place` gives the vertices; those at x = 0 stay at the support of a clamped body.
   std::optional<State> start(const Scene& scene,
                              const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& place) const;
   std::optional<State> bent(const Scene& scene) const;
@@ -38,7 +38,7 @@ struct StressCases {
 
 /// "1e+06"
 std::string in_short(double value);
-/// As a vector of float32 would be: both sides of a replay start from the same numbers.
+/// Rounds to float32: both sides of a replay start from the same numbers.
 Eigen::Vector3d rounded(const Eigen::Vector3d& v);
 
 }  // namespace fascia

@@ -8,7 +8,7 @@ namespace fascia {
 
 using Eigen::Vector3d;
 
-// Free in space: nothing outside acts, so nothing may appear.
+// A free body: without external forces, energy and momenta must not increase.
 void add_conservation(StressCases& c) {
   Scene s = c.beam_scene(false);
   std::optional<State> state = c.bent(s);

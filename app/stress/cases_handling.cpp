@@ -1,4 +1,4 @@
-// Grabs, and settings that change while the body moves.
+// Cases with grabs, and with settings that change while the body moves.
 #include <cmath>
 #include <random>
 
@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Springs on the vertices near the free end, as the grab makes them: as stiff together as tissue indented by a disc.
+// Springs on the vertices near the free end, as a grab creates them: together as stiff as tissue indented by a disc.
 GrabInput grip(const Model& built, const Vector3d& offset) {
   GrabInput springs;
   const double stiffness = 3 * 1e6 * 0.08 * 0.5 * kBarSize;
@@ -21,7 +21,7 @@ GrabInput grip(const Model& built, const Vector3d& offset) {
   return springs;
 }
 
-// `during` makes the inputs of the first 80 steps; then all is let go and 160 more follow.
+// `during` makes the inputs of the first 80 steps; then the grab is released and 160 more follow.
 void handled(StressCases& c, const std::string& name, double farthest,
              const std::function<void(long step, const Model&, std::vector<Input>&)>& during) {
   constexpr long kHandled = 80, kFreed = 160;
@@ -81,7 +81,7 @@ void add_handling(StressCases& c) {
   handled(c, "gravity flipped", 3, [&](long step, const Model&, std::vector<Input>& inputs) {
     inputs.push_back({step, GravityInput{Vector3d(0, (step / 5) % 2 ? 98.1 : -98.1, 0)}});
   });
-  // Belongs to no pair: told once, with the default one that it comes back to.
+  // Independent of the solver choice: added once, with the default choice, to which it returns.
   if (c.pair == solver_choices().front())
     handled(c, "method switched every frame", 3, [&](long step, const Model&, std::vector<Input>& inputs) {
       SolverSettings settings = c.solver();

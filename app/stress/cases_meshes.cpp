@@ -1,4 +1,4 @@
-// Meshes of few tets, of bad tets, of several parts, and of sizes from a millimetre to a hundred metres.
+// Cases with meshes of few tets, of bad tets, of several parts, and of sizes from a millimeter to a hundred meters.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Every vertex off its place by up to a tenth of the mean edge around it.
+// Displaces every vertex by up to a tenth of the mean edge around it.
 std::optional<State> shaken(const Scene& scene) {
   const Model built = build_model(scene);
   std::vector<double> edge(built.rest_positions.size(), 0), count(edge);
@@ -63,7 +63,7 @@ void add_meshes(StressCases& c) {
   shape(c, "needle", simplex(0.001, {0.0005, 0.0003, 0.1}), false);
   shape(c, "cap", simplex(0.1, {0.05, 0.03, 0.0002}), false);
 
-  // Every second layer of cells squashed until its tets have dihedral angles of 0.1 degrees.
+  // Every second layer of cells is flattened until its tets have dihedral angles of 0.1 degrees.
   TetMesh slivers = c.beam();
   const int along = c.quick ? 4 : 8;
   const double cell = kBarLength / along,
@@ -73,7 +73,7 @@ void add_meshes(StressCases& c) {
     const int pairs = layer / 2;
     return {pairs * (cell + thin) + (layer % 2) * cell, x.y(), x.z()};
   });
-  // Shaken by a tenth of the long edges, the thin layers are turned inside out fifty times their thickness deep.
+  // Perturbed by a tenth of the long edges, the thin layers are inverted by fifty times their thickness.
   StressCase& squashed = shape(c, "slivers", slivers, true);
   squashed.criteria.recovers = true;
   squashed.criteria.farthest = 10;
@@ -88,7 +88,7 @@ void add_meshes(StressCases& c) {
   }
   shape(c, "disconnected parts", parts, true).criteria.recovers = true;
   shape(c, "1 mm", c.beam(), true, 1e-3 / kBarLength).criteria.recovers = true;
-  // As stiff for its weight as the small ones, so that it comes to rest within the time.
+  // The ratio of stiffness to weight is that of the small ones, so that it comes to rest in time.
   StressCase& large = shape(c, "100 m", c.beam(), true, 100 / kBarLength);
   large.replay.scene.bodies[0].material.young_modulus = 1e10;
   large.criteria.recovers = true;

@@ -1,4 +1,4 @@
-// Numbers at the ends of their ranges.
+// Cases with numbers at the ends of their ranges.
 #include <cmath>
 
 #include "app/stress/case_maker.h"
@@ -9,7 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Let go bent, under gravity: the steady case of which one number at a time is turned to the ends of its range.
+// Released from a bent state, under gravity: the base case, in which one number at a time is set to the ends of its
+// range.
 StressCase& released(StressCases& c, const std::string& group, const std::string& name, Scene scene, long steps) {
   scene.gravity = {0, -9.81, 0};
   std::optional<State> state = c.bent(scene);
@@ -25,7 +26,7 @@ void add_numbers(StressCases& c) {
     Scene s = c.beam_scene();
     s.bodies[0].material.young_modulus = young;
     StressCase& made = released(c, "number", "E=" + in_short(young), s, 90);
-    // Jelly of 100 Pa is no beam: its own weight tears it down by many times its length.
+    // Material of 100 Pa is too soft for a beam: its own weight pulls it down by many times its length.
     if (young < 1e4) made.criteria.farthest = 100;
     made.criteria.keeps_upright = young >= 1e4;
   }
@@ -56,9 +57,8 @@ void add_numbers(StressCases& c) {
     change(s.bodies[0], s.bodies[0].region_materials.emplace_back("2", MaterialOverride{}).second);
     return released(c, "number", name, s, steps);
   };
-  // Soft layers of 10 kPa would be crushed by the weight of the beam in the exact solution, too. These are turned
-  // inside out by the stiff ones, and in the exact solution, too, some of their tets still are after 90 steps; none
-  // after 180.
+  // The weight of the beam would crush soft layers of 10 kPa in the exact solution, too. The stiff layers invert these,
+  // and in the exact solution, too, some of their tets still are inverted after 90 steps; none after 180.
   halves("layers of E 1:1e6", 180, [](Body& body, MaterialOverride& m) {
     body.material.young_modulus = 3e4;
     m.young_modulus = 3e10;

@@ -1,4 +1,4 @@
-// Starts from which the body must come back to rest.
+// Cases with initial states from which the body must return to rest.
 #include <random>
 
 #include "app/stress/case_maker.h"
@@ -14,7 +14,7 @@ void add_starts(StressCases& c) {
     const auto begin = [&](const std::string& name, const std::function<Vector3d(const Vector3d&)>& place) {
       StressCase& made = c.add("start", name + " E=" + in_short(young), s, c.start(s, place), 150);
       made.criteria.recovers = true;
-      made.criteria.farthest = 6;  // random places are two sizes away to begin with
+      made.criteria.farthest = 6;  // random places are up to two sizes away initially
     };
     std::mt19937 random(3);
     std::uniform_real_distribution<double> uniform(-1, 1);

@@ -11,9 +11,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kRecovered = 1e-3;  // RMS displacement, in sizes
-constexpr double kGrowth = 0.02;     // of energy and momenta, over their scale at the start
+constexpr double kGrowth = 0.02;     // of energy and momenta, relative to their initial scale
 
-// What the state is compared with: its measures, and sizes that make them relative.
+// Reference values for the state: its initial measures, and the sizes that make them relative.
 class Ledger {
  public:
   explicit Ledger(const Simulation& simulation) : model_(simulation.model), masses_(lumped_masses(model_)) {
@@ -28,7 +28,7 @@ class Ledger {
       mass += masses_[v];
       moment += masses_[v] * (model_.rest_positions[v] + start.displacement[v]).norm();
     }
-    // The waves that the start's strain sets off carry momenta of this size, though they cancel.
+    // The waves of the initial strain carry momenta of this size, although they cancel.
     const double speed = std::sqrt(2 * (first_.kinetic + first_.elastic) / mass);
     momentum_scale_ = mass * speed;
     angular_scale_ = moment * speed;

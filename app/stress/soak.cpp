@@ -13,11 +13,11 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr long kPull = 60, kHold = 60,
-               kPeriod = 600;          // steps: to the target, there, and of a grab with the rest after it
-constexpr int kDirections = 4;         // grabs of a round
+               kPeriod = 600;   // steps: moving to the target, staying there, and a whole grab with the rest after it
+constexpr int kDirections = 4;  // grabs per round
 constexpr double kFarthestPull = 0.2;  // of the body's size
 
-// The vertices farthest from the supports, as stiff together as their tissue under a disc.
+// The vertices farthest from the supports, together as stiff as tissue under a disc.
 struct Patch {
   std::vector<std::uint32_t> vertices;
   double stiffness = 0, size = 0;
@@ -87,8 +87,8 @@ SoakRun soak(Bench& bench, const Scene& scene, long steps) {
 }
 
 std::vector<std::string> soak_failures(const SoakRun& first, const SoakRun& second) {
-  constexpr double kDrift = 1e-3;            // of the energy that the grabs bring in
-  constexpr std::size_t kGrowth = 4u << 20;  // [bytes] that an allocator may keep for later
+  constexpr double kDrift = 1e-3;            // of the energy that the grabs add
+  constexpr std::size_t kGrowth = 4u << 20;  // [bytes] that an allocator may keep
   std::vector<std::string> failures;
   if (first.hash != second.hash) failures.push_back("two runs end in different states");
   for (const SoakRun* run : {&first, &second}) {

@@ -1,4 +1,4 @@
-// Long runs: scenes that are grabbed and let go again and again, twice, to see what creeps.
+// Long runs: scenes are grabbed and released repeatedly, twice, to reveal drift and leaks.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -13,19 +13,19 @@ struct SoakRun {
   std::uint64_t hash = 0;                         // of the last state (state_hash)
   double elastic_first = 0, elastic_last = 0;     // at rest, after the first round of grabs and after the last one [J]
   double kinetic_last = 0;                        // at rest [J]
-  double strained = 0;                            // largest elastic energy seen while grabbed [J]
+  double strained = 0;                            // largest elastic energy during grabs [J]
   std::size_t gpu_first = 0, gpu_last = 0;        // bytes, after the first round and at the end
   std::size_t memory_first = 0, memory_last = 0;  // resident set of the process, the same [bytes]
 };
 
-/// `steps` of the scene, in rounds of four grabs in different directions with time to rest after each. Throws Error
-/// when the state is lost.
+/// Runs `steps` steps of the scene, in rounds of four grabs in different directions with time to rest after each.
+/// Throws Error if the state diverges.
 SoakRun soak(Bench& bench, const Scene& scene, long steps);
 
-/// What is wrong with two runs of the same: one text each; empty: nothing.
+/// The differences between two equal runs and other failures, one text each; empty: none.
 std::vector<std::string> soak_failures(const SoakRun& first, const SoakRun& second);
 
-/// Every scene twice: soak.csv, written anew after each. Returns how many failed.
+/// Runs every scene twice and writes soak.csv after each. Returns the number of failures.
 int soak_scenes(Bench& bench, const std::vector<std::filesystem::path>& inputs, long steps);
 
 }  // namespace fascia

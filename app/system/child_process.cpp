@@ -23,7 +23,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-constexpr char kDone = 'd', kFailed = 'f';  // first byte of what a child sends
+constexpr char kDone = 'd', kFailed = 'f';  // first byte of a child's message
 
 void send(int pipe, std::string_view text) {
   while (!text.empty()) {
@@ -48,10 +48,10 @@ void send(int pipe, std::string_view text) {
   std::cout.flush();
   std::cerr.flush();
   send(pipe, message);
-  _exit(0);  // what the parent set up is the parent's to take down
+  _exit(0);  // the parent cleans up its own resources
 }
 
-// Until the child closes its end, or time is up.
+// Reads until the child closes its end or the time limit is reached.
 std::string receive(int pipe, pid_t child, Clock::time_point end, bool& late) {
   std::string message;
   char block[4096];

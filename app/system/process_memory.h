@@ -1,9 +1,9 @@
-// What the process holds of the machine's memory.
+// The memory in use by the process.
 #pragma once
 #include <cstddef>
 
 namespace fascia {
 
-std::size_t resident_bytes();  // 0 where the system does not tell
+std::size_t resident_bytes();  // 0 if the system does not report it
 
 }  // namespace fascia

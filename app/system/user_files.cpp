@@ -7,7 +7,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A relative path in these variables is invalid and ignored, as the specification asks.
+// A relative path in these variables is invalid and ignored, as the specification requires.
 fs::path folder_of(const char* variable, const char* below_home) {
   if (const char* set = std::getenv(variable); set && fs::path(set).is_absolute()) return fs::path(set) / "fascia";
   const char* home = std::getenv("HOME");

@@ -1,5 +1,5 @@
-// Where a user's own files belong (XDG Base Directory Specification): settings, pictures that can be made again, the
-// state of a session. In each, a folder "fascia". Empty where there is no home: then nothing is kept.
+// Folders for a user's files (XDG Base Directory Specification): settings, and the state of a session. In each, a
+// folder "fascia". Empty if there is no home: then no files are kept.
 #pragma once
 #include <filesystem>
 

@@ -82,7 +82,7 @@ void write_user_settings(const fs::path& file, const UserSettings& settings) {
                   {"welcomed", settings.first_run_done},
                   {"theme", settings.light ? "light" : "dark"}};
   fs::create_directories(file.parent_path());
-  write_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");  // paths may hold any bytes
+  write_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");  // paths may contain any bytes
 }
 
 UserStore::UserStore(const fs::path& folder) : file_(folder.empty() ? fs::path() : folder / "settings.json") { read(); }
@@ -109,7 +109,7 @@ void UserStore::change(const std::function<void(UserSettings&)>& change) {
     write_user_settings(file_, settings_);
   } catch (const std::exception& error) {
     warning_ = error.what();
-    file_.clear();  // said once, not at every change
+    file_.clear();  // reported once, not at every change
   }
 }
 

@@ -1,5 +1,5 @@
-// What the window remembers of its user from one start to the next: files opened, the folder last looked into, hints
-// that were understood, theme. A small JSON file, strict as scenes are; one that is broken never stops the window.
+// The window's settings from one start to the next: recent files, the last folder, dismissed hints, theme. A small JSON
+// file, read as strictly as scenes; a broken one never prevents the start of the window.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -15,25 +15,25 @@ struct UserSettings {
   std::vector<std::filesystem::path> recent;  // absolute, the latest first
   std::filesystem::path folder;               // of the dialogs; empty: none yet
   std::set<std::string> hints_done;
-  bool first_run_done = false;  // has seen the examples
+  bool first_run_done = false;  // the examples were shown
   bool light = false;           // theme of the panels
 
   void opened(const std::filesystem::path& file);
   bool operator==(const UserSettings&) const = default;
 };
 
-/// Without the file, everything is as at first. Throws Error for anything that is not such a file.
+/// Without the file, the result has defaults. Throws Error for any other content.
 UserSettings read_user_settings(const std::filesystem::path& file);
 void write_user_settings(const std::filesystem::path& file, const UserSettings& settings);
 
-/// The settings of a running window and their file, which other windows change, too: every change is made to what the
-/// file holds then.
+/// The settings of a running window and their file, which other windows change, too: every change is applied to the
+/// current content of the file.
 class UserStore {
  public:
-  /// An empty folder: nothing is read or written.
+  /// With an empty folder no file is read or written.
   explicit UserStore(const std::filesystem::path& folder);
   const UserSettings& now() const { return settings_; }
-  /// Of reading or writing, one line; empty when all is well. A broken file is kept beside the new one, as
+  /// One line about a failed read or write; empty if there was none. A broken file is kept beside the new one, as
   /// settings.json.broken.
   const std::string& warning() const { return warning_; }
   void change(const std::function<void(UserSettings&)>& change);

@@ -1,11 +1,11 @@
-// What the panels drew so far that nothing explains, for the test that looks for it.
+// Lists widgets without an explanation that the panels have drawn so far, for a test.
 #pragma once
 #include <set>
 #include <string>
 
 namespace fascia::ui {
 
-/// Labels of widgets that were drawn without a text to explain them: a fault of their panel.
+/// Labels of widgets that were drawn without a tooltip: an error of their panel.
 const std::set<std::string>& unexplained();
 
 }  // namespace fascia::ui

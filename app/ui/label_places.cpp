@@ -6,7 +6,7 @@
 namespace fascia {
 
 float LabelPlaces::hidden(const Box& label) const {
-  constexpr float kTouching = 0.01f;  // what float32 makes of edges that meet
+  constexpr float kTouching = 0.01f;  // rounding of float32 for edges that touch
   float sum = 0;
   for (const Box& box : taken_) {
     const float width = std::min(label.right, box.right) - std::max(label.left, box.left);
@@ -30,7 +30,7 @@ Box LabelPlaces::place(const Box& wanted) {
   Box best = inside(wanted.left, wanted.top);
   float least = hidden(best), nearest = std::hypot(best.left - wanted.left, best.top - wanted.top);
   if (least == 0) return take(best);
-  // At the edges of what is in the way.
+  // Candidates are the edges of the boxes that overlap.
   std::vector<float> lefts{wanted.left}, tops{wanted.top};
   for (const Box& box : taken_) {
     lefts.insert(lefts.end(), {box.left - width, box.right});

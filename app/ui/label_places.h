@@ -1,10 +1,10 @@
-// Where labels stand: inside the picture, and clear of each other and of what else is drawn over it.
+// Places labels inside the picture, without overlap with each other and with other content.
 #pragma once
 #include <vector>
 
 namespace fascia {
 
-/// A rectangle of a picture, y down.
+/// A rectangle in a picture, y down.
 struct Box {
   float left = 0, top = 0, right = 0, bottom = 0;
   bool operator==(const Box&) const = default;
@@ -12,18 +12,18 @@ struct Box {
 
 class LabelPlaces {
  public:
-  /// `gap` between labels and all else.
+  /// `gap`: distance between labels and all other boxes.
   LabelPlaces(const Box& picture, float gap) : picture_(picture), gap_(gap) {}
 
   void keep_clear(const Box& box) {
     taken_.push_back({box.left - gap_, box.top - gap_, box.right + gap_, box.bottom + gap_});
   }
-  /// The free place for a label that is nearest to where it is wanted; where none is free, the one that hides least. It
-  /// is taken then.
+  /// Reserves and returns the free place for a label that is nearest to `wanted`; if there is none, the place that
+  /// hides least.
   Box place(const Box& wanted);
 
  private:
-  float hidden(const Box& label) const;  // area of it that is taken
+  float hidden(const Box& label) const;  // overlap of the label with reserved areas
 
   Box picture_;
   float gap_;

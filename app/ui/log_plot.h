@@ -12,10 +12,10 @@ struct Curve {
   const std::vector<float>* values;  // at 0, 1, 2, ...; those not above 0 are left out
 };
 
-/// As wide as the panel, `height` points high. Shows the values at the mouse in a tooltip.
+/// As wide as the panel, `height` points high. A tooltip shows the values at the mouse.
 void log_plot(const char* id, const std::vector<Curve>& curves, float height);
 
-/// Colors that can be told apart, also by the color-blind (Okabe and Ito 2008).
+/// Colors that are easy to distinguish, also for the color-blind (Okabe and Ito 2008).
 ImU32 curve_color(std::size_t index);
 
 }  // namespace fascia::ui

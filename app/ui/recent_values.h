@@ -1,11 +1,11 @@
-// A short memory of measurements, for plots of the last seconds.
+// The most recent measurements, for plots of the last seconds.
 #pragma once
 #include <array>
 #include <cstddef>
 
 namespace fascia {
 
-/// The latest values of something measured again and again.
+/// A ring of the latest values of a repeated measurement.
 class RecentValues {
  public:
   void add(double value);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kFontSize = 14.5f;  // at scale 1
 
-// fontconfig's default on Debian, so it is there wherever ffmpeg is; without it ImGui's own bitmap font serves.
+// fontconfig's default on Debian, installed wherever ffmpeg is; without it ImGui's own bitmap font is used.
 constexpr const char* kFontFolders[] = {"/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/TTF",
                                         "/usr/share/fonts/dejavu-sans-fonts"};
 
@@ -45,7 +45,7 @@ void load_fonts(float scale) {
 struct Palette {
   ImVec4 accent, text, dim, good, warning, danger, panel;
   ImVec4 frame, frame_hovered, frame_active, title, tab;
-  float shade;  // 1: marks on panels are white, 0: black; how strongly is the same
+  float shade;  // 1: marks on panels are white, 0: black; their strength is the same
 };
 const Palette kDark{{0.91f, 0.47f, 0.38f, 1},
                     {0.91f, 0.92f, 0.93f, 1},

@@ -1,4 +1,4 @@
-// How the panels look: colors of a theme, spacing and font, for one scale.
+// The look of the panels: colors of a theme, spacing and font, for one scale.
 #pragma once
 
 struct ImFont;
@@ -14,12 +14,12 @@ void apply_style(float scale);
 float px(float points);
 ImFont* bold_font();
 
-/// Of the panels, for dark and for bright rooms. Takes effect at once.
+/// Themes of the panels, for dark and for bright rooms. A change takes effect at once.
 enum class Theme { dark, light };
 void set_theme(Theme wanted);
 Theme theme();
 
-/// Of the theme that is set.
+/// Colors of the current theme.
 extern const ImVec4 &kAccent, &kText, &kDim, &kGood, &kWarning, &kDanger, &kPanel;
 
 }  // namespace fascia::ui

@@ -11,7 +11,8 @@ Ticks linear_ticks(double low, double high, int most) {
   if (!(high > low)) return {{low}, 3};
   const double rough = (high - low) / most, decade = std::pow(10.0, std::floor(std::log10(rough)));
   double step = 10 * decade;
-  // Ranges may come from float32: an end that is a multiple of the step in decimal digits is a little off it.
+  // Ranges may come from float32: an end that is a multiple of the step in decimal digits may differ from it by
+  // rounding.
   const double largest = std::max(std::abs(low), std::abs(high)),
                rounding = std::numeric_limits<float>::epsilon() * largest;
   for (const double factor : {5.0, 2.0, 1.0})

@@ -1,4 +1,4 @@
-// Marks of an axis at round numbers.
+// Ticks of an axis at round numbers.
 #pragma once
 #include <string>
 #include <vector>
@@ -6,14 +6,14 @@
 namespace fascia {
 
 struct Ticks {
-  std::vector<double> values;  // ascending, within the range but for the rounding of float32
-  int digits = 3;              // that tell each from its neighbor
+  std::vector<double> values;  // ascending, within the range up to rounding of float32
+  int digits = 3;              // enough to distinguish neighbors
 };
 
-/// At multiples of 1, 2 or 5 times a power of ten, at most `most` intervals (2 or more). An end that is such a multiple
-/// has a mark.
+/// Multiples of 1, 2 or 5 times a power of ten, with at most `most` intervals (2 or more). An end that is such a
+/// multiple has a tick.
 Ticks linear_ticks(double low, double high, int most);
-/// At powers of ten, every so many that there are `most` at most; low > 0.
+/// Powers of ten, with a spacing that gives at most `most` ticks; low > 0.
 Ticks decade_ticks(double low, double high, int most);
 
 }  // namespace fascia

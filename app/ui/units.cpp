@@ -23,7 +23,7 @@ bool takes_prefix(const std::string& unit) {
 
 std::string digits_of(double value, int digits) {
   char text[64];
-  // Fixed notation where it is readable: 1500 rather than 1.5e+03.
+  // Fixed notation if it is readable: 1500 rather than 1.5e+03.
   const double size = std::abs(value);
   if (size >= 1 && size < 1e6 && std::log10(size) >= digits)
     std::snprintf(text, sizeof text, "%.0f", value);

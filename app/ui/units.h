@@ -1,4 +1,4 @@
-// Numbers for people: "12.5 kPa", and back from what they type.
+// Formats numbers with units, "12.5 kPa", and parses typed ones.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,7 +9,7 @@ namespace fascia {
 /// "0.3", "-".
 std::string engineering(double value, const std::string& unit, int digits = 3);
 
-/// "12.5 kPa", "12.5k", "3e4": a number, then maybe a prefix, then maybe the unit.
+/// "12.5 kPa", "12.5k", "3e4": a number, an optional prefix, an optional unit.
 std::optional<double> parse_engineering(std::string text, const std::string& unit);
 
 /// "1.4 MiB"

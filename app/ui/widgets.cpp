@@ -14,29 +14,29 @@
 namespace fascia::ui {
 namespace {
 
-constexpr float kLabelShare = 0.41f, kSliderShare = 0.33f;  // of a row's width; the value has the rest
+constexpr float kLabelShare = 0.41f, kSliderShare = 0.33f;  // of a row's width; the value has the remainder
 
-// The number being typed; there is one keyboard, so one at most.
+// The number being typed; the keyboard focus permits one at a time.
 struct Typing {
   ImGuiID id = 0;
   std::string text, shown;
   bool fresh = false, wrong = false;
 } typing;
 
-// The slider that was pressed last, and its value before.
+// The slider that was pressed last, and its original value.
 struct PressedSlider {
   ImGuiID id = 0;
   double value = 0;
 } last_pressed;
 
-// Bare units read better with real superscripts.
+// Replaces ^3 and the like in units by superscripts.
 std::string pretty(std::string text) {
   if (const std::size_t at = text.find("^3"); at != std::string::npos) text.replace(at, 2, "\xc2\xb3");
   if (const std::size_t at = text.find("^2"); at != std::string::npos) text.replace(at, 2, "\xc2\xb2");
   return text;
 }
 
-// Below the last item, also while the mouse is elsewhere.
+// Draws text below the last item, also while the mouse is elsewhere.
 void say_below(const std::string& text) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   ImGui::SetNextWindowPos({low.x, high.y + px(2)});
@@ -45,7 +45,7 @@ void say_below(const std::string& text) {
   ImGui::EndTooltip();
 }
 
-// The text field in place of the slider. True when a new value was entered.
+// The text field in place of the slider. True if a new value was entered.
 bool typed_number(const NumberField& field, double& value) {
   if (typing.fresh) ImGui::SetKeyboardFocusHere();
   if (typing.wrong) ImGui::PushStyleColor(ImGuiCol_Text, kDanger);
@@ -63,7 +63,7 @@ bool typed_number(const NumberField& field, double& value) {
   if (!entered && !ImGui::IsItemDeactivated()) return false;
   const std::optional<double> parsed = parse_engineering(typing.text, field.unit);
   const bool good = parsed && *parsed >= field.min && *parsed <= field.max;
-  const bool same = typing.text == typing.shown;  // which is rounded: leaving it leaves the value
+  const bool same = typing.text == typing.shown;  // it is rounded: leaving it keeps the value
   if (entered && !good && !same) {
     typing.wrong = typing.fresh = true;
     return false;
@@ -86,7 +86,7 @@ bool wants_to_type() {
          (ImGui::IsItemFocused() && ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressedMap(ImGuiKey_Enter));
 }
 
-// The value at the end of the row, right-aligned; a click on it asks to type another.
+// The value at the end of the row, right-aligned; a click on it starts typing.
 bool value_button(const std::string& text) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), size{ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()};
   const bool pressed = ImGui::InvisibleButton("##value", size);
@@ -119,8 +119,7 @@ bool section(const char* title, bool open_at_first) {
 }
 
 void tooltip(const std::string& text) {
-  if (text.empty() || !ImGui::IsItemHovered() || ImGui::IsItemActive())
-    return;  // it would cover the value that is being changed
+  if (text.empty() || !ImGui::IsItemHovered() || ImGui::IsItemActive()) return;  // it would cover the changing value
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(px(300));
   ImGui::TextUnformatted(text.c_str());
@@ -166,7 +165,8 @@ bool number(const NumberField& field, double& value) {
   if (typing.id == id) {
     changed = typed_number(field, value);
   } else {
-    // By its unit and not by its value: a slider that changed its width under the mouse would run away from it.
+    // Depends on the unit and not on the value: a slider that changed its width during a drag would move under the
+    // mouse.
     const float gap = px(6), widest_value = ImGui::CalcTextSize(pretty("0000 " + field.unit).c_str()).x;
     ImGui::SetNextItemWidth(std::min(kSliderShare * row, (1 - kLabelShare) * row - widest_value - gap));
     const ImGuiSliderFlags flags = ImGuiSliderFlags_NoInput | (field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
@@ -175,7 +175,7 @@ bool number(const NumberField& field, double& value) {
         ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &field.slider_min, &field.slider_max, "", flags);
     tooltip(field.help);
     const bool asked_at_slider = wants_to_type();
-    if (asked_at_slider) {  // the clicks that ask for it have moved the knob
+    if (asked_at_slider) {  // the clicks that requested it have moved the knob
       const double restored = ImGui::IsMouseDoubleClicked(0) && last_pressed.id == id ? last_pressed.value : before;
       changed = restored != before;
       value = restored;
@@ -226,7 +226,7 @@ void plot(const char* id, const RecentValues& history, float height) {
 bool button(const char* text, float width, bool lit) {
   if (lit) {
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.55f, 0.27f, 0.22f, 1));
-    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.91f, 0.92f, 0.93f, 1));  // in light themes, too
+    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.91f, 0.92f, 0.93f, 1));  // also in light themes
   }
   const bool pressed = ImGui::Button(text, {width, 0});
   if (lit) ImGui::PopStyleColor(2);

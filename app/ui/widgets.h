@@ -10,10 +10,10 @@
 
 namespace fascia::ui {
 
-/// A heading that folds what follows; true while unfolded.
+/// A heading that collapses the rows below it; true while expanded.
 bool section(const char* title, bool open_at_first = true);
 
-/// Shown while the last item is hovered.
+/// Shows a tooltip while the last item is hovered.
 void tooltip(const std::string& text);
 
 /// "label          value", the value right-aligned; a tooltip if there is help.
@@ -21,21 +21,20 @@ void fact(const char* label, const std::string& value, const std::string& help =
 
 struct NumberField {
   std::string label, unit;
-  double slider_min, slider_max;  // what the slider covers
-  double min, max;                // what may be typed
+  double slider_min, slider_max;  // range of the slider
+  double min, max;                // range of typed values
   bool logarithmic = false;
   bool integer = false;
   std::string help;
 };
-/// A slider and its value in engineering notation; a click on the value, or a double click on the slider, lets the user
-/// type
-/// ("12.5 kPa"). True when the value changed.
+/// A slider and its value in engineering notation; a click on the value, or a double click on the slider, starts typing
+/// ("12.5 kPa"). True if the value changed.
 bool number(const NumberField& field, double& value);
 
-/// Starts a row whose control is drawn next, filling what is left of the width.
+/// Starts a row whose control is drawn next and fills the remaining width.
 void label(const char* text, const std::string& help = "");
 
-/// A list of choices: `label_of` and `help_of` give the texts of each. True when another one was chosen.
+/// A list of choices: `label_of` and `help_of` give the texts of each. True if another one was chosen.
 template <class Choice, class Label, class Help>
 bool choice(const char* name, const std::vector<Choice>& choices, Choice& chosen, Label label_of, Help help_of) {
   bool changed = false;
@@ -57,21 +56,21 @@ bool choice(const char* name, const std::vector<Choice>& choices, Choice& chosen
   return changed;
 }
 
-/// Text on a dark pill, centered on x, wrapped where it is wider than `widest` (0: never); without a list in the
-/// background layer. Returns the pill.
+/// Text on a dark pill, centered on x, wrapped if it is wider than `widest` (0: never); without a list in the
+/// background layer. Returns the box of the pill.
 Box pill(ImDrawList& list, const std::string& text, float x, float y, const ImVec4& color, float widest = 0);
 void pill(const std::string& text, float x, float y, const ImVec4& color);
-Box pill_box(const std::string& text, float x, float y, float widest = 0);  // of such a pill
+Box pill_box(const std::string& text, float x, float y, float widest = 0);  // box of such a pill
 const std::vector<Box>& background_pills();                                 // of this frame
 
-/// A line of the last values, from 0 to a little above the largest, `height` points high.
+/// A line of the last values, from 0 to slightly above the largest, `height` points high.
 void plot(const char* id, const RecentValues& history, float height);
 
 /// A button that fills `width`; drawn in the accent color when `lit`.
 bool button(const char* text, float width, bool lit = false);
 bool button(const char* text, const std::string& help, float width, bool lit = false);
 
-/// In a line of text; as wide as its text for width 0.
+/// A button within a line of text; as wide as its text for width 0.
 bool small_button(const char* text, const std::string& help, float width = 0);
 
 /// Buttons of equal width in one row.
@@ -85,10 +84,10 @@ class ButtonRow {
   bool first_ = true;
 };
 
-/// Brings the window that is being drawn back to where all of it is seen, as when the picture has become smaller.
+/// Moves the current window so that all of it is visible, for example after the picture has become smaller.
 void keep_inside();
 
-/// True when it was changed.
+/// True if it was changed.
 bool checkbox(const char* text, bool& value, const std::string& help);
 
 }  // namespace fascia::ui

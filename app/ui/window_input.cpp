@@ -13,9 +13,9 @@ namespace {
 
 using Kind = InputEvent::Kind;
 
-constexpr int kSettlingFrames = 4;  // a dialog: asked for, opened, measured, shown with its field active
+constexpr int kSettlingFrames = 4;  // a dialog is requested, opened, measured, and shown with its field active
 
-// Of several in a row nothing is lost in one frame of ImGui.
+// Whether several events of this kind in a row can be processed in one frame of ImGui without loss.
 bool merges(Kind kind) {
   return kind == Kind::move || kind == Kind::scroll || kind == Kind::text || kind == Kind::key_up;
 }
@@ -81,7 +81,7 @@ void WindowInput::feed() {
     } while (waiting() && waiting_.front().kind == kind && merges(kind));
     if (unsettles(kind)) settling_ = kSettlingFrames;
   }
-  // Its own backend has asked for mouse and buttons as they are by now.
+  // ImGui's own backend has used the current state of mouse and buttons instead.
   if (inside) io.MousePos = {static_cast<float>(given_at_.x()), static_cast<float>(given_at_.y())};
   for (std::size_t i = 0; i < given_down_.size(); ++i) io.MouseDown[i] = given_down_[i];
 }
@@ -120,7 +120,7 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
   });
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) {
     of(w).woken_ = true;
-    // A key that is held repeats steps, as fast as they are made.
+    // A key that is held down repeats steps as fast as they are made.
     if (action == GLFW_REPEAT && (key != GLFW_KEY_PERIOD || of(w).waiting())) return;
     of(w).add({action == GLFW_RELEASE ? Kind::key_up : Kind::key, key, mods});
   });

@@ -1,4 +1,4 @@
-// Pictures and videos out of the window, with what made them as metadata.
+// Pictures and videos of the window, with their provenance as metadata.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -11,20 +11,21 @@
 
 namespace fascia {
 
-/// A video at the speed of life: simulated time is its time, so that it stands still where the simulation does.
+/// A video in real time: its time is the simulated time, so that it stands still while the simulation does.
 class VideoCapture {
  public:
-  /// `window`: what it shows now. Throws Error, as all below do when ffmpeg or the disk fails; the video is gone then.
+  /// `window`: its current picture. Throws Error, as all functions below do if ffmpeg or the disk fails; the video is
+  /// then removed.
   void start(const VideoSettings& settings, const Framebuffer& window, const Provenance& provenance);
   std::filesystem::path finish();
   bool running() const { return queue_ != nullptr; }
   double seconds() const { return static_cast<double>(frames_) / settings_.fps; }  // of video so far
-  long dropped() const { return dropped_; }  // frames for which the one before is shown, for there was no other
+  long dropped() const { return dropped_; }  // frames that repeat the previous picture because no new one was available
   const VideoSettings& settings() const { return settings_; }
 
-  /// After `simulated` more seconds [s]: whether a frame is due.
+  /// Advances by `simulated` seconds [s]; returns whether a frame is due.
   bool advance(double simulated);
-  /// What to draw a due frame on: the window's picture where that is what is wanted, else one of its own.
+  /// The framebuffer for a due frame: the window's picture if that is requested, else a separate one.
   Framebuffer& canvas(Framebuffer& window, bool shows_panels);
   void write(const Framebuffer& canvas);
 
@@ -34,7 +35,7 @@ class VideoCapture {
   std::unique_ptr<Framebuffer> own_;
   std::filesystem::path path_;
   VideoSettings::Size size_{};
-  double owed_ = 0;  // frames
+  double owed_ = 0;  // frames due
   long frames_ = 0, dropped_ = 0;
   std::vector<std::uint8_t> pixels_;
 };

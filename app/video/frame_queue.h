@@ -1,5 +1,5 @@
-// Frames on their way from a window to a video. A thread of its own brings them there, so that no encoder holds up a
-// window; of those that it cannot keep up with the one before is shown for longer, and counted.
+// Passes frames from a window to a video. A separate thread writes them, so that no encoder blocks a window; if it is
+// too slow, the previous frame is shown longer, and counted.
 #pragma once
 #include <condition_variable>
 #include <deque>
@@ -15,14 +15,14 @@ namespace fascia {
 class FrameQueue {
  public:
   explicit FrameQueue(std::unique_ptr<FrameSink> sink);
-  ~FrameQueue();  // without finish(): the video is given up
+  ~FrameQueue();  // without finish(): the video is discarded
   FrameQueue(const FrameQueue&) = delete;
   FrameQueue& operator=(const FrameQueue&) = delete;
 
-  /// The picture, shown for `count` frames. Returns how many of them the video shows another picture for: of more than
-  /// one all but the first, and all where there is no room. Throws Error when the sink failed.
+  /// Adds the picture, to be shown for `count` frames. Returns the number of frames that repeat another picture: all
+  /// but the first, or all if the queue is full. Throws Error if the sink failed.
   int add(std::vector<std::uint8_t> rgba, int count);
-  /// Waits until all is written. Throws Error when the sink failed.
+  /// Waits until everything is written. Throws Error if the sink failed.
   void finish();
 
  private:
@@ -30,7 +30,7 @@ class FrameQueue {
     std::vector<std::uint8_t> rgba;
     int count;
   };
-  static constexpr std::size_t kMost = 12;  // waiting
+  static constexpr std::size_t kMost = 12;  // waiting frames
   void work(std::stop_token stop);
   void rethrow();
 

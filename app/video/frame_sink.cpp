@@ -13,7 +13,7 @@
 namespace fascia {
 namespace {
 
-// One file each, with a picture in it: neither sound alone nor playlists.
+// Single files that contain a picture: neither audio only nor playlists.
 constexpr auto kContainers = std::to_array<std::string_view>(
     {".mp4",  ".webm", ".gif",  ".mkv", ".mov",   ".avi",  ".m4v", ".ogv", ".ogg",  ".mpg", ".mpeg", ".wmv",
      ".flv",  ".ts",   ".m2ts", ".mts", ".m2t",   ".vob",  ".dvd", ".mxf", ".3gp",  ".3g2", ".f4v",  ".ismv",

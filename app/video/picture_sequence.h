@@ -1,4 +1,4 @@
-// A video as numbered PNG files, each with what made it.
+// A video as numbered PNG files, each with its provenance.
 #pragma once
 #include <optional>
 #include <string>
@@ -7,17 +7,17 @@
 
 namespace fascia {
 
-/// The file names of a sequence: what stands before and after the number, and how many digits that has at least.
+/// The file names of a sequence: the parts before and after the number, and its smallest number of digits.
 struct PictureNames {
   std::string before, after;
   std::size_t digits = 0;
 };
-/// Of a pattern with one %d or %05d in its file name; nothing where it has none.
+/// Parses a pattern with one %d or %05d in its file name; none for other names.
 std::optional<PictureNames> picture_names(const std::filesystem::path& pattern);
 
 class PictureSequence : public FrameSink {
  public:
-  /// `pattern` as picture_names() takes it; its folder is made if it is missing. Throws Error.
+  /// `pattern` as in picture_names(); its folder is created if it is missing. Throws Error.
   PictureSequence(std::filesystem::path pattern, const FrameFormat& format, Provenance provenance);
   void write(const std::vector<std::uint8_t>& rgba) override;
   void finish() override {}

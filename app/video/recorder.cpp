@@ -18,7 +18,7 @@ namespace fascia {
 namespace fs = std::filesystem;
 namespace {
 
-// ffmpeg's last words, one line, for the error message.
+// ffmpeg's last line of output, for the error message.
 std::string last_words(const fs::path& log) {
   std::string text;
   try {
@@ -32,7 +32,7 @@ std::string last_words(const fs::path& log) {
   return text.empty() ? "no message" : text;
 }
 
-// As ffmpeg reads it from a file: a scene can be longer than a command line.
+// As ffmpeg reads it from a file, since a scene can be longer than a command line.
 std::string metadata_text(const Provenance& provenance) {
   const auto escaped = [](const std::string& text) {
     std::string result;
@@ -48,7 +48,7 @@ std::string metadata_text(const Provenance& provenance) {
   return text;
 }
 
-// Of the encoder, by the container.
+// Options of the encoder, by the container.
 std::vector<std::string> encoder(const std::string& ending, bool live) {
   if (ending == ".mp4" || ending == ".mkv" || ending == ".mov")
     return {"-c:v", "libx264", "-preset",   live ? "ultrafast" : "veryfast",
@@ -78,7 +78,7 @@ Recorder::Recorder(fs::path path, const FrameFormat& format, const Provenance& p
 
   try {
     write_file(metadata_, metadata_text(provenance));
-  } catch (const Error&) {  // of a file that the user did not name
+  } catch (const Error&) {  // the file is not one that the user named
     throw Error(path_.string(), "cannot be written", "expected a writable folder with free space");
   }
   std::vector<std::string> arguments{"ffmpeg",
@@ -107,20 +107,20 @@ Recorder::Recorder(fs::path path, const FrameFormat& format, const Provenance& p
                                      "-pix_fmt",
                                      "yuv420p"};
   for (std::string& argument : encoder(lower_ending(path_), format.live)) arguments.push_back(std::move(argument));
-  arguments.push_back("file:" + temporary_.string());  // a name may look like an address
+  arguments.push_back("file:" + temporary_.string());  // otherwise a name may look like a URL
   std::vector<char*> argv;
   for (std::string& a : arguments) argv.push_back(a.data());
   argv.push_back(nullptr);
 
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) fail(std::string("no pipe to ffmpeg: ") + std::strerror(errno));
-  fcntl(ends[1], F_SETPIPE_SZ, 1 << 20);  // a frame in a few writes instead of hundreds; only a wish
+  fcntl(ends[1], F_SETPIPE_SZ, 1 << 20);  // a frame in a few writes instead of hundreds; optional
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[0], 0);
   posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 2, log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  // A process group of its own: Ctrl-C in the terminal must reach us alone, so that the file can be finished.
+  // A separate process group: Ctrl-C in the terminal must reach only fascia, so that the file can be completed.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);

@@ -1,4 +1,4 @@
-// Video files: raw frames into an ffmpeg child process, under a temporary name until the last frame is written.
+// Writes video files: raw frames into an ffmpeg child process, under a temporary name until the last frame is written.
 #pragma once
 #include <sys/types.h>
 
@@ -8,22 +8,22 @@ namespace fascia {
 
 class Recorder : public FrameSink {
  public:
-  /// `path` ending decides the container (.mp4: H.264, .webm: VP9). Width and height must be even. Throws Error when
-  /// ffmpeg is not installed.
+  /// The extension of `path` selects the container (.mp4: H.264, .webm: VP9). Width and height must be even. Throws
+  /// Error if ffmpeg is not installed.
   Recorder(std::filesystem::path path, const FrameFormat& format, const Provenance& provenance);
   ~Recorder() override;
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Throws Error when ffmpeg died, with what it said last.
+  /// Throws Error if ffmpeg ended, with its last line of output.
   void write(const std::vector<std::uint8_t>& rgba) override;
-  /// Closes the video and puts it under its name. Throws Error when ffmpeg failed.
+  /// Completes the video and renames it. Throws Error if ffmpeg failed.
   void finish() override;
 
  private:
   [[noreturn]] void fail(const std::string& what);
   int wait_for_child();
-  void remove_files();  // that are not the video
+  void remove_files();  // temporary files
 
   std::filesystem::path path_, temporary_, log_, metadata_;
   std::size_t frame_bytes_;

@@ -32,7 +32,7 @@ std::vector<fs::path> sessions_in(const fs::path& folder) {
   return files;
 }
 
-// "20250131-235959-1234.fascia" and "...-1234-2.fascia" are of the process 1234.
+// "20250131-235959-1234.fascia" and "...-1234-2.fascia" belong to process 1234.
 bool still_recorded(const fs::path& file) {
   int process = 0;
   if (std::sscanf(file.filename().c_str(), "%*d-%*d-%d", &process) != 1 || process <= 0 || process == getpid())

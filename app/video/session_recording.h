@@ -1,5 +1,5 @@
-// A session on its way into a replay file: every input as it acts, and where the camera was. The file grows while the
-// session goes on and can be replayed at any moment, whatever becomes of this process: what is a second old is in it.
+// Records a session to a replay file: every input when it acts, and the camera. The file grows during the session and
+// can be replayed at any time, even if the process ends unexpectedly: it contains everything older than a second.
 #pragma once
 #include <chrono>
 #include <cstdint>
@@ -11,32 +11,32 @@
 
 namespace fascia {
 
-/// A new file for a session, in the folder `sessions` of the user's state folder. Of those there all but the last few
-/// are removed, though none of another process that is still there. Empty where there is no home. Throws Error when
-/// that folder cannot be made.
+/// Creates a file for a session, in the folder `sessions` of the user's state folder. All but the last few recordings
+/// there are removed, except those of running processes. Empty if there is no home. Throws Error if that folder cannot
+/// be created.
 std::filesystem::path session_file();
 
 class SessionRecording {
  public:
   /// `beginning`: scene, start and made_by. Throws Error.
   SessionRecording(std::filesystem::path path, Replay beginning);
-  ~SessionRecording();  // removes a file in which nobody did anything
+  ~SessionRecording();  // removes a file without inputs
   SessionRecording(const SessionRecording&) = delete;
   SessionRecording& operator=(const SessionRecording&) = delete;
 
   void add(const Input& input);
-  /// What the picture before step `steps` shows. Of several before one step the last counts.
+  /// Records the view of the picture before step `steps`. Of several before one step the last counts.
   void look(long steps, const CameraSettings& camera, const DisplaySettings& display);
-  /// Once a frame, and now and then while there are none: brings to the file what is older than a second. Throws Error,
-  /// once, when the disk is full; nothing is recorded from then on.
+  /// Call once per frame, and at intervals while there are none: writes everything older than a second. Throws Error,
+  /// once, if the disk is full; the recording then stops.
   void breathe(long steps);
-  /// The file ends here for now, with the hash of the state after so many steps. Throws Error, as breathe does.
+  /// Ends the file for now, with the hash of the state after `steps` steps. Throws Error, as breathe does.
   void note_state(long steps, std::uint64_t hash);
-  /// The scene of copies that are saved has its files in it from now on. False where that cannot be
+  /// Includes the files of the scene in saved copies from now on. False if that is not possible
   /// (self_contained_if_possible).
   bool carry_files(std::vector<ReadFile>& read);
-  /// A copy, with the paths of its scene as seen from there. Throws Error, also where the session is not recorded to
-  /// its end.
+  /// Saves a copy, with the scene's paths relative to its folder. Throws Error, also if the session is not recorded
+  /// completely.
   void save_as(const std::filesystem::path& path);
 
  private:

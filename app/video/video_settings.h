@@ -1,4 +1,4 @@
-// What a video of the window is to be.
+// The requested properties of a video of the window.
 #pragma once
 
 namespace fascia {
@@ -7,14 +7,14 @@ enum class VideoKind { mp4, webm, pictures };
 
 struct VideoSettings {
   VideoKind kind = VideoKind::mp4;
-  int width = 0, height = 0;  // in pixels; 0: as the window is when it starts
+  int width = 0, height = 0;  // in pixels; 0: the size of the window at the start
   double fps = 60;
-  bool panels = false;  // those of the window, where it shows any
+  bool panels = false;  // includes the window's panels, if they are shown
 
   struct Size {
     int width, height;
   };
-  /// Encoders want even sizes; pictures have any.
+  /// Encoders require even sizes; pictures permit any.
   Size size_in(Size window) const {
     const Size wanted = width > 0 ? Size{width, height} : window;
     return kind == VideoKind::pictures ? wanted : Size{wanted.width & ~1, wanted.height & ~1};

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A pair on a case, and the solver that it is measured with.
+/// A solver choice on a case, and the solver for its measurements.
 class Contender {
  public:
   Contender(const Bench& bench, const AccuracyProblem& problem, const AccuracyCase& measured, PairAccuracy& result)
@@ -36,12 +36,12 @@ class Contender {
       point.iterations = count;
       point.error = problem_->error(solver_->download());
       result_->points.push_back(point);
-      // More iterations of the same step begin with these; many steps may well survive with more.
+      // For a single step, more iterations begin with these and diverge, too; many steps may well converge with more.
       if (std::isnan(point.error) && problem_->steps() == 1) return;
     }
   }
 
-  /// Times the first step with the iterations of point `index`, if there is one and it is finite.
+  /// Times the first step with the iterations of point `index`, if it exists and is finite.
   void time(std::size_t index) {
     if (index >= result_->points.size() || std::isnan(result_->points[index].error)) return;
     ms_.resize(result_->points.size());
@@ -58,7 +58,7 @@ class Contender {
   }
 
  private:
-  // The same start whatever ran before: also what an acceleration has learned is forgotten.
+  // The same start for every measurement: state from earlier runs, such as that of an acceleration, is reset.
   void prepare(int iterations) {
     solver_->set_settings(settings_of(*measured_, result_->pair, iterations));
     solver_->finish_background();
@@ -72,8 +72,8 @@ class Contender {
   std::vector<std::vector<double>> ms_;  // [points][repetitions]
 };
 
-// The contenders take turns, and a turn goes through all numbers of iterations, so that a disturbance hits all of them
-// alike and few repetitions of each. The errors have been measured before: every kernel is compiled and has run.
+// The contenders take turns, and a turn covers all numbers of iterations, so that a disturbance affects all of them
+// alike and few repetitions of each. The errors were measured before, so every kernel is compiled and has run.
 void measure_times(const Bench& bench, std::vector<Contender>& contenders, std::size_t counts, int repetitions) {
   for (int turn = 0; turn < repetitions; ++turn)
     for (std::size_t i = 0; i < counts; ++i)
@@ -84,7 +84,7 @@ void measure_times(const Bench& bench, std::vector<Contender>& contenders, std::
   for (Contender& contender : contenders) contender.finish();
 }
 
-/// Measures the pairs that have no points yet, and returns how many those are.
+/// Measures the contenders that have no points yet, and returns their number.
 int measure(Bench& bench, const AccuracyGrid& grid, CaseAccuracy& result) {
   const AccuracyProblem problem(bench, result.measured, grid.steps_of(result.measured));
   if (!problem.converged()) bench.say("the exact solution is less exact than it should be");
@@ -112,7 +112,7 @@ int bench_accuracy(Bench& bench, const AccuracyGrid& grid, bool fresh) {
   notes.insert(notes.end(), meaning.begin(), meaning.end());
   const fs::path table = bench.folder / "accuracy.csv";
   AccuracyResults results = fs::exists(table) && !fresh ? read_results(table, grid, notes) : empty_results(grid);
-  write_table(table, table_of(results, notes));  // no fresh run leaves old numbers behind
+  write_table(table, table_of(results, notes));  // a fresh run leaves no old numbers
   int measured = 0;
   for (std::size_t c = 0; c < results.size(); ++c) {
     const std::string name = "accuracy, case " + std::to_string(c + 1) + " of " + std::to_string(results.size()) +

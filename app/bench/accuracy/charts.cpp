@@ -7,10 +7,10 @@
 namespace fascia {
 namespace {
 
-constexpr double kLargestError = 10;  // what is worse is not worth the room
+constexpr double kLargestError = 10;  // larger errors are not shown
 constexpr int kFrontierColor = 6;     // after the colors of the methods
 
-// Named as in the tables: the labels for people are too long for three columns.
+// Named as in the tables: the display labels are too long for three columns.
 Series series_of(const PairAccuracy& pair) {
   Series series;
   series.name = name_of(pair.pair) + (std::isnan(pair.points.back().error) ? ", diverges" : "");
@@ -20,7 +20,7 @@ Series series_of(const PairAccuracy& pair) {
   return series;
 }
 
-// The smallest error of all at the bottom.
+// From the smallest of all errors.
 Eigen::Vector2d error_range(const CaseAccuracy& result) {
   double smallest = 0.1;
   for (const PairAccuracy& pair : result.pairs)

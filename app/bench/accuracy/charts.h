@@ -6,7 +6,7 @@
 namespace fascia {
 
 /// Error against iterations and against time, as files named after the case. Only the best acceleration of each method
-/// and the poster's pair have a line; the Pareto frontier is that of all pairs. Throws Error.
+/// and the solver choice of the I3D 2019 paper have a line; the Pareto frontier is that of all choices. Throws Error.
 void draw_charts(const Bench& bench, const CaseAccuracy& result);
 
 }  // namespace fascia

@@ -1,6 +1,6 @@
-// What `fascia bench accuracy` measures: one beam in three situations, and around a base case (5,184 tets, E = 1e6 Pa,
-// nu = 0.3, 1/60 s in one substep) one parameter at a time, because the whole product would take days and say little
-// more.
+// The cases of `fascia bench accuracy`: one beam in three situations, and around a base case (5,184 tets, E = 1e6 Pa,
+// nu = 0.3, 1/60 s in one substep) one parameter at a time, because the full product would take days and add little
+// information.
 #pragma once
 #include <Eigen/Core>
 #include <string>
@@ -12,7 +12,7 @@ namespace fascia {
 
 enum class AccuracyScenario {
   one_step,  // a step from a smooth bend and twist at rest
-  grabbed,   // a step from rest in which the free end is moved to the side by 0.3 of the length
+  grabbed,   // a step from rest in which the free end is displaced sideways by 0.3 of the length
   settled    // many steps from rest under gravity
 };
 const char* name_of(AccuracyScenario scenario);  // "one_step", as in tables
@@ -26,14 +26,14 @@ struct AccuracyCase {
 
   int tets() const { return 6 * cells.prod(); }
 };
-std::string title_of(const AccuracyCase& measured);      // for people
-std::string file_name_of(const AccuracyCase& measured);  // different for cases that differ
+std::string title_of(const AccuracyCase& measured);      // for display
+std::string file_name_of(const AccuracyCase& measured);  // different for different cases
 SolverSettings settings_of(const AccuracyCase& measured, const SolverChoice& pair, int iterations);
 
 struct AccuracyGrid {
   std::vector<SolverChoice> pairs;
   std::vector<AccuracyCase> cases;
-  std::vector<int> iterations;          // per substep, of single steps, ascending
+  std::vector<int> iterations;          // per substep, for single steps, ascending
   std::vector<int> settled_iterations;  // per substep, of every step of `settled`, ascending
   int settled_steps = 120;
   int repetitions = 7;  // of every timed step

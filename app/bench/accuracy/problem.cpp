@@ -30,7 +30,7 @@ Model beam_model(const AccuracyCase& measured) {
   return model;
 }
 
-// The whole end block: moved as one, it leaves no doubt which of several equilibria is the near one.
+// The whole end block moves as one, so that the nearest of several equilibria is unambiguous.
 Motion pulled_end(const Model& model, double duration) {
   Motion motion;
   for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
@@ -46,7 +46,7 @@ Model model_of(const AccuracyCase& measured, const SolverSettings& settings) {
   return model;
 }
 
-// Where inertia, gravity and the prescribed motion alone lead within a step.
+// The result of inertia, gravity and the prescribed motion alone within a step.
 std::vector<Vector3d> prediction_of(const Model& model, const State& state, const SolverSettings& settings) {
   const double h = settings.substep();
   std::vector<Vector3d> predicted = state.displacement;
@@ -70,7 +70,7 @@ std::vector<Vector3d> prediction_of(const Model& model, const State& state, cons
 }  // namespace
 
 AccuracyProblem::AccuracyProblem(const Bench& bench, const AccuracyCase& measured, int steps) : steps_(steps) {
-  // Iterations are nothing to the exact solver
+  // The exact solver ignores the number of iterations
   const SolverSettings settings = settings_of(measured, solver_choices().front(), 1);
   model_ = model_of(measured, settings);
   start_ = measured.scenario == AccuracyScenario::one_step ? bent_beam(model_) : initial_state(model_);

@@ -1,4 +1,4 @@
-// One case of `fascia bench accuracy` as something to solve: the beam, where it starts, where it ends exactly.
+// One case of `fascia bench accuracy`: the beam, its initial state, and its exact final state.
 #pragma once
 #include "app/bench/accuracy/grid.h"
 #include "app/bench/bench.h"
@@ -8,7 +8,7 @@ namespace fascia {
 
 class AccuracyProblem {
  public:
-  /// Solves it exactly, `steps` steps. Throws Interrupted between steps.
+  /// Solves it exactly, for `steps` steps. Throws Interrupted between steps.
   AccuracyProblem(const Bench& bench, const AccuracyCase& measured, int steps);
   AccuracyProblem(const AccuracyProblem&) = delete;
   AccuracyProblem& operator=(const AccuracyProblem&) = delete;
@@ -18,10 +18,10 @@ class AccuracyProblem {
   int steps() const { return steps_; }
   bool converged() const { return converged_; }  // the exact solution, to the reference solver's tolerance
 
-  /// Of a state after all steps, relative: 0 is solved, 1 is as far away as the prediction (settled: as the shape at
-  /// rest). NaN when the state is not finite.
+  /// Relative error of a state after all steps: 0 is solved, 1 is as far away as the prediction (settled: as the shape
+  /// at rest). NaN if the state is not finite.
   double error(const State& state) const;
-  static std::vector<std::string> notes(const AccuracyGrid& grid);  // that say so, for tables
+  static std::vector<std::string> notes(const AccuracyGrid& grid);  // definitions for tables
 
  private:
   int steps_;

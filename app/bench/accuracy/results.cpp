@@ -15,7 +15,7 @@ namespace {
 const std::vector<std::string> kResultColumns{"scenario",   "tets",     "young_modulus", "poisson_ratio",
                                               "time_step",  "substeps", "method",        "acceleration",
                                               "iterations", "error",    "ms_median",     "ms_min"};
-constexpr std::size_t kKeyCells = 8;  // columns that say which pair of which case
+constexpr std::size_t kKeyCells = 8;  // columns that identify solver choice and case
 
 std::vector<Cell> key_cells(const AccuracyCase& measured, const SolverChoice& pair) {
   const double time_step = settings_of(measured, pair, 1).time_step;
@@ -45,7 +45,7 @@ std::vector<std::string> split(const std::string& line) {
   return cells;
 }
 
-/// False unless the whole text is a number; an empty one is NaN.
+/// False unless the whole text is a number; an empty text is NaN.
 template <class Number>
 bool parse(const std::string& text, Number& number) {
   if constexpr (std::is_floating_point_v<Number>)
@@ -64,7 +64,7 @@ bool parse(const std::vector<std::string>& cells, AccuracyPoint& point) {
          parse(cells[kKeyCells + 3], point.ms_min);
 }
 
-// All numbers of iterations in turn; the rest may be missing once the state was not finite.
+// Whether all numbers of iterations are present, in order; the rest may be missing after a state that was not finite.
 bool complete(const std::vector<AccuracyPoint>& points, const std::vector<int>& iterations) {
   if (points.empty() || points.size() > iterations.size()) return false;
   for (std::size_t i = 0; i < points.size(); ++i)

@@ -1,4 +1,4 @@
-// What `fascia bench accuracy` has measured so far, and its table, from which an interrupted run goes on.
+// The results of `fascia bench accuracy` so far, and their table, from which an interrupted run continues.
 #pragma once
 #include <filesystem>
 #include <limits>
@@ -18,7 +18,7 @@ struct AccuracyPoint {
 
 struct PairAccuracy {
   SolverChoice pair;
-  std::vector<AccuracyPoint> points;  // by iterations; empty: to be measured
+  std::vector<AccuracyPoint> points;  // by iterations; empty: not measured yet
 };
 
 struct CaseAccuracy {
@@ -28,14 +28,14 @@ struct CaseAccuracy {
 
 using AccuracyResults = std::vector<CaseAccuracy>;
 
-/// A place for everything in the grid, nothing measured.
+/// An entry for everything in the grid, without measurements.
 AccuracyResults empty_results(const AccuracyGrid& grid);
 
-/// The pairs that are measured.
+/// The measured solver choices.
 Table table_of(const AccuracyResults& results, const std::vector<std::string>& notes);
 
-/// The results in a table that write_table() made of table_of(); a pair of a case that misses numbers of iterations is
-/// left empty. Throws Error when the table cannot be read, or its notes are others: then it is from another version,
+/// Reads the results from a table that write_table() wrote from table_of(); an entry with missing numbers of iterations
+/// is left empty. Throws Error if the table cannot be read, or if its notes differ, that is, for another version,
 /// machine or grid.
 AccuracyResults read_results(const std::filesystem::path& path, const AccuracyGrid& grid,
                              const std::vector<std::string>& notes);

@@ -26,7 +26,7 @@ double mean_log_error(const PairAccuracy& pair) {
   double sum = 0;
   for (const AccuracyPoint& point : pair.points) {
     if (std::isnan(point.error)) return kInfinity;
-    sum += std::log(std::max(point.error, 1e-12));  // of a double that is not exact either
+    sum += std::log(std::max(point.error, 1e-12));  // the double-precision reference is not exact either
   }
   return pair.points.empty() ? kInfinity : sum / static_cast<double>(pair.points.size());
 }
@@ -36,9 +36,9 @@ bool is_measured(const CaseAccuracy& result) {
 }
 
 void write_case(std::ostream& out, const CaseAccuracy& result) {
-  std::map<std::size_t, double> smallest_on_frontier;  // pair, error
+  std::map<std::size_t, double> smallest_on_frontier;  // index of the solver choice, error
   for (const FrontierPoint& point : frontier_of(result))
-    smallest_on_frontier[point.pair] = point.error;  // errors fall along it
+    smallest_on_frontier[point.pair] = point.error;  // errors decrease along the frontier
   out << "\n## " << title_of(result.measured) << "\n\n| method + acceleration |";
   for (const Tolerance& tolerance : kTolerances) out << " iterations to " << tolerance.name << " | ms |";
   out << " Pareto, down to |\n|---|";
@@ -83,7 +83,7 @@ std::vector<FrontierPoint> frontier_of(const CaseAccuracy& result) {
   std::vector<Eigen::Vector2d> points;
   for (std::size_t p = 0; p < result.pairs.size(); ++p)
     for (const AccuracyPoint& point : result.pairs[p].points) {
-      if (!(point.error < 1)) continue;  // no better than no iterations at all
+      if (!(point.error < 1)) continue;  // no better than zero iterations
       all.push_back({p, point.ms_median, point.error});
       points.emplace_back(point.ms_median, point.error);
     }

@@ -21,7 +21,7 @@ SolverSettings settings_of(const SolverChoice& pair, int iterations) {
   return settings;
 }
 
-// Where inertia and gravity alone lead.
+// The result of inertia and gravity alone.
 std::vector<Eigen::Vector3d> prediction_of(const Model& model, const State& state, double h) {
   std::vector<Eigen::Vector3d> predicted = state.displacement;
   const std::vector<char> held = model.held();

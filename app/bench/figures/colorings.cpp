@@ -1,5 +1,5 @@
-// What the colors of Gauss-Seidel cost: how many a mesh needs, how evenly they share its tets, and the time of an
-// iteration with fewer colors and phantoms instead.
+// Measures the colors of Gauss-Seidel: the number that a mesh needs, their balance, and the time of an iteration with
+// fewer colors and phantoms instead.
 #include <algorithm>
 #include <array>
 

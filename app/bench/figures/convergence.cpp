@@ -1,5 +1,5 @@
-// Figures 3 and 4 of the poster: how fast the strain of a bent beam falls to that of the exact step, in iterations and
-// in time, and where it ends, for every pair of method and acceleration.
+// Figures 3 and 4 of the I3D 2019 paper: the decrease of the strain of a bent beam to that of the exact step, by
+// iterations and by time, and its final value, for every solver choice.
 #include <algorithm>
 #include <optional>
 
@@ -12,7 +12,7 @@ namespace {
 
 int traced_iterations(const Bench& bench) { return bench.full_or_quick(1500, 60); }
 
-/// Of a step of many iterations of every pair.
+/// Times of a step of many iterations for every choice.
 std::vector<Spread> iteration_times(const Bench& bench, BeamStep& step) {
   std::vector<GpuSolver*> solvers;
   for (PairTrace& p : step.pairs()) {
@@ -24,7 +24,7 @@ std::vector<Spread> iteration_times(const Bench& bench, BeamStep& step) {
   return time_iterations(solvers, step.start(), bench.full_or_quick(15, 3));
 }
 
-/// A strain to come down to, and when each pair is there for the first time with every tet upright.
+/// A strain to reach, and the first iteration of each choice that reaches it with every tet upright.
 struct Target {
   std::string name;
   double strain;
@@ -42,8 +42,7 @@ struct Target {
   }
 };
 
-// Iterations, their milliseconds, how many times faster than the plain method, and the error there; empty where not
-// reached.
+// Iterations, their milliseconds, the speedup over the plain method, and the error at that point; empty if not reached.
 void add_target(std::vector<Cell>& row, const Target& target, std::size_t p, BeamStep& step,
                 const std::vector<Spread>& times) {
   if (!target.iterations[p]) {

@@ -31,10 +31,10 @@ struct Layout {
   int left(int panel) const { return kGap + panel % columns * (width + kGap); }
   int top(int panel) const {
     return kTitle + panel / columns * (caption + height) + caption;
-  }  // of the picture, from above
+  }  // in the picture, from the top
 };
 
-// All pixels of the canvas, top row first, RGB: the panels on white.
+// All pixels of the canvas, top row first, RGB: with the panels on white.
 std::string canvas(const PictureGrid& grid, const Layout& layout) {
   std::string pixels(std::size_t{3} * layout.canvas_width() * layout.canvas_height(), '\xff');
   for (int p = 0; p < static_cast<int>(grid.panels.size()); ++p) {
@@ -66,7 +66,7 @@ void write_grid(const std::filesystem::path& path, const PictureGrid& grid) {
   const int w = layout.canvas_width(), h = layout.canvas_height();
   std::ostringstream out;
   out << "set encoding utf8\nset terminal pngcairo size " << w << ',' << h << " noenhanced font 'DejaVu Sans,13'\n";
-  // One unit is one pixel, and the plot is the whole canvas.
+  // One unit is one pixel, and the plot covers the whole canvas.
   out << "unset tics\nunset border\nunset key\nset xrange [-0.5:" << w - 0.5 << "]\nset yrange [-0.5:" << h - 0.5
       << "]\n"
       << "set lmargin at screen 0\nset rmargin at screen 1\nset bmargin at screen 0\nset tmargin at screen 1\n";

@@ -22,7 +22,7 @@ struct PictureGrid {
   int columns = 2;
 };
 
-/// Through gnuplot, which sets the text. Throws Error.
+/// Uses gnuplot, which sets the text. Throws Error.
 void write_grid(const std::filesystem::path& path, const PictureGrid& grid);
 
 }  // namespace fascia

@@ -1,5 +1,5 @@
-// Figure 1 of the poster: the two scenes, drawn, and what a frame of them costs with their own settings and with the
-// poster's.
+// Figure 1 of the I3D 2019 paper: the two scenes, drawn, and the cost of a frame with their own settings and with those
+// of the paper.
 #include "app/bench/bench.h"
 #include "app/bench/timing.h"
 #include "app/system/paths.h"
@@ -45,9 +45,9 @@ void add_spread(std::vector<Cell>& row, const std::vector<double>& values) {
 
 void bench_scene(Bench& bench, const std::string& name, int frames, Table& table) {
   std::vector<Variant> variants = variants_of(bench, name);
-  const int samples = gl::device().software ? 1 : 4;  // what the window takes
+  const int samples = gl::device().software ? 1 : 4;  // the number in the window
   Framebuffer framebuffer(bench.options.width, bench.options.height, samples);
-  for (Variant& v : variants) {  // kernels are compiled when they first run
+  for (Variant& v : variants) {  // kernels are compiled at their first run
     v.session->simulation.step();
     v.session->draw(framebuffer);
     v.session->simulation.reset();

@@ -1,5 +1,5 @@
-// Figure 2 of the poster: a stiff beam after half a second under its weight, as averaged Jacobi leaves it with each
-// acceleration, and as the exact solution of the same steps has it.
+// Figure 2 of the I3D 2019 paper: a stiff beam after half a second under its weight, by averaged Jacobi with each
+// acceleration, and by the exact solution of the same steps.
 #include <cmath>
 
 #include "app/bench/beam.h"
@@ -15,7 +15,7 @@ constexpr double kYoungModulus = 1e9;  // [Pa]
 
 struct Candidate {
   std::string method, acceleration;  // as in scene files
-  std::vector<std::string> caption;  // for people
+  std::vector<std::string> caption;  // for display
   std::unique_ptr<Session> session;
 };
 
@@ -48,7 +48,7 @@ std::vector<Candidate> candidates_of(Bench& bench) {
 }
 
 Image picture_of(const Bench& bench, Session& session) {
-  session.look.ground = false;  // the soft ones fall through it
+  session.look.ground = false;  // soft beams fall through it
   session.look.center = {0.5, -0.5, 0.125};
   session.look.radius = 1.3;
   Framebuffer framebuffer(bench.options.width / 3, bench.options.height * 2 / 3, 4);
@@ -63,7 +63,7 @@ double tip_deflection(const Model& model, const State& state) {
   return sum / static_cast<double>(tip.size());
 }
 
-// RMS of the difference to the exact displacement over the RMS of that one.
+// RMS of the difference from the exact displacement, relative to the RMS of that displacement.
 double relative_error(const State& state, const State& exact) {
   const std::vector<Eigen::Vector3d> rest(exact.displacement.size(), Eigen::Vector3d::Zero());
   return std::sqrt(squared_distance(state.displacement, exact.displacement) /
