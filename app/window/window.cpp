@@ -249,7 +249,7 @@ void Window::build_panels(Requests& requests) {
   const bool shown_alone = video_.running() && !video_.settings().panels;  // the scene, in a video
   if (!shown_alone) draw_notice(state_, room);
   if (state_.show_panels) {
-    draw_panels(tuned(), state_, requests);
+    draw_panels({tuned(), state_, requests});
     if (steps_left_ < 0 && !shown_alone && !split_) draw_hints(hints_, room);  // where a comparison has its figures
   }
   if (state_.plots.shown) draw_plots(session_->simulation, state_, requests);
