@@ -152,7 +152,7 @@ void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool pan
   for (int pass = 0; pass < 2; ++pass) {
     ImGui::NewFrame();
     Requests nobody_asks;
-    if (panels) draw_panels(session, state, nobody_asks);
+    if (panels) draw_panels({session, state, nobody_asks});
     const MarkArea area = MarkArea::whole();
     draw_legend(area, session);
     constexpr float kFar = 1e6f;

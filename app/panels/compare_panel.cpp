@@ -6,7 +6,9 @@
 
 namespace fascia {
 
-void compare_panel(const WindowState& state, Requests& requests) {
+void compare_panel(const PanelContext& context) {
+  const WindowState& state = context.state;
+  Requests& requests = context.requests;
   ui::ButtonRow sides(2);
   if (sides.add("Tune A", "The panels below show and change side A, at the left: the open scene", !state.editing_b))
     requests.compare = CompareAsk::edit_a;

@@ -43,7 +43,12 @@ bool line_row(const Convergence::Line& line, std::size_t index) {
 
 }  // namespace
 
-void convergence_panel(const Simulation& simulation, Convergence& convergence) {
+void convergence_panel(const PanelContext& context) {
+  context.state.show_convergence = true;
+  convergence_rows(context.session.simulation, context.state.convergence);
+}
+
+void convergence_rows(const Simulation& simulation, Convergence& convergence) {
   if (simulation.uses_reference()) {
     ImGui::TextWrapped("The reference solver solves every step to rounding.");
     return;

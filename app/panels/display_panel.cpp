@@ -120,7 +120,8 @@ void theme_row() {
 
 }  // namespace
 
-void display_panel(Session& session) {
+void display_panel(const PanelContext& context) {
+  Session& session = context.session;
   DisplaySettings display = session.display();
   bool changed = false;
   if (ui::choice(

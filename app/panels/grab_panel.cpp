@@ -20,8 +20,10 @@ std::string in_newtons(const Eigen::Vector3d& force) {
 
 }  // namespace
 
-void grab_panel(const Session& session, WindowState& state, Requests& requests) {
-  const double size = session.look.radius;
+void grab_panel(const PanelContext& context) {
+  WindowState& state = context.state;
+  Requests& requests = context.requests;
+  const double size = context.session.look.radius;
   double radius = state.grab.radius * size;
   if (ui::number(
           {"Radius", "m", 0.01 * size, 0.4 * size, 0.001 * size, size, true, false,

@@ -9,7 +9,9 @@
 
 namespace fascia {
 
-void history_panel(const UndoHistory& history, Requests& requests) {
+void history_panel(const PanelContext& context) {
+  const UndoHistory& history = context.state.history;
+  Requests& requests = context.requests;
   requests.copy_command |=
       ui::button("Copy command line",
                  "Copies the command line that opens this scene with the values of the sliders (Ctrl+Shift+C)",

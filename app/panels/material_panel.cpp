@@ -165,7 +165,9 @@ void region_row(const Simulation& simulation, const SceneFacts& facts, std::size
 
 }  // namespace
 
-void material_panel(Simulation& simulation, WindowState& state, Requests& requests) {
+void material_panel(const PanelContext& context) {
+  Simulation& simulation = context.session.simulation;
+  WindowState& state = context.state;
   const SceneFacts& facts = state.facts;
   std::vector<std::size_t> used;
   for (std::size_t m = 0; m < facts.material_volume.size(); ++m)
@@ -178,7 +180,7 @@ void material_panel(Simulation& simulation, WindowState& state, Requests& reques
     if (scrolls) ImGui::BeginChild("regions", {0, kMostRows * ImGui::GetTextLineHeightWithSpacing()});
     for (std::size_t r = 0; r < facts.regions.size(); ++r) {
       ImGui::PushID(static_cast<int>(r));
-      region_row(simulation, facts, r, state.chosen_material, requests);
+      region_row(simulation, facts, r, state.chosen_material, context.requests);
       ImGui::PopID();
     }
     if (scrolls) ImGui::EndChild();

@@ -6,6 +6,22 @@
 #include "app/ui/widgets.h"
 
 namespace fascia {
+namespace {
+
+bool while_comparing(const PanelContext& context) { return context.state.comparing; }
+
+const Panel kPanels[] = {{nullptr, true, nullptr, scene_panel},
+                         {"Compare", true, while_comparing, compare_panel},
+                         {"Material", true, nullptr, material_panel},
+                         {"Solver", true, nullptr, solver_panel},
+                         {"Convergence", false, nullptr, convergence_panel},
+                         {"Display", true, nullptr, display_panel},
+                         {"Statistics", true, nullptr, statistics_panel},
+                         {"Grab", false, nullptr, grab_panel},
+                         {"History", false, nullptr, history_panel},
+                         {nullptr, true, nullptr, recording_button}};
+
+}  // namespace
 
 float panel_width() { return ui::px(318); }
 float panel_space() { return panel_width() + 2 * ui::px(10); }
@@ -16,26 +32,19 @@ Room room_beside_panels(const WindowState& state) {
   return {state.show_panels ? panel_space() : 0, docked ? state.plots.left : screen};
 }
 
-void draw_panels(Session& session, WindowState& state, Requests& requests) {
+std::span<const Panel> panels() { return kPanels; }
+
+void draw_panels(const PanelContext& context) {
   const float margin = ui::px(10);
   ImGui::SetNextWindowPos({margin, margin});
   ImGui::SetNextWindowSize({panel_width(), ImGui::GetIO().DisplaySize.y - 2 * margin});
   ImGui::Begin("panels", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
-  scene_panel(session, state, requests);
-  if (state.comparing && ui::section("Compare")) compare_panel(state, requests);
-  if (ui::section("Material")) material_panel(session.simulation, state, requests);
-  if (ui::section("Solver")) solver_panel(session, state);
-  state.show_convergence = ui::section("Convergence", false);
-  if (state.show_convergence) convergence_panel(session.simulation, state.convergence);
-  if (ui::section("Display")) display_panel(session);
-  if (ui::section("Statistics")) statistics_panel(session, state);
-  if (ui::section("Grab", false)) grab_panel(session, state, requests);
-  if (ui::section("History", false)) history_panel(state.history, requests);
-  if (ui::button("Recording...", ImGui::GetContentRegionAvail().x, state.show_recording))
-    state.show_recording = !state.show_recording;
-  ui::tooltip("What videos are to be (Shift+V), and a replay of this session");
+  context.state.show_convergence = false;  // unless that panel is drawn
+  for (const Panel& panel : kPanels)
+    if ((!panel.shown || panel.shown(context)) && (!panel.title || ui::section(panel.title, panel.open_at_first)))
+      panel.draw(context);
   ImGui::End();
 }
 

@@ -1,7 +1,8 @@
 // What is shown over the picture. Each panel reads the session and changes it at once; what must wait until the frame
 // is done is asked for in Requests. Between ImGui::NewFrame and ImGui::Render; the size of the picture is ImGui's
-// display size.
+// display size. A panel of the column at the left is a file, its declaration here and a row of the table in panels.cpp.
 #pragma once
+#include <span>
 #include <string>
 
 #include "app/panels/hints.h"
@@ -10,22 +11,40 @@
 
 namespace fascia {
 
-/// The column at the left: all panels below, one under the other.
-void draw_panels(Session& session, WindowState& state, Requests& requests);
+struct PanelContext {
+  Session& session;
+  WindowState& state;
+  Requests& requests;
+};
 
-void scene_panel(const Session& session, WindowState& state, Requests& requests);
-void material_panel(Simulation& simulation, WindowState& state, Requests& requests);
-void solver_panel(Session& session, WindowState& state);
-void compare_panel(const WindowState& state, Requests& requests);
-void history_panel(const UndoHistory& history, Requests& requests);
-void convergence_panel(const Simulation& simulation, Convergence& convergence);
-void display_panel(Session& session);
-void grab_panel(const Session& session, WindowState& state, Requests& requests);
+struct Panel {
+  const char* title;                   // of the heading that folds it; null: it has none and is always unfolded
+  bool open_at_first;                  // unfolded
+  bool (*shown)(const PanelContext&);  // null: always
+  void (*draw)(const PanelContext&);
+};
+
+std::span<const Panel> panels();  // from top to bottom
+/// The column at the left, with all of them.
+void draw_panels(const PanelContext& context);
+
+void scene_panel(const PanelContext& context);
+void compare_panel(const PanelContext& context);
+void material_panel(const PanelContext& context);
+void solver_panel(const PanelContext& context);
+void convergence_panel(const PanelContext& context);
+void display_panel(const PanelContext& context);
+void statistics_panel(const PanelContext& context);
+void grab_panel(const PanelContext& context);
+void history_panel(const PanelContext& context);
+void recording_button(const PanelContext& context);
+
 void draw_plots(const Simulation& simulation, WindowState& state, Requests& requests);  // a window of its own, movable
 bool shows_convergence(const Plots& plots);
+/// The panel Convergence, which is a chart of those plots, too.
+void convergence_rows(const Simulation& simulation, Convergence& convergence);
 /// Supports, weight, grabs and inertia, and a badge that tells whether they balance.
 void balance_rows(const Simulation& simulation, const SceneFacts& facts, const Diagnostics& diagnostics);
-void statistics_panel(Session& session, const WindowState& state);
 
 /// Keys and mouse, one line each, over the picture; closes by its button or F1.
 void draw_help(WindowState& state);

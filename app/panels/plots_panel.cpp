@@ -126,7 +126,7 @@ void draw_plots(const Simulation& simulation, WindowState& state, Requests& requ
     plots.cursor = std::exchange(plots.cursor_next, std::nullopt);
     for (std::size_t i = 0; i < std::size(kCharts); ++i)
       if (plots.chosen[i]) ui::time_plot(kCharts[i], plots, height, i == last);
-    if (plots.chosen[kConvergence]) convergence_panel(simulation, state.convergence);
+    if (plots.chosen[kConvergence]) convergence_rows(simulation, state.convergence);
   }
   ImGui::End();
 }

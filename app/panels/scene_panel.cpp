@@ -19,8 +19,10 @@ std::string grouped(std::size_t number) {  // 12345 as 12 345
 
 }  // namespace
 
-void scene_panel(const Session& session, WindowState& state, Requests& requests) {
-  const Simulation& simulation = session.simulation;
+void scene_panel(const PanelContext& context) {
+  const Simulation& simulation = context.session.simulation;
+  WindowState& state = context.state;
+  Requests& requests = context.requests;
   const Scene& scene = simulation.scene;
   ImGui::PushFont(ui::bold_font());
   ImGui::TextWrapped("%s", scene.title.empty() ? scene.file.stem().string().c_str() : scene.title.c_str());

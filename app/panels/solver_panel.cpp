@@ -97,7 +97,9 @@ void error_row(Session& session) {
 
 }  // namespace
 
-void solver_panel(Session& session, WindowState& state) {
+void solver_panel(const PanelContext& context) {
+  Session& session = context.session;
+  WindowState& state = context.state;
   Simulation& simulation = session.simulation;
   SolverSettings settings = simulation.scene.solver;
   bool changed = false;

@@ -42,7 +42,9 @@ void clock_rows(const Statistics& s) {
 
 }  // namespace
 
-void statistics_panel(Session& session, const WindowState& state) {
+void statistics_panel(const PanelContext& context) {
+  Session& session = context.session;
+  const WindowState& state = context.state;
   const Statistics& statistics = state.statistics;
   clock_rows(statistics);
   if (const auto& d = statistics.diagnostics) {

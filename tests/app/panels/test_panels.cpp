@@ -11,23 +11,6 @@
 using namespace fascia;
 using namespace fascia::test;
 
-namespace {
-
-/// Everything that a column can show, folded or not, in the window that ImGui has for what has none.
-void draw_everything(Session& session, WindowState& state, Requests& requests) {
-  scene_panel(session, state, requests);
-  compare_panel(state, requests);
-  material_panel(session.simulation, state, requests);
-  solver_panel(session, state);
-  convergence_panel(session.simulation, state.convergence);
-  display_panel(session);
-  statistics_panel(session, state);
-  grab_panel(session, state, requests);
-  history_panel(state.history, requests);
-}
-
-}  // namespace
-
 TEST_CASE("every widget of every panel has a text that explains it", "[panels]") {
   Graphics graphics = open_graphics(headless(), false);
   Overlay overlay(graphics);
@@ -55,7 +38,9 @@ TEST_CASE("every widget of every panel has a text that explains it", "[panels]")
     Requests requests;
     session.draw(framebuffer);
     overlay.draw_headless(session, framebuffer, true, state.statistics.diagnostics, {},
-                          [&] { draw_everything(session, state, requests); });
+                          [&] {  // folded or not, shown or not, in the window that ImGui has for what has none
+                            for (const Panel& panel : panels()) panel.draw({session, state, requests});
+                          });
   }
   CAPTURE(ui::unexplained());
   CHECK(ui::unexplained().empty());

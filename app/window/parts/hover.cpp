@@ -1,4 +1,4 @@
-#include "app/window/hover.h"
+#include "app/window/parts/hover.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "app/window/opening_screen.h"
+#include "app/window/parts/opening_screen.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

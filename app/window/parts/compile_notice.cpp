@@ -1,4 +1,4 @@
-#include "app/window/compile_notice.h"
+#include "app/window/parts/compile_notice.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

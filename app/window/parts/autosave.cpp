@@ -1,4 +1,4 @@
-#include "app/window/autosave.h"
+#include "app/window/parts/autosave.h"
 
 #include <unistd.h>
 

@@ -1,7 +1,7 @@
 // The fixed-step accumulator, driven by made-up clocks.
 #include <catch2/catch.hpp>
 
-#include "app/window/real_time_clock.h"
+#include "app/window/parts/real_time_clock.h"
 
 using fascia::Pacing;
 

@@ -3,7 +3,7 @@
 #include <unistd.h>
 #include <catch2/catch.hpp>
 
-#include "app/window/autosave.h"
+#include "app/window/parts/autosave.h"
 #include "base/file.h"
 #include "sim/grab/build_model.h"
 #include "sim/scene/scene.h"

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
-#include "app/window/mouse_tool.h"
+#include "app/window/parts/mouse_tool.h"
 #include "tests/support/headless.h"
 #include "tests/support/support.h"
 

@@ -1,4 +1,4 @@
-#include "app/window/real_time_clock.h"
+#include "app/window/parts/real_time_clock.h"
 
 #include <algorithm>
 #include <cmath>

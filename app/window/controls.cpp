@@ -1,0 +1,197 @@
+#include "app/window/controls.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <cmath>
+
+namespace fascia {
+namespace {
+
+constexpr double kResize = 1.1;  // of a grab's patch, per press of a key
+
+// The key as its letter says: Z is elsewhere on other keyboards.
+int letter_of(int key) {
+  const char* name = glfwGetKeyName(key, 0);
+  return name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0 ? name[0] - 'a' + GLFW_KEY_A : key;
+}
+
+MouseTool::Button button_of(int code) {
+  return code == GLFW_MOUSE_BUTTON_LEFT    ? MouseTool::Button::left
+         : code == GLFW_MOUSE_BUTTON_RIGHT ? MouseTool::Button::right
+                                           : MouseTool::Button::middle;
+}
+
+MouseTool::Keys keys_of(int mods) {
+  return {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_ALT) != 0};
+}
+
+bool any_popup() { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel); }
+
+}  // namespace
+
+void Controls::note_panels() { panels_take_escape_ = ImGui::IsAnyItemActive() || any_popup(); }
+
+void Controls::handle(Requests& requests) {
+  using Kind = InputEvent::Kind;
+  const ImGuiIO& io = ImGui::GetIO();
+  for (InputEvent event : input_.take()) {
+    const bool taken = event.kind == Kind::press && !io.WantCaptureMouse && !stage_.mouse.dragging();
+    const MouseTool::Picture picture = sides_.to_side(event.at, taken);
+    Session& held = sides_.held();
+    switch (event.kind) {
+      case Kind::press:
+        if (!io.WantCaptureMouse && event.code <= GLFW_MOUSE_BUTTON_MIDDLE) press_button(event, picture);
+        break;
+      case Kind::release:
+        stage_.mouse.release(button_of(event.code), keys_of(event.mods), held, stage_.state.grab);
+        break;
+      case Kind::move:
+        stage_.mouse.move(event.at, picture, held);
+        break;
+      case Kind::scroll:
+        if (!io.WantCaptureMouse &&
+            !stage_.mouse.scroll(event.scroll.y(), keys_of(event.mods), held, stage_.state.grab))
+          held.camera.zoom(std::pow(0.9, event.scroll.y()));
+        break;
+      case Kind::key:
+        if (takes_key(event.code)) press_key(event.code, event.mods, requests);
+        break;
+      case Kind::drop:
+        if (!event.files.empty()) requests.open = event.files.front();
+        break;
+      case Kind::key_up:
+      case Kind::text:
+        break;
+    }
+    sides_.after_mouse();
+  }
+}
+
+void Controls::press_button(const InputEvent& event, MouseTool::Picture picture) {
+  const bool left = event.code == GLFW_MOUSE_BUTTON_LEFT;
+  if (left && !sides_.split() && observer_.choose_probe(event.at)) return;
+  if (left && event.mods & GLFW_MOD_CONTROL && stage_.session->display().section)
+    stage_.mouse.press_section(button_of(event.code), event.at);
+  else
+    stage_.mouse.press(button_of(event.code), keys_of(event.mods), event.at, picture, sides_.held(), stage_.state.grab);
+  if (!stage_.mouse.grabs().all().empty() && stage_.simulation().replaying()) recording_.take_over_replay();
+}
+
+// With a visible cursor in the panels, keys belong to them; text always does.
+bool Controls::takes_key(int key) const {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool of_cursor = key == GLFW_KEY_SPACE || key == GLFW_KEY_ENTER || key == GLFW_KEY_ESCAPE;
+  return !io.WantTextInput && !(panels_take_escape_ && key == GLFW_KEY_ESCAPE) && !(io.NavVisible && of_cursor);
+}
+
+void Controls::press_with_control(int key, bool shift, Requests& requests) {
+  const UndoHistory& history = stage_.state.history;
+  switch (letter_of(key)) {
+    case GLFW_KEY_Z:
+      if (shift ? history.can_redo() : history.can_undo()) requests.history = history.done() + (shift ? 1 : -1);
+      break;
+    case GLFW_KEY_Y:
+      if (history.can_redo()) requests.history = history.done() + 1;
+      break;
+    case GLFW_KEY_C:
+      requests.copy_command |= shift;
+      break;
+    case GLFW_KEY_O:
+      (shift ? requests.recent : requests.open_dialog) = true;
+      break;
+    case GLFW_KEY_E:
+      requests.export_dialog = true;
+      break;
+    case GLFW_KEY_S:
+      requests.save_dialog = true;
+      break;
+    case GLFW_KEY_R:
+      requests.save_replay_dialog = true;
+      break;
+    case GLFW_KEY_Q:
+      requests.close = true;
+      break;
+  }
+}
+
+void Controls::press_key(int key, int mods, Requests& requests) {
+  if (any_popup()) return;  // a dialog
+  const bool shift = mods & GLFW_MOD_SHIFT;
+  if (mods & GLFW_MOD_CONTROL) return press_with_control(key, shift, requests);
+  WindowState& state = stage_.state;
+  MouseTool& mouse = stage_.mouse;
+  Session& held = sides_.held();
+  switch (key) {
+    case GLFW_KEY_F:
+      requests.frame_view = true;
+      break;
+    case GLFW_KEY_SPACE:
+      state.paused = !state.paused;
+      break;
+    case GLFW_KEY_PERIOD:
+      requests.step = true;
+      break;
+    case GLFW_KEY_R:
+      requests.reset = true;
+      break;
+    case GLFW_KEY_W: {
+      DisplaySettings display = stage_.session->display();
+      display.wireframe = !display.wireframe;
+      stage_.session->set_display(display);
+      break;
+    }
+    case GLFW_KEY_H:
+      state.show_panels = !state.show_panels;
+      break;
+    case GLFW_KEY_P:
+      requests.screenshot = true;
+      break;
+    case GLFW_KEY_B:
+      requests.compare = CompareAsk::open_or_close;
+      break;
+    case GLFW_KEY_V:
+      if (shift)
+        state.show_recording = !state.show_recording;
+      else
+        requests.video = true;
+      break;
+    case GLFW_KEY_T:
+      mouse.stay();
+      break;
+    case GLFW_KEY_X:
+      state.grab.push = !state.grab.push;
+      break;
+    case GLFW_KEY_LEFT_BRACKET:
+      mouse.resize(1 / kResize, held, state.grab);
+      break;
+    case GLFW_KEY_RIGHT_BRACKET:
+      mouse.resize(kResize, held, state.grab);
+      break;
+    case GLFW_KEY_DELETE:
+      mouse.let_go(sides_.pointer_in_side(sides_.grab_in_b()), sides_.picture_of_grab(), held);
+      break;
+    case GLFW_KEY_ESCAPE:
+      if (state.show_help || state.show_recording)
+        state.show_help = state.show_recording = false;
+      else
+        mouse.let_go_staying(held);
+      break;
+    case GLFW_KEY_F1:
+      state.show_help = !state.show_help;
+      break;
+    case GLFW_KEY_F2:
+      requests.gallery = true;
+      break;
+    case GLFW_KEY_F3:
+      state.plots.shown = !state.plots.shown;
+      stage_.diagnose = true;  // for the point
+      break;
+    case GLFW_KEY_F5:
+      requests.reload_shaders = true;
+      break;
+  }
+}
+
+}  // namespace fascia

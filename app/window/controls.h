@@ -1,0 +1,32 @@
+// What mouse and keys ask for: some of it is done at once, the rest becomes requests.
+#pragma once
+#include "app/ui/window_input.h"
+#include "app/window/observer.h"
+#include "app/window/recording_control.h"
+
+namespace fascia {
+
+class Controls {
+ public:
+  Controls(WindowInput& input, Stage& stage, Sides& sides, Observer& observer, RecordingControl& recording)
+      : input_(input), stage_(stage), sides_(sides), observer_(observer), recording_(recording) {}
+
+  void handle(Requests& requests);  // after ImGui::NewFrame, before the panels
+  void note_panels();               // after the panels
+
+ private:
+  void press_button(const InputEvent& event, MouseTool::Picture picture);
+  bool takes_key(int key) const;
+  void press_key(int key, int mods, Requests& requests);
+  void press_with_control(int key, bool shift, Requests& requests);
+
+  WindowInput& input_;
+  Stage& stage_;
+  Sides& sides_;
+  Observer& observer_;
+  RecordingControl& recording_;
+  // What was active or open when the last frame ended: ImGui closes it before a key is looked at here
+  bool panels_take_escape_ = false;
+};
+
+}  // namespace fascia

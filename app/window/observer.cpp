@@ -1,0 +1,109 @@
+#include "app/window/observer.h"
+
+#include <algorithm>
+
+#include "base/dated_name.h"
+#include "shaders/shared/types.h"
+#include "sim/visual/picking.h"
+
+namespace fascia {
+
+void Observer::read() {
+  WindowState& state = stage_.state;
+  Statistics& s = state.statistics;
+  SplitView* const split = sides_.split();
+  const bool shown = state.show_panels || state.plots.shown || split || !stage_.simulation().springs().empty();
+  const bool due = stage_.diagnose && shown;
+  if (due) stage_.diagnose = false;
+  if (split) {
+    if (due) split->request_diagnostics();
+    const bool news = split->take_diagnostics(false);
+    if (news && sides_.grab_in_b()) stage_.mouse.grabs().observe(split->diagnostics()->grab_forces);
+    if (state.editing_b) s.diagnostics = split->diagnostics();
+  }
+  GpuSolver& solver = *stage_.simulation().gpu();
+  Plots& plots = state.plots;
+  if (plots.shown && !plots.probe) plots.probe = tip_vertex(stage_.simulation().model);
+  solver.set_probe(plots.shown ? plots.probe : std::nullopt);
+  if (due) {
+    solver.request_diagnostics();
+    asked_ = {asked_[1], Moment{solver.time(), s.steps}};
+  }
+  const std::optional<Diagnostics> d = solver.take_diagnostics(false);
+  if (!d) return;
+  open_ = d;
+  if (!sides_.grab_in_b()) stage_.mouse.grabs().observe(d->grab_forces);
+  residual_ = d->residual;
+  follow(*d);
+  if (!state.editing_b) s.diagnostics = d;
+}
+
+void Observer::finish() {
+  GpuSolver& solver = *stage_.simulation().gpu();
+  if (stage_.diagnose) solver.request_diagnostics();
+  if (const auto last = solver.take_diagnostics(true)) residual_ = last->residual;
+}
+
+void Observer::follow(const Diagnostics& diagnostics) {
+  const WindowState& state = stage_.state;
+  Plots& plots = stage_.state.plots;
+  if (!plots.shown || plots.held) return;
+  Sample sample = sample_of(diagnostics);
+  sample.step = asked_[asked_[1].time == diagnostics.time ? 1 : 0].steps;
+  if (!diagnostics.iterations) sample.iterations = stage_.simulation().iterations_granted();
+  if (state.statistics.step_ms > 0) sample.step_ms = state.statistics.step_ms;
+  if (!state.paused) sample.frame_ms = state.statistics.frame.latest();
+  plots.history.add(sample);
+}
+
+bool Observer::choose_probe(const Eigen::Vector2d& at) {
+  Plots& plots = stage_.state.plots;
+  if (!plots.shown || !plots.choosing) return false;
+  plots.choosing = false;
+  Session& session = *stage_.session;
+  GpuSolver& solver = *session.simulation.gpu();
+  solver.publish();
+  std::vector<Eigen::Vector3d> positions;
+  for (const shared::vec4& p : solver.positions().read<shared::vec4>()) positions.emplace_back(p.x, p.y, p.z);
+  const Ray ray = session.camera.ray(at.x(), at.y(), stage_.framebuffer->width(), stage_.framebuffer->height());
+  const auto hit = pick_nearest(ray, session.surface().triangles, positions, shown_cut(session.look));
+  if (!hit) return true;
+  // What is drawn may be embedded; what is followed is a vertex of the tets.
+  const std::vector<Tet>& tets = session.simulation.model.tets;
+  double nearest = 1e300;
+  for (const Tet& tet : tets)
+    for (const std::uint32_t v : tet)
+      if (const double distance = (positions[v] - hit->point).squaredNorm(); distance < nearest) {
+        nearest = distance;
+        plots.probe = v;
+      }
+  plots.history.clear();  // of another vertex
+  stage_.diagnose = true;
+  return true;
+}
+
+void Observer::write_plots(const Requests& requests) {
+  const Plots& plots = stage_.state.plots;
+  if (requests.plot_table && plots.probe) {
+    const std::filesystem::path path = dated_name(".csv");
+    write_samples(path, plots.history.between(plots.right_edge() - plots.span, plots.right_edge()),
+                  stage_.simulation().model, stage_.provenance(), *plots.probe);
+    stage_.messages.say(path.string());
+  }
+  if (!requests.plot_picture) return;
+  const Image whole = stage_.framebuffer->read();
+  const int left = std::clamp(static_cast<int>(plots.left), 0, whole.width - 1),
+            top = std::clamp(static_cast<int>(plots.top), 0, whole.height - 1);
+  Image part{std::min(static_cast<int>(plots.width), whole.width - left),
+             std::min(static_cast<int>(plots.height), whole.height - top),
+             {}};
+  for (int y = top; y < top + part.height; ++y) {
+    const auto row = whole.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * whole.width + left);
+    part.rgba.insert(part.rgba.end(), row, row + 4 * part.width);
+  }
+  const std::filesystem::path path = dated_name(".png");
+  write_png(path, part, stage_.provenance());
+  stage_.messages.say(path.string());
+}
+
+}  // namespace fascia

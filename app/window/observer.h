@@ -1,0 +1,38 @@
+// What the window measures of the tissue: asks for it and shares it out, feeds the plots, chooses their point, writes
+// them to files.
+#pragma once
+#include <array>
+#include <optional>
+
+#include "app/window/sides.h"
+
+namespace fascia {
+
+class Observer {
+ public:
+  Observer(Stage& stage, Sides& sides) : stage_(stage), sides_(sides) {}
+
+  void read();    // once a frame, after its steps
+  void finish();  // waits for the residual of the last step, which the frames may not have asked for
+  double residual() const { return residual_; }                                // the latest of the open session
+  const std::optional<Diagnostics>& of_open_session() const { return open_; }  // the latest
+
+  /// A click at this pixel of the window's picture. False: there was nothing to choose.
+  bool choose_probe(const Eigen::Vector2d& at);
+  void write_plots(const Requests& requests);  // what of them is asked for. Throws Error
+
+ private:
+  void follow(const Diagnostics& diagnostics);  // into the plots
+
+  Stage& stage_;
+  Sides& sides_;
+  std::optional<Diagnostics> open_;
+  double residual_ = 0;
+  struct Moment {
+    double time = 0;  // simulated [s]
+    long steps = 0;   // made
+  };
+  std::array<Moment, 2> asked_;  // the last that diagnostics were asked of; no more are under way
+};
+
+}  // namespace fascia

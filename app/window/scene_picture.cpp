@@ -1,0 +1,154 @@
+#include "app/window/scene_picture.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/overlay/color_bar.h"
+#include "app/ui/style.h"
+#include "base/error.h"
+#include "render/supersampler.h"
+
+namespace fascia {
+
+ScenePicture::ScenePicture(Graphics& graphics, Overlay& overlay, Stage& stage, Sides& sides, const Observer& observer,
+                           int samples)
+    : graphics_(graphics),
+      overlay_(overlay),
+      stage_(stage),
+      sides_(sides),
+      observer_(observer),
+      samples_(samples > 0             ? std::min(samples, samples_of_renderer())
+               : gl::device().software ? 1
+                                       : 4) {}
+
+bool ScenePicture::update() {
+  GLFWwindow* window = graphics_.context->window();
+  std::unique_ptr<Framebuffer>& framebuffer = stage_.framebuffer;
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window, &width, &height);
+  if (width < 1 || height < 1 || glfwGetWindowAttrib(window, GLFW_ICONIFIED)) return false;
+  if (framebuffer && framebuffer->width() == width && framebuffer->height() == height) return true;
+  framebuffer.reset();  // before the new one: two large ones may not fit
+  try {
+    framebuffer = std::make_unique<Framebuffer>(width, height, samples_);
+  } catch (const Error&) {
+    if (samples_ <= 1) throw;
+    framebuffer = std::make_unique<Framebuffer>(width, height, 1);
+    stage_.messages.say("No memory for " + std::to_string(samples_) + " samples per pixel: drawn with one", true);
+    samples_ = 1;
+  }
+  return true;
+}
+
+void ScenePicture::draw() {
+  const bool aims = !stage_.mouse.dragging() && !ImGui::GetIO().WantCaptureMouse;
+  const auto look = [&](const Framebuffer& picture, const Session& session, bool b) {
+    hover_.look(picture, session, aims ? std::optional(sides_.pointer_in_side(b)) : std::nullopt);
+  };
+  const Canvas canvas{*stage_.framebuffer, 1, stage_.panels_cover(), false};
+  timer_.begin();
+  if (SplitView* split = sides_.split()) {
+    draw_comparison(*split, canvas, [&](std::size_t side, const Framebuffer& picture) {
+      const bool b = side == 1;
+      if (b == sides_.points_at_b()) look(picture, b ? split->b() : *stage_.session, b);
+    });
+  } else {
+    draw_scene(canvas);
+    look(*stage_.framebuffer, *stage_.session, false);
+  }
+  timer_.end();
+  while (const auto took = timer_.take()) stage_.state.statistics.render.add(took->milliseconds);
+}
+
+void ScenePicture::draw_onto(Framebuffer& picture, bool panels) {
+  const float scale = overlay_.scale_onto(picture);
+  const Canvas canvas{picture, scale, panels ? static_cast<int>(scale * static_cast<float>(stage_.panels_cover())) : 0,
+                      !panels};
+  SplitView* const split = sides_.split();
+  const Camera in_window = stage_.session->camera, in_window_b = split ? split->b().camera : in_window;
+  if (split)
+    draw_comparison(*split, canvas);
+  else
+    draw_scene(canvas);
+  stage_.session->camera = in_window;
+  if (split) split->b().camera = in_window_b;
+  overlay_.draw_onto(picture, panels);
+}
+
+void ScenePicture::frame_bodies() {
+  const Margins edges = stage_.margins();
+  const double width = stage_.framebuffer->width(), shown = std::max(0.1 * width, width - edges.left - edges.right),
+               aspect = 1.0 / stage_.framebuffer->height();
+  if (sides_.split())
+    stage_.session->frame_bodies(0.5 * shown * aspect, {1, 1});
+  else
+    stage_.session->frame_bodies(width * aspect, {shown / width, 1});
+  stage_.state.replay_camera = false;
+}
+
+void ScenePicture::draw_scene(const Canvas& canvas) {
+  Session& session = *stage_.session;
+  const Framebuffer& picture = canvas.picture;
+  const auto& d = stage_.state.statistics.diagnostics;
+  const std::vector<GrabMark> grabs =
+      grab_marks(session.simulation, d ? d->grab_forces : std::vector<GrabForce>(), &stage_.mouse.grabs());
+  session.follow_range();
+  frame_picture(session.camera, session.extent, {picture.width(), picture.height(), margins_of(canvas)});
+  session.draw(canvas.picture, arrows(grabs));
+  overlay_.draw_list(picture, canvas.scale, [&](ImDrawList& list) {
+    const MarkArea area{list, 0, static_cast<float>(picture.width()) / canvas.scale,
+                        static_cast<float>(picture.height()) / canvas.scale};
+    draw_legend(area, session);  // with the range that the colors have just been drawn with
+    LabelPlaces places({static_cast<float>(canvas.left) / canvas.scale, 0, area.width, area.height}, ui::px(kLabelGap));
+    for (const Box& box : covered(canvas)) places.keep_clear(box);
+    if (const auto legend = legend_box(area.box(), session)) places.keep_clear(*legend);
+    draw_grab_marks(area, session, grabs, places);
+    draw_ring(area, session);
+    const Plots& plots = stage_.state.plots;
+    if (plots.shown && d && d->probe)
+      draw_probe(area, session, session.simulation.model.rest_positions[*plots.probe] + *d->probe);
+  });
+}
+
+void ScenePicture::draw_comparison(SplitView& split, const Canvas& canvas,
+                                   const std::function<void(std::size_t, const Framebuffer&)>& drawn) {
+  Session& a = *stage_.session;
+  Framebuffer& picture = canvas.picture;
+  const float scale = canvas.scale;
+  const std::optional<Diagnostics>& of_a = observer_.of_open_session();
+  const SplitView::SideGrabs grabs = split.grabs(a, of_a, &stage_.mouse.grabs());
+  a.follow_range(&split.b());
+  const Margins edges = margins_of(canvas);
+  split.draw(a, picture, edges, grabs, drawn);
+  overlay_.draw_list(picture, scale, [&](ImDrawList& list) {
+    draw_legend({list, 0, static_cast<float>(picture.width()) / scale, static_cast<float>(picture.height()) / scale},
+                a);
+    split.draw_labels(list, a, picture.width(), picture.height(), edges, scale,
+                      {of_a, true, stage_.state.editing_b, grabs, covered(canvas)});
+    const bool ring_in_b = stage_.mouse.grabs().following() ? sides_.grab_in_b() : sides_.points_at_b();
+    const SplitView::Area area = SplitView::areas(picture.width(), edges)[ring_in_b ? 1 : 0];
+    draw_ring(SplitView::area_of(list, area, picture.height(), scale), ring_in_b ? split.b() : a);
+  });
+}
+
+// How much a grab holds, or would hold where the mouse is.
+void ScenePicture::draw_ring(const MarkArea& area, const Session& session) const {
+  if (const Grab* grab = stage_.mouse.grabs().following())
+    draw_patch_ring(area, session, grab->anchor(), session.camera.forward(), grab->patch_radius());
+  else if (const auto& spot = hover_.spot(); spot && !stage_.mouse.dragging() && !ImGui::GetIO().WantCaptureMouse)
+    draw_patch_ring(area, session, spot->point, spot->normal, stage_.state.grab.radius * session.look.radius);
+}
+
+Margins ScenePicture::margins_of(const Canvas& canvas) const {
+  return {static_cast<double>(canvas.left),
+          legend_space(*stage_.session, canvas.picture.width(), canvas.picture.height(), canvas.scale)};
+}
+
+std::vector<Box> ScenePicture::covered(const Canvas& canvas) const {
+  return canvas.alone ? std::vector<Box>() : overlay_.covered();
+}
+
+}  // namespace fascia

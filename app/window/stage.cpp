@@ -1,0 +1,48 @@
+#include "app/window/stage.h"
+
+#include "app/overlay/color_bar.h"
+#include "app/panels/panels.h"
+#include "app/session/file_provenance.h"
+#include "base/file.h"
+#include "sim/output/state_export.h"
+#include "sim/scene/scene_carry.h"
+#include "sim/scene/scene_write.h"
+#include "sim/simulation/scene_edits.h"
+
+namespace fascia {
+
+Scene Stage::scene_now() const {
+  Scene scene = simulation().scene;
+  follow_materials(scene, simulation().model);
+  const Camera& camera = session->camera;
+  scene.camera = CameraSettings{camera.eye, camera.target, camera.up, camera.fov_deg};
+  return scene;
+}
+
+Provenance Stage::provenance() const {
+  Scene scene = simulation().scene;
+  follow_materials(scene, simulation().model);
+  return provenance_of(scene, simulation().model, session->renderer_description(), command_line, state.statistics.steps,
+                       simulation().time());
+}
+
+int Stage::panels_cover() const { return state.show_panels ? static_cast<int>(panel_space()) : 0; }
+
+Margins Stage::margins() const {
+  return {static_cast<double>(panels_cover()), legend_space(*session, framebuffer->width(), framebuffer->height(), 1)};
+}
+
+void Stage::save(const std::filesystem::path& path, bool with_mesh) {
+  std::vector<ReadFile>& files = simulation().model.files;
+  const Scene scene = with_mesh ? self_contained(scene_now(), files) : with_known_files(scene_now(), files);
+  write_file(path, scene_to_json(scene, path.parent_path()));
+  messages.say("Saved " + path.string());
+}
+
+void Stage::export_state(const std::filesystem::path& path) {
+  write_state(path, simulation().model.file_mesh, reference::export_fields(simulation().model, simulation().state()),
+              provenance());
+  messages.say("Exported " + path.string());
+}
+
+}  // namespace fascia

@@ -1,0 +1,39 @@
+// What the parts of the window share: the session that is open, the picture that it is drawn on, what the window shows
+// of it, and the message. No part knows the window itself.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/session/framing.h"
+#include "app/session/session.h"
+#include "app/state/window_state.h"
+#include "app/window/parts/messages.h"
+#include "app/window/parts/mouse_tool.h"
+#include "app/window/parts/real_time_clock.h"
+#include "sim/output/run_provenance.h"
+
+namespace fascia {
+
+struct Stage {
+  std::string command_line;  // as typed, for provenance
+  std::unique_ptr<Session> session = nullptr;
+  std::unique_ptr<Framebuffer> framebuffer = nullptr;  // the window's picture; none before its first frame
+  WindowState state = {};
+  Messages messages = {};
+  MouseTool mouse = {};
+  Pacing pacing = {};
+  bool diagnose = true;  // the state has changed since the last diagnostics
+
+  Simulation& simulation() const { return session->simulation; }
+  Scene scene_now() const;  // with the present materials and camera
+  Provenance provenance() const;
+  int panels_cover() const;  // of the picture's width [pixels]
+  Margins margins() const;   // of the window's picture
+
+  /// `with_mesh`: the file carries its meshes and tables. Throws Error.
+  void save(const std::filesystem::path& path, bool with_mesh);
+  void export_state(const std::filesystem::path& path);
+};
+
+}  // namespace fascia

@@ -1,0 +1,39 @@
+// The steps of a frame: how many the clock asks for, what they cost, and when there are none.
+#pragma once
+#include "app/overlay/overlay.h"
+#include "app/window/sides.h"
+#include "gl/timer.h"
+#include "sim/output/stats.h"
+
+namespace fascia {
+
+class Stepping {
+ public:
+  Stepping(Graphics& graphics, Overlay& overlay, Stage& stage, Sides& sides)
+      : graphics_(graphics), overlay_(overlay), stage_(stage), sides_(sides) {}
+
+  void limit(long steps) { left_ = steps; }  // no more are made from now on
+  bool done() const { return left_ == 0; }   // all of them are made
+  bool still() const;                        // the tissue does not move
+
+  /// `elapsed` seconds after the frame before. `one`: a step although the clock is paused.
+  void advance(double elapsed, bool one);
+  double simulated() const { return simulated_; }  // in the last advance() [s]
+  RunStats& stats() { return stats_; }             // of all steps made
+  const RunStats& stats() const { return stats_; }
+
+ private:
+  int due(double elapsed, bool one);
+  void make_step();
+
+  Graphics& graphics_;
+  Overlay& overlay_;
+  Stage& stage_;
+  Sides& sides_;
+  gl::Timer timer_;
+  RunStats stats_;
+  long left_ = -1;  // negative: without a limit
+  double simulated_ = 0;
+};
+
+}  // namespace fascia

@@ -1,0 +1,77 @@
+#include "app/window/tuning_history.h"
+
+#include <imgui.h>
+
+#include "app/session/reproduce.h"
+#include "sim/grab/build_model.h"
+#include "sim/scene/scene_scale.h"
+
+namespace fascia {
+
+void TuningHistory::session_began() {
+  stage_.state.history.restart(tunables_of(*stage_.session, stage_.state.grab));
+  opened_camera_ = stage_.scene_now().camera;
+}
+
+void TuningHistory::follow() {
+  if (ImGui::IsAnyItemActive() || stage_.mouse.dragging())
+    return;  // a slider or a section plane that is held is not yet where it will be
+  const Tunables now = tunables_of(sides_.tuned(), stage_.state.grab);
+  if (sides_.tuned().simulation.repeating())
+    stage_.state.history.accept(now);
+  else
+    stage_.state.history.follow(now);
+}
+
+void TuningHistory::go_to(std::size_t entries) {
+  UndoHistory& history = stage_.state.history;
+  // The values of the entry that is to be the last in force; those between need not be set.
+  std::optional<Tunables> wanted;
+  while (history.done() > entries && history.can_undo()) wanted = history.undo();
+  while (history.done() < entries && history.can_redo()) wanted = history.redo();
+  if (!wanted) return;
+  Session& session = sides_.tuned();
+  const std::vector<std::string> names = session.simulation.model.material_names;
+  set_tunables(session, stage_.state.grab, *wanted);
+  history.accept(tunables_of(session, stage_.state.grab));
+  if (session.simulation.model.material_names != names) materials_changed();
+}
+
+void TuningHistory::set_materials(const std::vector<MaterialEntries>& entries) {
+  sides_.tuned().simulation.set_material_entries(entries);
+  materials_changed();
+}
+
+// There are more of them, or fewer.
+void TuningHistory::materials_changed() {
+  Session& session = sides_.tuned();
+  session.true_error.forget();
+  stage_.state.convergence.forget();
+  stage_.state.facts = SceneFacts(session.simulation.scene, session.simulation.model);
+  stage_.pacing.restart();
+  stage_.diagnose = true;
+  // With other regions the open session has another scene, whose recording begins here.
+  if (&session == stage_.session.get()) recording_.begin_anew_around([] {});
+}
+
+Opened TuningHistory::rescaled(double factor) const {
+  Scene scene = scene_to_reproduce();
+  scale_lengths(scene, factor);
+  Model model = build_model(scene);
+  return {std::move(scene), std::nullopt, std::move(model)};
+}
+
+// A camera that was not moved is the file's, or none.
+Scene TuningHistory::scene_to_reproduce() const {
+  Scene scene = stage_.scene_now();
+  if (scene.camera == opened_camera_) scene.camera = stage_.simulation().scene.camera;
+  return scene;
+}
+
+void TuningHistory::copy_command() const {
+  const std::string line = command_that_reproduces(scene_to_reproduce());
+  ImGui::SetClipboardText(line.c_str());
+  stage_.messages.say("Copied: " + line);
+}
+
+}  // namespace fascia

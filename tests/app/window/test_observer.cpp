@@ -1,0 +1,83 @@
+// What a window measures and where it goes.
+#include <catch2/catch.hpp>
+
+#include "app/window/observer.h"
+#include "tests/support/stage.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+struct Desk : HeadlessStage {
+  Observer observer{stage, sides};
+  /// After a step, until what was asked for has come.
+  void measure() {
+    sides.step();
+    stage.diagnose = true;
+    observer.read();
+    for (int i = 0; i < 100 && stage.simulation().gpu()->diagnosing(); ++i) observer.read();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("diagnostics are asked for where something shows them, and go to the side that the panels show") {
+  Desk desk;
+  WindowState& state = desk.stage.state;
+  state.show_panels = false;
+  desk.measure();
+  CHECK(desk.stage.diagnose);  // nothing was asked for
+  CHECK_FALSE(desk.observer.of_open_session());
+  state.show_panels = true;
+  desk.measure();
+  CHECK_FALSE(desk.stage.diagnose);
+  REQUIRE(desk.observer.of_open_session());
+  REQUIRE(state.statistics.diagnostics);
+  CHECK(desk.observer.residual() == desk.observer.of_open_session()->residual);
+  CHECK(state.plots.history.all().empty());
+
+  desk.compare(CompareAsk::open_or_close);
+  set_iterations(*desk.sides.second(), 1);
+  desk.measure();
+  desk.measure();
+  REQUIRE(state.statistics.diagnostics);
+  CHECK(state.statistics.diagnostics->residual == desk.sides.split()->diagnostics()->residual);
+}
+
+TEST_CASE("plots get a sample of each measurement, with the step that it is of, unless they are held") {
+  Desk desk;
+  Plots& plots = desk.stage.state.plots;
+  plots.shown = true;
+  desk.stage.state.statistics.steps = 41;
+  desk.measure();
+  REQUIRE(plots.history.all().size() == 1);
+  CHECK(plots.history.all().back().step == 41);
+  CHECK(plots.probe);
+  plots.held = true;
+  desk.measure();
+  CHECK(plots.history.all().size() == 1);
+}
+
+TEST_CASE("a click chooses the vertex of the plots where one is to be chosen") {
+  Desk desk;
+  Plots& plots = desk.stage.state.plots;
+  const Eigen::Vector2d middle(HeadlessStage::kWidth / 2, HeadlessStage::kHeight / 2);
+  CHECK_FALSE(desk.observer.choose_probe(middle));
+  plots.shown = plots.choosing = true;
+  desk.measure();
+  const std::optional<std::uint32_t> tip = plots.probe;
+  CHECK(desk.observer.choose_probe(middle));
+  CHECK_FALSE(plots.choosing);
+  CHECK(plots.probe != tip);
+  CHECK(plots.history.all().empty());
+  CHECK(desk.stage.diagnose);
+  CHECK_FALSE(desk.observer.choose_probe(middle));
+}
+
+TEST_CASE("the residual of the last step is found at the end, whatever was shown") {
+  Desk desk;
+  desk.sides.step();
+  desk.observer.finish();
+  CHECK(desk.observer.residual() > 0);
+}

@@ -1,0 +1,57 @@
+// The steps that a window makes in a frame.
+#include <catch2/catch.hpp>
+
+#include "app/window/stepping.h"
+#include "tests/support/stage.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+struct Desk : HeadlessStage {
+  Stepping stepping{graphics, overlay, stage, sides};
+  Desk() {  // its kernels are compiled
+    for (int i = 0; i < 2; ++i) stage.simulation().step();
+  }
+  double time_step() const { return stage.simulation().scene.solver.time_step; }
+};
+
+}  // namespace
+
+TEST_CASE("a paused window makes the steps that are asked for, one at a time") {
+  Desk desk;
+  desk.stage.state.paused = true;
+  CHECK(desk.stepping.still());
+  desk.stage.diagnose = false;
+  desk.stepping.advance(1, false);
+  CHECK(desk.stepping.simulated() == 0);
+  CHECK_FALSE(desk.stage.diagnose);
+  desk.stepping.advance(1, true);
+  CHECK(desk.stepping.simulated() == desk.time_step());
+  CHECK(desk.stage.diagnose);
+  CHECK(desk.stepping.stats().steps == 1);
+  CHECK(desk.stage.state.statistics.steps == 1);
+}
+
+TEST_CASE("a window with a number of steps makes so many and no more") {
+  Desk desk;
+  desk.stepping.limit(3);
+  for (int i = 0; i < 6; ++i) {
+    CHECK(desk.stepping.done() == (i >= 3));
+    desk.stepping.advance(desk.time_step(), false);
+  }
+  CHECK(desk.stepping.stats().steps == 3);
+  CHECK(desk.stepping.simulated() == 0);
+}
+
+TEST_CASE("a replay gets no steps beyond its end, and its pace is the user's") {
+  Desk desk;
+  Simulation& simulation = desk.stage.simulation();
+  simulation.play({simulation.scene, std::nullopt, {}, 2});
+  desk.stage.state.statistics.step_ms = 0.01;
+  desk.stage.state.replay_speed = 4;
+  desk.stepping.advance(3 * desk.time_step(), false);
+  CHECK(desk.stepping.stats().steps == 2);
+  CHECK_FALSE(simulation.replaying());
+}

@@ -1,0 +1,82 @@
+// Changes of a window's scene that are taken back and done again, and the scene that they make.
+#include <catch2/catch.hpp>
+
+#include "app/window/tuning_history.h"
+#include "tests/support/stage.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+struct Desk : HeadlessStage {
+  using HeadlessStage::HeadlessStage;
+  RecordingControl recording{stage, sides, false};
+  TuningHistory tuning{stage, sides, recording};
+  const UndoHistory& history() const { return stage.state.history; }
+  std::size_t materials() { return sides.tuned().simulation.model.materials.size(); }
+};
+
+}  // namespace
+
+TEST_CASE("changes are entries of the side that the panels show, and several are taken back at once") {
+  Desk desk;
+  desk.tuning.session_began();
+  desk.tuning.follow();
+  CHECK(desk.history().entries().empty());
+  const bool b = GENERATE(false, true);
+  if (b) desk.compare(CompareAsk::open_or_close);
+  Session& session = desk.sides.tuned();
+  const int opened = iterations_of(session);
+  for (const int iterations : {21, 22, 23}) {
+    set_iterations(session, iterations);
+    desk.tuning.follow();
+  }
+  REQUIRE(desk.history().entries().size() == 3);
+  desk.tuning.go_to(0);
+  CHECK(iterations_of(session) == opened);
+  desk.tuning.go_to(2);
+  CHECK(iterations_of(session) == 22);
+  desk.tuning.follow();
+  CHECK(desk.history().done() == 2);
+  CHECK(desk.history().entries().size() == 3);
+  if (b) CHECK(iterations_of(*desk.stage.session) == opened);
+}
+
+TEST_CASE("a region gives up its material, and has it again when that is taken back") {
+  Desk desk("inclusion");
+  desk.tuning.session_began();
+  const std::size_t before = desk.materials();
+  std::vector<MaterialEntries> entries = tunables_of(*desk.stage.session, {}).materials;
+  entries[0].region_materials.clear();
+  desk.stage.diagnose = false;
+  desk.tuning.set_materials(entries);
+  CHECK(desk.materials() == before - 1);
+  CHECK(desk.stage.state.facts.material_volume.size() == before - 1);
+  CHECK(desk.stage.diagnose);
+  desk.tuning.follow();
+  REQUIRE(desk.history().entries().size() == 1);
+  desk.tuning.go_to(0);
+  CHECK(desk.materials() == before);
+  CHECK(desk.stage.state.facts.material_volume.size() == before);
+}
+
+TEST_CASE("the scene in another unit keeps what was turned, and the camera only where it was moved") {
+  Desk desk;
+  desk.tuning.session_began();
+  set_iterations(*desk.stage.session, 33);
+  const Opened twice = desk.tuning.rescaled(2);
+  CHECK(twice.scene.solver.iterations == 33);
+  CHECK(desk.tuning.rescaled(1).scene.camera == desk.stage.simulation().scene.camera);
+  const auto size = [](const Model& model) {
+    Eigen::Vector3d low = model.rest_positions[0], high = low;
+    for (const Eigen::Vector3d& x : model.rest_positions) {
+      low = low.cwiseMin(x);
+      high = high.cwiseMax(x);
+    }
+    return (high - low).norm();
+  };
+  CHECK(size(twice.model) == Approx(2 * size(desk.stage.simulation().model)));
+  desk.stage.session->camera.zoom(0.5);
+  CHECK(desk.tuning.rescaled(1).scene.camera == desk.stage.scene_now().camera);
+}
