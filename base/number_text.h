@@ -7,6 +7,9 @@
 
 namespace fascia {
 
+template <class T>
+concept Number = !std::same_as<T, char> && (std::integral<T> || std::floating_point<T>);
+
 class NumberText {
  public:
   NumberText& add(std::string_view text) {
@@ -17,8 +20,8 @@ class NumberText {
     text_ += c;
     return *this;
   }
-  template <class T>
-  requires(std::integral<T> || std::floating_point<T>) && (!std::same_as<T, char>)NumberText& add(T value) {
+  template <Number T>
+  NumberText& add(T value) {
     char digits[32];
     const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
     text_.append(digits, static_cast<std::size_t>(end - digits));

@@ -61,7 +61,7 @@ set(arrows
   "app/ui: sim/output"
   "app/video: base sim/output sim/replay sim/scene render/target app/cli app/system"
   "app/window: base gl shaders/shared sim/grab sim/output sim/scene sim/simulation sim/visual render app/cli app/compare app/dialogs app/overlay app/panels app/session app/state app/system app/ui app/video app/window/parts"
-  "app/window/parts: base gl shaders/shared sim/grab sim/replay sim/scene sim/visual render/target app/overlay app/panels app/session app/ui"
+  "app/window/parts: base gl shaders/shared sim/grab sim/replay sim/scene sim/simulation sim/visual render/target app/overlay app/panels app/session app/ui"
 )
 
 set(rooms)

@@ -44,7 +44,8 @@ Window::Window(Graphics& graphics, const ViewOptions& options, Opened opened)
       panels_(stage_, sides_, capture_, recovery_, graphics.data_dir, scripted(options)),
       controls_(input_, stage_, sides_, observer_, recording_),
       stepping_(graphics, overlay_, stage_, sides_),
-      opener_(graphics, overlay_, options.reference),
+      kernels_(graphics, !scripted(options)),
+      opener_(graphics, overlay_, options.reference, !scripted(options)),
       frames_to_settle_(kFramesToSettle) {
   stage_.state.video.width = options.width;  // as asked for, whatever the window has got
   stage_.state.video.height = options.height;
@@ -176,6 +177,12 @@ void Window::frame(double elapsed) {
     overlay_.end();
     messages.attempt([&] { carry_out(requests); });
   } while (input_.waiting() && !requests.wait_for_picture());
+  messages.attempt([&] {
+    kernels_.follow([&] {
+      for (Session* session : {stage_.session.get(), sides_.second()})
+        if (session) session->simulation.gpu()->record_again();
+    });
+  });
   if (shown_ && !messages.attempt([&] { simulate(elapsed, requests.step); })) stage_.state.paused = true;
   messages.attempt([&] { recording_.follow_replay(); });
   if (!messages.attempt([&] { picture_.draw(); })) stage_.state.paused = true;
@@ -254,6 +261,7 @@ void Window::session_began() {
   stage_.diagnose = true;
   set_title();
   recording_.session_began();
+  kernels_.session_began(stage_.simulation());
 }
 
 void Window::set_title() {

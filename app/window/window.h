@@ -8,6 +8,7 @@
 
 #include "app/cli/options.h"
 #include "app/window/controls.h"
+#include "app/window/parts/kernel_switch.h"
 #include "app/window/parts/scene_opener.h"
 #include "app/window/stepping.h"
 #include "app/window/tuning_history.h"
@@ -61,6 +62,7 @@ class Window {
   WindowPanels panels_;
   Controls controls_;
   Stepping stepping_;
+  KernelSwitch kernels_;
   SceneOpener opener_;
   int frames_to_settle_;  // to draw although nothing moves
   bool settled_ = false;  // nothing has happened since settle()

@@ -109,6 +109,8 @@ class GpuSolver {
   /// Copies state, materials, gravity and grab from another solver of the same model; the state does not pass through
   /// the CPU.
   void follow(const GpuSolver& leader);
+  /// Records all passes again: after ProgramCache::set_fusing(). The steps that follow make the same bits.
+  void record_again() { record(); }
   /// Whether a step can begin without waiting for the method's setup or for kernels that the driver still links.
   bool ready() const;
   /// Waits for background computations (the coarse level's inverse after a change of materials or h) and takes their

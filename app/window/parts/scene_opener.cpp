@@ -81,8 +81,16 @@ std::unique_ptr<Session> SceneOpener::make(Opened& opened, OpeningScreen& screen
   const Progress progress = [&](double share, const char* what) {
     screen.show(share_done + (1 - share_done) * share, what);
   };
-  auto session =
-      std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model), reference_, progress);
+  const bool fusing = graphics_.programs->fusing();
+  if (single_kernels_) graphics_.programs->set_fusing(false);
+  std::unique_ptr<Session> session;
+  try {
+    session =
+        std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model), reference_, progress);
+  } catch (...) {
+    graphics_.programs->set_fusing(fusing);  // of the session that stays
+    throw;
+  }
   if (opened.replay) session->simulation.play(std::move(*opened.replay));
   return session;
 }

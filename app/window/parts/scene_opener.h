@@ -16,9 +16,9 @@ namespace fascia {
 /// All of its functions throw Error, and Cancelled where the user gives it up.
 class SceneOpener {
  public:
-  /// `reference`: the double-precision solver.
-  SceneOpener(Graphics& graphics, Overlay& overlay, bool reference)
-      : graphics_(graphics), overlay_(overlay), reference_(reference) {}
+  /// `reference`: the double-precision solver. `single_kernels`: sessions begin with these (kernel_switch.h).
+  SceneOpener(Graphics& graphics, Overlay& overlay, bool reference, bool single_kernels)
+      : graphics_(graphics), overlay_(overlay), reference_(reference), single_kernels_(single_kernels) {}
 
   std::unique_ptr<Session> open(const std::filesystem::path& path);
   /// The scene that a window left (autosave.h), in the state that it had.
@@ -32,7 +32,7 @@ class SceneOpener {
 
   Graphics& graphics_;
   Overlay& overlay_;
-  bool reference_;
+  bool reference_, single_kernels_;
   std::vector<std::future<Opened>> given_up_;  // readings without a use, which end at their next report
 };
 

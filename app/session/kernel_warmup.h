@@ -1,0 +1,41 @@
+// Fills the cache of a software renderer with the kernels of a scene, beside a program that goes on meanwhile. Fused
+// kernels (gl/fused_pass.h) take the processor seconds to compile, once for a driver and a kind of scene, and freeze
+// the program that waits for them. Another process of the same driver compiles them here: it steps the scene, first
+// free and then grabbed, and leaves them in the driver's cache on disk.
+#pragma once
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/model/model.h"
+#include "sim/scene/scene.h"
+
+namespace fascia {
+
+class KernelWarmup {
+ public:
+  enum class State { running, cached, failed };  // failed: also where the driver keeps no cache
+
+  /// Begins at low priority. `program`: fascia itself; `data_dir`: that of the shaders.
+  KernelWarmup(const std::filesystem::path& program, const Scene& scene, const Model& model,
+               const std::filesystem::path& data_dir);
+  ~KernelWarmup();  // ends the other process
+  KernelWarmup(const KernelWarmup&) = delete;
+  KernelWarmup& operator=(const KernelWarmup&) = delete;
+
+  State look();  // does not wait
+
+ private:
+  void begin();
+  void remove_file();
+
+  std::filesystem::path scene_;  // a copy for the other process
+  std::vector<std::string> command_;
+  pid_t child_ = -1;
+  double first_seconds_ = 0;  // of processor time, of the first run; 0 while it runs
+  State state_ = State::running;
+};
+
+}  // namespace fascia

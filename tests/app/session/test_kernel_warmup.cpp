@@ -1,0 +1,55 @@
+// Kernels that another process leaves in the driver's cache.
+#include <catch2/catch.hpp>
+#include <thread>
+
+#include "app/session/kernel_warmup.h"
+#include "app/system/paths.h"
+#include "sim/grab/build_model.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+KernelWarmup::State waited(KernelWarmup& warmup) {
+  while (warmup.look() == KernelWarmup::State::running) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  return warmup.look();
+}
+
+long scenes_left() {
+  long count = 0;
+  const std::string name = "fascia-kernels-" + std::to_string(getpid());
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::temp_directory_path()))
+    count += entry.path().filename().string().starts_with(name);
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("another process fills the driver's cache with the kernels of a scene, and leaves no file") {
+  const std::filesystem::path data_dir = find_data_dir("");
+  const Scene scene = open_scene(data_dir / "assets/scenes/cube.json");
+  const Model model = build_model(scene);
+  KernelWarmup warmup(FASCIA_BINARY, scene, model, data_dir);
+  CHECK(warmup.look() == KernelWarmup::State::running);
+  CHECK(scenes_left() == 1);
+  CHECK(waited(warmup) == KernelWarmup::State::cached);
+  CHECK(scenes_left() == 0);
+}
+
+TEST_CASE("a warm-up whose process fails says so, and one that is given up ends its process") {
+  const std::filesystem::path data_dir = find_data_dir("");
+  const Scene scene = open_scene(data_dir / "assets/scenes/cube.json");
+  const Model model = build_model(scene);
+  SECTION("no such program") {
+    KernelWarmup warmup("/nowhere/fascia", scene, model, data_dir);
+    CHECK(waited(warmup) == KernelWarmup::State::failed);
+  }
+  SECTION("no shaders") {
+    KernelWarmup warmup(FASCIA_BINARY, scene, model, "/nowhere");
+    CHECK(waited(warmup) == KernelWarmup::State::failed);
+  }
+  SECTION("given up") { KernelWarmup warmup(FASCIA_BINARY, scene, model, data_dir); }
+  CHECK(scenes_left() == 0);
+}
