@@ -103,7 +103,7 @@ void define_values(py::module_& m) {
       .def_property_readonly("groups", [](const Mesh& mesh) { return mesh.groups; })
       .def_property_readonly("vertex_count", &Mesh::vertex_count)
       .def_property_readonly("tet_count", &Mesh::tet_count);
-  py::class_<Motion>(m, "Motion", "Vertices that are led along a straight line and then held.")
+  py::class_<Motion>(m, "Motion", "Vertices that move along a straight line and then stay.")
       .def(py::init([](const py::object& vertices, const Vec3& translate, double start, double duration) {
              return Motion{indices_of(vertices), translate, start, duration};
            }),
@@ -129,7 +129,7 @@ void define_values(py::module_& m) {
              return Scene{title, bodies, gravity, settings_of_scene};
            }),
            "bodies"_a, "gravity"_a = Scene().gravity, "settings"_a = Settings(), "title"_a = "");
-  py::class_<State>(m, "State", "A moment that can be gone back to.")
+  py::class_<State>(m, "State", "A state that can be restored.")
       .def_readonly("time", &State::time, "[s]")
       .def_property_readonly(
           "displacements",
@@ -268,7 +268,7 @@ void define_simulation(py::module_& m) {
       .def_property_readonly("time", &Simulation::time, "[s]")
       .def_property_readonly("asleep", &Simulation::asleep)
       .def("diverged_vertex", &Simulation::diverged_vertex,
-           "A vertex that is no longer finite or has left the scene; None: the state is sound.")
+           "A vertex that is no longer finite or has left the scene; None: the state is valid.")
       .def("restore_valid", &Simulation::restore_valid)
       .def_property(
           "positions", [](const Simulation& s) { return array_of(s.positions(), 3); },
@@ -296,7 +296,7 @@ void define_simulation(py::module_& m) {
             return Held{self, self.cast<Simulation&>().grab(indices_of(vertices), stiffness)};
           },
           "vertices"_a, "stiffness"_a = 0.0,
-          "Takes hold of vertices; stiffness of all springs together [N/m], 0: from the tissue.")
+          "Grabs vertices; stiffness of all springs together [N/m], 0: from the tissue.")
       .def(
           "grab_patch",
           [](const py::object& self, const Vec3& point, double radius, double stiffness) {
@@ -336,7 +336,7 @@ PYBIND11_MODULE(fascia, m) {
   m.def("tissue", &tissue, py::arg("name"), "A material from the literature: \"liver\".");
   m.def("tissues", &tissues);
   m.def("material_models", &material_models);
-  m.def("solver_pairs", &solver_pairs, "Method and acceleration of all pairs, best first.");
+  m.def("solver_pairs", &solver_pairs, "Method and acceleration of all solver choices, best first.");
   m.def("data_dir", &data_dir);
   m.def("set_data_dir", &set_data_dir, py::arg("folder"));
 }

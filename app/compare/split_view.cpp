@@ -244,7 +244,7 @@ void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int h
     free.keep_clear(ui::pill(list, (i == 0 ? "A   " : "B   ") + side_text(session, other), middle, ui::px(46),
                              edited ? ui::kAccent : ui::kText, widest));
     std::string result = side_result(session, i == 0 ? labels.of_a : diagnostics_, sides_[i].step_ms, labels.measured);
-    if (i == 1 && lost_ > 0) result += "  |  came apart " + std::to_string(lost_) + (lost_ == 1 ? " time" : " times");
+    if (i == 1 && lost_ > 0) result += "  |  diverged " + std::to_string(lost_) + (lost_ == 1 ? " time" : " times");
     if (!result.empty()) free.keep_clear(ui::pill(list, result, middle, bottom - ui::px(78), ui::kText, widest));
     draw_grab_marks(area_of(list, places[i], height, scale), session, labels.grabs[i], free);
   }

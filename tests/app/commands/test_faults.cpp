@@ -274,7 +274,7 @@ TEST_CASE("a read-only file is kept, and so are permissions", "[faults]") {
     Arguments probe = arguments;
     probe.insert(probe.end(), {FASCIA_BINARY, "--version"});
     if (run_command(probe).exit_code != 0) {
-      WARN("skipped: run by root, and nobody else can run " << FASCIA_BINARY);
+      WARN("skipped: run by root, and no other user can run " << FASCIA_BINARY);
       return;
     }
     REQUIRE(chown((folder / "out.vtk").c_str(), 65534, 65534) == 0);

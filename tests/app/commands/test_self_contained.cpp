@@ -115,7 +115,7 @@ TEST_CASE("a replay of a diverged state carries its mesh", "[self_contained]") {
   fs::remove(bar.folder / "bar.msh");
   const CommandResult again = run_fascia({"run", "--replay", replay, "--context", "osmesa"}, elsewhere.path());
   CHECK(again.exit_code == 1);
-  CHECK_THAT(again.err, Contains("came apart at "));
+  CHECK_THAT(again.err, Contains("diverged at "));
 }
 
 TEST_CASE("a session carries its mesh from the start, or else from when it is saved", "[self_contained]") {

@@ -297,7 +297,7 @@ TEST_CASE("tissue that diverges repeatedly pauses with a message and a replay; t
   const CommandResult again = run_fascia({"run", "--replay", kept.string(), "--context", "osmesa"}, desk.folder.path());
   CAPTURE(again.err);
   CHECK(again.exit_code == 1);
-  CHECK(again.err.find("came apart at ") != std::string::npos);
+  CHECK(again.err.find("diverged at ") != std::string::npos);
 }
 
 TEST_CASE("hidden: the device is reset", "[.]") {

@@ -214,7 +214,7 @@ TEST_CASE(
   }));
   window.key("ctrl+q");
   CHECK(window.wait() == 0);
-  INFO("the side that stays is held by nobody");
+  INFO("no grab is left on the remaining side");
   const Replay replay = read_replay(replays().front());
   const GrabInput* last = nullptr;
   for (const Input& input : replay.inputs)

@@ -316,8 +316,8 @@ TEST_CASE("components that fall away from a supported model are noted") {
   CHECK(unconstrained.held_parts == 1);
   REQUIRE(!model.notes.empty());
   CHECK(model.notes.back() ==
-        "1 part of 4 vertices in all is held nowhere and will fall (vertex 4 of liver): no vertex shared with what is "
-        "fixed or prescribed");
+        "1 component of 4 vertices in all is unconstrained and will fall (vertex 4 of liver): no vertex is fixed or "
+        "prescribed");
   CHECK(note_of(fixed, {"gravity=[0,0,0]"}).empty());
   CHECK(note_of("").empty());  // the whole model falls
   CHECK(note_of(R"("fixed": [{"vertices": [0, 4]}])").empty());

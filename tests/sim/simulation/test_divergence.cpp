@@ -58,7 +58,7 @@ TEST_CASE("run ends with one line, exit code 1 and a replay with the same end") 
     CAPTURE(run.out, run.err);
     CHECK(run.exit_code == 1);
     CHECK_FALSE(std::filesystem::exists(box.folder / "out.vtu"));
-    const std::size_t begin = run.err.find("came apart at "), named = run.err.find("repeated by ");
+    const std::size_t begin = run.err.find("diverged at "), named = run.err.find("repeated by ");
     REQUIRE(begin != std::string::npos);
     REQUIRE(named != std::string::npos);
     replay = run.err.substr(named + 12, run.err.find(';', named) - named - 12);
@@ -80,7 +80,7 @@ TEST_CASE("render ends in the same manner and writes no picture") {
                  box.folder.path());
   CAPTURE(run.err);
   CHECK(run.exit_code == 1);
-  CHECK(run.err.find("came apart at ") != std::string::npos);
+  CHECK(run.err.find("diverged at ") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(box.folder / "out.png"));
 }
 
@@ -173,7 +173,7 @@ TEST_CASE("a replay that is cut within a divergence reports it") {
   CAPTURE(run.err);
   CHECK(run.exit_code == 1);
   CHECK_THAT(run.err,
-             Catch::Contains("came apart at ") && Catch::Contains("the replay goes back to a sound state later"));
+             Catch::Contains("diverged at ") && Catch::Contains("the replay goes back to a valid state later"));
 }
 
 TEST_CASE("a divergence beside a body at rest is reproduced with the same regions at rest") {
