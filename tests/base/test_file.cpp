@@ -28,8 +28,7 @@ std::size_t entries(const TemporaryFolder& folder) {
 
 TEST_CASE("a file reads back as it was written", "[file]") {
   const TemporaryFolder folder;
-  const std::string content =
-      std::string("binary \0 \xff\r\n", 12) + std::string(200000, 'x');  // longer than one block
+  const std::string content = std::string("binary \0 \xff\r\n", 12) + std::string(200000, 'x');  // beyond one block
   write_file(folder / "a", content);
   CHECK(read_file(folder / "a") == content);
   write_file(folder / "a", "");

@@ -27,8 +27,7 @@ TEST_CASE("steps follow real time at any frame rate") {
       real += frame_time;
       steps += pacing.advance(frame_time, dt, 1e-4);
     }
-    CHECK(std::abs(static_cast<double>(steps) * dt - real) <=
-          dt);  // never off by more than a step: no time was dropped
+    CHECK(std::abs(static_cast<double>(steps) * dt - real) <= dt);  // no time was dropped
     CHECK(pacing.keeps_pace());
   }
 }

@@ -39,8 +39,7 @@ TEST_CASE("a displacement or a speed above solver.rest_speed is movement") {
   CHECK(rests(movement(1, 0.9 * limit, 0)));
   CHECK_FALSE(rests(movement(1, 1.1 * limit, 0)));
   CHECK(rests(movement(1, 0, 0.9 * limit)));
-  CHECK_FALSE(
-      rests(movement(1, 0, 1.1 * limit)));  // at the turning point of an oscillation the displacement may be zero
+  CHECK_FALSE(rests(movement(1, 0, 1.1 * limit)));  // the displacement may be zero at a turning point
   // Far from its rest position, float32 does not resolve such small displacements.
   CHECK(rests(movement(1, 1.1 * limit, 0, 1)));
 }

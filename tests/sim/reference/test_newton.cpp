@@ -140,8 +140,7 @@ TEST_CASE("free bodies keep momentum, and lose as much angular momentum as impli
       CHECK((after.angular_momentum - expected).norm() < 1e-11 * start.angular_momentum.norm());
       lost += (after.angular_momentum - before.angular_momentum).norm();
     }
-    CHECK(lost >
-          1e-6 * start.angular_momentum.norm());  // otherwise the identity could not be distinguished from conservation
+    CHECK(lost > 1e-6 * start.angular_momentum.norm());  // else indistinguishable from conservation
   }
 }
 

@@ -117,8 +117,7 @@ TEST_CASE("on a body that is cut open the part beyond is not hit, and the cut is
   CHECK_FALSE(wall->on_cut);
   CHECK(wall->point.isApprox(Vector3d(1, 0.5, 0.2)));
   CHECK(wall->normal.isApprox(Vector3d(1, 0, 0)));
-  CHECK_FALSE(
-      pick(towards({3, 0.5, 0.7}, {1, 0.5, 0.7}), triangles, p, cut));  // only through the part that is cut away
+  CHECK_FALSE(pick(towards({3, 0.5, 0.7}, {1, 0.5, 0.7}), triangles, p, cut));  // through the removed part
   // From the remaining side nothing changes.
   CHECK(pick(towards({0.3, 0.6, -3}, {0.3, 0.6, 0}), triangles, p, cut)->point.isApprox(Vector3d(0.3, 0.6, 0)));
   CHECK_FALSE(pick(towards({0.5, 0.5, 0.2}, {0.5, 0.5, 1}), triangles, p, cut));  // out through the cut

@@ -175,8 +175,7 @@ TEST_CASE("the summary of accuracies", "[bench]") {
   const CaseAccuracy result = known_case();
   CHECK(first_within(result.pairs[1], 0.1)->iterations == 10);
   CHECK(!first_within(result.pairs[3], 0.1));
-  CHECK(pairs_to_draw(result) ==
-        std::vector<std::size_t>{0, 2, 3});  // the best of each method, and that of the I3D 2019 paper
+  CHECK(pairs_to_draw(result) == std::vector<std::size_t>{0, 2, 3});  // the best of each method, and the paper's
   const std::string summary = summary_of({result, {{}, {{SolverSettings().choice(), {}}}}}, {"a note"});
   INFO(summary);
   for (const char* text :
