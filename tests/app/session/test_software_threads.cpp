@@ -61,7 +61,7 @@ std::string text_of(const Cores& cores) {
 
 }  // namespace
 
-TEST_CASE("the work of a command determines the size of dispatches from which threads pay", "[cli]") {
+TEST_CASE("the input of a command determines the work for which threads are chosen", "[cli]") {
   using namespace fascia;
   Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
   const Model model = build_model(scene);

@@ -189,7 +189,7 @@ TEST_CASE("a divergence beside a body at rest is reproduced with the same region
         (model.rest_positions[tip] - Vector3d(0.6, 0.05, 0.05)).norm())
       tip = v;
   Simulation lived(scene, model, graphics.programs.get(), false);
-  std::map<long, State> states;  // after so many steps
+  std::map<long, State> states;  // by number of steps
   constexpr long kTorn = 61;
   for (long step = 0; !lived.diverged() && step < kTorn + 40; ++step) {
     if (step <= kTorn)

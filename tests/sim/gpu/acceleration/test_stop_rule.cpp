@@ -51,8 +51,8 @@ TEST_CASE("a tolerance ends the iterations at the first one that meets it", "[gp
   stopped.request_diagnostics();
   CHECK(stopped.take_diagnostics(true)->iterations == used);
 
-  // The same number of iterations without a tolerance gives the same state; one less does not meet it. A step that
-  // knows that few iterations remain omits the last refresh: then only the gain of the iterations after it differs.
+  // The same number of iterations without a tolerance gives the same state; one less does not meet it. A step with few
+  // remaining iterations omits the last refresh: then only the gain of the iterations after it differs.
   bool saved = false;
   for (int i = 0; i < used; ++i)
     saved |= StepMethod::refreshes_before(i, settings.iterations) && !StepMethod::refreshes_before(i, used);
