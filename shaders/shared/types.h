@@ -13,7 +13,8 @@ struct StepValues {
   vec4 gravity;   // xyz acceleration [m/s^2], w substep h [s]
   vec4 solver;    // x spectral radius for Chebyshev acceleration, 0: estimated; y iterations, z tolerance, w 1 / mean
                   // mass [1/kg]
-  vec4 material;  // for a scene with one material: x Young's modulus E [Pa], y Poisson's ratio [-], z damping [s], w model
+  vec4 material;  // for a scene with one material: x Young's modulus E [Pa], y Poisson's ratio [-], z damping [s], w
+                  // model
   vec4 guard;     // x distance from its prediction at which a vertex counts as diverged [m]
 };
 
@@ -28,7 +29,8 @@ struct VertexPartial {
   vec4 reaction;  // xyz force of the supports on the body [N], w largest speed squared [m^2/s^2]
   vec4 residual;  // of free vertices, M over the mean mass: x |g|^2, y |M (u - u~)|^2, z |h^2 f|^2 + |h^2 M gravity|^2
                   // [m^2], w |M v|^2
-  vec4 inertia;   // xyz mass times acceleration of free vertices [N], w magnitude of the forces whose differences are its terms [N]
+  vec4 inertia;   // xyz mass times acceleration of free vertices [N], w magnitude of the forces whose differences are
+                  // its terms [N]
 };
 
 #ifdef __cplusplus
