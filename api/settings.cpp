@@ -8,7 +8,7 @@ SolverSettings checked(const Settings& settings) {
   const std::optional<SolverChoice> pair = find_choice(settings.method, settings.acceleration);
   if (!pair)
     throw Error("settings", "method \"" + settings.method + "\" with acceleration \"" + settings.acceleration + "\"",
-                "expected one of these pairs: " + list_of_choices());
+                "expected one of these solver choices: " + list_of_choices());
   SolverSettings own;
   own.method = pair->method;
   own.acceleration = pair->acceleration;

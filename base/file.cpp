@@ -141,7 +141,7 @@ void require_writable(const fs::path& path) {
     const std::string link = target == path ? "" : "links to " + target.string() + ": ";
     throw Error(path.string(), link + "no such folder " + folder.string(), "expected an existing folder");
   }
-  // A rename would also replace a read-only file, although its permissions ask to keep it.
+  // A rename would also replace a read-only file, which its permissions protect.
   if (fs::exists(status) && access(path.c_str(), W_OK) != 0) {
     throw Error(path.string(), "cannot be written" + reason(errno), "expected a file that may be changed");
   }

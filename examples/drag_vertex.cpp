@@ -21,8 +21,7 @@ int main() try {
   cube.material = {.young_modulus = 2e4, .poisson_ratio = 0.4, .density = 1000, .damping = 0.05};
   for (std::uint32_t v = 0; v < cube.mesh.vertex_count(); ++v)
     if (cube.mesh.positions[3 * v + 1] == 0) cube.fixed.push_back(v);
-  const auto corner =
-      static_cast<std::uint32_t>(cube.mesh.vertex_count() - 1);  // the vertex with the largest x, y and z
+  const auto corner = static_cast<std::uint32_t>(cube.mesh.vertex_count() - 1);  // the largest x, y and z
   scene.bodies.push_back(cube);
   fascia::Simulation simulation(scene);
 
@@ -51,8 +50,7 @@ int main() try {
   simulation.step(120);
   const std::vector<double> x = simulation.positions();
   std::printf("speed %.6f m/s\n", simulation.diagnostics().max_speed);
-  std::printf("left %.6f m\n", std::hypot(x[3 * corner] - kEdge,
-                                          x[3 * corner + 2] - kEdge));  // horizontal offset from the rest position
+  std::printf("left %.6f m\n", std::hypot(x[3 * corner] - kEdge, x[3 * corner + 2] - kEdge));
 } catch (const fascia::Error& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;

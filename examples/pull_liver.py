@@ -1,4 +1,4 @@
-"""Opens the shipped liver, takes hold of its top and lifts it by two centimeters; prints the force of the hand."""
+"""Opens the shipped liver, grabs its top and lifts it by two centimeters; prints the force of the grab."""
 import os
 
 import fascia

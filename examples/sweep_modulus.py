@@ -1,4 +1,4 @@
-"""Sweeps the modulus of a beam that is clamped at one end: how far its tip sinks, and what the clamp carries."""
+"""Sweeps the modulus of a beam that is clamped at one end: prints the deflection of its tip and the force of the clamp."""
 import sys
 
 import fascia
@@ -12,7 +12,7 @@ def beam(young_modulus):
     return fascia.Scene([fascia.Body(mesh, fascia.Material(young_modulus=young_modulus), fixed=clamped)])
 
 
-context = fascia.Context.own()  # one for all simulations: kernels are compiled once
+context = fascia.Context.own()  # one for all simulations, so that kernels are compiled once
 moduli = [1e5, 2e5, 4e5, 8e5]  # [Pa]
 sinks = []
 for modulus in moduli:

@@ -14,9 +14,7 @@ namespace fascia::gl {
 namespace fused {  // named, because a class with external linkage has members of these types
 
 // Constants of shaders/common/fused.glsl.
-constexpr std::uint32_t
-    kKernelShift = 12,
-    kNoKernel = 0xfffff;  // of the crew's first word: the bits of the current kernel, and its value at the end
+constexpr std::uint32_t kKernelShift = 12, kNoKernel = 0xfffff;  // bits of the current kernel, its value at the end
 // Counters of the work groups taken: beside the first word they would slow down the groups that wait for it
 constexpr std::uint32_t kFirstCounter = 16;
 constexpr std::uint32_t kMostLoops = 50'000;   // iterations per work group

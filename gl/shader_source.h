@@ -17,8 +17,8 @@ using Defines = std::vector<std::pair<std::string, std::string>>;  // NAME, valu
 enum class Texel { none, vec4, vec4_in_place, uvec4, float1, uint1 };
 
 struct ShaderText {
-  std::string
-      text;  // "#version 430 core", the defines, then the flattened file (which must not have its own #version line)
+  // "#version 430 core", the defines, then the flattened file (which must not have its own #version line)
+  std::string text;
   struct Line {
     std::string file;  // relative to the shader folder: "sim/step/predict.comp"
     int line;

@@ -13,9 +13,7 @@ Timer::~Timer() {
 }
 
 void Timer::begin() {
-  measuring_ =
-      pending_ <
-      kPairs;  // otherwise the GPU is far behind, or results are not taken: this one is not measured, to avoid a wait
+  measuring_ = pending_ < kPairs;  // else the GPU is behind, or no result is taken: not measured, to avoid a wait
   if (!measuring_) return;
   if (timestamps_) {
     QueryCounter(queries_[2 * next_], GL_TIMESTAMP);

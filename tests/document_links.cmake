@@ -1,8 +1,8 @@
-# Every relative link of a Markdown file leads to a file, and to a heading where it names one. Every path of the tree that stands there in
-# backticks or parentheses, and every page of docs that a source names, exists. Called with -DSOURCE_DIR=<source tree>.
+# Every relative link of a Markdown file leads to a file, and to a heading where it names one. Every path of the tree in backticks or
+# parentheses, and every page of docs that a source names, exists. Called with -DSOURCE_DIR=<source tree>.
 cmake_minimum_required(VERSION 3.25)
 
-# Brackets and semicolons mean something else in lists of CMake.
+# Brackets and semicolons are special in CMake lists.
 function(read_text path result)
   file(READ ${path} text)
   string(REPLACE ";" "," text "${text}")

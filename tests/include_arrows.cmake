@@ -1,5 +1,5 @@
-# Which folder may include from which: a row a folder, and beside its own files those of the folders after the colon. An include that is not
-# in the table fails and names the row. The table has no circle, so that each folder can be understood, and built, on what lies below it.
+# Which folder may include from which: one row per folder, which may include its own files and those of the folders after the colon. An include
+# that is not in the table fails with the name of the row. The table has no cycle, so that each folder depends only on those below it.
 # Called with -DSOURCE_DIR=<source tree>.
 cmake_minimum_required(VERSION 3.25)
 set(arrows
@@ -89,7 +89,7 @@ foreach(source IN LISTS sources)
   foreach(line IN LISTS includes)
     string(REGEX REPLACE ".*\"([^\"]*)\".*" "\\1" target "${line}")
     cmake_path(GET target PARENT_PATH from)
-    if(from STREQUAL fascia)  # as programs that use the library write it
+    if(from STREQUAL fascia)  # in the form used by programs that link the library
       set(from include/fascia)
     endif()
     math(EXPR count "${count} + 1")
@@ -117,7 +117,7 @@ foreach(room IN LISTS rooms)
   endforeach()
 endforeach()
 
-# Folders that include nothing but what is below them go, one after another; what is left lies on a circle.
+# Removes folders without remaining dependencies one after another; the rest forms a cycle.
 set(left ${rooms})
 set(before)
 while(NOT "${left}" STREQUAL "${before}")

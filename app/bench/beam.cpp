@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kLength = 1, kWidth = 0.25;       // [m]
-constexpr double kBending = 1.7, kTwisting = 1.7;  // curvature and twist at x: so many times x [1/m^2]
+constexpr double kBending = 1.7, kTwisting = 1.7;  // factors of x in curvature and twist at x [1/m^2]
 
 // Center line of the bent beam: integral of (cos, sin) of its angle from 0 to x, by the midpoint rule.
 Vector3d center_line(double x) {

@@ -24,8 +24,7 @@ void refuse_dashes(CLI::App& program);
 // Options of several commands.
 void add_size(CLI::App& command, int& width, int& height);
 void add_graphics(CLI::App& command, CommonOptions& options);
-void add_common(CLI::App& command,
-                CommonOptions& options);  // add_graphics() and the options that open and step a scene
+void add_common(CLI::App& command, CommonOptions& options);  // add_graphics(), and how to open and step a scene
 
 /// The end of the name of a value, as in "FILE.csv or -", for options that accept "-" as standard input or output;
 /// other options refuse "-".

@@ -26,18 +26,16 @@ struct CommonOptions {
 };
 
 struct RenderOptions : CommonOptions {
-  std::string out;  // PNG
-  std::string
-      video;  // MP4 or any format that ffmpeg derives from the extension, or a pattern of pictures, frames/%05d.png
+  std::string out;    // PNG
+  std::string video;  // MP4 or another format of ffmpeg, or pictures, frames/%05d.png
   int width = 1280, height = 720;
   int samples = 4;
   double fps = 60;
-  double slow = 1;  // times slower than real time
-  std::string camera =
-      "follow";         // follow (the replay's), scene, a file with a camera, or eye and target as six numbers
-  bool hash = false;    // of the last state and of all frames
-  bool panels = false;  // --ui
-  std::string color;    // overrides display.color
+  double slow = 1;                // times slower than real time
+  std::string camera = "follow";  // follow (the replay's), scene, a file, or six numbers: eye, target
+  bool hash = false;              // of the last state and of all frames
+  bool panels = false;            // --ui
+  std::string color;              // overrides display.color
   bool wireframe = false;
   std::string compare;  // golden PNG
   std::string state;    // golden CSV

@@ -71,7 +71,7 @@ int run_skip(const BenchOptions& options) { return run_bench(options, "skip", be
 
 void add_figures(CLI::App& bench, Invocation& invocation) {
   const auto options = std::make_shared<BenchOptions>();
-  CLI::App& command = *bench.add_subcommand("figures", "the figures of the poster, and what colorings cost");
+  CLI::App& command = *bench.add_subcommand("figures", "the figures of the I3D 2019 paper, and the cost of colorings");
   command.add_option("--out", options->out, "folder for the files, made if missing")->type_name("DIR")->required();
   command.add_flag("--quick", options->quick,
                    "small meshes, few iterations: the same files in less time, the numbers worth little");

@@ -119,8 +119,8 @@ int inspect(const InfoOptions& options) {
 
 void add_info(CLI::App& program, Invocation& invocation) {
   const auto options = std::make_shared<InfoOptions>();
-  CLI::App& command =
-      *program.add_subcommand("info", "mesh doctor: sizes, materials, defects; what made a file of fascia's");
+  CLI::App& command = *program.add_subcommand(
+      "info", "mesh check: sizes, materials, defects; or the provenance of a file that fascia wrote");
   CLI::Option* scene = command
                            .add_option("scene", options->input,
                                        "scene (.json) or tetrahedral mesh; or a picture, video, replay or export; - is "

@@ -162,8 +162,7 @@ void add_stress(CLI::App& program, Invocation& invocation) {
   options->height = 360;
   std::vector<std::string> models;
   for (const MaterialModel m : material_models()) models.push_back(name_of(m));
-  CLI::App& command =
-      *program.add_subcommand("stress", "the torture table: what no pair of method and acceleration may break at");
+  CLI::App& command = *program.add_subcommand("stress", "the stress suite: cases that every solver choice must pass");
   command
       .add_option("--out", options->out,
                   "folder for the table, its summary, and a replay and a picture of every failure")

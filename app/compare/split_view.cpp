@@ -239,12 +239,11 @@ void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int h
     const float middle = left + 0.5f * room, widest = room - ui::px(40);
     LabelPlaces free({left, 0, left + room, bottom}, ui::px(kLabelGap));
     for (const Box& box : labels.covered) free.keep_clear(box);
-    const bool edited =
-        labels.measured && (i == 1) == labels.editing_b;  // only the window, which has a clock, can edit
+    const bool edited = labels.measured && (i == 1) == labels.editing_b;  // only the window can edit
     free.keep_clear(ui::pill(list, (i == 0 ? "A   " : "B   ") + side_text(session, other), middle, ui::px(46),
                              edited ? ui::kAccent : ui::kText, widest));
     std::string result = side_result(session, i == 0 ? labels.of_a : diagnostics_, sides_[i].step_ms, labels.measured);
-    if (i == 1 && lost_ > 0) result += "  |  came apart " + std::to_string(lost_) + (lost_ == 1 ? " time" : " times");
+    if (i == 1 && lost_ > 0) result += "  |  diverged " + std::to_string(lost_) + (lost_ == 1 ? " time" : " times");
     if (!result.empty()) free.keep_clear(ui::pill(list, result, middle, bottom - ui::px(78), ui::kText, widest));
     draw_grab_marks(area_of(list, places[i], height, scale), session, labels.grabs[i], free);
   }

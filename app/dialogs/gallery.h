@@ -32,8 +32,7 @@ class Gallery {
   std::filesystem::path assets_;
   bool start_ = false, open_ = false;
   std::vector<Example> examples_;
-  std::vector<gl::Texture>
-      pictures_;  // of the examples, while the gallery is open; no texture for an example without a picture
+  std::vector<gl::Texture> pictures_;  // of the examples, while open; empty without a picture
 };
 
 }  // namespace fascia

@@ -159,7 +159,7 @@ Comparison compare(const Outcome& outcome, const GoldenFiles& goldens, const Gol
   try {
     comparison.reasons = provenance_differences(read_png_metadata(goldens.picture), outcome.provenance);
     if (comparison.reasons.empty())
-      comparison.reasons.push_back("made by the same version, renderer, parameters, mesh and moment as the golden");
+      comparison.reasons.push_back("made by the same version, renderer, parameters, mesh and time as the golden");
   } catch (const Error&) {  // already reported as a finding
   }
   return comparison;

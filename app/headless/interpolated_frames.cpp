@@ -17,9 +17,8 @@ InterpolatedFrames::InterpolatedFrames(const std::optional<Replay>& replay) {
   if (!replay) return;
   for (const Input& input : replay->inputs)
     if (std::holds_alternative<ResetInput>(input.change) || std::holds_alternative<RestoreInput>(input.change))
-      jumps_.insert(input.step == replay->steps
-                        ? input.step - 1
-                        : input.step);  // an input at the end of a session acts after its last step
+      jumps_.insert(input.step == replay->steps ? input.step - 1
+                                                : input.step);  // the final input acts after the last step
 }
 
 void InterpolatedFrames::add(long step, Simulation& simulation) {

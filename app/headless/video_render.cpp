@@ -39,7 +39,7 @@ void VideoRender::after_step() {
     interpolated_->add(step, headless_.session().simulation);
     headless_.remember_grabs();
   }
-  if (step == headless_.steps()) return;  // only finish() knows the number of remaining frames
+  if (step == headless_.steps()) return;  // finish() writes the remaining frames
   double end = frame_of_step_.back() + 0.5 * rate_ * simulation.scene.solver.time_step;
   if (interpolated_)
     end = step < InterpolatedFrames::kAhead

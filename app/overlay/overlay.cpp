@@ -24,9 +24,8 @@ Overlay::Overlay(Graphics& graphics) : graphics_(graphics) {
   io.IniFilename = nullptr;
   if (GLFWwindow* window = graphics.context->window()) {
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    ImGui_ImplGlfw_InitForOther(
-        window,
-        false);  // WindowInput calls the backend's callbacks, since it receives every event first
+    ImGui_ImplGlfw_InitForOther(window,
+                                false);  // WindowInput receives events first and calls its callbacks
   }
 }
 

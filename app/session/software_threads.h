@@ -13,8 +13,8 @@ struct Workload {
   Method method = Method::jacobi;
   std::size_t tets = 0;
   bool drawn = true;
-  bool fused = true;  // whether the passes of a step are fused (gl/fused_pass.h): not with solver.tolerance, which
-                      // --static reaches differently
+  bool fused = true;  // whether the passes of a step are fused (gl/fused_pass.h): not with solver.tolerance, except
+                      // for --static
 };
 Workload workload_of(const Scene& scene, const Model& model, bool static_equilibrium, bool drawn = true);
 

@@ -33,10 +33,8 @@ class UndoHistory {
   Tunables redo() { return entries_[done_++].after; }
 
   const std::deque<Entry>& entries() const { return entries_; }
-  std::size_t done() const { return done_; }  // entries in effect
-  bool complete() const {
-    return complete_;
-  }  // false: there were more than kMostEntries, and the first ones were dropped
+  std::size_t done() const { return done_; }   // entries in effect
+  bool complete() const { return complete_; }  // false: the oldest entries were dropped
 
  private:
   Tunables last_;

@@ -85,10 +85,9 @@ struct Requests {
   std::optional<std::filesystem::path> open, save, export_state, save_replay,
       resume;  // resume: the recording of an interrupted session (autosave.h)
   CompareAsk compare = CompareAsk::nothing;
-  std::optional<std::size_t> history;  // number of entries that shall be in effect
-  std::optional<std::vector<MaterialEntries>>
-      materials;                  // regions that get a material of their own, or the default one
-  std::optional<double> rescale;  // factor for all bodies: the file has another unit
+  std::optional<std::size_t> history;                     // number of entries that shall be in effect
+  std::optional<std::vector<MaterialEntries>> materials;  // for regions: a material of their own, or the default
+  std::optional<double> rescale;                          // factor for all bodies: the file has another unit
   /// Some requests are executed with the steps and the picture of a frame.
   bool wait_for_picture() const { return step || screenshot || video || plot_table || plot_picture; }
 };

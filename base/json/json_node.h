@@ -31,8 +31,7 @@ class Node {
   Node(const nlohmann::json& value, std::string path, const DocumentOrigin& origin)
       : value_(&value), path_(std::move(path)), origin_(&origin) {}
 
-  std::string where(
-      const std::string& key) const;  // the name in errors of the value at `key`, whether it exists or not
+  std::string where(const std::string& key) const;  // in errors, for the value at `key`, which may be missing
   [[noreturn]] void fail(const std::string& what, const std::string& expected) const;
   /// "is VALUE; expected ...".
   [[noreturn]] void refuse(const std::string& expected) const;

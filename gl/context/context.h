@@ -22,7 +22,7 @@ class Context {
 
 struct ContextRequest {
   std::string name = "auto";  // auto, window, egl, osmesa
-  bool for_view = false;      // auto prefers the window; else EGL on a GPU, else OSMesa, else EGL on software
+  bool for_view = false;      // auto then takes the window; without it EGL on a GPU, else OSMesa, else EGL on software
   int width = 1280, height = 720;
   std::string title = "fascia";
   bool debug = false;  // KHR_debug output, synchronous

@@ -107,8 +107,7 @@ SurfaceCorners make_surface_corners(std::span<const std::array<std::uint32_t, 3>
   const auto places = static_cast<std::uint32_t>(first.size());
   SurfaceCorners result;
   std::vector<std::uint32_t> newest(places, kNone);  // corner of the fan that starts at a place
-  std::vector<std::uint32_t> older,
-      fan_of;  // [corner_count] another corner of the same fan, with a different color; first place of the fan
+  std::vector<std::uint32_t> older, fan_of;  // [corner_count] of the same fan in another color; fan's first place
   for (std::uint32_t place = 0; place < places; ++place) {
     std::uint32_t id = newest[first[place]];
     while (id != kNone && !colors.empty() && result.colors[id] != colors[place]) id = older[id];

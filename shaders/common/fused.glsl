@@ -113,8 +113,8 @@ void take_part(uint groups, uint most, uint cost) {
   }
 }
 
-// Work groups of the kernel with this number in the generated text and this record in the plan; returns 1 for 0: there
-// may be work.
+// The work groups of kernel `next` of the generated text, with its record in the plan; 1 for `next` 0: there may be
+// work.
 uint groups_of(uint next, uint record);
 
 // Skips the next kernel if it has no work: no member then needs to wait after it.

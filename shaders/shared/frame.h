@@ -13,8 +13,8 @@ vec4 ground_v;         // step of the same to (0, 1)
 vec4 grid_x;           // xyz: unit vector along the ground; w: spacing of the fine grid lines [m]
 vec4 grid_z;           // xyz: across it; w: strong lines per fine line
 vec4 base_color;       // rgb of the surface, linear
-vec4 heat_range;       // scalar at 0 of the color map, 1 / (scalar at 1 - it); positions of the range's ends in the map
+vec4 heat_range;       // scalar at 0 of the color map, 1 / (scalar at 1 - it); place of the range's ends in the map
 vec4 color_map[7];     // rgb: coefficients of t^0 to t^6, sRGB
 vec4 region_color[8];  // rgb, linear
 vec4 section;          // xyz: unit normal, w: offset [m] of the plane beyond which nothing is drawn
-vec4 spread;  // separate tets: x size of each, y outward displacement; depth cue: z strength, w nearest depth [m]
+vec4 spread;           // separate tets: x size of each, y outward shift; depth cue: z strength, w nearest depth [m]

@@ -223,7 +223,7 @@ std::optional<std::uint32_t> GpuSolver::diverged_now() const {
 
 std::uint32_t GpuSolver::vertex_at(std::uint32_t place) const {
   if (place >= buffers_.vertex_count)
-    throw Error(gl::device().renderer, "the number of a lost vertex was read back as " + std::to_string(place),
+    throw Error(gl::device().renderer, "the number of a diverged vertex was read back as " + std::to_string(place),
                 "expected one below " + std::to_string(buffers_.vertex_count));
   return buffers_.placement.vertex[place];
 }

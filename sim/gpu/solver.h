@@ -134,7 +134,7 @@ class GpuSolver {
  private:
   GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings, const EmbeddedPoints& drawn,
             const Progress& progress, MeshOrder placement);
-  void make_method();  // creates what the solver choice needs, and nothing else
+  void make_method();  // creates only the parts that the solver choice needs
   void record();
   void run(const Passes& passes);
   void look_beside();

@@ -180,9 +180,8 @@ ResolvedGrab resolve_grab(const Scene& scene, std::size_t index, const Model& mo
   std::vector<ScriptedGrab::Key> keys = grab.path;
   if (keys.empty()) keys.push_back({grab.duration, grab.push ? Vector3d(*grab.push * place.inward) : grab.translate});
   resolved.start = grab.start;
-  resolved.path =
-      slowed(keys, grab.start,
-             kGrabSpeed * size / (grab.smooth ? 1.5 : 1));  // smooth motion is 1.5 times as fast in the middle
+  resolved.path = slowed(keys, grab.start,
+                         kGrabSpeed * size / (grab.smooth ? 1.5 : 1));  // 1.5 times as fast in the middle
   resolved.smooth = grab.smooth;
   if (grab.release) resolved.release = *grab.release;
   return resolved;

@@ -77,7 +77,7 @@ const MaterialLaw kStVenantKirchhoff{
     MaterialModel::st_venant_kirchhoff,
     "st_venant_kirchhoff",
     "St. Venant-Kirchhoff, plain",
-    "Linear in the Green strain to the end: softens under strong compression, and is content inside out.",
+    "Linear in the Green strain to the end: softens under strong compression, and may stay inside out.",
     nullptr,
     true,
     [](const Matrix3d&) { return true; },

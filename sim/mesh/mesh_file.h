@@ -1,4 +1,4 @@
-// A mesh as stored in a file, and what the reader skipped.
+// A mesh as stored in a file, and a record of skipped content.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -15,7 +15,7 @@ struct MeshFile {
     std::size_t points = 0, lines = 0, triangles = 0,
                 others = 0;  // cells that are not tets: counted, not stored
   } ignored;
-  std::vector<std::string> notes;  // what else was skipped or changed, one sentence each
+  std::vector<std::string> notes;  // about other skipped or changed content, one sentence each
 };
 
 }  // namespace fascia

@@ -1,5 +1,5 @@
-// Reads the files of a scene, from the scene itself if it carries them, else from disk. Records what was read, so that
-// a recording can carry it.
+// Reads the files of a scene, from the scene itself if it carries them, else from disk. Lists the files that were read,
+// so that a recording can carry them.
 #pragma once
 #include <string>
 #include <vector>

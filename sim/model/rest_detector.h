@@ -22,7 +22,7 @@ class RestWatch {
   /// Whether the body is at rest after this check. `size` of the scene [m].
   bool add(const Movement& motion, const SolverSettings& settings, double size);
   double quiet() const { return quiet_; }  // [s] at rest without interruption
-  /// Starts again, after a change of what acts on the body.
+  /// Starts again, after a change of the forces on the body.
   void restart() {
     quiet_ = 0;
     checks_ = 0;

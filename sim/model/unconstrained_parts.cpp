@@ -52,9 +52,9 @@ std::string note_of_unconstrained_parts(const Model& model) {
     for (const GrabSpring& spring : grab.grip) held[spring.vertex] = 1;
   const UnconstrainedParts unconstrained = unconstrained_parts(model, held);
   if (unconstrained.parts == 0 || unconstrained.held_parts == 0) return "";
-  return plural(unconstrained.parts, "part") + " of " + std::to_string(unconstrained.vertices) + " vertices in all " +
-         (unconstrained.parts == 1 ? "is" : "are") + " held nowhere and will fall (" +
-         vertex_name(model, unconstrained.first) + "): no vertex shared with what is fixed or prescribed";
+  return plural(unconstrained.parts, "component") + " of " + std::to_string(unconstrained.vertices) +
+         " vertices in all " + (unconstrained.parts == 1 ? "is" : "are") + " unconstrained and will fall (" +
+         vertex_name(model, unconstrained.first) + "): no vertex is fixed or prescribed";
 }
 
 }  // namespace fascia

@@ -72,8 +72,7 @@ MatrixXd Cholesky::assemble(const Front& front, const SparseMatrix& matrix, doub
 }
 
 bool Cholesky::factorize(const SparseMatrix& matrix, double shift) {
-  std::vector<MatrixXd> updates(
-      fronts_.size());  // the part of each front that remains for its parent, until that consumes it
+  std::vector<MatrixXd> updates(fronts_.size());  // what each front passes to its parent
   for (std::size_t n = 0; n < fronts_.size(); ++n) {
     Front& front = fronts_[n];
     MatrixXd sum = assemble(front, matrix, shift, updates);

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 struct FreeVertices {
-  std::vector<int> place;  // [vertex] in the order of elimination, -1 for vertices that are not free or in no tet
+  std::vector<int> place;  // [vertex_count] in the order of elimination, -1 where not free or in no tet
   EliminationTree tree;
 };
 

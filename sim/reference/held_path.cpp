@@ -61,8 +61,8 @@ void require_supports(const Model& model) {
   const UnconstrainedParts unconstrained = unconstrained_parts(model, model.held());
   if (unconstrained.parts > 0)
     throw Error("static equilibrium",
-                "a part of the mesh (" + vertex_name(model, unconstrained.first) + ") is held nowhere",
-                "expected fixed or prescribed vertices in every part, or no gravity");
+                "a component of the mesh (" + vertex_name(model, unconstrained.first) + ") is unconstrained",
+                "expected fixed or prescribed vertices in every component, or no gravity");
 }
 
 }  // namespace fascia::reference

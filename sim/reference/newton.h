@@ -39,7 +39,7 @@ Measures measure(const Model& model, const State& state);
 /// What constrains a body: all of its fixed vertices, or those of one of its prescribed motions.
 struct Support {
   std::size_t body;                   // in Model::bodies
-  std::optional<std::size_t> motion;  // index among the body's motions; none: the fixed vertices
+  std::optional<std::size_t> motion;  // index among the body's motions, from 0; none: the fixed vertices
   Eigen::Vector3d force{0, 0, 0};     // on the body [N]; all supports add up to Measures::fixed_reaction
 };
 /// Body by body, the fixed vertices first; supports without vertices are left out.

@@ -62,7 +62,7 @@ struct Replay {
   std::optional<State> start;  // none: the scene's rest state
   std::vector<Input> inputs;   // in the order of their steps
   long steps = 0;              // to run
-  /// Background results are taken where a BackgroundInput says so; otherwise at once after every input.
+  /// Background results are taken at the recorded BackgroundInputs; otherwise at once after every input.
   bool timed = false;
   std::optional<std::uint64_t> hash = {};  // state_hash after the last step
   Provenance made_by = {};

@@ -96,7 +96,7 @@ std::string Divergence::text(const Model& model) const {
   std::ostringstream out;
   out.precision(3);
   out << "tet " << model.tet_source[tet] << " (vertices " << v[0] << ' ' << v[1] << ' ' << v[2] << ' ' << v[3]
-      << ", strain " << strain << ", J " << det_f << ") came apart at " << time << " s";
+      << ", strain " << strain << ", J " << det_f << ") diverged at " << time << " s";
   return out.str();
 }
 
@@ -160,7 +160,7 @@ void require_valid(Simulation& simulation) {
   throw Error(
       simulation.scene.file.string(),
       divergence.text(simulation.model) + ", repeated by " + keep_replay(divergence.replay).string(),
-      cut ? "expected more steps: the replay goes back to a sound state later"
+      cut ? "expected more steps: the replay goes back to a valid state later"
           : "expected finite positions: more iterations or substeps, softer material or a smaller load may help");
 }
 

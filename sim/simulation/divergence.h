@@ -15,7 +15,7 @@ struct Divergence {
   double strain = 0;      // of it: Frobenius norm of the Green strain
   double det_f = 1;       // of it: J
 
-  /// "tet 12 (vertices 3 4 7 9, strain 3.1, J -0.4) came apart at 1.25 s".
+  /// "tet 12 (vertices 3 4 7 9, strain 3.1, J -0.4) diverged at 1.25 s".
   std::string text(const Model& model) const;
 };
 

@@ -86,8 +86,7 @@ void Simulation::back_to_valid() {
 
 Tuning Simulation::tuning() const {
   Tuning now{scene.solver, model.materials, model.gravity, other_springs_};
-  now.solver.frame_budget =
-      0;  // the number of iterations that fit depends on timing; the actual numbers are recorded as inputs
+  now.solver.frame_budget = 0;  // the iterations that fitted are recorded as inputs
   return now;
 }
 
@@ -114,8 +113,7 @@ void Simulation::step_within_budget() {
   gl::Finish();
   const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   const double per_iteration = ms / (std::max(gpu_->last_iterations(), 1) * wanted.substeps);
-  constexpr double kNews =
-      0.2;  // weight of a new measurement: one slow step must not halve the accuracy of many others
+  constexpr double kNews = 0.2;  // weight of a new measurement: a slow step must not affect many others
   ms_per_iteration_ = ms_per_iteration_ > 0 ? (1 - kNews) * ms_per_iteration_ + kNews * per_iteration : per_iteration;
 }
 

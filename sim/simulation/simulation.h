@@ -53,7 +53,7 @@ class Simulation {
   /// data that solvers carry from step to step is reset. Precondition: no grab.
   State go_on_as_replay();
   double time() const;
-  double simulated() const { return simulated_; }  // over all steps: continues where time() goes back
+  double simulated() const { return simulated_; }  // [s] over all steps: continues where time() goes back
   /// Static equilibrium, by the reference solver to 1e-10 or by the GPU to 1e-5, or to solver.tolerance if given.
   /// Newton's method in double precision continues to 1e-10 if no tolerance is given and its factor is quickly
   /// computed, and also, unless the mesh is too large, if float32 cannot reach the requested tolerance. The report

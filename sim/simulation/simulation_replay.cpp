@@ -28,7 +28,7 @@ void Simulation::require_fit(const Replay& replay) const {
       held.restart(*springs);
     }
     if (const auto* move = std::get_if<GrabMove>(&input.change); move && !held.fits(*move))
-      fail("an input before step " + std::to_string(input.step) + " moves other springs than are held",
+      fail("an input before step " + std::to_string(input.step) + " moves other springs than those of the grab",
            "expected parts that cover them");
   }
 }

@@ -77,7 +77,8 @@ void require_equilibrium(const Simulation& simulation, const StaticReport& repor
   constexpr double kFloat32 = 1e-3;  // rounding in soft slender bodies, with a margin
   const bool only_march = simulation.model.tets.size() > reference::NewtonSolver::kMostTets;
   if (report.converged || (only_march && report.relative_residual <= kFloat32)) return;
-  throw Error(simulation.scene.file.string(), describe(report), "expected a body that is held and a load it can carry");
+  throw Error(simulation.scene.file.string(), describe(report),
+              "expected a constrained body and a load that it can carry");
 }
 
 }  // namespace fascia

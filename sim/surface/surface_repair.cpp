@@ -39,8 +39,7 @@ class Repairer {
     find_holes();
     place_shells();
     repaired_.balanced = repaired_.closed() && is_balanced();
-    if (repaired_.balanced && !crowded_.empty())
-      report_.volume = enclosed_volume();  // its single shells are not closed
+    if (repaired_.balanced && !crowded_.empty()) report_.volume = enclosed_volume();  // single shells are open
   }
   SurfaceRepair take() { return std::move(repaired_); }
 
@@ -154,8 +153,7 @@ class Repairer {
         for (std::uint32_t place = 3 * t; place < 3 * t + 3; ++place) {
           if (beyond_[place] == kNoTriangle) continue;
           const std::uint32_t other = beyond_[place] / 3;
-          const bool opposed =
-              ends(place)[0] == ends(beyond_[place])[0];  // both traverse their edge in the same direction
+          const bool opposed = ends(place)[0] == ends(beyond_[place])[0];  // same direction along the edge
           const char wanted = static_cast<char>(turn[t] ^ static_cast<char>(opposed));
           if (shell_[other] == kNoTriangle) {
             shell_[other] = number;

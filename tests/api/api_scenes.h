@@ -1,4 +1,4 @@
-// Scenes for tests of the public interface, made with it alone.
+// Scenes for tests of the public interface, built only with that interface.
 #pragma once
 #include <cmath>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace fascia::test {
 
-/// One context for all tests of the program: kernels are compiled once.
+/// One context for all tests of the program, so that kernels are compiled once.
 inline Context context() {
   static const Context made = Context::own("osmesa");
   return made;
@@ -32,7 +32,7 @@ inline Scene scene_of(Body body) {
 
 inline double norm(const Vec3& v) { return std::hypot(v[0], v[1], v[2]); }
 
-/// The text of the Error that `work` throws; "" if it throws none.
+/// The text of the Error that `work` throws; "" if there is none.
 template <class F>
 std::string error_of(F&& work) {
   try {

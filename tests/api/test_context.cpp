@@ -5,7 +5,7 @@ using namespace fascia;
 using namespace fascia::test;
 using Catch::Contains;
 
-TEST_CASE("Contexts of their own of both kinds compute side by side, in any order of calls") {
+TEST_CASE("Separate contexts of both kinds work side by side, in any order of calls") {
   Simulation a(scene_of(standing_cube()), Context::own("osmesa"));
   Simulation b(scene_of(standing_cube()), Context::own("egl"));
   CHECK(a.context().kind() == "osmesa");
@@ -20,7 +20,7 @@ TEST_CASE("Contexts of their own of both kinds compute side by side, in any orde
   CHECK(xa[xa.size() - 2] < 0.1 - 1e-4);
 }
 
-TEST_CASE("A context outlives its handle as long as a simulation needs it") {
+TEST_CASE("A context exists as long as a simulation needs it, after its handle is gone") {
   auto simulation = [] {
     const Context local = Context::own("osmesa");
     return Simulation(scene_of(standing_cube()), local);
@@ -29,7 +29,7 @@ TEST_CASE("A context outlives its handle as long as a simulation needs it") {
   CHECK(simulation.time() == Approx(1.0 / 60));
 }
 
-TEST_CASE("The current context is found without being told whose it is") {
+TEST_CASE("The current context is found without an argument that names it") {
   const Context own = Context::own("osmesa");
   Simulation in_own(scene_of(standing_cube()), own);
   in_own.step();  // makes it current
@@ -41,7 +41,7 @@ TEST_CASE("The current context is found without being told whose it is") {
   CHECK(in_found.positions() == in_own.positions());
 
   Simulation in_other(scene_of(standing_cube()), Context::own("osmesa"));
-  in_other.step();  // which is current now
+  in_other.step();  // which is current at this point
   CHECK_THAT(error_of([&] { in_found.step(); }), Contains("is not current"));
   in_own.step();
   in_found.step();

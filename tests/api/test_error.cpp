@@ -1,6 +1,6 @@
 #include "fascia/fascia.h"
 
-TEST_CASE("Errors are caught as what they are, across the library's border") {
+TEST_CASE("Errors keep their types across the library's boundary") {
   try {
     fascia::read_mesh("/nowhere/at.msh");
     FAIL("expected an Error");

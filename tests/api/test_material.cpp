@@ -6,7 +6,7 @@ using namespace fascia;
 using namespace fascia::test;
 using Catch::Contains;
 
-TEST_CASE("Tissues have values that a scene takes, and unknown names are refused with the known ones") {
+TEST_CASE("Tissues have values that a scene accepts, and unknown names are refused with the known ones") {
   const std::vector<std::string> names = tissues();
   REQUIRE(std::find(names.begin(), names.end(), "liver") != names.end());
   const Material liver = tissue("liver");
@@ -30,7 +30,7 @@ TEST_CASE("Materials out of range are refused with field, value and range") {
              Contains("rubber") && Contains("st_venant_kirchhoff"));
 }
 
-TEST_CASE("Every law that is listed can be simulated by the method of the defaults") {
+TEST_CASE("Every listed law can be simulated by the default method") {
   for (const std::string& model : material_models()) {
     CAPTURE(model);
     Body body = standing_cube();
@@ -41,7 +41,7 @@ TEST_CASE("Every law that is listed can be simulated by the method of the defaul
   }
 }
 
-TEST_CASE("The number of a law of its own comes back as it was given") {
+TEST_CASE("The law-specific number of a material comes back unchanged") {
   Body body = standing_cube();
   body.material.model = "mooney_rivlin";
   body.material.mooney_ratio = 0.6;
@@ -51,9 +51,9 @@ TEST_CASE("The number of a law of its own comes back as it was given") {
              Contains("mooney_ratio: is 1.5; expected 0 to 1"));
 }
 
-TEST_CASE("A material that changes while the simulation runs acts on the next equilibrium") {
+TEST_CASE("A material that changes during the simulation acts on the next equilibrium") {
   Simulation simulation(scene_of(standing_cube()), context());
-  simulation.set_gravity({0, -0.981, 0});  // strains of 0.3 percent, at which the law is linear but for that much
+  simulation.set_gravity({0, -0.981, 0});  // strains of 0.3 percent, at which the law is linear except for that amount
   REQUIRE(simulation.solve_static().converged);
   const double soft = simulation.diagnostics().volume_ratio;
   Material stiff = simulation.material(0);

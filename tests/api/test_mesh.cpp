@@ -7,7 +7,7 @@ using namespace fascia;
 using namespace fascia::test;
 using Catch::Contains;
 
-TEST_CASE("A box has its corners where the header says") {
+TEST_CASE("The vertices of a box are numbered as the header states") {
   const Mesh mesh = make_box(2, 3, 4, {0.2, 0.3, 0.4});
   REQUIRE(mesh.vertex_count() == 3 * 4 * 5);
   CHECK(mesh.tet_count() == 6 * 2 * 3 * 4);

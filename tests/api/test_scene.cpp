@@ -15,7 +15,7 @@ std::string refusal(const Body& body) {
 
 }  // namespace
 
-TEST_CASE("Arrays that do not fit together are refused") {
+TEST_CASE("Arrays of inconsistent sizes are refused") {
   const Body good = standing_cube();
   REQUIRE(refusal(good).empty());
   Body bad = good;
@@ -50,7 +50,7 @@ TEST_CASE("Arrays that do not fit together are refused") {
              Contains("OpenOptions::set"));
 }
 
-TEST_CASE("Tets of either winding are taken, and repairs are noted") {
+TEST_CASE("Tets of either winding are accepted, and repairs are noted") {
   Body body = standing_cube();
   std::swap(body.mesh.tets[0], body.mesh.tets[1]);
   const Simulation simulation(scene_of(body), context());
@@ -96,7 +96,7 @@ TEST_CASE("Bodies keep their order, regions have materials of their own") {
   CHECK(mass == Approx(1 + 10.0 / 48 + 1));  // ten of 48 tets of 1/48 liter have twice the density
 }
 
-TEST_CASE("Led vertices arrive where their motion ends, and initial velocities are those of free vertices") {
+TEST_CASE("Prescribed vertices arrive where their motion ends, and initial velocities are those of free vertices") {
   Body body = standing_cube();
   Motion motion;
   for (std::uint32_t v = 0; v < body.mesh.vertex_count(); ++v)
@@ -120,7 +120,7 @@ TEST_CASE("Led vertices arrive where their motion ends, and initial velocities a
   CHECK_THAT(refusal(body), Contains("expected each vertex in one motion"));
 }
 
-TEST_CASE("A scene file is opened with keys replaced, and says how far it is") {
+TEST_CASE("A scene file is opened with keys replaced, and reports its progress") {
   const std::string file = source_dir() / "assets/scenes/cube.json";
   std::vector<double> shares;
   OpenOptions options{.set = {"solver.iterations=3"}};

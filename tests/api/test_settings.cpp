@@ -27,8 +27,7 @@ TEST_CASE("Settings are read back as they were set, and bad ones change nothing"
   CHECK(simulation.settings() == settings);
 }
 
-TEST_CASE(
-    "Every pair that is listed steps, and those whose iterations converge fast to the state of the reference solver") {
+TEST_CASE("Every listed solver choice steps, and those with fast convergence reach the state of the reference solver") {
   Scene scene = scene_of(standing_cube());
   scene.settings.iterations = 200;
   Simulation exact(scene, Context::none(), {.reference = true});

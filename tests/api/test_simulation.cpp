@@ -8,7 +8,7 @@ using namespace fascia;
 using namespace fascia::test;
 using Catch::Contains;
 
-TEST_CASE("Steps count, stop where asked, and reset goes back to the start") {
+TEST_CASE("Steps are counted, stop on request, and reset returns to the start") {
   Simulation simulation(scene_of(standing_cube()), context());
   CHECK(simulation.step(3) == 3);
   CHECK(simulation.time() == Approx(3.0 / 60));
@@ -22,7 +22,7 @@ TEST_CASE("Steps count, stop where asked, and reset goes back to the start") {
   CHECK(std::ranges::equal(simulation.positions(), simulation.rest_positions()));
 }
 
-TEST_CASE("Gravity that is turned round pulls the other way") {
+TEST_CASE("Reversed gravity pulls in the opposite direction") {
   Simulation simulation(scene_of(standing_cube()), context());
   CHECK(simulation.gravity() == Vec3{0, -9.81, 0});
   simulation.set_gravity({0, 9.81, 0});
@@ -61,11 +61,11 @@ TEST_CASE("Positions and velocities are set at free vertices and read back") {
   CHECK_THAT(error_of([&] { simulation.read_positions(std::span<double>(small)); }), Contains("expected 81"));
 }
 
-TEST_CASE("A state that is restored goes on to the same bits") {
+TEST_CASE("A restored state continues to the same bits") {
   Simulation simulation(scene_of(standing_cube()), context());
   simulation.step(5);
   const State kept = simulation.save();
-  simulation.restore(kept);  // what solvers carry from step to step begins anew
+  simulation.restore(kept);  // data that solvers carry from step to step is reset
   simulation.step(5);
   const std::vector<double> once = simulation.positions();
   simulation.restore(kept);
@@ -79,7 +79,7 @@ TEST_CASE("A state that is restored goes on to the same bits") {
   CHECK_THAT(error_of([&] { simulation.restore(bad); }), Contains("restore: velocities"));
 }
 
-TEST_CASE("States are written by ending") {
+TEST_CASE("States are written in the format of the extension") {
   const TemporaryFolder folder;
   Simulation simulation(scene_of(standing_cube()), context());
   simulation.step(2);
@@ -95,10 +95,10 @@ TEST_CASE("States are written by ending") {
   CHECK_THAT(error_of([&] { simulation.write(folder / "state.stl"); }), Contains("state.stl"));
 }
 
-TEST_CASE("In equilibrium supports carry the weight, on the GPU as by the reference solver") {
+TEST_CASE("In equilibrium the supports carry the weight, on the GPU and by the reference solver") {
   for (const bool reference : {false, true}) {
     CAPTURE(reference);
-    Body column = standing_cube(3);  // it does not widen, so that its stress is that of a bar
+    Body column = standing_cube(3);  // no lateral expansion, so that its stress is that of a bar
     column.material = {.young_modulus = 1e5, .poisson_ratio = 0};
     Simulation simulation(scene_of(column), reference ? Context::none() : context(), {.reference = reference});
     int news = 0;
@@ -108,7 +108,7 @@ TEST_CASE("In equilibrium supports carry the weight, on the GPU as by the refere
     REQUIRE(supports.size() == 1);
     CHECK(supports[0].force[1] == Approx(9.81).epsilon(1e-6));  // of 1 kg
     CHECK(simulation.diagnostics().reaction[1] == Approx(9.81).epsilon(1e-3));
-    // The mean stress of a bar of height H under its weight is rho g H / 2. Lumped masses bend it a little: shear adds
+    // The mean stress of a bar of height H under its weight is rho g H / 2. Lumped masses bend it slightly: shear adds
     // a percent.
     const std::vector<double> stress = simulation.von_mises();
     REQUIRE(stress.size() == simulation.tet_count());
@@ -122,7 +122,7 @@ TEST_CASE("In equilibrium supports carry the weight, on the GPU as by the refere
   }
 }
 
-TEST_CASE("A search for equilibrium ends when it is stopped, and refuses what falls") {
+TEST_CASE("A search for equilibrium ends when it is stopped, and refuses a falling body") {
   Simulation simulation(scene_of(standing_cube(4)), context());
   std::stop_source stop;
   stop.request_stop();
@@ -133,7 +133,7 @@ TEST_CASE("A search for equilibrium ends when it is stopped, and refuses what fa
   CHECK_FALSE(error_of([&] { falling.solve_static(); }).empty());
 }
 
-TEST_CASE("A grab pulls with stiffness times what is missing to its target, until it is released") {
+TEST_CASE("A grab pulls with stiffness times the distance to its target, until it is released") {
   Scene scene = scene_of(standing_cube());
   scene.gravity = {0, 0, 0};
   Simulation simulation(scene, context());
@@ -158,7 +158,7 @@ TEST_CASE("A grab pulls with stiffness times what is missing to its target, unti
   CHECK(simulation.positions()[3 * kCorner] == Approx(0.1).margin(1e-6));
 }
 
-TEST_CASE("Several grabs hold each their own, and a patch is led by its center") {
+TEST_CASE("Several grabs each pull their own vertices, and a patch is moved by its center") {
   Simulation simulation(scene_of(standing_cube(3)), context());
   const Grab left = simulation.grab_patch({0, 0.1, 0.05}, 0.04), right = simulation.grab_patch({0.1, 0.1, 0.05}, 0.04);
   CHECK(simulation.grabs() == std::vector<Grab>{left, right});
@@ -175,7 +175,7 @@ TEST_CASE("Several grabs hold each their own, and a patch is led by its center")
   CHECK(all[1] == Approx(simulation.force(left)[1] + simulation.force(right)[1]).epsilon(1e-3));
 }
 
-TEST_CASE("What cannot be grabbed is refused") {
+TEST_CASE("Invalid grabs are refused") {
   const Body body = standing_cube();
   Simulation simulation(scene_of(body), context());
   CHECK_THAT(error_of([&] { simulation.grab_vertex(body.fixed[0]); }), Contains("no free vertex"));
@@ -185,7 +185,7 @@ TEST_CASE("What cannot be grabbed is refused") {
   CHECK(simulation.grabs().empty());
 }
 
-TEST_CASE("A state that is lost is noticed and can be gone back from") {
+TEST_CASE("A diverged state is reported, and an earlier one can be restored") {
   Simulation simulation(scene_of(standing_cube()), context());
   simulation.step(2);
   CHECK_FALSE(simulation.diverged_vertex());
@@ -197,7 +197,7 @@ TEST_CASE("A state that is lost is noticed and can be gone back from") {
   CHECK_FALSE(simulation.diverged_vertex());
 }
 
-TEST_CASE("A simulation that is moved goes on") {
+TEST_CASE("A moved simulation object continues") {
   Simulation a(scene_of(standing_cube()), context());
   a.step();
   Simulation b = std::move(a);

@@ -1,4 +1,4 @@
-// Whole files: what is written is complete or not there.
+// Whole files: a written file is complete or does not exist.
 #include "base/file.h"
 
 #include <sys/stat.h>
@@ -45,7 +45,7 @@ TEST_CASE("a pipe can be read as often as a file", "[file]") {
   CHECK(read_file(folder / "pipe") == content);
 }
 
-TEST_CASE("reading says what is wrong", "[file]") {
+TEST_CASE("reading reports errors", "[file]") {
   const TemporaryFolder folder;
   const std::string prefix = folder.path().string();
   CHECK_THROWS_WITH(read_file(folder / "none"), prefix + "/none: no such file; expected a readable file");
@@ -53,7 +53,7 @@ TEST_CASE("reading says what is wrong", "[file]") {
   CHECK_THROWS_WITH(read_file("/dev/zero"), "/dev/zero: is a device; expected a file");
 }
 
-TEST_CASE("a file that is mostly a hole is refused by its size, whatever stands before the hole", "[file]") {
+TEST_CASE("a file that is mostly a hole is refused by its size, regardless of the data before the hole", "[file]") {
   const TemporaryFolder folder;
   const std::string gmsh = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n";
   for (const auto& [name, head] : std::vector<std::pair<std::string, std::string>>{
@@ -77,7 +77,7 @@ TEST_CASE("a file that is mostly a hole is refused by its size, whatever stands 
     CHECK_THAT(error, Catch::StartsWith((folder / name).string() + ": is 1.1 GB long, but only ") &&
                           Catch::EndsWith(" of them are stored, the rest is a hole; expected a complete file"));
   }
-  // Small holes are zeros, and large ones beside more data, too.
+  // Small holes are read as zeros, and so are large ones beside more data.
   write_file(folder / "small", "x");
   fs::resize_file(folder / "small", 1 << 20);
   CHECK(read_file(folder / "small").size() == 1 << 20);
@@ -86,7 +86,7 @@ TEST_CASE("a file that is mostly a hole is refused by its size, whatever stands 
   CHECK(read_file(folder / "half") == std::string(40 << 20, 'x') + std::string(30 << 20, '\0'));
 }
 
-TEST_CASE("reading reports how far it is, and ends when the report throws", "[file]") {
+TEST_CASE("reading reports its progress, and ends when the report throws", "[file]") {
   struct Enough {};
   const TemporaryFolder folder;
   write_file(folder / "a", std::string(10 << 20, 'x'));
@@ -101,7 +101,7 @@ TEST_CASE("reading reports how far it is, and ends when the report throws", "[fi
   CHECK_THROWS_AS(read_file(folder / "pipe", [&](double, const char*) { throw Enough(); }), Enough);
 }
 
-TEST_CASE("a pipe into which nothing writes is refused, one whose writer is slow is waited for", "[file]") {
+TEST_CASE("a pipe without a writer is refused, and a slow writer is waited for", "[file]") {
   const TemporaryFolder folder;
   REQUIRE(mkfifo((folder / "idle").c_str(), 0600) == 0);
   REQUIRE(mkfifo((folder / "slow").c_str(), 0600) == 0);
@@ -120,7 +120,7 @@ TEST_CASE("a pipe into which nothing writes is refused, one whose writer is slow
   CHECK(content == "partpartpart");
 }
 
-TEST_CASE("a writer that fails leaves the old file and nothing else", "[file]") {
+TEST_CASE("a writer that fails leaves only the old file", "[file]") {
   const TemporaryFolder folder;
   write_file(folder / "a", "old");
   CHECK_THROWS_WITH(write_file(folder / "a",
@@ -133,7 +133,7 @@ TEST_CASE("a writer that fails leaves the old file and nothing else", "[file]") 
   CHECK(entries(folder) == 1);
 }
 
-TEST_CASE("writing says what is wrong", "[file]") {
+TEST_CASE("writing reports errors", "[file]") {
   const TemporaryFolder folder;
   const std::string prefix = folder.path().string();
   CHECK_THROWS_WITH(write_file(folder / "none/a", "x"),

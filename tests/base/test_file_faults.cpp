@@ -1,4 +1,4 @@
-// Writers of the same file, in threads and in processes that are gone.
+// Writers of the same file, in threads and in ended processes.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The number of a process that has ended.
+/// The id of a process that has ended.
 pid_t gone_process() {
   const pid_t child = fork();
   if (child == 0) _exit(0);
@@ -58,7 +58,7 @@ TEST_CASE("threads that write the same file leave one of their texts", "[file]")
   CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 1);
 }
 
-TEST_CASE("what killed processes left of a file is removed when it is written again", "[file]") {
+TEST_CASE("temporary files of killed processes are removed when the file is written again", "[file]") {
   const TemporaryFolder folder;
   const std::string gone = std::to_string(gone_process()), alive = std::to_string(getppid());
   const std::vector<std::string> stale = {".out." + gone + "-1.part.vtu", ".out." + gone + "-12.part.mp4.log"};
@@ -68,7 +68,7 @@ TEST_CASE("what killed processes left of a file is removed when it is written ag
     for (const std::string& name : names) touch(folder / name);
 
   CHECK_THROWS(write_file(folder / "out.vtu", [](std::ostream&) { throw Error("fails"); }));
-  for (const std::string& name : stale) CHECK(fs::exists(folder / name));  // a write that fails removes nothing
+  for (const std::string& name : stale) CHECK(fs::exists(folder / name));  // a failed write removes nothing
   write_file(folder / "out.vtu", "new");
   for (const std::string& name : stale) {
     CAPTURE(name);

@@ -29,7 +29,7 @@ TEST_CASE("the nearest word, unless more than half of it differs") {
   CHECK(perhaps("xyz", words).empty());
 }
 
-TEST_CASE("case, underscores, hyphens and blanks make no difference") {
+TEST_CASE("case, underscores, hyphens and blanks are ignored") {
   const std::vector<std::string> words = {"von_mises", "volume_ratio", "none", "solver.method", "--data-dir"};
   for (const char* word :
        {"vonmises", "von mises", "Von-Mises", "VONMISES", "von__mises", "v o n m i s e s", "VonMisses"}) {
@@ -40,11 +40,11 @@ TEST_CASE("case, underscores, hyphens and blanks make no difference") {
   CHECK(nearest("NONE", words) == "none");
   CHECK(nearest("___", words).empty());
   CHECK(nearest("stress", words).empty());
-  CHECK(nearest("left", {"Left", "left"}) == "left");  // as it is written goes before
+  CHECK(nearest("left", {"Left", "left"}) == "left");  // the exact spelling is preferred
   CHECK(nearest("Left", {"left", "Left"}) == "Left");
 }
 
-TEST_CASE("a list names twenty words") {
+TEST_CASE("a list names at most twenty words") {
   CHECK(join({}).empty());
   CHECK(join({"a", "b"}) == "a, b");
   CHECK(join(std::vector<std::string>(23, "a")) ==

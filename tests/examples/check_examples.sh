@@ -37,7 +37,7 @@ if [ -n "$data" ] && [[ $output != *"data in $data"$'\n'* ]]; then
   failed=1
 fi
 
-# 1 kg in equilibrium: what grab and supports carry is the weight. Newton's method ends at a residual of 1e-10.
+# 1 kg in equilibrium: the forces of grab and supports equal the weight. Newton's method ends at a residual of 1e-10.
 run drag_vertex
 near weight 1 9.81 1e-5
 near carried 1 0 1e-5
@@ -55,7 +55,7 @@ near closed_form 1 0.24525 1e-5
 near stretch 1 0.24525 0.0008
 near stiffer 1 0.1962 0.0006
 
-# One equilibrium has one force at both ends. The clamp's vertices pull a little unevenly: 0.2 percent.
+# One equilibrium has one force at both ends. The pull of the clamp's vertices is slightly uneven: 0.2 percent.
 run measure_force
 for percent in 5 10 20; do
   law=$(value stretch_$percent 4)

@@ -33,7 +33,7 @@ PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name fascia.pc)")
 "${CXX:-c++}" $(pkg-config --cflags fascia) "$work/elsewhere/hello_cube.cpp" $(pkg-config --libs fascia) -o "$work/hello_by_pkg_config"
 LD_LIBRARY_PATH=$(pkg-config --variable=libdir fascia) "$work/hello_by_pkg_config" | grep '^drop 4.9867'
 
-# What is not public is hidden.
+# Internal symbols are hidden.
 library=$(find "$work/prefix" -name libfascia.so)
 shown=$(nm -DC --defined-only "$library")
 if grep -v 'fascia::api::' <<<"$shown"; then

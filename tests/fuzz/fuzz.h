@@ -1,7 +1,7 @@
-// A fuzz target is one file, fuzz_NAME.cpp, with FUZZ_TARGET(NAME) { read `data`, use what comes out }. An input may be
-// read or refused with an Error; everything else is a bug. The same file becomes a libFuzzer program (preset fuzz,
-// scripts/fuzz.sh) and a part of test_fuzz, which replays corpus/NAME/ and crashes/NAME/ and cheap mutations of them in
-// every run of the tests.
+// A fuzz target is one file, fuzz_NAME.cpp, with FUZZ_TARGET(NAME) { read `data`, use the result }. An input may be
+// read or refused with an Error; everything else is a bug. The same file is built as a libFuzzer program (preset fuzz,
+// scripts/fuzz.sh) and as a part of test_fuzz, which replays corpus/NAME/ and crashes/NAME/ and cheap mutations of them
+// in every run of the tests.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -18,10 +18,10 @@ using Target = void (*)(std::string_view data);
 /// Whether the target read the input; false if it refused it with an Error, which must be one line of printable text.
 bool run(Target target, std::string_view data);
 
-/// Throws std::logic_error: a promise of a reader is broken.
+/// Throws std::logic_error if a guarantee of a reader is violated.
 void require(bool kept, const char* promise);
 
-/// What every reader of meshes promises of a mesh that it returns.
+/// Checks the guarantees of every reader about a mesh that it returns.
 void check_mesh(const TetMesh& mesh);
 
 #ifdef FASCIA_LIBFUZZER

@@ -1,5 +1,5 @@
-// A mesh of any format on its way through the program: format detection, the mesh doctor, every writer, and each
-// written file read again.
+// A mesh of any format through the whole program: format detection, the mesh check, every writer, and each written file
+// read again.
 #include <sstream>
 
 #include "base/error.h"
@@ -18,7 +18,7 @@ void check_copy(const MeshFile& original, const MeshFile& copy) {
   fuzz::require(copy.mesh.positions == original.mesh.positions, "a written mesh has the same positions");
 }
 
-/// Gmsh files cannot hold every name and number; the writer says so then.
+/// Gmsh files cannot store every name and number; the writer then throws an Error.
 template <class Write>
 void check_gmsh(const MeshFile& file, Write write) {
   std::string text;

@@ -1,4 +1,4 @@
-// Replays. What was read is written and read again, and must be the same replay.
+// Replays. A replay is read, written and read again, and must be the same.
 #include "sim/replay/replay.h"
 #include "tests/fuzz/fuzz.h"
 

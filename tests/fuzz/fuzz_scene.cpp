@@ -1,5 +1,4 @@
-// Scene files. What was read is written and read again, and must be the same scene. Files that it carries are taken
-// out.
+// Scene files. A scene is read, written and read again, and must be the same. Carried files are extracted.
 #include "sim/scene/scene.h"
 #include "tests/fuzz/fuzz.h"
 

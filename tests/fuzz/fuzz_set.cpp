@@ -1,4 +1,4 @@
-// --set KEY=VALUE, one a line, on a scene of one body.
+// --set KEY=VALUE, one per line, on a scene of one body.
 #include <algorithm>
 #include <vector>
 

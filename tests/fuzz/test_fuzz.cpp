@@ -1,5 +1,5 @@
-// The short form of fuzzing: every seed, every input that once broke a reader, and cheap mutations of both, the same
-// ones every time.
+// The short form of fuzzing: every seed, every input that broke a reader in the past, and cheap, deterministic
+// mutations of both.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -19,8 +19,8 @@ namespace {
 
 constexpr int mutations_of_a_target = 4000;
 
-// A count in a file's header must not be believed. The inputs are at most 100 KB, and 1032 times as much is what zlib
-// can make of them.
+// A count in a file's header must not be trusted. The inputs are at most 100 KB, and zlib can expand them by at most
+// 1032.
 constexpr std::size_t most_allocated = std::size_t{128} << 20;
 
 std::vector<std::string> contents_of(const fs::path& folder) {
@@ -77,7 +77,7 @@ class Mutator {
     }
   }
 
-  /// The next number of a text becomes another one that readers may trip over.
+  /// Replaces the next number of a text by one that is difficult for readers.
   void swap_number(std::string& data, std::size_t at) {
     static constexpr std::array<const char*, 14> numbers = {"0",
                                                             "-1",
@@ -106,7 +106,7 @@ class Mutator {
 
 }  // namespace
 
-TEST_CASE("readers read or refuse: seeds, what once broke them, and mutations", "[fuzz]") {
+TEST_CASE("readers accept or refuse: seeds, past failures, and mutations", "[fuzz]") {
   REQUIRE(!fuzz::targets().empty());
   for (const auto& [name, target] : fuzz::targets()) {
     const fs::path folder = test::test_dir() / "fuzz";

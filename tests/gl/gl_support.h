@@ -1,4 +1,4 @@
-// What the tests that need OpenGL share: the contexts they run on, and a shader folder of a test's own.
+// The common part of the tests that need OpenGL: their contexts, and a shader folder for each test.
 #pragma once
 #include <catch2/catch.hpp>
 
@@ -22,14 +22,14 @@ inline std::unique_ptr<Context> each_context() {
   return context;
 }
 
-/// Whether the context that is current is one on which passes are fused (gl/fused_pass.h); says so if it is not.
+/// Whether passes are fused in the current context (gl/fused_pass.h); prints a message if not.
 inline bool fuses_here() {
   if (gl::device().vector_width > 0) return true;
   WARN("passes are fused on llvmpipe only, not on " << gl::device().renderer);
   return false;
 }
 
-/// With the project's common/io.glsl in it.
+/// A temporary folder that contains the project's common/io.glsl.
 class ShaderFolder {
  public:
   ShaderFolder() {

@@ -5,7 +5,7 @@
 
 namespace fascia::gl {
 
-TEST_CASE("a buffer keeps what was put into it") {
+TEST_CASE("a buffer keeps its data") {
   const auto context = test::each_context();
   const std::vector<std::uint32_t> data = {1, 2, 3, 0xffffffffu, 5};
   Buffer buffer("numbers", data);
@@ -25,7 +25,7 @@ TEST_CASE("a buffer keeps what was put into it") {
 TEST_CASE("a buffer without data is zero") {
   const auto context = test::each_context();
   const std::size_t bytes = GENERATE(as<std::size_t>(), 0, 1, 7, 16, 4099);
-  // The memory of a buffer that was full of ones is likely to be used again.
+  // The memory of a buffer that was full of ones is likely to be reused.
   { const Buffer dirty("dirty", std::vector<std::uint8_t>(bytes, 0xff)); }
   const Buffer buffer("zero", bytes);
   REQUIRE(buffer.id() != 0);
@@ -57,7 +57,7 @@ TEST_CASE("buffers move and count their memory") {
   CHECK(allocated_bytes() == before);
 }
 
-TEST_CASE("what cannot be had is an Error") {
+TEST_CASE("impossible sizes are an Error") {
   using Catch::Matchers::Contains;
   const auto context = test::each_context();
   const std::size_t before = allocated_bytes();

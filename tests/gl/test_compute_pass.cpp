@@ -29,7 +29,7 @@ void main() {
 )";
 
 struct Inputs {
-  static constexpr std::size_t kCount = 130;  // two full groups and a bit
+  static constexpr std::size_t kCount = 130;  // two full groups and a remainder
   Buffer position, weight, slot_begin, corner, result, visit;
 
   Inputs() {
@@ -47,7 +47,7 @@ struct Inputs {
     weight = Buffer("weight", w);
     slot_begin = Buffer("slot_begin", s);
     corner = Buffer("corner", c);
-    // One group more than is written, to see that the guard works.
+    // One group more than is written, to check the guard.
     result = Buffer("result", 16 * (kCount + 64));
     visit = Buffer("visit", 4 * (kCount + 64));
   }
@@ -92,14 +92,14 @@ TEST_CASE("a kernel gives equal bits through both load paths") {
   CHECK(GetError() == GL_NO_ERROR);
 }
 
-TEST_CASE("who waits for kernels hears of each before it is first run, postponed and reloaded ones too") {
+TEST_CASE("a FirstRuns callback is called for each kernel before its first run, also for postponed and reloaded ones") {
   const auto context = test::each_context();
   ShaderFolder folder;
   folder.write("scale.comp", kScale);
   ProgramCache programs(folder.path(), LoadPath::texel);
   Inputs in;
   const ComputePass before(programs.compute("scale.comp", {{"VARIANT", "0"}}), in.bindings(), Inputs::kCount);
-  before.run();  // nobody listens yet
+  before.run();  // no callback is set yet
   const auto pass_of = [&](const char* variant) {
     const ProgramCache::Postponed postponed(programs);
     return ComputePass(programs.compute("scale.comp", {{"VARIANT", variant}}), in.bindings(), Inputs::kCount);
@@ -111,7 +111,7 @@ TEST_CASE("who waits for kernels hears of each before it is first run, postponed
     before.run();
     CHECK(linked.empty());
     for (const ComputePass* pass : {&one, &one, &same, &other, &one}) pass->run();
-    CHECK(linked == std::vector<std::size_t>{1, 2});  // told before a postponed program is linked
+    CHECK(linked == std::vector<std::size_t>{1, 2});  // called before a postponed program is linked
     CHECK(programs.reload().empty());
     for (const ComputePass* pass : {&one, &same, &before, &before}) pass->run();
     CHECK(linked == std::vector<std::size_t>{1, 2, 3, 3});
@@ -170,7 +170,7 @@ TEST_CASE("a declared input that the kernel does not use may be bound") {
   CHECK(visit.read<std::uint32_t>() == std::vector<std::uint32_t>{1, 2});
 }
 
-TEST_CASE("a uniform block is bound by its name too") {
+TEST_CASE("a uniform block is also bound by its name") {
   const auto context = test::each_context();
   ShaderFolder folder;
   folder.write("block.comp",
@@ -183,7 +183,7 @@ TEST_CASE("a uniform block is bound by its name too") {
   CHECK(result.read<float>() == std::vector<float>{0, -19.62f, 2, 4});
 }
 
-TEST_CASE("dispatches are counted and none is made for nothing") {
+TEST_CASE("dispatches are counted, and empty ones are not made") {
   const auto context = test::each_context();
   ShaderFolder folder;
   folder.write("scale.comp", kScale);
@@ -224,7 +224,7 @@ TEST_CASE("passes of one program keep their own buffers") {
   const Buffer c("c", std::vector<std::uint32_t>{100});
   const ComputePass ab(program, {{"from", &a}, {"to", &b}}, 1), bc(program, {{"to", &c}, {"from", &b}}, 1);
   ab.run();
-  bc.run();  // sees what the pass before wrote
+  bc.run();  // reads the output of the earlier pass
   ab.run();
   bc.run();
   CHECK(b.read<std::uint32_t>()[0] == 12);

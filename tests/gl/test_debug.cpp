@@ -5,7 +5,7 @@
 
 namespace fascia::gl {
 
-TEST_CASE("a mistake reaches the debug sink") {
+TEST_CASE("an error reaches the debug sink") {
   const auto context = test::each_context();
   std::vector<std::string> messages;
   log_debug_messages([&](const std::string& line) { messages.push_back(line); });

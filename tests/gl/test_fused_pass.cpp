@@ -11,7 +11,7 @@ namespace {
 
 using Catch::Matchers::Contains;
 
-// Both kernels call different things by the same names.
+// Both kernels use the same names for different things.
 constexpr const char* kSpread = R"(#include "common/io.glsl"
 #define WEIGHT 0.5
 INPUT_VEC4(Value, value)
@@ -47,7 +47,7 @@ void main() {
   value[i] = v - 2.0 * floor(0.5 * v + 0.5);  // from -1 to 1, so that lists are never all or nothing
 }
 )";
-// Lists the items whose first component is larger than a bound, and goes through the list.
+// Lists the items whose first component is larger than a bound, and processes the list.
 constexpr const char* kListed = R"(#include "common/io.glsl"
 INPUT_VEC4_IN_PLACE(Before, before)
 OUTPUT(vec4, Value, value)
@@ -81,7 +81,7 @@ class Folder : public test::ShaderFolder {
 
 struct Values {
   static constexpr std::uint32_t kCount = 1000, kLists = 3;
-  std::uint32_t some = 700;  // that passes follow
+  std::uint32_t some = 700;  // a variable that passes follow
   Buffer value, result{"result", 16 * kCount}, lists{"lists", 4 * kLists*(4 + kCount)};
   Buffer none{"none", std::vector<std::uint32_t>{0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0}};
 
@@ -91,7 +91,7 @@ struct Values {
       start.push_back(static_cast<float>((i * 2654435761u) >> 12) / 524288.0f - 1.0f);
     value = Buffer("value", start);
   }
-  // Ten passes, some of one kernel, with `rounds` in the loops of two.
+  // Ten passes, some with the same kernel, with `rounds` iterations in the loops of two.
   std::vector<ComputePass> passes(ProgramCache& programs, std::uint32_t rounds) {
     std::vector<ComputePass> passes;
     const auto spread = [&](ComputePass::Constants constants) {
@@ -108,7 +108,7 @@ struct Values {
     };
     spread({{"distance", 1}, {"start", 3}});
     spread({{"distance", 17}});
-    passes[2].follow("start", some);  // which is no constant otherwise
+    passes[2].follow("start", some);  // otherwise a constant
     passes.back().follow("invocations", some);
     for (std::uint32_t list = 0; list < kLists; ++list) {
       const bool stays_empty = list == 1;
@@ -143,7 +143,7 @@ std::vector<float> run_alone(const Folder& folder, std::uint32_t rounds, std::ui
   return values.value.read<float>();
 }
 
-// How many of them fused passes count on. The threads of the device stay.
+// Sets the number of members that fused passes expect. The device's threads are unchanged.
 class Members {
  public:
   explicit Members(const char* count) {
@@ -166,11 +166,11 @@ std::size_t differences(const std::vector<float>& a, const std::vector<float>& b
 
 }  // namespace
 
-TEST_CASE("fused passes do the same as one after another, in one dispatch", "[threads]") {
+TEST_CASE("fused passes compute the same as separate ones, in one dispatch", "[threads]") {
   const auto context = test::each_context();
   if (!test::fuses_here()) return;
   Folder folder;
-  constexpr std::uint32_t kRuns = 60;  // whoever comes late comes at another moment
+  constexpr std::uint32_t kRuns = 60;  // late groups arrive at a different time in each run
   const std::vector<float> expected = run_alone(folder, 3, 2 + 3 * kRuns);
   ProgramCache programs(folder.path(), LoadPath::texel);
   Values values;
@@ -181,14 +181,14 @@ TEST_CASE("fused passes do the same as one after another, in one dispatch", "[th
   }
   CHECK(programs.size() == 0);
   const FusedPasses fused(programs, passes);
-  CHECK(programs.size() == 1);  // of their own they need none
+  CHECK(programs.size() == 1);  // they need no programs of their own
   CHECK(fused.dispatches(1) == 1);
   CHECK(fused.dispatches(3) == 1);
   const std::uint64_t before = dispatch_count();
   fused.run(2);
   values.some = 900;
   for (std::uint32_t i = 0; i < kRuns; ++i) fused.run(3);
-  CHECK(dispatch_count() >= before + 1 + kRuns);  // more where somebody waited too long
+  CHECK(dispatch_count() >= before + 1 + kRuns);  // more if a group waited too long
   const std::vector<float> found = values.value.read<float>();
   CAPTURE(differences(found, expected), found[0], expected[0]);
   CHECK(differences(found, expected) == 0);
@@ -202,11 +202,11 @@ TEST_CASE("fused passes do the same as one after another, in one dispatch", "[th
   CHECK(differences(values.value.read<float>(), found) > 0);
 }
 
-TEST_CASE("what is too much for the loops of one dispatch is done in several", "[threads]") {
+TEST_CASE("work that exceeds the loops of one dispatch is done in several", "[threads]") {
   const auto context = test::each_context();
   if (!test::fuses_here()) return;
   Folder folder;
-  // In the loops of 250 work groups each repeat; llvmpipe allows 65,535 to each member
+  // Iterations in the loops of 250 work groups per repeat; llvmpipe permits 65,535 to each member
   constexpr std::uint32_t kRounds = 1500;
   const std::vector<float> expected = run_alone(folder, kRounds, 4);
   ProgramCache programs(folder.path(), LoadPath::texel);
@@ -223,7 +223,7 @@ TEST_CASE("what is too much for the loops of one dispatch is done in several", "
   CHECK(differences(found, expected) == 0);
 }
 
-TEST_CASE("every work group is done once, however many members share them", "[threads]") {
+TEST_CASE("every work group runs once, for any number of members", "[threads]") {
   const auto context = test::each_context();
   if (!test::fuses_here()) return;
   Folder folder;
@@ -254,7 +254,7 @@ TEST_CASE("every work group is done once, however many members share them", "[th
   CHECK(wrong == 0);
 }
 
-TEST_CASE("a pass that does not tell its loops, and one alone, are dispatched by themselves") {
+TEST_CASE("a pass without a stated number of loops, and a single one, are dispatched separately") {
   const auto context = test::each_context();
   if (!test::fuses_here()) return;
   Folder folder;
@@ -282,7 +282,7 @@ TEST_CASE("a pass that does not tell its loops, and one alone, are dispatched by
   CHECK(FusedPasses(programs, {}).dispatches(1) == 0);
 }
 
-TEST_CASE("what is wrong with a fused kernel is told with its file and line") {
+TEST_CASE("errors in a fused kernel are reported with file and line") {
   const auto context = test::each_context();
   if (!test::fuses_here()) return;
   Folder folder;
@@ -303,7 +303,7 @@ TEST_CASE("what is wrong with a fused kernel is told with its file and line") {
                           Contains("fused spread, turn, spread, fill, listed, listed, wrong"));
 }
 
-TEST_CASE("passes are fused on request, where inputs are texels of a software renderer") {
+TEST_CASE("passes are fused on request, if inputs are texels of a software renderer") {
   const auto context = test::each_context();
   if (!test::fuses_here()) return;
   Folder folder;

@@ -24,7 +24,7 @@ GLenum fake_reset_status() { return reset_status; }
 
 }  // namespace
 
-TEST_CASE("a device that was reset is an error, one that cannot tell is not") {
+TEST_CASE("a device reset is an error, but a device that cannot report resets is accepted") {
   auto* const own = GetGraphicsResetStatus;
   GetGraphicsResetStatus = nullptr;
   CHECK_NOTHROW(require_context());
@@ -47,7 +47,7 @@ TEST_CASE("the limits that OpenGL 4.3 guarantees are enough") {
   CHECK(refusal(newer) == "");
 }
 
-TEST_CASE("a context below 4.3 is refused with what was found and what is missing") {
+TEST_CASE("a context below 4.3 is refused with the available and the missing features") {
   Support mac;
   mac.renderer = "Apple M1";
   mac.version = "4.1 Metal - 88";
@@ -58,7 +58,7 @@ TEST_CASE("a context below 4.3 is refused with what was found and what is missin
   CHECK(refusal({}) == "OpenGL: found version none on an unknown renderer; missing: version 4.3 with compute shaders");
 }
 
-TEST_CASE("every limit that is too low is named with what was found") {
+TEST_CASE("every limit that is too low is named with its actual value") {
   Support weak = sufficient();
   weak.storage_blocks = 4;
   weak.invocations = 512;
@@ -72,10 +72,10 @@ TEST_CASE("every limit that is too low is named with what was found") {
   CHECK(message.find('\n') == std::string::npos);
 }
 
-TEST_CASE("a loader that finds no function says so instead of crashing") {
+TEST_CASE("a loader that finds no function reports an error instead of crashing") {
   CHECK_THAT(test::error_of([] { load([](const char*) -> void* { return nullptr; }); }),
              Contains("OpenGL: found version none"));
-  const auto context = test::each_context();  // the table works again
+  const auto context = test::each_context();  // restores the function table
   CHECK(GetString(GL_RENDERER) != nullptr);
 }
 

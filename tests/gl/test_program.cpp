@@ -35,11 +35,11 @@ TEST_CASE("a compile error is mapped through an include and names the variant") 
   CHECK_THAT(message, Contains("fill.comp [FIRST=1 SECOND=2]"));
   CHECK(message.find('\n') == std::string::npos);
   CHECK(programs.size() == 0);
-  folder.write("value.glsl", "float value() { return 1.0; }\n");  // mended: the failure was not kept
+  folder.write("value.glsl", "float value() { return 1.0; }\n");  // repaired: the failure is not cached
   CHECK(filled(programs.compute("fill.comp", {{"SECOND", "2"}, {"FIRST", "1"}})) == 1.0f);
 }
 
-TEST_CASE("a program is linked beside other work, and tells what is wrong when it is needed") {
+TEST_CASE("a program is linked in parallel, and reports errors when it is used") {
   const auto context = test::each_context();
   const test::ShaderFolder folder;
   folder.write("fill.comp", kFill);
@@ -112,7 +112,7 @@ TEST_CASE("variants are cached by their defines, in any order") {
   CHECK(std::string(name_of(LoadPath::texel)) == "texel");
 }
 
-TEST_CASE("reload takes new code and keeps the old one when the new one is broken") {
+TEST_CASE("reload uses new code and keeps the old code if the new one does not compile") {
   const auto context = test::each_context();
   const test::ShaderFolder folder;
   folder.write("fill.comp", kFill);

@@ -19,7 +19,7 @@ std::string place_of(const ShaderText& source, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("includes are flattened once each and every line knows where it came from") {
+TEST_CASE("includes are flattened once each and every line has its origin") {
   const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder / "common");
   std::ofstream(folder / "common/a.glsl") << "float a;\n";

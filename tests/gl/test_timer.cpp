@@ -8,7 +8,7 @@
 
 namespace fascia::gl {
 
-TEST_CASE("a timer sees the time that passes") {
+TEST_CASE("a timer measures the elapsed time") {
   const auto context = test::each_context();
   Timer timer;
   CHECK_FALSE(timer.take().has_value());
@@ -19,7 +19,7 @@ TEST_CASE("a timer sees the time that passes") {
     Finish();
   };
   constexpr int kFit = 4;
-  for (int i = 0; i < kFit + 2; ++i) measure(i, i == 1);  // the last two go unmeasured
+  for (int i = 0; i < kFit + 2; ++i) measure(i, i == 1);  // the last two are not measured
   for (int i = 0; i < kFit; ++i) {
     CAPTURE(i);
     const auto taken = timer.take();
@@ -36,15 +36,15 @@ TEST_CASE("a timer sees the time that passes") {
   CHECK(GetError() == GL_NO_ERROR);
 }
 
-TEST_CASE("the device's counter of time may begin anew") {
+TEST_CASE("the device's counter of time may wrap around") {
   constexpr GLuint64 kLast = (GLuint64{1} << 36) - 1;
   CHECK(milliseconds_between(1'000'000, 3'500'000, 64) == 2.5);
   CHECK(milliseconds_between(1'000'000, 3'500'000, 36) == 2.5);
   CHECK(milliseconds_between(kLast - 499'999, 1'500'000, 36) == 2);
-  CHECK(milliseconds_between(kLast - 499'999, 1'500'000, 64) == 0);  // it did not say that it has 36 bits
+  CHECK(milliseconds_between(kLast - 499'999, 1'500'000, 64) == 0);  // it did not report its 36 bits
 }
 
-TEST_CASE("a stopwatch tells pieces by their names, in their order") {
+TEST_CASE("a stopwatch reports pieces by name, in order") {
   const auto context = test::each_context();
   Stopwatch stopwatch(false);
   std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -58,10 +58,10 @@ TEST_CASE("a stopwatch tells pieces by their names, in their order") {
   CHECK(laps[1].second >= 0);
 }
 
-TEST_CASE("a stopwatch by timestamps asks the device for as many as there are pieces") {
+TEST_CASE("a stopwatch with timestamps queries one per piece") {
   const auto context = test::each_context();
   {
-    Stopwatch stopwatch(true);  // whose values say nothing on software renderers
+    Stopwatch stopwatch(true);  // its values are undefined on software renderers
     stopwatch.mark("one");
     stopwatch.mark("two");
     CHECK(stopwatch.laps().size() == 2);

@@ -1,4 +1,4 @@
-"""The Python module: what it gives and takes, with numpy and without. Run with PYTHONPATH where the module is.
+"""The Python module: arguments and results, with and without numpy. Run with PYTHONPATH where the module is.
 
 Arguments: the stub file, the folder of the examples.
 """
@@ -84,7 +84,7 @@ class Arrays(unittest.TestCase):
         self.assertEqual(s.positions[26, 0], 0.1)
         s.positions = x
         self.assertAlmostEqual(s.positions[26, 0], 0.11, places=7)
-        s.positions = [[x[v, k] for k in range(3)] for v in range(27)]  # lists will do
+        s.positions = [[x[v, k] for k in range(3)] for v in range(27)]  # lists are accepted
         with self.assertRaisesRegex(fascia.Error, "expected 81"):
             s.positions = [1, 2, 3]
         with self.assertRaises(TypeError):
@@ -239,7 +239,7 @@ class Examples(unittest.TestCase):
         self.assertEqual([float(r[0]) for r in rows], [1e5, 2e5, 4e5, 8e5])
         for _, _, force in rows:
             self.assertAlmostEqual(float(force), 1000 * 0.2 * 0.04**2 * 9.81, places=3)
-        # Small displacements go with the inverse of the modulus; the last two are below a tenth of the length.
+        # Small displacements are proportional to the inverse of the modulus; the last two are below a tenth of the length.
         self.assertAlmostEqual(float(rows[2][1]) / float(rows[3][1]), 2, delta=0.02)
 
     def test_pull_liver(self):

@@ -1,4 +1,4 @@
-// Small surfaces and a scene around them, for the tests that draw.
+// Small surfaces and a scene with them, for the tests that draw.
 #pragma once
 #include <Eigen/Geometry>
 #include <map>
@@ -84,7 +84,7 @@ inline Shape box(const Eigen::Vector3d& low, const Eigen::Vector3d& high, int ce
   return shape;
 }
 
-/// Everything that one picture needs besides a context.
+/// All inputs of one picture except a context.
 struct Scene {
   Shape shape;
   Camera camera;
@@ -124,7 +124,7 @@ struct Scene {
     return image;
   }
 
-  /// Where a point is in the picture [pixels from the top left].
+  /// The position of a point in the picture [pixels from the top left].
   Eigen::Vector2d pixel_of(const Eigen::Vector3d& point) const {
     const Eigen::Matrix4d matrix =
         (camera.projection(double(width) / height, look.radius) * camera.view()).cast<double>();
@@ -133,7 +133,7 @@ struct Scene {
   }
 };
 
-/// Color of the pixel that holds this place, 0 to 1.
+/// Color of the pixel that contains this position, 0 to 1.
 inline Eigen::Vector3d color_at(const Image& image, double x, double y) {
   REQUIRE((x >= 0 && y >= 0 && x < image.width && y < image.height));
   const std::uint8_t* p = image.rgba.data() + 4 * (static_cast<int>(y) * image.width + static_cast<int>(x));

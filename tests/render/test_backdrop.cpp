@@ -1,4 +1,4 @@
-// What stands behind the tissue, and what fades into it or is darkened by its surroundings.
+// The background of the tissue, fading into it, and ambient occlusion.
 #include "tests/render/scene_support.h"
 
 namespace fascia {
@@ -15,7 +15,7 @@ int alpha_at(const Image& image, double x, double y) {
 
 }  // namespace
 
-TEST_CASE("render: white and black backdrops are that color to the bit where nothing is") {
+TEST_CASE("render: white and black backdrops have that color to the bit in empty pixels") {
   const auto context = test::each_context();
   Scene scene(test::sphere({0, 0.7, 0}, 0.5, 12));
   scene.look.ground_height = 0;
@@ -43,7 +43,7 @@ TEST_CASE("render: a transparent backdrop leaves straight colors at the body's e
   CAPTURE(shadow);
   CHECK((shadow > 40 && shadow < 200));
   CHECK(color_at(image, foot) == Vector3d(0, 0, 0));
-  // However little of a pixel the body covers, its color is the body's.
+  // The color of a pixel is the body's, however small the covered part is.
   scene.look.ground = false;
   const Image body = scene.draw();
   int edges = 0;
@@ -78,7 +78,7 @@ TEST_CASE("render: depth cue fades the back of a body, not its front") {
   CHECK(kept(-2.8) < 0.45);
 }
 
-TEST_CASE("render: ambient occlusion darkens a crease, not a plain or what stands free") {
+TEST_CASE("render: ambient occlusion darkens a crease, but neither a plane nor a free-standing body") {
   const auto context = test::each_context();
   test::Shape shape;  // a floor and a wall behind it
   shape.positions = {{-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}, {-1, 2, -1}, {1, 2, -1}};
@@ -99,7 +99,7 @@ TEST_CASE("render: ambient occlusion darkens a crease, not a plain or what stand
   CHECK(kept({0, 1.3, -1}) > 0.97);
   CHECK(kept({0, 0, -0.95}) < 0.8);
   CHECK(kept({0, 0.05, -1}) < 0.8);
-  CHECK(corner_color(occluded) == corner_color(plain));  // behind there is nothing
+  CHECK(corner_color(occluded) == corner_color(plain));  // there is nothing behind
 
   INFO("wherever in the picture it stands");
   const Vector3d places[] = {{0, 0, -0.95}, {0, 0, -0.8}, {0, 0.1, -1}, {0, 0.3, -1}};

@@ -9,7 +9,7 @@ using Eigen::Vector3d;
 using test::color_at;
 using test::Scene;
 
-/// A rectangle that faces the key light, seen from where the light stands.
+/// A rectangle that faces the key light, seen from the direction of the light.
 Scene plate_toward_light() {
   Look look;
   const Vector3d light = test::toward_light(look), right = Vector3d(0, 1, 0).cross(light).normalized(),
@@ -39,10 +39,10 @@ Vector3d oklab(const Eigen::Vector3f& srgb) {
 
 }  // namespace
 
-TEST_CASE("color maps: inside the display's colors, in even steps to the eye") {
-  // The fits leave steps that differ by up to a fifth, a rainbow's by a factor of five and more. The diverging map,
-  // which has two hues to go through and turns round in its middle, has them within a factor of 2.2, but for that
-  // middle.
+TEST_CASE("color maps: inside the display's colors, in perceptually even steps") {
+  // The fits have steps that differ by up to a fifth; those of a rainbow differ by a factor of five and more. The steps
+  // of the diverging map, which passes through two hues and reverses in its middle, differ by at most a factor of 2.2,
+  // except in that middle.
   const auto [name, map, diverging] =
       GENERATE(table<std::string, const ColorMapCurve*, bool>({{"dusk", &color_maps::dusk, false},
                                                                {"ember", &color_maps::ember, false},
@@ -92,7 +92,7 @@ TEST_CASE("render: a fully lit surface shows the color bar's colors") {
   }
 }
 
-TEST_CASE("render: a diverging map has its middle at the neutral value, whatever the range") {
+TEST_CASE("render: a diverging map has its middle at the neutral value, for any range") {
   const auto context = test::each_context();
   Scene scene = plate_toward_light();
   scene.look.range = {-2, 6};
@@ -122,8 +122,7 @@ TEST_CASE("render: the heat map is linear between vertices, in perspective too")
     const Vector2d place = scene.pixel_of(left + t * (right - left));
     const Vector3d color = color_at(image, place), expected = heat_color(float(t)).cast<double>();
     CAPTURE(t, color.transpose() * 255, expected.transpose() * 255);
-    // The pixel's center is up to half a pixel off, 1/400 of the scale, where colors change by up to 3 a
-    // unit.
+    // The pixel's center is up to half a pixel off, 1/400 of the scale, where colors change by up to 3 per unit.
     CHECK((color - expected).cwiseAbs().maxCoeff() < 3.5 / 255);
   }
 }
@@ -155,10 +154,10 @@ TEST_CASE("render: the wireframe darkens edges and leaves the triangles' middles
     CHECK((color_at(wire, middle) - color_at(plain, middle)).cwiseAbs().maxCoeff() <= 1.0 / 255);
     edges += color_at(wire, edge).sum() < 0.85 * color_at(plain, edge).sum();
   }
-  CHECK(edges >= 20);  // of 24 triangles seen: an edge at the silhouette may fall just outside
+  CHECK(edges >= 20);  // of 24 visible triangles: an edge at the silhouette may fall just outside
 }
 
-TEST_CASE("render: marks are where their vertices are, and hidden behind the body") {
+TEST_CASE("render: marks are at their vertices, and hidden behind the body") {
   const auto context = test::each_context();
   Scene scene(test::sphere({0, 0.7, 0}, 0.5, 20));
   const Image plain = scene.draw();

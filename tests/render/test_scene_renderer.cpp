@@ -27,7 +27,7 @@ Scene scaled(Scene scene, double factor) {
 
 }  // namespace
 
-TEST_CASE("render: a sphere's silhouette is where the camera says") {
+TEST_CASE("render: a sphere's silhouette is where the camera projects it") {
   const auto context = test::each_context();
   Scene scene(test::sphere({0.1, 0.7, -0.2}, 0.5, 60));
   scene.look.ground = scene.look.shadow = false;
@@ -53,7 +53,7 @@ TEST_CASE("render: a sphere's silhouette is where the camera says") {
   CHECK(body > 5000);
 }
 
-TEST_CASE("render: the shadow darkens the ground under the body and nothing else of it") {
+TEST_CASE("render: the shadow darkens only the ground under the body") {
   const auto context = test::each_context();
   Scene scene = sphere_over_ground();
   const Image shadow = scene.draw();
@@ -70,7 +70,7 @@ TEST_CASE("render: the shadow darkens the ground under the body and nothing else
     CAPTURE(place.transpose());
     CHECK((color_at(shadow, place) - color_at(plain, place)).cwiseAbs().maxCoeff() <= 1.0 / 255);
   }
-  // Penumbra: from the middle outwards the light comes back step by step, not at once.
+  // Penumbra: from the middle outwards the light increases gradually.
   int steps = 0;
   Vector3d last = color_at(shadow, dark);
   for (double r = 0; r < 1; r += 0.02) {
@@ -81,7 +81,7 @@ TEST_CASE("render: the shadow darkens the ground under the body and nothing else
   CHECK(steps >= 5);
 }
 
-TEST_CASE("render: no acne: a lit sphere with shadows looks as without where nothing is in the way") {
+TEST_CASE("render: no acne: a lit sphere with shadows looks as without if nothing blocks the light") {
   const auto context = test::each_context();
   for (const double factor : {1e-3, 1.0}) {
     Scene scene = scaled(sphere_over_ground(), factor);
@@ -155,7 +155,7 @@ TEST_CASE("render: storage blocks and buffer textures give the same picture") {
   CHECK(scene.draw(gl::LoadPath::storage).rgba == scene.draw(gl::LoadPath::texel).rgba);
 }
 
-TEST_CASE("render: a millimetre and a hundred metres look the same") {
+TEST_CASE("render: a millimeter and a hundred meters look the same") {
   const auto context = test::each_context();
   const Scene scene = sphere_over_ground();
   const Image image = scene.draw();
@@ -184,15 +184,14 @@ TEST_CASE("render: z up looks like y up") {
   CHECK(mean < 0.5 / 255);
 }
 
-TEST_CASE("render: the ground has no horizon and is not seen from below") {
+TEST_CASE("render: the ground has no horizon and is invisible from below") {
   const auto context = test::each_context();
   Scene scene = sphere_over_ground();
   scene.look.shadow = false;
   const Image with = scene.draw();
   scene.look.ground = false;
   const Image without = scene.draw();
-  // Down along the left border, away from the body: once the ground begins to show it comes in over many
-  // rows, grid included.
+  // Along the left border from top to bottom, away from the body: the ground fades in over many rows, grid included.
   const auto seen = [&](int row) { return std::abs((color_at(with, 2, row) - color_at(without, 2, row)).mean()); };
   int first = 0;
   while (first < scene.height - 1 && seen(first) < 1.0 / 255) ++first;
@@ -211,7 +210,7 @@ TEST_CASE("render: the ground has no horizon and is not seen from below") {
   CHECK(scene.draw().rgba == from_below.rgba);
 }
 
-TEST_CASE("render: faces seen from inside are told apart") {
+TEST_CASE("render: inner faces are distinguishable from outer ones") {
   const auto context = test::each_context();
   Scene scene = sphere_over_ground();
   const Image outside = scene.draw();

@@ -1,4 +1,4 @@
-// Options of a test that works without a window.
+// Options of a test without a window.
 #pragma once
 #include "app/cli/options.h"
 

@@ -1,4 +1,4 @@
-// Models made in code, for tests of solvers.
+// Models built in code, for tests of solvers.
 #pragma once
 #include <algorithm>
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace fascia::test {
 
-/// A model of a healthy mesh with one material, fixed where `fixed` says so.
+/// A model of a valid mesh with one material, fixed where `fixed` is true.
 inline Model make_model(const TetMesh& mesh, const Material& material,
                         const std::function<bool(const Eigen::Vector3d&)>& fixed) {
   Model model;
@@ -30,8 +30,8 @@ inline Model make_model(const TetMesh& mesh, const Material& material,
   return model;
 }
 
-/// Displacements and velocities of about `amplitude` [m], different at every vertex, zero where held; the same for the
-/// same seed.
+/// Displacements and velocities of about `amplitude` [m], different at every vertex, zero where constrained; the same
+/// for the same seed.
 inline State random_state(const Model& model, double amplitude, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
@@ -41,7 +41,7 @@ inline State random_state(const Model& model, double amplitude, unsigned seed) {
     for (int k = 0; k < 3; ++k) {
       const double u = uniform(random), v = uniform(random);
       if (held[i]) continue;
-      // What float32 can hold, so that both sides of a comparison start from the same numbers.
+      // Rounded to float32, so that both sides of a comparison start from the same numbers.
       state.displacement[i][k] = static_cast<float>(u);
       state.velocity[i][k] = static_cast<float>(10 * v);
     }

@@ -1,4 +1,4 @@
-// What tests of every folder share.
+// The common part of tests in all folders.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -9,11 +9,11 @@ namespace fascia::test {
 std::filesystem::path test_dir();    // tests/ in the source tree
 std::filesystem::path source_dir();  // the source tree: assets/, shaders/
 
-/// Where the tests of OpenGL run: on OSMesa and on EGL, or, with FASCIA_TEST_CONTEXT=egl, on EGL alone, which takes a
-/// graphics card first.
+/// The contexts of the OpenGL tests: OSMesa and EGL, or, with FASCIA_TEST_CONTEXT=egl, only EGL, which prefers a
+/// graphics card.
 std::vector<std::string> context_names();
 
-/// A fresh folder, removed at the end of the test.
+/// A new folder, removed at the end of the test.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -31,7 +31,7 @@ struct CommandResult {
   int exit_code;
   std::string out, err;
 };
-/// Runs a program with arguments, no shell, and collects what it prints.
+/// Runs a program with arguments, without a shell, and collects its output.
 CommandResult run_command(const std::vector<std::string>& arguments, const std::filesystem::path& folder = ".");
 CommandResult run_fascia(std::vector<std::string> arguments, const std::filesystem::path& folder = ".");
 

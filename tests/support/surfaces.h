@@ -1,4 +1,4 @@
-// Closed surfaces made by formula, for tests of what fills and draws them.
+// Closed surfaces from formulas, for tests of filling and drawing.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace fascia::test {
 
-/// A ball of rings and meridians, wound outward.
+/// A ball with rings and meridians, wound outward.
 inline SurfaceMesh make_sphere(int rings, int around, double radius, const Eigen::Vector3d& center = {0, 0, 0}) {
   SurfaceMesh s;
   const auto at = [&](int i, int j) {

@@ -38,7 +38,7 @@ void draw_charts(const Bench& bench, const CaseAccuracy& result) {
   time.x = {"time of the step [ms], " + gl::device().renderer, true, {}};
   iterations.y = time.y = {"relative error, RMS [-]", true, error_range(result)};
   Series frontier;
-  frontier.name = "Pareto frontier of all pairs";
+  frontier.name = "Pareto frontier of all choices";
   frontier.color = kFrontierColor;
   for (const FrontierPoint& point : frontier_of(result)) frontier.points.emplace_back(point.ms, point.error);
   time.series.push_back(std::move(frontier));  // first: below the others

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-const Vector3d kSize(1, 0.25, 0.25);                    // [m], the beam that bent_beam() knows
+const Vector3d kSize(1, 0.25, 0.25);                    // [m], the beam of bent_beam()
 constexpr double kPatchBegin = 0.9, kPatchShift = 0.3;  // [m]
 
 Model beam_model(const AccuracyCase& measured) {

@@ -1,5 +1,5 @@
-// Anderson acceleration (Walker and Ni 2011, algorithm AA), first of four passes: the residual f_k = G(z_k) - z_k of the
-// method's sweep, and the newest columns of the histories, dF = f_k - f_{k-1} and dG = G(z_k) - G(z_{k-1}).
+// Anderson acceleration (Walker and Ni 2011, algorithm AA), first of four passes: the residual f_k = G(z_k) - z_k of
+// the method's sweep, and the newest columns of the histories, dF = f_k - f_{k-1} and dG = G(z_k) - G(z_{k-1}).
 // After the sweep; before anderson_dots.
 #include "common/io.glsl"
 #include "sim/acceleration/anderson_state.glsl"

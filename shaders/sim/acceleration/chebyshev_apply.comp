@@ -1,4 +1,5 @@
-// Chebyshev acceleration on positions, last pass: x_{k+1} = omega (G(x_k) - x_{k-1}) + x_{k-1} (Wang 2015, eq. 9, without relaxation).
+// Chebyshev acceleration on positions, last pass: x_{k+1} = omega (G(x_k) - x_{k-1}) + x_{k-1} (Wang 2015, eq. 9,
+// without relaxation).
 #include "common/io.glsl"
 #include "sim/acceleration/chebyshev_state.glsl"
 COMPUTE_1D

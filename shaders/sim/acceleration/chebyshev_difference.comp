@@ -1,5 +1,5 @@
-// Chebyshev acceleration on positions (Wang 2015), first of three passes: |f|^2 of the residual f = G(x_k) - x_k of the method's
-// sweep. After the sweep; before chebyshev_weight.
+// Chebyshev acceleration on positions (Wang 2015), first of three passes: |f|^2 of the residual f = G(x_k) - x_k of the
+// method's sweep. After the sweep; before chebyshev_weight.
 #include "common/io.glsl"
 #include "common/reduce.glsl"
 COMPUTE_1D

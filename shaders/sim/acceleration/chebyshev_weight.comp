@@ -1,12 +1,12 @@
 // Chebyshev acceleration, second pass, one work group: the weight omega of this iteration (Wang 2015, eq. 8),
 //   omega_1 = 1,  omega_2 = 2 / (2 - rho^2),  omega_{k+1} = 4 / (4 - rho^2 omega_k),
-// and the spectral radius rho of the plain iteration, estimated as Hageman and Young (1981, chapter 5) do. A step begins with
-// PLAIN iterations; if rho is not known yet, their last decay |f_k| / |f_{k-1}| is the first guess, which is always too low. An
-// accelerated cycle of p iterations should shrink the residual to
+// and the spectral radius rho of the plain iteration, estimated as Hageman and Young (1981, chapter 5) do. A step
+// begins with PLAIN iterations; if rho is not known yet, their last decay |f_k| / |f_{k-1}| is the first guess, which
+// is always too low. An accelerated cycle of p iterations should shrink the residual to
 //   Q = 1 / T_p(1 / rho) = 2 r^(p/2) / (1 + r^p),   r = (1 - s) / (1 + s),   s = sqrt(1 - rho^2);
-// when it reaches B > Q^DAMPING only, rho was too low: the equation solved for rho gives a better one, and a new cycle begins.
-// Safeguard: a residual that doubles within a cycle ends it; rho moves away from 1, and PLAIN iterations come first.
-// After chebyshev_difference, before chebyshev_apply.
+// if it only reaches B > Q^DAMPING, rho was too low: the equation solved for rho gives a better value, and a new cycle
+// begins. Safeguard: a residual that doubles within a cycle ends it; rho moves away from 1, and PLAIN iterations come
+// first. After chebyshev_difference, before chebyshev_apply.
 #include "common/io.glsl"
 #include "common/step.glsl"
 #include "sim/acceleration/chebyshev_state.glsl"

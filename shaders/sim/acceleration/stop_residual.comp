@@ -10,7 +10,8 @@ INPUT_VEC4(Predicted, predicted)        // [vertex_count] xyz u~ [m], w inverse 
 INPUT_VEC4(Velocity, velocity)          // [vertex_count] v_n [m/s]
 INPUT_FLOAT(Mass, mass)                 // [vertex_count] [kg]
 #include "sim/energy/terms.glsl"
-// Two arrays of `partials`: x |g|^2, y |M (u - u~)|^2, z |h^2 dU/du|^2 + |h^2 M gravity|^2, w |h^2 external forces|^2 [m^2]; x |M v|^2 [m^2/s^2]
+// Two arrays of `partials`: x |g|^2, y |M (u - u~)|^2, z |h^2 dU/du|^2 + |h^2 M gravity|^2, w |h^2 external forces|^2
+// [m^2]; x |M v|^2 [m^2/s^2]
 OUTPUT(vec4, ResidualPartials, residual_partials)
 uniform uint vertex_count, partials;
 

@@ -1,6 +1,7 @@
-// Elastic (and viscous) force of every pair of tets on its corners, and its energy: the terms of tets in the objective of an implicit Euler
-// step, 1/2 (u - u~)^T M (u - u~) + h^2 sum V [Psi(eps) + damping/h Psi(eps - eps_n)].
-// Reads displacement; writes the slots that gradient gathers: xyz h^2 V P b_a [kg m], w of the first corner's the energy [kg m^2].
+// Elastic (and viscous) force of every pair of tets on its corners, and its energy: the terms of tets in the objective
+// of an implicit Euler step, 1/2 (u - u~)^T M (u - u~) + h^2 sum V [Psi(eps) + damping/h Psi(eps - eps_n)].
+// Reads displacement; writes the slots that gradient gathers: xyz h^2 V P b_a [kg m], w of the first corner: the energy
+// [kg m^2].
 #include "common/io.glsl"
 #include "common/step.glsl"
 #include "common/tet_pair.glsl"

@@ -1,4 +1,5 @@
-// Kelvin-Voigt damping: the strain at the start of the substep, from which the strain rate follows. Neutral value: gamma = 0.
+// Kelvin-Voigt damping: the strain at the start of the substep, from which the strain rate follows. Neutral value:
+// gamma = 0.
 #include "common/step.glsl"
 #include "common/symmetric.glsl"
 #if DAMPING

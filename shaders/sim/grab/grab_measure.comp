@@ -1,4 +1,5 @@
-// h^2 times the force of every grab spring on the tissue, h^2 k (target - u), for methods that treat springs as part of the objective.
+// h^2 times the force of every grab spring on the tissue, h^2 k (target - u), for methods that treat springs as part of
+// the objective.
 #include "common/io.glsl"
 #include "common/step.glsl"
 COMPUTE_1D

@@ -6,7 +6,8 @@
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)                   // [vertex_count] u [m]
 INPUT_VEC4(PreviousDisplacement, previous_displacement)  // [vertex_count] u_n [m]
-INPUT_VEC4(Predicted, predicted)                         // [vertex_count] xyz u~ [m], w inverse mass, 0 where constrained
+INPUT_VEC4(Predicted, predicted)                         // [vertex_count] xyz u~ [m], w inverse mass, 0 where
+                                                         // constrained
 OUTPUT(vec4, Velocity, velocity)                         // [vertex_count] [m/s]
 INOUT(uint, Diverged, diverged)                              // [1] smallest index of such a vertex so far
 

@@ -7,7 +7,8 @@
 #include "common/io.glsl"
 #include "common/group_sum.glsl"
 COMPUTE_1D
-INPUT_UINT(CoarseNodeBegin, coarse_node_begin)      // [2 * (node_count + 1)] first entry in gather_entry and in coarse_columns
+INPUT_UINT(CoarseNodeBegin, coarse_node_begin)      // [2 * (node_count + 1)] first entry in gather_entry and in
+                                                    // coarse_columns
 INPUT_UVEC4(GatherEntry, gather_entry)              // [entries] xyz c_ja [1/m] (float bits), w vertex
 INPUT_UVEC4(CoarseColumns, coarse_columns)          // two entries of P each: vertex and weight (float bits) alternating
 INPUT_VEC4(Gradient, gradient)                      // [vertex_count] g [kg m]

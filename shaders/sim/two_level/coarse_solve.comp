@@ -5,7 +5,8 @@
 #include "common/io.glsl"
 #include "common/group_sum.glsl"
 COMPUTE_1D
-INPUT_UVEC4(CoarseInverse, coarse_inverse)   // [3 * node_count * row_octets] rows of C, eight 16-bit integers each, padded with zeros
+INPUT_UVEC4(CoarseInverse, coarse_inverse)   // [3 * node_count * row_octets] rows of C, eight 16-bit integers each,
+                                             // padded with zeros
 INPUT_VEC4(CoarseScale, coarse_scale)        // [node_count] xyz of S [1/sqrt(kg)]
 INPUT_VEC4(CoarseGradient, coarse_gradient)  // [2 * row_octets] S R^T r, padded with zeros [sqrt(kg) m]
 INPUT_VEC4(CoarseRotation, coarse_rotation)  // [node_count]

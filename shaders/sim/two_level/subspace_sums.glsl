@@ -7,7 +7,8 @@
 INPUT_FLOAT(Mass, mass)                          // [vertex_count] [kg]
 INPUT_VEC4(LastStep, last_step)                  // [vertex_count] p [m]
 INPUT_VEC4(PreviousGradient, previous_gradient)  // [vertex_count] g before p [kg m]
-// Three arrays of `partials`: x g.z_f, y g.z_c, z g.p, w objective; x z_f M z_f, y z_f M z_c, z z_c M z_c, w p M p; x z_f.y, y z_c.y, z p.y
+// Three arrays of `partials`: x g.z_f, y g.z_c, z g.p, w objective; x z_f M z_f, y z_f M z_c, z z_c M z_c, w p M p; x
+// z_f.y, y z_c.y, z p.y
 OUTPUT(vec4, DotPartials, dot_partials)
 uniform uint vertex_count, partials;
 

@@ -12,7 +12,8 @@ INPUT_UINT(CoarseRowBegin, coarse_row_begin)     // [vertex_count + 1]
 INPUT_UVEC4(CoarseRows, coarse_rows)             // two entries each: node and weight (float bits) alternating
 INPUT_VEC4(CoarseCorrection, coarse_correction)  // [node_count] [m]
 #endif
-OUTPUT(vec4, FineDirection, fine_direction)  // [vertex_count] z_f [m]; without SPLIT the sum of both, with SWEEP the swept u
+OUTPUT(vec4, FineDirection, fine_direction)  // [vertex_count] z_f [m]; without SPLIT the sum of both, with SWEEP the
+                                             // swept u
 #if SPLIT
 OUTPUT(vec4, CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]; with SWEEP the sum of both
 #endif

@@ -3,7 +3,8 @@
 #include "common/io.glsl"
 #include "sim/xpbd/xpbd_block.glsl"
 COMPUTE_1D
-INPUT_VEC4_IN_PLACE(Corner, corner)       // [vertex_count + phantom_count] displacement: xyz u [m], w inverse mass [1/kg]
+INPUT_VEC4_IN_PLACE(Corner, corner)       // [vertex_count + phantom_count] displacement: xyz u [m], w inverse mass
+                                          // [1/kg]
 OUTPUT(vec4, Displacement, displacement)
 INPUT_VEC4_IN_PLACE(Lambda, lambda)       // [2 * tet_count] multiplier: xyz of xx, yy, zz then of yz, xz, xy
 OUTPUT(vec4, Multiplier, multiplier)

@@ -1,12 +1,12 @@
-// XPBD's block constraint of one tet (Macklin, Mueller, Chentanez 2016, eq. 18, with the Green strain as a 6-vector as in
-// Boukadida, Andrews, Paquette 2019):
+// XPBD's block constraint of one tet (Macklin, Mueller, Chentanez 2016, eq. 18, with the Green strain as a 6-vector as
+// in Boukadida, Andrews, Paquette 2019):
 //
 //   [ (1 + g) G M^-1 G^T + alpha~ ] dlambda = -(C + g (C - C_n)) - alpha~ lambda,   dx_a = w_a G_a^T dlambda
 //
-// C: Green strain with tensor shears; alpha~ = (V D)^-1 / h^2, where D has 4 mu on the shear diagonal because C counts each
-// shear once; g = damping / h. The Jacobian is never formed: with C^ = F^T F and W = sum_a w_a b_a b_a^T the matrix entries are
-// (G M^-1 G^T)_kl = tr(E_k C^ E_l W), E_k the unit strains, and G_a^T dlambda = F mat(dlambda) b_a. With signed stretches C and F are
-// the guarded ones; the viscous C - C_n keeps the plain strain.
+// C: Green strain with tensor shears; alpha~ = (V D)^-1 / h^2, where D has 4 mu on the shear diagonal because C counts
+// each shear once; g = damping / h. The Jacobian is never formed: with C^ = F^T F and W = sum_a w_a b_a b_a^T the
+// matrix entries are (G M^-1 G^T)_kl = tr(E_k C^ E_l W), E_k the unit strains, and G_a^T dlambda = F mat(dlambda) b_a.
+// With signed stretches C and F are the guarded ones; the viscous C - C_n uses the plain strain.
 #include "common/step.glsl"
 #include "common/tet.glsl"
 #include "common/solve6.glsl"

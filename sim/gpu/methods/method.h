@@ -36,7 +36,7 @@ class StepMethod {
   /// Whether iterations descend the objective with its external energies; otherwise these are projected as constraints
   /// after each iteration.
   virtual bool descends() const { return false; }
-  /// What is computed before every iteration by methods that descend the step's objective; null for the others.
+  /// The gradient that methods that descend the step's objective compute before every iteration; null for the others.
   virtual const StepGradient* gradient() const { return nullptr; }
   virtual Passes begin(const Recording&) const { return {}; }  // once per substep, after the prediction
   /// Recomputes data that changes slowly enough to be reused for some iterations; runs before those of

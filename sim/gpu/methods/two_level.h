@@ -45,9 +45,7 @@ class TwoLevelMethod : public StepMethod {
   void complete() override { coarse_.complete(); }
   int update(bool wait) override { return coarse_.update(wait); }
   void take(int results) override { coarse_.take(results); }
-  void begin_partial() override {
-    gradient_.clear();
-  }  // the coarse level also gathers the gradient of resting vertices
+  void begin_partial() override { gradient_.clear(); }  // it includes resting vertices for the coarse level
 
  private:
   void set_acceleration(const gl::ProgramCache& programs, const SimBuffers& buffers, const SolverSettings& settings);
@@ -57,14 +55,13 @@ class TwoLevelMethod : public StepMethod {
   Passes subspace_step(const Recording& recording, bool first, bool last) const;
 
   bool remembers_ = false,
-       splits_ =
-           false;  // whether the span has p except in the first iteration; whether it has two directions besides p
+       splits_ = false;  // with p, except in the first iteration; with two directions besides p
   StepGradient gradient_;
   CoarseLevel coarse_;
   gl::Buffer vertex_tets_, block_inverse_;
   Reduction vertices_, pairs_;
   gl::Buffer fine_direction_,
-      coarse_direction_;                      // vec4 [vertex_count]; the two directions, depending on the acceleration
+      coarse_direction_;                      // vec4 [vertex_count]; the two directions of the step
   gl::Buffer last_step_, previous_gradient_;  // vec4 [vertex_count]
   gl::Buffer partials_, state_;               // partials_: vec4, three sums over the vertices and one over the pairs
   gl::Buffer guarded_curvature_;      // vec4 [pairs and single tets], with deferred ones: their terms of the curvature

@@ -10,8 +10,7 @@ namespace fascia {
 struct ActiveSet {
   gl::Buffer vertices;  // uint [vertex_count of the mesh], the first vertex_count entries are valid: the vertices that
                         // move, then their neighbors, which are kept in place
-  gl::Buffer
-      pairs;  // uint [pairs and single tets], the first pair_count entries are valid: all with a tet at a moving vertex
+  gl::Buffer pairs;     // uint [pairs and single tets], pair_count valid: all with a tet at a moving vertex
   std::uint32_t moving_count = 0, vertex_count = 0, pair_count = 0;
   std::uint32_t tet_count = 0;  // in these pairs
 };

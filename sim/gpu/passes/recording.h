@@ -1,5 +1,4 @@
-// Records passes for methods, accelerations and energy terms, which share what a pass iterates over and the buffers
-// that it reads.
+// Records passes for methods, accelerations and energy terms, which share the items and the buffers of a pass.
 #pragma once
 #include <iterator>
 #include <utility>
@@ -27,7 +26,7 @@ struct Recording {
   const gl::Buffer& previous_strain;  // exists only with damping
   const EnergyTerms& terms;           // external energies
   DeferredTets* deferred = nullptr;   // null: no material defers tets
-  const ActiveSet* active = nullptr;  // what the passes iterate over; null: everything
+  const ActiveSet* active = nullptr;  // the items of the passes; null: all
 
   // Values for ComputePass::loops(): of kernels that iterate over the slots or the tets of a vertex; of kernels that
   // decompose the deformation of a tet or a pair, at most twice, if a material needs that; of sums over so many items

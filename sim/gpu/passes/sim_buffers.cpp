@@ -11,8 +11,8 @@ namespace {
 
 using shared::vec4;
 
-// Largest distance of a vertex from its prediction before it counts as diverged, in sizes of the scene plus
-// displacements of gravity in a substep.
+// A vertex counts as diverged at this multiple of the scene's size plus gravity's displacement in a substep from its
+// prediction.
 constexpr double kFarthest = 100;
 
 vec4 to_vec4(const Eigen::Vector3d& v, double w) {

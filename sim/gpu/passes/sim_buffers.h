@@ -45,8 +45,8 @@ struct SimBuffers {
   gl::Buffer tet_vertices;   // uvec4 [tet_count]
   gl::Buffer tet_shape;      // vec4 [3 * tet_count] rows of Dm^-1 [1/m], w of the first row: volume [m^3]; of a pair's
                              // first tet also d1, d2
-  gl::Buffer pair_fifth;     // uvec4 [pairs and single tets] what a second tet adds to the first one, without d1 and d2
-                             // (shaders/common/tet_pair.glsl)
+  gl::Buffer pair_fifth;     // uvec4 [pairs and single tets] data of a second tet relative to the first one, without d1
+                             // and d2 (shaders/common/tet_pair.glsl)
   gl::Buffer tet_begin;      // uint [vertex_count + 1] differences are the numbers of tets around each vertex
   gl::Buffer tet_material;   // uint [tet_count]; absent for a single material
   gl::Buffer materials;      // vec4 [material_count]; absent for a single material

@@ -10,7 +10,7 @@ namespace fascia {
 
 struct SolvedStep {
   std::vector<Eigen::Vector3d> previous;   // [vertex_count] u_n [m]
-  std::vector<Eigen::Vector3d> predicted;  // u~, the result of inertia, gravity and prescribed motions alone [m]
+  std::vector<Eigen::Vector3d> predicted;  // [vertex_count] u~, by inertia, gravity and motions alone [m]
   std::vector<Eigen::Vector3d> solution;   // [vertex_count] u_n+1 [m]
 };
 

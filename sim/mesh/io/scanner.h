@@ -40,7 +40,7 @@ class Scanner {
   std::string_view word(const char* what);  // the next word, across lines
   std::string_view peek_word();             // the next word without taking it; empty at the end
   bool take(std::string_view text);         // the next word if it is this one; else the position is unchanged
-  std::string_view line();                  // what is left of this line, without its end
+  std::string_view line();                  // the rest of this line, without its end
   void end_line(const char* what);          // fails unless at_line_end(), then goes to the next line
   bool skip_past(std::string_view text);    // false if it does not occur
   template <class T>

@@ -24,12 +24,11 @@ enum class ColorBy {
 };
 
 struct Quantity {
-  const char* name;   // in scene files: "von_mises"
-  const char* title;  // "von Mises stress"
-  const char* unit;   // "Pa"; "" for none
-  const char* help;   // what it shows and what it costs
-  std::optional<double> neutral =
-      {};  // for quantities of both signs around a neutral value: the middle of the color map
+  const char* name;                    // in scene files: "von_mises"
+  const char* title;                   // "von Mises stress"
+  const char* unit;                    // "Pa"; "" for none
+  const char* help;                    // what it shows and what it costs
+  std::optional<double> neutral = {};  // for quantities of both signs: middle of the color map
 };
 const Quantity& quantity_of(ColorBy color);
 std::string label_of(ColorBy color);  // "von Mises stress [Pa]"

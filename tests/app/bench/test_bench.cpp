@@ -1,4 +1,4 @@
-// fascia bench figures in its quick form: every file is there, tables can be read and belong together.
+// fascia bench figures in its quick form: every file exists, and the tables are readable and consistent.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -131,7 +131,7 @@ TEST_CASE("bench figures, quick form", "[bench]") {
       REQUIRE(trace.size() > 10);
       REQUIRE(of_last.size() == 1);
       CHECK(trace.front().at("iteration") == "0");
-      // Sums in another order of tets round differently.
+      // Sums in another order of tets have different rounding.
       CHECK(number(trace.front(), "rms_strain") == Approx(start).epsilon(1e-5));
       CHECK(trace.back().at("rms_strain") == of_last.front().at("last_rms_strain"));
     }

@@ -1,4 +1,4 @@
-// Charts through gnuplot: both formats, every text in them, and what happens when gnuplot is missing or fails.
+// Charts through gnuplot: both formats, every text in them, and errors when gnuplot is missing or fails.
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>
@@ -39,7 +39,7 @@ Chart example() {
   return chart;
 }
 
-// What the function says when it throws Error.
+// The text of the Error that the function throws.
 std::string error_of(const std::function<void()>& work) {
   try {
     work();
@@ -49,7 +49,7 @@ std::string error_of(const std::function<void()>& work) {
   return "no error";
 }
 
-// PATH for the length of a test.
+// Sets PATH during a test.
 class Path {
  public:
   explicit Path(const std::string& path) : before_(std::getenv("PATH")) { setenv("PATH", path.c_str(), 1); }
@@ -92,7 +92,7 @@ TEST_CASE("without gnuplot a chart names its package", "[chart]") {
   CHECK(fs::is_empty(folder.path()));
 }
 
-TEST_CASE("a gnuplot that fails leaves the old chart", "[chart]") {
+TEST_CASE("a gnuplot that fails leaves the old chart in place", "[chart]") {
   const TemporaryFolder folder, tools;
   write_file(folder / "chart.svg", "old");
   write_file(tools / "gnuplot", "#!/bin/sh\necho half a chart\necho 'line 1: out of ink' >&2\nexit 1\n");

@@ -1,4 +1,4 @@
-// Which times count as slower than those of an earlier run.
+// Comparison of times with those of an earlier run.
 #include <catch2/catch.hpp>
 
 #include "app/bench/speed_table.h"
@@ -23,7 +23,7 @@ std::string error_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("slower is slower by a tenth and beyond the spread of both") {
+TEST_CASE("a time is slower if it differs by a tenth and exceeds the spread of both") {
   const std::vector<SpeedRow> then{
       {"a", {10, 9, 11}}, {"b", {10, 9, 11}}, {"c", {10, 9, 15}}, {"d", {10, 9, 11}}, {"gone", {1, 1, 1}}};
   const std::vector<SpeedRow> now{
@@ -39,7 +39,7 @@ TEST_CASE("slower is slower by a tenth and beyond the spread of both") {
   CHECK(changes[2].ratio == Approx(1.2));
   CHECK(changes[2].slower);
   CHECK(changes[3].name == "c");
-  CHECK_FALSE(changes[3].slower);  // such times were seen before
+  CHECK_FALSE(changes[3].slower);  // such times occurred before
 }
 
 TEST_CASE("times are read from the table that the benchmark writes, and from nothing else") {

@@ -1,4 +1,4 @@
-// fascia check as a CI system uses it: a folder, exit codes, what failures leave, JUnit XML.
+// fascia check in a CI system: a folder, exit codes, files of failures, JUnit XML.
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -23,7 +23,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 std::string shipped(const char* scene) { return (source_dir() / "assets/scenes" / scene).string(); }
 
-// Two cubes that pass once they have goldens, one mesh that is not there.
+// Two cubes that pass once they have goldens, and one missing mesh.
 void fill(const fs::path& folder) {
   write_file(folder / "check.json",
              R"({"fascia_check": 1, "defaults": {"size": [64, 48], "steps": 3, "samples": 1}, "scenes": {
@@ -77,9 +77,9 @@ TEST_CASE("check: one broken scene does not stop the others, and goldens make th
   INFO(again.out << again.err);
   CHECK(again.exit_code == 1);
   CHECK(contains(again.out, "3 scenes, 1 failed"));
-  CHECK_FALSE(fs::exists(out / "cube.new.png"));  // of the run before
+  CHECK_FALSE(fs::exists(out / "cube.new.png"));  // of the earlier run
 
-  // As a CI system reads it.
+  // Parsed as in a CI system.
   const CommandResult parsed = run_command(
       {"python3", "-c",
        "import sys, xml.etree.ElementTree as E\n"
@@ -94,7 +94,7 @@ TEST_CASE("check: one broken scene does not stop the others, and goldens make th
   CHECK(check(folder.path(), {"--only", "nothing like it"}).exit_code == 1);
 }
 
-TEST_CASE("check: a scene that changed fails and leaves its picture and the difference", "[check]") {
+TEST_CASE("check: a changed scene fails and writes its picture and the difference", "[check]") {
   const TemporaryFolder folder, out;
   write_file(folder / "check.json",
              R"({"fascia_check": 1, "defaults": {"size": [64, 48], "steps": 3}, "scenes": {"cube": {"scene": ")" +
@@ -113,7 +113,7 @@ TEST_CASE("check: a scene that changed fails and leaves its picture and the diff
   CHECK(contains(read_file(out / "report.xml"), "llvmpipe"));
 }
 
-TEST_CASE("check --update that is interrupted leaves goldens alone", "[check]") {
+TEST_CASE("an interrupted check --update does not change goldens", "[check]") {
   const TemporaryFolder folder;
   const auto settings = [&](const char* steps) {
     write_file(folder / "check.json",
@@ -132,7 +132,7 @@ TEST_CASE("check --update that is interrupted leaves goldens alone", "[check]") 
   CHECK((read_file(folder / "cube.golden.csv") == state));
 }
 
-TEST_CASE("check: a golden may be made by run --export, with what made it beside it", "[check]") {
+TEST_CASE("check: a golden may come from run --export, with its provenance beside it", "[check]") {
   const TemporaryFolder folder;
   fs::copy_file(source_dir() / "assets/meshes/cube.msh", folder / "cube.msh");
   write_file(folder / "cube.json",
@@ -163,7 +163,7 @@ TEST_CASE("check.json is strict", "[check]") {
   expect_error(R"({"fascia_check": 1, "scenes": {"../b": {"scene": "x.json"}}})", {"file name"});
 }
 
-TEST_CASE("check settings: those of a scene over the defaults", "[check]") {
+TEST_CASE("check settings: those of a scene override the defaults", "[check]") {
   const TemporaryFolder folder;
   write_file(folder / "a.json", "{}");
   write_file(folder / "b.fascia", "{}");
@@ -184,7 +184,7 @@ TEST_CASE("check settings: those of a scene over the defaults", "[check]") {
   CHECK_THROWS_AS(read_check_folder(empty.path()), Error);
 }
 
-TEST_CASE("what crashes, hangs or fails in a child is a report", "[check]") {
+TEST_CASE("a crash, a hang or a failure in a child is reported", "[check]") {
   CHECK(run_in_child([] { return std::string("done"); }, 60).answer == "done");
   CHECK(run_in_child([]() -> std::string { throw Error("a", "b", "c"); }, 60).failure == "a: b; c");
   const ChildReport crashed = run_in_child(
@@ -213,7 +213,7 @@ TEST_CASE("what crashes, hangs or fails in a child is a report", "[check]") {
   CHECK(run_in_child([&] { return large; }, 60).answer == large);
 }
 
-TEST_CASE("JUnit XML holds any text", "[check]") {
+TEST_CASE("JUnit XML can contain any text", "[check]") {
   JunitCase c;
   c.name = "a<b>&\"c\"";
   c.verdict = JunitCase::Verdict::failed;

@@ -1,4 +1,4 @@
-// What the command line says about itself: help, nearest words, manual page, completion. All of it comes from the
+// The self-description of the command line: help, nearest words, manual page, completion. All of it comes from the
 // options' own tables.
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -23,7 +23,7 @@ CommandEntry program() {
   return describe(*make_command_line(invocation));
 }
 
-// What bash offers for the words of a line, sorted.
+// The completions that bash offers for the words of a line, sorted.
 std::vector<std::string> offered(const std::string& script, const std::vector<std::string>& words,
                                  const std::filesystem::path& folder) {
   std::string line =
@@ -78,7 +78,7 @@ TEST_CASE("unknown words suggest the nearest known one", "[command_line]") {
   }
 }
 
-TEST_CASE("the manual page has every command and option and is sound roff", "[command_line]") {
+TEST_CASE("the manual page has every command and option and is valid roff", "[command_line]") {
   const TemporaryFolder folder;
   const CommandEntry tree = program();
   const std::string page = manual_page(tree);
@@ -99,7 +99,7 @@ TEST_CASE("the manual page has every command and option and is sound roff", "[co
   CHECK(run_fascia({"man"}).out == page);
 }
 
-TEST_CASE("help and manual say where the manual and the keys of scenes are", "[command_line]") {
+TEST_CASE("help and manual refer to the manual and to the keys of scenes", "[command_line]") {
   const std::string help = run_fascia({"--help"}).out, page = run_fascia({"man"}).out,
                     read_me = read_file(source_dir() / "README.md"),
                     guide = read_file(source_dir() / "docs/guide/command-line.md");
@@ -124,7 +124,7 @@ TEST_CASE("animated GIF is a documented video", "[command_line]") {
   CHECK(contains(read_file(source_dir() / "docs/guide/command-line.md"), ".gif"));
 }
 
-TEST_CASE("the help of view says what --steps and --time do to a window", "[command_line]") {
+TEST_CASE("the help of view explains --steps and --time for a window", "[command_line]") {
   const CommandEntry tree = program();
   for (const CommandEntry* command : all_commands(tree)) {
     if (!command->path.empty() && command->path != Words{"view"}) continue;
@@ -135,7 +135,7 @@ TEST_CASE("the help of view says what --steps and --time do to a window", "[comm
       CAPTURE(command->path, name, option->help);
       CHECK(contains(option->help, "the window closes"));
     }
-    CHECK(!contains(command->positionals.at(0).help, "standard input"));  // which it does not take
+    CHECK(!contains(command->positionals.at(0).help, "standard input"));  // which it does not accept
   }
 }
 

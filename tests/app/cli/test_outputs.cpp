@@ -1,4 +1,4 @@
-// What a command writes is looked at before it works, and what is no result is not written.
+// Outputs of a command are checked before it works, and invalid results are not written.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -67,7 +67,7 @@ TEST_CASE("outputs that cannot be written, or would destroy another file, are re
   CHECK_THAT(refusal({{"--a", here + "link.msh", {}}}, {here + "mesh.msh"}), Contains("is a file that is read"));
 }
 
-TEST_CASE("run looks at all of its outputs before the first step", "[outputs]") {
+TEST_CASE("run checks all of its outputs before the first step", "[outputs]") {
   const TemporaryFolder folder;
   const std::string stats = (folder.path() / "stats.json").string();
   CommandResult result =
@@ -86,7 +86,7 @@ TEST_CASE("run looks at all of its outputs before the first step", "[outputs]") 
   CHECK(content_of(mesh) == before);
 }
 
-TEST_CASE("nothing that a scene reads, or a mesh is converted from, is written over", "[outputs]") {
+TEST_CASE("no input of a scene or a conversion is overwritten", "[outputs]") {
   const TemporaryFolder folder;
   const auto copy_of = [&](const char* asset, const char* name) {
     fs::copy(test::source_dir() / asset, folder.path() / name, fs::copy_options::overwrite_existing);
@@ -126,7 +126,7 @@ TEST_CASE("nothing that a scene reads, or a mesh is converted from, is written o
   CHECK(both.exit_code == 2);
 }
 
-TEST_CASE("a picture is never written over the golden that it is compared with", "[outputs]") {
+TEST_CASE("a picture never overwrites the golden that it is compared with", "[outputs]") {
   const TemporaryFolder folder;
   const fs::path golden = folder.path() / "golden.png";
   const std::vector<std::string> render{"render", cube(), "--steps", "1", "--size", "64x48", "--out", golden.string()};
@@ -143,7 +143,7 @@ TEST_CASE("a picture is never written over the golden that it is compared with",
         2);
 }
 
-TEST_CASE("a static equilibrium on the GPU is the reference solver's, unless a tolerance is asked for", "[outputs]") {
+TEST_CASE("a static equilibrium on the GPU is the reference solver's, unless a tolerance is given", "[outputs]") {
   const TemporaryFolder folder;
   const fs::path reference = test::source_dir() / "tests/reference/02_cantilever_large";
   const std::vector<Eigen::Vector3d> rest = read_mesh(reference / "mesh.msh").mesh.positions;
@@ -171,7 +171,7 @@ TEST_CASE("a static equilibrium on the GPU is the reference solver's, unless a t
   CHECK(asked > refined);
 }
 
-TEST_CASE("what did not come to rest is no static equilibrium", "[outputs]") {
+TEST_CASE("a state that did not come to rest is no static equilibrium", "[outputs]") {
   const TemporaryFolder folder;
   const fs::path state = folder.path() / "state.csv";
   const CommandResult result = run_fascia({"run", (test::source_dir() / "assets/scenes/beam.json").string(), "--static",
@@ -182,8 +182,9 @@ TEST_CASE("what did not come to rest is no static equilibrium", "[outputs]") {
   CHECK_FALSE(fs::exists(state));
 }
 
-TEST_CASE("a body that falls over for long is followed to its equilibrium", "[outputs]") {
-  // Held at its lower end the kidney topples; that takes some hundred iterations in which the residual hardly changes.
+TEST_CASE("a body that topples for a long time is followed to its equilibrium", "[outputs]") {
+  // Fixed at its lower end, the kidney topples; that takes some hundred iterations in which the residual hardly
+  // changes.
   const TemporaryFolder folder;
   const fs::path stats = folder.path() / "stats.json";
   const CommandResult result = run_fascia(
@@ -195,7 +196,7 @@ TEST_CASE("a body that falls over for long is followed to its equilibrium", "[ou
   CHECK(residual <= 1e-5);
 }
 
-TEST_CASE("numbers of options are finite, and those that mean nothing are refused", "[outputs]") {
+TEST_CASE("numbers of options are finite, and meaningless ones are refused", "[outputs]") {
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{{"--time", "nan"},
                                                                                          {"--time", "inf"},
                                                                                          {"--steps", "-5"},
@@ -211,7 +212,7 @@ TEST_CASE("numbers of options are finite, and those that mean nothing are refuse
   }
 }
 
-TEST_CASE("the pair that one of its names stands for is told", "[outputs]") {
+TEST_CASE("the solver choice that a single name selects is reported", "[outputs]") {
   const CommandResult result = run_fascia({"run", cube(), "--steps", "1", "--set", "solver.acceleration=chebyshev"});
   CAPTURE(result.err);
   CHECK(result.exit_code == 0);

@@ -1,4 +1,4 @@
-// Wrong command lines: the right word is blamed, in one line, with what was meant, before any work begins.
+// Wrong command lines: one line that names the wrong word and the likely intention, before any work begins.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -19,7 +19,7 @@ using Words = std::vector<std::string>;
 
 std::string cube() { return (source_dir() / "assets/scenes/cube.json").string(); }
 
-// What is said about a wrong command line, which is one line and no usage text.
+// The error message of a wrong command line, which is one line without usage text.
 std::string said(const Words& arguments, const fs::path& folder = ".") {
   const CommandResult result = run_fascia(arguments, folder);
   CAPTURE(arguments, result.err, result.out);
@@ -33,9 +33,9 @@ std::string said(const Words& arguments, const fs::path& folder = ".") {
 
 }  // namespace
 
-TEST_CASE("an ending that an option cannot write is refused before anything is opened", "[usage]") {
+TEST_CASE("an unsupported extension for an option is refused before anything is opened", "[usage]") {
   const TemporaryFolder folder;
-  // No scene is there: a command that opens it first says so instead.
+  // The scene does not exist: a command that opens it first would report that instead.
   const struct {
     Words arguments;
     std::string option, expected;
@@ -63,7 +63,7 @@ TEST_CASE("an ending that an option cannot write is refused before anything is o
   CHECK(fs::is_empty(folder.path()));
 }
 
-TEST_CASE("statistics and histories may have any ending but that of another kind of file", "[usage]") {
+TEST_CASE("statistics and histories may have any extension except that of another kind of file", "[usage]") {
   const TemporaryFolder folder;
   using Takes = OutputFile::Takes;
   for (const char* name : {"stats.json", "stats.JSON", "stats", "stats.txt", "stats.log", "run.7", "stats.json.old"}) {
@@ -84,7 +84,7 @@ TEST_CASE("statistics and histories may have any ending but that of another kind
   CHECK(fs::exists(folder / "rows.txt"));
 }
 
-TEST_CASE("an unknown command is blamed, not the word behind it", "[usage]") {
+TEST_CASE("an unknown command is reported, not the word after it", "[usage]") {
   CHECK_THAT(said({"simulate", "x.json"}),
              Contains("simulate: unknown command, perhaps you meant run") && !Contains("x.json"));
   CHECK_THAT(said({"simulate", cube(), "--steps", "3", "--history", "h.csv"}),
@@ -126,7 +126,7 @@ TEST_CASE("a usage error is one line without the usage text", "[usage]") {
     CHECK(!said(arguments).empty());
 }
 
-TEST_CASE("every choice and key that is nearly one is suggested, whatever its case and separators", "[usage]") {
+TEST_CASE("every mistyped choice and key is suggested, regardless of case and separators", "[usage]") {
   const auto said_of = [](const Words& arguments) {
     Words all{"render", cube(), "--steps", "0", "--context", "osmesa", "--out", "never.png"};
     all.insert(all.end(), arguments.begin(), arguments.end());

@@ -1,4 +1,4 @@
-// The program as a user's script sees it: exit codes, one-line errors, files that appear whole or not at all.
+// The program as a user's script runs it: exit codes, one-line errors, files that appear complete or not at all.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -23,14 +23,14 @@ const fs::path& cube() {
   return path;
 }
 
-// The exit code and one line that contains every given text.
+// Checks the exit code, and that the error is one line that contains every given text.
 void expect_failure(const std::vector<std::string>& arguments, const std::vector<std::string>& texts,
                     const fs::path& folder = ".", int exit_code = 1) {
   const CommandResult result = run_fascia(arguments, folder);
   INFO("stderr: " << result.err);
   CHECK(result.exit_code == exit_code);
   CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
-  CHECK(result.err.find("; ") != std::string::npos);  // what was expected
+  CHECK(result.err.find("; ") != std::string::npos);  // the expected value
   for (const std::string& text : texts) {
     CAPTURE(text);
     CHECK(result.err.find(text) != std::string::npos);
@@ -98,7 +98,7 @@ TEST_CASE("info reports colors and their balance", "[cli]") {
   CHECK(result.out.find(" phantoms") != std::string::npos);
 }
 
-TEST_CASE("one of a thing is not many", "[cli]") {
+TEST_CASE("the singular is used for one item", "[cli]") {
   const TemporaryFolder folder;
   write_file(
       folder / "one.vtk",
@@ -122,7 +122,7 @@ TEST_CASE("help and version", "[cli]") {
   }
 }
 
-TEST_CASE("bad input is one line and exit 1, or 2 where the option is at fault", "[cli]") {
+TEST_CASE("bad input is one line and exit 1, or 2 if the option is wrong", "[cli]") {
   const TemporaryFolder folder;
   write_file(folder / "empty.msh", "");
   write_file(folder / "rubbish.msh", std::string("\x7f\x45\x4c\x46\0\1\2\3 not a mesh", 19));
@@ -161,7 +161,7 @@ TEST_CASE("outputs that cannot be written", "[cli]") {
                  {"out.txt"}, ".", 2);
   CHECK(fs::is_empty(folder.path()));
 
-  // A limit on file size stands for a full disk: the write fails in the same place.
+  // A limit on file size simulates a full disk: the write fails in the same place.
   write_file(folder / "state.csv", "old");
   const CommandResult full =
       run_command({"/bin/sh", "-c", "ulimit -f 2; exec \"$@\"", "sh", FASCIA_BINARY, "run", cube().string(), "--quiet",
@@ -173,7 +173,7 @@ TEST_CASE("outputs that cannot be written", "[cli]") {
   CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 1);
 }
 
-TEST_CASE("ffmpeg missing or failing midway leaves no half video", "[cli]") {
+TEST_CASE("ffmpeg missing or failing midway leaves no partial video", "[cli]") {
   const TemporaryFolder folder, tools;
   const auto render = [&](const std::string& path) {
     return run_command({"/usr/bin/env", "PATH=" + path, FASCIA_BINARY, "render", cube().string(), "--quiet",
@@ -227,7 +227,7 @@ TEST_CASE("a picture carries its provenance", "[cli]") {
   CHECK(nlohmann::json::parse(value("Parameters")).contains("solver"));
 }
 
-TEST_CASE("a video has the frames and size that were asked for", "[cli]") {
+TEST_CASE("a video has the requested frames and size", "[cli]") {
   const TemporaryFolder folder;
   const std::string video = folder / "out.mp4";
   const CommandResult result = run_fascia({"render", cube().string(), "--quiet", "--context", "osmesa", "--size",
@@ -241,7 +241,7 @@ TEST_CASE("a video has the frames and size that were asked for", "[cli]") {
   CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 1);
 }
 
-TEST_CASE("an animated GIF has the frames and size that were asked for", "[cli]") {
+TEST_CASE("an animated GIF has the requested frames and size", "[cli]") {
   const TemporaryFolder folder;
   const std::string video = folder / "out.gif";
   const CommandResult result = run_fascia({"render", cube().string(), "--quiet", "--context", "osmesa", "--size",
@@ -328,7 +328,7 @@ TEST_CASE("the same run gives the same state file, on every context", "[cli]") {
   }
 }
 
-TEST_CASE("a step within a frame budget gets the iterations that fit, one at least", "[cli]") {
+TEST_CASE("a step within a frame budget gets the iterations that fit, at least one", "[cli]") {
   const TemporaryFolder folder;
   const auto iterations = [&](const std::string& milliseconds) {
     const std::string stats = (folder / "stats.json").string();
@@ -361,7 +361,7 @@ TEST_CASE("run --error compares the last step with the exact one", "[cli]") {
   CHECK(many < 1e-4);
 }
 
-TEST_CASE("a mesh alone opens, and info examines it", "[cli]") {
+TEST_CASE("a mesh on its own opens, and info examines it", "[cli]") {
   const std::string mesh = (source_dir() / "tests/reference/01_cantilever_small/mesh.msh").string();
   CHECK(run_fascia({"run", mesh, "--quiet", "--steps", "2"}).exit_code == 0);
   const CommandResult info = run_fascia({"info", mesh});

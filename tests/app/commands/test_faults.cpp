@@ -1,5 +1,5 @@
-// Files under faults: a process killed while it writes, a full disk, nothing writable, two writers of one file, a file
-// larger than memory. FASCIA_KILLS: how often processes are killed; scripts/kill.sh sets it.
+// Files under faults: a process killed while it writes, a full disk, read-only folders, two writers of one file, a file
+// larger than memory. FASCIA_KILLS: the number of kills; scripts/kill.sh sets it.
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -34,7 +34,7 @@ int kills() {
   return asked ? std::atoi(asked) : 20;
 }
 
-/// Starts fascia and says nothing of what it prints.
+/// Starts fascia with its output discarded.
 pid_t start_fascia(const Arguments& arguments, const fs::path& folder) {
   std::vector<char*> argv{const_cast<char*>(FASCIA_BINARY)};
   for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
@@ -52,8 +52,8 @@ int wait_for(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// Kills a run of fascia at a random moment of the time that it takes, which it learns from how many end before: a
-/// machine is busy now and idle then.
+/// Kills runs of fascia at random times within their duration, which is adapted to the number of runs that end before:
+/// the load of a machine varies.
 class Killer {
  public:
   explicit Killer(Clock::duration whole) : whole_(whole) {}
@@ -65,7 +65,7 @@ class Killer {
     finished_ += ended;
     whole_ = ended ? whole_ * 3 / 4 : whole_ * 4 / 3;
   }
-  int finished() const { return finished_; }  // before they could be killed
+  int finished() const { return finished_; }  // runs that ended before they could be killed
 
  private:
   Clock::duration whole_;
@@ -86,7 +86,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-/// Two meshes and what they become as .vtk.
+/// Two meshes and their conversions to .vtk.
 struct TwoMeshes {
   TemporaryFolder folder;
   std::string texts[2];
@@ -107,7 +107,8 @@ struct TwoMeshes {
   std::string mesh(int i) const { return (folder / (i == 0 ? "a.msh" : "b.msh")).string(); }
 };
 
-/// A mount namespace of its own: what is mounted in it is gone with the command. Empty where mounting is not allowed.
+/// The prefix of a command with its own mount namespace: its mounts disappear with the command. Empty if mounting is
+/// not permitted.
 Arguments in_own_mounts() {
   for (const Arguments& own :
        {Arguments{"unshare", "--mount"}, Arguments{"unshare", "--user", "--map-root-user", "--mount"}}) {
@@ -118,8 +119,8 @@ Arguments in_own_mounts() {
   return {};
 }
 
-/// Runs a shell script with $1 = fascia, $2 = a folder, $3 = a mesh in its own mounts. Nothing where mounting is not
-/// allowed.
+/// Runs a shell script with $1 = fascia, $2 = a folder, $3 = a mesh in its own mounts. None if mounting is not
+/// permitted.
 std::optional<CommandResult> run_in_own_mounts(const std::string& script, const fs::path& folder,
                                                const fs::path& mesh) {
   Arguments arguments = in_own_mounts();
@@ -145,14 +146,14 @@ const fs::path& small_mesh() {
 }
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool memory_can_be_limited = false;  // the sanitizer itself takes terabytes of addresses
+constexpr bool memory_can_be_limited = false;  // the sanitizer itself reserves terabytes of addresses
 #else
 constexpr bool memory_can_be_limited = true;
 #endif
 
 }  // namespace
 
-TEST_CASE("a conversion that is killed leaves the old file or the new one", "[faults][kill]") {
+TEST_CASE("a killed conversion leaves the old file or the new one", "[faults][kill]") {
   const TwoMeshes meshes(20);
   const fs::path out = meshes.folder / "out.vtk";
   write_file(out, meshes.texts[0]);
@@ -171,10 +172,10 @@ TEST_CASE("a conversion that is killed leaves the old file or the new one", "[fa
   CHECK(half == 0);
   CHECK(old > 0);
   CHECK(run_fascia({"convert", meshes.mesh(0), out.string()}).exit_code == 0);
-  CHECK(temporary_files(meshes.folder.path()) == 0);  // of the killed ones
+  CHECK(temporary_files(meshes.folder.path()) == 0);  // of the killed processes
 }
 
-TEST_CASE("a run that is killed leaves whole exports and statistics", "[faults][kill]") {
+TEST_CASE("a killed run leaves complete exports and statistics", "[faults][kill]") {
   const TemporaryFolder whole, killed;
   const Arguments arguments{"run",      (source_dir() / "assets/scenes/cube.json").string(),
                             "--quiet",  "--reference",
@@ -210,7 +211,7 @@ TEST_CASE("a run that is killed leaves whole exports and statistics", "[faults][
   CHECK(names_in(killed.path()) == names_in(whole.path()));
 }
 
-TEST_CASE("two programs that write the same file leave one of the two", "[faults]") {
+TEST_CASE("two programs that write the same file leave the file of one of them", "[faults]") {
   const TwoMeshes meshes(6);
   const fs::path out = meshes.folder / "out.vtk";
   int of[2] = {0, 0};
@@ -229,7 +230,7 @@ TEST_CASE("two programs that write the same file leave one of the two", "[faults
   CHECK(temporary_files(meshes.folder.path()) == 0);
 }
 
-TEST_CASE("a full disk leaves the old file and nothing else", "[faults]") {
+TEST_CASE("a full disk leaves only the old file", "[faults]") {
   const TemporaryFolder folder;
   const auto result = run_in_own_mounts(
       "mount -t tmpfs -o size=64k none \"$2\" && cd \"$2\" && printf old >out.vtk && { \"$1\" convert \"$3\" out.vtk; "
@@ -262,18 +263,18 @@ TEST_CASE("a read-only folder", "[faults]") {
   CHECK(read_file(folder / "old.vtk") == "old");
 }
 
-TEST_CASE("a read-only file stays, and permissions stay", "[faults]") {
+TEST_CASE("a read-only file is kept, and so are permissions", "[faults]") {
   const TemporaryFolder folder;
   write_file(folder / "mesh.msh", read_file(small_mesh()));
   fs::permissions(folder.path(), fs::perms::all);
   write_file(folder / "out.vtk", "old");
   Arguments arguments;
-  if (geteuid() == 0) {  // who may write everything
+  if (geteuid() == 0) {  // root may write everything
     arguments = {"setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"};
     Arguments probe = arguments;
     probe.insert(probe.end(), {FASCIA_BINARY, "--version"});
     if (run_command(probe).exit_code != 0) {
-      WARN("skipped: run by root, and nobody else can run " << FASCIA_BINARY);
+      WARN("skipped: run by root, and no other user can run " << FASCIA_BINARY);
       return;
     }
     REQUIRE(chown((folder / "out.vtk").c_str(), 65534, 65534) == 0);
@@ -292,7 +293,7 @@ TEST_CASE("a read-only file stays, and permissions stay", "[faults]") {
   CHECK(names_in(folder.path()) == std::vector<std::string>{"mesh.msh", "out.vtk"});
 }
 
-TEST_CASE("a file larger than memory is one line", "[faults]") {
+TEST_CASE("a file larger than memory is a one-line error", "[faults]") {
   if (!memory_can_be_limited) {
     WARN("skipped: memory cannot be limited under the address sanitizer");
     return;
@@ -306,12 +307,12 @@ TEST_CASE("a file larger than memory is one line", "[faults]") {
   fs::resize_file(folder / "large.msh", std::uintmax_t{2} << 30);  // sparse
   check_one_line(info("large.msh"), "large.msh: needs more than 2.1 GB of memory, ");
 
-  // One that can be read but whose vertices do not fit beside it: 28 bytes in the file, 24 more in memory each.
+  // A file that can be read but whose vertices do not fit beside it: 28 bytes in the file, 24 more in memory each.
   constexpr std::uintmax_t vertices = 20000000;
   std::string head = "$MeshFormat\n2.2 1 8\n" + std::string("\1\0\0\0", 4) + "\n$EndMeshFormat\n$Nodes\n" +
                      std::to_string(vertices) + "\n";
   write_file(folder / "vertices.msh",
-             [&](std::ostream& out) {  // half of it stored: one that is mostly a hole is not read at all
+             [&](std::ostream& out) {  // half of it is stored: a file that is mostly a hole is not read at all
                out << head;
                const std::string million(1000000, '\1');
                for (std::uintmax_t written = 0; written < 15 * vertices; written += million.size()) out << million;

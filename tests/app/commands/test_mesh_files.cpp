@@ -1,4 +1,4 @@
-// Meshes on the command line: through a pipe, welded on demand, and what is told of them.
+// Meshes on the command line: through a pipe, welded on request, and their reports.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -21,7 +21,7 @@ using namespace fascia::test;
 
 namespace {
 
-/// Every tet of a box with vertices of its own, in a region that has a name.
+/// A box whose tets all have vertices of their own, in a region with a name.
 TetMesh soup() {
   const TetMesh box = make_box(1, 2, 1, {0.1, 0.2, 0.1});
   TetMesh mesh;
@@ -48,7 +48,7 @@ TEST_CASE("info reads a mesh through a named pipe", "[mesh_files]") {
   CHECK_THAT(result.out, Catch::Contains("components  1") && Catch::Contains("coloring"));
 }
 
-TEST_CASE("Ctrl+C ends what waits for its input, with exit code 130", "[mesh_files]") {
+TEST_CASE("Ctrl+C ends a command that waits for its input, with exit code 130", "[mesh_files]") {
   const TemporaryFolder folder;
   int number = 0;
   for (const std::vector<std::string>& arguments :
@@ -66,7 +66,7 @@ TEST_CASE("Ctrl+C ends what waits for its input, with exit code 130", "[mesh_fil
       execv(argv[0], const_cast<char**>(argv.data()));
       _exit(127);
     }
-    const int writer = open(pipe.c_str(), O_WRONLY);  // until it is there and reads
+    const int writer = open(pipe.c_str(), O_WRONLY);  // blocks until the command reads
     REQUIRE(writer >= 0);
     kill(child, SIGINT);
     int status = 0;
@@ -80,7 +80,7 @@ TEST_CASE("Ctrl+C ends what waits for its input, with exit code 130", "[mesh_fil
   }
 }
 
-TEST_CASE("what is no file and what has no data are one line", "[mesh_files]") {
+TEST_CASE("an input that is no file or has no data is a one-line error", "[mesh_files]") {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "folder.msh");
   for (const std::string name : {"x.msh", "x.obj", "x.vtk", "x.vtu", "x.mesh", "x.node"}) {
@@ -98,13 +98,13 @@ TEST_CASE("what is no file and what has no data are one line", "[mesh_files]") {
   }
 }
 
-TEST_CASE("tets with vertices of their own are told about and welded", "[mesh_files]") {
+TEST_CASE("tets with vertices of their own are reported and welded", "[mesh_files]") {
   const TemporaryFolder folder;
   const std::string apart = (folder / "apart.vtk").string(), whole = (folder / "whole.mesh").string();
   write_mesh(apart, soup());
   const CommandResult told = run_fascia({"info", apart});
   CHECK_THAT(told.out, Catch::Contains("48, 36 of them at the place of an earlier one"));
-  CHECK_THAT(told.out, Catch::Contains("are held nowhere and will fall"));
+  CHECK_THAT(told.out, Catch::Contains("are unconstrained and will fall"));
   const CommandResult welded = run_fascia({"convert", apart, whole, "--weld"});
   INFO(welded.err);
   CHECK(welded.exit_code == 0);
@@ -112,5 +112,5 @@ TEST_CASE("tets with vertices of their own are told about and welded", "[mesh_fi
   CHECK_THAT(welded.err,
              Catch::Contains(".mesh holds the numbers of regions, no names and no groups. Left out: region 3 liver."));
   CHECK(read_mesh(whole).mesh.positions.size() == 12);
-  CHECK_THAT(run_fascia({"info", whole}).out, Catch::Contains("components  1\n") && !Catch::Contains("held nowhere"));
+  CHECK_THAT(run_fascia({"info", whole}).out, Catch::Contains("components  1\n") && !Catch::Contains("unconstrained"));
 }

@@ -1,4 +1,5 @@
-// Symbolic links as outputs: they stay, and what they lead to is replaced or made, or it is said why not.
+// Symbolic links as outputs: they are kept, and their targets are replaced or created, or the reason against it is
+// reported.
 #include <catch2/catch.hpp>
 
 #include "app/cli/output_files.h"
@@ -22,7 +23,7 @@ std::size_t entries(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("a link that dangles is followed, and its target made", "[links]") {
+TEST_CASE("a dangling link is followed, and its target created", "[links]") {
   const TemporaryFolder folder;
   fs::create_directory(folder / "there");
   const struct {
@@ -49,7 +50,7 @@ TEST_CASE("a link that dangles is followed, and its target made", "[links]") {
   CHECK(entries(folder.path()) == 5);
 }
 
-TEST_CASE("a link that leads nowhere is refused and stays", "[links]") {
+TEST_CASE("a link that leads nowhere is refused and kept", "[links]") {
   const TemporaryFolder folder;
   fs::create_symlink("no/such/folder.csv", folder / "nowhere.csv");
   fs::create_symlink("b.csv", folder / "a.csv");
@@ -67,7 +68,7 @@ TEST_CASE("a link that leads nowhere is refused and stays", "[links]") {
   CHECK(entries(folder.path()) == 3);
 }
 
-TEST_CASE("a link and the file it would make are one output", "[links]") {
+TEST_CASE("a link and the file that it would create are one output", "[links]") {
   const TemporaryFolder folder;
   fs::create_symlink("target.csv", folder / "link.csv");
   CHECK_THROWS_AS(
@@ -75,7 +76,7 @@ TEST_CASE("a link and the file it would make are one output", "[links]") {
       UsageError);
 }
 
-TEST_CASE("every output follows links, videos of ffmpeg's too", "[links]") {
+TEST_CASE("every output follows links, including videos of ffmpeg", "[links]") {
   const TemporaryFolder folder;
   fs::create_directory(folder / "there");
   const auto link_to = [&](const std::string& name) {
@@ -99,7 +100,7 @@ TEST_CASE("every output follows links, videos of ffmpeg's too", "[links]") {
   CHECK(entries(folder / "there") == 5);
 }
 
-TEST_CASE("a video is not put under the name of a device or of a file that is read", "[links]") {
+TEST_CASE("a video does not replace a device or an input file", "[links]") {
   const TemporaryFolder folder;
   fs::create_symlink("/dev/null", folder / "null.mp4");
   fs::copy(source_dir() / "assets/meshes/cube.msh", folder / "cube.msh");

@@ -1,5 +1,5 @@
-// Scenes and replays that carry their meshes, through the program: made by a command, by a session, by a state that
-// came apart.
+// Scenes and replays that carry their meshes, through the program: made by a command, by a session, and by a
+// divergence.
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
@@ -75,7 +75,7 @@ TEST_CASE("convert --with-mesh makes scenes and replays that open from an empty 
   }
 }
 
-TEST_CASE("a moved replay without its mesh names itself, the key and where it looked", "[self_contained]") {
+TEST_CASE("a moved replay without its mesh reports itself, the key and the places searched", "[self_contained]") {
   const Bar bar;
   write_replay(bar.folder / "bar.fascia", Replay{bar.scene, std::nullopt, {}, 3});
   const TemporaryFolder elsewhere;
@@ -85,7 +85,7 @@ TEST_CASE("a moved replay without its mesh names itself, the key and where it lo
   CHECK_THAT(run.err, Contains("bar.fascia: bodies[0].mesh: bar.msh: no such file; looked in "));
 }
 
-TEST_CASE("a recording's mesh that is found elsewhere must be the one that was recorded", "[self_contained]") {
+TEST_CASE("a recording's mesh that is found at another place must be the recorded one", "[self_contained]") {
   const Bar bar;
   Replay replay{bar.scene, std::nullopt, {}, 3};
   replay.scene.bodies[0].mesh = "gone/bar.msh";
@@ -100,7 +100,7 @@ TEST_CASE("a recording's mesh that is found elsewhere must be the one that was r
              Contains("bar.fascia: bodies[0].mesh: ") && Contains("another mesh than that of the recording"));
 }
 
-TEST_CASE("a replay of a state that came apart carries its mesh", "[self_contained]") {
+TEST_CASE("a replay of a diverged state carries its mesh", "[self_contained]") {
   const Bar bar;
   Replay broken{bar.scene, initial_state(build_model(bar.scene)), {}, 30};
   broken.start->displacement[40] = {1e25, 0, 0};
@@ -115,10 +115,10 @@ TEST_CASE("a replay of a state that came apart carries its mesh", "[self_contain
   fs::remove(bar.folder / "bar.msh");
   const CommandResult again = run_fascia({"run", "--replay", replay, "--context", "osmesa"}, elsewhere.path());
   CHECK(again.exit_code == 1);
-  CHECK_THAT(again.err, Contains("came apart at "));
+  CHECK_THAT(again.err, Contains("diverged at "));
 }
 
-TEST_CASE("a session carries its mesh from the start, and one that did not does once it is saved", "[self_contained]") {
+TEST_CASE("a session carries its mesh from the start, or else from when it is saved", "[self_contained]") {
   const Bar bar;
   for (const bool from_the_start : {true, false}) {
     CAPTURE(from_the_start);

@@ -1,4 +1,5 @@
-// "-" on the command line: a scene from standard input, one result to standard output, and a plain refusal elsewhere.
+// "-" on the command line: a scene from standard input, one result to standard output, and a plain refusal for other
+// options.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -21,7 +22,7 @@ const fs::path& scenes() {
   return path;
 }
 
-// fascia with this text on its standard input.
+// Runs fascia with this text on its standard input.
 CommandResult fed(const std::string& text, const Words& arguments, const fs::path& folder) {
   const TemporaryFolder input;
   write_file(input / "text", text);
@@ -39,7 +40,7 @@ Words run(const std::string& scene, const Words& more) {
 
 }  // namespace
 
-TEST_CASE("a scene on standard input is the same scene, with paths from the working folder", "[streams]") {
+TEST_CASE("a scene on standard input is the same scene, with paths relative to the working folder", "[streams]") {
   const std::string text = read_file(scenes() / "cube.json");
   const CommandResult file = run_fascia(run("cube.json", {"--hash"}), scenes());
   const CommandResult input = fed(text, run("-", {"--hash"}), scenes());
@@ -54,7 +55,7 @@ TEST_CASE("a scene on standard input is the same scene, with paths from the work
   CHECK(changed.out != file.out);
 }
 
-TEST_CASE("render and info take a scene on standard input", "[streams]") {
+TEST_CASE("render and info accept a scene on standard input", "[streams]") {
   const TemporaryFolder folder;
   const std::string text = read_file(scenes() / "cube.json");
   const std::string picture = (folder / "shot.png").string();
@@ -73,7 +74,7 @@ TEST_CASE("render and info take a scene on standard input", "[streams]") {
   CHECK(info.out == same.out);
 }
 
-TEST_CASE("what is wrong with standard input is said of standard input", "[streams]") {
+TEST_CASE("errors in standard input name standard input", "[streams]") {
   const TemporaryFolder folder;
   const auto said = [&](const std::string& text) {
     const CommandResult result = fed(text, run("-", {}), folder.path());
@@ -90,12 +91,12 @@ TEST_CASE("what is wrong with standard input is said of standard input", "[strea
   CHECK_THAT(said(R"({"fascia_scene": 1, "bodies": [{"mesh": "no.msh"}]})"), Contains("no.msh"));
 }
 
-TEST_CASE("standard output gets one result and nothing else", "[streams]") {
+TEST_CASE("standard output receives only one result", "[streams]") {
   const TemporaryFolder folder;
   const std::string cube = (scenes() / "cube.json").string();
   const auto out_of = [&](const std::string& option) {
     Words arguments{"run",     cube, "--context", "osmesa",
-                    "--steps", "3",  option,      "-"};  // not quiet: what is said goes elsewhere
+                    "--steps", "3",  option,      "-"};  // not quiet: messages go to stderr
     const CommandResult result = run_fascia(arguments, folder.path());
     CAPTURE(option, result.err);
     CHECK(result.exit_code == 0);
@@ -118,7 +119,7 @@ TEST_CASE("standard output gets one result and nothing else", "[streams]") {
   CHECK(state == read_file(folder / "state.csv"));
 }
 
-TEST_CASE("both ends may be streams at once", "[streams]") {
+TEST_CASE("input and output may both be streams", "[streams]") {
   const CommandResult result = fed(read_file(scenes() / "cube.json"), run("-", {"--stats", "-"}), scenes());
   CAPTURE(result.out, result.err);
   CHECK(result.exit_code == 0);
@@ -126,7 +127,7 @@ TEST_CASE("both ends may be streams at once", "[streams]") {
   CHECK(nlohmann::json::parse(result.out).at("tets").get<int>() > 0);
 }
 
-TEST_CASE("- is refused in one line where it means nothing", "[streams]") {
+TEST_CASE("- is refused in one line by options that do not support it", "[streams]") {
   const TemporaryFolder folder;
   const std::string cube = (scenes() / "cube.json").string(), mesh = (source_dir() / "assets/meshes/cube.msh").string();
   const std::vector<Words> cases{{"-"},
@@ -160,7 +161,7 @@ TEST_CASE("- is refused in one line where it means nothing", "[streams]") {
     CHECK_THAT(result.err, Contains("-") && Contains("expected "));
   }
   CHECK(fs::is_empty(folder.path()));
-  // Its name with a folder is a file.
+  // With a folder, the name is a file.
   CHECK(run_fascia(run(cube, {"--stats", "./-"}), folder.path()).exit_code == 0);
   CHECK(fs::exists(folder / "-"));
 }

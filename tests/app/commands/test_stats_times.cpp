@@ -1,4 +1,4 @@
-// One definition of the time of a step, in the panel Statistics and in stats.json.
+// The time of a step has the same definition in the panel Statistics and in stats.json.
 #include <catch2/catch.hpp>
 
 #include "app/state/window_state.h"
@@ -9,10 +9,10 @@ using namespace fascia;
 TEST_CASE("the panel shows the same time of a step as stats.json: of one step, the median", "[stats]") {
   Statistics statistics;
   std::vector<double> all;
-  statistics.add_steps(900, 1, true, all);  // kernels were compiled
+  statistics.add_steps(900, 1, true, all);  // including compilation
   statistics.add_steps(40, 4, false, all);  // four steps in a frame
   statistics.add_steps(12, 1, false, all);
-  statistics.add_steps(400, 1, false, all);  // one that waited
+  statistics.add_steps(400, 1, false, all);  // delayed by a wait
   CHECK(all == std::vector<double>{900, 10, 10, 10, 10, 12, 400});
   CHECK(statistics.solve.count() == 6);
   CHECK(statistics.solve.median() == 10);

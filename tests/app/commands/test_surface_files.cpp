@@ -1,5 +1,4 @@
-// A closed surface through the command line: told about, converted, simulated; one without an inside is refused in one
-// line.
+// A closed surface on the command line: reported, converted, simulated; one without an inside is refused in one line.
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -15,7 +14,7 @@ const std::string kidney = (source_dir() / "assets/meshes/kidney.obj").string();
 
 }  // namespace
 
-TEST_CASE("info tells about a surface and the tets in it") {
+TEST_CASE("info reports a surface and the tets in it") {
   const CommandResult result = run_fascia({"info", kidney, "--set", "resolution=16"});
   INFO(result.out << result.err);
   REQUIRE(result.exit_code == 0);

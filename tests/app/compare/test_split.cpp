@@ -1,4 +1,4 @@
-// Two settings side by side: the same steps under the same grab, without a trace on the side that was there before.
+// Two settings side by side: the same steps under the same grab, without any effect on the first side.
 #include <catch2/catch.hpp>
 
 #include "app/compare/split_view.h"
@@ -33,7 +33,7 @@ std::vector<GrabSpring> pull(const Model& model) {
 
 }  // namespace
 
-TEST_CASE("two sides with the same settings stay the same to the bit, and as one alone", "[split]") {
+TEST_CASE("two sides with the same settings stay the same to the bit, and equal a single session", "[split]") {
   Graphics graphics = open_graphics(headless(), false);
   const Scene scene = cube();
   Session alone(graphics, scene, false), a(graphics, scene, false);
@@ -60,7 +60,7 @@ TEST_CASE("two sides with the same settings stay the same to the bit, and as one
   CHECK(a.simulation.gpu()->springs().empty());
 }
 
-TEST_CASE("sides differ in what they are told to, and share display, gravity and time step", "[split]") {
+TEST_CASE("sides differ in their settings, and share display, gravity and time step", "[split]") {
   Graphics graphics = open_graphics(headless(), false);
   Session a(graphics, cube(), false);
   Scene other = cube();
@@ -95,7 +95,7 @@ TEST_CASE("sides differ in what they are told to, and share display, gravity and
   CHECK(again.b().simulation.scene.solver.method == cube().solver.method);
 }
 
-TEST_CASE("what a replay does to one side happens to the other, but for what differs", "[split]") {
+TEST_CASE("a replay's inputs to one side apply to the other, except where they differ", "[split]") {
   Graphics graphics = open_graphics(headless(), false);
   Session a(graphics, cube(), false);
   Replay replay{cube(), std::nullopt, {}, 16};
@@ -141,8 +141,7 @@ TEST_CASE("what a replay does to one side happens to the other, but for what dif
   CHECK(largest_difference(a.simulation.state(), initial_state(a.simulation.model)) > 0.009);
 }
 
-TEST_CASE("a replay leads both sides wherever the mouse is, and what is let go of at one side is let go of at both",
-          "[split]") {
+TEST_CASE("a replay controls both sides wherever the mouse is, and a release on one side applies to both", "[split]") {
   Graphics graphics = open_graphics(headless(), false);
   Replay replay{cube(), std::nullopt, {}, 8};
   const std::vector<GrabSpring> springs = pull(build_model(cube()));
@@ -158,7 +157,7 @@ TEST_CASE("a replay leads both sides wherever the mouse is, and what is let go o
   SplitView split(graphics, a, cube(), a.simulation.model);
   for (int i = 0; i < 8; ++i) {
     alone.simulation.step();
-    split.step(a, split.b());  // pressed at B's side, for an orbit
+    split.step(a, split.b());  // pressed on B's side, for an orbit
     CHECK(a.simulation.asked_springs() == alone.simulation.asked_springs());
   }
   CHECK(largest_difference(a.simulation.state(), alone.simulation.state()) == 0);
@@ -171,7 +170,7 @@ TEST_CASE("a replay leads both sides wherever the mouse is, and what is let go o
   CHECK(a.simulation.asked_springs().empty());
 }
 
-TEST_CASE("the second side starts where the first does", "[split]") {
+TEST_CASE("the second side starts in the state of the first", "[split]") {
   Graphics graphics = open_graphics(headless(), false);
   auto a = std::make_unique<Session>(graphics, cube(), false);
   for (int i = 0; i < 3; ++i) a->simulation.step();
@@ -192,7 +191,7 @@ TEST_CASE("a side with another mesh is refused", "[split]") {
   CHECK_THROWS_WITH(SplitView(graphics, a, beam, build_model(beam)), Catch::Contains("another mesh"));
 }
 
-TEST_CASE("render --split draws both sides, each as it is drawn alone", "[split]") {
+TEST_CASE("render --split draws each side as it is drawn alone", "[split]") {
   const TemporaryFolder folder;
   const std::string scene = (source_dir() / "assets/scenes/cube.json").string();
   const auto render = [&](const std::string& name, const std::string& size, std::vector<std::string> more) {
@@ -216,7 +215,7 @@ TEST_CASE("render --split draws both sides, each as it is drawn alone", "[split]
     return read_png(folder / name);
   };
   const std::string b = "solver.method=jacobi;solver.acceleration=none;materials.default.young_modulus=1e3";
-  // Two pixels of divider: the sides are as wide as the pictures alone. Labels lie at their upper and lower ends.
+  // Two pixels of divider: the sides are as wide as the pictures alone. Labels are at their upper and lower ends.
   const Image both = render("both.png", "402x300", {"--split", b});
   const Image left = render("a.png", "200x300", {});
   const Image right = render("b.png", "200x300",

@@ -1,4 +1,4 @@
-// What the dialog lists of a folder.
+// The content of a folder in the dialog.
 #include <catch2/catch.hpp>
 
 #include "app/dialogs/folder_listing.h"
@@ -9,7 +9,7 @@
 using namespace fascia;
 using namespace fascia::test;
 
-TEST_CASE("a folder lists folders, then what fascia opens, by name without case") {
+TEST_CASE("a folder lists folders, then files that fascia opens, by name, ignoring case") {
   const TemporaryFolder folder;
   for (const char* name : {"b.json", "A.msh", "c.OBJ", "notes.txt", ".hidden.json", "d.fascia", "e.ele", "e.node"})
     write_file(folder / name, "");
@@ -26,7 +26,7 @@ TEST_CASE("a folder lists folders, then what fascia opens, by name without case"
   CHECK(list_folder(folder / "nowhere", openable_kinds()[0]).empty());
 }
 
-TEST_CASE("the gallery has every shipped scene with a picture and a line") {
+TEST_CASE("the gallery has every shipped scene with a picture and a description") {
   const std::vector<Example> examples = shipped_examples(source_dir() / "assets");
   REQUIRE(examples.size() >= 5);
   CHECK(examples.front().scene.stem() == "liver");

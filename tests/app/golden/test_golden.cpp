@@ -1,5 +1,5 @@
-// The shipped scenes against assets/check, on both software contexts, by fascia check itself; and that what differs
-// fails. Goldens are made by scripts/update_goldens.sh. Tolerances: docs/guide/regression.md.
+// The shipped scenes against assets/check, on both software contexts, by fascia check itself; and that differences
+// fail. Goldens are made by scripts/update_goldens.sh. Tolerances: docs/guide/regression.md.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -27,7 +27,7 @@ const fs::path& cube() {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-// A picture and a state of the cube, small and few steps.
+// Renders a picture and a state of the cube, small and with few steps.
 CommandResult render(std::vector<std::string> more) {
   std::vector<std::string> arguments{"render", cube().string(), "--context", "osmesa", "--size",
                                      "64x48",  "--quiet",       "--steps",   "3"};
@@ -39,7 +39,7 @@ Image plain(std::uint8_t value) { return {16, 16, std::vector<std::uint8_t>(16 *
 
 }  // namespace
 
-TEST_CASE("shipped scenes look and move as they did", "[golden]") {
+TEST_CASE("shipped scenes look and move as before", "[golden]") {
   const std::string context = GENERATE("osmesa", "egl");
   const CommandResult result =
       run_fascia({"check", (source_dir() / "assets/check").string(), "--context", context, "--out", "golden_failures"});
@@ -70,7 +70,7 @@ TEST_CASE("render compares with goldens, and makes them", "[golden]") {
   CHECK(same.exit_code == 0);
   CHECK(same.err.empty());
 
-  // A golden that would not change is left alone.
+  // An unchanged golden is not written.
   const fs::file_time_type written = fs::last_write_time(png);
   CHECK(with({"--update"}).exit_code == 0);
   CHECK(fs::last_write_time(png) == written);
@@ -84,13 +84,13 @@ TEST_CASE("render compares with goldens, and makes them", "[golden]") {
   CHECK(contains(other.err, "materials.default.young_modulus: golden 5000, now 500"));
   CHECK(read_png(folder / "diff.png").width == 3 * 64 + 8);
 
-  // Wide tolerances let it pass.
+  // Wide tolerances permit the difference.
   CHECK(with({"--set", "materials.default.young_modulus=500", "--max-mean", "255/255", "--max-share", "1",
               "--state-tolerance", "1"})
             .exit_code == 0);
 }
 
-TEST_CASE("goldens that cannot be compared are one line each", "[golden]") {
+TEST_CASE("goldens that cannot be compared each give one line", "[golden]") {
   const TemporaryFolder folder;
   const std::string png = folder / "golden.png", csv = folder / "golden.csv";
   write_file(png, "no picture");
@@ -125,7 +125,7 @@ TEST_CASE("tolerances are numbers or quotients", "[golden]") {
   }
 }
 
-TEST_CASE("a comparison counts what is beyond its limits", "[golden]") {
+TEST_CASE("a comparison counts the values beyond its limits", "[golden]") {
   const TemporaryFolder folder;
   Outcome outcome;
   outcome.picture = plain(100);
@@ -150,7 +150,7 @@ TEST_CASE("a comparison counts what is beyond its limits", "[golden]") {
   CHECK_FALSE(compare(outcome, goldens, {1.0 / 1024, 1.0 / 256, 0.0009}).passed());
 }
 
-TEST_CASE("a state that is no number is another state", "[golden]") {
+TEST_CASE("a state with NaN is a different state", "[golden]") {
   const TemporaryFolder folder;
   Outcome outcome;
   outcome.mesh.positions = {{0, 0, 0}, {1, 0, 0}};
@@ -162,7 +162,7 @@ TEST_CASE("a state that is no number is another state", "[golden]") {
   CHECK_FALSE(compare(outcome, goldens, {}).passed());
 }
 
-TEST_CASE("the picture of a difference shows where and how much", "[golden]") {
+TEST_CASE("the picture of a difference shows its place and amount", "[golden]") {
   const Image golden = plain(100);
   Image now = golden;
   const auto at = [](const Image& image, int x, int y) {
@@ -184,7 +184,7 @@ TEST_CASE("the picture of a difference shows where and how much", "[golden]") {
   }
 }
 
-TEST_CASE("what made two pictures is compared by parameter", "[golden]") {
+TEST_CASE("the provenance of two pictures is compared by parameter", "[golden]") {
   const Provenance golden{
       {"Renderer", "A"}, {"Parameters", R"({"solver": {"iterations": 10}, "title": "x"})"}, {"Command line", "a"}};
   Provenance now{{"Renderer", "B"},

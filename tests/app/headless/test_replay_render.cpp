@@ -1,4 +1,4 @@
-// Replays that are drawn again: the same pictures every time, in other sizes, slower, from elsewhere.
+// Replays drawn again: the same pictures every time, in other sizes, slower, and with other cameras.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr long kSteps = 12;  // of 1/60 s
 
-// A cube that is pulled while the view turns and its colors change.
+// A cube that is pulled while the view rotates and its colors change.
 struct Pulled {
   TemporaryFolder folder;
   Pulled() {
@@ -64,7 +64,7 @@ std::string frames_of(const fs::path& video) {
 
 }  // namespace
 
-TEST_CASE("a replay that is drawn twice gives the same frames and the same video, and the state that run gives",
+TEST_CASE("a replay that is drawn twice gives the same frames and the same video, and the same state as run",
           "[session]") {
   const Pulled pulled;
   const CommandResult first = pulled.run("render", {"--video", "out.mp4", "--fps", "60"});
@@ -82,7 +82,7 @@ TEST_CASE("a replay in slow motion has frames between the steps and ends in the 
   const CommandResult slow = pulled.run("render", {"--video", "slow/%03d.png", "--slow", "4"});
   CHECK(line(slow, "frames ").ends_with(" 48"));
   CHECK(line(slow, "state ") == line(pulled.run("run", {}), "state "));
-  // Every frame differs from the one before: nothing stands still between two steps while the grab pulls.
+  // Every frame differs from the one before: the tissue moves between steps while the grab pulls.
   for (int k = 12; k < 40; ++k) {
     const auto name = [](int number) { return "slow/0" + std::to_string(number) + ".png"; };
     CAPTURE(k);
@@ -93,7 +93,7 @@ TEST_CASE("a replay in slow motion has frames between the steps and ends in the 
   CHECK(difference(read_png(pulled.folder / "slow/024.png"), read_png(pulled.folder / "life/6.png")).mean == 0);
 }
 
-TEST_CASE("a video keeps its speed where the session changed its time step, with and without frames between steps",
+TEST_CASE("a video keeps its speed when the session changes its time step, with and without frames between steps",
           "[session]") {
   const Pulled pulled;
   Replay replay = read_replay(pulled.folder / "pulled.fascia");
@@ -107,8 +107,8 @@ TEST_CASE("a video keeps its speed where the session changed its time step, with
   CHECK(line(pulled.run("render", {"--video", "life/%d.png", "--fps", "60"}), "frames ").ends_with(" 8"));
   CHECK(
       line(pulled.run("render", {"--video", "slow/%d.png", "--fps", "60", "--slow", "2"}), "frames ").ends_with(" 16"));
-  // Every second frame is one of life. (Before the first step nothing is held yet; slow motion marks the vertices that
-  // are held now.)
+  // Every second frame equals one at full speed. (Before the first step there is no grab yet; slow motion marks the
+  // vertices that are grabbed at present.)
   for (int k = 1; k < 8; ++k) {
     CAPTURE(k);
     CHECK(difference(read_png(pulled.folder / ("life/" + std::to_string(k) + ".png")),
@@ -126,7 +126,7 @@ TEST_CASE("a video keeps its speed where the session changed its time step, with
   CHECK(split.err.find("--split: has no pictures between its steps") != std::string::npos);
 }
 
-TEST_CASE("a scene with a long list of vertices gets its video, and a name may look like an address", "[session]") {
+TEST_CASE("a scene with a long list of vertices gets its video, and a name may look like a URL", "[session]") {
   const TemporaryFolder folder;
   nlohmann::json scene = nlohmann::json::parse(read_file(source_dir() / "assets/scenes/cube.json"));
   scene["bodies"][0]["mesh"] = (source_dir() / "assets/meshes/cube.msh").string();
@@ -143,11 +143,11 @@ TEST_CASE("a scene with a long list of vertices gets its video, and a name may l
   const CommandResult info = run_fascia({"info", "take:1.mp4"}, folder.path());
   CHECK(info.out.find("a=b;c#d\\e") != std::string::npos);
   CHECK(info.out.size() > 100000);
-  CHECK(info.out.find("step 0") == std::string::npos);  // of no moment
+  CHECK(info.out.find("step 0") == std::string::npos);  // without a time
   CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 2);
 }
 
-TEST_CASE("the camera of a replay can be followed, left or replaced", "[session]") {
+TEST_CASE("the camera of a replay can be followed, ignored or replaced", "[session]") {
   const Pulled pulled;
   const auto picture = [&](const std::string& camera, const std::string& sets) {
     std::vector<std::string> more{"--out", "shot.png", "--camera", camera};
@@ -160,7 +160,7 @@ TEST_CASE("the camera of a replay can be followed, left or replaced", "[session]
   CHECK(difference(followed, other).mean > 0.001);
   CHECK(difference(still, other).mean > 0.001);
   CHECK(difference(picture("pulled.fascia", ""), followed).mean == 0);
-  // A chosen display holds against the recorded one.
+  // A chosen display overrides the recorded one.
   CHECK(difference(picture("scene", "display.color=none"), still).mean > 0.001);
   const CommandResult bad =
       run_fascia({"render", "--replay", "pulled.fascia", "--context", "osmesa", "--out", "x.png", "--camera", "1,2,3"},
@@ -169,7 +169,7 @@ TEST_CASE("the camera of a replay can be followed, left or replaced", "[session]
   CHECK(bad.err.find("--camera 1,2,3: is no camera; expected follow, scene,") != std::string::npos);
 }
 
-TEST_CASE("more samples than the renderer has are averaged from shifted pictures", "[session]") {
+TEST_CASE("more samples than the renderer provides are averaged from shifted pictures", "[session]") {
   const Pulled pulled;
   const auto picture = [&](const std::string& samples) {
     pulled.run("render", {"--out", "shot.png", "--samples", samples});
@@ -183,7 +183,7 @@ TEST_CASE("more samples than the renderer has are averaged from shifted pictures
   CHECK(far < 0.02);  // to the same picture
 }
 
-TEST_CASE("what fascia wrote says what made it", "[session]") {
+TEST_CASE("files of fascia contain their provenance", "[session]") {
   const Pulled pulled;
   pulled.run("render", {"--out", "shot.png", "--video", "film.mp4", "--set", "title=it's two words"});
   pulled.run("render", {"--video", "film.webm", "--fps", "30"});
@@ -207,7 +207,7 @@ TEST_CASE("what fascia wrote says what made it", "[session]") {
         std::string::npos);
   const CommandResult replay = run_fascia({"info", "pulled.fascia"}, pulled.folder.path());
   CHECK(replay.out.find("12 steps, 0.2 s") != std::string::npos);
-  // Exports are meshes as before.
+  // Exports are still meshes.
   CHECK(run_fascia({"run", "state.vtu", "--steps", "0", "--quiet", "--context", "osmesa"}, pulled.folder.path())
             .exit_code == 0);
   CHECK(run_fascia({"info", "state.msh"}, pulled.folder.path()).out.find("coloring") != std::string::npos);

@@ -1,4 +1,4 @@
-// The color bar can be read whatever is behind it, and is left out where it would hide the picture.
+// The color bar is readable on any background, and is left out where it would hide the picture.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -44,15 +44,15 @@ std::size_t covered(const Image& image) {
 
 }  // namespace
 
-TEST_CASE("the color bar's numbers stand on a panel, dark on light or light on dark", "[color_bar]") {
+TEST_CASE("the color bar's numbers are on a plate, dark on light or light on dark", "[color_bar]") {
   const auto backdrop = GENERATE(Backdrop::gradient, Backdrop::white, Backdrop::black, Backdrop::transparent);
   const Image image = bar_over_tissue(backdrop, kWidth, kHeight);
   const std::uint8_t* padding = pixel(image, kWidth - 17, kHeight / 2);  // right of the numbers
-  const bool light = backdrop == Backdrop::white;  // a transparent picture may be laid upon anything
+  const bool light = backdrop == Backdrop::white;  // a transparent picture may be placed on any background
   for (int c = 0; c < 3; ++c) CHECK((light ? padding[c] > 200 : padding[c] < 75));
 }
 
-TEST_CASE("the color bar's title stands clear of the number below it", "[color_bar]") {
+TEST_CASE("the color bar's title does not touch the number below it", "[color_bar]") {
   const Image image = bar_over_tissue(Backdrop::white, kWidth, kHeight);
   const auto ink = [&](int y) {
     for (int x = kWidth - 110; x < kWidth - 22; ++x)
@@ -71,7 +71,7 @@ TEST_CASE("the color bar's title stands clear of the number below it", "[color_b
   REQUIRE(y < kHeight);
 }
 
-TEST_CASE("on a transparent picture the bar can be read over white and over black, and is no light plate",
+TEST_CASE("on a transparent picture the bar is readable over white and over black, and has no light plate",
           "[color_bar]") {
   Graphics graphics = open_graphics(headless(), false);
   Overlay overlay(graphics);
@@ -103,7 +103,7 @@ TEST_CASE("on a transparent picture the bar can be read over white and over blac
   }
 }
 
-TEST_CASE("a grab's force stands beside the color bar and inside the picture", "[color_bar]") {
+TEST_CASE("a grab's force is shown beside the color bar and inside the picture", "[color_bar]") {
   Graphics graphics = open_graphics(headless(), false);
   Overlay overlay(graphics);
   Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
@@ -120,7 +120,7 @@ TEST_CASE("a grab's force stands beside the color bar and inside the picture", "
   const Image without = drawn({});
   const auto box = legend_box({0, 0, kWidth, kHeight}, session);
   REQUIRE(box);
-  // So many pixels of a label at a free place, but for fractions of pixels.
+  // The number of pixels of a label at a free place, up to fractions of pixels.
   const auto label_pixels = [&](const Eigen::Vector2d& at, bool* in_bar) {
     const Ray ray = session.camera.ray(at.x(), at.y(), kWidth, kHeight);
     const Eigen::Vector3d place = ray.origin + 0.3 * ray.direction;

@@ -1,4 +1,4 @@
-// Marks of an axis: at round numbers, and at both ends where these are round.
+// Ticks of an axis: at round numbers, and at both ends if these are round.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 using namespace fascia;
 
-TEST_CASE("both ends of a range have a mark where they are multiples of the step, also as float32", "[ticks]") {
+TEST_CASE("both ends of a range have a tick if they are multiples of the step, also as float32", "[ticks]") {
   const bool rounded = GENERATE(true, false);
   int ends = 0;
   const auto check = [&](double low, double high) {
@@ -26,7 +26,7 @@ TEST_CASE("both ends of a range have a mark where they are multiples of the step
     const auto round = [&](double end) { return std::abs(end / step - std::round(end / step)) < 1e-6; };
     if (round(low)) CHECK(std::abs(ticks.values.front() - low) <= allowed);
     if (round(high)) CHECK(std::abs(ticks.values.back() - high) <= allowed);
-    // And no gap at an end in which another mark would have room.
+    // There is no gap at an end that is large enough for another tick.
     CHECK(ticks.values.front() - low < step * (1 - 1e-6) + allowed);
     CHECK(high - ticks.values.back() < step * (1 - 1e-6) + allowed);
     ends += round(low) + round(high);

@@ -1,5 +1,5 @@
-// Where panels stand: inside the picture whatever its size, beside what is written over it; and what their rows leave
-// between each other.
+// The layout of panels: inside pictures of any size, beside the labels over the picture; and the gaps within their
+// rows.
 #include <imgui.h>
 #include <imgui_internal.h>
 #include <catch2/catch.hpp>
@@ -71,7 +71,7 @@ TEST_CASE("the panel Plots keeps its place at the right when the window shrinks 
   CHECK(desk.state.plots.width == 400);
 }
 
-TEST_CASE("the list of keys lies inside the picture, whatever its size", "[panel_layout]") {
+TEST_CASE("the list of keys is inside the picture, at any size", "[panel_layout]") {
   Desk desk;
   desk.state.show_help = true;
   for (const auto& [width, height] : {std::pair(1280, 720), {800, 600}, {480, 360}}) {
@@ -85,7 +85,7 @@ TEST_CASE("the list of keys lies inside the picture, whatever its size", "[panel
   }
 }
 
-TEST_CASE("what is written over the picture stands beside docked plots", "[panel_layout]") {
+TEST_CASE("labels over the picture are beside docked plots", "[panel_layout]") {
   Desk desk;
   desk.frame(1280, 720, [&] {
     const Room room = room_beside_panels(desk.state);
@@ -110,7 +110,7 @@ TEST_CASE("what is written over the picture stands beside docked plots", "[panel
   desk.frame(1280, 720, [&] { CHECK(room_beside_panels(desk.state).right == 1280); });
 }
 
-TEST_CASE("a value stands clear of its slider", "[panel_layout]") {
+TEST_CASE("a value does not touch its slider", "[panel_layout]") {
   Desk desk;
   desk.frame(1280, 720, [&] {
     ImGui::SetNextWindowSize({panel_width(), 300});
@@ -123,7 +123,7 @@ TEST_CASE("a value stands clear of its slider", "[panel_layout]") {
   });
 }
 
-TEST_CASE("a side of a comparison that sleeps says so", "[panel_layout]") {
+TEST_CASE("a sleeping side of a comparison is labeled as such", "[panel_layout]") {
   Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
   scene.gravity.setZero();
   Graphics graphics = open_graphics(headless(), false);

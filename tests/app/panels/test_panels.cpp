@@ -1,4 +1,5 @@
-// The panels as a whole: every widget explains itself, hints come where they should and go when they are told to.
+// The panels as a whole: every widget has an explanation, and hints appear where they should and disappear when
+// dismissed.
 #include <catch2/catch.hpp>
 
 #include "app/overlay/overlay.h"
@@ -46,7 +47,7 @@ TEST_CASE("every widget of every panel has a text that explains it", "[panels]")
   CHECK(ui::unexplained().empty());
 }
 
-TEST_CASE("what the tables say of their fields is said of all of them") {
+TEST_CASE("the help in the tables is shown for every field") {
   Material material;
   visit_material(material, [](double, const char* name, const char*, double, double, bool, const char* help) {
     CAPTURE(name);
@@ -59,7 +60,7 @@ TEST_CASE("what the tables say of their fields is said of all of them") {
   });
 }
 
-TEST_CASE("hints come where they should", "[panels]") {
+TEST_CASE("hints appear where they should", "[panels]") {
   CHECK_FALSE(locking_hint(0.45));
   CHECK(locking_hint(0.46));
 

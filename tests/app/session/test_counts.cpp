@@ -1,5 +1,5 @@
-// What the shipped scenes cost, counted: a scene pays for what it uses and for nothing else, and a change that makes
-// one dearer shows here.
+// Counted costs of the shipped scenes: a scene pays only for the features that it uses, and a change that makes one
+// more expensive is detected here.
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
@@ -37,11 +37,11 @@ TEST_CASE("counts of the shipped scenes", "[counts]") {
   simulation.gpu()->step();
   CHECK(simulation.gpu()->buffers().tet_count == expected.tets_solved);
   CHECK(simulation.gpu()->dispatches_per_step() == expected.dispatches_per_step);
-  // Beside the step's own: the regions' speeds, where there are regions.
+  // In addition to the step's own: the regions' speeds, if there are regions.
   const std::uint64_t measured = simulation.gpu()->buffers().tet_count >= RestingRegions::kLeastTets ? 1 : 0;
   CHECK(gl::dispatch_count() - before >=
-        expected.dispatches_per_step + measured);            // more where the loops of one were not enough
-  CHECK(simulation.programs()->size() == expected.kernels);  // with the one that tries the device
+        expected.dispatches_per_step + measured);            // more if the loops of one dispatch do not suffice
+  CHECK(simulation.programs()->size() == expected.kernels);  // including the one that tests the device
   CHECK(gl::allocated_bytes() == expected.gpu_bytes);
   const auto& buffers = gl::bytes_by_buffer();
   const bool several_materials = simulation.model.materials.size() > 1;

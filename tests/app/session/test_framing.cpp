@@ -1,4 +1,4 @@
-// The body stands clear of the color bar and within its half of a comparison; pictures without a bar stay as they are.
+// The body does not overlap the color bar or the other half of a comparison; pictures without a bar are not changed.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
@@ -22,7 +22,7 @@ Scene scene_of(const std::string& name, const std::string& color) {
   return open_scene(source_dir() / ("assets/scenes/" + name + ".json"), {"display.color=" + color});
 }
 
-/// Columns of the picture in which the body at rest is seen.
+/// Columns of the picture in which the body at rest is visible.
 Eigen::Vector2d columns(const Session& session, int width, int height) {
   Eigen::Vector2d seen(1e9, -1e9);
   const Model& model = session.simulation.model;
@@ -35,7 +35,7 @@ Eigen::Vector2d columns(const Session& session, int width, int height) {
 
 }  // namespace
 
-TEST_CASE("a frame keeps any body between panels and bar, and leaves pictures alone that need nothing", "[framing]") {
+TEST_CASE("a frame keeps any body between panels and bar, and does not change pictures without need", "[framing]") {
   for (const Eigen::Vector2d& extent : {Eigen::Vector2d(-1, 1), {-0.9, 1.1}, {-0.4, 0.5}, {-1.25, 0.2}, {-0.2, 1.25}})
     for (const Size size : {Size{800, 600}, {1280, 720}, {640, 480}, {500, 900}, {1000, 1000}, {3840, 1080}})
       for (const double left : {0.0, 120.0, 338.0})
@@ -73,7 +73,7 @@ TEST_CASE("a camera that shows a part of the body shows the same part beside the
   CHECK(0.5 * 800 * (1 + camera.middle.x()) == Approx(320).margin(10));
 }
 
-TEST_CASE("rendered bodies are clear of their color bar", "[framing]") {
+TEST_CASE("rendered bodies do not overlap their color bar", "[framing]") {
   const std::string name = GENERATE("liver", "ligament", "inclusion", "kidney", "cube", "beam");
   const std::string color = GENERATE("largest_stress", "region");
   RenderOptions options;
@@ -96,7 +96,7 @@ TEST_CASE("rendered bodies are clear of their color bar", "[framing]") {
   CHECK(seen.y() <= legend->left);
 }
 
-TEST_CASE("a comparison frames the body in both halves alike, clear of the bar", "[framing]") {
+TEST_CASE("a comparison frames the body in both halves alike, beside the bar", "[framing]") {
   const std::string name = GENERATE("liver", "beam", "inclusion");
   const std::string color = GENERATE("none", "von_mises");
   Graphics graphics = open_graphics(headless(), false);
@@ -122,7 +122,7 @@ TEST_CASE("a comparison frames the body in both halves alike, clear of the bar",
     }
 }
 
-TEST_CASE("what is framed anew fills the room beside the bar", "[framing]") {
+TEST_CASE("a newly framed body fills the space beside the bar", "[framing]") {
   Graphics graphics = open_graphics(headless(), false);
   Session session(graphics, scene_of("liver", "von_mises"), false);
   session.camera.zoom(4);

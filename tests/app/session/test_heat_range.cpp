@@ -1,5 +1,5 @@
-// The automatic range of a heat map: what is shown decides it, not what was shown before; two sides of a comparison
-// have one.
+// The automatic range of a heat map: it depends on the shown values, not on earlier pictures; the two sides of a
+// comparison share one.
 #include <catch2/catch.hpp>
 
 #include "app/compare/split_view.h"
@@ -31,7 +31,7 @@ void pull(Session& session, double stiffness) {
 
 }  // namespace
 
-TEST_CASE("a range begins at none, grows at once and shrinks late", "[heat_range]") {
+TEST_CASE("a range is initially absent, grows at once and shrinks late", "[heat_range]") {
   std::optional<Eigen::Vector2f> range;
   const auto follows = [&](double low, double high, ColorBy color = ColorBy::displacement) {
     follow_range({low, high}, color, range);
@@ -47,7 +47,7 @@ TEST_CASE("a range begins at none, grows at once and shrinks late", "[heat_range
   CHECK(follows(0.9, 1.3, ColorBy::volume_ratio) == Eigen::Vector2f(0.5f, 1.5f));
 }
 
-TEST_CASE("pictures of one state have one range, whatever was shown before", "[heat_range]") {
+TEST_CASE("pictures of one state have one range, regardless of earlier pictures", "[heat_range]") {
   Graphics graphics = open_graphics(headless(), false);
   Session session(graphics, cube(ColorBy::displacement), false);
   pull(session, 50);
@@ -100,7 +100,7 @@ TEST_CASE("a final picture is the same after a video", "[heat_range]") {
   std::vector<Image> pictures;
   for (const bool video : {false, true}) {
     const std::string png = folder / (video ? "after.png" : "alone.png");
-    // The reach falls to less than a half, but not to a fifth, of what the video showed.
+    // The range falls to less than a half, but not to a fifth, of that of the video.
     std::vector<std::string> arguments{"render",  scene, "--context", "osmesa",   "--size", "96x64", "--quiet",
                                        "--steps", "40",  "--color",   "velocity", "--out",  png};
     if (video) arguments.insert(arguments.end(), {"--video", folder / "%03d.png"});

@@ -1,4 +1,4 @@
-// The copied command line: what it says, how it is quoted, and that it brings back the very scene.
+// The copied command line: its content, its quoting, and that it reproduces exactly the same scene.
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -13,7 +13,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// The words that a POSIX shell makes of it.
+/// The words into which a POSIX shell splits the line.
 Texts words(const std::string& line) {
   const CommandResult result = run_command({"sh", "-c", "for word in " + line + "; do printf '%s\\n' \"$word\"; done"});
   Texts words;
@@ -51,13 +51,13 @@ struct Desk {
 
 }  // namespace
 
-TEST_CASE("a scene as its file has it needs no --set") {
+TEST_CASE("an unchanged scene needs no --set") {
   const Desk desk;
   CHECK(sets_between(open_scene(desk.file), open_scene(desk.file)).empty());
   CHECK(words(command_that_reproduces(open_scene(desk.file))) == Texts{"fascia", "view", desk.file.string()});
 }
 
-TEST_CASE("a key of the scene that is gone is not passed over") {
+TEST_CASE("a removed key of the scene is not ignored") {
   const Desk desk(R"(, "camera": {"eye": [0, 0, 2]})");
   const Scene file = open_scene(desk.file);
   Scene now = file;
@@ -65,7 +65,7 @@ TEST_CASE("a key of the scene that is gone is not passed over") {
   CHECK_THROWS_WITH(sets_between(file, now), Catch::Contains("\"camera\""));
 }
 
-TEST_CASE("what was turned is said key by key, and nothing else") {
+TEST_CASE("only changed parameters are listed, key by key") {
   const Desk desk(R"(, "display": {"range": [0, 1]})");
   const Scene file = open_scene(desk.file);
   Scene now = file;
@@ -90,7 +90,7 @@ TEST_CASE("what was turned is said key by key, and nothing else") {
   CHECK(std::count(sets.begin(), sets.end(), "solver.method=two_level") == 1);
 }
 
-TEST_CASE("a shell gives every text back as it was") {
+TEST_CASE("a shell gives every text back unchanged") {
   const Texts texts = {"plain", "a b", "it's",     "\"quoted\"", "$HOME `id` \\ ! * ? [0,1] {a} ~ ; & | < > ( ) #",
                        "",      "-x",  "\xc3\xa9", "''"};
   std::string line;
@@ -98,7 +98,7 @@ TEST_CASE("a shell gives every text back as it was") {
   CHECK(words(line) == texts);
 }
 
-TEST_CASE("scenes that were turned at random come back from their command line to the same bits") {
+TEST_CASE("randomly changed scenes are reproduced by their command line to the same bits") {
   const Desk desk;
   const Scene file = open_scene(desk.file);
   std::mt19937 random(20190521);

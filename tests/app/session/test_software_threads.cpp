@@ -1,4 +1,4 @@
-// On which cores llvmpipe's threads run, seen from outside in a program that steps.
+// The cores of llvmpipe's threads, observed from outside in a running program.
 #include <sched.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -29,7 +29,8 @@ std::string first_word(const fs::path& file, const std::string& key) {
   return word;
 }
 
-// Of the threads of `fascia run`, after its first steps: name, and for every list of cores how many may run there.
+// The threads of `fascia run` after its first steps: name, and for every list of cores the number of threads that may
+// run there.
 using Cores = std::map<std::string, std::map<std::string, int>>;
 Cores cores_of_threads(std::size_t workers) {
   const TemporaryFolder folder;
@@ -60,7 +61,7 @@ std::string text_of(const Cores& cores) {
 
 }  // namespace
 
-TEST_CASE("what a command works with decides for how many dispatches there are threads", "[cli]") {
+TEST_CASE("the input of a command determines the work for which threads are chosen", "[cli]") {
   using namespace fascia;
   Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
   const Model model = build_model(scene);
@@ -73,21 +74,21 @@ TEST_CASE("what a command works with decides for how many dispatches there are t
   CHECK(workload_of(scene, model, true).fused);  // a march to equilibrium has a tolerance of its own
 }
 
-TEST_CASE("threads that run kernels have a core each where there are as many of both", "[cli]") {
+TEST_CASE("threads that run kernels each have a core of their own if there are enough", "[cli]") {
   cpu_set_t allowed;
   REQUIRE(sched_getaffinity(0, sizeof allowed, &allowed) == 0);
   const auto count = static_cast<std::size_t>(CPU_COUNT(&allowed));
   const std::string everywhere = first_word("/proc/self/status", "Cpus_allowed_list:");
   const Cores bound = cores_of_threads(count), free = cores_of_threads(count + 1);
   CAPTURE(count, text_of(bound), text_of(free));
-  if (count > 16) {  // more than llvmpipe has threads: nobody is bound
+  if (count > 16) {  // more than llvmpipe has threads: no thread is bound
     CHECK(bound.at("fascia").size() == 1);
     return;
   }
   for (const auto& [name, lists] : bound)
     if (name != "fascia") CHECK((lists.size() == 1 && lists.contains(everywhere)));
   std::map<std::string, int> lists = bound.at("fascia");
-  --lists[everywhere];  // the one that has the program's main()
+  --lists[everywhere];  // the main thread of the program
   std::set<int> counts;
   std::size_t cores = 0;
   for (const auto& [list, threads] : lists) {
@@ -97,7 +98,7 @@ TEST_CASE("threads that run kernels have a core each where there are as many of 
     ++cores;
   }
   CHECK(cores == count);
-  CHECK(counts.size() == 1);  // as many on every core
+  CHECK(counts.size() == 1);  // the same number on every core
   REQUIRE(free.at("fascia").size() == 1);
   CHECK(free.at("fascia").begin()->second > static_cast<int>(count));
   CHECK(free.at("fascia").contains(everywhere));

@@ -1,5 +1,5 @@
-// The residual within a substep, for the settings in use and for pinned ones: whose turn it is, what it measures, what
-// it leaves alone.
+// The residual within a substep, for the current settings and for pinned ones: the order of measurements, their
+// results, and the absence of side effects.
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
@@ -27,8 +27,7 @@ Scene cube() { return open_scene(source_dir() / "assets/scenes/cube.json"); }
 
 }  // namespace
 
-TEST_CASE("lines of the convergence plot take turns, and measure the step that comes next without touching it",
-          "[convergence]") {
+TEST_CASE("lines of the convergence plot take turns, and measure the next step without side effects", "[convergence]") {
   Graphics graphics = open_graphics(headless(), false);
   Simulation simulation(cube(), graphics.programs.get(), false), alone(cube(), graphics.programs.get(), false);
   Convergence convergence;
@@ -60,13 +59,13 @@ TEST_CASE("lines of the convergence plot take turns, and measure the step that c
     CAPTURE(line.name, line.residuals);
     CHECK_FALSE(line.diverged);
     CHECK(line.residuals.size() ==
-          static_cast<std::size_t>(simulation.scene.solver.iterations) + 1);  // pinned ones, too
+          static_cast<std::size_t>(simulation.scene.solver.iterations) + 1);  // also for pinned ones
     CHECK(line.residuals.back() < line.residuals.front());
   }
   CHECK(lines[0].residuals.back() < 0.1f * lines[1].residuals.back());
 }
 
-TEST_CASE("pins are bounded, are let go, and stay when the scene goes", "[convergence]") {
+TEST_CASE("pins are limited, can be removed, and are kept when the scene changes", "[convergence]") {
   Graphics graphics = open_graphics(headless(), false);
   Simulation simulation(cube(), graphics.programs.get(), false);
   Convergence convergence;
@@ -78,7 +77,7 @@ TEST_CASE("pins are bounded, are let go, and stay when the scene goes", "[conver
   }
   CHECK(convergence.lines().size() == Convergence::kMostLines);
   CHECK(convergence.lines()[1].name == "jacobi + anderson_positions, window 1");
-  convergence.unpin(0);  // that of the settings in use
+  convergence.unpin(0);  // that of the current settings
   convergence.unpin(Convergence::kMostLines);
   CHECK(convergence.lines().size() == Convergence::kMostLines);
   convergence.unpin(1);
@@ -89,7 +88,7 @@ TEST_CASE("pins are bounded, are let go, and stay when the scene goes", "[conver
   for (const Convergence::Line& line : convergence.lines()) CHECK(line.residuals.empty());
 }
 
-TEST_CASE("a line ends where its residual is no number, and the reference solver has none", "[convergence]") {
+TEST_CASE("a line ends where its residual is not finite, and the reference solver has none", "[convergence]") {
   Graphics graphics = open_graphics(headless(), false);
   Simulation simulation(cube(), graphics.programs.get(), false), exact(cube(), graphics.programs.get(), true);
   Convergence convergence;

@@ -1,4 +1,4 @@
-// What plots are made of: the samples kept, the marks of an axis, the table.
+// The data of plots: the samples kept, the ticks of an axis, the table.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -20,7 +20,7 @@ Sample at(double time) {
 
 }  // namespace
 
-TEST_CASE("samples are in the order of time, and time that goes back takes what was later away") {
+TEST_CASE("samples are in the order of time, and a step back in time discards later ones") {
   SampleHistory history;
   CHECK(history.nearest(1) == nullptr);
   for (int i = 0; i < 10; ++i) history.add(at(0.1 * i));
@@ -30,7 +30,7 @@ TEST_CASE("samples are in the order of time, and time that goes back takes what 
   CHECK(history.nearest(0.21)->time == Approx(0.2));
   CHECK(history.nearest(-3)->time == 0);
   CHECK(history.nearest(3)->time == 0.45);
-  const auto part = history.between(0.15, 0.25);  // 0.2, and one at each side
+  const auto part = history.between(0.15, 0.25);  // 0.2, and one on each side
   REQUIRE(part.size() == 3);
   CHECK(part.front().time == Approx(0.1));
   CHECK(part.back().time == Approx(0.3));
@@ -39,7 +39,7 @@ TEST_CASE("samples are in the order of time, and time that goes back takes what 
   CHECK(history.all().size() == 1);
 }
 
-TEST_CASE("a long session forgets its oldest samples") {
+TEST_CASE("a long session discards its oldest samples") {
   SampleHistory history;
   const auto many = static_cast<int>(SampleHistory::kMost) + 5;
   for (int i = 0; i < many; ++i) history.add(at(i));
@@ -48,7 +48,7 @@ TEST_CASE("a long session forgets its oldest samples") {
   CHECK(history.all().front().time == static_cast<double>(SampleHistory::kMost / 2));
 }
 
-TEST_CASE("axes have round marks, not too many, told apart by their digits") {
+TEST_CASE("axes have round ticks, not too many, with digits that distinguish them") {
   for (const auto& [low, high] :
        {std::pair{0.0, 1.0}, {-3.7e-5, 8.1e-5}, {0.99991, 1.00012}, {12345.0, 12399.0}, {-2e9, 1e3}})
     for (const int most : {2, 4, 9}) {
@@ -74,7 +74,7 @@ TEST_CASE("axes have round marks, not too many, told apart by their digits") {
   CHECK(decade_ticks(2e-3, 5e-3, 4).values.empty());
 }
 
-TEST_CASE("a table of samples has notes, names with units, and nothing where nothing is known") {
+TEST_CASE("a table of samples has notes, names with units, and empty cells for unknown values") {
   const TemporaryFolder folder;
   Sample sample = at(0.1);
   sample.kinetic = 1.0 / 3;

@@ -1,4 +1,4 @@
-// Undo and redo of what users turn, and regions that get a material of their own while the scene runs.
+// Undo and redo of user changes, and regions that get a material of their own during the simulation.
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
@@ -28,7 +28,7 @@ double largest_difference(const State& a, const State& b) {
 
 }  // namespace
 
-TEST_CASE("changes are named with their values, as people read them") {
+TEST_CASE("changes are described with their values, as displayed") {
   const Tunables before = plain();
   Tunables after = before;
   CHECK(changes(before, after).empty());
@@ -61,7 +61,7 @@ TEST_CASE("changes are named with their values, as people read them") {
   CHECK(changes(before, after) == std::vector<std::string>{"The default material, core"});
 }
 
-TEST_CASE("every change is one entry, taken back and done again in its order") {
+TEST_CASE("every change is one entry, undone and redone in order") {
   UndoHistory history;
   std::vector<Tunables> states{plain()};
   history.restart(states[0]);
@@ -71,7 +71,7 @@ TEST_CASE("every change is one entry, taken back and done again in its order") {
     next.solver.iterations += i;
     states.push_back(next);
     history.follow(next);
-    history.follow(next);  // nothing new
+    history.follow(next);  // no change
   }
   CHECK(history.entries().size() == 4);
   for (int i = 3; i >= 1; --i) {
@@ -93,7 +93,7 @@ TEST_CASE("every change is one entry, taken back and done again in its order") {
   CHECK_FALSE(history.can_redo());
   CHECK(history.entries().size() == 3);
 
-  INFO("what a replay changes is nobody's entry");
+  INFO("a change by a replay is not an entry");
   Tunables replayed = other;
   replayed.solver.substeps = 3;
   history.accept(replayed);
@@ -109,7 +109,7 @@ TEST_CASE("every change is one entry, taken back and done again in its order") {
   while (history.can_undo()) history.accept(history.undo());
 }
 
-TEST_CASE("a session is turned and taken back to the bit, region by region, while it runs") {
+TEST_CASE("changes of a session are undone to the bit, region by region, during the simulation") {
   Graphics graphics = open_graphics(headless(), false);
   const Scene scene = open_scene(source_dir() / "assets/scenes/inclusion.json");
   Session session(graphics, scene, false);
@@ -163,7 +163,7 @@ TEST_CASE("an entry that names no region changes nothing") {
   CHECK(tunables_of(session, {}) == before);
 }
 
-TEST_CASE("a uniform scene whose regions are made alike reads no material per tet") {
+TEST_CASE("a uniform scene whose regions get equal materials reads no material per tet") {
   Graphics graphics = open_graphics(headless(), false);
   Session session(graphics, open_scene(source_dir() / "assets/scenes/inclusion.json"), false);
   CHECK(session.simulation.gpu()->buffers().material_per_tet());

@@ -1,4 +1,4 @@
-// The torture table: its criteria fail where they should, and what it leaves behind for a failure repeats it.
+// The stress suite: its criteria fail where they should, and the files of a failure reproduce it.
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
@@ -53,11 +53,11 @@ StressCriteria nothing() {
 
 }  // namespace
 
-TEST_CASE("every criterion of the torture table can fail") {
+TEST_CASE("every criterion of the stress suite can fail") {
   Box box;
   StressCriteria criteria = nothing();
 
-  SECTION("at rest all hold") {
+  SECTION("at rest all criteria hold") {
     box.clamp();
     CHECK(box.failure({1e-9, true, true, true, true}) == "");
   }
@@ -93,7 +93,7 @@ TEST_CASE("every criterion of the torture table can fail") {
     criteria.creates_no_momentum = true;
     CHECK_THAT(box.failure(criteria), Catch::StartsWith("momentum grew by "));
   }
-  SECTION("tets inside out: plain St. Venant-Kirchhoff is at rest when mirrored") {
+  SECTION("inverted tets: plain St. Venant-Kirchhoff is at rest when mirrored") {
     box.scene.bodies[0].material.model = MaterialModel::st_venant_kirchhoff;
     const Model model = build_model(box.scene);
     State mirrored = initial_state(model);
@@ -113,7 +113,7 @@ TEST_CASE("every criterion of the torture table can fail") {
   }
 }
 
-TEST_CASE("a failure leaves a table, a summary, a picture and a replay that repeats it") {
+TEST_CASE("a failure writes a table, a summary, a picture and a replay that reproduces it") {
   TemporaryFolder folder;
   const auto stress = [&](const std::vector<std::string>& more) {
     std::vector<std::string> arguments{"stress", "--quick", "--context", "osmesa", "--out", (folder / "out").string(),

@@ -1,4 +1,4 @@
-// What the window remembers of its user: read and written exactly, and never a reason not to start.
+// The window's stored settings: read and written exactly, and never an obstacle to starting.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
@@ -11,7 +11,7 @@
 using namespace fascia;
 using namespace fascia::test;
 
-TEST_CASE("user settings survive a round trip, and a missing file is a new user") {
+TEST_CASE("user settings survive a round trip, and a missing file means a new user") {
   const TemporaryFolder folder;
   CHECK(read_user_settings(folder / "none.json") == UserSettings());
   UserSettings settings;
@@ -23,7 +23,7 @@ TEST_CASE("user settings survive a round trip, and a missing file is a new user"
   CHECK(read_user_settings(folder / "deep/settings.json") == settings);
 }
 
-TEST_CASE("recent files: the latest first, each once, not too many") {
+TEST_CASE("recent files: the latest first, each once, limited in number") {
   UserSettings settings;
   for (int i = 0; i < 20; ++i) settings.opened("/meshes/" + std::to_string(i) + ".msh");
   REQUIRE(settings.recent.size() == UserSettings::kMostRecent);
@@ -36,7 +36,7 @@ TEST_CASE("recent files: the latest first, each once, not too many") {
   CHECK(settings.recent.front() == std::filesystem::current_path() / "here.json");
 }
 
-TEST_CASE("broken settings are told of, kept aside and replaced") {
+TEST_CASE("broken settings are reported, kept aside and replaced") {
   const TemporaryFolder folder;
   const std::string broken =
       GENERATE(as<std::string>(), "{", "[]", "{\"fascia_settings\": 2}", "{\"fascia_settings\": 1, \"recent\": 3}",
@@ -63,7 +63,7 @@ TEST_CASE("two windows do not lose each other's recent files") {
         std::vector<std::filesystem::path>{"/two.msh", "/one.msh"});
 }
 
-TEST_CASE("settings that cannot be written are told of once and do no harm") {
+TEST_CASE("settings that cannot be written are reported once and do no harm") {
   const TemporaryFolder folder;
   write_file(folder / "file", "no folder");
   UserStore store(folder / "file");

@@ -1,4 +1,4 @@
-// Labels stay inside the picture, and clear of each other and of what is drawn there already.
+// Labels stay inside the picture, without overlap with each other and with existing content.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
@@ -17,7 +17,7 @@ bool overlap(const Box& a, const Box& b) {
 
 }  // namespace
 
-TEST_CASE("a label that is in nobody's way stands where it is wanted", "[label_places]") {
+TEST_CASE("a label without obstacles is placed where it is wanted", "[label_places]") {
   LabelPlaces places({0, 0, 800, 600}, 3);
   places.keep_clear({600, 200, 780, 400});
   const Box wanted{100, 100, 160, 124};
@@ -27,7 +27,7 @@ TEST_CASE("a label that is in nobody's way stands where it is wanted", "[label_p
   CHECK_FALSE(overlap(again, wanted));
 }
 
-TEST_CASE("labels stay inside the picture and hide nothing as long as there is room", "[label_places]") {
+TEST_CASE("labels stay inside the picture and hide nothing as long as there is space", "[label_places]") {
   std::mt19937 random(7);
   const auto number = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
   int moved = 0, placed = 0;
@@ -41,7 +41,7 @@ TEST_CASE("labels stay inside the picture and hide nothing as long as there is r
       places.keep_clear(taken.back());
     }
     for (int i = 0; i < 8; ++i) {
-      // Most of them crowd in one place, some are wanted out of the picture.
+      // Most labels are wanted close together, some outside the picture.
       const float left = i < 6 ? edges.left + 0.6f * (edges.right - edges.left) : number(-200, 1400),
                   top = i < 6 ? 0.5f * edges.bottom : number(-200, 1000);
       const Box wanted{left, top, left + 60, top + 24}, box = places.place(wanted);
@@ -62,7 +62,7 @@ TEST_CASE("labels stay inside the picture and hide nothing as long as there is r
   CHECK(moved < placed);
 }
 
-TEST_CASE("a label without room stays inside the picture", "[label_places]") {
+TEST_CASE("a label without free space stays inside the picture", "[label_places]") {
   LabelPlaces places({0, 0, 100, 40}, 3);
   places.keep_clear({0, 0, 100, 40});
   const Box box = places.place({90, 30, 150, 54});

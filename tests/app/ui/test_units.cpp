@@ -5,7 +5,7 @@
 using fascia::engineering;
 using fascia::parse_engineering;
 
-TEST_CASE("numbers are shown with SI prefixes where their unit takes them") {
+TEST_CASE("numbers are shown with SI prefixes if their unit permits") {
   CHECK(engineering(12500, "Pa") == "12.5 kPa");
   CHECK(engineering(1e10, "Pa") == "10 GPa");
   CHECK(engineering(999.96, "Pa") == "1 kPa");
@@ -21,7 +21,7 @@ TEST_CASE("numbers are shown with SI prefixes where their unit takes them") {
   CHECK(fascia::bytes_text(1536) == "1.5 KiB");
 }
 
-TEST_CASE("what people type is understood") {
+TEST_CASE("typed text is parsed") {
   CHECK(parse_engineering("12.5 kPa", "Pa") == 12500);
   CHECK(parse_engineering("12.5k", "Pa") == 12500);
   CHECK(parse_engineering(" +3e4 ", "Pa") == 3e4);
@@ -38,7 +38,7 @@ TEST_CASE("what people type is understood") {
   CHECK_FALSE(parse_engineering("3k", "kg/m^3"));
 }
 
-TEST_CASE("what is shown reads back") {
+TEST_CASE("displayed numbers read back") {
   for (double value = 1.3e-9; value < 1e12; value *= 7.7) {
     const std::string text = engineering(value, "Pa", 4);
     CAPTURE(value, text);

@@ -1,4 +1,4 @@
-// Sessions that are recorded while they go on, and what becomes of them.
+// Sessions that are recorded while they run, and the fate of their files.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -71,13 +71,14 @@ std::uint64_t replayed_hash(const Replay& replay, Graphics& graphics) {
 }  // namespace
 
 TEST_CASE(
-    "a session of drags, sliders, methods and resets is replayed to the bit, whatever was computed beside it and when",
+    "a session of drags, sliders, methods and resets is replayed to the bit, regardless of the timing of background "
+    "work",
     "[session]") {
   const Bar bar;
   const std::filesystem::path path = bar.folder / "session.fascia";
   Recorded live(bar, path);
   Simulation& simulation = live.simulation;
-  const int pause_ms = GENERATE(0, 2, 30);  // how long the thread beside has for its work: it is ready at other steps
+  const int pause_ms = GENERATE(0, 2, 30);  // time for the background thread: its results are ready at different steps
   CAPTURE(pause_ms);
   const auto steps = [&](int count) {
     for (int i = 0; i < count; ++i) {
@@ -125,7 +126,7 @@ TEST_CASE(
   CHECK(replay.timed);
   std::size_t background = 0;
   for (const Input& input : replay.inputs) background += std::holds_alternative<BackgroundInput>(input.change);
-  if (pause_ms == 30) CHECK(background > 0);  // else nothing here depends on a moment
+  if (pause_ms == 30) CHECK(background > 0);  // otherwise nothing here depends on timing
   CHECK(hash_text(replayed_hash(replay, live.graphics)) == hash_text(*replay.hash));
   CHECK(hash_text(replayed_hash(replay, live.graphics)) == hash_text(*replay.hash));
 }
@@ -160,7 +161,7 @@ TEST_CASE("a session that sleeps and is woken is replayed", "[session]") {
   CHECK(hash_text(replayed_hash(read_replay(path), live.graphics)) == hash_text(*read_replay(path).hash));
 }
 
-TEST_CASE("tissue that came apart and was led back is replayed", "[session]") {
+TEST_CASE("a divergence with its recovery is replayed", "[session]") {
   const Bar bar(6, 2);
   const std::filesystem::path path = bar.folder / "session.fascia";
   Recorded live(bar, path);
@@ -181,12 +182,12 @@ TEST_CASE("tissue that came apart and was led back is replayed", "[session]") {
   again.play(replay);
   for (long i = 0; i < replay.steps; ++i) {
     again.step();
-    REQUIRE_FALSE(again.diverged());  // for it will be led back
+    REQUIRE_FALSE(again.diverged());  // because it will be restored
   }
   CHECK(hash_text(state_hash(again.state())) == hash_text(*replay.hash));
 }
 
-TEST_CASE("a session that ends with a reset or a return to the last sound state is replayed to its end", "[session]") {
+TEST_CASE("a session that ends with a reset or a return to the last valid state is replayed to its end", "[session]") {
   const Bar bar(6, 2);
   const std::filesystem::path path = bar.folder / "session.fascia";
   Recorded live(bar, path);
@@ -222,7 +223,7 @@ TEST_CASE("a session that ends with a reset or a return to the last sound state 
 TEST_CASE("a recording that begins in mid-session is replayed to the bit", "[session]") {
   const bool within_budget = GENERATE(false, true);
   CAPTURE(within_budget);
-  Bar bar;  // with regions at rest, and looks at what moves every few steps
+  Bar bar;  // with regions at rest, and checks for motion every few steps
   bar.scene.gravity = {0, 0, 0};
   bar.scene.bodies[0].material.damping = 0.3;
   if (within_budget) {
@@ -231,11 +232,11 @@ TEST_CASE("a recording that begins in mid-session is replayed to the bit", "[ses
   }
   Recorded live(bar, bar.folder / "first.fascia");
   live.simulation.set_grab(grab(live.simulation.model, {0, 0.02, 0}));
-  live.steps(13);  // between two looks
+  live.steps(13);  // between two checks
   live.simulation.set_grab({});
   Material soft = live.simulation.model.materials[0];
   soft.young_modulus *= 0.5;
-  live.simulation.set_material(0, soft);  // the coarse level follows beside the steps
+  live.simulation.set_material(0, soft);  // the coarse level is updated during the steps
   live.steps(8);
   live.end();
   const long before = live.simulation.steps_made();
@@ -258,8 +259,7 @@ TEST_CASE("a recording that begins in mid-session is replayed to the bit", "[ses
   CHECK(hash_text(replayed_hash(replay, live.graphics)) == hash_text(*replay.hash));
 }
 
-TEST_CASE("a session in which nobody did anything leaves no file, and one that is not whole is not saved as one",
-          "[session]") {
+TEST_CASE("a session without inputs leaves no file, and an incomplete one is not saved as complete", "[session]") {
   const Bar bar(6, 2);
   const std::filesystem::path path = bar.folder / "session.fascia";
   {
@@ -273,7 +273,7 @@ TEST_CASE("a session in which nobody did anything leaves no file, and one that i
   CHECK_FALSE(std::filesystem::exists(path));
 
   SessionRecording torn(path, Replay{bar.scene, std::nullopt, {}, 0});
-  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size stands for a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size simulates a full disk
   rlimit usual{};
   getrlimit(RLIMIT_FSIZE, &usual);
   const rlimit full{std::filesystem::file_size(path), usual.rlim_max};
@@ -285,7 +285,7 @@ TEST_CASE("a session in which nobody did anything leaves no file, and one that i
   CHECK_FALSE(std::filesystem::exists(bar.folder / "copy.fascia"));
 }
 
-TEST_CASE("sessions that other windows are recording stay, however many there are", "[session]") {
+TEST_CASE("sessions that other windows record are kept, however many there are", "[session]") {
   const TemporaryFolder home;
   setenv("XDG_STATE_HOME", home.path().c_str(), 1);
   const std::filesystem::path sessions = session_file().parent_path();
@@ -304,7 +304,7 @@ TEST_CASE("sessions that other windows are recording stay, however many there ar
   CHECK_FALSE(std::filesystem::exists(dead));
 }
 
-TEST_CASE("a replay that is taken over goes on, and its own recording has all of it", "[session]") {
+TEST_CASE("a replay that is taken over continues, and its own recording is complete", "[session]") {
   const Bar bar(6, 2);
   const std::filesystem::path path = bar.folder / "first.fascia", second_path = bar.folder / "second.fascia";
   Recorded live(bar, path);
@@ -324,7 +324,7 @@ TEST_CASE("a replay that is taken over goes on, and its own recording has all of
         hash_text(*read_replay(second_path).hash));
 }
 
-TEST_CASE("ten minutes of dragging are a few megabytes", "[session]") {
+TEST_CASE("ten minutes of dragging take a few megabytes", "[session]") {
   const TemporaryFolder folder;
   Scene scene;
   scene.file = folder / "s.json";
@@ -344,8 +344,7 @@ TEST_CASE("ten minutes of dragging are a few megabytes", "[session]") {
       track.restart(springs);
       recording.add({step, springs});
     }
-    if (step % 4 == 0)
-      recording.look(step, {offset, {0, 0, 1}, {0, 1, 0}, 40}, {});  // and the view turns all the while
+    if (step % 4 == 0) recording.look(step, {offset, {0, 0, 1}, {0, 1, 0}, 40}, {});  // the view rotates continuously
   }
   recording.note_state(kSteps, 0);
   const auto bytes = std::filesystem::file_size(folder / "long.fascia");
@@ -354,7 +353,7 @@ TEST_CASE("ten minutes of dragging are a few megabytes", "[session]") {
   CHECK(read_replay(folder / "long.fascia").steps == kSteps);
 }
 
-TEST_CASE("a copy of a session opens elsewhere", "[session]") {
+TEST_CASE("a copy of a session opens at another place", "[session]") {
   const Bar bar(6, 2);
   Recorded live(bar, bar.folder / "session.fascia");
   live.steps(4);
@@ -374,7 +373,7 @@ TEST_CASE("a copy of a session opens elsewhere", "[session]") {
   CHECK_THAT(run_fascia(other).err, Catch::Contains("another state than was recorded, with other values"));
 }
 
-TEST_CASE("a recorded camera moves smoothly, passes what was recorded, and stands where it stood", "[session]") {
+TEST_CASE("a recorded camera moves smoothly, passes the recorded keys, and rests where it rested", "[session]") {
   Replay replay;
   const auto turned = [](double angle) {
     return CameraSettings{{2 * std::sin(angle), 0.5, 2 * std::cos(angle)}, {0, 0, 0}, {0, 1, 0}, 40};
@@ -392,8 +391,8 @@ TEST_CASE("a recorded camera moves smoothly, passes what was recorded, and stand
     CHECK((view.camera(static_cast<double>(step))->eye - turned(0.01 * static_cast<double>(step - 99)).eye).norm() <
           1e-12);
   CHECK(view.camera(1000)->eye == turned(0.01 * static_cast<double>(140 - 99)).eye);
-  // In the middle of the turn the path is the circle itself, but for the error of a cubic over one interval: far below
-  // its length.
+  // In the middle of the rotation the path is the circle itself, up to the error of a cubic over one interval, which is
+  // far below its length.
   for (double step = 105; step < 135; step += 0.25)
     CHECK((view.camera(step)->eye - turned(0.01 * (step - 99)).eye).norm() < 1e-6);
   CHECK_FALSE(view.display(199.5));

@@ -1,4 +1,4 @@
-// The real window on a virtual display, used by hands made of xdotool.
+// The real window on a virtual display, operated through xdotool.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -21,8 +21,8 @@ using namespace fascia::test;
 namespace {
 
 constexpr int kWidth = 1000, kHeight = 700;
-constexpr int kPanels = 340;                     // a little more than the column of panels is wide
-constexpr int kMiddle = (kPanels + kWidth) / 2;  // of what they leave
+constexpr int kPanels = 340;                     // slightly more than the width of the column of panels
+constexpr int kMiddle = (kPanels + kWidth) / 2;  // of the area beside the panels
 
 struct Desk {
   TemporaryFolder folder;
@@ -38,7 +38,7 @@ std::vector<std::string> with_size(std::vector<std::string> arguments) {
   return arguments;
 }
 
-// Without panels, hints and messages, which lie at the edges.
+// Without panels, hints and messages, which are at the edges.
 Image scene_part(const Screenshot& shot) {
   constexpr int kEdge = 60;
   Image part = right_part(shot.image, kPanels);
@@ -52,8 +52,8 @@ double changed_share(const Screenshot& a, const Screenshot& b) {
   return difference(scene_part(a), scene_part(b)).share;
 }
 
-// The pointer aside, over the panels, where it points at no tissue and the window draws no ring around it; and two
-// pictures in a row the same, for what follows the pointer or the size of the panels comes a frame late.
+// Moves the pointer over the panels, where the window draws no ring around it, and waits for two equal pictures in a
+// row, since reactions to the pointer or to the size of the panels come a frame late.
 Screenshot undisturbed(FasciaWindow& window) {
   window.move(8, 8);
   Screenshot last = window.screenshot();
@@ -64,8 +64,8 @@ Screenshot undisturbed(FasciaWindow& window) {
   return last;
 }
 
-// Middle of the first slider's knob in the panels: the accent color (see ui_style.cpp), in the uppermost rows where it
-// is.
+// Center of the first slider's knob in the panels: the accent color (see ui_style.cpp), in the uppermost rows that
+// contain it.
 struct Spot {
   int x = 0, y = 0;
 };
@@ -98,12 +98,12 @@ double farthest_vertex(const std::filesystem::path& csv, const std::filesystem::
 
 }  // namespace
 
-TEST_CASE("a window in which nothing moves uses no processor, and wakes when it is touched") {
+TEST_CASE("a window without motion uses no processor time, and wakes on input") {
   const Desk desk;
   const std::string scene = desk.scene("cube.json", cube_scene("Test cube", 2e4));
   FasciaWindow window(with_size({scene, "--stats", "stats.json"}), desk.folder.path());
-  window.screenshot();  // it is up and shows the scene
-  // Less is used the busier the machine is: a window that draws on uses most of the time that it gets.
+  window.screenshot();  // it is open and shows the scene
+  // The usage decreases with the load of the machine: a window that keeps drawing uses most of its share.
   const auto used_in_a_while = [&] {
     const double before = window.processor_seconds();
     for (int i = 0; i < 4; ++i) window.pause();
@@ -141,7 +141,8 @@ TEST_CASE("tissue is dragged, a slider moved and keys pressed in the window") {
   Screenshot dragged;
   CHECK(eventually([&] { return changed_share(rest, dragged = window.screenshot()) > 0.01; }));
   window.release();
-  // Nothing acts on the tissue after a reset: the very picture of rest comes back. A busy desk can lose a key.
+  // No force acts on the tissue after a reset: exactly the picture of rest returns. A busy virtual display can lose a
+  // key.
   CHECK(eventually([&] {
     window.key("r");
     return changed_share(rest, undisturbed(window)) < 1e-4;
@@ -153,7 +154,7 @@ TEST_CASE("tissue is dragged, a slider moved and keys pressed in the window") {
   window.move(knob.x, knob.y);
   window.press();
   window.move(knob.x + 40, knob.y);
-  // Let go only then: a slider ignores a move that comes in the same frame as the release.
+  // The button is released only then: a slider ignores a move in the same frame as the release.
   Screenshot stiffer;
   CHECK(eventually([&] { return (stiffer = window.screenshot()).young_modulus > 1e5; }));
   window.release();
@@ -189,7 +190,7 @@ TEST_CASE("tissue is dragged, a slider moved and keys pressed in the window") {
   CHECK(eventually([&] { return difference(panels_of(wire), panels_of(window.screenshot())).share > 0.5; }));
 
   INFO("closing while the grab still pulls writes the deformed state");
-  const Screenshot alone = window.screenshot();  // without panels the scene lies in the middle of the window
+  const Screenshot alone = window.screenshot();  // without panels the scene is in the middle of the window
   window.key("space");
   window.move(kMiddle, kHeight / 2);
   window.press();
@@ -210,7 +211,7 @@ TEST_CASE("tissue is dragged, a slider moved and keys pressed in the window") {
   CHECK(farthest > 0.01);  // [m] of a cube of 0.1 m or more
 }
 
-TEST_CASE("a scene that cannot be opened leaves the open one, and another opens by its path") {
+TEST_CASE("a scene that cannot be opened keeps the open one, and another opens by its path") {
   const Desk desk;
   const std::string first = desk.scene("first.json", cube_scene("First", 1e5));
   desk.scene("second.json", cube_scene("Second", 1e6));
@@ -218,9 +219,9 @@ TEST_CASE("a scene that cannot be opened leaves the open one, and another opens 
   FasciaWindow window(with_size({first}), desk.folder.path());
   CHECK(window.screenshot().title == "First");
 
-  // Characters typed before the dialog has taken the keyboard are lost, so everything is tried until it works; Escape
-  // closes an error and a dialog that were left open. On a busy machine a frame takes seconds: every try gives it more
-  // time.
+  // Characters typed before the dialog has the keyboard focus are lost, so everything is repeated until it works;
+  // Escape closes an error and a dialog that stayed open. On a busy machine a frame takes seconds: every attempt gets
+  // more time.
   int patience = 0;
   const auto open = [&](const std::string& name) {
     ++patience;
@@ -235,7 +236,7 @@ TEST_CASE("a scene that cannot be opened leaves the open one, and another opens 
     window.key("Return");
     wait();
   };
-  // Of the red box that an error is shown in (see panels_help.cpp).
+  // Pixels of the red box of an error (see panels_help.cpp).
   const auto red_pixels = [](const Screenshot& shot) {
     long count = 0;
     for (std::size_t i = 0; i < shot.image.rgba.size(); i += 4)
@@ -261,7 +262,7 @@ TEST_CASE("a scene that cannot be opened leaves the open one, and another opens 
   CHECK(window.wait() == 0);
 }
 
-TEST_CASE("a window closes by itself after the asked steps") {
+TEST_CASE("a window closes by itself after the requested steps") {
   const Desk desk;
   const std::string scene = desk.scene("cube.json", cube_scene("Cube", 1e5));
   const CommandResult result =
@@ -271,7 +272,7 @@ TEST_CASE("a window closes by itself after the asked steps") {
   CHECK(nlohmann::json::parse(read_file(desk.folder / "stats.json")).at("steps") == 5);
 }
 
-TEST_CASE("tissue that keeps coming apart pauses, says so and leaves a replay; the window and the scene stay") {
+TEST_CASE("tissue that diverges repeatedly pauses with a message and a replay; the window and the scene stay") {
   const Desk desk;
   const std::string scene = desk.scene("cube.json", cube_scene("Cube", 1e5));
   Replay broken{open_scene(scene), std::nullopt, {}, 100};
@@ -296,7 +297,7 @@ TEST_CASE("tissue that keeps coming apart pauses, says so and leaves a replay; t
   const CommandResult again = run_fascia({"run", "--replay", kept.string(), "--context", "osmesa"}, desk.folder.path());
   CAPTURE(again.err);
   CHECK(again.exit_code == 1);
-  CHECK(again.err.find("came apart at ") != std::string::npos);
+  CHECK(again.err.find("diverged at ") != std::string::npos);
 }
 
 TEST_CASE("hidden: the device is reset", "[.]") {
@@ -333,14 +334,14 @@ TEST_CASE("a window whose device is reset ends and leaves the scene as it was") 
   REQUIRE(kept.size() == 1);
   CHECK(kept[0].scene.title == "Cube");
   CHECK(build_model(kept[0].scene).materials == build_model(scene).materials);
-  CHECK(kept[0].scene.camera.has_value());  // of now: the file has none
+  CHECK(kept[0].scene.camera.has_value());  // from the window, since the file has none
   CHECK(kept[0].start.has_value());
 }
 
 TEST_CASE("a session in the window is replayed to the bit, also one that was killed", "[window][session]") {
   const Desk desk;
   const std::string scene = desk.scene("cube.json", cube_scene("Test cube", 2e4));
-  const std::filesystem::path sessions = state_folder() / "sessions";  // the display's own
+  const std::filesystem::path sessions = state_folder() / "sessions";  // of this display
   const auto only_session = [&] {
     std::filesystem::path found;
     for (const auto& entry : std::filesystem::directory_iterator(sessions)) found = entry.path();
@@ -355,7 +356,7 @@ TEST_CASE("a session in the window is replayed to the bit, also one that was kil
     window.move(kMiddle, kHeight / 2);
     window.press();
     window.move(kMiddle + 120, kHeight / 2 - 60);
-    window.screenshot();  // each of these drags lasts some frames, however slow the machine
+    window.screenshot();  // each of these drags lasts some frames on any machine
     window.release();
     window.move(slider.x, slider.y);
     window.press();
@@ -364,7 +365,7 @@ TEST_CASE("a session in the window is replayed to the bit, also one that was kil
     window.screenshot();
     window.release();
     window.key("w");
-    window.move(kWidth - 80, kHeight - 120);  // beside the cube: the view turns
+    window.move(kWidth - 80, kHeight - 120);  // beside the cube: the view rotates
     window.press();
     window.move(kWidth - 160, kHeight - 150);
     window.screenshot();
@@ -394,7 +395,7 @@ TEST_CASE("a session in the window is replayed to the bit, also one that was kil
   CHECK(again.err.find("fascia: to the bit what was recorded") != std::string::npos);
   CHECK((read_file(desk.folder / "again.csv") == read_file(desk.folder / "lived.csv")));
 
-  // The next one is killed in the middle of a drag.
+  // The next window is killed in the middle of a drag.
   std::filesystem::remove_all(sessions);
   {
     FasciaWindow window(with_size({scene}), desk.folder.path());

@@ -1,5 +1,5 @@
-// Dialogs of the real window, by keys: saving with folders, a question before a file is replaced, errors in front of
-// all else.
+// Dialogs of the real window, by keys: saving with folders, confirmation before a file is replaced, errors in front of
+// everything.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -28,7 +28,7 @@ struct Desk {
   void keys(const std::vector<std::string>& names) {
     for (const std::string& name : names) window.key(name);
   }
-  /// Of the red box of an error (see panels_help.cpp), on the screen.
+  /// Pixels of the red box of an error (see panels_help.cpp) on the screen.
   long red_pixels() const {
     const Image image = display.watch(1).front();
     long count = 0;
@@ -41,7 +41,7 @@ struct Desk {
 
 }  // namespace
 
-TEST_CASE("a scene is saved into a folder that is gone to by keys, and a file is replaced only after a question",
+TEST_CASE("a scene is saved to a folder selected by keys, and a file is replaced only after confirmation",
           "[dialogs]") {
   Desk desk;
   FasciaWindow& window = desk.window;
@@ -107,7 +107,7 @@ TEST_CASE("a state and a replay are saved by the same dialog", "[dialogs]") {
   CHECK(window.wait() == 0);
 }
 
-TEST_CASE("a click chooses a folder and a file of the dialog that saves", "[dialogs]") {
+TEST_CASE("a click selects a folder and a file in the save dialog", "[dialogs]") {
   Desk desk;
   FasciaWindow& window = desk.window;
   fs::create_directory(desk.folder / "out");
@@ -131,7 +131,7 @@ TEST_CASE("a click chooses a folder and a file of the dialog that saves", "[dial
   CHECK(window.wait() == 0);
 }
 
-TEST_CASE("an error lies in front of panels and dialogs, and Escape closes it first", "[dialogs]") {
+TEST_CASE("an error is in front of panels and dialogs, and Escape closes it first", "[dialogs]") {
   Desk desk;
   FasciaWindow& window = desk.window;
   window.screenshot();
@@ -141,7 +141,7 @@ TEST_CASE("an error lies in front of panels and dialogs, and Escape closes it fi
   window.key("Return");
   long red = 0;
   CHECK(eventually([&] { return (red = desk.red_pixels()) > 2000; }));
-  // Recording, the list of keys and the gallery open where it stands; the last one is modal and dims what is behind it.
+  // Recording, the list of keys and the gallery open at its place; the last one is modal and dims the rest.
   for (const char* key : {"shift+v", "F1", "F2"}) {
     window.key(key);
     for (int i = 0; i < 3; ++i) window.pause();

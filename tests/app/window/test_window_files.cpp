@@ -1,5 +1,4 @@
-// Files and plots in the real window: examples, a state that outlives a kill, an opening that is given up, plots as
-// files.
+// Files and plots in the real window: examples, a state that survives a kill, a canceled opening, plots as files.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -34,7 +33,7 @@ struct Desk {
     write_file(folder / (title + ".json"), scene.dump());
     return (folder / (title + ".json")).string();
   }
-  /// Whole files only: what is still being written has a name that begins with a dot.
+  /// Complete files only: the name of an incomplete one begins with a dot.
   std::vector<std::filesystem::path> with_ending(const std::string& ending, const std::filesystem::path& where) const {
     std::vector<std::filesystem::path> found;
     std::error_code ec;
@@ -57,9 +56,9 @@ long step_of(const Screenshot& shot) {
 
 }  // namespace
 
-TEST_CASE("what a killed window had is offered by the next one, and taken up with its values") {
+TEST_CASE("the state of a killed window is offered by the next one, and restored with its values") {
   const Desk desk;
-  // Its mesh lies beside it, and the next window starts elsewhere.
+  // Its mesh is beside it, and the next window starts in another folder.
   const std::filesystem::path models = desk.folder / "models";
   std::filesystem::create_directory(models);
   std::filesystem::copy_file(source_dir() / "assets/meshes/cube.msh", models / "cube.msh");
@@ -77,7 +76,7 @@ TEST_CASE("what a killed window had is offered by the next one, and taken up wit
   const std::string other = desk.scene("other", 1e6);
   FasciaWindow window(with_size({other}), desk.folder.path());
   CHECK(window.screenshot().title == "other");
-  // The offer stands at the top, in the middle of what the panels leave; its button is right of the middle.
+  // The offer is at the top, centered beside the panels; its button is right of the center.
   CHECK(eventually([&] {
     for (int x = kWidth / 2 + 100; x < kWidth - 60; x += 30) {
       window.move(x, 72);
@@ -91,7 +90,7 @@ TEST_CASE("what a killed window had is offered by the next one, and taken up wit
   }));
   CHECK(window.screenshot().young_modulus == 3e4);
   const std::filesystem::path saved = desk.folder / "killed.json";
-  int patience = 0;  // keys that come before the dialog is there are lost, and on a busy machine a frame takes seconds
+  int patience = 0;  // keys before the dialog opens are lost, and on a busy machine a frame takes seconds
   const auto wait = [&] {
     for (int i = 0; i < patience; ++i) window.pause();
   };
@@ -132,13 +131,13 @@ TEST_CASE("two windows keep their states apart") {
   CHECK(desk.with_ending(".fascia", desk.display.state()).size() == 2);
 }
 
-TEST_CASE("an example opens with one click, and the gallery was offered to somebody new") {
+TEST_CASE("an example opens with one click, and the gallery is offered to a new user") {
   const Desk desk;
   write_user_settings(desk.display.settings(), {});
   FasciaWindow window(with_size({}), desk.folder.path());
   // The last of three in the first row: the beam.
   CHECK(eventually([&] {
-    window.key("F2");  // it is open already at first
+    window.key("F2");  // it is initially open
     window.pause();
     window.move(kWidth / 2 + 240, 130);
     window.press();
@@ -153,7 +152,7 @@ TEST_CASE("an example opens with one click, and the gallery was offered to someb
   CHECK(window.wait() == 0);
 }
 
-TEST_CASE("opening a large mesh is given up with Escape, and the open scene goes on") {
+TEST_CASE("opening a large mesh is canceled with Escape, and the open scene continues") {
   const Desk desk;
   const std::string scene = desk.scene("small", 2e5);
   write_mesh(desk.folder / "large.msh", make_box(48, 48, 48, {1, 1, 1}));
@@ -174,7 +173,7 @@ TEST_CASE("opening a large mesh is given up with Escape, and the open scene goes
   CHECK(window.wait() == 0);
 }
 
-TEST_CASE("a video that fails when the window closes costs neither the export nor the recorded session") {
+TEST_CASE("a video that fails when the window closes affects neither the export nor the recorded session") {
   const Desk desk;
   const std::string scene = desk.scene("filmed", 5e3);
   std::filesystem::create_directory(desk.folder / "tools");
@@ -188,7 +187,7 @@ TEST_CASE("a video that fails when the window closes costs neither the export no
   window.screenshot();
   window.key("v");
   CHECK(eventually([&] { return std::filesystem::exists(desk.folder / "started"); }));
-  window.key("r");  // something that was done
+  window.key("r");  // an input to record
   window.screenshot();
   window.key("ctrl+q");
   CHECK(window.wait() == 1);
@@ -196,11 +195,11 @@ TEST_CASE("a video that fails when the window closes costs neither the export no
   CHECK(std::filesystem::exists(desk.folder / "end.csv"));
   const auto sessions = desk.with_ending(".fascia", desk.display.state() / "sessions");
   REQUIRE(sessions.size() == 1);
-  CHECK(read_replay(sessions[0]).hash);  // to its end
+  CHECK(read_replay(sessions[0]).hash);  // recorded to its end
   CHECK(desk.with_ending(".fascia", desk.display.state()).size() == 1);
 }
 
-TEST_CASE("plots are written as a table of what was shown, and the state is exported") {
+TEST_CASE("plots are written as a table of the shown values, and the state is exported") {
   const Desk desk;
   const std::string scene = desk.scene("plotted", 5e3);
   FasciaWindow window(with_size({scene}), desk.folder.path());
@@ -233,5 +232,5 @@ TEST_CASE("plots are written as a table of what was shown, and the state is expo
   CHECK_THAT(table, Catch::Contains("# Title: plotted") &&
                         Catch::Contains("\nstep,time_s,kinetic_J,elastic_J,gravitational_J,total_J,"));
   CHECK(std::count(table.begin(), table.end(), '\n') >
-        9);  // seven notes of what made it, the vertex, the names, and rows
+        9);  // seven notes of provenance, the vertex, the names, and rows
 }

@@ -1,5 +1,5 @@
-// Several grabs in the real window: one that stays, a second one moved by mouse and wheel, and the first let go of by
-// its mark.
+// Several grabs in the real window: one that stays, a second one moved by mouse and wheel, and the release of the first
+// by its mark.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ using namespace fascia::test;
 namespace {
 
 constexpr int kWidth = 1000, kHeight = 700, kPanels = 340,
-              kMiddle = (kPanels + kWidth) / 2;  // of what the panels leave
+              kMiddle = (kPanels + kWidth) / 2;  // of the area beside the panels
 
 double changed_share(const Screenshot& a, const Screenshot& b) {
   return difference(right_part(a.image, kPanels), right_part(b.image, kPanels)).share;
@@ -24,7 +24,7 @@ double changed_share(const Screenshot& a, const Screenshot& b) {
 }  // namespace
 
 TEST_CASE(
-    "two grabs in the window: the first stays, the second goes away with the wheel, the first is let go of by its "
+    "two grabs in the window: the first stays, the second moves away with the wheel, the first is released by its "
     "mark") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
@@ -81,7 +81,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "grabs that stay hold on through a comparison, whose sides both take more of them, and Escape lets go of all") {
+    "grabs that stay continue through a comparison, whose sides both accept more of them, and Escape releases all") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
   write_file(
@@ -94,7 +94,7 @@ TEST_CASE(
           .dump());
   FasciaWindow window({(folder / "cube.json").string(), "--size", "1000x700"}, folder.path());
   std::filesystem::path session;
-  const auto grabs = [&] {  // that pull, as the newest session's file has it so far
+  const auto grabs = [&] {  // number of grabs that pull, from the current file of the newest session
     session.clear();
     for (const auto& entry : std::filesystem::directory_iterator(display.state() / "sessions"))
       session = std::max(session, entry.path());

@@ -1,4 +1,4 @@
-// Keys in the real window: faster than its frames, and those that belong to the panels.
+// Keys in the real window: faster than its frames, and keys for the panels.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -11,11 +11,11 @@ using namespace fascia::test;
 namespace {
 
 constexpr int kWidth = 1000, kHeight = 700, kPanels = 340,
-              kMiddle = (kPanels + kWidth) / 2;  // of what the panels leave
+              kMiddle = (kPanels + kWidth) / 2;  // of the area beside the panels
 
 }  // namespace
 
-TEST_CASE("keys with Ctrl and Shift that are pressed and let go within a frame reach a text field") {
+TEST_CASE("keys with Ctrl and Shift that are pressed and released within a frame reach a text field") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
   write_file(folder / "cube.json", cube_scene("Test cube", 2e4));
@@ -40,7 +40,7 @@ TEST_CASE("keys with Ctrl and Shift that are pressed and let go within a frame r
   CHECK(window.wait() == 0);
 }
 
-TEST_CASE("Escape closes a list of the panels, and grabs that stay hold on") {
+TEST_CASE("Escape closes a list of the panels, and grabs that stay are kept") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
   write_file(folder / "cube.json", cube_scene("Test cube", 2e4));

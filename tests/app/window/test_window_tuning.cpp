@@ -1,4 +1,4 @@
-// Undo, redo and the comparison of two settings in the real window, by hands.
+// Undo, redo and the comparison of two settings in the real window, by mouse and keys.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ using namespace fascia::test;
 namespace {
 
 constexpr int kWidth = 1280, kHeight = 720, kPanels = 340,
-              kMiddle = (kPanels + kWidth) / 2;  // of what the panels leave
+              kMiddle = (kPanels + kWidth) / 2;  // of the area beside the panels
 
 std::string cube_scene() {
   return nlohmann::json{{"fascia_scene", 1},
@@ -34,7 +34,7 @@ bool is_accent(const Image& image, int x, int y) {
   return p[0] > 180 && p[1] > 80 && p[1] < 140 && p[2] > 60 && p[2] < 120;
 }
 
-// The middle of the first slider's knob.
+// The center of the first slider's knob.
 std::pair<int, int> first_knob(const Image& image) {
   for (int y = 0; y < image.height; ++y)
     for (int x = 20; x < kPanels; ++x) {
@@ -57,7 +57,7 @@ bool divided(const Image& image) {
 
 }  // namespace
 
-TEST_CASE("a drag of a slider is taken back and done again by keys, and two settings are compared") {
+TEST_CASE("a drag of a slider is undone and redone by keys, and two settings are compared") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
   write_file(folder / "cube.json", cube_scene());
@@ -102,7 +102,7 @@ TEST_CASE("a drag of a slider is taken back and done again by keys, and two sett
   CHECK(window.wait() == 0);
 }
 
-TEST_CASE("a session whose sides were swapped is replayed to the bit, also where R leads to the start of a replay") {
+TEST_CASE("a session with swapped sides is replayed to the bit, even if R returns to the start of a replay") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
   write_file(folder / "cube.json", cube_scene());
@@ -118,7 +118,7 @@ TEST_CASE("a session whose sides were swapped is replayed to the bit, also where
       folder.path());
   window.screenshot();
   std::filesystem::path session;
-  const auto begins_at = [&] {  // the newest recording; no number while one takes the place of another
+  const auto begins_at = [&] {  // of the newest recording; NaN while one replaces another
     session.clear();
     for (const auto& entry : std::filesystem::directory_iterator(display.state() / "sessions"))
       session = std::max(session, entry.path());
@@ -157,8 +157,7 @@ TEST_CASE("a session whose sides were swapped is replayed to the bit, also where
 }
 
 TEST_CASE(
-    "a section plane that was dragged is taken back in one piece; a grab at the second side goes with it, and the "
-    "wheel zooms both") {
+    "a dragged section plane is undone in one step; a grab on the second side follows it, and the wheel zooms both") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
   nlohmann::json scene = nlohmann::json::parse(cube_scene());
@@ -215,7 +214,7 @@ TEST_CASE(
   }));
   window.key("ctrl+q");
   CHECK(window.wait() == 0);
-  INFO("the side that stays is held by nobody");
+  INFO("no grab is left on the remaining side");
   const Replay replay = read_replay(replays().front());
   const GrabInput* last = nullptr;
   for (const Input& input : replay.inputs)

@@ -25,7 +25,7 @@ struct Desk {
     write_file(folder / "cube.json", cube_scene("Test cube", 2e4));
     return (folder / "cube.json").string();
   }
-  /// Every material that was set, in order, as the recorded session has it.
+  /// All materials that were set, in order, from the recorded session.
   std::vector<Material> materials() const {
     std::vector<Material> all;
     for (const auto& entry : std::filesystem::directory_iterator(display.state() / "sessions"))
@@ -37,7 +37,7 @@ struct Desk {
 
 }  // namespace
 
-TEST_CASE("a slider takes the number that is typed and no other value, wherever pictures fall between click and keys",
+TEST_CASE("a slider accepts only the number that is typed, for any timing of pictures between click and keys",
           "[typing]") {
   Desk desk;
   FasciaWindow& window = desk.window;
@@ -57,7 +57,7 @@ TEST_CASE("a slider takes the number that is typed and no other value, wherever 
       window.hold();
       for (std::size_t i = 0; i < cut; ++i) input[i]();
       window.go_on();
-      window.pause();  // pictures, or none: either must do
+      window.pause();  // pictures or none: the result must be the same
       window.hold();
       for (std::size_t i = cut; i < input.size(); ++i) input[i]();
       window.go_on();
@@ -123,7 +123,7 @@ TEST_CASE("a click and a drag act where they were made, however far the mouse is
   CHECK(window.screenshot().young_modulus == dragged);
 }
 
-TEST_CASE("Young's modulus below 1 Pa and numbers beyond a slider's range are refused, and the value stays",
+TEST_CASE("Young's modulus below 1 Pa and numbers beyond a slider's range are refused, and the value is kept",
           "[typing]") {
   Desk desk;
   FasciaWindow& window = desk.window;
@@ -150,7 +150,7 @@ TEST_CASE("Young's modulus below 1 Pa and numbers beyond a slider's range are re
   CHECK(window.wait() == 0);
 }
 
-TEST_CASE("text for a dialog comes in one go with the keys that open it", "[typing]") {
+TEST_CASE("text for a dialog may arrive together with the keys that open it", "[typing]") {
   Desk desk;
   FasciaWindow& window = desk.window;
   write_file(desk.folder / "second.json", cube_scene("Second", 3e4));

@@ -1,4 +1,4 @@
-// Videos and pictures that are recorded in the real window: of the size that was chosen, without panels.
+// Videos and pictures that are recorded in the real window: of the chosen size, without panels.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
@@ -22,7 +22,7 @@ struct Desk {
     write_file(folder / "cube.json", cube_scene("Test cube", 2e4));
     return (folder / "cube.json").string();
   }
-  /// The newest with this ending; of pictures the folder.
+  /// The newest file with this extension; for pictures the folder.
   fs::path recorded(const std::string& ending) const {
     fs::path found;
     for (const auto& entry : fs::directory_iterator(folder.path())) {
@@ -49,11 +49,10 @@ std::string size_of_video(const fs::path& path) {
 
 }  // namespace
 
-TEST_CASE("videos and pictures have the size that was chosen and no panels, whatever size the window has got",
-          "[video]") {
+TEST_CASE("videos and pictures have the chosen size and no panels, for any size of the window", "[video]") {
   Desk desk;
   FasciaWindow& window = desk.window;
-  window.resize(957, 640);  // as a window manager would that needs room for a frame
+  window.resize(957, 640);  // as a window manager that reserves space for a frame
   CHECK(eventually([&] { return window.screenshot().image.width == 957; }));
   desk.record();
   CHECK(eventually([&] { return !desk.recorded(".mp4").empty(); }));
@@ -76,7 +75,7 @@ TEST_CASE("videos and pictures have the size that was chosen and no panels, what
   const Image picture = read_png(last);
   CHECK(picture.width == 960);
   CHECK(picture.height == 640);
-  // The panels are nearly opaque and darker than what is behind the scene.
+  // The panels are nearly opaque and darker than the background.
   const auto brightness = [&](int x, int y) {
     const std::uint8_t* p = &picture.rgba[4 * (static_cast<std::size_t>(y) * picture.width + x)];
     return int{p[0]} + p[1] + p[2];
@@ -100,7 +99,7 @@ TEST_CASE("videos and pictures have the size that was chosen and no panels, what
   CHECK(window.wait() == 0);
 }
 
-TEST_CASE("a size for a video is even, for pictures it is any") {
+TEST_CASE("a size is even for a video, and arbitrary for pictures") {
   VideoSettings settings;
   CHECK_FALSE(settings.panels);
   for (const auto kind : {VideoKind::mp4, VideoKind::webm, VideoKind::pictures}) {

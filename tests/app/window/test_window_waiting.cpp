@@ -1,5 +1,4 @@
-// A window that waits: for kernels on a machine whose driver has none yet, and for whatever happens next while nothing
-// moves.
+// A waiting window: for kernels on a machine whose driver has none yet, and for input while nothing moves.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -22,7 +21,7 @@ struct NoKernels {
   NoKernels& operator=(const NoKernels&) = delete;
 };
 
-// Whether the sky, in the middle over the scene, is behind the dark pill of the notice.
+// Whether the sky, above the center of the scene, is behind the dark pill of the notice.
 bool shows_notice(const Image& image) {
   constexpr int kX = (kPanels + kWidth) / 2, kY = 58;
   const auto red = [&](int x, int y) {
@@ -33,7 +32,7 @@ bool shows_notice(const Image& image) {
 
 }  // namespace
 
-TEST_CASE("a window says that it compiles kernels, then goes on with what was done meanwhile") {
+TEST_CASE("a window reports that it compiles kernels, then continues with earlier inputs") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
   write_file(folder / "cube.json", cube_scene("Test cube", 2e4));
@@ -46,18 +45,16 @@ TEST_CASE("a window says that it compiles kernels, then goes on with what was do
   const Image rest = right_part(window.screenshot().image, kPanels);
   window.move((kPanels + kWidth) / 2, kHeight / 2);
   window.press();
-  window.move((kPanels + kWidth) / 2 + 160, kHeight / 2 - 60);  // while what a grab needs is compiled
+  window.move((kPanels + kWidth) / 2 + 160, kHeight / 2 - 60);  // while the kernels of a grab are compiled
   CHECK(eventually([&] { return difference(rest, right_part(window.screenshot().image, kPanels)).share > 0.02; }));
   window.key("ctrl+q");
   CHECK(window.wait() == 0);
 }
 
-TEST_CASE(
-    "a window that waits shows what it would draw now: no slowness that is over, and a bar that agrees with the "
-    "colors") {
+TEST_CASE("a waiting window shows its current state: no obsolete notice, and a bar that matches the colors") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);
-  // Swings under its weight, at more work a step than any software renderer does in time, and falls asleep.
+  // Oscillates under its weight, with more work per step than any software renderer does in time, and falls asleep.
   auto scene = nlohmann::json::parse(cube_scene("Test cube", 2e3));
   scene["gravity"] = {0, -9.81, 0};
   scene["display"] = {{"color", "velocity"}};

@@ -1,6 +1,5 @@
-// Contexts of every kind, alone and together. What needs another environment (no display, an X server, an
-// older OpenGL) runs in a second process of this test program, as a test case that is hidden from normal
-// runs.
+// Contexts of every kind, alone and together. Tests that need another environment (no display, an X server, an older
+// OpenGL) run in a second process of this test program, as a test case that is hidden from normal runs.
 #include "render/context/context.h"
 
 #define GLFW_INCLUDE_NONE
@@ -20,7 +19,7 @@ constexpr const char* kSquare =
     "#include \"common/io.glsl\"\nINPUT_FLOAT(Value, value)\nOUTPUT(float, Square, square)\nCOMPUTE_1D\n"
     "void main() {\n  ITEM_OR_RETURN(i)\n  square[i] = FETCH1(value, i) * FETCH1(value, i);\n}\n";
 
-/// Everything that one context needs to compute; lives and dies with its context current.
+/// Everything that a context needs to compute; created and destroyed with its context current.
 struct Kernel {
   test::ShaderFolder folder;
   gl::ProgramCache programs{folder.path(), gl::LoadPath::texel};
@@ -69,7 +68,7 @@ TEST_CASE("OSMesa and EGL work side by side in one process") {
   b.reset();
 }
 
-TEST_CASE("two contexts of a kind work side by side") {
+TEST_CASE("two contexts of the same kind work side by side") {
   const auto first = test::each_context();
   auto a = std::make_unique<Kernel>();
   {
@@ -77,7 +76,7 @@ TEST_CASE("two contexts of a kind work side by side") {
     const Kernel b;
     CHECK(b.run() == kSquares);
   }
-  first->make_current();  // the end of the other one leaves this one whole
+  first->make_current();  // the end of the other context does not affect this one
   CHECK(a->run() == kSquares);
   a.reset();
 }
@@ -93,7 +92,7 @@ TEST_CASE("contexts are made by name") {
         "context vulkan: unknown; expected auto, window, egl or osmesa");
 }
 
-TEST_CASE("EGL tells which renderers it found when no GPU is among them") {
+TEST_CASE("EGL reports the renderers that it found if no GPU is among them") {
   try {
     make_egl_context({}, EglDevices::hardware_only);
     CHECK_FALSE(gl::device().software);
@@ -124,7 +123,7 @@ TEST_CASE("hidden: old OpenGL", "[.]") {
                  Contains(", EGL on software ("));
 }
 
-TEST_CASE("OpenGL 4.1 is refused with what was found") {
+TEST_CASE("OpenGL 4.1 is refused with the version that was found") {
   const auto child = run_hidden({"env", "MESA_GL_VERSION_OVERRIDE=4.1"}, "hidden: old OpenGL");
   INFO(child.out << child.err);
   CHECK(child.exit_code == 0);

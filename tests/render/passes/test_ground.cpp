@@ -13,7 +13,7 @@ TEST_CASE("grid lines are 1, 2 or 5 times a power of ten apart, four to ten of t
     CHECK((std::abs(digit - 1) < 1e-9 || std::abs(digit - 2) < 1e-9 || std::abs(digit - 5) < 1e-9));
     CHECK(radius / scale.spacing >= 4 - 1e-9);
     CHECK(radius / scale.spacing <= 10 + 1e-9);
-    // Strong lines are a round number of metres apart as well.
+    // The spacing of strong lines is also a round number of meters.
     const double strong = scale.spacing * scale.strong / decade;
     CHECK((std::abs(strong - 5) < 1e-9 || std::abs(strong - 10) < 1e-9));
   }

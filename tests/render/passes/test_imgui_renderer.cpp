@@ -12,7 +12,7 @@ using test::color_at;
 
 constexpr int kWidth = 320, kHeight = 200;
 
-/// An ImGui context of its own, drawn by our renderer.
+/// A separate ImGui context, drawn by fascia's renderer.
 class Panels {
  public:
   explicit Panels(float scale = 1) : scale_(scale), imgui_(ImGui::CreateContext()) {
@@ -56,7 +56,7 @@ const Vector3d kBlue(0, 0, 1), kRed(1, 0, 0), kGreen(0, 1, 0);
 
 }  // namespace
 
-TEST_CASE("imgui: a window has the style's color where it is, with text in it") {
+TEST_CASE("imgui: a window has the style's color in its area, with text in it") {
   const auto context = test::each_context();
   Panels panels;
   const Image image = panels.draw([] {
@@ -79,7 +79,7 @@ TEST_CASE("imgui: a window has the style's color where it is, with text in it") 
   CHECK(bright > 20);  // six letters of seven by thirteen pixels
 }
 
-TEST_CASE("imgui: rectangles obey their clip and blend with what is below") {
+TEST_CASE("imgui: rectangles obey their clip and blend with the background") {
   const auto context = test::each_context();
   Panels panels;
   const Image image = panels.draw([] {
@@ -87,7 +87,7 @@ TEST_CASE("imgui: rectangles obey their clip and blend with what is below") {
     list.PushClipRect({50, 40}, {100, 80});
     list.AddRectFilled({0, 0}, {320, 200}, IM_COL32(255, 0, 0, 255));
     list.PopClipRect();
-    list.PushClipRect({-20, 150}, {30, 400});  // sticks out of the picture
+    list.PushClipRect({-20, 150}, {30, 400});  // extends beyond the picture
     list.AddRectFilled({0, 0}, {320, 200}, IM_COL32(0, 255, 0, 255));
     list.PopClipRect();
     list.AddRectFilled({200, 40}, {250, 80}, IM_COL32(255, 0, 0, 128));
@@ -106,7 +106,7 @@ TEST_CASE("imgui: rectangles obey their clip and blend with what is below") {
   CHECK((mixed - Vector3d(0.5, 0, 0.5)).cwiseAbs().maxCoeff() <= 1.5 / 255);
 }
 
-TEST_CASE("imgui: more vertices than 16 bits count") {
+TEST_CASE("imgui: more vertices than 16-bit indices permit") {
   const auto context = test::each_context();
   Panels panels;
   const Image image = panels.draw([] {

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A sphere sheared, stretched and shaken, in numbers that float holds exactly.
+/// A sphere that is sheared, stretched and perturbed, in numbers that float represents exactly.
 test::Shape deformed_sphere(double scale, std::vector<Vector3d>& rest) {
   test::Shape shape = test::sphere({0, 0, 0}, scale, 24);
   rest = shape.positions;
@@ -59,8 +59,8 @@ TEST_CASE("normals of a deformed surface agree with double precision, twice the 
     REQUIRE(moved[4 * i + 3] == shape.scalars[v]);
   }
   INFO("largest error of a normal " << worst);
-  // float32: each cross product is off by up to 2 eps |b| |c|, which the thin triangles at the poles (sine
-  // about 0.1) turn into 20 eps of its length; with the sum and the inverse square root less than 1e-5.
+  // float32: each cross product is off by up to 2 eps |b| |c|, which the thin triangles at the poles (sine about 0.1)
+  // turn into 20 eps of its length; with the sum and the inverse square root less than 1e-5.
   CHECK(worst < 1e-5);
 
   renderer.update(positions);
@@ -87,7 +87,7 @@ TEST_CASE("a box's normals are its faces', and follow its rotation") {
   }
 }
 
-TEST_CASE("normals follow a positions buffer that was replaced") {
+TEST_CASE("normals follow a replaced positions buffer") {
   const auto context = test::each_context();
   test::Shape shape = test::box({-1, -1, -1}, {1, 1, 1}, 1);
   const SurfaceCorners corners =

@@ -1,4 +1,4 @@
-// Section planes and separate tets: what is drawn from tets instead of the surface.
+// Section planes and separate tets, which are drawn from tets instead of the surface.
 #include "tests/render/scene_support.h"
 
 namespace fascia {
@@ -9,8 +9,8 @@ using Eigen::Vector3d;
 using test::color_at;
 using test::Scene;
 
-/// A box from 0 to 1 of cells^3 cells of six tets each, bent by `bend`, seen from `from`. Without ground and shadow,
-/// backdrop transparent: what is opaque is tissue.
+/// A box from 0 to 1 of cells^3 cells of six tets each, bent by `bend`, seen from `from`. Without ground and shadow, on
+/// a transparent backdrop: opaque pixels are tissue.
 Scene tet_box(int cells, const Vector3d& from, const std::function<Vector3d(const Vector3d&)>& bend = {}) {
   test::Shape shape;
   std::vector<std::array<std::uint32_t, 4>> tets;
@@ -24,7 +24,7 @@ Scene tet_box(int cells, const Vector3d& from, const std::function<Vector3d(cons
         shape.positions.push_back(bend ? bend(p) : p);
       }
   std::map<std::array<std::uint32_t, 3>, std::array<std::uint32_t, 3>>
-      faces;  // those of one tet only, by their vertices in order
+      faces;  // of exactly one tet, by their vertices in order
   for (int c = 0; c < cells * cells * cells; ++c) {
     for (const auto& axes : {std::array{0, 1, 2}, std::array{1, 2, 0}, std::array{2, 0, 1}, std::array{1, 0, 2},
                              std::array{0, 2, 1}, std::array{2, 1, 0}}) {
@@ -71,7 +71,7 @@ int coverage_difference(const Image& a, const Image& b) {
 
 }  // namespace
 
-TEST_CASE("render: a section is closed, without cracks, in the colors of the heat map, however the body is bent") {
+TEST_CASE("render: a section of any bent body is closed, without cracks, in the colors of the heat map") {
   const auto context = test::each_context();
   const double bend = GENERATE(0.0, 0.35);
   const auto bent = [=](const Vector3d& p) {
@@ -91,15 +91,15 @@ TEST_CASE("render: a section is closed, without cracks, in the colors of the hea
       const Ray ray = scene.camera.ray(x + 0.5, y + 0.5, image.width, image.height);
       const Vector3d hit = ray.origin + ray.direction * ((0.47 - ray.origin.z()) / ray.direction.z());
       const Vector3d expected = heat_color(static_cast<float>(hit.x())).cast<double>();
-      // The plane is in front of all that is kept: a pixel that shows something else on its way shows a side wall,
-      // outside the cut.
+      // The plane is in front of all remaining tissue: a ray that hits something else first hits a side wall, outside
+      // the cut.
       on_plane += (color_at(image, x, y) - expected).cwiseAbs().maxCoeff() < 2.5 / 255;
     }
   }
   CAPTURE(bend, inside, on_plane);
   CHECK(inside > 5000);
   CHECK(on_plane > 0.8 * inside);
-  // Without holes: along every row, between the first and the last pixel of the cut, all are of it.
+  // There are no holes: along every row, all pixels between the first and the last pixel of the cut belong to it.
   for (int y = 0; y < image.height; ++y) {
     int first = -1, last = -1, count = 0;
     for (int x = 0; x < image.width; ++x) {
@@ -113,7 +113,7 @@ TEST_CASE("render: a section is closed, without cracks, in the colors of the hea
   }
 }
 
-TEST_CASE("render: a section leaves out what lies beyond, and nothing else") {
+TEST_CASE("render: a section omits exactly the part beyond the plane") {
   const auto context = test::each_context();
   Scene scene = tet_box(4, {1, 0.4, 0.6});
   const Image whole = scene.draw();
@@ -136,8 +136,8 @@ TEST_CASE("render: a section leaves out what lies beyond, and nothing else") {
 
 TEST_CASE("render: the cut of a closed surface ends where the surface does, wherever its tets end") {
   const auto context = test::each_context();
-  // Tets from 0 to 1 in x and y; the surface, two shells that overlap, from 0.3 to 1.3: what is left of 0.3 has tets
-  // only, right of 1 only surface.
+  // Tets from 0 to 1 in x and y; the surface, two overlapping shells, from 0.3 to 1.3: left of 0.3 there are only tets,
+  // right of 1 only surface.
   Scene scene = tet_box(4, {0.05, 0.05, 1});
   scene.creases = false;
   scene.shape.triangles.clear();
@@ -163,16 +163,16 @@ TEST_CASE("render: the cut of a closed surface ends where the surface does, wher
   CHECK(alpha_at(image, int(at(0.15).x()), int(at(0.15).y())) == 0);
   CHECK(is_heat(0.4));                                                         // one shell
   CHECK(is_heat(0.8));                                                         // both
-  CHECK(color_at(image, at(1.15)).x() > 1.2 * color_at(image, at(1.15)).z());  // flesh
+  CHECK(color_at(image, at(1.15)).x() > 1.2 * color_at(image, at(1.15)).z());  // plain tissue
   CHECK(alpha_at(image, int(at(1.35).x()), int(at(1.35).y())) == 0);
 }
 
-TEST_CASE("render: edges of tets on a section, and none across their quadrangles") {
+TEST_CASE("render: edges of tets on a section, and none across their quadrilaterals") {
   const auto context = test::each_context();
   Scene scene = tet_box(2, {0, 0, 1});
   scene.width = 960;  // so that lines are a pixel wide
   scene.height = 720;
-  scene.look.section = SectionCut{{0, 0, 1}, 0.25f};  // half way through a layer of cells
+  scene.look.section = SectionCut{{0, 0, 1}, 0.25f};  // halfway through a layer of cells
   const Image plain = scene.draw();
   scene.look.wireframe = true;
   const Image wire = scene.draw();
@@ -183,10 +183,10 @@ TEST_CASE("render: edges of tets on a section, and none across their quadrangles
   CHECK(darker(0.5, 0.3));            // between cells
   CHECK(darker(0.35, 0.35));          // the cell's diagonal face
   CHECK_FALSE(darker(0.1, 0.05));     // inside a triangle
-  CHECK_FALSE(darker(0.375, 0.125));  // where both diagonals of a quadrangle would go
+  CHECK_FALSE(darker(0.375, 0.125));  // where both diagonals of a quadrilateral would be
 }
 
-TEST_CASE("render: tets drawn one by one fill what the surface fills, and gaps open when they shrink") {
+TEST_CASE("render: separate tets fill the surface, and gaps open when they shrink") {
   const auto context = test::each_context();
   Scene scene = tet_box(3, {0.7, 0.5, 1});
   const Image surface = scene.draw();
@@ -195,8 +195,7 @@ TEST_CASE("render: tets drawn one by one fill what the surface fills, and gaps o
   CHECK(coverage_difference(together, surface) == 0);
   scene.look.tets = TetSpread{0.5f, 0};
   CHECK(coverage_difference(scene.draw(), surface) > 200);
-  // Twice as far apart and as large: the tets of the hull reach to where the picture of the hull, twice as large,
-  // reaches about.
+  // Twice as far apart and as large: the tets of the hull cover about the area of the hull's picture at twice the size.
   scene.look.tets = TetSpread{1, 1};
   int apart = 0, covered = 0;
   const Image spread = scene.draw();
@@ -207,7 +206,7 @@ TEST_CASE("render: tets drawn one by one fill what the surface fills, and gaps o
     }
   CAPTURE(apart, covered);
   CHECK(apart > 1.3 * covered);
-  // With a section whole tets are left out: none of a plane behind, all of one in front.
+  // A section omits whole tets: none with a plane behind, all with one in front.
   scene.look.tets = TetSpread{1, 0};
   scene.look.section = SectionCut{{0, 0, 1}, 1.5f};
   CHECK(scene.draw().rgba == together.rgba);
@@ -233,7 +232,7 @@ TEST_CASE("render: regions have their colors on the surface, on sections and on 
             : 1);
   scene.look.regions = true;
   scene.look.wireframe = GENERATE(false, true);
-  scene.colors.assign(3 * scene.shape.triangles.size(), 0xff00ff00);  // which regions hide
+  scene.colors.assign(3 * scene.shape.triangles.size(), 0xff00ff00);  // hidden by the regions
   const auto check = [&](const char* what, double depth) {
     const Image image = scene.draw();
     for (const unsigned n : {0u, 1u}) {

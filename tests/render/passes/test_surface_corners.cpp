@@ -13,8 +13,7 @@ SurfaceCorners corners_of(const Shape& shape, bool with_rest) {
       with_rest ? std::span<const Eigen::Vector3d>(shape.positions) : std::span<const Eigen::Vector3d>());
 }
 
-/// What must hold for every surface: the triangles are unchanged, and every place of a triangle is in its
-/// corner's fan once.
+/// Properties of every surface: the triangles are unchanged, and every place of a triangle is in its corner's fan once.
 void check_consistent(const Shape& shape, const SurfaceCorners& corners) {
   REQUIRE(corners.indices.size() == 3 * shape.triangles.size());
   REQUIRE(corners.fan.size() == 2 * corners.indices.size());
@@ -42,7 +41,7 @@ TEST_CASE("a box has three corners at each of its own, two along its edges, one 
     const SurfaceCorners sharp = corners_of(shape, true);
     check_consistent(shape, sharp);
     CAPTURE(cells);
-    CHECK(sharp.vertex.size() == std::size_t(6 * (cells + 1) * (cells + 1)));  // every face its own grid
+    CHECK(sharp.vertex.size() == std::size_t(6 * (cells + 1) * (cells + 1)));  // every face has a separate grid
     const SurfaceCorners smooth = corners_of(shape, false);
     check_consistent(shape, smooth);
     CHECK(smooth.vertex.size() == shape.positions.size());
@@ -58,7 +57,7 @@ TEST_CASE("a sphere is smooth with and without its rest shape") {
   }
 }
 
-TEST_CASE("vertices that no triangle uses have no corner, triangles without area tear nothing") {
+TEST_CASE("vertices without triangles have no corner, and triangles without area split nothing") {
   Shape shape = test::sphere({0, 0, 0}, 1, 8);
   shape.positions.push_back({5, 5, 5});
   const std::array<std::uint32_t, 3> first = shape.triangles[0];

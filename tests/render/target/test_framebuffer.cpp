@@ -22,7 +22,7 @@ void clear(float r, float g, float b) {
 
 }  // namespace
 
-TEST_CASE("what is drawn is read top row first, with and without multisampling") {
+TEST_CASE("a picture is read top row first, with and without multisampling") {
   const auto context = test::each_context();
   const int samples = GENERATE(0, 1, 4);
   CAPTURE(samples);
@@ -33,7 +33,7 @@ TEST_CASE("what is drawn is read top row first, with and without multisampling")
   gl::Enable(GL_SCISSOR_TEST);
   gl::Scissor(0, 3, 7, 2);  // the upper two rows
   clear(1, 0, 0);
-  gl::Scissor(0, 0, 1, 1);  // resolving must not be cut by it
+  gl::Scissor(0, 0, 1, 1);  // it must not affect resolving
   framebuffer.resolve();
   gl::Disable(GL_SCISSOR_TEST);
   const Image image = framebuffer.read();
@@ -83,7 +83,7 @@ TEST_CASE("multisampling smooths an edge, and panels are drawn over the resolved
   gl::DeleteVertexArrays(1, &vertex_array);
 }
 
-TEST_CASE("a framebuffer that cannot be is an Error, and memory is counted") {
+TEST_CASE("an impossible framebuffer is an Error, and memory is counted") {
   const auto context = test::each_context();
   const std::size_t before = gl::allocated_bytes();
   CHECK_THAT(test::error_of([] { Framebuffer(0, 10, 1); }), Contains("framebuffer: width 0; expected 1 to "));

@@ -33,7 +33,7 @@ std::string error_of(Action action) {
 
 }  // namespace
 
-TEST_CASE("a picture comes back from PNG as it was, with its metadata") {
+TEST_CASE("a picture is read back from PNG unchanged, with its metadata") {
   const test::TemporaryFolder folder;
   const Image image = gradient(37, 23);
   const Metadata metadata = {{"Software", "fascia 0.1"},
@@ -93,11 +93,11 @@ TEST_CASE("a PNG that is cut at any byte, or has any byte changed, is an Error a
     changed[at] = static_cast<char>(changed[at] ^ 0x41);
     std::ofstream(path, std::ios::binary) << changed;
     CAPTURE(at);
-    CHECK_THROWS_AS(read_png(path), Error);  // every byte is under a checksum or in the signature
+    CHECK_THROWS_AS(read_png(path), Error);  // a checksum or the signature covers every byte
   }
 }
 
-TEST_CASE("what is no picture is named") {
+TEST_CASE("a file that is no picture is named") {
   const test::TemporaryFolder folder;
   CHECK_THAT(error_of([&] { read_png(folder / "none.png"); }), Contains("none.png: no such file"));
   std::ofstream(folder / "text.png") << "not a picture";
@@ -122,7 +122,7 @@ TEST_CASE("what is no picture is named") {
   CHECK_FALSE(std::filesystem::exists(folder / "a.png"));
 }
 
-TEST_CASE("a header that claims a huge picture is refused before memory is asked for") {
+TEST_CASE("a header that claims a huge picture is refused before memory is allocated") {
   const test::TemporaryFolder folder;
   write_png(folder / "a.png", gradient(4, 4));
   std::string file = read_file(folder / "a.png");

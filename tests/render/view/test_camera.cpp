@@ -13,7 +13,7 @@ using fascia::Camera;
 
 namespace {
 
-/// Normalised device coordinates of a point.
+/// Normalized device coordinates of a point.
 Vector3d project(const Camera& camera, const Vector3d& point, double aspect, double radius) {
   const Eigen::Matrix4d matrix = (camera.projection(aspect, radius) * camera.view()).cast<double>();
   return (matrix * point.homogeneous()).hnormalized();
@@ -46,8 +46,8 @@ TEST_CASE("camera: the ray under a pixel projects back to that pixel") {
         const Vector3d point = ray.origin + ray.direction * scale * (1 + 4 * uniform(random));
         const Vector3d ndc = project(camera, point, double(width) / height, scale);
         CAPTURE(scale, x, y, ndc.transpose());
-        // The matrices are float (6e-8) and the eye is up to 5 scene sizes from the origin: 1e-5 of the
-        // picture is 0.01 pixel.
+        // The matrices are float (6e-8) and the eye is up to 5 scene sizes from the origin: 1e-5 of the picture is 0.01
+        // pixel.
         CHECK(std::abs((ndc.x() + 1) / 2 * width - x) < 0.02);
         CHECK(std::abs((1 - ndc.y()) / 2 * height - y) < 0.02);
       }
@@ -61,7 +61,7 @@ TEST_CASE("camera: the ray through the middle goes to the target") {
   CHECK((ray.origin - camera.eye).norm() == 0);
 }
 
-TEST_CASE("camera: the target is at the middle that was asked for") {
+TEST_CASE("camera: the target is at the requested middle") {
   Camera camera;
   camera.middle = {0.25, -0.5};
   CHECK((project(camera, camera.target, 640.0 / 360, 1).head<2>() - camera.middle).norm() < 1e-6);
@@ -84,7 +84,7 @@ TEST_CASE("camera: an orbit keeps its distance and never passes the pole") {
       REQUIRE((camera.eye - camera.target).norm() == Approx(distance).epsilon(1e-12));
       REQUIRE(camera.view().col(1).head<3>().allFinite());
     }
-    // Pushed against the pole it stays there; turning then still turns by the whole angle.
+    // Pushed against the pole the camera stays there; a rotation still has its full angle.
     camera.orbit(0, 10);
     const Vector3d before = camera.eye;
     camera.orbit(0, 10);
@@ -106,7 +106,7 @@ TEST_CASE("camera: the scene follows the mouse") {
   turned = camera;
   turned.orbit(0, 0.1);
   CHECK(project(turned, front, 1, 1).y() < before.y());
-  // A pan by a tenth of the shorter side moves the target's picture by as much.
+  // A pan by a tenth of the shorter side moves the target's image by the same amount.
   Camera panned = camera;
   panned.pan(0.1, 0.2);
   const Vector3d target = project(panned, camera.target, 1, 1);
@@ -120,7 +120,7 @@ TEST_CASE("camera: the field of view is the shorter side's") {
   Camera camera;
   camera.eye = {0, 0, 2};
   camera.fov_deg = 90;
-  // At 90 degrees a point as far aside as it is deep lies on the edge.
+  // At 90 degrees a point whose lateral offset equals its depth is on the edge.
   CHECK(project(camera, {0, 2, 0}, 1.5, 1).y() == Approx(1).epsilon(1e-6));
   CHECK(project(camera, {2, 0, 0}, 1.5, 1).x() == Approx(1 / 1.5).epsilon(1e-6));
   CHECK(project(camera, {2, 0, 0}, 0.5, 1).x() == Approx(1).epsilon(1e-6));
@@ -167,8 +167,7 @@ TEST_CASE("camera: fit fills the picture and keeps the direction of view") {
         seen.extend(Eigen::Vector2d(ndc.head<2>()));
       }
       CAPTURE(scale, aspect, seen.min().transpose(), seen.max().transpose());
-      // The larger direction fills the 0.88 that fit() leaves, on both sides; the smaller one no more than
-      // that.
+      // The larger direction fills the 0.88 that fit() uses, on both sides; the smaller one fills at most as much.
       CHECK(seen.sizes().maxCoeff() == Approx(2 * 0.88).margin(1e-3));
       CHECK(seen.min().minCoeff() > -0.8801);
       CHECK(seen.max().maxCoeff() < 0.8801);
@@ -176,7 +175,7 @@ TEST_CASE("camera: fit fills the picture and keeps the direction of view") {
   }
 }
 
-TEST_CASE("camera: frame sees a box whole from the front right above, for any up") {
+TEST_CASE("camera: frame shows the whole box from the front right above, for any up") {
   for (const Vector3d& up : {Vector3d(0, 1, 0), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}) {
     Camera camera;
     camera.up = up;
@@ -193,13 +192,13 @@ TEST_CASE("camera: frame sees a box whole from the front right above, for any up
   camera.frame({0, 0, 0}, {1, 1, 1});
   CHECK(camera.forward().z() < -0.5);
   CHECK(camera.forward().x() < 0);
-  // A single point is no reason to divide by zero.
+  // A single point must not cause a division by zero.
   camera.frame({2, 2, 2}, {2, 2, 2});
   CHECK(camera.eye.allFinite());
   CHECK((camera.eye - camera.target).norm() > 0);
 }
 
-TEST_CASE("camera: pixel_size is the distance between neighbouring pixels' rays at that depth") {
+TEST_CASE("camera: pixel_size is the distance between neighboring pixels' rays at that depth") {
   Camera camera;
   camera.eye = {0.2, 0.5, 1.5};
   const Vector3d point(0.1, -0.2, 0.3);
@@ -216,15 +215,15 @@ TEST_CASE("camera: pixel_size is the distance between neighbouring pixels' rays 
   }
 }
 
-TEST_CASE("camera: near and far hold the scene and the ground at every zoom") {
+TEST_CASE("camera: near and far planes include the scene and the ground at every zoom") {
   for (const double radius : {5e-4, 1.0, 100.0}) {
     for (const double away : {0.05, 0.5, 3.0, 15.0}) {
       Camera camera;
       camera.target = {radius, 0, 0};
       camera.eye = camera.target + away * radius * Vector3d(0, 0.6, 0.8);
       CAPTURE(radius, away);
-      // Ten radii beyond the target, and whatever is farther from the eye than a twentieth of the target's
-      // distance.
+      // The range includes ten radii beyond the target, and every point farther from the eye than a twentieth of the
+      // target's distance.
       CHECK(project(camera, camera.target + 10 * radius * camera.forward(), 1, radius).z() < 1);
       CHECK(project(camera, camera.eye + 0.05 * away * radius * camera.forward(), 1, radius).z() > -1);
       CHECK(camera.projection(1, radius).allFinite());

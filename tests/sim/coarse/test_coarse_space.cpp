@@ -1,4 +1,4 @@
-// The coarse space of the two-level method and its matrix: what they must be on any mesh.
+// The coarse space of the two-level method and its matrix: properties that hold on any mesh.
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
 #include <map>
@@ -24,12 +24,12 @@ Model beam() {
   return make_model(make_box(16, 4, 4, {0.4, 0.1, 0.1}), kTissue, [](const Vector3d& x) { return x.x() < 1e-9; });
 }
 
-// Two bars side by side, nearer to each other than the lattice is wide; joined at one end if `joined`: then it is a
+// Two bars side by side, closer to each other than a lattice cell is wide; with `joined` connected at one end to a
 // hairpin.
 Model two_bars(bool joined) {
   TetMesh mesh;
   const TetMesh box = make_box(24, 9, 2, {0.6, 0.225, 0.05});
-  // Cells of the middle third are left out, but for the last ones of a hairpin.
+  // Cells of the middle third are left out, except for the last ones of a hairpin.
   for (const Tet& tet : box.tets) {
     Vector3d center = Vector3d::Zero();
     for (const std::uint32_t v : tet) center += box.positions[v] / 4;
@@ -58,7 +58,7 @@ std::size_t common(const std::set<std::uint32_t>& a, const std::set<std::uint32_
 
 }  // namespace
 
-TEST_CASE("coarse weights of a free vertex sum to one, held vertices have none") {
+TEST_CASE("coarse weights of a free vertex sum to one, constrained vertices have none") {
   const Model model = beam();
   const std::uint32_t target = GENERATE(8u, 30u, 80u);
   const CoarseSpace space = make_coarse_space(model, target);
@@ -85,7 +85,7 @@ TEST_CASE("parts that are near in space but not in the mesh share no coarse node
   const Model model = two_bars(joined);
   const CoarseSpace space = make_coarse_space(model, 40);
   REQUIRE(space.node_count > 10);
-  // Away from the bend of the hairpin, by more than a lattice cell.
+  // Farther from the bend of the hairpin than a lattice cell.
   const auto lower = nodes_where(model, space, [](const Vector3d& x) { return x.x() < 0.35 && x.y() < 0.11; });
   const auto upper = nodes_where(model, space, [](const Vector3d& x) { return x.x() < 0.35 && x.y() > 0.115; });
   CHECK(lower.size() > 3);
@@ -113,7 +113,7 @@ TEST_CASE("the gathered mean deformation gradient of an affine motion is that mo
   }
 }
 
-TEST_CASE("the transpose of a coarse space has its entries") {
+TEST_CASE("the transpose of a coarse space has the same entries") {
   const CoarseSpace space = make_coarse_space(beam(), 40);
   const CoarseTranspose transposed = transpose(space);
   REQUIRE(transposed.begin.size() == space.node_count + 1);
@@ -129,14 +129,14 @@ TEST_CASE("the transpose of a coarse space has its entries") {
     }
 }
 
-TEST_CASE("coarse nodes lie in the order of their vertices, those with as many side by side") {
+TEST_CASE("coarse nodes are in the order of their vertices, with equal numbers of entries adjacent") {
   const Model model =
       make_model(make_box(40, 8, 8, {1, 0.2, 0.2}), kTissue, [](const Vector3d& x) { return x.x() < 1e-9; });
   const CoarseSpace space = make_coarse_space(placed(model, mesh_order_of(model)), 250);
   const CoarseTranspose columns = transpose(space);
   REQUIRE(space.node_count > 200);
   const auto entries = [&](std::uint32_t j) { return columns.begin[j + 1] - columns.begin[j]; };
-  std::size_t sum = 0, in_step = 0;  // of eight invocations each
+  std::size_t sum = 0, in_step = 0;  // for groups of eight invocations
   for (std::uint32_t first = 0; first < space.node_count; first += 8) {
     std::uint32_t most = 0;
     for (std::uint32_t j = first; j < std::min(first + 8, space.node_count); ++j) {
@@ -148,8 +148,8 @@ TEST_CASE("coarse nodes lie in the order of their vertices, those with as many s
   CAPTURE(sum, in_step);
   CHECK(in_step < 1.15 * static_cast<double>(sum));  // 1.56 in the order of the lattice
 
-  // Who has the first half of the nodes needs few vertices of the second half: half of them in no order, few in the
-  // lattice's, too.
+  // The first half of the nodes should need few vertices of the second half: half of them in a random order, few also
+  // in the lattice's.
   const auto half = static_cast<std::uint32_t>(space.begin.size() / 2);
   std::size_t apart = 0;
   for (std::uint32_t j = 0; j < space.node_count; ++j)
@@ -159,7 +159,7 @@ TEST_CASE("coarse nodes lie in the order of their vertices, those with as many s
   CHECK(apart < 0.15 * static_cast<double>(sum));
 }
 
-TEST_CASE("the coarse matrix is the Hessian at rest seen from the coarse space, and its inverse inverts it") {
+TEST_CASE("the coarse matrix is the Hessian at rest projected onto the coarse space, and its inverse inverts it") {
   Model model = beam();
   model.materials[0].damping = GENERATE(0.0, 0.01);
   const double h = 1.0 / 60;
@@ -210,7 +210,7 @@ TEST_CASE("the inverse with springs is that of the matrix with springs") {
   const Eigen::MatrixXf expected = coarse_inverse(a);
   const float error = (held - expected).norm() / expected.norm(), change = (held - inverse).norm() / expected.norm();
   CAPTURE(error, change);
-  CHECK(change > 0.1f);  // the springs matter
+  CHECK(change > 0.1f);  // the springs have an effect
   CHECK(error < 1e-4f);
   CHECK(with_stiffness(inverse, space, {}, h) == inverse);
   CHECK(with_stiffness(inverse, space, {{free[10], 0}}, h) == inverse);
@@ -231,7 +231,7 @@ TEST_CASE("an inclusion of another material has coarse nodes of its own") {
   const auto inner = nodes_where(model, space, inside);
   const auto outer = nodes_where(model, space, [&](const Vector3d& x) { return !inside(x); });
   CAPTURE(space.node_count, inner.size(), outer.size());
-  CHECK(inner.size() >= 8);  // enough to turn as a whole
+  CHECK(inner.size() >= 8);  // enough to rotate as a whole
   CHECK(outer.size() >= 40);
   CHECK(common(inner, outer) == 0);
 }

@@ -22,7 +22,7 @@ Corners moved(const Matrix3d& f, const Vector3d& by) {
 
 }  // namespace
 
-TEST_CASE("a linear tet has the volume of its corners, and gradients of shape functions that add up to nothing") {
+TEST_CASE("a linear tet has the volume of its corners, and gradients of shape functions that sum to zero") {
   const LinearTet tet(kRest);
   Matrix3d edges;
   edges << kRest[1] - kRest[0], kRest[2] - kRest[0], kRest[3] - kRest[0];
@@ -30,7 +30,7 @@ TEST_CASE("a linear tet has the volume of its corners, and gradients of shape fu
   CHECK(tet.gradients.rowwise().sum().norm() < 1e-15);
   for (int a = 0; a < 4; ++a)
     for (std::size_t b = 1; b < 4; ++b) {
-      CAPTURE(a, b);  // shape function a rises from corner 0 to corner b by its values there
+      CAPTURE(a, b);  // the change of shape function a from corner 0 to corner b
       const double rise = tet.gradients.col(a).dot(kRest[b] - kRest[0]);
       CHECK(rise == Approx((static_cast<std::size_t>(a) == b) - (a == 0)).margin(1e-14));
     }

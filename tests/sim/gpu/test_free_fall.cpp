@@ -1,4 +1,4 @@
-// Bodies that nothing holds fall as gravity says, however stiff and however small they are.
+// Unconstrained bodies fall as gravity requires, for any stiffness and size.
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/solver.h"
@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// `count` boxes of cells beside each other, the first one held from below by `held`.
+// `count` boxes of cells beside each other, the first one fixed at its bottom if `held`.
 Model boxes(int count, const Eigen::Vector3i& cells, bool held) {
   TetMesh all;
   for (int b = 0; b < count; ++b) {
@@ -35,7 +35,7 @@ Model one_tet() {
 
 }  // namespace
 
-TEST_CASE("what nothing holds falls freely, however stiff and however small", "[gpu]") {
+TEST_CASE("unconstrained bodies fall freely, for any stiffness and size", "[gpu]") {
   const bool held = GENERATE(false, true);
   const auto method = GENERATE(Method::two_level, Method::vertex_descent);
   Gpu gpu;

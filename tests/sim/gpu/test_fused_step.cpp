@@ -1,5 +1,5 @@
-// A step whose passes are fused does the same to the bit as one whose passes are dispatched one by one. Run with
-// several of llvmpipe's threads, too (tests.cmake).
+// A step with fused passes computes the same to the bit as one with separate dispatches. Also run with several of
+// llvmpipe's threads (tests.cmake).
 #include <catch2/catch.hpp>
 
 #include "gl/fused_pass.h"
@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Falls so far in a step that many tets are inverted on the way.
+// Falls so far in a step that many tets are inverted during the iterations.
 Model crushed(int cells, double damping) {
   const double length = 0.1 * cells;
   Model model = make_model(make_box(cells, 4, 4, {length, 0.1, 0.1}),
@@ -50,7 +50,7 @@ struct Compared {
 
 }  // namespace
 
-TEST_CASE("fused steps are those of passes one by one", "[gpu][.threads]") {
+TEST_CASE("fused steps equal those of separate passes", "[gpu][.threads]") {
   struct Case {
     SolverChoice pair;
     double damping;
@@ -69,7 +69,7 @@ TEST_CASE("fused steps are those of passes one by one", "[gpu][.threads]") {
   CAPTURE(name_of(pair.method), name_of(pair.acceleration), damping, colors);
   SolverSettings settings = with(pair);
   settings.substeps = 2;
-  settings.iterations = 13;  // with a refresh among them
+  settings.iterations = 13;  // includes a refresh
   settings.colors = colors;
   Compared c(crushed(8, damping), settings);
   for (int i = 0; i < 3; ++i) c.step();
@@ -80,7 +80,7 @@ TEST_CASE("fused steps are those of passes one by one", "[gpu][.threads]") {
   const std::uint64_t dispatches = gl::dispatch_count() - before;
   c.alone.step();
   CAPTURE(c.alone.dispatches_per_step(), dispatches);
-  CHECK(dispatches >= c.fused.dispatches_per_step());  // more where one was not enough
+  CHECK(dispatches >= c.fused.dispatches_per_step());  // more if one dispatch does not suffice
   CHECK(c.fused.dispatches_per_step() < c.alone.dispatches_per_step() / 3);
 
   if (grab) {
@@ -90,7 +90,7 @@ TEST_CASE("fused steps are those of passes one by one", "[gpu][.threads]") {
   }
   for (int i = 0; i < 2; ++i) c.step();
   CHECK(c.differences() == 0);
-  CHECK(c.fused.timed_step().size() > 3);  // one by one, too
+  CHECK(c.fused.timed_step().size() > 3);  // also pass by pass
   c.alone.step();
   CHECK(c.differences() == 0);
   const std::vector<Diagnostics> trace = c.fused.traced_substep(), expected = c.alone.traced_substep();
@@ -98,13 +98,13 @@ TEST_CASE("fused steps are those of passes one by one", "[gpu][.threads]") {
   for (std::size_t i = 0; i < trace.size(); ++i) CHECK(trace[i].elastic == expected[i].elastic);
 }
 
-TEST_CASE("fused steps of larger meshes are those of passes one by one", "[gpu][.threads]") {
-  // More than the loops of one dispatch: what a kernel has of them must have been told right.
+TEST_CASE("fused steps of larger meshes equal those of separate passes", "[gpu][.threads]") {
+  // More than the loops of one dispatch, so the stated number of loops of each kernel must be correct.
   const SolverChoice pair = GENERATE(SolverChoice{Method::jacobi, Acceleration::none},
                                      SolverChoice{Method::two_level, Acceleration::subspace});
   CAPTURE(name_of(pair.method));
   SolverSettings settings = with(pair);
-  settings.iterations = 40;  // for five threads, too
+  settings.iterations = 40;  // also for five threads
   Compared c(crushed(320, 0), settings);
   CAPTURE(c.model.tets.size());
   const std::uint64_t before = gl::dispatch_count();
@@ -116,7 +116,7 @@ TEST_CASE("fused steps of larger meshes are those of passes one by one", "[gpu][
 }
 
 TEST_CASE("fused steps leave the same regions at rest", "[gpu][.threads]") {
-  // Two beams of which one is pulled at.
+  // Two beams, one of which is pulled.
   Model model = two_bars(16, 0.4, {2e6, 0.4, 1000, 0.1, MaterialModel::signed_st_venant_kirchhoff});
   model.gravity.setZero();
   SolverSettings settings = with(SolverChoice{Method::two_level, Acceleration::subspace});

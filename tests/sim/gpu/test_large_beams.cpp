@@ -1,4 +1,4 @@
-// A beam falls alike however many tets it has: sums over a million of them must not stop a step. 5k to 331k tets are of
+// A beam falls alike for any number of tets: sums over a million of them must not stop a step. 5k to 331k tets are in
 // the slow tests.
 #include <catch2/catch.hpp>
 
@@ -27,7 +27,7 @@ double lowest(const State& state) {
 
 constexpr int kSteps = 6;
 
-// Of the double-precision solver, on a mesh that it steps in seconds.
+// Of the double-precision solver, on a mesh that it can step in seconds.
 double exact_tip() {
   const Model model = beam(16);
   State state = initial_state(model);
@@ -50,7 +50,7 @@ void check_fall(int cells) {
 
 }  // namespace
 
-TEST_CASE("a beam of a million tets falls as a small one does", "[gpu]") { check_fall(140); }
+TEST_CASE("a beam of a million tets falls like a small one", "[gpu]") { check_fall(140); }
 
 TEST_CASE("beams of 5,184 to 331,776 tets fall alike", "[gpu][slow]") { check_fall(GENERATE(24, 48, 64, 96)); }
 

@@ -1,5 +1,4 @@
-// Regions at rest are left out of most steps; what comes out is what whole steps make, within a small part of the
-// scene's size.
+// Most steps omit regions at rest; the result equals that of whole steps within a small part of the scene's size.
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/solver.h"
@@ -12,7 +11,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// A flat sheet of 4,800 tets, held along its long sides, so that what happens at one end hardly reaches the other.
+// A flat sheet of 4,800 tets, clamped along its long sides, so that a motion at one end hardly reaches the other.
 Model sheet(double damping) {
   Model model = make_model(make_box(40, 10, 2, {0.8, 0.2, 0.04}), tissue(damping),
                            [](const Vector3d& x) { return x.y() < 1e-9 || x.y() > 0.2 - 1e-9; });
@@ -53,7 +52,7 @@ TEST_CASE("a poke into a resting sheet moves it as whole steps do", "[gpu]") {
   GpuSolver whole(gpu.programs, model, settings);
   whole.solve_everything();
   const double size = whole.buffers().size;
-  // Both start from the same rest.
+  // Both start from the same state of rest.
   for (int i = 0; i < 400; ++i) whole.step();
   State rest = whole.download();
   for (Vector3d& v : rest.velocity) v.setZero();
@@ -63,25 +62,25 @@ TEST_CASE("a poke into a resting sheet moves it as whole steps do", "[gpu]") {
   const Vector3d start = rest.displacement[vertex];
   double largest = 0;
   for (int step = 0; step < 160; ++step) {
-    std::vector<GrabSpring> springs;  // pulled up, held, let go
+    std::vector<GrabSpring> springs;  // pulled up, kept there, released
     if (step < 100) springs.push_back({vertex, start + Vector3d(0, 0, 0.02 * std::min(1.0, step / 40.0)), 100});
     whole.set_grab(springs);
     skipping.set_grab(springs);
     whole.step();
     skipping.step();
-    if (step % 8 == 7) {  // as the simulation does
+    if (step % 8 == 7) {  // as in the simulation
       skipping.request_check();
       REQUIRE(skipping.take_check(true));
     }
     largest = std::max(largest, farthest(whole.download(), skipping.download()));
   }
   CAPTURE(largest / size, skipping.share_solved());
-  CHECK(largest < 2 * settings.rest_speed * size);  // as far as what counts as rest goes in 2 s; 160 steps are 2.7 s
+  CHECK(largest < 2 * settings.rest_speed * size);  // the distance that counts as rest over 2 s; 160 steps are 2.7 s
   CHECK(skipping.share_solved() < with_case.largest_share);
   CHECK(whole.share_solved() == 1);
 }
 
-TEST_CASE("a body at rest beside one that moves costs next to nothing and keeps its bits", "[gpu]") {
+TEST_CASE("a body at rest beside a moving one costs almost nothing and keeps its bits", "[gpu]") {
   Gpu gpu;
   const Model model = two_stiff_bars();
   GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::two_level, Acceleration::subspace}));
@@ -110,10 +109,10 @@ TEST_CASE("a body at rest beside one that moves costs next to nothing and keeps 
   CAPTURE(share, partial);
   CHECK(partial == 6 * 8);
   CHECK(unchanged == partial);
-  CHECK(share < 0.63);  // two of eight steps whole, six with one of the two
+  CHECK(share < 0.63);  // two of eight steps are whole, six have one of the two bars
 }
 
-TEST_CASE("steps with resting regions repeat bit for bit, from a checked state too", "[gpu]") {
+TEST_CASE("steps with resting regions repeat bit for bit, also from a checked state", "[gpu]") {
   Gpu gpu;
   const Model model = two_stiff_bars();
   const std::uint32_t tip = vertex_at(model, {0.6, 0.05, 0.05});
@@ -155,17 +154,17 @@ TEST_CASE("steps with resting regions repeat bit for bit, from a checked state t
   }
 }
 
-TEST_CASE("looking between steps with resting regions leaves their bits alone", "[gpu]") {
+TEST_CASE("readbacks between steps with resting regions do not change their bits", "[gpu]") {
   Gpu gpu;
   Model model = sheet(0.02);
-  // So that resting tets hold much energy, and a grab that jerks makes steps that raise the objective
+  // Resting tets then have much energy, and a jerking grab causes steps that raise the objective
   model.gravity *= 4;
   SolverSettings settings = with(SolverChoice{Method::two_level, Acceleration::subspace});
   settings.rest_speed = 1e-3;
   settings.iterations = 10;
   GpuSolver unseen(gpu.programs, model, settings);
   GpuSolver seen(gpu.programs, model, settings);
-  seen.set_color(ColorBy::von_mises);  // summed in the slots in which steps sum forces
+  seen.set_color(ColorBy::von_mises);  // summed in the same slots as the forces of steps
   for (int i = 0; i < 400; ++i) unseen.step();
   State rest = unseen.download();
   for (Vector3d& v : rest.velocity) v.setZero();

@@ -55,7 +55,7 @@ TEST_CASE("a rigidly moving body stays rigid", "[gpu]") {
   }
 }
 
-TEST_CASE("what is still computed when the first step begins is waited for", "[gpu]") {
+TEST_CASE("the first step waits for unfinished background computations", "[gpu]") {
   Gpu gpu;
   const Model model = bar();
   const auto after_steps = [&](bool wait) {
@@ -63,7 +63,7 @@ TEST_CASE("what is still computed when the first step begins is waited for", "[g
     while (wait && !solver.ready()) std::this_thread::yield();
     for (int i = 0; i < 3; ++i) solver.step();
     CHECK(solver.ready());
-    CHECK(solver.background_taken() == 0);  // nothing that a replay would have to know of
+    CHECK(solver.background_taken() == 0);  // nothing that a replay would have to record
     return solver.buffers().displacement.read<vec4>();
   };
   const auto at_once = after_steps(false), later = after_steps(true);
@@ -87,12 +87,12 @@ TEST_CASE("a rotated body at rest feels no force", "[gpu]") {
   const double drift = relative_rms(solver.download().displacement, state.displacement);
   CAPTURE(angle, drift);
   // Strain of rounding, 1e-7 of the displacement gradient. Exact XPBD starts from explicit forces and amplifies short
-  // waves before it damps them, so some of it is left after 20 iterations.
+  // waves before it damps them, so some of it remains after 20 iterations.
   CHECK(drift < (pair.method == Method::exact_xpbd ? 1e-3 : 2e-6));
 }
 
 TEST_CASE("a single tet keeps its momentum without gravity", "[gpu]") {
-  // With one constraint per vertex averaging changes nothing, so the pairs of corrections cancel.
+  // With one constraint per vertex averaging has no effect, so the pairs of corrections cancel.
   const SolverChoice pair = any_pair();
   CAPTURE(name_of(pair.method), name_of(pair.acceleration));
   Gpu gpu;
@@ -108,9 +108,9 @@ TEST_CASE("a single tet keeps its momentum without gravity", "[gpu]") {
   const State state = random_state(model, 0.01, 9);
   solver.upload(state);
   const reference::Measures before = reference::measure(model, state);
-  // Of the pairs of corrections nothing is left to rounding; the two-level method only drives the residual there, which
-  // float32 holds for a quarter of the time (after 100 steps the momentum is 0.7 percent off, however many the
-  // iterations).
+  // The corrections of the other methods cancel in pairs up to rounding. The two-level method only reduces the residual
+  // to the level of float32, which suffices for a quarter of the time (after 100 steps the momentum is 0.7 percent off,
+  // for any number of iterations).
   const int steps = pair.method == Method::two_level ? 25 : 100;
   for (int i = 0; i < steps; ++i) solver.step();
   const reference::Measures after = reference::measure(model, solver.download());
@@ -120,8 +120,8 @@ TEST_CASE("a single tet keeps its momentum without gravity", "[gpu]") {
 }
 
 TEST_CASE("the momentum of a mesh drifts exactly as averaging makes it drift", "[gpu]") {
-  // Dividing by different valences breaks the symmetry of corrections: a property of the poster's method, not of the
-  // GPU.
+  // Dividing by different valences breaks the symmetry of corrections: a property of the method of the I3D 2019 paper,
+  // not of the GPU.
   Gpu gpu;
   const Model model = free_bar();
   GpuSolver solver(gpu.programs, model, with(Method::jacobi));
@@ -138,10 +138,8 @@ TEST_CASE("the momentum of a mesh drifts exactly as averaging makes it drift", "
   CHECK((got - expected).norm() < 1e-4 * expected.norm());
 }
 
-TEST_CASE(
-    "the same steps give the same bits: run to run and context to context, and from load path to load path without "
-    "sums",
-    "[gpu]") {
+TEST_CASE("the same steps give the same bits: for every run and context, and for both load paths if there are no sums",
+          "[gpu]") {
   const SolverChoice pair = any_pair();
   CAPTURE(name_of(pair.method), name_of(pair.acceleration));
   const auto positions = [&](gl::LoadPath loads, const std::string& context) {
@@ -159,7 +157,7 @@ TEST_CASE(
   CHECK(same(positions(gl::LoadPath::texel, context_names().back())));
   const auto storage = positions(gl::LoadPath::storage, context_names().front());
   if (pair.acceleration == Acceleration::none) CHECK(same(storage));
-  // Sums over all vertices are made in another order there.
+  // Sums over all vertices have another order there.
   double largest_difference = 0, largest_value = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     largest_difference = std::max<double>(largest_difference, std::abs(a[i].y - storage[i].y));
@@ -169,7 +167,7 @@ TEST_CASE(
   CHECK(largest_difference < 1e-3 * largest_value);
 }
 
-TEST_CASE("every pair of method and acceleration repeats bit for bit, looked at or not", "[gpu]") {
+TEST_CASE("every solver choice repeats bit for bit, with and without readbacks", "[gpu]") {
   const SolverChoice pair = GENERATE(from_range(solver_choices()));
   SolverSettings settings;
   settings.method = pair.method;
@@ -199,7 +197,7 @@ TEST_CASE("every pair of method and acceleration repeats bit for bit, looked at 
   }
 }
 
-TEST_CASE("an acceleration that was switched off leaves nothing behind, to the bit", "[gpu]") {
+TEST_CASE("an acceleration that was switched off has no further effect, to the bit", "[gpu]") {
   const Method method = any_method();
   CAPTURE(name_of(method));
   Gpu gpu;
@@ -242,7 +240,7 @@ TEST_CASE("Chebyshev's plain iterations equal the method to the bit", "[gpu]") {
   CHECK(relative_rms(run(Acceleration::none, 8), run(Acceleration::chebyshev, 8)) > 1e-6);
 }
 
-TEST_CASE("a traced substep is the substep, and its residual falls", "[gpu]") {
+TEST_CASE("a traced substep equals the substep, and its residual decreases", "[gpu]") {
   Gpu gpu;
   const Model model = bar();
   GpuSolver solver(gpu.programs, model, with(Method::gauss_seidel)),
@@ -291,7 +289,7 @@ TEST_CASE("a hanging bar: stiffer with more iterations, never stiffer than exact
 }
 
 TEST_CASE("mass splitting and Gauss-Seidel keep the momentum of a mesh", "[gpu]") {
-  // Every tet's corrections cancel in momentum and are applied whole.
+  // Every tet's corrections conserve momentum and are applied in full.
   Gpu gpu;
   const Model model = free_bar();
   GpuSolver solver(gpu.programs, model, with(GENERATE(Method::mass_splitting, Method::gauss_seidel)));

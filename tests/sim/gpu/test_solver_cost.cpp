@@ -1,4 +1,4 @@
-// What GPU steps cost: sliders rebuild nothing, and features that are off are not there.
+// Costs of GPU steps: sliders rebuild nothing, and unused features have no cost.
 #include <catch2/catch.hpp>
 #include <cstring>
 
@@ -33,7 +33,7 @@ TEST_CASE("sliders act on the next step without new buffers or programs", "[gpu]
   CHECK(gl::allocated_bytes() == bytes);
   CHECK(solver.settings().iterations == 20 + 15);
 
-  // and the result is that of a solver that was made with these values
+  // and the result equals that of a solver created with these values
   Model fresh = model;
   GpuSolver other(gpu.programs, fresh, solver.settings());
   solver.reset();
@@ -73,7 +73,7 @@ TEST_CASE("features that are off cost no dispatch, no program and no byte", "[gp
   solver.set_grab({{40, Vector3d::Zero(), 10}, {41, Vector3d::Zero(), 10}});
   CHECK(solver.dispatches_per_step() == 2 * (2 + 7 * 3 + 1));
   CHECK(gl::allocated_bytes() - with_damping == 2 * (4 + 16 + 16));
-  settings.method = Method::gauss_seidel;  // the other method's memory goes, its own comes
+  settings.method = Method::gauss_seidel;  // the other method's memory is freed, its own is allocated
   solver.set_settings(settings);
   const std::size_t colors = solver.coloring()->color_count();
   CAPTURE(colors);
@@ -95,7 +95,7 @@ TEST_CASE("features that are off cost no dispatch, no program and no byte", "[gp
   const std::size_t phantoms = solver.coloring()->phantom_vertex.size();
   CAPTURE(phantoms);
   CHECK(solver.dispatches_per_step() ==
-        2 * (2 + 7 * (5 + 2 + 1) + 1));  // split and merge beside the colors and the grab
+        2 * (2 + 7 * (5 + 2 + 1) + 1));  // including split and merge, the colors and the grab
   CHECK(gl::allocated_bytes() > plain_bytes + 16 * phantoms);
   settings.colors = 0;
   solver.set_settings(settings);
@@ -124,7 +124,7 @@ TEST_CASE("neutral values equal the feature switched off, to the bit", "[gpu]") 
   const auto off = run(false), neutral = run(true);
   CHECK(std::memcmp(off.data(), neutral.data(), off.size() * sizeof(vec4)) == 0);
 
-  // Damping compiled in with the value zero: one of two materials is damped, no tet has it.
+  // Damping compiled in with the value zero: one of two materials is damped, but no tet has it.
   Model damped = bar();
   damped.materials.push_back(tissue(0.05));
   GpuSolver solver(gpu.programs, damped, with(pair));

@@ -1,5 +1,5 @@
-// Whatever the order of a mesh's vertices, the solver does the same to the bit, and all that it is told and tells
-// counts vertices as the model does.
+// For any order of a mesh's vertices the solver computes the same to the bit, and all its inputs and outputs use the
+// model's numbering.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using shared::vec4;
 
 namespace {
 
-// Clamped at one end, moved at the other; of two materials.
+// Clamped at one end, moved at the other; with two materials.
 Model moved_bar() {
   Model model = bar(0.01);
   model.materials.push_back(model.materials.front());
@@ -37,7 +37,7 @@ Model moved_bar() {
   return model;
 }
 
-// The same with vertex v as to[v].
+// The same model with vertex v renamed to[v].
 struct Renumbered {
   Model model;
   std::vector<std::uint32_t> to;
@@ -80,7 +80,7 @@ std::vector<Vector3d> published(GpuSolver& solver, std::size_t first, std::size_
 
 }  // namespace
 
-TEST_CASE("the order of a mesh's vertices changes nothing", "[gpu]") {
+TEST_CASE("the order of a mesh's vertices has no effect", "[gpu]") {
   const SolverChoice pair = any_pair();
   CAPTURE(name_of(pair.method), name_of(pair.acceleration));
   Gpu gpu;
@@ -130,14 +130,14 @@ TEST_CASE("the order of a mesh's vertices changes nothing", "[gpu]") {
   CHECK(d->elastic == e->elastic);
 }
 
-TEST_CASE("grabs, lost vertices, kept states and snapshots go by the model's vertices", "[gpu]") {
+TEST_CASE("grabs, diverged vertices, kept states and snapshots use the model's vertices", "[gpu]") {
   Gpu gpu;
   const Renumbered renumbered(bar());
   const Model& model = renumbered.model;
   GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::jacobi, Acceleration::none}));
   const std::uint32_t held = renumbered.to[70];
 
-  // One vertex is pulled, and it is that one which moves farthest.
+  // One vertex is pulled, and the same vertex moves farthest.
   solver.set_grab({{held, {0, 0, 0.02}, 500}});
   solver.step();
   const State pulled = solver.download();
@@ -159,8 +159,7 @@ TEST_CASE("grabs, lost vertices, kept states and snapshots go by the model's ver
   REQUIRE_FALSE(solver.take_check(true)->diverged);
   CHECK(differences(solver.download_valid().displacement, pulled.displacement) == 0);
 
-  // One iteration carries what is lost no farther than to the neighbors: a wrong number would name a vertex that is
-  // finite.
+  // One iteration spreads a divergence only to the neighbors: a wrong number would name a finite vertex.
   State lost = pulled;
   lost.displacement[held].y() = std::numeric_limits<double>::quiet_NaN();
   solver.set_grab({});

@@ -108,7 +108,7 @@ TEST_CASE("the force of each of two overlapping grabs is that of the exact step"
 }
 
 TEST_CASE(
-    "a hanging beam with a grab: the supports carry its weight and the pull, and the balance says whether a step is "
+    "a hanging beam with a grab: the supports carry its weight and the pull, and the balance shows whether a step is "
     "solved") {
   const Model model = hanging_beam();
   const Vector3d weight = weight_of(model);
@@ -122,12 +122,13 @@ TEST_CASE(
   for (const GrabForce& f : forces_of_grabs(springs, hanging.displacement)) pull += f.force;
   const Vector3d exact = reference::measure(model, hanging).fixed_reaction;
   CAPTURE(exact.transpose(), pull.transpose(), weight.transpose());
-  // Static to 1e-10 of the forces: the sum over 100 vertices is off by ten times that at most.
+  // Static to 1e-10 of the forces: the sum over 100 vertices is off by at most ten times that.
   CHECK((exact + pull + weight).norm() < 1e-8 * exact.norm());
   CHECK(pull.norm() > 0.05 * weight.norm());
 
-  // The GPU, started there: nothing moves, and it finds the same forces. Positions of 0.1 m in float32 are good to 4e-9
-  // m, and a tet's forces are E times its size of 0.03 m times that: some 1e-5 N on 30 N, at a hundred vertices.
+  // The GPU solver starts from that state: nothing moves, and it computes the same forces. Positions of 0.1 m in
+  // float32 are accurate to 4e-9 m, and a tet's forces are E times its size of 0.03 m times that: some 1e-5 N of 30 N,
+  // at a hundred vertices.
   test::Gpu gpu;
   GpuSolver solver(gpu.programs, model, settings);
   solver.set_grab(springs);
@@ -140,7 +141,7 @@ TEST_CASE(
   CHECK((still.grab_force - pull).norm() < 1e-3 * exact.norm());
   CHECK(still.imbalance(weight) < 1e-3);
 
-  // In motion the same sum holds with mass times acceleration; where too few iterations are made it does not.
+  // In motion the same sum holds with mass times acceleration, but not with too few iterations.
   const auto imbalance = [&](SolverChoice pair, int iterations) {
     SolverSettings few = settings;
     few.method = pair.method;
@@ -160,7 +161,7 @@ TEST_CASE(
   CHECK(unsolved > 10 * solved);
 }
 
-TEST_CASE("grabs stay, are taken up again and let go of one by one") {
+TEST_CASE("grabs stay, are taken up again and released one by one") {
   const Model model = hanging_beam();
   const Surface surface(model);
   GrabSet grabs;
@@ -188,7 +189,7 @@ TEST_CASE("grabs stay, are taken up again and let go of one by one") {
   CHECK(grabs.springs(1e-3).empty());
 }
 
-TEST_CASE("the size of a patch changes while it is held, depth goes along the view, a push into the surface") {
+TEST_CASE("the size of a patch changes during a grab, depth follows the view, a push goes into the surface") {
   const Model model = hanging_beam();
   const Surface surface(model);
   const Hit hit = surface.hit(model, from_front(0.05, 0.15));
@@ -212,12 +213,12 @@ TEST_CASE("the size of a patch changes while it is held, depth goes along the vi
   settings.push = true;
   REQUIRE(grab.take(model, surface.drawn, model.rest_positions, hit, kRadius, settings));
   CHECK((grab.pointer() - hit.point - Vector3d(0, 0, -0.25 * kRadius)).norm() < 1e-12);
-  grab.go_deeper(0.01, Vector3d::UnitX());  // into the surface, wherever one looks from
+  grab.go_deeper(0.01, Vector3d::UnitX());  // into the surface, for any view
   CHECK((grab.pointer() - hit.point - Vector3d(0, 0, -0.25 * kRadius - 0.01)).norm() < 1e-12);
 }
 
-TEST_CASE("a patch that would hold nothing free keeps the size it had") {
-  // Two rows are clamped, the triangle between them is taken: its neighbors below are free.
+TEST_CASE("a patch without free vertices keeps its previous size") {
+  // Two rows are clamped, the triangle between them is grabbed: its neighbors below are free.
   const Model model = make_model(make_box(3, 9, 3, {0.1, 0.3, 0.1}), {1e5, 0.3, 1000, 0},
                                  [](const Vector3d& x) { return x.y() > 0.26; });
   const Surface surface(model);
@@ -235,7 +236,7 @@ TEST_CASE("a patch that would hold nothing free keeps the size it had") {
   for (const GrabSpring& s : grab.springs(1e-3)) CHECK(s.target.allFinite());
 }
 
-TEST_CASE("a fine surface in few large tets is held by the tet below the hit point") {
+TEST_CASE("a fine surface in few large tets is grabbed by the tet below the hit point") {
   Model model =
       make_model(make_box(1, 1, 1, {0.3, 0.3, 0.3}), {1e5, 0.3, 1000, 0}, [](const Vector3d&) { return false; });
   // A surface triangle inside, far from any vertex of the lattice and much smaller than a tet.
@@ -253,10 +254,10 @@ TEST_CASE("a fine surface in few large tets is held by the tet below the hit poi
   for (const GrabSpring& s : grab.springs(1e-3))
     middle += s.stiffness * model.rest_positions[s.vertex], stiffness += s.stiffness;
   CHECK(grab.vertices().size() == 4);
-  CHECK((middle / stiffness - hit->point).norm() < 1e-9);  // the pull goes through the very point
+  CHECK((middle / stiffness - hit->point).norm() < 1e-9);  // the pull acts exactly at the hit point
 }
 
-TEST_CASE("three wild grabs neither explode the body nor detach from it") {
+TEST_CASE("three violent grabs neither make the body diverge nor detach from it") {
   const Model model = hanging_beam(0.1);
   const Surface surface(model);
   test::Gpu gpu;

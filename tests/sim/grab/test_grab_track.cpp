@@ -9,7 +9,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// As a grab makes them: where it took each vertex, plus how far it has led.
+// Springs as a grab creates them: the original place of each vertex plus the offset.
 std::vector<GrabSpring> springs_of(const std::vector<Vector3d>& taken, const Vector3d& offset,
                                    std::uint32_t first = 0) {
   std::vector<GrabSpring> springs;
@@ -28,7 +28,7 @@ std::vector<Vector3d> places(std::size_t count, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("springs that a grab leads are one move, and the move gives back their bits") {
+TEST_CASE("springs that a grab moves are one move, and the move gives back their bits") {
   const std::vector<Vector3d> taken = places(80, 1);
   GrabTrack track;
   track.restart(springs_of(taken, {0.01, -0.02, 0.003}));
@@ -65,7 +65,7 @@ TEST_CASE("two grabs are a move of two parts") {
   CHECK(track.moved(*move) == springs);
 }
 
-TEST_CASE("another grip is no move") {
+TEST_CASE("springs with another grip are not a move") {
   const std::vector<Vector3d> taken = places(30, 4);
   GrabTrack track;
   const std::vector<GrabSpring> base = springs_of(taken, {0, 0, 0});
@@ -84,7 +84,7 @@ TEST_CASE("another grip is no move") {
   CHECK_FALSE(is_move({}));
   other = base;
   for (std::size_t i = 0; i < other.size(); ++i)
-    other[i].target *= 1 + 0.1 * static_cast<double>(i);  // stretched, not led
+    other[i].target *= 1 + 0.1 * static_cast<double>(i);  // stretched, not moved
   CHECK_FALSE(is_move(other));
   CHECK_FALSE(track.fits({{{31, {0, 0, 0}}}}));
   CHECK_FALSE(track.fits({{{29, {0, 0, 0}}}}));

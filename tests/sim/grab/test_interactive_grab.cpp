@@ -1,4 +1,4 @@
-// A grab of the tissue: what it takes, where it pulls, how hard, and that no mouse breaks the solver.
+// A grab of the tissue: its vertices, the place and size of its force, and stability for any motion of the mouse.
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -49,7 +49,7 @@ double largest_displacement(const State& state) {
 
 }  // namespace
 
-TEST_CASE("a patch is what is free and near the hit point, firm in the middle") {
+TEST_CASE("a patch contains the free vertices near the hit point, with full shares in the middle") {
   const Cantilever scene({1e5, 0.3, 1000, 0});
   const Model& model = scene.model;
   const Vector3d above(0.21, 1, 0.05), hit(0.21, 0.1, 0.05);
@@ -68,10 +68,10 @@ TEST_CASE("a patch is what is free and near the hit point, firm in the middle") 
   CHECK(total == Approx(4 * 1e5 * radius));  // grip * E * radius
   CHECK(total == Approx(grab.stiffness()));
 
-  // Smaller than the mesh: the corners of the triangle that was hit.
+  // Smaller than a triangle: the corners of the triangle that was hit.
   REQUIRE(scene.take(grab, above, {1e-4, 4}));
   CHECK(grab.vertices().size() == 3);
-  // Near the clamp only what is free; on the clamp nothing.
+  // Near the clamp only free vertices; on the clamp none.
   REQUIRE(scene.take(grab, {0.02, 1, 0.05}, {0.3, 4}));
   for (const std::uint32_t v : grab.vertices()) CHECK(model.rest_positions[v].x() > 0);
   const Ray along{{-1, 0.05, 0.049}, Vector3d::UnitX()};
@@ -81,7 +81,7 @@ TEST_CASE("a patch is what is free and near the hit point, firm in the middle") 
   CHECK_FALSE(grab.holding());
 }
 
-TEST_CASE("a grab holds one body and the material that is there") {
+TEST_CASE("a grab acts on one body and has the stiffness of the local material") {
   Cantilever scene({1e4, 0.3, 1000, 0});
   Model& model = scene.model;
   // A second, stiffer body that touches the first one's end.
@@ -130,11 +130,11 @@ TEST_CASE("the pointer moves in the plane through the hit point that faces the v
   CHECK(grab.pointer() == before);
 }
 
-TEST_CASE("at equilibrium the force is stiffness times elongation, along the pull; letting go leaves nothing") {
+TEST_CASE("at equilibrium the force is stiffness times elongation, along the pull; a release leaves nothing") {
   const Cantilever scene({1e5, 0.3, 1000, 0.05});
   test::Gpu gpu;
   SolverSettings settings;
-  settings.substeps = 10;  // as the shipped scenes: long steps with few iterations creep back for minutes
+  settings.substeps = 10;  // as in the shipped scenes: long steps with few iterations creep back for minutes
   settings.iterations = 2;
   GpuSolver solver(gpu.programs, scene.model, settings);
   const std::uint64_t dispatches = solver.dispatches_per_step();
@@ -158,11 +158,11 @@ TEST_CASE("at equilibrium the force is stiffness times elongation, along the pul
     held += s.stiffness / grab.stiffness() * state.displacement[s.vertex];
   }
   CAPTURE(diagnostics.grab_force.transpose(), expected.transpose(), held.transpose());
-  // Displacements of some cm in float32 are good to 1e-8 m: times the stiffness, some 1e-4 N.
+  // Displacements of some cm in float32 are accurate to 1e-8 m: times the stiffness, some 1e-4 N.
   CHECK((diagnostics.grab_force - expected).norm() < 1e-3 * expected.norm());
   CHECK(expected.z() > 0.1);
   CHECK(expected.dot(held) >
-        0.5 * expected.norm() * held.norm());  // along the pull; a bent bar resists stretching more
+        0.5 * expected.norm() * held.norm());  // along the pull; a bent bar has more resistance to stretching
   CHECK(held.z() > 0.7 * 0.04);                // soft tissue follows the mouse
   const Vector3d hit(0.29, 0.1, 0.05);
   CHECK((grab.anchor() - (hit + held)).norm() < 1e-3 * held.norm());
@@ -176,12 +176,12 @@ TEST_CASE("at equilibrium the force is stiffness times elongation, along the pul
   const Diagnostics after = *solver.take_diagnostics(true);
   CAPTURE(after.inverted, after.min_det_f, after.max_speed, after.elastic);
   CHECK(after.grab_force.norm() == 0);
-  // On its way back: damped tissue creeps when the iterations are few.
+  // During its return: damped tissue creeps if the iterations are few.
   CHECK(largest_displacement(solver.download()) < 0.25 * held.norm());
 }
 
-TEST_CASE("a mouse gone wild neither explodes the body nor detaches from it") {
-  // Not asserted: that the body comes back. St. Venant-Kirchhoff tets that such a grab turns inside out may stay so.
+TEST_CASE("a violently moved mouse neither makes the body diverge nor detaches from it") {
+  // Not asserted: that the body returns. St. Venant-Kirchhoff tets that such a grab inverts may stay inverted.
   const double modulus = GENERATE(1e3, 1e5, 1e9);
   const Cantilever scene({modulus, 0.3, 1000, 0.1});
   test::Gpu gpu;
@@ -213,7 +213,7 @@ TEST_CASE("a mouse gone wild neither explodes the body nor detaches from it") {
   const Diagnostics d = *solver.take_diagnostics(true);
   const double left = largest_displacement(solver.download());
   CAPTURE(modulus, farthest / kRadius, inverted, left / kRadius, d.inverted, d.max_speed);
-  CHECK(farthest < 3 * kRadius);  // the targets go 4 radii away from the hit point
+  CHECK(farthest < 3 * kRadius);  // the targets move 4 radii away from the hit point
   CHECK(d.finite);
   CHECK(d.grab_force.norm() == 0);
   CHECK(d.max_speed < kRadius);  // [m/s] calm after 10 s

@@ -1,4 +1,4 @@
-// The grabs of a scene: what a file may say, what it means, and where they are when.
+// The grabs of a scene: valid input, its meaning, and positions over time.
 #include <cmath>
 
 #include "sim/grab/build_model.h"
@@ -25,7 +25,7 @@ std::string model_error(const std::string& grabs) {
   return file.error_of([&] { build_model(file.open()); });
 }
 
-// A place in the middle of the cube's top.
+// A point in the middle of the cube's top.
 Vector3d top_of_cube() {
   const Model model = build_model(SceneFile(with_grabs("[]")).open());
   Vector3d low = Vector3d::Constant(1e9), high = -low;
@@ -57,7 +57,7 @@ TEST_CASE("grabs of a scene are written as they were read") {
   CHECK(scene_to_json(none.open(), none.path().parent_path()).find("grabs") == std::string::npos);
 }
 
-TEST_CASE("a grab that cannot be is one clear line") {
+TEST_CASE("an invalid grab is one clear line") {
   const auto error = [](const std::string& grabs) { return SceneFile(with_grabs(grabs)).open_error(); };
   CHECK(error(R"([{"at": [0, 0, 0], "translat": [1, 0, 0]}])") ==
         "s.json: grabs[0].translat: unknown key \"translat\", perhaps \"translate\"; expected one of at, select, body, "
@@ -78,7 +78,7 @@ TEST_CASE("a grab that cannot be is one clear line") {
         "s.json: grabs[0]: holds only vertices that are fixed or prescribed; expected a free one");
 }
 
-TEST_CASE("a grab on the command line is one more of the scene's") {
+TEST_CASE("a grab on the command line is added to the scene's") {
   const SceneFile file(with_grabs(R"([{"at": [0, 0, 0]}])"));
   const Scene scene =
       file.open({"--grab at=0.1,0.05,0;translate=0,0.1,0;start=0.2;duration=0.5;release=1.5;radius=0.02",
@@ -111,7 +111,7 @@ TEST_CASE("a grab on the command line is one more of the scene's") {
         "--grab: grabs[1].at[1]: is \"zero\"; expected a number, -1e+06 to 1e+06 m");
 }
 
-TEST_CASE("a scripted grab is where its path says, never faster than a grab may be, and holds from start to release") {
+TEST_CASE("a scripted grab follows its path, never faster than a grab may be, and pulls from start to release") {
   const std::string at = text_of(top_of_cube());
   const auto grab = [&](const std::string& rest) {
     return build_model(SceneFile(with_grabs("[{\"at\": [" + at + "], " + rest + "}]")).open()).grabs.front();
@@ -131,7 +131,7 @@ TEST_CASE("a scripted grab is where its path says, never faster than a grab may 
   CHECK((smooth.displacement(0.25) - Vector3d((3 - 0.5) / 16 * 0.02, 0, 0)).norm() < 1e-15);  // s^2 (3 - 2 s)
   CHECK((smooth.displacement(1.5) - Vector3d(0.01, 0, 0.01)).norm() < 1e-15);
 
-  // A jump and a path there and back far faster than any grab.
+  // A jump, and a path back and forth that is far faster than any grab.
   const double size = scene_radius(build_model(SceneFile(with_grabs("[]")).open()));
   for (const char* wild : {R"("translate": [5, 0, 0])", R"("path": [[0.001, 3, 0, 0], [0.002, -3, 0, 0]])",
                            R"("path": [[0.001, 3, 0, 0]], "smooth": true)"}) {
@@ -150,7 +150,7 @@ TEST_CASE("a scripted grab is where its path says, never faster than a grab may 
   CHECK((push.path.back().displacement - Vector3d(0, -0.01, 0)).norm() < 1e-6);
 }
 
-TEST_CASE("shares of a patch add up to one, also where it is smaller than a tet") {
+TEST_CASE("shares of a patch add up to one, also if it is smaller than a tet") {
   const Model model = build_model(SceneFile(with_grabs("[]")).open());
   const Vector3d at = top_of_cube() + Vector3d(0.003, 0, 0.002);
   const EmbeddedPoint place = tet_at(model.tets, model.rest_positions, at);
@@ -161,7 +161,7 @@ TEST_CASE("shares of a patch add up to one, also where it is smaller than a tet"
     Vector3d middle(0, 0, 0);
     for (const PatchVertex& p : patch) sum += p.share, middle += p.share * model.rest_positions[p.vertex];
     CHECK(sum == Approx(1));
-    // Of the point's own tet alone: the pull goes through the very point.
+    // Only the point's own tet: the pull acts exactly at the point.
     if (radius == 1e-6) CHECK((middle - at).norm() < 1e-9);
     CHECK((middle - at).norm() < std::max(radius, 1e-9));
     CHECK(patch_stiffness(patch, radius) == Approx(kGrip * model.materials[0].young_modulus * radius));

@@ -1,4 +1,4 @@
-// Grabs that a scene brings: beside the reference solver, in replays, with sleeping tissue, on the command line.
+// Scripted grabs of a scene: against the reference solver, in replays, with sleeping tissue, on the command line.
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// The shipped cube on its clamped base, held by two grabs of the scene at its top.
+// The shipped cube on its clamped base, pulled by two grabs of the scene at its top.
 struct Handled {
   explicit Handled(const std::string& grabs) {
     write_file(folder / "cube.json",
@@ -56,9 +56,9 @@ TEST_CASE("grabs of a scene pull the GPU as they pull the reference solver") {
   CHECK(grabs.back() == 1);  // released
   CAPTURE(relative_rms(gpu.state().displacement, exact.state().displacement));
   CHECK(relative_rms(gpu.state().displacement, exact.state().displacement) < 1e-3);
-  CHECK(gpu.log().inputs().size() <= 1);  // the settings: what the scene does is no input
+  CHECK(gpu.log().inputs().size() <= 1);  // the settings: actions of the scene are not inputs
 
-  // To equilibrium with all of them at the end of their ways.
+  // To equilibrium with all of them at the end of their paths.
   Simulation still(cube.scene(), graphics.programs.get(), false), newton(cube.scene(), nullptr, true);
   CHECK(still.solve_static().converged);
   newton.solve_static();
@@ -70,7 +70,7 @@ TEST_CASE("grabs of a scene pull the GPU as they pull the reference solver") {
   CHECK((reaction + pull).norm() < 1e-8 * pull.norm());
 }
 
-TEST_CASE("a replay repeats grabs of the mouse beside those of its scene to the bit, once") {
+TEST_CASE("a replay repeats grabs of the mouse in addition to those of its scene to the bit, once") {
   const Handled cube(kTwo);
   Graphics graphics = open_graphics(headless(), false);
   Simulation lived(cube.scene(), graphics.programs.get(), false);
@@ -81,7 +81,7 @@ TEST_CASE("a replay repeats grabs of the mouse beside those of its scene to the 
     return vertices;
   }();
   for (int i = 0; i < 20; ++i) {
-    GrabInput springs;  // two grabs of the mouse, that take hold one after the other where the scene's grab is
+    GrabInput springs;  // two grabs of the mouse, which begin one after the other at the place of the scene's grab
     if (i >= 3) springs.push_back({patch[0], {0, 0, 0.001 * i}, 40, 0});
     if (i >= 8 && i < 15)
       for (const std::uint32_t v : patch) springs.push_back({v, {0.0005 * i, 0, 0}, 5, 1});
@@ -101,7 +101,7 @@ TEST_CASE("a replay repeats grabs of the mouse beside those of its scene to the 
   CHECK(again.state().velocity == lived.state().velocity);
 }
 
-TEST_CASE("tissue sleeps until a grab of its scene takes hold") {
+TEST_CASE("tissue sleeps until a grab of its scene begins") {
   const Handled cube(
       R"([{"select": {"box": [[-1, 0.09, -1], [1, 1, 1]]}, "translate": [0.02, 0, 0], "start": 1.5, "duration": 0.2}])");
   Graphics graphics = open_graphics(headless(), false);
@@ -113,7 +113,7 @@ TEST_CASE("tissue sleeps until a grab of its scene takes hold") {
   }
   CHECK(slept > 10);
   CHECK(simulation.asleep());
-  CHECK(simulation.awaits_grabs());  // so that a window goes on
+  CHECK(simulation.awaits_grabs());  // so that a window continues
   for (int i = 0; i < 20; ++i) simulation.step();
   CHECK_FALSE(simulation.asleep());
   double largest = 0;

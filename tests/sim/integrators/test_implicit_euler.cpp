@@ -24,7 +24,7 @@ TEST_CASE("implicit Euler falls n (n + 1) / 2 h^2 g in n steps") {
   CHECK((v - (speed + steps * euler.h * gravity)).norm() < 1e-12);
 }
 
-TEST_CASE("a step of implicit Euler minimises its objective for a spring: 1 / (1 + h^2 k / m) of the prediction") {
+TEST_CASE("a step of implicit Euler minimizes its objective for a spring: 1 / (1 + h^2 k / m) of the prediction") {
   const ImplicitEuler euler{0.1};
   const Eigen::VectorXd mass = Eigen::VectorXd::Constant(3, 2.0), zero = Eigen::VectorXd::Zero(3);
   const Eigen::VectorXd u_n = Vector3d(0.3, 0, 0), v_n = Vector3d(-1, 0, 0);

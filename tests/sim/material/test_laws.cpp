@@ -24,7 +24,7 @@ struct Uniaxial {
   double volume_ratio, nominal_stress;  // [-], [Pa]
 };
 
-// Free sides, stretch s along x. The condition that the sides carry nothing is a quadratic equation in J.
+// Free sides, stretch s along x. The condition of zero stress on the sides is a quadratic equation in J.
 Uniaxial uniaxial_neo_hookean(const Material& material, double s) {
   const double mu = material.lame_mu(), lambda = material.lame_lambda(), b = lambda - mu / s;
   const double j = lambda == 0 ? s : (b + std::sqrt(b * b + 4 * lambda * mu)) / (2 * lambda);
@@ -60,7 +60,7 @@ TEST_CASE("uniaxial stretch of neo-Hookean and Mooney-Rivlin bars is that of the
   }
 }
 
-TEST_CASE("nearly incompressible bars come near the incompressible forms", "[laws]") {
+TEST_CASE("nearly incompressible bars approach the incompressible forms", "[laws]") {
   for (const double s : {0.6, 0.9, 1.5, 2.5}) {
     const Material neo = of(MaterialModel::neo_hookean, 0.499), mooney = of(MaterialModel::mooney_rivlin, 0.499, 0.4);
     const double mu = neo.lame_mu();
@@ -91,7 +91,7 @@ TEST_CASE("derivatives of every law are those of its energy", "[laws]") {
   for (const MaterialLaw* law : material_laws())
     for (const double nu : {-0.5, 0.3, 0.49})
       for (const double squeeze : {1.0, 0.3, -0.4}) {
-        if (law->model == MaterialModel::st_venant_kirchhoff) continue;  // which stands on the formulas of strains
+        if (law->model == MaterialModel::st_venant_kirchhoff) continue;  // which is implemented by formulas of strains
         Matrix3d g = f;
         g.col(2) *= squeeze;
         const Material material = of(law->model, nu, 0.6);
@@ -113,7 +113,7 @@ TEST_CASE("derivatives of every law are those of its energy", "[laws]") {
       }
 }
 
-TEST_CASE("energies that a logarithm would end stay finite, and grow through J = 0", "[laws]") {
+TEST_CASE("energies with a logarithm stay finite, and grow through J = 0", "[laws]") {
   for (const MaterialModel model : {MaterialModel::neo_hookean, MaterialModel::mooney_rivlin})
     for (const double nu : {-0.5, 0.0, 0.3, 0.49}) {
       double before = 0;
@@ -127,7 +127,7 @@ TEST_CASE("energies that a logarithm would end stay finite, and grow through J =
     }
 }
 
-TEST_CASE("the table of laws has every model once, under one name", "[laws]") {
+TEST_CASE("the table of laws has every model once, with a unique name", "[laws]") {
   std::set<std::string> names;
   for (const MaterialLaw* law : material_laws()) {
     CHECK(names.insert(law->name).second);

@@ -1,4 +1,4 @@
-// The table of material constants and what follows from them.
+// The table of material constants and the derived constants.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 using namespace fascia;
 
-TEST_CASE("every default lies in its range and every constant has a help text") {
+TEST_CASE("every default is in its range and every constant has a help text") {
   Material material;
   int count = 0;
   visit_material(material, [&](double& field, const char* name, const char*, double min, double max, bool logarithmic,
@@ -28,13 +28,12 @@ TEST_CASE("Lame's constants give back Young's modulus, Poisson's ratio and the b
     CAPTURE(nu);
     material.poisson_ratio = nu;
     const double lambda = material.lame_lambda(), mu = material.lame_mu();
-    // Near 0.5 and -1 the inverse formulas divide by small differences: 1e-12 is 1e-16 over the smallest,
-    // 0.002 * 0.1.
+    // Near 0.5 and -1 the inverse formulas divide by small differences: 1e-12 is 1e-16 over the smallest, 0.002 * 0.1.
     CHECK(mu * (3 * lambda + 2 * mu) / (lambda + mu) == Approx(2.5e5).epsilon(1e-12));
     CHECK(lambda / (2 * (lambda + mu)) == Approx(nu).epsilon(1e-12).margin(1e-15));
     CHECK(lambda + 2 * mu / 3 == Approx(2.5e5 / (3 * (1 - 2 * nu))).epsilon(1e-12));
   }
-  material.poisson_ratio = 0.3;  // as the verification cases state them
+  material.poisson_ratio = 0.3;  // as in the verification cases
   CHECK(material.lame_lambda() == Approx(144230.76923076922).epsilon(1e-15));
   CHECK(material.lame_mu() == Approx(96153.84615384616).epsilon(1e-15));
 }

@@ -1,4 +1,4 @@
-// Presets of tissues: the table, and what "preset" does in a scene and on the command line.
+// Presets of tissues: the table, and the effect of "preset" in a scene and on the command line.
 #include <cmath>
 #include <regex>
 #include <set>
@@ -16,7 +16,7 @@ std::string body_with(const std::string& materials) { return scene_text("\"mater
 
 }  // namespace
 
-TEST_CASE("every tissue has values that a scene may have, a range around them and a source with its year") {
+TEST_CASE("every tissue has values that a scene permits, a range around them and a source with its year") {
   std::set<std::string> names;
   CHECK(tissues().size() >= 16);
   for (const Tissue& tissue : tissues()) {
@@ -32,7 +32,7 @@ TEST_CASE("every tissue has values that a scene may have, a range around them an
     });
     CHECK(tissue.least < tissue.young_modulus);
     CHECK(tissue.young_modulus < tissue.most);
-    CHECK(tissue.poisson_ratio <= 0.45);  // above, linear tets lock
+    CHECK(tissue.poisson_ratio <= 0.45);  // above it linear tets lock
     CHECK(tissue.density > 900);
     CHECK(tissue.density < 2000);
     CHECK(std::regex_search(tissue.source, std::regex(R"((19[5-9]|20[0-2])\d, )")));
@@ -55,7 +55,7 @@ TEST_CASE("the printed table has a line of values, conditions and a source for e
   }
 }
 
-TEST_CASE("a preset fills the values that its entry does not give") {
+TEST_CASE("a preset sets the values that its entry does not give") {
   const Tissue& liver = *find_tissue("liver");
   const Body body = SceneFile(body_with(R"({"default": {"young_modulus": 1234, "preset": "liver", "damping": 0.5},
                                             "2": {"preset": "liver"}, "3": {"density": 900, "preset": "liver"}})"))
@@ -81,7 +81,7 @@ TEST_CASE("a preset of the command line replaces the file's numbers, not those o
         MaterialOverride{fat.young_modulus, fat.poisson_ratio, fat.density, {}, {}});
 }
 
-TEST_CASE("a preset that does not exist names the nearest and lists all") {
+TEST_CASE("a preset that does not exist gives the nearest name and the list") {
   const std::string error = SceneFile(body_with(R"({"default": {"preset": "livr"}})")).open_error();
   CHECK(error.find("s.json: bodies[0].materials.default.preset: is \"livr\", perhaps \"liver\"; expected a tissue that "
                    "fascia info --tissues lists: ") == 0);

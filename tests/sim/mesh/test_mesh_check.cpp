@@ -1,4 +1,4 @@
-// Repair and examination on meshes whose defects are known exactly.
+// Repair and check of meshes whose defects are known exactly.
 #include "sim/mesh/mesh_check.h"
 
 #include <catch2/catch.hpp>
@@ -40,7 +40,7 @@ using Indices = std::vector<std::uint32_t>;
 
 }  // namespace
 
-TEST_CASE("repair keeps a good mesh as it is") {
+TEST_CASE("repair does not change a good mesh") {
   const TetMesh mesh = make_box(2, 2, 2, {1, 1, 1});
   const MeshRepair result = repair(mesh);
   CHECK(result.tets == mesh.tets);
@@ -78,21 +78,19 @@ TEST_CASE("repair reorients flipped tets, leaves out degenerate and duplicated o
 TEST_CASE("a tet is degenerate below a height of 1e-7 of its longest edge, at any size and place") {
   const double size = GENERATE(1e-6, 1.0, 1e6);
   const double offset = GENERATE(0.0, 3.0);
-  // Its base is a triangle with the longest edge sqrt(2) * size; the height over it is the smallest of the
-  // four.
+  // Its base is a triangle with the longest edge sqrt(2) * size; the height over it is the smallest of the four.
   const auto tet_of_height = [&](double height) {
     std::vector<Eigen::Vector3d> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, height}};
     for (Eigen::Vector3d& p : positions) p = size * (p + Eigen::Vector3d(offset, 0, 0));
     return make_mesh(positions, {{0, 1, 2, 3}});
   };
   CAPTURE(size, offset);
-  // Coordinates at offset 3 are rounded to 4e-16, the limit is 1.4e-7: 1 % to either side is far beyond
-  // rounding.
+  // Coordinates at offset 3 are rounded to 4e-16, the limit is 1.4e-7: 1 % to either side is far beyond rounding.
   CHECK(repair(tet_of_height(0.99e-7 * std::sqrt(2))).degenerate == Indices{0});
   CHECK(repair(tet_of_height(1.01e-7 * std::sqrt(2))).degenerate.empty());
 }
 
-TEST_CASE("all vertices in one point is degenerate, not a division by zero") {
+TEST_CASE("a mesh with all vertices in one point is degenerate, not a division by zero") {
   const TetMesh mesh = make_mesh({4, {1, 1, 1}}, {{0, 1, 2, 3}});
   CHECK(repair(mesh).degenerate == Indices{0});
   const MeshReport report = examine(mesh);
@@ -104,7 +102,7 @@ TEST_CASE("all vertices in one point is degenerate, not a division by zero") {
   CHECK(report_text(mesh).find("0 of them usable") != std::string::npos);
 }
 
-TEST_CASE("the doctor measures a corner tet exactly") {
+TEST_CASE("the mesh check measures a corner tet exactly") {
   const MeshReport report = examine(make_mesh(kCorner, {{0, 1, 2, 3}}));
   CHECK(report.volume == Approx(1.0 / 6));
   CHECK(report.shortest_edge == Approx(1));
@@ -158,8 +156,8 @@ TEST_CASE("three tets on one face leave an open boundary") {
 }
 
 TEST_CASE("slivers are those below 5 degrees, the worst named first and at most ten") {
-  // A regular triangle of circumradius 1 (inradius 1/2) with the apex over its center: the dihedral angles
-  // along the base are arctan(2 height), the smallest of the six.
+  // A regular triangle of circumradius 1 (inradius 1/2) with the apex over its center: the dihedral angles along the
+  // base are arctan(2 height), the smallest of the six.
   std::vector<Eigen::Vector3d> positions;
   std::vector<Tet> tets;
   const auto add = [&](double degrees) {
@@ -204,7 +202,7 @@ TEST_CASE("regions have their names, counts and volumes, and the volumes add up"
   CHECK(report.regions[0].volume + report.regions[1].volume == Approx(report.volume));
 }
 
-TEST_CASE("the unit guess advises a scale that makes the size plausible, and is silent when it is") {
+TEST_CASE("the unit guess advises a scale that makes the size plausible, and is empty if it is") {
   CHECK(guess_unit(0.25).empty());
   CHECK(guess_unit(0.001).empty());
   CHECK(guess_unit(3).empty());
@@ -220,11 +218,11 @@ TEST_CASE("the unit guess advises a scale that makes the size plausible, and is 
   CHECK(guess_unit(700).find("centimetres") == std::string::npos);  // 7 m
   contains(2e5, "scale=1e-06 (200 mm wide)");
   contains(2e-4, "millimetres twice? try --set bodies.0.transform.scale=1000 (200 mm wide)");
-  CHECK(guess_unit(100, 1000).find("scale=1 (100 mm wide)") != std::string::npos);  // of a scale that is there already
+  CHECK(guess_unit(100, 1000).find("scale=1 (100 mm wide)") != std::string::npos);  // of a scale that is already set
   contains(1e9, "--set bodies.0.transform.scale=1e-10");
 }
 
-TEST_CASE("the report names what was found") {
+TEST_CASE("the report names its findings") {
   TetMesh mesh = make_box(2, 1, 1, {6.5, 1, 1});
   std::swap(mesh.tets[3][0], mesh.tets[3][1]);
   mesh.tets.push_back(mesh.tets[0]);
@@ -251,7 +249,7 @@ TEST_CASE("the report names what was found") {
   CHECK(text.find("\nsize        6.5 m wide, too large for tissue") != std::string::npos);
 }
 
-TEST_CASE("halves that touch with vertices of their own are counted, and welded on demand") {
+TEST_CASE("halves that touch with vertices of their own are counted, and welded on request") {
   const TetMesh whole = make_box(2, 1, 1, {2, 1, 1});
   TetMesh mesh = whole;
   mesh.groups["end"] = {0, 1};
@@ -281,7 +279,7 @@ TEST_CASE("halves that touch with vertices of their own are counted, and welded 
   CHECK(weld(mesh) == 0);
 }
 
-TEST_CASE("a vertex of no tet is at nobody's place") {
+TEST_CASE("a vertex of no tet coincides with no other") {
   TetMesh mesh = make_box(1, 1, 1, {1, 1, 1});
   mesh.positions.insert(mesh.positions.begin(), mesh.positions[0]);
   for (Tet& tet : mesh.tets)
@@ -289,7 +287,7 @@ TEST_CASE("a vertex of no tet is at nobody's place") {
   CHECK(examine(mesh).coincident_vertices == 0);
 }
 
-TEST_CASE("a vertex that is far from all others is named, whether its tets are left out or not") {
+TEST_CASE("a vertex that is far from all others is named, even if its tets are left out") {
   for (const double far : {1e6, 1e300}) {
     TetMesh mesh = make_box(3, 3, 3, {1, 1, 1});
     mesh.positions[5].x() = far;

@@ -8,7 +8,7 @@
 
 using namespace fascia;
 
-TEST_CASE("a box has the counts, the corners and the volume that were asked for") {
+TEST_CASE("a box has the requested counts, corners and volume") {
   const Eigen::Vector3d size(2, 0.5, 3);
   const TetMesh mesh = make_box(3, 2, 5, size);
   CHECK(mesh.positions.size() == 4u * 3 * 6);
@@ -28,7 +28,7 @@ TEST_CASE("a box has the counts, the corners and the volume that were asked for"
   CHECK(volume == Approx(size.prod()).epsilon(1e-12));
 }
 
-TEST_CASE("a box is healthy: conforming cells, one component, a manifold boundary") {
+TEST_CASE("a box is valid: conforming cells, one component, a manifold boundary") {
   const TetMesh mesh = make_box(3, 2, 4, {0.3, 0.2, 0.4});
   const MeshReport report = examine(mesh, repair(mesh));
   CHECK(report.usable_tets == mesh.tets.size());
@@ -36,12 +36,12 @@ TEST_CASE("a box is healthy: conforming cells, one component, a manifold boundar
   CHECK(report.unused_vertices == 0);
   CHECK(report.components == 1);
   CHECK(report.boundary_manifold);
-  // A face cut in two ways by its neighbours would stay on the boundary.
+  // A face that is cut differently by its neighbors would stay on the boundary.
   CHECK(report.boundary_triangles == 4u * (3 * 2 + 2 * 4 + 4 * 3));
   CHECK(report.smallest_dihedral_deg == Approx(45).epsilon(1e-9));  // cells are cubes here
 }
 
-TEST_CASE("deform maps every vertex and leaves the tets alone") {
+TEST_CASE("deform maps every vertex and does not change the tets") {
   TetMesh mesh = make_box(1, 1, 1, {1, 1, 1});
   const std::vector<Tet> tets = mesh.tets;
   deform(mesh, [](const Eigen::Vector3d& p) { return Eigen::Vector3d(2 * p.x(), p.y() + 1, p.z() * p.x()); });

@@ -1,5 +1,5 @@
-// The shipped meshes are healthy and as large as assets/README.md says; the shipped scenes open and hold
-// their bodies.
+// The shipped meshes are valid and have the sizes in assets/README.md; the shipped scenes open and support their
+// bodies.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -41,12 +41,12 @@ const std::vector<ShippedMesh> kMeshes = {
 
 }  // namespace
 
-TEST_CASE("shipped meshes are healthy") {
+TEST_CASE("shipped meshes are valid") {
   CHECK(count_files(assets() / "meshes", ".msh") == kMeshes.size());
   for (const ShippedMesh& shipped : kMeshes) {
     CAPTURE(shipped.name);
     const fs::path path = assets() / "meshes" / (shipped.name + ".msh");
-    CHECK(fs::file_size(path) < 600000);  // they live in the repository
+    CHECK(fs::file_size(path) < 600000);  // the repository contains them
     const MeshFile file = read_mesh(path);
     const MeshReport report = examine(file.mesh, repair(file.mesh));
     CHECK(report.usable_tets == report.tet_count);
@@ -67,7 +67,7 @@ TEST_CASE("shipped meshes are healthy") {
   }
 }
 
-TEST_CASE("shipped scenes open, hold a small part of their body and place a camera") {
+TEST_CASE("shipped scenes open, fix a small part of their body and place a camera") {
   CHECK(count_files(assets() / "scenes", ".json") >= kMeshes.size());
   for (const ShippedMesh& shipped : kMeshes) CHECK(fs::exists(assets() / "scenes" / (shipped.name + ".json")));
   for (const fs::directory_entry& entry : fs::directory_iterator(assets() / "scenes")) {

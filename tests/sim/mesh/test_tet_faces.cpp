@@ -52,7 +52,7 @@ TEST_CASE("the boundary of a box is closed, has the box's area and faces outward
   double area = 0, volume = 0;
   for (const Triangle& t : triangles) {
     const Eigen::Vector3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-    const Eigen::Vector3d normal = (b - a).cross(c - a);  // twice the area long
+    const Eigen::Vector3d normal = (b - a).cross(c - a);  // its length is twice the area
     CHECK(normal.dot((a + b + c) / 3 - size / 2) > 0);
     area += normal.norm() / 2;
     volume += a.dot(normal) / 6;  // divergence theorem
@@ -62,7 +62,7 @@ TEST_CASE("the boundary of a box is closed, has the box's area and faces outward
   CHECK(volume == Approx(0.4 * 0.3 * 0.5).epsilon(1e-12));
 }
 
-TEST_CASE("the boundary leaves out faces that several tets share and follows the order of the tets") {
+TEST_CASE("the boundary omits faces that several tets share and follows the order of the tets") {
   // Three tets on the face 0 1 2: 3 * 3 faces remain.
   const std::vector<Tet> tets = {{0, 1, 2, 5}, {0, 1, 2, 4}, {0, 2, 1, 3}};
   const std::vector<Triangle> triangles = boundary_triangles(tets);

@@ -1,4 +1,4 @@
-// From a scene to what the solvers simulate: placing, merging, materials, selections, notes.
+// From a scene to the solvers' model: placing, merging, materials, selections, notes.
 #include "sim/grab/build_model.h"
 #include "sim/model/model.h"
 
@@ -14,8 +14,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Two tets on a shared face, regions 1 (unnamed) and 2 ("tumour"), a triangle group "clamp" on vertices 0,
-/// 1, 2, and vertex 5 far below, in no tet.
+/// Two tets on a shared face, regions 1 (unnamed) and 2 ("tumour"), a triangle group "clamp" on vertices 0, 1, 2, and
+/// vertex 5 far below, in no tet.
 const char* const kTwoTets = R"($MeshFormat
 2.2 0 8
 $EndMeshFormat
@@ -83,7 +83,7 @@ TEST_CASE("a model has the file's vertices in their order, and its tets") {
   CHECK(model.bodies[0].material_count == 1);
 }
 
-TEST_CASE("a box is closed and lies on the positions of the file, before the transform") {
+TEST_CASE("a box is closed and refers to the positions of the file, before the transform") {
   CHECK(fixed_by(R"({"box": [[0, 0, 0], [1, 0, 0]]})") == Indices{0, 1});
   CHECK(fixed_by(R"({"box": [[0.1, 0, 0], [1, 1, 1]]})") == Indices{1, 4});
   const std::string moved = R"("transform": {"scale": 2, "rotate_deg": [0, 0, 90], "translate": [10, 0, 0]}, )";
@@ -103,19 +103,19 @@ TEST_CASE("vertices, groups and several selections unite, ascending and once eac
 }
 
 TEST_CASE(
-    "the lowest share is of the height of the tets, not of stray vertices, or of the vertices where those are more") {
+    "the lowest share is of the height of the tets, not of stray vertices, or of the vertices if those are more") {
   CHECK(fixed_by(R"({"lowest": 0})") == Indices{0, 1, 3});
   CHECK(fixed_by(R"({"lowest": 0.7})") == Indices{0, 1, 3});  // 3 of 5
   CHECK(fixed_by(R"({"lowest": 0.8})") == Indices{0, 1, 2, 3, 4});
   CHECK(fixed_by(R"({"lowest": 1})") == Indices{0, 1, 2, 3, 4});
 }
 
-TEST_CASE("a mesh alone is held at its lowest 2 percent") {
+TEST_CASE("a mesh on its own is fixed at its lowest 2 percent") {
   const SceneFile mesh(kTwoTets, "m.msh");
   CHECK(build_model(mesh.open()).fixed == Indices{0, 1, 3});
 }
 
-TEST_CASE("a selection of nothing is an error that says where the vertices are") {
+TEST_CASE("an empty selection is an error that states where the vertices are") {
   const std::string expected = "; expected some of the 5 vertices, from (0, 0, 0) to (1, 1, 1)";
   CHECK(selection_error(R"({"box": [[2, 0, 0], [3, 1, 1]]})") ==
         "s.json: bodies[0].fixed[1]: selects nothing" + expected);
@@ -182,7 +182,7 @@ TEST_CASE("without a transform the positions are the file's to the last bit") {
   CHECK(model.rest_positions[4] == Vector3d(0.40000000000000002, -0.050000000000000003, -0.050000000000000003));
 }
 
-TEST_CASE("several bodies stand one after another, each with its own materials, motions and selections") {
+TEST_CASE("several bodies are stored one after another, each with its own materials, motions and selections") {
   const SceneFile file(R"({"fascia_scene": 1, "bodies": [
     {"name": "a", "mesh": "m.msh", "fixed": [{"vertices": [0]}], "materials": {"2": {"density": 500}}},
     {"name": "b", "mesh": "m.msh", "transform": {"translate": [100, 0, 0], "scale": 2}, "fixed": [{"group": "clamp"}],
@@ -277,7 +277,7 @@ TEST_CASE("a mesh of degenerate tets only cannot be simulated") {
         "m.msh: has no tet higher than 1e-7 of its longest edge (1 degenerate); expected at least one");
 }
 
-TEST_CASE("a missing mesh is reported with the key that names it, an unreadable one under its own name") {
+TEST_CASE("a missing mesh is reported with its scene key, an unreadable one under its own name") {
   const SceneFile scene(scene_text());
   const auto build_error = [&] { return scene.error_of([&] { build_model(scene.open()); }); };
   CHECK_THAT(build_error(), Catch::Contains("s.json: bodies[0].mesh: m.msh: no such file; looked in "));
@@ -285,7 +285,7 @@ TEST_CASE("a missing mesh is reported with the key that names it, an unreadable 
   CHECK(build_error().find("m.msh") == 0);
 }
 
-TEST_CASE("the hash of a mesh sees every bit of positions and every index") {
+TEST_CASE("the hash of a mesh depends on every bit of positions and every index") {
   TetMesh mesh;
   CHECK(mesh_hash(mesh) == 0xcbf29ce484222325);  // FNV-1a of no bytes
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -300,8 +300,8 @@ TEST_CASE("the hash of a mesh sees every bit of positions and every index") {
   CHECK(mesh_hash(other) != hash);
 }
 
-TEST_CASE("parts that fall off a model that is held elsewhere are noted") {
-  std::string apart = kTwoTets;  // the second tet has a face of its own
+TEST_CASE("components that fall away from a supported model are noted") {
+  std::string apart = kTwoTets;  // the second tet has separate vertices at the face
   apart.replace(apart.find("$Nodes\n6"), 8, "$Nodes\n9");
   apart.insert(apart.find("$EndNodes"), "7 5 0 0\n8 5 1 0\n9 5 0 1\n");
   apart.replace(apart.find("3 4 2 2 1 2 3 4 5"), 17, "3 4 2 2 1 7 8 9 5");
@@ -316,11 +316,11 @@ TEST_CASE("parts that fall off a model that is held elsewhere are noted") {
   CHECK(unconstrained.held_parts == 1);
   REQUIRE(!model.notes.empty());
   CHECK(model.notes.back() ==
-        "1 part of 4 vertices in all is held nowhere and will fall (vertex 4 of liver): no vertex shared with what is "
-        "fixed or prescribed");
+        "1 component of 4 vertices in all is unconstrained and will fall (vertex 4 of liver): no vertex is fixed or "
+        "prescribed");
   CHECK(note_of(fixed, {"gravity=[0,0,0]"}).empty());
-  CHECK(note_of("").empty());  // all of it falls
+  CHECK(note_of("").empty());  // the whole model falls
   CHECK(note_of(R"("fixed": [{"vertices": [0, 4]}])").empty());
   CHECK(note_of(R"("fixed": [{"vertices": [0]}], "prescribed": [{"select": {"vertices": [7]}}])").empty());
-  CHECK(note_of_unconstrained_parts(TwoTets(fixed).build()).empty());  // held by the face between the two
+  CHECK(note_of_unconstrained_parts(TwoTets(fixed).build()).empty());  // fixed at the face between the two
 }

@@ -1,4 +1,4 @@
-// Where prescribed vertices are at a time, and which vertices a scene prescribes.
+// Positions of prescribed vertices over time, and the vertices that a scene prescribes.
 #include <Eigen/Geometry>
 #include <numbers>
 
@@ -30,7 +30,7 @@ std::string error_with(const std::string& motions, const std::string& csv = "") 
 
 }  // namespace
 
-TEST_CASE("a translation is straight, linear in time, and held before and after") {
+TEST_CASE("a translation is straight, linear in time, and constant before and after") {
   Motion motion;
   motion.translate = {4, 0, -2};
   motion.start = 1;
@@ -44,7 +44,7 @@ TEST_CASE("a translation is straight, linear in time, and held before and after"
   CHECK(motion.position(0, rest, 100) == Vector3d(5, 1, -1));
 }
 
-TEST_CASE("a motion without duration is there at once") {
+TEST_CASE("a motion without duration is complete at once") {
   Motion motion;
   motion.translate = {1, 0, 0};
   motion.start = 0.5;
@@ -52,7 +52,7 @@ TEST_CASE("a motion without duration is there at once") {
   CHECK(motion.position(0, {0, 0, 0}, 0.5) == Vector3d(1, 0, 0));
 }
 
-TEST_CASE("a rotation runs along the arc about its center, the axis of any length") {
+TEST_CASE("a rotation follows the arc about its center, with an axis of any length") {
   Motion motion;
   motion.axis = {0, 0, 10};
   motion.center = {1, 0, 0};
@@ -69,7 +69,7 @@ TEST_CASE("a rotation runs along the arc about its center, the axis of any lengt
   }
 }
 
-TEST_CASE("turns beyond 180 degrees are made in full") {
+TEST_CASE("rotations beyond 180 degrees are made in full") {
   Motion motion;
   motion.axis = {0, 0, 1};
   motion.angle = 2 * std::numbers::pi;
@@ -77,7 +77,7 @@ TEST_CASE("turns beyond 180 degrees are made in full") {
   CHECK((motion.position(0, {1, 0, 0}, 0.5) - Vector3d(-1, 0, 0)).norm() < kRounding);
 }
 
-TEST_CASE("a scale is about the center, and goes together with the other motions") {
+TEST_CASE("a scale is about the center, and combines with the other motions") {
   Motion motion;
   motion.scale = 3;
   motion.center = {1, 0, 0};
@@ -128,7 +128,7 @@ TEST_CASE("targets move the vertices of their table, or the selected ones of the
   CHECK(some.motions[0].targets == std::vector<Vector3d>{{2, 2, 2}, {1, 1, 1}});
 }
 
-TEST_CASE("motions that cannot be made") {
+TEST_CASE("invalid motions") {
   CHECK(error_with(R"({"select": {"vertices": [4, 6]}, "targets": "t.csv"})", "4,0,0,0\n5,0,0,0\n") ==
         "t.csv: misses vertex 6, which s.json: bodies[0].prescribed[0].select selects; expected a line for each of the "
         "2 selected vertices");

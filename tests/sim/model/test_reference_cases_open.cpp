@@ -1,4 +1,4 @@
-// The five verification cases open with the vertices, tets and held vertices that their case.json states.
+// The five verification cases open with the vertices, tets and constrained vertices that their case.json states.
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -38,8 +38,7 @@ TEST_CASE("the verification cases build the models that they describe") {
   CHECK(fixed == stated);
   double mass = 0;
   for (const double m : lumped_masses(model)) mass += m;
-  // The beams and the cube have the volumes of their boxes; the sum of thousands of tets rounds in the 12th
-  // digit.
+  // The beams and the cube have the volumes of their boxes; the sum of thousands of tets rounds in the 12th digit.
   const char* total = facts.contains("total_mass") ? "total_mass" : "lumped_mass_total";
   CHECK(mass == Approx(facts.at(total).get<double>()).epsilon(1e-12));
 }

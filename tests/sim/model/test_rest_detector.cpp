@@ -1,4 +1,4 @@
-// When the watch calls a body at rest.
+// When the rest detector considers a body at rest.
 #include <catch2/catch.hpp>
 
 #include "sim/model/rest_detector.h"
@@ -15,7 +15,7 @@ Movement movement(double seconds, double way, double speed, double displacement 
 
 }  // namespace
 
-TEST_CASE("a body is at rest after a quarter of a second and two looks without movement") {
+TEST_CASE("a body is at rest after a quarter of a second and two checks without movement") {
   const SolverSettings settings;
   RestWatch watch;
   CHECK_FALSE(watch.add(movement(0.1, 0, 0), settings, kSize));
@@ -28,7 +28,7 @@ TEST_CASE("a body is at rest after a quarter of a second and two looks without m
   CHECK_FALSE(slow.add(movement(1, 0, 0), settings, kSize));
 }
 
-TEST_CASE("a way or a speed above solver.rest_speed is movement") {
+TEST_CASE("a displacement or a speed above solver.rest_speed is movement") {
   const SolverSettings settings;
   const double limit = settings.rest_speed * kSize;  // [m/s]
   const auto rests = [&](const Movement& last) {
@@ -39,8 +39,8 @@ TEST_CASE("a way or a speed above solver.rest_speed is movement") {
   CHECK(rests(movement(1, 0.9 * limit, 0)));
   CHECK_FALSE(rests(movement(1, 1.1 * limit, 0)));
   CHECK(rests(movement(1, 0, 0.9 * limit)));
-  CHECK_FALSE(rests(movement(1, 0, 1.1 * limit)));  // at the turn of a swing the way may be none
-  // Far from its place at rest, float32 does not resolve such small ways.
+  CHECK_FALSE(rests(movement(1, 0, 1.1 * limit)));  // the displacement may be zero at a turning point
+  // Far from its rest position, float32 does not resolve such small displacements.
   CHECK(rests(movement(1, 1.1 * limit, 0, 1)));
 }
 

@@ -1,4 +1,4 @@
-// Tables index,x,y,z: what is read, and the line that each mistake is reported with.
+// Tables index,x,y,z: valid content, and the line that each error reports.
 #include "sim/model/vertex_csv.h"
 #include "tests/sim/scene/scene_test.h"
 
@@ -14,7 +14,7 @@ std::string error_of(const std::string& text, std::size_t vertex_count = 8) {
 
 }  // namespace
 
-TEST_CASE("rows in any order, with a header or without, with spaces and either line end") {
+TEST_CASE("rows in any order, with or without a header, with spaces and either line ending") {
   for (const std::string text : {"index,x,y,z\n5,1,2,3\n0,-1e-3,.5,+0.25\n", "5,1,2,3\n0,-1e-3,.5,+0.25",
                                  "\"index\",\"vx\",\"vy\",\"vz\"\r\n\r\n 5 , 1,\t2 ,3\r\n0,-1e-3,.5,+0.25\r\n\r\n"}) {
     CAPTURE(text);
@@ -31,7 +31,7 @@ TEST_CASE("numbers are read to the last bit") {
         Eigen::Vector3d(0.1 + 0.2, -0.05, std::numeric_limits<double>::denorm_min()));
 }
 
-TEST_CASE("each mistake in a table has its line") {
+TEST_CASE("each error in a table has its line") {
   CHECK(error_of("index,x,y,z\n0,1,2\n") == "t.csv:2: \"0,1,2\" has not 4 fields; expected index,x,y,z");
   CHECK(error_of("0,1,2,3\n\n1,1,2,3,4\n") == "t.csv:3: \"1,1,2,3,4\" has not 4 fields; expected index,x,y,z");
   CHECK(error_of("0 1 2 3\n") == "t.csv:1: \"0 1 2 3\" has not 4 fields; expected index,x,y,z");

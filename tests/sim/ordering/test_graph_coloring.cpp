@@ -19,7 +19,8 @@ std::vector<std::uint32_t> file_order(const std::vector<Tet>& tets) {
   return order;
 }
 
-// No two tets of a color move the same vertex or phantom, and every corner moves its vertex or a phantom of it.
+// Checks that no two tets of a color move the same vertex or phantom, and that every corner moves its vertex or a
+// phantom of it.
 void check_valid(const std::vector<Tet>& tets, const std::vector<char>& held, const Coloring& coloring) {
   REQUIRE(coloring.order.size() == tets.size());
   REQUIRE(coloring.corners.size() == tets.size());
@@ -68,7 +69,7 @@ TEST_CASE("a coloring needs at least the largest valence and repeats") {
   CHECK(a.begin == b.begin);
 }
 
-TEST_CASE("phantoms make do with the colors asked for") {
+TEST_CASE("phantoms limit the colors to the requested number") {
   const TetMesh mesh = make_box(8, 5, 5, {0.8, 0.5, 0.5});
   std::vector<char> held(mesh.positions.size(), 0);
   for (std::size_t v = 0; v < held.size(); ++v) held[v] = mesh.positions[v].x() < 1e-9;
@@ -79,7 +80,7 @@ TEST_CASE("phantoms make do with the colors asked for") {
   const std::size_t colors = GENERATE(1, 2, 5, 12, 24, 64);
   const Coloring c = color_tets(mesh.tets, held, visit, static_cast<std::uint32_t>(colors));
   check_valid(mesh.tets, held, c);
-  // Each vertex needs ceil(valence / colors) copies at least.
+  // Each vertex needs at least ceil(valence / colors) copies.
   std::size_t least = 0;
   for (std::size_t v = 0; v < held.size(); ++v)
     if (!held[v] && valence[v] > 0) least += (valence[v] - 1) / colors;
@@ -87,7 +88,7 @@ TEST_CASE("phantoms make do with the colors asked for") {
   CHECK(c.color_count() == colors);
   CHECK(c.phantom_vertex.size() >= least);
   CHECK(c.phantom_vertex.size() <=
-        least + mesh.positions.size());  // greedy: one copy more than needed, on average, at most
+        least + mesh.positions.size());  // greedy: on average at most one copy more than needed
   CHECK(std::is_sorted(c.phantom_vertex.begin(), c.phantom_vertex.end()));
   if (colors == 1) CHECK(c.phantom_vertex.size() == least);
   if (colors == 64) CHECK(c.phantom_vertex.empty());
@@ -101,7 +102,7 @@ TEST_CASE("phantoms make do with the colors asked for") {
   }
 }
 
-TEST_CASE("along the curve neighbours lie together, whatever order the file has") {
+TEST_CASE("along the curve neighbors are close together, for any order of the file") {
   TetMesh mesh = make_box(16, 16, 16, {1, 1, 1});
   std::shuffle(mesh.tets.begin(), mesh.tets.end(), std::mt19937(3));
   const auto order = curve_order(mesh.positions, mesh.tets);
@@ -117,7 +118,7 @@ TEST_CASE("along the curve neighbours lie together, whatever order the file has"
   CHECK(curve_order(mesh.positions, {}).empty());
 }
 
-TEST_CASE("colors are balanced: none is a crumb") {
+TEST_CASE("colors are balanced: none is tiny") {
   const TetMesh mesh = make_box(12, 6, 6, {2, 1, 1});
   const Coloring c = color_tets(mesh.tets, std::vector<char>(mesh.positions.size(), 0), file_order(mesh.tets));
   const double mean = static_cast<double>(mesh.tets.size()) / c.color_count();
@@ -134,7 +135,7 @@ TEST_CASE("more than 64 colors around one vertex") {
   CHECK(c.color_count() == 150);
 }
 
-TEST_CASE("all vertices held: one color; no tets: none") {
+TEST_CASE("all vertices constrained: one color; no tets: none") {
   const TetMesh mesh = make_box(2, 2, 2, {1, 1, 1});
   CHECK(color_tets(mesh.tets, std::vector<char>(mesh.positions.size(), 1), file_order(mesh.tets)).color_count() == 1);
   CHECK(color_tets({}, {}, {}).color_count() == 0);

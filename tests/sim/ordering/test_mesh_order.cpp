@@ -1,4 +1,4 @@
-// Where a solver keeps tets and vertices.
+// The order in which a solver stores tets and vertices.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 const TetMesh small = make_box(9, 5, 5, {0.9, 0.5, 0.5}), large = make_box(27, 15, 15, {0.9, 0.5, 0.5});
 
-// Its vertices in no order; one more that no tet has, and a prescribed motion.
+// A model with vertices in random order, one additional vertex without a tet, and a prescribed motion.
 Model shuffled(TetMesh mesh) {
   mesh.positions.emplace_back(2, 2, 2);
   std::vector<std::uint32_t> to(mesh.positions.size());
@@ -38,7 +38,7 @@ Model shuffled(TetMesh mesh) {
 
 }  // namespace
 
-TEST_CASE("every vertex has a place, and a place a vertex") {
+TEST_CASE("places and vertices correspond one to one") {
   const Model model = shuffled(small);
   const MeshOrder placement = mesh_order_of(model);
   REQUIRE(placement.vertex.size() == model.rest_positions.size());
@@ -66,10 +66,10 @@ TEST_CASE("a placed model is the same body") {
   CHECK(moved.materials == model.materials);
 }
 
-TEST_CASE("the vertices of a tet lie close together, whatever the order of the file") {
+TEST_CASE("the vertices of a tet are close together, for any order of the file") {
   const Model model = shuffled(large);
   const auto reach =
-      [](const Model& m) {  // between the first and the last vertex of a tet, the median: a curve has some long ways
+      [](const Model& m) {  // from the first to the last vertex of a tet, the median: a curve has some large distances
         std::vector<std::uint32_t> reaches;
         for (const Tet& tet : m.tets) {
           const auto [least, most] = std::minmax_element(tet.begin(), tet.end());

@@ -1,4 +1,4 @@
-// Which tets a solver leaves out, and in which order it has the others.
+// The tets that a solver leaves out, and the order of the others.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ Model box(const std::function<bool(const Eigen::Vector3d&)>& is_fixed) {
 
 }  // namespace
 
-TEST_CASE("tets between fixed vertices are left out, all others are there once") {
+TEST_CASE("tets between fixed vertices are left out, all others occur once") {
   const Model model = box([](const Eigen::Vector3d& x) { return x.x() < 0.15; });
   std::vector<std::uint32_t> solved = solved_tets(model);
   std::sort(solved.begin(), solved.end());
@@ -33,7 +33,7 @@ TEST_CASE("tets between fixed vertices are left out, all others are there once")
   CHECK(solved.size() == model.tets.size() - 6 * 9);  // the first layer of cells
 }
 
-TEST_CASE("tets that a prescribed motion strains stay") {
+TEST_CASE("tets that a prescribed motion deforms are kept") {
   Model model = box([](const Eigen::Vector3d&) { return false; });
   Motion motion;
   for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v) motion.vertices.push_back(v);
@@ -41,7 +41,7 @@ TEST_CASE("tets that a prescribed motion strains stay") {
   CHECK(solved_tets(model).size() == model.tets.size());
 }
 
-TEST_CASE("neighbours come close in memory, whatever the order of the file") {
+TEST_CASE("neighbors are close in memory, for any order of the file") {
   Model model = box([](const Eigen::Vector3d&) { return false; });
   const auto jumps = [&](const std::vector<std::uint32_t>& order) {
     double sum = 0;

@@ -20,7 +20,7 @@ std::vector<std::uint32_t> file_order(const std::vector<Tet>& tets) {
   return order;
 }
 
-// Which of the 24 orders of its corners a tet has: true for those of its first one's orientation.
+// Whether the order of a tet's corners has the same orientation, among its 24 orders.
 bool same_orientation(const Tet& tet, const Tet& turned) {
   int inversions = 0;
   std::array<std::ptrdiff_t, 4> place{};
@@ -63,9 +63,7 @@ TEST_CASE("all but a few tets of a mesh find a partner across a face") {
   }
 }
 
-TEST_CASE(
-    "an odd tet stays by itself, between the first and the second ones of pairs, and what is not listed is left "
-    "alone") {
+TEST_CASE("an odd tet stays single, between the first and the second ones of pairs, and unlisted tets are ignored") {
   const std::vector<Tet> tets = make_box(1, 1, 1, {1, 1, 1}).tets;
   REQUIRE(tets.size() == 6);  // a ring around the diagonal
   CHECK(pair_tets(tets, file_order(tets)).pair_count == 3);
@@ -78,7 +76,7 @@ TEST_CASE(
   CHECK(pair_tets(tets, {}).order.empty());
 }
 
-TEST_CASE("the order of pairs is the order that is given") {
+TEST_CASE("the order of pairs is the given order") {
   const std::vector<Tet> tets = make_box(8, 8, 8, {1, 1, 1}).tets;
   const TetPairing pairing = pair_tets(tets, file_order(tets));
   for (std::size_t i = 1; i < pairing.pair_count; ++i) REQUIRE(pairing.order[i - 1] < pairing.order[i]);
@@ -87,7 +85,7 @@ TEST_CASE("the order of pairs is the order that is given") {
   check_pairs(tets, shuffled, pair_tets(tets, shuffled));
 }
 
-TEST_CASE("tets on one side of a face, or three at one, are no pair") {
+TEST_CASE("tets on one side of a face, or three at one, are not a pair") {
   Tet a{0, 1, 2, 3}, same_side{0, 1, 2, 4}, apart{5, 6, 7, 8};
   const Tet before = a;
   CHECK_FALSE(align_at_face(a, same_side));

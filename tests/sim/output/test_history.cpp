@@ -1,4 +1,4 @@
-// Numbers over time: the rows of --history against closed forms and the reference solver.
+// Values over time: the rows of --history against closed forms and the reference solver.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
@@ -56,7 +56,7 @@ nlohmann::json body(const char* mesh, double young_modulus, nlohmann::json fixed
           {"fixed", std::move(fixed)}};
 }
 
-// By the reference solver, or on the GPU.
+// Runs with the reference solver, or on the GPU.
 void run_in(const TemporaryFolder& folder, std::vector<std::string> arguments, bool reference) {
   if (reference)
     arguments.push_back("--reference");
@@ -103,7 +103,7 @@ TEST_CASE("history of a free fall: implicit Euler's energies and momentum in clo
   CHECK(csv.rows[0].at("step_ms").empty());
   const double g = 9.81, h = 0.01;
   const double mass = 1000 * 1e-3;  // of a cube of 0.1 m
-  // Float32 carries seven digits of displacement and velocity; their rounding adds up over the steps.
+  // Float32 has seven digits of displacement and velocity; their rounding accumulates over the steps.
   const double digits = reference ? 1e-9 : 2e-5;
   for (std::size_t i = 1; i < csv.rows.size(); ++i) {
     const double n = 5.0 * static_cast<double>(i), v = n * g * h, fallen = 0.5 * g * h * h * n * (n + 1);
@@ -112,7 +112,7 @@ TEST_CASE("history of a free fall: implicit Euler's energies and momentum in clo
     CHECK(csv.at(i, "time_s") == Approx(n * h));
     CHECK(csv.at(i, "kinetic_J") == Approx(0.5 * mass * v * v).epsilon(digits));
     CHECK(csv.at(i, "gravitational_J") == Approx(-mass * g * fallen).epsilon(digits));
-    // Implicit Euler loses m g^2 h^2 / 2 a step; small beside the energies that cancel in it.
+    // Implicit Euler loses m g^2 h^2 / 2 per step; small relative to the energies that cancel in it.
     CHECK(csv.at(i, "total_J") == Approx(-0.5 * mass * g * g * h * h * n).margin(2 * digits * 0.5 * mass * v * v));
     CHECK(csv.at(i, "momentum_y_kg_m_s") == Approx(-mass * v).epsilon(digits));
     CHECK(csv.at(i, "probe_y_m") == Approx(-fallen).epsilon(digits));
@@ -142,7 +142,7 @@ TEST_CASE("history on the GPU equals that of the reference solver") {
     }
 }
 
-TEST_CASE("history of a stretched cube tells its supports apart, on the GPU and by the reference solver") {
+TEST_CASE("history of a stretched cube lists its supports separately, on the GPU and by the reference solver") {
   const TemporaryFolder folder;
   nlohmann::json cube = body("cube.msh", 2e4, {{{"group", "clamp"}}});
   cube["prescribed"] = {
@@ -183,7 +183,7 @@ TEST_CASE("the tip is the free vertex farthest from the supports") {
   CHECK(bridge.rest_positions[tip_vertex(bridge)].x() == Approx(0.2));
 }
 
-TEST_CASE("history options that make no sense are refused in one line") {
+TEST_CASE("contradictory history options are refused in one line") {
   const TemporaryFolder folder;
   const std::string scene = (source_dir() / "assets/scenes/cube.json").string();
   const CommandResult far = run_fascia(

@@ -66,7 +66,7 @@ std::vector<double> flat(const Vectors& vectors) {
 
 }  // namespace
 
-TEST_CASE("a state as .vtu holds deformed points and every field", "[export]") {
+TEST_CASE("a state as .vtu contains deformed points and every field", "[export]") {
   const TemporaryFolder folder;
   const TetMesh mesh = sample_mesh();
   const StateFields fields = sample_fields();
@@ -93,7 +93,7 @@ TEST_CASE("a state as .vtu holds deformed points and every field", "[export]") {
   CHECK(cells["region"].values == std::vector<double>{3, 7});
 }
 
-TEST_CASE("a state of which little is known has no other fields", "[export]") {
+TEST_CASE("a state without optional data has no other fields", "[export]") {
   const TemporaryFolder folder;
   write_state(folder / "state.vtu", sample_mesh(), {});
   CHECK(read_mesh(folder / "state.vtu").mesh.positions == sample_mesh().positions);
@@ -186,7 +186,7 @@ TEST_CASE("a series writes numbered files and lists their times", "[export]") {
   const std::string frame_0 = "<DataSet timestep=\"0\" part=\"0\" file=\"out_000000.vtu\"/>\n";
   const std::string frame_1 = "<DataSet timestep=\"0.016666666666666666\" part=\"0\" file=\"out_000001.vtu\"/>\n";
   const std::string tail = "</Collection>\n</VTKFile>\n";
-  CHECK(first == head + frame_0 + tail);  // a series that stops here can be read
+  CHECK(first == head + frame_0 + tail);  // a series that ends here can be read
   CHECK(read_file(folder / "out.pvd") == head + frame_0 + frame_1 + tail);
 
   StateSeries csv(folder / "frames.csv");
@@ -195,7 +195,7 @@ TEST_CASE("a series writes numbered files and lists their times", "[export]") {
   CHECK_FALSE(std::filesystem::exists(folder / "frames.pvd"));
 }
 
-TEST_CASE("exports that cannot be written say why", "[export]") {
+TEST_CASE("exports that cannot be written report the reason", "[export]") {
   const TemporaryFolder folder;
   const std::string prefix = folder.path().string() + "/";
   CHECK_THROWS_WITH(

@@ -1,4 +1,4 @@
-// Models made in code, without files: a box of one material, and random states of it.
+// Models built in code, without files: a box of one material, and random states of it.
 #pragma once
 #include <Eigen/Geometry>
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace fascia::test {
 
-/// Free box without gravity; every vertex that `fixed` accepts is held.
+/// A free box without gravity; every vertex that `fixed` accepts is fixed.
 inline Model box_model(
     int nx, int ny, int nz, const Eigen::Vector3d& size, const Material& material,
     const std::function<bool(const Eigen::Vector3d&)>& fixed = [](const Eigen::Vector3d&) { return false; }) {

@@ -20,7 +20,7 @@ struct Hessian {
   MatrixXd whole;
 };
 
-// At rest: positive semidefinite, singular where nothing is held.
+// At rest: positive semidefinite, singular without constraints.
 Hessian hessian_of(const ElasticSystem& system, const Model& model) {
   Hessian h{system.empty_hessian(), {}};
   VectorXd scale = VectorXd::Zero(static_cast<Eigen::Index>(3 * model.rest_positions.size()));
@@ -29,7 +29,7 @@ Hessian hessian_of(const ElasticSystem& system, const Model& model) {
   return h;
 }
 
-// Two boxes, one of them free in space, the other one held at an end.
+// Two boxes, one unconstrained, the other one fixed at an end.
 Model two_boxes() {
   Model model =
       test::box_model(9, 4, 4, {0.9, 0.4, 0.4}, test::soft(1e5), [](const Vector3d& x) { return x.x() < 1e-9; });
@@ -53,7 +53,7 @@ void check_solution(const Hessian& h, const Cholesky& cholesky, double shift) {
   CHECK((whole * found - right).norm() <= 1e-13 * right.norm());  // backward stable: some hundred roundings
 }
 
-TEST_CASE("the factor solves what the matrix says, of one tet, a beam, a block and two bodies", "[cholesky]") {
+TEST_CASE("the factor solves the system, for one tet, a beam, a block and two bodies", "[cholesky]") {
   const auto end = [](const Vector3d& x) { return x.x() < 1e-9; };
   const Model model = GENERATE_COPY(test::box_model(1, 1, 1, {0.1, 0.1, 0.1}, test::soft(1e5), end),
                                     test::box_model(60, 2, 2, {3, 0.1, 0.1}, test::soft(1e5), end),
@@ -69,7 +69,7 @@ TEST_CASE("the factor solves what the matrix says, of one tet, a beam, a block a
   check_solution(h, cholesky, 2 * shift);
 }
 
-TEST_CASE("what is not positive definite has no factor", "[cholesky]") {
+TEST_CASE("a matrix that is not positive definite has no factor", "[cholesky]") {
   const Model model = two_boxes();
   const ElasticSystem system(model);
   Hessian h = hessian_of(system, model);
@@ -77,7 +77,7 @@ TEST_CASE("what is not positive definite has no factor", "[cholesky]") {
   const double largest = h.whole.diagonal().maxCoeff();
   CHECK_FALSE(cholesky.factorize(h.upper, -0.1 * largest));
   CHECK(cholesky.factorize(h.upper, 1e-6 * largest));
-  for (const int place : {0, system.dof_count() / 2, system.dof_count() - 1}) {  // one bad pivot, wherever it is
+  for (const int place : {0, system.dof_count() / 2, system.dof_count() - 1}) {  // one bad pivot, at any place
     SparseMatrix spoiled = h.upper;
     spoiled.coeffRef(place, place) = -1;
     CAPTURE(place);
@@ -85,7 +85,7 @@ TEST_CASE("what is not positive definite has no factor", "[cholesky]") {
   }
 }
 
-TEST_CASE("a vertex's neighbors are in its own node, above or below, whatever the shape", "[cholesky]") {
+TEST_CASE("a vertex's neighbors are in its own node, above or below, for any shape", "[cholesky]") {
   const auto shape = GENERATE(0, 1, 2, 3);
   Model model = shape == 1
                     ? test::box_model(40, 3, 3, {4, 0.3, 0.3}, test::soft(1e5), [](const Vector3d&) { return false; })
@@ -96,7 +96,7 @@ TEST_CASE("a vertex's neighbors are in its own node, above or below, whatever th
       for (const std::uint32_t w : tet)
         if (v != w) neighbors[v].push_back(static_cast<int>(w));
   if (shape == 2)
-    std::fill(model.rest_positions.begin(), model.rest_positions.end(), Vector3d(1, 2, 3));  // all at one place
+    std::fill(model.rest_positions.begin(), model.rest_positions.end(), Vector3d(1, 2, 3));  // all at one position
   if (shape == 3)
     for (Vector3d& x : model.rest_positions) x.z() = x.y() = 0;  // on a line
   const EliminationTree tree = nested_dissection(neighbors, model.rest_positions);
@@ -122,7 +122,7 @@ TEST_CASE("a vertex's neighbors are in its own node, above or below, whatever th
       strangers += !is_above(a, b) && !is_above(b, a);
     }
   CHECK(strangers == 0);
-  if (shape == 1) {  // a beam is cut across
+  if (shape == 1) {  // a beam is divided across its length
     REQUIRE(tree.nodes.back().parent == -1);
     CHECK(tree.nodes.back().end - tree.nodes.back().begin == 16);
   }

@@ -98,7 +98,7 @@ TEST_CASE("assembling twice gives the same bits, projecting a positive definite 
   const double before = Eigen::SelfAdjointEigenSolver<MatrixXd>(dense(first)).eigenvalues()[0];
   const double after = Eigen::SelfAdjointEigenSolver<MatrixXd>(dense(projected)).eigenvalues()[0];
   CAPTURE(before, after);
-  CHECK(before < 0);  // else nothing was tested
+  CHECK(before < 0);  // otherwise nothing was tested
   CHECK(after > 0);
 }
 

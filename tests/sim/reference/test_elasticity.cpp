@@ -21,8 +21,8 @@ struct RandomTet {
   Matrix3d previous_strain;
 };
 
-// An irregular tet of size 0.1 m, displaced by up to a fifth of that (J stays positive), turned, with a
-// strain to come from.
+// An irregular tet of size 0.1 m, displaced by up to a fifth of that (J stays positive) and rotated, with a previous
+// strain.
 RandomTet random_tet(Random& random) {
   RandomTet tet;
   tet.rest = {Vector3d(0, 0, 0), Vector3d(0.1, 0, 0), Vector3d(0, 0.1, 0), Vector3d(0, 0, 0.1)};
@@ -46,8 +46,8 @@ Corners corners_of(const Vector12d& all) {
   return {all.segment<3>(0), all.segment<3>(3), all.segment<3>(6), all.segment<3>(9)};
 }
 
-// The energy is a polynomial of degree 4 in the displacements, for which the five-point stencil has no
-// truncation error: what is left is rounding, 1e-16 / (step / size) relative.
+// The energy is a polynomial of degree 4 in the displacements, for which the five-point stencil has no truncation
+// error: the rest is rounding, 1e-16 / (step / size) relative.
 template <class Function>
 std::invoke_result_t<Function, double> derivative(const Function& f, double step) {
   return ((8 * (f(step) - f(-step)) - (f(2 * step) - f(-2 * step))) / (12 * step));
@@ -148,8 +148,7 @@ TEST_CASE("rigid motion has no energy and no force, and rest has exactly none", 
     Corners u, still = {shift, shift, shift, shift};
     for (int a = 0; a < 4; ++a) u[a] = turn * tet.rest[a] + shift - tet.rest[a];
     const Derivatives moved = elastic(rest, u, material, 0, Matrix3d::Zero(), false, false);
-    // F is good to a few 1e-16, the strain with it; the stiffest modulus times an area turns that into a
-    // force.
+    // F is accurate to a few 1e-16, and so is the strain; the stiffest modulus times an area converts that to a force.
     const double modulus = std::abs(material.lame_lambda()) + 2 * material.lame_mu();
     CAPTURE(nu, modulus, moved.gradient.norm());
     CHECK(moved.gradient.norm() < 1e-13 * modulus * 0.01);
@@ -160,7 +159,7 @@ TEST_CASE("rigid motion has no energy and no force, and rest has exactly none", 
   }
 }
 
-TEST_CASE("turning the deformed tet turns its force and its stiffness", "[elasticity]") {
+TEST_CASE("rotating the deformed tet rotates its force and its stiffness", "[elasticity]") {
   Random random(5);
   for (const double nu : poisson_ratios) {
     const RandomTet tet = random_tet(random);
@@ -192,14 +191,14 @@ TEST_CASE("the projected Hessian has no negative eigenvalue and keeps the positi
     const Vector12d after = Eigen::SelfAdjointEigenSolver<Matrix12d>(projected.hessian).eigenvalues();
     const double rounding = 1e-14 * before[11];
     CAPTURE(nu, before.transpose(), after.transpose());
-    CHECK(before[0] < -1e3 * rounding);  // else nothing was tested
+    CHECK(before[0] < -1e3 * rounding);  // otherwise nothing was tested
     CHECK(after[0] > -rounding);
     CHECK((after - before.cwiseMax(0.0)).norm() < 10 * rounding);
     CHECK(projected.gradient == plain.gradient);
   }
 }
 
-TEST_CASE("small strains keep their digits", "[elasticity]") {
+TEST_CASE("small strains keep their accuracy", "[elasticity]") {
   const LinearTet rest({Vector3d(0, 0, 0), Vector3d(0.1, 0, 0), Vector3d(0, 0.1, 0), Vector3d(0, 0, 0.1)});
   const Corners u = {Vector3d(0, 0, 0), Vector3d(1e-13, 0, 0), Vector3d(0, 0, 0), Vector3d(0, 3e-13, 0)};
   const Matrix3d strain = green_strain_matrix(rest, u);

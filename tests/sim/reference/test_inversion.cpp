@@ -1,4 +1,4 @@
-// Materials that survive inversion: derivatives on mirrored, flat and squashed tets, and what they share with St.
+// Materials that survive inversion: derivatives on mirrored, flat and flattened tets, and agreement with St.
 // Venant-Kirchhoff.
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
@@ -38,8 +38,7 @@ Derivatives at(const Vector12d& u, const Material& material, bool with_hessian) 
                  Matrix3d::Zero(), with_hessian, false);
 }
 
-// Principal stretches of the hard cases; none nearer than the step of the differences to where a second derivative
-// jumps.
+// Principal stretches of the hard cases; none closer to a jump of a second derivative than the step of the differences.
 const std::vector<Vector3d> kHard = {{1.1, 0.9, 0.8},  {1.2, 0.9, 0.3},    {1.2, 0.9, 0.0},     {1.1, 1.0, -0.5},
                                      {1.3, 0.4, -0.2}, {0.5, 0.45, -0.35}, {2.5, 1.0, -0.9},    {0.3, 0.2, 0.1},
                                      {1.0, 1.0, 0.4},  {1.0, 0.5, 0.5},    {0.31, 0.3, 0.2999}, {5.0, 3.0, -2.0}};
@@ -100,7 +99,7 @@ TEST_CASE("signed St. Venant-Kirchhoff is plain St. Venant-Kirchhoff down to a s
     CHECK(a.gradient == b.gradient);
     CHECK(a.hessian == b.hessian);
   }
-  // Continuous where the two part.
+  // Continuous where the two laws meet.
   const Matrix3d turn = random.rotation();
   const auto energy = [&](double least) {
     return at(moved(displaced(turn * Vector3d(1.1, 0.9, least).asDiagonal()), 0, 0), with_sign, false);
@@ -123,7 +122,7 @@ TEST_CASE("every model has Young's modulus and Poisson's ratio at small strain, 
   CHECK((d.hessian - plain.hessian).norm() < 1e-11 * plain.hessian.norm());
 }
 
-TEST_CASE("a mirrored tet is pushed back by the surviving materials only", "[elasticity]") {
+TEST_CASE("only the surviving materials push a mirrored tet back", "[elasticity]") {
   const Vector12d mirrored = moved(displaced(Vector3d(1, 1, -1).asDiagonal()), 0, 0);
   CHECK(at(mirrored, of(MaterialModel::st_venant_kirchhoff, 0.3), false).gradient.norm() < 1e-9);
   for (const auto model : {MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean,

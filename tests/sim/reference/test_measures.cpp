@@ -19,7 +19,7 @@ TEST_CASE("a spinning, moving body has the momenta and energy of its masses", "[
   State state = initial_state(model);
   const Vector3d spin(0, 0, 3), drift(1, 0, -2), shift(0, 5, 0);
   Vector3d center = Vector3d::Zero();
-  double inertia = 0;  // about z through the centre of mass
+  double inertia = 0;  // about z through the center of mass
   const std::vector<double> mass = lumped_masses(model);
   for (std::size_t v = 0; v < mass.size(); ++v) center += mass[v] * model.rest_positions[v] / 8;
   for (std::size_t v = 0; v < mass.size(); ++v) {
@@ -33,7 +33,7 @@ TEST_CASE("a spinning, moving body has the momenta and energy of its masses", "[
   CHECK((measures.momentum - total * drift).norm() < 1e-13);
   CHECK(measures.angular_momentum.z() ==
         Approx(inertia * spin.z() + (center + shift).cross(total * drift).z()).epsilon(1e-13));
-  // The box's lumped masses are not symmetric about its centre, so only the exact sum is compared.
+  // The box's lumped masses are not symmetric about its center, so only the exact sum is compared.
   CHECK(measures.kinetic == Approx(0.5 * total * drift.squaredNorm() + 0.5 * inertia * 9).epsilon(1e-13));
   CHECK(measures.elastic == 0);
   CHECK(measures.min_det_f == 1);
@@ -52,7 +52,7 @@ TEST_CASE("inverted tets are counted", "[measures]") {
   CHECK(measures.max_det_f == Approx(-1.5));
 }
 
-TEST_CASE("exports are in the file's order; tets left out of the physics are neutral", "[measures]") {
+TEST_CASE("exports are in the file's order; tets excluded from the simulation are neutral", "[measures]") {
   Model model = box_model(1, 1, 1, {1, 1, 1}, soft(1e5));
   model.materials.push_back(soft(3e5));
   model.tets = {model.file_mesh.tets[4], model.file_mesh.tets[1]};

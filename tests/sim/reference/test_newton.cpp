@@ -51,7 +51,7 @@ TEST_CASE("a step solves the equations of implicit Euler", "[newton]") {
       CAPTURE(nu, damping, report.iterations, report.relative_residual);
       CHECK(report.converged);
 
-      // The residual summed afresh, from tets alone.
+      // The residual, computed independently from the tets.
       const std::vector<double> mass = lumped_masses(model);
       std::vector<Vector3d> force(mass.size(), Vector3d::Zero());
       double force_size = 0;
@@ -85,7 +85,7 @@ TEST_CASE("a step solves the equations of implicit Euler", "[newton]") {
     }
 }
 
-TEST_CASE("rest stays at rest, and a rigid turn feels no force", "[newton]") {
+TEST_CASE("rest stays at rest, and a rigid rotation causes no force", "[newton]") {
   Model model = box_model(2, 2, 2, {0.1, 0.1, 0.1}, soft(1e6, 0.45, 0.01));
   State state = initial_state(model);
   NewtonSolver solver(model, time_step(1.0 / 60));
@@ -101,7 +101,7 @@ TEST_CASE("rest stays at rest, and a rigid turn feels no force", "[newton]") {
   CHECK(largest(state.velocity) < 1e-12);
 }
 
-TEST_CASE("free fall follows the sum that implicit Euler makes of gravity", "[newton]") {
+TEST_CASE("free fall follows the sum of implicit Euler for gravity", "[newton]") {
   Model model = box_model(2, 1, 1, {0.2, 0.1, 0.1}, soft(1e4));
   model.gravity = {0, -9.81, 0};
   State state = initial_state(model);
@@ -114,9 +114,9 @@ TEST_CASE("free fall follows the sum that implicit Euler makes of gravity", "[ne
   for (const Vector3d& v : state.velocity) CHECK((v - steps * h * model.gravity).norm() < 1e-11 * 9.81);
 }
 
-// Newton's third law conserves linear momentum exactly. Of the angular momentum L = sum x cross m v, a step
-// without torque keeps sum x_{n+1} cross m v_n, so that with x_{n+1} = x_n + h v_{n+1}:  L_{n+1} - L_n = h
-// sum v_{n+1} cross m v_n.
+// Newton's third law conserves linear momentum exactly. For the angular momentum L = sum x cross m v, a step without
+// torque keeps sum x_{n+1} cross m v_n, so that with x_{n+1} = x_n + h v_{n+1}:  L_{n+1} - L_n = h sum v_{n+1} cross m
+// v_n.
 TEST_CASE("free bodies keep momentum, and lose as much angular momentum as implicit Euler must", "[newton]") {
   for (const double damping : {0.0, 0.03}) {
     const Model model = box_model(3, 2, 1, {0.3, 0.2, 0.1}, soft(2e4, 0.4, damping));
@@ -140,12 +140,12 @@ TEST_CASE("free bodies keep momentum, and lose as much angular momentum as impli
       CHECK((after.angular_momentum - expected).norm() < 1e-11 * start.angular_momentum.norm());
       lost += (after.angular_momentum - before.angular_momentum).norm();
     }
-    CHECK(lost > 1e-6 * start.angular_momentum.norm());  // else the identity was not told from conservation
+    CHECK(lost > 1e-6 * start.angular_momentum.norm());  // else indistinguishable from conservation
   }
 }
 
-// Minimising the step's potential from u_n guarantees U + |v - v_n|^2 / 2 to decrease; where the energy is
-// convex between the two states, as in vibrations like this one, the total energy decreases as well.
+// Minimizing the step's potential from u_n guarantees a decrease of U + |v - v_n|^2 / 2; where the energy is convex
+// between the two states, as in vibrations like this one, the total energy decreases as well.
 TEST_CASE("without input the total energy never grows", "[newton]") {
   for (const double nu : {-0.9, 0.3, 0.499}) {
     Model model = box_model(4, 2, 2, {0.4, 0.1, 0.1}, soft(1e5, nu), left_end);
@@ -164,8 +164,8 @@ TEST_CASE("without input the total energy never grows", "[newton]") {
   }
 }
 
-// One free corner, so small a motion that it is linear: along an eigenvector of the stiffness K each step
-// obeys (u+ - u - h v) / h^2 + w2 (u+ + damping/h (u+ - u)) = 0, w2 = k / m.
+// One free corner, with a motion so small that it is linear: along an eigenvector of the stiffness K each step obeys
+// (u+ - u - h v) / h^2 + w2 (u+ + damping/h (u+ - u)) = 0, w2 = k / m.
 TEST_CASE("a small vibration of one vertex follows the damped recurrence", "[newton]") {
   for (const double damping : {0.0, 1e-3, 0.02}) {
     Model model;
@@ -203,7 +203,7 @@ TEST_CASE("a small vibration of one vertex follows the damped recurrence", "[new
   }
 }
 
-TEST_CASE("damping takes energy out of a vibration, the more the higher it is", "[newton]") {
+TEST_CASE("damping takes energy out of a vibration, the more the higher its frequency", "[newton]") {
   double previous = std::numeric_limits<double>::infinity();
   for (const double damping : {0.0, 0.01, 0.04, 0.1}) {
     Model model = box_model(6, 1, 1, {0.3, 0.05, 0.05}, soft(1e5, 0.3, damping), left_end);
@@ -219,7 +219,7 @@ TEST_CASE("damping takes energy out of a vibration, the more the higher it is", 
   }
 }
 
-TEST_CASE("substeps are steps of their own", "[newton]") {
+TEST_CASE("substeps are complete steps", "[newton]") {
   Model model = box_model(3, 1, 1, {0.3, 0.1, 0.1}, soft(1e5), left_end);
   model.gravity = {0, -9.81, 0};
   State whole = initial_state(model), parts = whole;
@@ -233,7 +233,7 @@ TEST_CASE("substeps are steps of their own", "[newton]") {
   CHECK(report.iterations == iterations);
 }
 
-TEST_CASE("prescribed vertices are on their path at every step and carry its velocity", "[newton]") {
+TEST_CASE("prescribed vertices are on their path at every step and have its velocity", "[newton]") {
   Model model = box_model(8, 2, 2, {0.4, 0.1, 0.1}, soft(1e5), left_end);
   Motion motion;
   motion.vertices = test::vertices_where(model, [](const Vector3d& x) { return x.x() > 0.399; });
@@ -261,7 +261,7 @@ TEST_CASE("prescribed vertices are on their path at every step and carry its vel
   CHECK(measure(model, state).elastic > 0.01);
 }
 
-TEST_CASE("a jump of half a turn goes round, not through", "[newton]") {
+TEST_CASE("a jump by half a rotation follows the arc", "[newton]") {
   Model model = box_model(8, 1, 1, {0.8, 0.1, 0.1}, soft(1e5), left_end);
   Motion motion;
   motion.vertices = test::vertices_where(model, [](const Vector3d& x) { return x.x() > 0.799; });
@@ -269,7 +269,7 @@ TEST_CASE("a jump of half a turn goes round, not through", "[newton]") {
   motion.angle = M_PI;
   model.motions = {motion};
   State state = initial_state(model);
-  // A step so long that inertia does not matter, so that the turn is spread over the whole length.
+  // A step so long that inertia is negligible, so that the rotation is spread over the whole length.
   CHECK(NewtonSolver(model, time_step(1.0)).step(state).converged);
   const Measures now = measure(model, state);
   CAPTURE(now.min_det_f, now.max_det_f);

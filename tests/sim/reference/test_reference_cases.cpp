@@ -32,8 +32,7 @@ Rows read_numbers(const std::filesystem::path& path) {
   return rows;
 }
 
-/// RMS distance to the positions of `file` over their RMS displacement; over all vertices, as compare.py
-/// does.
+/// RMS distance to the positions of `file` over their RMS displacement; over all vertices, as in compare.py.
 double relative_error(const Model& model, const State& state, const std::filesystem::path& file) {
   const Rows rows = read_numbers(file);
   REQUIRE(rows.size() == state.displacement.size());
@@ -46,8 +45,8 @@ double relative_error(const Model& model, const State& state, const std::filesys
   return std::sqrt(error / displacement);
 }
 
-// The references are good to 1e-10 of the RMS displacement at least (case.json, "crosscheck"); so is a
-// residual of 1e-10.
+// The references are accurate to 1e-10 of the RMS displacement at least (case.json, "crosscheck"); so is a residual of
+// 1e-10.
 constexpr double tolerance = 1e-9;
 
 Measures check_static(const std::string& folder, double elastic_energy) {
@@ -124,8 +123,7 @@ TEST_CASE("reference case 10: cantilever released from rest", "[reference][heavy
     CAPTURE(step, report.iterations, report.relative_residual);
     REQUIRE(report.converged);
     CHECK(state.time == Approx(row[1]).epsilon(1e-13));
-    // Momenta swing through zero: they are compared with their size over the run, about 1.8 kg m/s and 0.6 kg
-    // m^2/s.
+    // Momenta oscillate through zero: the scale is their size over the run, about 1.8 kg m/s and 0.6 kg m^2/s.
     CHECK((measures.momentum - Vector3d(row[2], row[3], row[4])).norm() < 1.8 * tolerance);
     CHECK((measures.angular_momentum - Vector3d(row[5], row[6], row[7])).norm() < 0.6 * tolerance);
     CHECK(measures.kinetic == Approx(row[8]).epsilon(10 * tolerance));

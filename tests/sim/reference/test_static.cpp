@@ -1,4 +1,4 @@
-// Static equilibria: closed forms, load paths, and what has no equilibrium.
+// Static equilibria: closed forms, load paths, and bodies without an equilibrium.
 #include <catch2/catch.hpp>
 
 #include "base/error.h"
@@ -46,7 +46,7 @@ TEST_CASE("an affine motion of the surface is affine inside, with the energy and
     CHECK(measures.elastic == Approx(1e-3 * density).epsilon(1e-9));
     CHECK(measures.min_det_f == Approx(f.determinant()).epsilon(1e-8));
     CHECK(measures.max_det_f == Approx(f.determinant()).epsilon(1e-8));
-    CHECK(measures.fixed_reaction.norm() < 1e-9 * 1e5 * 0.01);  // the surface as a whole is in balance
+    CHECK(measures.fixed_reaction.norm() < 1e-9 * 1e5 * 0.01);  // the surface as a whole is in equilibrium
   }
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("a surface turned once around and moved carries the body along unstrai
   CHECK(measure(model, state).elastic < 1e-12);
 }
 
-TEST_CASE("what a stretched bar is pulled with is told apart from what holds it", "[static]") {
+TEST_CASE("the pull on a stretched bar is reported separately from its support", "[static]") {
   const double young = 1e5, side = 0.1, length = 0.4, stretch = 1.3;
   Model model = box_model(8, 2, 2, {length, side, side}, soft(young), left_end);
   for (Material& material : model.materials) material.poisson_ratio = 0;
@@ -132,7 +132,7 @@ TEST_CASE("supports carry the weight", "[static]") {
     CHECK(settle(model, state).iterations <= 1);
     CHECK((test::flat(state.displacement) - test::flat(before.displacement)).norm() < 1e-12);
   }
-  SECTION("and it is where a single endless step goes") {
+  SECTION("and a single endless step leads there") {
     SolverSettings endless;
     endless.time_step = 1e6;
     State moved = initial_state(model);
@@ -152,7 +152,7 @@ TEST_CASE("supports carry the weight", "[static]") {
   }
 }
 
-TEST_CASE("stiffness does not change where a motion leads, and near nu = 0.5 the volume stays", "[static]") {
+TEST_CASE("stiffness does not change the result of a motion, and near nu = 0.5 the volume is constant", "[static]") {
   Eigen::VectorXd soft_displacement;
   for (const double young_modulus : {1e2, 1e9}) {
     Model model = box_model(4, 2, 2, {0.2, 0.1, 0.1}, soft(young_modulus, 0.499), left_end);
@@ -171,7 +171,7 @@ TEST_CASE("stiffness does not change where a motion leads, and near nu = 0.5 the
   }
 }
 
-TEST_CASE("a body without a free vertex goes where it is told", "[static]") {
+TEST_CASE("a body without a free vertex follows its motion", "[static]") {
   Model model = box_model(1, 1, 1, cube, soft(1e5));
   model.gravity = {0, -9.81, 0};
   Motion motion;
@@ -188,7 +188,7 @@ TEST_CASE("a body without a free vertex goes where it is told", "[static]") {
   }
 }
 
-TEST_CASE("the tolerance is kept when it is given", "[static]") {
+TEST_CASE("a given tolerance is met", "[static]") {
   Model model = box_model(6, 2, 2, {0.4, 0.1, 0.1}, soft(2e4), left_end);
   model.gravity = {0, -9.81, 0};
   State rough = initial_state(model), fine = rough;
@@ -201,7 +201,7 @@ TEST_CASE("the tolerance is kept when it is given", "[static]") {
   CHECK(early.iterations < late.iterations);
 }
 
-TEST_CASE("a part that nothing holds has no equilibrium under gravity", "[static]") {
+TEST_CASE("an unconstrained component has no equilibrium under gravity", "[static]") {
   Model model = box_model(2, 1, 1, {0.2, 0.1, 0.1}, soft(1e5));
   model.gravity = {0, -9.81, 0};
   model.bodies = {{"slab",
@@ -213,7 +213,7 @@ TEST_CASE("a part that nothing holds has no equilibrium under gravity", "[static
                    1,
                    {}}};
   State state = initial_state(model);
-  CHECK_THROWS_WITH(settle(model, state), Catch::Contains("slab") && Catch::Contains("held nowhere"));
+  CHECK_THROWS_WITH(settle(model, state), Catch::Contains("slab") && Catch::Contains("unconstrained"));
   model.gravity.setZero();
   CHECK(settle(model, state).converged);
   CHECK(test::flat(state.displacement).norm() == 0);

@@ -29,7 +29,7 @@ std::string input_error(const std::string& input) {
 
 }  // namespace
 
-TEST_CASE("a replay that is written reads back the same, to the last digit") {
+TEST_CASE("a written replay reads back the same, to the last digit") {
   const SceneFile file(scene_text(R"("materials": {"default": {"young_modulus": 123456.7}})"));
   Replay replay{file.open(), std::nullopt, {}, 77};
   const bool with_start = GENERATE(false, true);
@@ -86,7 +86,7 @@ TEST_CASE("--set changes the scene of a replay") {
         "--set solver.iterations: is 0; expected a whole number, 1 to 10000");
 }
 
-TEST_CASE("what is no replay is refused in one line") {
+TEST_CASE("a file that is no replay is refused in one line") {
   CHECK(error_of("{}") == "r.fascia: fascia_replay: is missing; expected 1 or 2, the version of the format");
   CHECK(error_of(scene_text()) ==
         "r.fascia: bodies: unknown key \"bodies\"; expected one of fascia_replay, scene, steps, start, inputs");
@@ -122,7 +122,7 @@ TEST_CASE("a replay of lines is read as far as it was written") {
   CHECK(replay.hash == 0xff);
   REQUIRE(replay.inputs.size() == 3);
   CHECK(std::get<GrabMove>(replay.inputs[2].change).parts.front().offset == Vector3d(0.5, 0, 0));
-  // Cut anywhere behind the header: never an error, never more than was written, and nothing but the torn line is lost.
+  // Cut anywhere after the header: never an error, never more than was written, and only the incomplete line is lost.
   const std::size_t first = whole.find('\n') + 1;
   for (std::size_t length = first; length < whole.size(); ++length) {
     CAPTURE(length);
@@ -151,6 +151,6 @@ TEST_CASE("an error in a line of a replay names the line") {
         "[m]");
   CHECK(error_of(header() + "{\"step\":0,\"iterations\":0}\n") ==
         "r.fascia:2: iterations: is 0; expected a whole number, 1 to 10000");
-  // Only the last line may be torn.
+  // Only the last line may be incomplete.
   CHECK(error_of(header() + "{\"step\":0,\n{\"steps\":1}\n").starts_with("r.fascia:2:1:"));
 }

@@ -1,4 +1,4 @@
-// What the tests of scenes and models share: scene texts written to files, and the text of an error.
+// The common part of the tests of scenes and models: scene texts written to files, and the text of an error.
 #pragma once
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace fascia::test {
 
-/// A scene file of its own folder; errors are compared with the folder cut away.
+/// A scene file in its own folder; errors are compared without the folder.
 class SceneFile {
  public:
   explicit SceneFile(const std::string& text, const std::string& name = "s.json") : path_(folder_ / name) {

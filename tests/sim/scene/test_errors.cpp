@@ -1,4 +1,4 @@
-// What a user reads when a scene is wrong: the exact line, for every kind of mistake.
+// The messages for wrong scenes: the exact line for every kind of error.
 #include "base/json/json_document.h"
 #include "tests/sim/scene/scene_test.h"
 
@@ -16,7 +16,7 @@ std::string top_error(const std::string& keys) { return error_of(scene_text("", 
 
 }  // namespace
 
-TEST_CASE("files that are no scene and no mesh") {
+TEST_CASE("files that are neither scene nor mesh") {
   const SceneFile file("", "empty.json");
   CHECK(file.open_error() == "empty.json: is empty; expected a scene (JSON) or a tet mesh");
   write_file(file / "blank", " \n\t\n");
@@ -28,7 +28,7 @@ TEST_CASE("files that are no scene and no mesh") {
 }
 
 TEST_CASE("a syntax error has its line and column") {
-  // The words after the position are the parser's own, so only what it found is compared.
+  // The words after the position are the parser's own, so only the reported word is compared.
   const auto check = [](const std::string& text, const std::string& position, const std::string& word) {
     const std::string error = error_of(text);
     CAPTURE(text, error);
@@ -56,7 +56,7 @@ TEST_CASE("every truncation of a scene is an error of one line") {
   }
 }
 
-TEST_CASE("nesting is bounded") {
+TEST_CASE("nesting is limited") {
   const std::string expected = "s.json: is nested deeper than 32 levels; expected a scene";
   CHECK(error_of("{\"a\": " + std::string(100000, '[')) == expected);
   std::string objects;
@@ -64,7 +64,7 @@ TEST_CASE("nesting is bounded") {
   CHECK(error_of(objects) == expected);
 }
 
-TEST_CASE("a key given twice is refused where it stands") {
+TEST_CASE("a repeated key is refused with its place") {
   CHECK(error_of(R"({"title": "a", "title": "b"})") == "s.json: title: is given twice; expected each key once");
   CHECK(body_error(R"("name": "a", "name": "b")") == "s.json: bodies[0].name: is given twice; expected each key once");
   CHECK(
@@ -133,7 +133,7 @@ TEST_CASE("a missing key is named") {
         "s.json: bodies[0].fixed[0].sphere.radius: is missing; expected a radius [m]");
 }
 
-TEST_CASE("a wrong type says what is there and what was expected") {
+TEST_CASE("a wrong type reports the value found and the one expected") {
   CHECK(error_of(R"({"fascia_scene": "1"})") == "s.json: fascia_scene: is \"1\"; expected a number, 1");
   CHECK(top_error(R"("title": 5)") == "s.json: title: is 5; expected a text");
   CHECK(top_error(R"("gravity": -9.81)") == "s.json: gravity: is -9.81; expected a list of 3 numbers [m/s^2]");
@@ -193,7 +193,7 @@ TEST_CASE("a wrong type says what is there and what was expected") {
         "s.json: bodies[0].name: is [1.111111111111111e+99,1.111111111111111e+99]; expected a text");
 }
 
-TEST_CASE("a value that does not fit one line is cut") {
+TEST_CASE("a value that does not fit on one line is abbreviated") {
   CHECK(excerpt(nlohmann::json(std::string(100, 'x'))) == "\"" + std::string(59, 'x') + "...");
 }
 

@@ -1,4 +1,4 @@
-// --set: what it reaches, what it creates, and that its mistakes are told from the file's.
+// --set: the keys that it changes and creates, and that its errors differ from the file's.
 #include "tests/sim/scene/scene_test.h"
 
 using namespace fascia;
@@ -15,7 +15,7 @@ std::string error_with(const std::vector<std::string>& overrides, const std::str
 
 }  // namespace
 
-TEST_CASE("an override replaces what the file says") {
+TEST_CASE("an override replaces the file's value") {
   const std::string text = scene_text(R"("materials": {"default": {"young_modulus": 1e6}, "2": {"density": 900}},
                                          "fixed": [{"box": [[0, 0, 0], [1, 1, 1]]}])",
                                       R"("gravity": [0, -1, 0], "solver": {"iterations": 5, "substeps": 2})");
@@ -26,7 +26,7 @@ TEST_CASE("an override replaces what the file says") {
   expected.file = "";
   Scene after = with({"solver.iterations=40"}, text);
   after.file = "";
-  CHECK(after == expected);  // and nothing else
+  CHECK(after == expected);  // only this key
   CHECK(with({"gravity=[0,0,0]"}, text).gravity == Eigen::Vector3d(0, 0, 0));
   CHECK(with({"gravity.1=-2.5"}, text).gravity == Eigen::Vector3d(0, -2.5, 0));
   CHECK(with({"bodies.0.materials.2.young_modulus=2e5"}, text).bodies[0].region_materials[0].second ==
@@ -40,7 +40,7 @@ TEST_CASE("an override replaces what the file says") {
   CHECK(with({"bodies.0.mesh=../other.msh"}, text).bodies[0].mesh == "../other.msh");
 }
 
-TEST_CASE("an override creates what the file does not have") {
+TEST_CASE("an override creates keys that the file does not have") {
   CHECK(with({"solver.substeps=4"}).solver.substeps == 4);
   CHECK(with({"display.color=strain"}).display.color == ColorBy::strain);
   CHECK(with({"display.range=[0,0.5]"}).display.range == Eigen::Vector2d(0, 0.5));
@@ -70,7 +70,7 @@ TEST_CASE("an override creates what the file does not have") {
   CHECK(with({"bodies.1.mesh=second.msh"}).bodies[1].mesh == "second.msh");
 }
 
-TEST_CASE("a path may be written as errors print it") {
+TEST_CASE("a path may be written in the form of errors") {
   CHECK(with({"bodies[0].transform.translate[1]=2"}).bodies[0].transform.translate == Eigen::Vector3d(0, 2, 0));
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("the last override wins") {
   CHECK(with({"solver={\"iterations\": 3}", "solver.substeps=4"}).solver.iterations == 3);
 }
 
-TEST_CASE("an override repairs what the file has wrong") {
+TEST_CASE("an override repairs an error of the file") {
   CHECK(with({"solver.method=jacobi"}, scene_text("", R"("solver": {"method": "multigrid"})")).solver.method ==
         Method::jacobi);
   CHECK(with({"materials.default.young_modulus=1e5"}, scene_text(R"("materials": {"default": {"young_modulus": 0}})"))
@@ -87,7 +87,7 @@ TEST_CASE("an override repairs what the file has wrong") {
             .material.young_modulus == 1e5);
 }
 
-TEST_CASE("overrides reach a mesh opened alone") {
+TEST_CASE("overrides apply to a mesh opened on its own") {
   const SceneFile mesh("$MeshFormat", "liver.msh");
   const Scene scene = mesh.open({"materials.default.young_modulus=3e4", "gravity.1=-1", "solver.iterations=3",
                                  "display.color=von_mises", "transform.scale=0.001", "fixed.0.lowest=0.1"});
@@ -101,7 +101,7 @@ TEST_CASE("overrides reach a mesh opened alone") {
         "--set materials.default.young_modulus: is 0; expected 0.001 to 1e+14 Pa");
 }
 
-TEST_CASE("the mistake of an override names the override, that of the file the file") {
+TEST_CASE("an error of an override names the override, one of the file the file") {
   CHECK(error_with({"solver.iteration=3"}) ==
         "--set solver.iteration: unknown key \"iteration\", perhaps \"iterations\"; expected one of method, "
         "acceleration, iterations, tolerance, time_step, substeps, frame_budget, colors, spectral_radius, window, "
@@ -125,12 +125,12 @@ TEST_CASE("the mistake of an override names the override, that of the file the f
   const std::string wrong = scene_text("", R"("solver": {"iterations": 0})");
   CHECK(error_with({"solver.substeps=2"}, wrong) ==
         "s.json: solver.iterations: is 0; expected a whole number, 1 to 10000");
-  // The last of two overrides of the same value is the one that is wrong.
+  // Of two overrides of the same value, the last is wrong.
   CHECK(error_with({"solver={}", "solver.iterations=-1"}) ==
         "--set solver.iterations: is -1; expected a whole number, 1 to 10000");
 }
 
-TEST_CASE("an unknown key at the beginning of an override suggests keys of scenes, of bodies, and what lies in them") {
+TEST_CASE("an unknown key at the beginning of an override suggests keys of scenes, of bodies, and of objects in them") {
   const std::string known =
       "; expected one of bodies, camera, display, duration, fascia_scene, grabs, gravity, solver, title, fixed, "
       "initial_velocity, materials, mesh, name, prescribed, resolution, surface, transform";
@@ -147,7 +147,7 @@ TEST_CASE("an unknown key at the beginning of an override suggests keys of scene
   unknown("young-modulus", "young-modulus", "materials.default.young_modulus");
   unknown("color", "color", "display.color");
   unknown("qqq", "qqq", "");
-  // A key that the file has is its own mistake.
+  // A key in the file is the file's own error.
   CHECK(error_with({"strange=1"}, scene_text("", R"("strange": 2)")).find("--set strange: unknown key") == 0);
 }
 

@@ -1,4 +1,4 @@
-// Scenes made at random within everything that is legal: written and read back they are the same, to the bit.
+// Random scenes with all valid values: written and read back they are the same, to the bit.
 #include <cstring>
 #include <random>
 
@@ -143,7 +143,7 @@ bool same_bits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 }  // namespace
 
-TEST_CASE("random legal scenes come back from their text to the bit") {
+TEST_CASE("random valid scenes are read back from their text to the bit") {
   const TemporaryFolder folder;
   for (unsigned seed = 1; seed <= 300; ++seed) {
     Dice dice(seed);
@@ -157,6 +157,6 @@ TEST_CASE("random legal scenes come back from their text to the bit") {
       CHECK(same_bits(read.bodies[b].transform.translate, made.bodies[b].transform.translate));
       CHECK(std::signbit(read.bodies[b].material.damping) == std::signbit(made.bodies[b].material.damping));
     }
-    CHECK(scene_to_json(read, folder.path()) == text);  // and so what is written again is the same file
+    CHECK(scene_to_json(read, folder.path()) == text);  // so a repeated write gives the same file
   }
 }

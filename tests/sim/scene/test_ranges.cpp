@@ -1,4 +1,4 @@
-// The range of every number of a scene, and what a user reads beyond it.
+// The range of every number of a scene, and the message beyond it.
 #include <functional>
 
 #include "base/json/json_document.h"
@@ -92,7 +92,7 @@ TEST_CASE("every number is accepted at the ends of its range and refused beyond 
     const bool is_whole = key.range.find("whole") != std::string::npos;
     const double step = is_whole ? 1 : 1e-3 * std::max({std::abs(key.min), std::abs(key.max), 1e-6});
     std::vector<double> outside = {key.min - step};
-    if (key.path != "display.range[0]") outside.push_back(key.max + step);  // its upper end is the other number
+    if (key.path != "display.range[0]") outside.push_back(key.max + step);  // its upper limit is the other number
     for (const double value : outside) {
       const std::string text = nlohmann::json(value).dump();
       CHECK(SceneFile(key.scene(text)).open_error() ==

@@ -1,4 +1,4 @@
-// A scene in another unit is the same scene, smaller or larger.
+// A scene in another unit is the same scene at another size.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -75,7 +75,7 @@ TEST_CASE("every length of a scene is scaled: bodies, motions, grabs, velocities
   CHECK(after.gravity == before.gravity);
 }
 
-TEST_CASE("lengths in files are not scaled, and nothing else is then") {
+TEST_CASE("lengths in files are not scaled, and then nothing is") {
   Scene scene = cube_with_all_lengths();
   scene.bodies[0].initial_velocity = std::string("velocity.csv");
   const Scene before = scene;

@@ -1,4 +1,4 @@
-// Scenes that open: defaults, every key, both kinds of file, round trip.
+// Valid scenes: defaults, every key, both kinds of file, round trip.
 #include <sys/stat.h>
 
 #include <fstream>
@@ -41,7 +41,7 @@ const char* const kFullScene = R"({
 
 }  // namespace
 
-TEST_CASE("a scene with nothing but a mesh has the documented defaults") {
+TEST_CASE("a scene with only a mesh has the documented defaults") {
   const SceneFile file(scene_text());
   const Scene scene = file.open();
   CHECK(scene.file == file.path());
@@ -67,7 +67,7 @@ TEST_CASE("a scene with nothing but a mesh has the documented defaults") {
   CHECK(scene.resolve("/elsewhere/m.msh") == "/elsewhere/m.msh");
 }
 
-TEST_CASE("every key of a scene arrives") {
+TEST_CASE("every key of a scene is read") {
   const Scene scene = SceneFile(kFullScene).open();
   CHECK(scene.title == "All keys");
   CHECK(scene.gravity == Eigen::Vector3d(0.1, -1.62, 0));
@@ -122,7 +122,7 @@ TEST_CASE("every key of a scene arrives") {
   CHECK(std::get<Eigen::Vector3d>(scene.bodies[1].initial_velocity) == Eigen::Vector3d(0, 0, -0.1));
 }
 
-TEST_CASE("a solver section gets the best pair with what it names") {
+TEST_CASE("a solver section gets the best solver choice with its names") {
   const SolverChoice best = solver_choices().front();
   for (const SolverChoice& pair : solver_choices()) {
     const std::string method = name_of(pair.method), acceleration = name_of(pair.acceleration);
@@ -138,7 +138,7 @@ TEST_CASE("a solver section gets the best pair with what it names") {
   }
 }
 
-TEST_CASE("a mesh alone is a body with the default material, held at its lowest 2 percent") {
+TEST_CASE("a mesh on its own is a body with the default material, fixed at its lowest 2 percent") {
   const SceneFile file("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n", "liver.msh");
   const Scene scene = file.open();
   CHECK(scene.file == file.path());
@@ -150,7 +150,7 @@ TEST_CASE("a mesh alone is a body with the default material, held at its lowest 
   CHECK(scene.bodies[0].fixed == std::vector<Selection>{LowestSelection{0.02}});
 }
 
-TEST_CASE("a scene is told from a mesh by its content, or by the ending .json") {
+TEST_CASE("a scene is distinguished from a mesh by its content, or by the extension .json") {
   CHECK(SceneFile("\n\t " + scene_text(), "scene.txt").open().bodies[0].mesh == "m.msh");
   CHECK(SceneFile("\xEF\xBB\xBF" + scene_text(), "scene.txt").open().bodies[0].mesh == "m.msh");
   CHECK(SceneFile("# vtk", "x.txt").open().bodies[0].mesh == "x.txt");
@@ -255,7 +255,7 @@ TEST_CASE("a written scene is readable: lists of numbers on one line, no needles
 )");
 }
 
-TEST_CASE("texts that are no UTF-8 are written with replacements instead of failing") {
+TEST_CASE("texts that are not UTF-8 are written with replacements instead of failing") {
   const SceneFile file(scene_text());
   const Scene scene = file.open({"title=a\xff", "materials.\xfe.density=900"});
   const std::string text = scene_to_json(scene, file.path().parent_path());
@@ -263,7 +263,7 @@ TEST_CASE("texts that are no UTF-8 are written with replacements instead of fail
   CHECK(text.find("\"\xef\xbf\xbd\": {\"density\": 900}") != std::string::npos);
 }
 
-TEST_CASE("names of what pictures show are found again, and every one is another") {
+TEST_CASE("names of display choices are found again, and are unique") {
   const auto check = [](const char* key, const auto& choices, auto member) {
     std::set<std::string> names;
     for (const auto choice : choices) {
@@ -286,7 +286,7 @@ TEST_CASE("one value of a section or of separate tets turns them on") {
   CHECK(!file.open().display.section);
 }
 
-TEST_CASE("a mesh that comes through a pipe is opened as one that is a file") {
+TEST_CASE("a mesh from a pipe is opened like one from a file") {
   const TemporaryFolder folder;
   REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
   const std::string content = read_file(source_dir() / "assets/meshes/cube.msh");
@@ -295,7 +295,7 @@ TEST_CASE("a mesh that comes through a pipe is opened as one that is a file") {
   CHECK(build_model(scene).tets == build_model(open_scene(source_dir() / "assets/meshes/cube.msh")).tets);
 }
 
-TEST_CASE("a number of one law is written where it is read or no default, and in overrides always") {
+TEST_CASE("a number of one law is written if the law reads it or it is no default, and in overrides always") {
   const auto written = [](const std::string& materials) {
     const SceneFile file(scene_text("\"materials\": " + materials));
     const Scene scene = file.open();

@@ -1,5 +1,4 @@
-// Files of scenes that were moved, changed or are carried: found again, refused or told about, never mistaken for
-// others.
+// Files of scenes that were moved, changed or carried: found again, refused or reported, never confused with others.
 #include <nlohmann/json.hpp>
 
 #include "base/data_folder.h"
@@ -19,7 +18,7 @@ namespace {
 
 using Catch::Contains;
 
-// A cube whose corners have colors by material, in two triangles a side.
+// A cube whose corners have colors by material, with two triangles per side.
 std::string obj_cube(const std::string& library) {
   std::string text = "mtllib " + library + "\n";
   for (int i = 0; i < 8; ++i)
@@ -66,7 +65,7 @@ void check_same(const Model& a, const Model& b) {
   }
 }
 
-/// A scene of one mesh, m.msh beside it, with what is known of that file.
+/// A scene of one mesh, with m.msh beside it and known data of that file.
 struct Known {
   TemporaryFolder folder;
   Known() {
@@ -95,7 +94,7 @@ std::string error_of_building(const fs::path& scene) {
 
 }  // namespace
 
-TEST_CASE("a missing file is named with the scene and the key that refer to it") {
+TEST_CASE("a missing file is named with its scene and key") {
   const SceneFile bare(scene_text());
   CHECK_THAT(bare.error_of([&] { build_model(bare.open()); }),
              Contains("s.json: bodies[0].mesh: m.msh: no such file; looked in "));
@@ -136,7 +135,7 @@ TEST_CASE("a moved mesh is found beside the scene by its name, with a note") {
   }
 }
 
-TEST_CASE("a moved mesh is found by its content, and no other file is taken for it") {
+TEST_CASE("a moved mesh is found by its content, and no other file is used instead") {
   const Known known;
   CHECK(build_model(open_scene(known.file())).notes.empty());
   SECTION("renamed") {
@@ -146,7 +145,7 @@ TEST_CASE("a moved mesh is found by its content, and no other file is taken for 
     CHECK_THAT(model.notes[0], Contains("m.msh: no such file; read ") && Contains("renamed.msh"));
     CHECK(model.tets.size() == 12);
   }
-  SECTION("with another file by its name beside the scene") {
+  SECTION("with another file of its name beside the scene") {
     Scene scene = open_scene(known.file());
     write_mesh(known.folder / "m.msh", make_box(4, 1, 1, {0.2, 0.1, 0.1}));
     scene.bodies[0].mesh = scene.files[0].path = "gone/m.msh";
@@ -199,7 +198,7 @@ TEST_CASE("a scene carries its files, of every kind, into an empty folder") {
   CHECK(build_model(other).bodies[2].tet_count == 30);
 }
 
-TEST_CASE("a file that was needed for a scene is not in memory for the next save without it") {
+TEST_CASE("a file that was needed for one scene is not in memory for the next save without it") {
   const Known known;
   const Scene scene = open_scene(known.file());
   Model model = build_model(scene);
@@ -216,7 +215,7 @@ TEST_CASE("a changed file is not carried under the old one's name") {
   CHECK_FALSE(self_contained_if_possible(scene, model.files).carries("m.msh"));
 }
 
-TEST_CASE("a library that describes no material is not carried: an .obj may name any file") {
+TEST_CASE("a library without a material is not carried: an .obj may name any file") {
   const TemporaryFolder folder;
   write_file(folder / "secret.txt", "nobody's business");
   write_file(folder / "s.obj", obj_cube("secret.txt"));
@@ -227,7 +226,7 @@ TEST_CASE("a library that describes no material is not carried: an .obj may name
   CHECK(whole.files[0].path == "s.obj");
 }
 
-TEST_CASE("damaged or unlikely contents are refused in one line") {
+TEST_CASE("damaged or implausible contents are refused in one line") {
   const Known known;
   const Scene scene = open_scene(known.file());
   Model model = build_model(scene);
@@ -264,7 +263,7 @@ TEST_CASE("damaged or unlikely contents are refused in one line") {
   CHECK_FALSE(inflated("", 0));
 }
 
-TEST_CASE("a saved scene refers to shipped files by a path that leads to them everywhere") {
+TEST_CASE("a saved scene refers to shipped files by a path that is valid everywhere") {
   const fs::path liver = source_dir() / "assets/scenes/cube.json";
   const Scene shipped = open_scene(liver);
   const TemporaryFolder elsewhere;
@@ -297,7 +296,7 @@ TEST_CASE("a saved scene refers to shipped files by a path that leads to them ev
   CHECK(scene_to_json(shipped, liver.parent_path()).find("\"../meshes/cube.msh\"") != std::string::npos);
 }
 
-TEST_CASE("a saved scene has paths below its folder, or whole ones") {
+TEST_CASE("a saved scene has paths below its folder, or absolute ones") {
   const TemporaryFolder folder;
   fs::create_directories(folder / "project/meshes");
   fs::create_directories(folder / "project/deep");
@@ -310,7 +309,7 @@ TEST_CASE("a saved scene has paths below its folder, or whole ones") {
   };
   CHECK(path_in("project") == "meshes/m.msh");
   CHECK(path_in("project/meshes") == "m.msh");
-  CHECK(path_in("project/deep") == "../meshes/m.msh");  // as it was
+  CHECK(path_in("project/deep") == "../meshes/m.msh");  // unchanged
   CHECK(path_in("elsewhere") == fs::canonical(folder / "project/meshes/m.msh").string());
   CHECK(path_in("project/meshes2") == fs::canonical(folder / "project/meshes/m.msh").string());
 }

@@ -1,4 +1,4 @@
-// Scenes whose mesh is a surface: opened alone, resolution by key and by --set, written and read again.
+// Scenes whose mesh is a surface: opened on its own, resolution by key and by --set, written and read again.
 #include <catch2/catch.hpp>
 
 #include "base/error.h"
@@ -16,7 +16,7 @@ const std::filesystem::path kidney = test::source_dir() / "assets/meshes/kidney.
 
 }  // namespace
 
-TEST_CASE("a surface alone opens, filled and drawn with its colors") {
+TEST_CASE("a surface on its own opens, filled and drawn with its colors") {
   const Scene scene = open_scene(kidney, {"resolution=12"});
   REQUIRE(scene.bodies.size() == 1);
   CHECK(scene.bodies[0].resolution == 12);
@@ -38,7 +38,7 @@ TEST_CASE("the resolution is checked, and written so that it reads back") {
   CHECK(!open_scene(kidney).bodies[0].resolution);
 }
 
-TEST_CASE("a surface over a mesh is drawn outward, each triangle once, however its file winds them") {
+TEST_CASE("a surface over a mesh is drawn outward, each triangle once, for any winding in its file") {
   const test::TemporaryFolder folder;
   write_file(
       folder / "skin.obj",

@@ -1,4 +1,4 @@
-// What happens when a state comes apart: commands end with one line and a file that repeats it.
+// Divergence: commands end with one line and a file that reproduces it.
 #include <catch2/catch.hpp>
 
 #include <fstream>
@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::uint32_t kLost = 17;  // of the box's vertices, a free one
 
-// A clamped box of 48 tets in a folder of its own, and a replay whose start has one vertex so far away that its forces
+// A clamped box of 48 tets in its own folder, and a replay whose start has one vertex so far away that its forces
 // overflow.
 struct Box {
   TemporaryFolder folder;
@@ -48,7 +48,7 @@ struct Box {
 
 }  // namespace
 
-TEST_CASE("run ends with one line, exit code 1 and a replay that ends the same way") {
+TEST_CASE("run ends with one line, exit code 1 and a replay with the same end") {
   const Box box;
   write_replay(box.folder / "broken.fascia", box.broken());
   std::string replay = "broken.fascia";
@@ -58,12 +58,12 @@ TEST_CASE("run ends with one line, exit code 1 and a replay that ends the same w
     CAPTURE(run.out, run.err);
     CHECK(run.exit_code == 1);
     CHECK_FALSE(std::filesystem::exists(box.folder / "out.vtu"));
-    const std::size_t begin = run.err.find("came apart at "), named = run.err.find("repeated by ");
+    const std::size_t begin = run.err.find("diverged at "), named = run.err.find("repeated by ");
     REQUIRE(begin != std::string::npos);
     REQUIRE(named != std::string::npos);
     replay = run.err.substr(named + 12, run.err.find(';', named) - named - 12);
     CHECK(std::filesystem::exists(box.folder / replay));
-    // The tet that is named has the vertex that was lost.
+    // The named tet has the diverged vertex.
     const std::size_t list = run.err.find("vertices ") + 9;
     std::istringstream vertices(run.err.substr(list, run.err.find(',', list) - list));
     bool has = false;
@@ -72,7 +72,7 @@ TEST_CASE("run ends with one line, exit code 1 and a replay that ends the same w
   }
 }
 
-TEST_CASE("render ends the same way and writes no picture") {
+TEST_CASE("render ends in the same manner and writes no picture") {
   const Box box;
   write_replay(box.folder / "broken.fascia", box.broken());
   const CommandResult run =
@@ -80,7 +80,7 @@ TEST_CASE("render ends the same way and writes no picture") {
                  box.folder.path());
   CAPTURE(run.err);
   CHECK(run.exit_code == 1);
-  CHECK(run.err.find("came apart at ") != std::string::npos);
+  CHECK(run.err.find("diverged at ") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(box.folder / "out.png"));
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("a replay repeats a session of sliders and grabs to the bit") {
   std::vector<State> states;
   const auto live = [&](int steps) {
     for (int i = 0; i < steps; ++i) {
-      lived.gpu()->finish_background();  // as the replay does, where the coarse level follows a slider
+      lived.gpu()->finish_background();  // as in the replay, where the coarse level follows a slider
       lived.step();
     }
     states.push_back(lived.state());
@@ -134,14 +134,14 @@ TEST_CASE("a replay repeats a session of sliders and grabs to the bit") {
   }
 }
 
-TEST_CASE("a lost state is led back to the last sound one, and its replay begins there") {
+TEST_CASE("a diverged state returns to the last valid one, and its replay begins there") {
   const Box box;
   Graphics graphics = open_graphics(headless(), false);
   Simulation simulation(box.scene, graphics.programs.get(), false);
   for (int i = 0; i < 20; ++i) simulation.step();
   REQUIRE_FALSE(simulation.check_now());
   const State sound = simulation.state();
-  // Farther than floats can carry, as no grab reaches.
+  // Farther than floats can represent, beyond the range of any grab.
   simulation.set_grab({{kLost, {1e25, 0, 0}, 1e20}});
   for (int i = 0; i < 40 && !simulation.diverged(); ++i) simulation.step();
   REQUIRE(simulation.diverged());
@@ -162,10 +162,10 @@ TEST_CASE("a lost state is led back to the last sound one, and its replay begins
   CHECK_FALSE(simulation.check_now());
 }
 
-TEST_CASE("a replay that is cut within a divergence says so") {
+TEST_CASE("a replay that is cut within a divergence reports it") {
   const Box box;
   Replay replay = box.broken();
-  replay.inputs.push_back({replay.steps - 1, RestoreInput{}});  // by which it would be led back
+  replay.inputs.push_back({replay.steps - 1, RestoreInput{}});  // by which the state would be restored
   write_replay(box.folder / "led_back.fascia", replay);
   const CommandResult run = run_fascia(
       {"run", "--replay", "led_back.fascia", "--context", "osmesa", "--steps", std::to_string(replay.steps - 1)},
@@ -173,10 +173,10 @@ TEST_CASE("a replay that is cut within a divergence says so") {
   CAPTURE(run.err);
   CHECK(run.exit_code == 1);
   CHECK_THAT(run.err,
-             Catch::Contains("came apart at ") && Catch::Contains("the replay goes back to a sound state later"));
+             Catch::Contains("diverged at ") && Catch::Contains("the replay goes back to a valid state later"));
 }
 
-TEST_CASE("what came apart beside a body at rest is repeated with the same parts at rest") {
+TEST_CASE("a divergence beside a body at rest is reproduced with the same regions at rest") {
   Graphics graphics = open_graphics(headless(), false);
   Scene scene;
   scene.file = "bars.json";
@@ -189,7 +189,7 @@ TEST_CASE("what came apart beside a body at rest is repeated with the same parts
         (model.rest_positions[tip] - Vector3d(0.6, 0.05, 0.05)).norm())
       tip = v;
   Simulation lived(scene, model, graphics.programs.get(), false);
-  std::map<long, State> states;  // after so many steps
+  std::map<long, State> states;  // by number of steps
   constexpr long kTorn = 61;
   for (long step = 0; !lived.diverged() && step < kTorn + 40; ++step) {
     if (step <= kTorn)

@@ -1,4 +1,4 @@
-// A body at rest costs nothing until something changes, and where it lies is where it would have come to lie anyway.
+// A body at rest costs nothing until something changes, and lies where it would have come to rest without sleep.
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// A soft box, held at one side, that sags under its weight.
+// A soft box, fixed at one side, that sags under its weight.
 struct Box {
   TemporaryFolder folder;
   Graphics graphics = open_graphics(headless(), false);
@@ -43,7 +43,7 @@ void step_until_asleep(Simulation& simulation) {
 
 }  // namespace
 
-TEST_CASE("what has come to rest sleeps: no dispatch, the same bits, and time goes on", "[sleep]") {
+TEST_CASE("a body that has come to rest sleeps: no dispatch, the same bits, and time continues", "[sleep]") {
   Box box;
   const auto simulation = box.open();
   step_until_asleep(*simulation);
@@ -84,12 +84,12 @@ TEST_CASE("a sleeping body lies where one that never sleeps does", "[sleep]") {
   CHECK_FALSE(awake->asleep());
   CHECK(awake->steps_asleep() == 0);
   CHECK(largest < 5e-6 * size);
-  CHECK(kick < 1e-6 * size);  // from one step to the next, of rounding alone
+  CHECK(kick < 1e-6 * size);  // from one step to the next, rounding only
 }
 
-// Between two looks a swing of 9 um stands still at its turn: asleep there, the tip was 0.004 % of its way from the
-// equilibrium.
-TEST_CASE("a body falls asleep in its static equilibrium, not at the turn of a swing", "[sleep]") {
+// Between two checks an oscillation of 9 um stands still at its turning point: asleep there, the tip was 0.004 % of its
+// displacement from the equilibrium.
+TEST_CASE("a body falls asleep in its static equilibrium, not at the turning point of an oscillation", "[sleep]") {
   Box box(0.05);
   write_mesh(box.folder / "beam.msh", make_box(24, 6, 6, {1, 0.25, 0.25}));
   box.scene.bodies[0].mesh = "beam.msh";
@@ -106,7 +106,7 @@ TEST_CASE("a body falls asleep in its static equilibrium, not at the turn of a s
   const double distance = farthest(simulation->gpu()->download(), equilibrium),
                size = simulation->gpu()->buffers().size;
   CAPTURE(pulled, simulation->steps_made(), distance, size);
-  CHECK(distance < 9e-9 * size);  // a thousandth of what it was, and the rounding of displacements to float32
+  CHECK(distance < 9e-9 * size);  // a thousandth of the earlier distance, and the rounding of displacements to float32
   CHECK(farthest(simulation->state(), equilibrium) < 1e-11);
   for (const Vector3d& v : simulation->gpu()->download().velocity) REQUIRE(v == Vector3d::Zero());
 }
@@ -133,7 +133,7 @@ TEST_CASE("a method whose fixed point is no equilibrium sleeps after a second at
   }
 }
 
-TEST_CASE("whatever acts on it wakes a sleeping body, and nothing else does", "[sleep]") {
+TEST_CASE("every change that affects a sleeping body wakes it, and no other", "[sleep]") {
   Box box;
   const auto simulation = box.open();
   const GrabInput springs{{44, {0.01, 0, 0}, 200}};
@@ -175,7 +175,7 @@ TEST_CASE("sleep begins at the same step in every run, and ends in the same bits
   for (int run = 0; run < 2; ++run) {
     const auto simulation = box.open();
     for (int i = 0; i < 40; ++i) simulation->step();
-    if (run == 1) simulation->state();  // a look in between changes nothing
+    if (run == 1) simulation->state();  // a readback in between has no effect
     simulation->set_grab({{44, {0, 0.02, 0}, 300}});
     step_until_asleep(*simulation);
     begins[run] = simulation->steps_made();
@@ -188,7 +188,7 @@ TEST_CASE("sleep begins at the same step in every run, and ends in the same bits
   CHECK(states[0].velocity == states[1].velocity);
 }
 
-TEST_CASE("nothing sleeps while a prescribed motion is still to come", "[sleep]") {
+TEST_CASE("nothing sleeps before a prescribed motion has ended", "[sleep]") {
   Box box;
   PrescribedMotion motion;
   motion.select = BoxSelection{{0.2 - 1e-6, -1, -1}, {0.2 + 1e-6, 1, 1}};
@@ -214,7 +214,7 @@ TEST_CASE("every method falls asleep, unless its iterations never stop moving th
   for (long i = 0; i < kMost && !simulation->asleep() && !simulation->diverged(); ++i) simulation->step();
   CHECK_FALSE(simulation->diverged());
   if (simulation->asleep()) return;
-  // Positions combined without their multipliers, and forces that are taken from where a step begins.
+  // Positions combined without their multipliers, and forces taken from the start of a step.
   CHECK((pair.acceleration == Acceleration::anderson_positions ||
          pair == SolverChoice{Method::exact_xpbd, Acceleration::none}));
   double speed = 0;

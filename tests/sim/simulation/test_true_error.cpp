@@ -1,4 +1,4 @@
-// The comparison with the exact step: against the reference solver run by hand, at once and on a thread.
+// The comparison with the exact step: against an explicit run of the reference solver, at once and on a thread.
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <thread>
@@ -51,7 +51,7 @@ TEST_CASE("the true error is the distance to the reference solver's step") {
   CHECK(error.largest == Approx(largest).epsilon(1e-3));
 }
 
-TEST_CASE("the true error of a solved step is rounding, with substeps and a grab, too") {
+TEST_CASE("the true error of a solved step is rounding, also with substeps and a grab") {
   Gpu gpu;
   Simulation simulation(cantilever({"solver.iterations=300", "solver.substeps=2"}), &gpu.programs, false);
   std::vector<GrabSpring> springs;
@@ -66,7 +66,7 @@ TEST_CASE("the true error of a solved step is rounding, with substeps and a grab
   CHECK(error.relative < 1e-4);
 }
 
-TEST_CASE("the true error is measured on a thread while steps go on") {
+TEST_CASE("the true error is measured on a thread while steps continue") {
   Gpu gpu;
   Simulation simulation(cantilever({"solver.iterations=3"}), &gpu.programs, false);
   TrueError thread, at_once;
@@ -76,7 +76,7 @@ TEST_CASE("the true error is measured on a thread while steps go on") {
   simulation.step();
   const double expected = at_once.measure(simulation).relative;
   bool fresh = thread.update(simulation, false);
-  simulation.set_settings([&] {  // what happens now does not matter to the step in question
+  simulation.set_settings([&] {  // later changes do not affect the step that is measured
     SolverSettings settings = simulation.scene.solver;
     settings.iterations = 20;
     return settings;
@@ -94,7 +94,7 @@ TEST_CASE("the true error is measured on a thread while steps go on") {
   CHECK_FALSE(thread.result());
 }
 
-TEST_CASE("a request that waits for a step is not under way: nothing needs to be drawn for it") {
+TEST_CASE("a request that waits for a step is not pending: nothing needs to be drawn for it") {
   Gpu gpu;
   Simulation simulation(cantilever({}), &gpu.programs, false);
   TrueError error;
@@ -108,7 +108,7 @@ TEST_CASE("a request that waits for a step is not under way: nothing needs to be
   CHECK(error.busy());
 }
 
-TEST_CASE("a measurement under way can be let go") {
+TEST_CASE("a pending measurement can be discarded") {
   Gpu gpu;
   Simulation simulation(cantilever({}), &gpu.programs, false);
   simulation.step();

@@ -1,4 +1,4 @@
-// Points tied to tets: where they are inside, how far they reach outside.
+// Points embedded in tets: their positions inside, and the limits outside.
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -18,7 +18,7 @@ Vector3d position(const EmbeddedPoint& tie, const std::vector<Vector3d>& x) {
 
 }  // namespace
 
-TEST_CASE("points inside are held by the tet around them, points outside by the nearest one, within bounds") {
+TEST_CASE("points inside follow the tet around them, points outside the nearest one, within limits") {
   const TetMesh mesh = make_box(6, 5, 4, {0.6, 0.5, 0.4});
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-0.2, 0.8);
@@ -43,8 +43,7 @@ TEST_CASE("points inside are held by the tet around them, points outside by the 
       CHECK(weight <= 1 + reach + 1e-9);
     }
     if (distance == 0) CHECK((position(embedded.ties[i], mesh.positions) - p).norm() < 1e-12);
-    // A little outside the tet goes on as if it were larger: a quarter of a cell is less than half of any of its
-    // heights.
+    // Slightly outside, the tet is extrapolated: a quarter of a cell is less than half of any of its heights.
     if (distance < 0.025) CHECK((position(embedded.ties[i], mesh.positions) - p).norm() < 1e-12);
   }
   CHECK(embedded.outside == outside);

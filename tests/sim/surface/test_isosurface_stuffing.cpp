@@ -1,5 +1,5 @@
-// Surfaces filled with tets: well shaped whatever the surface, as large as it, of the right topology; what has no
-// inside is refused.
+// Surfaces filled with tets: well shaped for any surface, with its volume and topology; surfaces without an inside are
+// refused.
 #include "sim/surface/isosurface_stuffing.h"
 
 #include <catch2/catch.hpp>
@@ -22,7 +22,7 @@ struct Filling {
   double spacing = 0;
 };
 
-/// Fills and checks what holds for every surface.
+/// Fills a surface and checks properties that hold for every surface.
 Filling fill(const SurfaceMesh& surface, std::optional<int> resolution = {}) {
   Filling result{fill_surface(surface, "test.obj", resolution), {}, 0};
   const TetMesh& mesh = result.filled.file.mesh;
@@ -40,8 +40,8 @@ Filling fill(const SurfaceMesh& surface, std::optional<int> resolution = {}) {
 }
 
 /// The vertices of the tets' boundary lie on the surface and its facets have edges of at most 1.6 spacings (a long edge
-/// and two shifts of 0.3), so between them a surface of curvature radius R is left by a sagitta of (1.6 h)^2 / (8 R) at
-/// most: over the whole area that is the largest error of the volume.
+/// and two shifts of 0.3), so between them the distance from a surface of curvature radius R is at most the sagitta
+/// (1.6 h)^2 / (8 R): times the whole area this is the largest error of the volume.
 double volume_tolerance(const Filling& f, double radius) {
   const double sagitta = std::pow(1.6 * f.spacing, 2) / (8 * radius);
   return f.filled.repaired.report.area * sagitta;
@@ -79,7 +79,7 @@ TEST_CASE("spheres and tori are filled by one piece of their volume, with a boun
   }
 }
 
-TEST_CASE("without a resolution a surface gets some thousand tets", "[lattice]") {
+TEST_CASE("without a resolution a surface gets several thousand tets", "[lattice]") {
   for (const SurfaceMesh& surface :
        {test::make_sphere(24, 48, 0.05), test::make_torus(64, 32, 0.1, 0.04), test::make_box_surface({0.1, 0.1, 0.1}),
         test::make_box_surface({0.3, 0.05, 0.02})}) {
@@ -103,11 +103,11 @@ TEST_CASE("the filling does not depend on the unit of the surface, and is the sa
 TEST_CASE("a cube of 12 triangles is filled to its faces", "[lattice]") {
   const Filling f = fill(test::make_box_surface({0.1, 0.1, 0.1}), 10);
   CHECK(f.report.components == 1);
-  // Only its edges are cut off: by a prism of half a square spacing each at most.
+  // Only its edges are cut off: each by a prism of at most half a square spacing.
   CHECK(std::abs(f.report.volume - 1e-3) < 12 * 0.1 * 0.5 * f.spacing * f.spacing);
 }
 
-TEST_CASE("a plate thinner than the lattice stays in one piece, is covered and says so", "[lattice]") {
+TEST_CASE("a plate thinner than the lattice stays in one piece, is covered and is noted", "[lattice]") {
   const SurfaceMesh plate = test::make_box_surface({0.2, 0.002, 0.1});
   const Filling f = fill(plate, 20);
   CHECK(f.report.components == 1);
@@ -116,12 +116,12 @@ TEST_CASE("a plate thinner than the lattice stays in one piece, is covered and s
   CHECK(drawn.farthest < 0.5 * f.spacing);
 }
 
-TEST_CASE("a few tets kept whole in a thin tip are no reason for a note", "[lattice]") {
+TEST_CASE("a few tets kept whole in a thin tip do not cause a note", "[lattice]") {
   const Filling f = fill(read_obj(std::filesystem::path(FASCIA_SOURCE_DIR) / "assets/meshes/kidney.obj"), 24);
   CHECK_FALSE(has_note(f.filled, "thinner than the lattice"));
 }
 
-TEST_CASE("shells that overlap are one body, shells apart are several, a shell inside out in another one is a cavity",
+TEST_CASE("overlapping shells are one body, separate shells are several, an inverted shell in another one is a cavity",
           "[lattice]") {
   const SurfaceMesh ball = test::make_sphere(24, 48, 0.05), small = test::make_sphere(16, 32, 0.03);
   const double outer = test::enclosed_volume(ball), inner = test::enclosed_volume(small);
@@ -139,11 +139,11 @@ TEST_CASE("shells that overlap are one body, shells apart are several, a shell i
     CHECK(f.filled.repaired.report.shells[1].cavity);
     CHECK(std::abs(f.report.volume - (outer - inner)) < volume_tolerance(f, 0.03));
   }
-  const Filling nested = fill(test::joined(ball, small), 20);  // the same way round: nothing is hollow
+  const Filling nested = fill(test::joined(ball, small), 20);  // the same orientation: no cavity
   CHECK(std::abs(nested.report.volume - outer) < volume_tolerance(nested, 0.05));
 }
 
-TEST_CASE("normals inward, triangles turned or doubled, vertices apart and holes are put right and noted",
+TEST_CASE("inward normals, reversed or duplicated triangles, separate vertices and holes are repaired and noted",
           "[lattice]") {
   const SurfaceMesh ball = test::make_sphere(24, 48, 0.05);
   const TetMesh whole = fill(ball, 12).filled.file.mesh;
@@ -151,7 +151,7 @@ TEST_CASE("normals inward, triangles turned or doubled, vertices apart and holes
   const Filling inverted = fill(test::turned(ball), 12);
   CHECK(mesh_hash(inverted.filled.file.mesh) == mesh_hash(whole));
   CHECK(has_note(inverted.filled, "normals pointed inward"));
-  CHECK(inverted.filled.surface.triangles == ball.triangles);  // drawn the right way round
+  CHECK(inverted.filled.surface.triangles == ball.triangles);  // drawn with outward normals
 
   SurfaceMesh mixed = ball;
   for (std::size_t t = 0; t < mixed.triangles.size(); t += 7) std::swap(mixed.triangles[t][0], mixed.triangles[t][1]);
@@ -184,12 +184,12 @@ TEST_CASE("normals inward, triangles turned or doubled, vertices apart and holes
   CHECK(has_note(closed.filled, "1 hole of "));
   CHECK(closed.report.components == 1);
   CHECK_FALSE(closed.filled.surface.closed);
-  // The hole is closed by something between the flat lid and the ball.
+  // The hole is closed by a surface between the flat lid and the ball.
   CHECK(std::abs(closed.report.volume - test::enclosed_volume(ball)) <
         volume_tolerance(closed, 0.05) + 0.02 * test::enclosed_volume(ball));
 }
 
-TEST_CASE("which way an open shell is wound does not depend on where it lies", "[lattice]") {
+TEST_CASE("the detected winding of an open shell does not depend on its position", "[lattice]") {
   const SurfaceMesh ball = test::make_sphere(24, 48, 0.05);
   for (const Vector3d& place :
        {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, -1, 0), Vector3d(0, 0, 1)}) {
@@ -201,7 +201,7 @@ TEST_CASE("which way an open shell is wound does not depend on where it lies", "
   }
 }
 
-TEST_CASE("a surface without an inside is refused with what, how often, where and what to do", "[lattice]") {
+TEST_CASE("a surface without an inside is refused with defect, number, place and advice", "[lattice]") {
   SurfaceMesh plane;
   plane.positions = {{0, 0, 0}, {0.1, 0, 0}, {0.1, 0, 0.1}, {0, 0, 0.1}};
   plane.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -236,7 +236,7 @@ TEST_CASE("a surface without an inside is refused with what, how often, where an
                     Catch::Contains("million tets; expected at most "));
 }
 
-TEST_CASE("surfaces that cut themselves are counted and filled", "[lattice]") {
+TEST_CASE("self-intersecting surfaces are counted and filled", "[lattice]") {
   const SurfaceMesh two =
       test::joined(test::make_sphere(12, 24, 0.05), test::make_sphere(12, 24, 0.05, {0.05, 0.003, 0.001}));
   const SurfaceRepair repaired = repair(two);

@@ -1,4 +1,4 @@
-// Wavefront .obj: polygons of any shape, materials and colors, and one line about what cannot be read.
+// Wavefront .obj: polygons of any shape, materials and colors, and one line about unreadable content.
 #include <catch2/catch.hpp>
 
 #include "base/error.h"
@@ -19,7 +19,7 @@ double area(const SurfaceMesh& s) {
 
 }  // namespace
 
-TEST_CASE("concave polygons are cut into triangles that cover them once, at any size") {
+TEST_CASE("concave polygons are divided into triangles that cover them once, at any size") {
   for (const double scale : {1.0, 1e-6, 1e6}) {
     const auto vertex = [&](double x, double y) { return "v " + std::to_string(x) + " 0 " + std::to_string(y) + "\n"; };
     // A dart whose short diagonal lies outside, and a comb of 20 corners.
@@ -45,7 +45,8 @@ TEST_CASE("concave polygons are cut into triangles that cover them once, at any 
 }
 
 TEST_CASE(
-    "names of materials and libraries may hold spaces, a line may name several libraries, and a color may be missing") {
+    "names of materials and libraries may contain spaces, a line may name several libraries, and a color may be "
+    "missing") {
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   const auto library = [](const std::string& name) -> std::string {
     if (name == "Left Kidney.mtl") return "newmtl Mat 1  \nKd 1 0 0\nnewmtl plain\nNs 10\n";
@@ -102,7 +103,7 @@ TEST_CASE("colors come from the vertices, else from the materials, else there ar
   CHECK(vertices.colors == std::vector<std::uint32_t>{0xff0000ff, 0xff00ff00, 0xffff0000});
 }
 
-TEST_CASE("several shapes are one surface; what cannot be read is one line") {
+TEST_CASE("several shapes are one surface; an unreadable file gives one line") {
   const SurfaceMesh two =
       read_obj_content("a.obj", "o one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no two\nv 0 0 1\nf 1/1/1 2//2 4\n");
   CHECK(two.triangles == std::vector<Triangle>{{0, 1, 2}, {0, 1, 3}});

@@ -1,5 +1,4 @@
-// Surfaces that are hard to work on: many shells, many triangles at one edge or vertex, long thin triangles. What is
-// counted is work.
+// Expensive surfaces: many shells, many triangles at one edge or vertex, long thin triangles. The tests count the work.
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <random>
@@ -19,8 +18,8 @@ namespace {
 
 enum class Inner { once, twice, twice_across };
 
-/// The faces of n x n x n cubes as quads in two triangles each: those between two cubes once, or twice, wound against
-/// each other, with the same diagonal or the other one.
+/// The faces of n x n x n cubes as quads of two triangles each: those between two cubes once, or twice with opposite
+/// windings, with the same diagonal or the other one.
 SurfaceMesh faces_of_cubes(int n, Inner inner) {
   SurfaceMesh s;
   const auto at = [&](const Vector3i& p) {
@@ -76,7 +75,7 @@ std::size_t reports_of(const SurfaceMesh& surface, int resolution) {
 
 }  // namespace
 
-TEST_CASE("of many shells only those are compared whose boxes lie around each other, the largest first", "[surface]") {
+TEST_CASE("of many shells only those are compared whose boxes enclose each other, the largest first", "[surface]") {
   constexpr std::uint32_t kCount = 50000;
   std::vector<ShellTree::Shell> apart, nested;
   for (std::uint32_t s = 0; s < kCount; ++s) {
@@ -99,7 +98,7 @@ TEST_CASE("of many shells only those are compared whose boxes lie around each ot
   CHECK(found == kCount - 1);
 }
 
-TEST_CASE("the shell around another one is that which comparing all finds", "[surface]") {
+TEST_CASE("the enclosing shell is the one that a comparison of all finds", "[surface]") {
   std::mt19937 random(1);
   const auto unit = [&] { return static_cast<double>(random() % 1000) / 1000; };
   std::vector<ShellTree::Shell> shells;
@@ -126,7 +125,7 @@ TEST_CASE("the shell around another one is that which comparing all finds", "[su
   CHECK(held > 50);
 }
 
-TEST_CASE("the faces of all cells of a grid are tens of thousands of shells, and reported on the way", "[surface]") {
+TEST_CASE("the faces of all cells of a grid are tens of thousands of shells, with progress reports", "[surface]") {
   const SurfaceMesh faces = faces_of_cubes(20, Inner::once);
   std::size_t reports = 0;
   const SurfaceRepair repaired = repair(faces, [&](double, const char*) { ++reports; });
@@ -140,7 +139,7 @@ TEST_CASE("the faces of all cells of a grid are tens of thousands of shells, and
                     Catch::Contains("test.obj: has walls inside: ") && Catch::Contains("of more than two triangles"));
 
   CHECK(repair(test::make_sphere(12, 24, 0.05)).balanced);
-  SurfaceMesh two = test::make_box_surface({1, 1, 1}), other = two;  // that share an edge
+  SurfaceMesh two = test::make_box_surface({1, 1, 1}), other = two;  // they share an edge
   for (Vector3d& x : other.positions) x += Vector3d(1, 1, 0);
   const SurfaceRepair joined = repair(test::joined(two, other));
   CHECK(joined.report.crowded_edges.count == 1);
@@ -169,7 +168,7 @@ TEST_CASE("cells with all their faces are filled as one body", "[surface]") {
   CHECK(both.report.volume == Approx(test::enclosed_volume(ball)));
 }
 
-TEST_CASE("a progress that throws ends the work on a surface wherever it is", "[surface]") {
+TEST_CASE("a progress callback that throws ends the work on a surface at any point", "[surface]") {
   struct Enough {};
   const SurfaceMesh surface = faces_of_cubes(6, Inner::twice_across);
   std::size_t all = 0;
@@ -189,7 +188,8 @@ TEST_CASE("a progress that throws ends the work on a surface wherever it is", "[
   CHECK(ended == all);
 }
 
-TEST_CASE("long thin triangles are sampled along their length only, and reported while all are asked", "[surface]") {
+TEST_CASE("long thin triangles are sampled only along their length, with progress reports while all are tested",
+          "[surface]") {
   const SurfaceMesh cone = make_cone(2000);
   const FilledSurface filled = fill_surface(cone, "test.obj", 16);
   double volume = 0;
@@ -202,7 +202,7 @@ TEST_CASE("long thin triangles are sampled along their length only, and reported
   CHECK(reports > 100);
 }
 
-TEST_CASE("a long triangle reaches the cells along it, not all of its box", "[surface]") {
+TEST_CASE("a long triangle reaches the cells along it, not its whole box", "[surface]") {
   std::vector<Vector3d> corners = {{0, 0, 0}, {1, 1, 1}, {1, 1, 0.999}};
   const TriangleTree sliver(corners, {{0, 1, 2}});
   const BccLattice lattice(sliver.box(), 60);
@@ -238,7 +238,7 @@ TEST_CASE("triangles around one vertex are not compared with each other", "[surf
   std::printf("%zu triangles: %zu pairs of boxes compared\n", fan.triangles.size(), compared);
   CHECK(self_intersections(tree).pairs.count == 0);
 
-  // Where thousands lie across each other the search ends, and says so.
+  // Where thousands intersect each other the search ends, with a note.
   SurfaceMesh crossing;
   for (std::uint32_t i = 0; i < 3000; ++i) {
     const double s = 1e-4 * i;
@@ -249,7 +249,7 @@ TEST_CASE("triangles around one vertex are not compared with each other", "[surf
   CHECK_FALSE(self_intersections(TriangleTree(crossing.positions, crossing.triangles)).complete);
 }
 
-TEST_CASE("cuts are those that comparing all pairs finds", "[surface]") {
+TEST_CASE("the intersections are those that a comparison of all pairs finds", "[surface]") {
   std::mt19937 random(3);
   const auto unit = [&] { return static_cast<double>(random() % 100000) / 100000; };
   SurfaceMesh soup;
@@ -269,7 +269,7 @@ TEST_CASE("cuts are those that comparing all pairs finds", "[surface]") {
   CHECK(expected > 100);
 }
 
-TEST_CASE("a library of materials is read once however often it is named, and what is missing is named a few times",
+TEST_CASE("a library of materials is read once for any number of references, and missing items are named a few times",
           "[surface]") {
   std::string text, triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   for (int i = 0; i < 20000; ++i)
@@ -290,7 +290,7 @@ TEST_CASE("a library of materials is read once however often it is named, and wh
   CHECK(mesh.notes.back() == "19992 more libraries of materials are missing");
 }
 
-TEST_CASE("polygons of any shape are cut into triangles of their area", "[surface]") {
+TEST_CASE("polygons of any shape are divided into triangles of their area", "[surface]") {
   std::mt19937 random(4);
   double largest = 0;
   for (int n = 4; n <= 255; n += 7) {

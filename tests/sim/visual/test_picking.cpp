@@ -1,4 +1,4 @@
-// Picking against brute force of another kind: the surface sampled densely, on a mesh that is bent and twisted.
+// Picking against an independent brute-force method: the surface sampled densely, on a mesh that is bent and twisted.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
@@ -27,7 +27,7 @@ struct Deformed {
 
 Ray towards(const Vector3d& eye, const Vector3d& point) { return {eye, (point - eye).normalized()}; }
 
-// Does the ray pass through the triangle? By the signs of three volumes instead of barycentric coordinates.
+// Whether the ray passes through the triangle, by the signs of three volumes instead of barycentric coordinates.
 bool passes(const Ray& ray, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const Vector3d far = ray.origin + ray.direction;
   const double ab = signed_volume6(ray.origin, far, a, b), bc = signed_volume6(ray.origin, far, b, c),
@@ -62,7 +62,7 @@ TEST_CASE("the first triangle along the ray is hit, on a deformed surface") {
     const Triangle& t = d.triangles[hit->triangle];
     CHECK(passes(ray, p[t[0]], p[t[1]], p[t[2]]));
   }
-  CHECK(hits > 100);  // the test has looked at both
+  CHECK(hits > 100);  // both outcomes occur
   CHECK(hits < 1900);
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("a ray that misses finds the nearest surface point") {
       continue;
     }
     ++misses;
-    double sampled = 1e300;  // over points of all edges, where the minimum of a missed triangle lies
+    double sampled = 1e300;  // over points of all edges, where the minimum for a missed triangle is
     for (const Triangle& t : d.triangles)
       for (int k = 0; k < 3; ++k)
         for (int s = 0; s <= 200; ++s)
@@ -100,7 +100,7 @@ TEST_CASE("a ray that misses finds the nearest surface point") {
   CHECK(misses > 10);
 }
 
-TEST_CASE("of a body that is cut open, what lies beyond is not hit, and the cut is") {
+TEST_CASE("on a body that is cut open the part beyond is not hit, and the cut is") {
   const TetMesh box = make_box(4, 4, 4, {1, 1, 1});
   const std::vector<Triangle> triangles = boundary_triangles(box.tets);
   const auto& p = box.positions;
@@ -111,14 +111,14 @@ TEST_CASE("of a body that is cut open, what lies beyond is not hit, and the cut 
   CHECK(on_cut->on_cut);
   CHECK(on_cut->point.z() == Approx(plane));
   CHECK(on_cut->normal == Vector3d(0, 0, 1));
-  // Past the edge of the cut, into a side wall that is kept.
+  // Past the edge of the cut, into a side wall of the remaining part.
   const auto wall = pick(towards({3, 0.5, 1}, {1, 0.5, 0.2}), triangles, p, cut);
   REQUIRE(wall);
   CHECK_FALSE(wall->on_cut);
   CHECK(wall->point.isApprox(Vector3d(1, 0.5, 0.2)));
   CHECK(wall->normal.isApprox(Vector3d(1, 0, 0)));
-  CHECK_FALSE(pick(towards({3, 0.5, 0.7}, {1, 0.5, 0.7}), triangles, p, cut));  // only through what is gone
-  // From the side that is kept nothing changes.
+  CHECK_FALSE(pick(towards({3, 0.5, 0.7}, {1, 0.5, 0.7}), triangles, p, cut));  // through the removed part
+  // From the remaining side nothing changes.
   CHECK(pick(towards({0.3, 0.6, -3}, {0.3, 0.6, 0}), triangles, p, cut)->point.isApprox(Vector3d(0.3, 0.6, 0)));
   CHECK_FALSE(pick(towards({0.5, 0.5, 0.2}, {0.5, 0.5, 1}), triangles, p, cut));  // out through the cut
   const auto near = pick_nearest(towards({3, 0.5, 0.9}, {0, 0.5, 0.9}), triangles, p, cut);
@@ -126,7 +126,7 @@ TEST_CASE("of a body that is cut open, what lies beyond is not hit, and the cut 
   CHECK(near->point.z() <= plane);
 }
 
-TEST_CASE("what cannot be hit is not hit") {
+TEST_CASE("rays without a target hit nothing") {
   const Deformed d;
   CHECK_FALSE(pick(towards({0, 0, 2}, {0, 0, 3}), d.triangles, d.mesh.positions));  // the body is behind the eye
   CHECK_FALSE(pick_nearest(towards({0, 0, 2}, {0, 0, 3}), d.triangles, d.mesh.positions));

@@ -1,4 +1,4 @@
-// The bodies and settings that tests of GPU passes and steps share.
+// The common bodies and settings of tests of GPU passes and steps.
 #pragma once
 #include <catch2/catch.hpp>
 
@@ -9,7 +9,7 @@ namespace fascia::test {
 
 const Material soft{2e4, 0.35, 1050, 0, MaterialModel::st_venant_kirchhoff};
 
-// Held from below.
+// Fixed at its bottom.
 inline Model block() {
   return make_model(make_box(5, 4, 3, {0.1, 0.08, 0.06}), soft, [](const Eigen::Vector3d& x) { return x.y() < 1e-9; });
 }
@@ -28,7 +28,7 @@ inline Model free_bar(double damping = 0) {
   return model;
 }
 
-// Two boxes of that many cells and that size [m] side by side, which share nothing, each clamped at its end.
+// Two boxes of that many cells and that size [m] side by side, unconnected, each clamped at its end.
 inline Model two_bars(int cells_along, double length, const Material& material) {
   TetMesh mesh = make_box(cells_along, 4, 4, {length, 0.1, 0.1});
   const TetMesh other = mesh;
@@ -58,7 +58,7 @@ inline SolverSettings with(const SolverChoice& pair) {
 
 inline Method any_method() { return GENERATE(Method::jacobi, Method::mass_splitting, Method::gauss_seidel); }
 
-// One of each kind: what holds for all of them is tested with these.
+// One choice of each kind: common properties are tested with these.
 inline SolverChoice any_pair() {
   return GENERATE(
       SolverChoice{Method::jacobi, Acceleration::none}, SolverChoice{Method::mass_splitting, Acceleration::none},

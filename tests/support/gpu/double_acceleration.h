@@ -1,5 +1,5 @@
-// Chebyshev and Anderson acceleration of a fixed-point iteration in double precision, from their definitions: what the
-// GPU passes are compared with, and what linear problems with known answers are tried on.
+// Chebyshev and Anderson acceleration of a fixed-point iteration in double precision, from their definitions: the
+// reference for the GPU passes, and for linear problems with known solutions.
 #pragma once
 #include <Eigen/Dense>
 #include <deque>
@@ -23,7 +23,7 @@ class DoubleAnderson {
 class DoubleChebyshev {
  public:
   explicit DoubleChebyshev(double manual_radius) : manual_(manual_radius) {}
-  void begin_step();  // the estimate stays
+  void begin_step();  // the estimate is kept
   Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& g);
   double radius() const { return manual_ > 0 ? manual_ : radius_; }
 

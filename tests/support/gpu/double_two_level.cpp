@@ -16,7 +16,7 @@ using namespace Eigen;
 
 Index at(std::uint32_t vertex) { return 3 * static_cast<Index>(vertex); }
 
-// Hessian blocks on the diagonal without what of the geometric term is negative.
+// The diagonal blocks of the Hessian without the negative part of the geometric term.
 std::vector<Matrix3d> blocks(const Model& model, const VectorXd& u, const VectorXd& mass, double h) {
   std::vector<Matrix3d> result;
   for (std::size_t v = 0; v < model.rest_positions.size(); ++v)
@@ -28,7 +28,7 @@ std::vector<Matrix3d> blocks(const Model& model, const VectorXd& u, const Vector
     const Corners corners{u.segment<3>(at(tet[0])), u.segment<3>(at(tet[1])), u.segment<3>(at(tet[2])),
                           u.segment<3>(at(tet[3]))};
     const Material& material = model.materials[model.tet_material[t]];
-    // Beyond the Green strain the block has no geometric term.
+    // For laws beyond the Green strain the block has no geometric term.
     const Matrix3d stress =
         !law_of(material.model).of_strain
             ? Matrix3d::Zero()
@@ -44,8 +44,8 @@ std::vector<Matrix3d> blocks(const Model& model, const VectorXd& u, const Vector
   return result;
 }
 
-// As the GPU holds it: of a diagonal that is raised a little, and S C S with integers of 16 bits in C, whose diagonal
-// is one and the same.
+// As stored on the GPU: with a slightly raised diagonal, and as S C S with 16-bit integers in C, whose diagonal is
+// constant.
 MatrixXd inverse_in_sixteen_bits(MatrixXd matrix) {
   matrix.diagonal() *= 1 + 1e-7;
   const MatrixXd inverse = matrix.inverse();
@@ -150,12 +150,12 @@ void DoubleTwoLevel::descend(Acceleration acceleration) {
     for (Index i = 0; i < corrections; ++i) a(i, k) = z.col(i).dot(hz);
   }
   z.col(last) = last_step_;
-  const VectorXd y = g - previous_gradient_;  // stands for H p
+  const VectorXd y = g - previous_gradient_;  // approximates H p
   for (Index i = 0; i < corrections; ++i) a(i, last) = a(last, i) = z.col(i).dot(y);
   a(last, last) = std::max(last_step_.dot(y), last_step_.dot(mass_.cwiseProduct(last_step_)));
   VectorXd scale = a.diagonal().cwiseAbs().cwiseSqrt();
   if (!remembers) scale[last] = 0;
-  for (double& s : scale) s = s > 0 ? 1 / s : 0;  // nothing was kept of the last step
+  for (double& s : scale) s = s > 0 ? 1 / s : 0;  // the last step was discarded entirely
   const SelfAdjointEigenSolver<MatrixXd> eigen(scale.asDiagonal() * a * scale.asDiagonal());
   const VectorXd b = -(scale.asDiagonal() * (z.transpose() * g));
   const VectorXd modes =

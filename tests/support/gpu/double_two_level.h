@@ -1,5 +1,5 @@
-// The two-level method in double precision, from its equations (docs/concepts/solver.md): what the GPU's passes are
-// tested against.
+// The two-level method in double precision, from its equations (docs/concepts/solver.md): the reference for the tests
+// of the GPU's passes.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
@@ -13,17 +13,18 @@ namespace fascia::test {
 
 class DoubleTwoLevel {
  public:
-  /// `start`: u where the iterations begin, `predicted`: u~; both [3 * vertex_count].
+  /// `start`: initial u of the iterations, `predicted`: u~; both [3 * vertex_count].
   DoubleTwoLevel(const Model& model, double h, const Eigen::VectorXd& start, const Eigen::VectorXd& predicted);
 
   const Eigen::VectorXd& displacement() const { return u_; }
-  /// g = M (u - u~) + h^2 dU/du, 0 where held, and the objective [kg m^2].
+  /// g = M (u - u~) + h^2 dU/du, 0 where constrained, and the objective [kg m^2].
   Eigen::VectorXd gradient(const Eigen::VectorXd& u, double& objective) const;
   Eigen::VectorXd fine(const Eigen::VectorXd& gradient) const;    // of the blocks at the start
-  Eigen::VectorXd coarse(const Eigen::VectorXd& gradient) const;  // with the rotations of now
-  void begin(const Eigen::VectorXd& base);  // the start is a step from `base`, to be judged by descend()
+  Eigen::VectorXd coarse(const Eigen::VectorXd& gradient) const;  // with the current rotations
+  void begin(const Eigen::VectorXd& base);  // the start is a step from `base`, which descend() evaluates
   /// The step within the span of z_f, z_c and the last step (subspace), of z_f + z_c and the last step (nonlinear_cg),
-  /// or of z_f + z_c (none); the first one's without the last step. Of one that raised the objective a part is kept.
+  /// or of z_f + z_c (none); the first one's without the last step. Only a part of a step that raised the objective is
+  /// kept.
   void descend(Acceleration acceleration);
 
  private:

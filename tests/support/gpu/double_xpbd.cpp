@@ -46,7 +46,7 @@ Vector6d strain_of(const Eigen::Matrix3d& f) {
   return c;
 }
 
-// F with singular values of at least 0.6, and the strain that goes on along the tangent below.
+// F with singular values of at least 0.6, and the strain continued along the tangent below that.
 void guard(Eigen::Matrix3d& f, Vector6d& c) {
   constexpr double kLeast = 0.6;
   const SignedSvd svd = signed_svd(f);

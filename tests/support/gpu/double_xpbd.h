@@ -1,6 +1,6 @@
 // XPBD with a block constraint per tet in double precision, averaged Jacobi or Gauss-Seidel in the order of the colors,
-// plain or accelerated, written from its definition with an explicit 6x12 Jacobian: what the GPU kernels, which never
-// form it, are compared with.
+// plain or accelerated, written from its definition with an explicit 6x12 Jacobian: the reference for the GPU kernels,
+// which never form it.
 #pragma once
 #include <vector>
 
@@ -37,7 +37,7 @@ class DoubleXpbd {
 
   const Model& model_;
   SolverSettings settings_;
-  std::vector<double> inv_mass_, seen_inv_mass_;  // of a vertex, and as its tets see it
+  std::vector<double> inv_mass_, seen_inv_mass_;  // of a vertex, and as its tets use it
   std::vector<int> valence_;
   Coloring coloring_;
   DoubleChebyshev chebyshev_;

@@ -1,4 +1,4 @@
-// A context and the project's shaders for tests of GPU passes, once per way of reading buffers.
+// A context and the project's shaders for tests of GPU passes, once per load path.
 #pragma once
 #include <memory>
 

@@ -1,5 +1,5 @@
-// The same small mesh in every format and flavour, for the tests of the readers. Made here, byte by byte, so
-// that the readers are not tested against our own writers.
+// The same small mesh in every format and variant, for the tests of the readers. Generated here, byte by byte, so that
+// the readers are not tested against fascia's own writers.
 #pragma once
 #include <string>
 #include <vector>
@@ -12,17 +12,17 @@ namespace fascia::test {
 /// Six vertices, the last unreferenced, and two tets: (0,1,2,3) of region 3, (1,2,3,4) of region 7.
 TetMesh sample_mesh();
 
-/// What a format can say of the sample besides the tets.
+/// The data of the sample that a format stores besides the tets.
 enum class Keeps {
   tets,     // no regions
   regions,  // region numbers
-  numbers,  // as groups, but every group goes by its number: 3, 7, 11, 5, 9
+  numbers,  // as groups named by number: 3, 7, 11, 5, 9
   groups,   // names: region 3 "left part", 7 "right"; surface "clamp" {0,1,2}, curve 5 {0,1}, point "tip" {4}
 };
 
 struct MeshSample {
-  std::string format;   // as MeshFile::format says it
-  std::string file;     // name to write it under
+  std::string format;   // expected MeshFile::format
+  std::string file;     // name of the file to write
   std::string content;  // of that file
   Keeps keeps = Keeps::regions;
   std::string node_content = {};  // of the .node file, for TetGen
@@ -36,13 +36,13 @@ std::vector<MeshSample> all_samples();
 /// Writes a sample into a folder and returns the path to open.
 std::filesystem::path write_sample(const TemporaryFolder& folder, const MeshSample& sample);
 
-/// Text replaced by other text, which must occur.
+/// Replaces text, which must occur.
 std::string replaced(std::string text, const std::string& from, const std::string& to);
 
-/// What read_mesh says of a file with this content, without the folder: "mesh.msh:3: ...". "" if it reads it.
+/// The error of read_mesh for a file with this content, without the folder: "mesh.msh:3: ...". "" if it is read.
 std::string error_of(const std::string& file, const std::string& content, const std::string& node_content = {});
 
-/// Positions, tets, regions and, as far as the sample's format keeps them, names and groups.
+/// Checks positions, tets, regions and, as far as the sample's format stores them, names and groups.
 void check_sample(const MeshFile& file, const MeshSample& sample);
 
 /// A string of binary numbers in a byte order.

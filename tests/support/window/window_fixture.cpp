@@ -86,7 +86,7 @@ VirtualDisplay::VirtualDisplay(int width, int height) : size_(std::to_string(wid
   setenv("DISPLAY", (":" + number).c_str(), 1);
   unsetenv("WAYLAND_DISPLAY");
   for (const char* kind :
-       {"config", "state"}) {  // not the cache: the driver's kernels would be compiled anew for every window
+       {"config", "state"}) {  // not the cache: the driver's kernels would be compiled again for every window
     std::string variable = std::string("XDG_") + kind + "_HOME";
     for (char& c : variable) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     setenv(variable.c_str(), (home_ / kind).c_str(), 1);
@@ -95,7 +95,7 @@ VirtualDisplay::VirtualDisplay(int width, int height) : size_(std::to_string(wid
   settings_of_an_old_grab.first_run_done = true;
   settings_of_an_old_grab.hints_done = {"grab", "orbit", "tune", "help"};
   write_user_settings(settings(), settings_of_an_old_grab);
-  // Named is not yet answering, on a busy machine.
+  // A named display may not respond yet on a busy machine.
   if (!eventually([] { return run_command({"xdotool", "getdisplaygeometry"}).exit_code == 0; }))
     throw std::runtime_error("Xvfb does not answer");
 }
@@ -133,7 +133,7 @@ FasciaWindow::FasciaWindow(std::vector<std::string> arguments, fs::path folder)
     return !window_.empty();
   });
   if (!found || !running()) throw std::runtime_error("no window: " + said());
-  // Without a window manager nobody else gives it the focus.
+  // Without a window manager only this call gives it the focus.
   eventually([&] { return run_command({"xdotool", "windowfocus", "--sync", window_}).exit_code == 0; });
 }
 
@@ -170,7 +170,7 @@ double FasciaWindow::processor_seconds() const {
   std::ifstream in("/proc/" + std::to_string(child_) + "/stat");
   std::string line;
   std::getline(in, line);
-  std::istringstream fields(line.substr(line.rfind(')') + 2));  // the name before may hold anything
+  std::istringstream fields(line.substr(line.rfind(')') + 2));  // the name before may contain anything
   std::string field;
   for (int i = 3; i < 14; ++i) fields >> field;
   double user = 0, system = 0;
@@ -219,13 +219,13 @@ Screenshot FasciaWindow::screenshot() {
   std::set<fs::path> after;
   Clock::time_point asked{};
   const bool taken = eventually([&] {
-    // A dialog that opened later than the grabs believed swallows the key: Escape closes it, and the grabs ask again.
+    // A dialog that opened late swallows the key: Escape closes it, and the key is sent again.
     if (Clock::now() - asked > std::chrono::seconds(15)) {
       if (asked != Clock::time_point{}) key("Escape");
       key("p");
       asked = Clock::now();
     }
-    after = pictures(folder_);  // written under another name first, so what is seen here is whole
+    after = pictures(folder_);  // written under another name first, so files found here are complete
     return after.size() > before.size() || !running();
   });
   if (!taken || after.size() <= before.size()) throw std::runtime_error("no screenshot: " + said());

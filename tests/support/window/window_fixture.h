@@ -1,5 +1,5 @@
-// A virtual display with a fascia window on it, and hands: everything a test of the real window needs. Nothing waits
-// for a fixed time; what is expected is polled for, with limits that only a hung program reaches.
+// A virtual display with a fascia window, and simulated input: everything that a test of the real window needs. Nothing
+// waits for a fixed time; expected states are polled, with time limits that only a hung program reaches.
 #pragma once
 #include <sys/types.h>
 
@@ -13,15 +13,15 @@
 
 namespace fascia::test {
 
-/// Xvfb on a display number of its own; DISPLAY points to it as long as it lives, and so does a home of its own for
-/// what windows remember of their user: one who knows the program and needs no hints.
+/// Xvfb on a separate display number; DISPLAY refers to it while it exists, and the home folder for the window's
+/// settings is separate, too: that of an experienced user who needs no hints.
 class VirtualDisplay {
  public:
   VirtualDisplay(int width, int height);
   ~VirtualDisplay();
   VirtualDisplay(const VirtualDisplay&) = delete;
   VirtualDisplay& operator=(const VirtualDisplay&) = delete;
-  /// What it shows, window and all: so many pictures in a row, ten in a second.
+  /// The content of the display, including the window: `frames` pictures in a row, ten per second.
   std::vector<Image> watch(int frames) const;
   std::filesystem::path settings() const { return home_ / "config/fascia/settings.json"; }
   std::filesystem::path state() const { return home_ / "state/fascia"; }
@@ -32,8 +32,8 @@ class VirtualDisplay {
   TemporaryFolder home_;
 };
 
-/// A scene file: a cube of soft tissue on its clamped base, without gravity, in the middle of what the panels leave.
-/// Nothing moves unless a grab moves it.
+/// A scene file: a cube of soft tissue on its clamped base, without gravity, centered beside the panels. Only a grab
+/// moves it.
 std::string cube_scene(const std::string& title, double young_modulus);
 
 struct Screenshot {
@@ -52,25 +52,25 @@ class FasciaWindow {
   FasciaWindow(const FasciaWindow&) = delete;
   FasciaWindow& operator=(const FasciaWindow&) = delete;
 
-  void key(const std::string& name);                  // as xdotool names it: "p", "ctrl+o"
-  void keys_at_once(std::vector<std::string> names);  // several of them in one frame
+  void key(const std::string& name);                  // in xdotool's notation: "p", "ctrl+o"
+  void keys_at_once(std::vector<std::string> names);  // several keys in one frame
   void type(const std::string& text);
-  void pause();             // as long as a person would, which proves nothing
-  void move(int x, int y);  // in small steps from where the mouse is
+  void pause();             // as long as a user would; no test relies on its length
+  void move(int x, int y);  // in small steps from the current position
   void press();             // left button
   void release();
   void key_down(const std::string& name);
   void key_up(const std::string& name);
   void click(int button);              // 3 right, 4 and 5 the wheel up and down
   void resize(int width, int height);  // as a window manager does
-  Screenshot screenshot();             // through P
-  /// The program stands still until go_on(): all that hands do meanwhile comes between two of its pictures.
+  Screenshot screenshot();             // taken by the key P
+  /// Suspends the program until go_on(): all input in between arrives between two of its pictures.
   void hold();
   void go_on();
   bool running();
-  void kill_at_once();               // as the system does: no chance to clean up
-  double processor_seconds() const;  // that the program has used so far
-  /// Exit code; the program must end by itself.
+  void kill_at_once();               // with SIGKILL: no chance to clean up
+  double processor_seconds() const;  // used by the program so far
+  /// Returns the exit code; the program must end by itself.
   int wait();
   std::string said() const;  // stdout and stderr
 

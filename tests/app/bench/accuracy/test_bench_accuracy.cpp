@@ -1,5 +1,5 @@
-// fascia bench accuracy on a beam of 48 tets: its table, that a second run goes on where the first one ended, and what
-// is made of the numbers.
+// fascia bench accuracy on a beam of 48 tets: its table, the continuation of a first run by a second, and the
+// evaluation of the numbers.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -39,7 +39,7 @@ AccuracyGrid tiny_grid() {
   return grid;
 }
 
-// How often a pair was measured.
+// Returns the number of measurements.
 int run(const fs::path& folder, const AccuracyGrid& grid, bool fresh = false) {
   BenchOptions options;
   options.out = folder.string();
@@ -78,7 +78,7 @@ CaseAccuracy known_case() {
 
 }  // namespace
 
-TEST_CASE("bench accuracy measures once, and goes on", "[bench]") {
+TEST_CASE("bench accuracy measures once, and continues", "[bench]") {
   const TemporaryFolder folder;
   AccuracyGrid grid = tiny_grid();
   REQUIRE(run(folder.path(), grid) == 3);
@@ -115,7 +115,7 @@ TEST_CASE("bench accuracy measures once, and goes on", "[bench]") {
   CHECK(run(folder.path(), grid) == 0);
   CHECK(read_file(folder / "accuracy.csv") == table);
 
-  // What is missing is measured, what is there stays.
+  // Missing entries are measured, existing ones are kept.
   grid.pairs.push_back({Method::jacobi, Acceleration::none});
   grid.cases.pop_back();
   CHECK(run(folder.path(), grid) == 2);
@@ -129,7 +129,7 @@ TEST_CASE("bench accuracy measures once, and goes on", "[bench]") {
   CHECK(run(folder.path(), grid, true) == 4);
 }
 
-TEST_CASE("a table of accuracies that lacks rows or sense", "[bench]") {
+TEST_CASE("a table of accuracies with missing rows or invalid content", "[bench]") {
   const TemporaryFolder folder;
   AccuracyGrid grid = tiny_grid();
   grid.cases.resize(1);
@@ -146,7 +146,7 @@ TEST_CASE("a table of accuracies that lacks rows or sense", "[bench]") {
   CHECK((same[1].iterations == 4 && same[1].error == 0.25 && same[1].ms_median == 3 && same[1].ms_min == 2));
   points.pop_back();  // not all of the grid's numbers of iterations
   CHECK(read_back().empty());
-  points.back() = {4, kNotANumber, kNotANumber, kNotANumber};  // none were tried after this
+  points.back() = {4, kNotANumber, kNotANumber, kNotANumber};  // none were measured after this one
   REQUIRE(read_back().size() == 2);
   CHECK((std::isnan(read_back().back().error) && std::isnan(read_back().back().ms_min)));
 
@@ -158,7 +158,7 @@ TEST_CASE("a table of accuracies that lacks rows or sense", "[bench]") {
   CHECK_THROWS_WITH(read_results(folder / "t.csv", grid, {"a note"}), Catch::Contains("t.csv:2: "));
 }
 
-TEST_CASE("a Pareto frontier has the points that no other beats", "[bench]") {
+TEST_CASE("a Pareto frontier has the points that no other point dominates", "[bench]") {
   using Indices = std::vector<std::size_t>;
   CHECK(pareto_frontier({}).empty());
   CHECK(pareto_frontier({{3, 1}, {1, 3}, {2, 2}, {2.5, 2.5}, {4, 1}, {1, 4}}) == Indices{1, 2, 0});
@@ -175,7 +175,7 @@ TEST_CASE("the summary of accuracies", "[bench]") {
   const CaseAccuracy result = known_case();
   CHECK(first_within(result.pairs[1], 0.1)->iterations == 10);
   CHECK(!first_within(result.pairs[3], 0.1));
-  CHECK(pairs_to_draw(result) == std::vector<std::size_t>{0, 2, 3});  // the best of each method, and the poster's
+  CHECK(pairs_to_draw(result) == std::vector<std::size_t>{0, 2, 3});  // the best of each method, and the paper's
   const std::string summary = summary_of({result, {{}, {{SolverSettings().choice(), {}}}}}, {"a note"});
   INFO(summary);
   for (const char* text :
@@ -187,10 +187,10 @@ TEST_CASE("the summary of accuracies", "[bench]") {
   }
   std::size_t cases = 0;
   for (const std::string& line : lines_of(summary)) cases += line.rfind("## ", 0) == 0;
-  CHECK(cases == 1);  // none of what is not measured
+  CHECK(cases == 1);  // no case without measurements
 }
 
-TEST_CASE("every case of the accuracy grid has a name of its own", "[bench]") {
+TEST_CASE("every case of the accuracy grid has a unique name", "[bench]") {
   for (const bool quick : {false, true}) {
     std::vector<std::string> names;
     for (const AccuracyCase& c : accuracy_grid(quick).cases) names.push_back(file_name_of(c));

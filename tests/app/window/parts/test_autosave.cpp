@@ -1,4 +1,4 @@
-// States that windows leave: found again after a crash, apart from those of windows that still run.
+// States that windows save: recovered after a crash, and kept apart from those of running windows.
 #include <sys/wait.h>
 #include <unistd.h>
 #include <catch2/catch.hpp>
@@ -29,7 +29,7 @@ std::vector<std::filesystem::path> files(const std::filesystem::path& folder) {
 
 }  // namespace
 
-TEST_CASE("a window's state is not offered while it runs, and is its last once it ended well") {
+TEST_CASE("a window's state is not offered while it runs, and ends with its last one after a normal exit") {
   const TemporaryFolder folder;
   {
     Autosave one(folder / "state");
@@ -49,10 +49,10 @@ TEST_CASE("a window's state is not offered while it runs, and is its last once i
   CHECK(files(folder / "state").size() == 1);  // the last one only
   two.keep(replay(), "third");
   Autosave three(folder / "state");
-  CHECK_FALSE(three.left_behind());  // this process is still there
+  CHECK_FALSE(three.left_behind());  // this process still exists
 }
 
-TEST_CASE("a process that was killed leaves its state to the next window") {
+TEST_CASE("the state of a killed process is offered by the next window") {
   const TemporaryFolder folder;
   const auto state = replay();
   const pid_t child = fork();
@@ -62,7 +62,7 @@ TEST_CASE("a process that was killed leaves its state to the next window") {
     while (!autosave.due()) usleep(1000);  // written
     _exit(0);                              // without finish(), as a crash does
   }
-  // The parent asks for nothing before the child has written and ended.
+  // The parent continues only after the child has written and ended.
   int status = 0;
   waitpid(child, &status, 0);
   Autosave next(folder / "state");
@@ -79,7 +79,7 @@ TEST_CASE("a process that was killed leaves its state to the next window") {
   CHECK_FALSE(std::filesystem::exists(old));
 }
 
-TEST_CASE("a state that goes on in another window is removed when that one's is on disk, not before") {
+TEST_CASE("a state taken up by another window is removed only when that window's own state is on disk") {
   const TemporaryFolder folder;
   const std::filesystem::path left = folder / "left.fascia";
   write_file(left, "{}");

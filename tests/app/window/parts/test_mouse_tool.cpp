@@ -1,4 +1,4 @@
-// The mouse beside a replay: what the replay holds is not the mouse's to let go of.
+// The mouse during a replay: it does not release the replay's grabs.
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
@@ -28,7 +28,7 @@ struct Replayed {
 
 }  // namespace
 
-TEST_CASE("letting go of all grabs that stay leaves those of a replay alone") {
+TEST_CASE("releasing all grabs that stay does not affect those of a replay") {
   Replayed played;
   Simulation& simulation = played.session.simulation;
   MouseTool mouse;
@@ -39,7 +39,7 @@ TEST_CASE("letting go of all grabs that stay leaves those of a replay alone") {
   CHECK(simulation.asked_springs()[0].target == Vector3d(0, 0.015, 0));
 }
 
-TEST_CASE("a replay whose springs were let go of moves none that are not there") {
+TEST_CASE("a replay whose springs were released does not move missing ones") {
   Replayed played;
   Simulation& simulation = played.session.simulation;
   simulation.set_grab({});

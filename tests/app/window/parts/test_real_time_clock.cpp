@@ -1,4 +1,4 @@
-// The fixed-step accumulator, driven by made-up clocks.
+// The fixed-step accumulator, driven by simulated clocks.
 #include <catch2/catch.hpp>
 
 #include "app/window/parts/real_time_clock.h"
@@ -16,7 +16,7 @@ TEST_CASE("frames as long as a step make one step each, in spite of jitter") {
   CHECK(pacing.speed() == Approx(1).margin(0.01));
 }
 
-TEST_CASE("steps follow real time whatever the frame rate") {
+TEST_CASE("steps follow real time at any frame rate") {
   for (const double frame_time : {1.0 / 240, 1.0 / 144, 1.0 / 60, 1.0 / 24, 1.0 / 13}) {
     CAPTURE(frame_time);
     Pacing pacing;
@@ -27,25 +27,25 @@ TEST_CASE("steps follow real time whatever the frame rate") {
       real += frame_time;
       steps += pacing.advance(frame_time, dt, 1e-4);
     }
-    CHECK(std::abs(static_cast<double>(steps) * dt - real) <= dt);  // never more than a step off: nothing was dropped
+    CHECK(std::abs(static_cast<double>(steps) * dt - real) <= dt);  // no time was dropped
     CHECK(pacing.keeps_pace());
   }
 }
 
-TEST_CASE("a step that costs more than it simulates slows the scene, and the speed says by how much") {
+TEST_CASE("a step that costs more than it simulates slows the scene, and the speed shows by how much") {
   Pacing pacing;
   const double dt = 1.0 / 60, cost = 0.04;
   for (int frame = 0; frame < 200; ++frame) CHECK(pacing.advance(cost, dt, cost) <= 1);
   CHECK(pacing.speed() == Approx(dt / cost).epsilon(0.05));
   CHECK_FALSE(pacing.keeps_pace());
-  // Time that did not fit is dropped: as soon as steps are cheap again, there is no catching up in a rush.
+  // Time that did not fit is dropped: when steps become fast again, they do not catch up.
   int steps = 0;
   for (int frame = 0; frame < 60; ++frame) steps += pacing.advance(dt, dt, 1e-4);
   CHECK(steps >= 59);
   CHECK(steps <= 61);
 }
 
-TEST_CASE("what was slow is forgotten while nothing is solved, and steps go on as before") {
+TEST_CASE("slow steps are forgotten while nothing is solved, and steps continue as before") {
   Pacing pacing, other;
   const double dt = 1.0 / 60, cost = 0.04;
   for (int frame = 0; frame < 200; ++frame) pacing.advance(cost, dt, cost), other.advance(cost, dt, cost);
@@ -56,14 +56,14 @@ TEST_CASE("what was slow is forgotten while nothing is solved, and steps go on a
     CHECK(pacing.keeps_pace());
     CHECK(pacing.speed() == 1);
     CHECK(pacing.advance(dt / 4, dt, cost) ==
-          other.advance(dt / 4, dt, cost));  // also where frames are shorter than steps
+          other.advance(dt / 4, dt, cost));  // also if frames are shorter than steps
   }
 }
 
-TEST_CASE("small time steps get as many steps as the frame affords") {
+TEST_CASE("small time steps get as many steps as fit into the frame") {
   Pacing pacing;
   const double dt = 1e-4;
-  CHECK(pacing.advance(1.0 / 60, dt, 1e-5) == 167);  // 166.7 plus the half step of head start
+  CHECK(pacing.advance(1.0 / 60, dt, 1e-5) == 167);  // 166.7 plus the initial half step
   CHECK(pacing.advance(1.0 / 60, dt, 1e-2) == 3);    // 30 ms of a frame are for steps
   CHECK(pacing.advance(1.0 / 60, dt, 0) == 1);       // cost not measured yet
 }

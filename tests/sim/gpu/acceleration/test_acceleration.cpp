@@ -1,5 +1,5 @@
-// The accelerations alone, on linear fixed-point iterations whose answers are known: x <- A x + b with A diagonal, made
-// on the CPU between their passes.
+// The accelerations alone, on linear fixed-point iterations with known solutions: x <- A x + b with A diagonal,
+// computed on the CPU between their passes.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -27,7 +27,7 @@ struct LinearIteration {
     const shared::StepValues values{{0, 0, 0, 1}, {static_cast<float>(manual_radius), 0, 0, 0}, {}, {}};
     step.upload(0, sizeof values, &values);
   }
-  /// Puts A x + b in the place of x and returns the error |x - x*| that x had.
+  /// Replaces x by A x + b and returns the error |x - x*| before.
   double sweep() {
     std::vector<vec4> x = displacement.read<vec4>();
     double error = 0;
@@ -78,7 +78,7 @@ TEST_CASE("Anderson solves a linear problem of m different factors in m + 1 iter
   LinearIteration problem;
   const double factors[] = {0.9, -0.5, 0.4};
   for (std::size_t i = 0; i < problem.factor.size(); ++i) problem.factor[i] = factors[i % static_cast<std::size_t>(m)];
-  // In one part or two, weighted or not: the solution is the same, and so is the number of iterations.
+  // In one part or two, weighted or not, the solution and the number of iterations are the same.
   const bool two_parts = GENERATE(false, true);
   gl::Buffer second{"second", 16 * kVertices};
   const gl::Buffer weight{"weight", std::vector<float>(kVertices, 3.0f)};
@@ -113,7 +113,7 @@ TEST_CASE("a window that is too small still converges, more slowly", "[gpu]") {
   CAPTURE(last, plain);
   CHECK(last[0] < 0.5 * plain);
   CHECK(last[1] < 0.5 * last[0]);
-  CHECK(last[2] < 0.7 * last[1]);  // ten columns are too nearly parallel for float32 to gain as much again
+  CHECK(last[2] < 0.7 * last[1]);  // ten columns are too nearly parallel for an equal gain in float32
 }
 
 TEST_CASE("Chebyshev with the true spectral radius shrinks errors as fast as its polynomial", "[gpu]") {
@@ -159,7 +159,7 @@ TEST_CASE("the spectral radius is found from the decay of the residual", "[gpu]"
   CHECK(chebyshev.spectral_radius() == 0);
 }
 
-TEST_CASE("of a diverging iteration Chebyshev makes little more than plain ones do", "[gpu]") {
+TEST_CASE("Chebyshev makes little more of a diverging iteration than plain iterations do", "[gpu]") {
   // Factors below -1 make plain iterations diverge, and accelerated ones far faster: T_p(1.3 / 0.99) / T_p(1 / 0.99) is
   // more than 1e6 times the 1.3^p of plain ones after 50. The safeguard ends a cycle when the residual has doubled;
   // four plain iterations come before each.

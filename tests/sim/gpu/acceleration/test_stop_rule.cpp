@@ -1,5 +1,4 @@
-// solver.tolerance: iterations end on the GPU, where the residual that the diagnostics report is small enough, and
-// nowhere else.
+// solver.tolerance: iterations end on the GPU exactly when the residual of the diagnostics is small enough.
 #include <algorithm>
 
 #include "sim/gpu/solver.h"
@@ -52,8 +51,8 @@ TEST_CASE("a tolerance ends the iterations at the first one that meets it", "[gp
   stopped.request_diagnostics();
   CHECK(stopped.take_diagnostics(true)->iterations == used);
 
-  // So many iterations without a tolerance come to the same state; one less does not meet it. A step that knows that
-  // few are left saves the last refresh: then only what the iterations after it gain differs.
+  // The same number of iterations without a tolerance gives the same state; one less does not meet it. A step with few
+  // remaining iterations omits the last refresh: then only the gain of the iterations after it differs.
   bool saved = false;
   for (int i = 0; i < used; ++i)
     saved |= StepMethod::refreshes_before(i, settings.iterations) && !StepMethod::refreshes_before(i, used);
@@ -85,7 +84,7 @@ TEST_CASE("a tolerance out of reach changes nothing", "[gpu]") {
   settings.tolerance = 1e-9;
   GpuSolver bound(gpu.programs, model, settings);
   for (GpuSolver* solver : {&free, &bound}) {
-    solver->set_grab(grip(model, 2));  // exact_xpbd takes no more with so few iterations
+    solver->set_grab(grip(model, 2));  // the limit of exact_xpbd with so few iterations
     for (int k = 0; k < 2; ++k) solver->step();
   }
   CAPTURE(name_of(pair.method), name_of(pair.acceleration));
@@ -123,7 +122,7 @@ TEST_CASE("a body at rest takes no iterations", "[gpu]") {
   CHECK(solver.mean_iterations() == 0);
   for (const Vector3d& u : solver.download().displacement) CHECK(u.norm() == 0);
 
-  // Set in motion it takes some again; let go of the tolerance, all.
+  // After an input it needs some again; without the tolerance, all.
   solver.set_grab(grip(model));
   solver.step();
   CHECK(solver.last_iterations() > 0);

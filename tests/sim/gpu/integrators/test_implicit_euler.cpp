@@ -1,5 +1,5 @@
-// The two passes of implicit Euler, alone, against the same in double precision on random states. Tolerances: one or a
-// few float32 operations per output, 6e-8 each.
+// The two passes of implicit Euler, alone, against double precision on random states. Tolerances: one or a few float32
+// operations per output, 6e-8 each.
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/integrators/implicit_euler.h"

@@ -1,5 +1,5 @@
-// Results against the exact step: how near the methods come, and in how many iterations. The errors are those of the
-// step alone, RMS |u - u_exact| over RMS |u_exact - u~|: 1 is the untouched prediction.
+// Results against the exact step: the accuracy of the methods, and the iterations to reach it. The errors are those of
+// the step alone, RMS |u - u_exact| over RMS |u_exact - u~|: 1 is the untouched prediction.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -25,7 +25,7 @@ Model clamped_beam(int nx, int ny, int nz, double young_modulus, double poisson_
                     [](const Vector3d& x) { return x.x() < 1e-9; });
 }
 
-// Bent, twisted and rough: far from where any of the methods would have left it.
+// Bent, twisted and rough: far from the result of any method.
 State disturbed(const Model& model, double spacing) {
   State state = random_state(model, 0.05 * spacing, 7);
   const std::vector<char> held = model.held();
@@ -81,7 +81,7 @@ struct Step {
 
 }  // namespace
 
-TEST_CASE("two levels reach a thousandth of a disturbed step in 20 iterations, whatever the stiffness", "[gpu]") {
+TEST_CASE("two levels reach a thousandth of a disturbed step in 20 iterations, for any stiffness", "[gpu]") {
   const double young_modulus = GENERATE(1e5, 1e6, 1e7, 1e9);
   const auto acceleration = GENERATE(Acceleration::nonlinear_cg, Acceleration::subspace);
   CAPTURE(young_modulus, name_of(acceleration));
@@ -96,10 +96,10 @@ TEST_CASE("two levels reach a thousandth of a disturbed step in 20 iterations, w
   CHECK(many < 2e-6);  // float32
 }
 
-TEST_CASE("what grabs hold is solved as fast as what is free", "[gpu]") {
+TEST_CASE("grabbed tissue is solved as fast as free tissue", "[gpu]") {
   Gpu gpu;
   const Model model = clamped_beam(24, 6, 6, 1e5);
-  std::vector<GrabSpring> springs;  // so stiff that the error is 4 percent where the coarse space does not know of them
+  std::vector<GrabSpring> springs;  // so stiff that the error is 4 percent if the coarse space ignores them
   for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
     if (model.rest_positions[v].x() > 0.9) springs.push_back({v, {0, 0.05, 0}, 1e4});
   const SolverSettings settings = with({Method::two_level, Acceleration::subspace}, 10);
@@ -116,7 +116,7 @@ TEST_CASE("what grabs hold is solved as fast as what is free", "[gpu]") {
 }
 
 TEST_CASE("every method with an exact fixed point reaches it, and more iterations do not leave it", "[gpu]") {
-  // The strain against the exact one: what acceleration on positions alone gets wrong.
+  // The strain relative to the exact one, which acceleration on positions alone gets wrong.
   struct Case {
     SolverChoice pair;
     int iterations;  // to 0.5 percent of the strain and far less
@@ -175,7 +175,7 @@ TEST_CASE("a body 100 m from the origin moves as one at the origin", "[gpu]") {
   const double difference = relative_rms(run(far), run(near));
   CAPTURE(difference);
   CHECK(difference <
-        1e-4);  // shapes of tets 0.08 m wide from positions near 100 m, in double; the rest never sees positions
+        1e-4);  // shapes of tets 0.08 m wide from positions near 100 m, in double; the rest never uses positions
 }
 
 TEST_CASE("gravity on a short step is not lost in rounding", "[gpu]") {
@@ -196,7 +196,7 @@ TEST_CASE("the dynamic reference case with the default settings", "[gpu]") {
   const Scene scene = open_scene(folder / "scene.json");
   const Model model = build_model(scene);
   const bool tight = GENERATE(false, true);
-  SolverSettings settings;  // the defaults: the case is about them
+  SolverSettings settings;  // the defaults, which this case tests
   settings.time_step = scene.solver.time_step;
   if (tight) {
     settings.tolerance = 1e-5;
@@ -211,7 +211,7 @@ TEST_CASE("the dynamic reference case with the default settings", "[gpu]") {
     for (std::size_t i = 0; i < exact.size(); ++i) exact[i] -= model.rest_positions[i];
     const double error = relative_rms(solver.download().displacement, exact);
     CAPTURE(tight, step, error);
-    CHECK(error < (step == 1 ? 1e-4 : 3e-5));  // from rest inertia's start knows nothing of gravity
+    CHECK(error < (step == 1 ? 1e-4 : 3e-5));  // at rest, the inertial start does not include gravity
   }
 }
 
@@ -227,7 +227,7 @@ TEST_CASE("static equilibria of the reference cases on the GPU with the default 
   const reference::NewtonReport report = march_to_equilibrium(solver, model, 1e-5, state);
   CHECK(!solver.buffers().displacement_low);
   std::vector<Vector3d> exact = read_complete_vertex_csv(folder / "reference.csv", model.rest_positions.size());
-  double error = 0, size = 0;  // over the vertices that something else decides than the scene
+  double error = 0, size = 0;  // over the vertices whose motion the scene does not prescribe
   const std::vector<char> held = model.held();
   for (std::size_t i = 0; i < exact.size(); ++i) {
     if (held[i]) continue;
@@ -242,7 +242,7 @@ TEST_CASE("static equilibria of the reference cases on the GPU with the default 
   CHECK(error < 1e-5);
 }
 
-TEST_CASE("a march to equilibrium that is cut short leaves settings and grabs as they were", "[gpu]") {
+TEST_CASE("a march to equilibrium that is stopped early restores settings and grabs", "[gpu]") {
   Gpu gpu;
   const Model model =
       make_model(make_box(6, 2, 2, {0.3, 0.1, 0.1}), {1e5, 0.3, 1000}, [](const Vector3d& x) { return x.x() < 1e-9; });

@@ -1,5 +1,5 @@
-// The passes of the two-level method against the same iteration in double precision, on large rotations, where float32
-// and frozen rotations would show first.
+// The passes of the two-level method against the same iteration in double precision, on large rotations, where errors
+// of float32 and of frozen rotations are largest.
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/methods/two_level.h"
@@ -21,7 +21,7 @@ constexpr MaterialModel kPlain = MaterialModel::st_venant_kirchhoff,
                         kStable = MaterialModel::stable_neo_hookean, kNeoHookean = MaterialModel::neo_hookean,
                         kMooneyRivlin = MaterialModel::mooney_rivlin;
 
-// A beam of two materials, bent far, with random strains on top.
+// A strongly bent beam of two materials, with additional random strains.
 Model beam(MaterialModel soft = kPlain, MaterialModel stiff = kPlain) {
   Model model = make_model(make_box(16, 4, 4, {0.4, 0.1, 0.1}), {1e5, 0.35, 1000, 0, soft},
                            [](const Vector3d& x) { return x.x() < 1e-9; });
@@ -54,7 +54,7 @@ void run(const Passes& passes) {
   for (const gl::ComputePass& pass : passes) pass.run();
 }
 
-// Everything that a step has before its first iteration.
+// The data that a step has before its first iteration.
 struct Step {
   explicit Step(gl::LoadPath loads, Acceleration acceleration, MaterialModel soft = kPlain,
                 MaterialModel stiff = kPlain, double noise = 0)
@@ -86,7 +86,7 @@ TEST_CASE("the gradient of a step and its objective", "[gpu]") {
       std::pair(kPlain, kPlain), std::pair(kSigned, kSigned), std::pair(kStable, kStable), std::pair(kSigned, kStable),
       std::pair(kPlain, kSigned), std::pair(kNeoHookean, kNeoHookean), std::pair(kMooneyRivlin, kMooneyRivlin),
       std::pair(kNeoHookean, kStable), std::pair(kMooneyRivlin, kPlain));
-  const double noise = GENERATE(0.0, 0.03);  // [m] the larger one turns tets inside out
+  const double noise = GENERATE(0.0, 0.03);  // [m] the larger one inverts tets
   CAPTURE(name_of(soft), name_of(stiff), noise);
   Step s(GENERATE(gl::LoadPath::texel, gl::LoadPath::storage), Acceleration::none, soft, stiff, noise);
   if (s.features.models.contains(MaterialModel::signed_st_venant_kirchhoff))
@@ -114,7 +114,7 @@ TEST_CASE("steps within the span of the corrections and the last step", "[gpu]")
   method.complete();
   exact.begin(flat(s.buffers.previous_displacement, s.buffers.vertex_count));
   run(method.begin(s.recording));
-  CHECK((s.displacement() - start).norm() <= 1e-6 * start.norm());  // there again
+  CHECK((s.displacement() - start).norm() <= 1e-6 * start.norm());  // back at the start
   run(method.refresh(s.recording));
   for (const int iteration : {0, 1, 2}) {
     run(method.gradient()->passes(s.recording));
@@ -126,7 +126,7 @@ TEST_CASE("steps within the span of the corrections and the last step", "[gpu]")
   }
 }
 
-TEST_CASE("tets that are deferred take part in a step like those that are not", "[gpu]") {
+TEST_CASE("deferred tets take part in a step like the others", "[gpu]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   const MaterialModel stiff = GENERATE(kSigned, kPlain);
   Step at_once(loads, Acceleration::subspace, kSigned, stiff, 0.03),
@@ -135,7 +135,7 @@ TEST_CASE("tets that are deferred take part in a step like those that are not", 
   const auto iterate = [](Step& s, DeferredTets* deferred) {
     TwoLevelMethod method(s.gpu.programs, s.model, s.buffers, s.settings);
     method.complete();
-    Recording blocks = s.recording;  // whose blocks are exact in both
+    Recording blocks = s.recording;  // its blocks are exact in both
     s.recording.deferred = deferred;
     method.prepare(s.recording);
     run(method.begin(s.recording));
@@ -156,7 +156,7 @@ TEST_CASE("tets that are deferred take part in a step like those that are not", 
   CHECK(difference < 1e-4);
 }
 
-TEST_CASE("Anderson's direction beside the correction: the same first step, a lower objective after some", "[gpu]") {
+TEST_CASE("Anderson's direction beside the correction: the same first step, then a lower objective", "[gpu]") {
   Step s(GENERATE(gl::LoadPath::texel, gl::LoadPath::storage), Acceleration::anderson);
   const VectorXd start = s.displacement();
   DoubleTwoLevel exact(s.model, s.settings.substep(), start, flat(s.buffers.predicted, s.buffers.vertex_count));

@@ -1,4 +1,4 @@
-// Vertex block descent with tets that need a guard: their vertices wait for the end of their color.
+// Vertex block descent with tets that need a guard: their vertices are deferred to the end of their color.
 #include "sim/gpu/methods/vertex_descent.h"
 
 #include <catch2/catch.hpp>
@@ -21,12 +21,12 @@ Model beam(MaterialModel material) {
 
 }  // namespace
 
-TEST_CASE("vertices that are deferred move as they do in place", "[gpu]") {
+TEST_CASE("deferred vertices move as they do in place", "[gpu]") {
   Gpu gpu(GENERATE(gl::LoadPath::texel, gl::LoadPath::storage));
   const Model model = beam(MaterialModel::signed_st_venant_kirchhoff);
   SolverSettings settings;
   settings.method = Method::vertex_descent;
-  const double amplitude = GENERATE(0.0, 0.004, 0.02);  // [m] the last turns many tets inside out
+  const double amplitude = GENERATE(0.0, 0.004, 0.02);  // [m] the last one inverts many tets
   const State state = random_state(model, amplitude, 5);
   const VertexColoring coloring = color_vertices(model.tets, model.held());
   const auto colors = static_cast<std::uint32_t>(coloring.color_count()),
@@ -58,13 +58,13 @@ TEST_CASE("vertices that are deferred move as they do in place", "[gpu]") {
   CHECK((most > 0) == (amplitude > 0.01));
 }
 
-TEST_CASE("a change of method makes room for what the new one defers", "[gpu]") {
+TEST_CASE("a change of method allocates memory for the pairs that the new one defers", "[gpu]") {
   Gpu gpu;
   const Model model = beam(MaterialModel::signed_st_venant_kirchhoff);
   SolverSettings settings;
   GpuSolver solver(gpu.programs, model, settings);
   CHECK(gl::bytes_by_buffer().at("deferred_items") == 4 * (4 + solver.buffers().pair_and_single_count()));
-  const Model in_place = placed(model, mesh_order_of(model));  // as the solver colors it
+  const Model in_place = placed(model, mesh_order_of(model));  // in the solver's order
   const VertexColoring coloring = color_vertices(in_place.tets, in_place.held());
   settings.method = Method::vertex_descent;
   settings.acceleration = Acceleration::none;

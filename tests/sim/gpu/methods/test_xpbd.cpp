@@ -2,8 +2,7 @@
 //
 // Tolerances: float32 carries 6e-8 relative. The strain of a state with displacement gradients of 0.1 to 0.3 is known
 // to about 1e-7 relative; the 6x6 system's condition number (about 1 / (1 - 2 nu), times the spread of the tet's shape,
-// some tens) amplifies that to a few 1e-6. A whole step feeds 20 iterations with such errors, which the iteration
-// itself damps.
+// some tens) amplifies that to a few 1e-6. A whole step has such errors in 20 iterations, which damp them.
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/methods/jacobi.h"
@@ -24,7 +23,7 @@ Model beam(const Material& material) {
   return make_model(make_box(6, 3, 2, {0.2, 0.1, 0.07}), material, [](const Vector3d& x) { return x.x() < 1e-9; });
 }
 
-// Of every tet, where its pair leaves what each vertex gets.
+// For every tet, the slots in which its pair stores the values for each vertex.
 std::vector<std::map<std::uint32_t, std::uint32_t>> slots_of_corners(const SimBuffers& buffers) {
   const auto tets = buffers.tet_vertices.read<Tet>();
   const auto slots = buffers.pair_slots.read<Tet>();
@@ -49,7 +48,7 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
   const double young = GENERATE(1e3, 1e9);
   CAPTURE(gl::name_of(loads), nu, damping, young);
   Gpu gpu(loads);
-  // Random displacements that leave tets upright, and some that turn many of them inside out.
+  // Random displacements that leave tets upright, and some that invert many of them.
   const auto [material_model, amplitude] = GENERATE(std::pair(MaterialModel::st_venant_kirchhoff, 0.004),
                                                     std::pair(MaterialModel::signed_st_venant_kirchhoff, 0.03));
   CAPTURE(name_of(material_model));
@@ -65,7 +64,8 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
   gl::Buffer previous_strain("previous_strain", 2 * sizeof(vec4) * buffers.tet_count);
   const JacobiMethod method(buffers, split);
   const EnergyTerms no_terms{};
-  // predict puts the inverse masses beside the displacements and moves the vertices; compare from where it ends.
+  // predict stores the inverse masses with the displacements and moves the vertices; the comparison starts from its
+  // result.
   prediction(gpu.programs, buffers, split ? &buffers.tet_begin : nullptr).run();
   if (features.damping)
     gl::ComputePass(
@@ -118,7 +118,7 @@ namespace {
 
 Model twisted_beam(double damping) {
   Model model = beam({3e4, 0.4, 900, damping, MaterialModel::st_venant_kirchhoff});
-  // A second material, so that the per-tet lookup is part of the comparison.
+  // A second material, so that the comparison includes the per-tet lookup.
   model.materials.push_back({2e5, 0.2, 1500, 0, MaterialModel::st_venant_kirchhoff});
   for (std::size_t t = 0; t < model.tets.size(); t += 3) model.tet_material[t] = 1;
   Motion motion;
@@ -193,8 +193,8 @@ TEST_CASE("accelerated steps equal the double-precision method", "[gpu]") {
   for (int step = 0; step < 3; ++step) unaccelerated.step(plain_state);
   const double effect = relative_rms(plain_state.displacement, state.displacement);
   CAPTURE(error, effect);
-  // Extrapolation multiplies rounding: weights solve a system of condition up to 1e6 (regularization), so digits of the
-  // weights are lost, but only in directions that hardly change the result.
+  // Extrapolation amplifies rounding: weights solve a system of condition up to 1e6 (regularization), so they lose
+  // digits, but only in directions that hardly change the result.
   CHECK(error < 1e-4);
-  CHECK(effect > 30 * error);  // the acceleration does something, and this comparison sees it
+  CHECK(effect > 30 * error);  // the acceleration has an effect, and this comparison detects it
 }

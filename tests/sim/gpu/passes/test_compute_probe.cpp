@@ -1,4 +1,4 @@
-// Devices that accept every call and do not compute, or return garbage, are named as such.
+// Devices that accept every call without computing, or return garbage, are reported as such.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -14,7 +14,7 @@ using namespace fascia::test;
 
 namespace {
 
-// Another function in the place of one of OpenGL's, until the end of the scope.
+// Replaces one of OpenGL's functions until the end of the scope.
 template <class F>
 class Replaced {
  public:
@@ -42,7 +42,7 @@ std::string message_of(const std::function<void()>& action) {
 
 }  // namespace
 
-TEST_CASE("a driver that discards dispatches is told before the first step", "[gpu]") {
+TEST_CASE("a driver that discards dispatches is reported before the first step", "[gpu]") {
   Gpu gpu(GENERATE(gl::LoadPath::texel, gl::LoadPath::storage));
   const Model model = hanging_box();
   const Replaced replaced(gl::DispatchCompute, decltype(gl::DispatchCompute)([](GLuint, GLuint, GLuint) {}));
@@ -52,7 +52,7 @@ TEST_CASE("a driver that discards dispatches is told before the first step", "[g
   CHECK(message.find("a kernel that ran left nothing") != std::string::npos);
 }
 
-TEST_CASE("a driver that returns garbage is told before the first step, and no number of it becomes an index",
+TEST_CASE("a driver that returns garbage is reported before the first step, and none of its numbers becomes an index",
           "[gpu]") {
   static GLubyte garbage;
   garbage = GENERATE(as<GLubyte>{}, 0x00, 0x5a, 0xff);
@@ -85,7 +85,7 @@ TEST_CASE("a driver that returns garbage is told before the first step, and no n
   }
 }
 
-TEST_CASE("what no device that computes leaves of a start", "[gpu]") {
+TEST_CASE("results that no working device returns for a start", "[gpu]") {
   Gpu gpu;
   const Model model = hanging_box();
   State state = initial_state(model);

@@ -1,4 +1,4 @@
-// What kernels are told of the external energies: the sum of those that act, and nothing of the others.
+// The external energies in kernels: the sum of those that act, and no code for the others.
 #include <catch2/catch.hpp>
 
 #include <map>
@@ -27,7 +27,7 @@ class Term : public EnergyTerm {
 
 }  // namespace
 
-TEST_CASE("kernels add up the external energies that act") {
+TEST_CASE("kernels sum the external energies that act") {
   const Term first("first", {{3, 10}}), idle("idle", {}), second("second", {{3, 5}, {4, 7}});
   gl::ComputePass::Bindings bindings;
   const gl::Defines list = with_energy_terms({{"OTHER", "2"}}, bindings, {&first, &idle, &second});
@@ -47,7 +47,7 @@ TEST_CASE("kernels add up the external energies that act") {
   CHECK(stiffness_of({&first, &idle, &second}) == std::vector<VertexStiffness>{{3, 10}, {3, 5}, {4, 7}});
 }
 
-TEST_CASE("kernels without external energies are told so, and get no buffer") {
+TEST_CASE("kernels without external energies have no code and no buffer for them") {
   const Term idle("idle", {});
   gl::ComputePass::Bindings bindings;
   const gl::Defines list = with_energy_terms({}, bindings, {&idle});

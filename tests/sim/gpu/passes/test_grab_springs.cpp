@@ -1,4 +1,4 @@
-// Springs of grabs: where they lie, how they pull.
+// Springs of grabs: storage and forces.
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/solver.h"
@@ -44,7 +44,7 @@ TEST_CASE("a grab spring alone obeys implicit Euler", "[gpu]") {
   CHECK(solver.take_diagnostics(true)->grab_force.norm() == 0);
 }
 
-TEST_CASE("springs lie at their vertices, however far these are from each other, and are gone after them", "[gpu]") {
+TEST_CASE("springs are stored at their vertices, however far apart these are, and removed afterwards", "[gpu]") {
   Gpu gpu;
   const Model model = make_model(make_box(19, 12, 11, {0.19, 0.12, 0.11}), soft,
                                  [](const Vector3d& x) { return x.y() < 1e-9; });  // 3,120 vertices

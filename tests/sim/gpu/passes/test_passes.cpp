@@ -65,7 +65,7 @@ TEST_CASE("published positions and heat map scalars", "[gpu]") {
   solver.set_color(color);
   solver.publish();
   const std::vector<vec4> got = solver.positions().read<vec4>();
-  // Of each tet, in double precision.
+  // For each tet, in double precision.
   const auto value_of = [&](const Tet& tet) {
     const auto& x = model.rest_positions;
     const auto& u = state.displacement;
@@ -82,7 +82,7 @@ TEST_CASE("published positions and heat map scalars", "[gpu]") {
     return color == ColorBy::largest_stress ? principal[2] : principal[0];
   };
   std::vector<double> weight(got.size(), 0), scalar(got.size(), 0);
-  double size = 0;  // of the values, for those that nearly cancel
+  double size = 0;  // of the values, as the scale for those that nearly cancel
   for (const Tet& tet : model.tets) {
     const auto& x = model.rest_positions;
     const double volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6, value = value_of(tet);
@@ -115,8 +115,8 @@ TEST_CASE("published positions and heat map scalars", "[gpu]") {
   CHECK(!solver.shown_range()->take(true));
 }
 
-TEST_CASE("principal stresses keep their digits where two are equal", "[gpu]") {
-  // One tet stretched along an axis that is none of the coordinates': uniaxial strain, two equal smaller stresses.
+TEST_CASE("principal stresses stay accurate where two are equal", "[gpu]") {
+  // One tet stretched along an axis that is not a coordinate axis: uniaxial strain, two equal smaller stresses.
   Gpu gpu;
   TetMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

@@ -53,7 +53,7 @@ struct Random {
   Matrix3d stretched(const Vector3d& s) { return rotation() * s.asDiagonal() * rotation(); }
 };
 
-// The matrices of one kind; what deformation gradients look like where something went wrong, and where all is well.
+// The matrices of one kind: deformation gradients of failed and of regular states.
 const std::vector<std::pair<const char*, std::function<Matrix3d(Random&)>>> kKinds = {
     {"any entries", [](Random& r) { return r.any(); }},
     {"any size", [](Random& r) -> Matrix3d { return std::pow(10.0, r.uniform(-12, 12)) * r.any(); }},
@@ -114,7 +114,7 @@ TEST_CASE("signed singular values on the GPU, of three million matrices", "[gpu]
     std::vector<vec4> columns;
     std::vector<Matrix3d> matrices;
     for (std::uint32_t i = 0; i < kBatch; ++i) {
-      const Matrix3d m = make(random).cast<float>().cast<double>();  // what the GPU sees
+      const Matrix3d m = make(random).cast<float>().cast<double>();  // the input of the GPU
       matrices.push_back(m);
       for (int k = 0; k < 3; ++k) columns.push_back(to_vec4(m.col(k)));
     }
@@ -122,7 +122,7 @@ TEST_CASE("signed singular values on the GPU, of three million matrices", "[gpu]
     pass.run();
     const std::vector<vec4> factors = output.read<vec4>();
     double worst_product = 0, worst_rotation = 0,
-           worst_value = 0;  // relative to the largest singular value; of the rotations absolute
+           worst_value = 0;  // relative to the largest singular value; for the rotations absolute
     std::uint32_t wrong_order = 0, wrong_sign = 0;
     for (std::uint32_t i = 0; i < kBatch; ++i) {
       Matrix3d u, v;
@@ -147,7 +147,7 @@ TEST_CASE("signed singular values on the GPU, of three million matrices", "[gpu]
       worst_value = value <= worst_value ? worst_value : value;
       const double slack = 2e-6 * size;
       wrong_order += !(s[0] >= s[1] - slack && s[1] >= std::abs(s[2]) - slack);
-      // The sign of a volume that is nothing but rounding says nothing.
+      // The sign of a volume that is only rounding is arbitrary.
       wrong_sign += std::abs(f.determinant()) > 1e-5 * size * size * size && (f.determinant() > 0) != (s[2] > 0);
     }
     CAPTURE(kind, worst_product, worst_rotation, worst_value, wrong_order, wrong_sign);

@@ -1,4 +1,4 @@
-// Where pairs of tets leave what vertices gather.
+// The slots in which pairs of tets store values that vertices gather.
 #include <Eigen/LU>
 #include <bit>
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@ Model beam() {
                     [](const Vector3d& x) { return x.x() < 1e-9; });
 }
 
-// Every corner has a slot of its own, among those of its vertex. Returns the number of slots.
+// Checks that every corner has its own slot among those of its vertex. Returns the number of slots.
 std::size_t check_slots(const SimBuffers& buffers) {
   const auto tets = buffers.tet_vertices.read<Tet>(), slots = buffers.pair_slots.read<Tet>();
   const auto fifth = buffers.pair_fifth.read<Tet>();
@@ -58,10 +58,10 @@ TEST_CASE("pairs of tets have five slots, one at each corner's vertex", "[gpu]")
   CHECK(check_slots(buffers) == 5 * model.tets.size() / 2);
 }
 
-TEST_CASE("a second tet's shape functions are made from the first one's, beside slivers, too", "[gpu]") {
+TEST_CASE("a second tet's shape functions are computed from the first one's, even beside slivers", "[gpu]") {
   Gpu gpu;
   TetMesh mesh = make_box(5, 3, 3, {0.25, 0.1, 0.1});
-  // Inner vertices nearly into a face of a tet around them: heights of a thousandth.
+  // Moves inner vertices nearly into a face of a tet around them: heights of a thousandth.
   std::size_t flat = 0;
   for (std::size_t t = 0; t < mesh.tets.size(); t += 23) {
     const Tet& tet = mesh.tets[t];

@@ -1,4 +1,4 @@
-// What the solver tells of a state, against the same sums in double precision.
+// The solver's diagnostics of a state, against the same sums in double precision.
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/solver.h"
@@ -35,7 +35,7 @@ TEST_CASE("diagnostics equal the reference measures", "[gpu]") {
   };
   CHECK(got->kinetic == Approx(expected.kinetic).epsilon(2e-6));
   CHECK(got->elastic == Approx(expected.elastic).epsilon(5e-6));
-  // A sum of both signs: the rounding is that of its largest terms.
+  // A sum of terms of both signs: the rounding is that of its largest terms.
   double weights = 0;
   const std::vector<double> mass = lumped_masses(model);
   for (std::size_t v = 0; v < mass.size(); ++v) weights += std::abs(mass[v] * model.gravity.dot(state.displacement[v]));
@@ -75,7 +75,7 @@ TEST_CASE("diagnostics equal the reference measures", "[gpu]") {
 TEST_CASE("the residual is zero for the exact implicit Euler step and one for the untouched prediction", "[gpu]") {
   Gpu gpu;
   Model model = block();
-  model.gravity.setZero();  // a load would count in the scale
+  model.gravity.setZero();  // a load would affect the scale
   const SolverSettings settings;
   reference::NewtonSolver newton(model, settings);
   State state = random_state(model, 0.002, 12);
@@ -85,7 +85,7 @@ TEST_CASE("the residual is zero for the exact implicit Euler step and one for th
   GpuSolver solver(gpu.programs, model, settings);
   const SimBuffers& buffers = solver.buffers();
   const auto residual_with = [&](const std::vector<Vector3d>& displacement) {
-    // A step leaves the prediction of `before` in the buffers; then the displacement is put in place of its result.
+    // A step leaves the prediction of `before` in the buffers; then the displacement replaces its result.
     solver.upload(before);
     solver.step();
     State replaced = before;
@@ -101,7 +101,7 @@ TEST_CASE("the residual is zero for the exact implicit Euler step and one for th
   CHECK(prediction == Approx(1.0).epsilon(1e-5));
 }
 
-TEST_CASE("diagnostics leave no pair of tets and no vertex out, however many there are", "[gpu]") {
+TEST_CASE("diagnostics include all pairs of tets and all vertices, for any number of them", "[gpu]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   Gpu gpu(loads);
   for (const auto& [x, y, z] : {std::tuple(11, 8, 6), {12, 7, 5}, {12, 9, 7}, {17, 8, 8}}) {
@@ -132,9 +132,9 @@ TEST_CASE("diagnostics leave no pair of tets and no vertex out, however many the
   }
 }
 
-TEST_CASE("tets that are left out of the solve count among the volume ratios, as they are at rest", "[gpu]") {
+TEST_CASE("tets that are left out of the solve are included in the volume ratios, at their rest shape", "[gpu]") {
   Gpu gpu;
-  const double held_up_to = GENERATE(0.05, 1.0);  // m: of tets one layer or all
+  const double held_up_to = GENERATE(0.05, 1.0);  // m: leaves out one layer of tets or all
   Model model =
       make_model(make_box(5, 4, 3, {0.1, 0.08, 0.06}), soft, [&](const Vector3d& x) { return x.y() < held_up_to; });
   State state = initial_state(model);

@@ -1,4 +1,4 @@
-// The watch over the state: what it calls lost, and what it goes back to.
+// The state guard: the states that count as diverged, and the state that it restores.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -21,7 +21,7 @@ std::optional<std::uint32_t> diverged(GpuSolver& solver) {
   return verdict->diverged;
 }
 
-// The bar with one vertex somewhere else.
+// The bar with one vertex at another place.
 State with_vertex(const Model& model, std::uint32_t vertex, const Vector3d& displacement) {
   State state = initial_state(model);
   state.displacement[vertex] = displacement;
@@ -32,7 +32,7 @@ constexpr std::uint32_t kVertex = 70;
 
 }  // namespace
 
-TEST_CASE("a vertex that is not finite is noted, the first of them by its index", "[gpu]") {
+TEST_CASE("the first vertex that is not finite, by its index, is recorded", "[gpu]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   const double value = GENERATE(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity());
   Gpu gpu(loads);
@@ -49,7 +49,7 @@ TEST_CASE("a vertex that is not finite is noted, the first of them by its index"
   CHECK(model.held()[*lost] == 0);
 }
 
-TEST_CASE("a free fall of any length and a fast start are no reason to worry", "[gpu]") {
+TEST_CASE("a free fall of any length and a fast start do not count as divergence", "[gpu]") {
   Gpu gpu;
   Model model = free_bar();
   model.gravity = {0, -9.81, 0};
@@ -60,7 +60,7 @@ TEST_CASE("a free fall of any length and a fast start are no reason to worry", "
   CHECK(diverged(solver) == std::nullopt);
 }
 
-TEST_CASE("the watch measures the way since the last look, the speed and the displacement", "[gpu]") {
+TEST_CASE("the guard measures the displacement since the last check, the speed and the total displacement", "[gpu]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   Gpu gpu(loads);
   const Model model = free_bar();
@@ -79,17 +79,17 @@ TEST_CASE("the watch measures the way since the last look, the speed and the dis
   CHECK(verdict->movement.displacement == Approx(std::hypot(0.3, 0.06)).epsilon(1e-4));
 }
 
-TEST_CASE("a vertex that its forces throw out of the scene is noted", "[gpu]") {
+TEST_CASE("a vertex that its forces throw out of the scene is recorded", "[gpu]") {
   Gpu gpu;
   const Model model = bar();
   GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::jacobi, Acceleration::none}));
-  // 1000 sizes away: the way back is as long.
+  // 1000 sizes away: the distance back is as long.
   solver.upload(with_vertex(model, kVertex, Vector3d(0, 200, 0)));
   for (int i = 0; i < 3; ++i) solver.step();
   CHECK(diverged(solver));
 }
 
-TEST_CASE("back to the last sound state, to the bit, and on as if nothing had happened", "[gpu]") {
+TEST_CASE("the last valid state is restored to the bit, and the simulation continues as before", "[gpu]") {
   Gpu gpu;
   const Model model = bar();
   GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::two_level, Acceleration::nonlinear_cg}));
@@ -114,7 +114,7 @@ TEST_CASE("back to the last sound state, to the bit, and on as if nothing had ha
   CHECK(solver.download().velocity == next.velocity);
 }
 
-TEST_CASE("what was uploaded is sound until steps say otherwise", "[gpu]") {
+TEST_CASE("an uploaded state counts as valid until steps show otherwise", "[gpu]") {
   Gpu gpu;
   const Model model = bar();
   GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::two_level, Acceleration::nonlinear_cg}));

@@ -1,5 +1,5 @@
-// Files written by Gmsh, VTK and TetGen themselves (tests/data/meshes), against what is known of the bodies
-// in them.
+// Files written by Gmsh, VTK and TetGen themselves (tests/data/meshes), against the known properties of the bodies in
+// them.
 #include <catch2/catch.hpp>
 #include <map>
 
@@ -54,8 +54,8 @@ TEST_CASE("two boxes as Gmsh and VTK write them", "[mesh_io]") {
   CHECK(mesh.tets.size() == 48);
   CHECK(file.ignored.triangles == expected.triangles);
 
-  // The boxes have flat faces through representable corners; vertices inside are rounded to float32 at worst,
-  // and moving an inner vertex does not change the sum of volumes.
+  // The boxes have flat faces through representable corners; vertices inside are rounded to float32 at worst, and
+  // moving an inner vertex does not change the sum of volumes.
   auto volumes = volume_of_regions(mesh);
   CHECK(volumes.size() == 2);
   CHECK(volumes[expected.left] == Approx(1).epsilon(1e-6));

@@ -1,4 +1,4 @@
-// Every format and flavour, read and written; and what is the same for all of them when a file is bad.
+// Every format and variant, read and written; and the common handling of bad files.
 #include "sim/mesh/io/mesh_io.h"
 
 #include <catch2/catch.hpp>
@@ -21,7 +21,7 @@ bool mentions(const std::vector<std::string>& notes, const std::string& text) {
   return false;
 }
 
-/// From memory where one file is enough: the file system would take most of the time of these tests.
+/// From memory if one file is enough: the file system would take most of the time of these tests.
 MeshFile read(const TemporaryFolder& folder, const MeshSample& sample) {
   if (!sample.node_content.empty()) return read_mesh(write_sample(folder, sample));
   return read_mesh_content(folder / sample.file, sample.content);
@@ -29,7 +29,7 @@ MeshFile read(const TemporaryFolder& folder, const MeshSample& sample) {
 
 }  // namespace
 
-TEST_CASE("every format and flavour gives the same mesh", "[mesh_io]") {
+TEST_CASE("every format and variant gives the same mesh", "[mesh_io]") {
   const TemporaryFolder folder;
   for (const MeshSample& sample : all_samples()) {
     INFO(sample.file << ", " << sample.format);
@@ -44,10 +44,10 @@ TEST_CASE("every format and flavour gives the same mesh", "[mesh_io]") {
   }
 }
 
-TEST_CASE("the format is found in the content, whatever the ending", "[mesh_io]") {
+TEST_CASE("the format is detected from the content, for any extension", "[mesh_io]") {
   const TemporaryFolder folder;
   for (MeshSample sample : all_samples()) {
-    if (!sample.node_content.empty()) continue;  // two files need their names
+    if (!sample.node_content.empty()) continue;  // the names of the two files matter
     INFO(sample.file);
     for (const std::string ending : {".dat", ".msh", ".node", ""}) {
       sample.file = "mesh" + ending;
@@ -68,7 +68,7 @@ TEST_CASE("TetGen files may begin with a byte order mark", "[mesh_io]") {
   }
 }
 
-TEST_CASE("writing and reading back keeps what the format can hold", "[mesh_io]") {
+TEST_CASE("writing and reading back keeps everything that the format supports", "[mesh_io]") {
   const TemporaryFolder folder;
   TetMesh mesh = sample_mesh();
   mesh.positions[5] = {1.0 / 3, -2.2250738585072014e-308, 1.7976931348623157e308};  // digits, tiny, huge
@@ -88,7 +88,7 @@ TEST_CASE("writing and reading back keeps what the format can hold", "[mesh_io]"
   }
 }
 
-TEST_CASE("writing works without regions, and refuses what a format cannot hold", "[mesh_io]") {
+TEST_CASE("writing works without regions, and refuses what a format does not support", "[mesh_io]") {
   const TemporaryFolder folder;
   TetMesh mesh = sample_mesh();
   mesh.regions.clear();
@@ -134,7 +134,7 @@ TEST_CASE("writing works without regions, and refuses what a format cannot hold"
         prefix + "c.msh: name 'two \"words\"' has a quote or a line break; expected none in a .msh file");
 }
 
-TEST_CASE("what is no mesh is refused in one line", "[mesh_io]") {
+TEST_CASE("a file that is no mesh is refused in one line", "[mesh_io]") {
   const std::string formats =
       "; expected Gmsh .msh, VTK .vtk or .vtu, TetGen .node/.ele or Medit .mesh with tetrahedra";
   const std::string filler =
@@ -156,9 +156,8 @@ TEST_CASE("what is no mesh is refused in one line", "[mesh_io]") {
   CHECK_THROWS_WITH(read_mesh("/dev/zero"), "/dev/zero: is a device; expected a file");
 }
 
-// A file cut anywhere is either refused or read as the whole mesh where only what follows the mesh is missing
-// (of VTK files that may be the regions). Where a number at the end may be cut without a trace, a note says
-// so.
+// A file cut at any byte is either refused, or read as the whole mesh if only data after the mesh is missing (in VTK
+// files that may be the regions). If a number at the end may be truncated unnoticed, a note says so.
 TEST_CASE("a file truncated at any byte never crashes, never hangs, never gives another mesh", "[mesh_io]") {
   const TemporaryFolder folder;
   for (const MeshSample& sample : all_samples()) {
@@ -221,7 +220,7 @@ TEST_CASE("no wrong byte crashes a reader or makes it hang", "[mesh_io]") {
   }
 }
 
-TEST_CASE("what a format cannot hold of the names is said", "[mesh_io]") {
+TEST_CASE("names that a format cannot store are reported", "[mesh_io]") {
   TetMesh mesh = sample_mesh();
   mesh.region_names = {{3, "left part"}};
   mesh.groups = region_groups(mesh);

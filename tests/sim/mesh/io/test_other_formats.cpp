@@ -1,4 +1,4 @@
-// TetGen and Medit: their own liberties and mistakes.
+// TetGen and Medit: their specific freedoms and errors.
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -63,7 +63,7 @@ TEST_CASE("TetGen: bad files", "[mesh_io]") {
         "m.ele: holds no tets (5 vertices, 0 lines, 0 triangles, 0 other cells); expected at least one");
 }
 
-TEST_CASE("TetGen: an attribute that is no whole number gives no regions, and a note", "[mesh_io]") {
+TEST_CASE("TetGen: an attribute that is not a whole number gives no regions, and a note", "[mesh_io]") {
   const TemporaryFolder folder;
   const MeshFile file =
       read_mesh(write_sample(folder, {"", "m.ele", replaced(ele, "5 9", "5 9.5"), Keeps::tets, node}));

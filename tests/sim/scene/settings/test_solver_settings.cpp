@@ -1,4 +1,4 @@
-// The table of settings, and the pairs of method and acceleration.
+// The table of settings, and the solver choices.
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -6,7 +6,7 @@
 
 using namespace fascia;
 
-TEST_CASE("every default lies in its range and every setting has a help text") {
+TEST_CASE("every default is in its range and every setting has a help text") {
   SolverSettings settings;
   int count = 0;
   visit_settings(settings, [&](auto& field, const char* name, const char*, auto min, auto max, bool logarithmic,
@@ -29,7 +29,7 @@ TEST_CASE("a substep is an equal part of the step") {
   CHECK(settings.substep() == 0.125);
 }
 
-TEST_CASE("a legal pair is found by its names, the best one by one of them or none") {
+TEST_CASE("a valid solver choice is found by its names, the best one by one name or none") {
   REQUIRE(!solver_choices().empty());
   CHECK(find_choice({}, {}) == solver_choices().front());
   std::set<std::pair<std::string, std::string>> seen;

@@ -1,5 +1,4 @@
-// What only Gmsh files can have: several groups for one entity, elements of higher order, and their own
-// mistakes.
+// Features of Gmsh files only: several groups for one entity, elements of higher order, and their specific errors.
 #include <catch2/catch.hpp>
 
 #include "sim/mesh/io/formats.h"
@@ -61,7 +60,7 @@ TEST_CASE("Gmsh: elements of higher order keep their corners", "[mesh_io]") {
   CHECK(file.ignored.others == 1);
 }
 
-TEST_CASE("Gmsh: sections that say nothing of the mesh are passed over, wherever they stand", "[mesh_io]") {
+TEST_CASE("Gmsh: sections that are not about the mesh are skipped, wherever they are", "[mesh_io]") {
   for (const std::string file : {"v1.msh", "v2.msh", "v2_little.msh", "v4.msh", "v4_big.msh"}) {
     INFO(file);
     const std::string before = "$Comments\nmade by $grab\n$EndComments\n$POS\n1 2 3\n$ENDPOS\n";

@@ -1,5 +1,5 @@
-// Gmsh files as other programs write them: sections that no mesh needs, more numbers than belong to an entity, tags
-// without a line end, tags that are missing.
+// Gmsh files as other programs write them: unneeded sections, extra numbers in an entity, tags without a line break,
+// missing tags.
 #include <catch2/catch.hpp>
 #include <cstdio>
 
@@ -59,8 +59,7 @@ double number_of(std::string bytes, bool big_endian) {
 
 }  // namespace
 
-TEST_CASE("Gmsh: data of nodes and elements is passed over, whether a line end stands before its end tag or not",
-          "[mesh_io]") {
+TEST_CASE("Gmsh: data of nodes and elements is skipped, with or without a line break before its end tag", "[mesh_io]") {
   for (const auto& [file, big_endian] : {std::pair("v2_little.msh", false),
                                          {"v2_big.msh", true},
                                          {"v4_little.msh", false},
@@ -78,7 +77,7 @@ TEST_CASE("Gmsh: data of nodes and elements is passed over, whether a line end s
   }
 }
 
-TEST_CASE("Gmsh: numbers that look like a tag end no section", "[mesh_io]") {
+TEST_CASE("Gmsh: numbers that look like a tag do not end a section", "[mesh_io]") {
   for (const auto& [file, big_endian] : {std::pair("v2_little.msh", false), {"v2_big.msh", true}}) {
     // Each entry: number 1 or 2, two doubles whose bytes are "$EndNode" and "Data\n$No".
     Bytes data(big_endian);
@@ -93,7 +92,7 @@ TEST_CASE("Gmsh: numbers that look like a tag end no section", "[mesh_io]") {
   }
 }
 
-TEST_CASE("Gmsh: counts of a section that is passed over need not be right", "[mesh_io]") {
+TEST_CASE("Gmsh: counts of a skipped section need not be correct", "[mesh_io]") {
   for (const auto& [components, entries] : {std::pair(2, 1000000000), {2000000000, 2}, {1, 2}, {0, 0}, {-1, 2}}) {
     for (const std::string name : {"NodeData", "ElementData", "ElementNodeData"}) {
       const std::string data = data_section(name, false, components, entries, 0.5, "");
@@ -103,7 +102,7 @@ TEST_CASE("Gmsh: counts of a section that is passed over need not be right", "[m
   }
 }
 
-TEST_CASE("Gmsh: a section without an end costs only itself", "[mesh_io]") {
+TEST_CASE("Gmsh: a section without an end affects only itself", "[mesh_io]") {
   for (const std::string file : {"v2.msh", "crlf.msh", "v4.msh", "v2_little.msh", "v4_big.msh"}) {
     const std::string end = file == "crlf.msh" ? "\r\n" : "\n", head = "$EndMeshFormat" + end,
                       open = "$Views" + end + "1 2 3" + end;
@@ -115,12 +114,12 @@ TEST_CASE("Gmsh: a section without an end costs only itself", "[mesh_io]") {
     check_read(file + ", text",
                "# made by hand" + end + replaced(sample(file), head, head + "some text" + end + "$" + end));
   }
-  // The end of a later section of the same name is none of an earlier one.
+  // The end of a later section with the same name does not end an earlier one.
   const std::string twice = replaced(sample("v2.msh"), "$EndMeshFormat\n", "$EndMeshFormat\n$NodeData\n1\n");
   CHECK(notes_mention(check_read("NodeData with and without an end", twice), "Section without an end: $NodeData"));
 }
 
-TEST_CASE("Gmsh: the end tag of a section whose count is met may be missing", "[mesh_io]") {
+TEST_CASE("Gmsh: the end tag of a section may be missing if its counts are met", "[mesh_io]") {
   for (const std::string file : {"v1.msh", "v2.msh", "v4.msh", "v2_big.msh", "v4_little.msh"}) {
     for (const std::string name : {"Nodes", "Elements", "PhysicalNames"}) {
       const std::string tag = file != "v1.msh"     ? "$End" + name + "\n"
@@ -137,7 +136,7 @@ TEST_CASE("Gmsh: the end tag of a section whose count is met may be missing", "[
   CHECK(notes_mention(check_read("cut off behind the last element", v2.substr(0, v2.find("$EndElements"))), "cut off"));
 }
 
-TEST_CASE("Gmsh: more numbers behind an entity than belong there change nothing", "[mesh_io]") {
+TEST_CASE("Gmsh: extra numbers after an entity have no effect", "[mesh_io]") {
   const std::string v4 = sample("v4.msh");
   std::string all = v4;
   const std::size_t begin = all.find("$Entities\n") + 10, end = all.find("$EndEntities");
@@ -151,7 +150,7 @@ TEST_CASE("Gmsh: more numbers behind an entity than belong there change nothing"
     CHECK(file.mesh.groups == sample_mesh().groups);
     CHECK(notes_mention(file, "$Entities: more numbers"));
   }
-  // The whole of a volume without groups, as meshers write it who know no entities.
+  // The part of a file for a volume without groups, as written by meshers without entities.
   const MeshFile plain = read_mesh_content(
       "m.msh",
       "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 0 1\n1 0 0 0 1.5 1.5 1.5 0 0 0\n$EndEntities\n"
@@ -161,8 +160,7 @@ TEST_CASE("Gmsh: more numbers behind an entity than belong there change nothing"
   CHECK(plain.ignored.triangles == 1);
 }
 
-TEST_CASE("Gmsh: entities that are not one to a line are read by number, and those that make no sense are left out",
-          "[mesh_io]") {
+TEST_CASE("Gmsh: entities that are not one per line are read by number, and invalid ones are left out", "[mesh_io]") {
   const std::string v4 = sample("v4.msh");
   const std::size_t begin = v4.find("$Entities\n") + 10, end = v4.find("$EndEntities");
   std::string one_line = v4.substr(begin, end - begin), one_each = one_line;
@@ -213,7 +211,7 @@ TEST_CASE("Gmsh: parametric nodes of version 2", "[mesh_io]") {
   }
 }
 
-TEST_CASE("Gmsh: a section that a mesh needs and has not is named", "[mesh_io]") {
+TEST_CASE("Gmsh: a missing section that a mesh needs is named", "[mesh_io]") {
   const std::string v2 = sample("v2.msh"), v4 = sample("v4_little.msh");
   const auto without = [](std::string text, const std::string& name) {
     const std::size_t from = text.find("$" + name), to = text.find("$End" + name) + 5 + name.size();
@@ -233,7 +231,7 @@ TEST_CASE("Gmsh: a section that a mesh needs and has not is named", "[mesh_io]")
   CHECK_THAT(misspelled, Catch::EndsWith("no section of nodes stands before it; expected $Nodes"));
 }
 
-TEST_CASE("Gmsh: tags are found in one pass, however many sections have no end", "[mesh_io]") {
+TEST_CASE("Gmsh: tags are found in one pass, for any number of sections without an end", "[mesh_io]") {
   std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
   for (int i = 0; i < 50000; ++i) text += "$Section" + std::to_string(i) + "\n$PhysicalNames\n0\n$EndPhysicalNames\n";
   const MeshFile file = check_read("50,000 sections without an end", text + sample("v2.msh"));

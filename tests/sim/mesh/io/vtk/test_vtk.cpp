@@ -1,5 +1,4 @@
-// What only VTK's files can have: arrays that may mean regions, pieces, several layouts, and their own
-// mistakes.
+// Features of VTK files only: arrays that may contain regions, pieces, several layouts, and their specific errors.
 #include <catch2/catch.hpp>
 
 #include "sim/mesh/io/formats.h"
@@ -33,7 +32,7 @@ std::vector<int> regions_of_array(const std::string& name, const std::string& ty
 
 }  // namespace
 
-TEST_CASE("VTK: cell arrays that mean regions", "[mesh_io]") {
+TEST_CASE("VTK: cell arrays that contain regions", "[mesh_io]") {
   for (const std::string name : {"region", "Material", "MaterialIds", "CellEntityIds", "gmsh:physical", "medit:ref"}) {
     INFO(name);
     CHECK(regions_of_array(name, "int", "1 5 11 3 7") == std::vector<int>{3, 7});
@@ -43,7 +42,7 @@ TEST_CASE("VTK: cell arrays that mean regions", "[mesh_io]") {
   CHECK(regions_of_array("region", "double", "1 5 11 3.5 7") == std::vector<int>{0, 0});
   CHECK(regions_of_array("region", "double", "1 5 11 nan 1e300") == std::vector<int>{0, 0});
 
-  // the more telling name wins, wherever it stands
+  // the more specific name is preferred, wherever it is
   const std::string both =
       replaced(sample("old_text.vtk"), "POINT_DATA", "SCALARS region int\nLOOKUP_TABLE default\n1 2 3 4 5\nPOINT_DATA");
   const MeshFile file = read_mesh_content("m.vtk", both);
@@ -179,8 +178,7 @@ TEST_CASE("VTU: bad arrays", "[mesh_io]") {
       CHECK(error_of("m.vtu", bad).find("DataArray 'types': is not ") != std::string::npos);
     }
     if (one.format == "VTU appended raw" || one.format == "VTU appended raw, zlib") {
-      // the size, or the number of blocks, of the first array: nothing of its kind is in the mesh, the region
-      // array is
+      // the size, or the number of blocks, of the first array: the mesh has no such array, but the region array is one
       const std::size_t first = one.content.find("\n _") + 3;
       const std::size_t offset = one.content.find("offset=\"", one.content.find("Name=\"gmsh:physical\"")) + 8;
       std::string lies = one.content;
@@ -192,7 +190,7 @@ TEST_CASE("VTU: bad arrays", "[mesh_io]") {
   }
 }
 
-TEST_CASE("VTU: a deflated block that claims too much is not allocated", "[mesh_io]") {
+TEST_CASE("VTU: no memory is allocated for a compressed block that claims too much", "[mesh_io]") {
   for (const MeshSample& one : vtu_samples()) {
     if (one.format != "VTU appended raw, zlib" || one.content.find("UInt64\" compressor") == std::string::npos ||
         one.content.find("LittleEndian") == std::string::npos) {
