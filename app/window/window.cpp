@@ -84,6 +84,7 @@ void Window::run() {
       }
       stage_.messages.attempt([&] { recovery_.remember_now_and_then(); });
       stage_.messages.attempt([&] { recording_.follow(); });
+      follow_kernels();
       last = Clock::now();
       stage_.pacing.restart();
       continue;
@@ -177,12 +178,7 @@ void Window::frame(double elapsed) {
     overlay_.end();
     messages.attempt([&] { carry_out(requests); });
   } while (input_.waiting() && !requests.wait_for_picture());
-  messages.attempt([&] {
-    kernels_.follow([&] {
-      for (Session* session : {stage_.session.get(), sides_.second()})
-        if (session) session->simulation.gpu()->record_again();
-    });
-  });
+  follow_kernels();
   if (shown_ && !messages.attempt([&] { simulate(elapsed, requests.step); })) stage_.state.paused = true;
   messages.attempt([&] { recording_.follow_replay(); });
   if (!messages.attempt([&] { picture_.draw(); })) stage_.state.paused = true;
@@ -193,6 +189,15 @@ void Window::frame(double elapsed) {
   framebuffer.present(framebuffer.width(), framebuffer.height());
   glfwSwapBuffers(graphics_.context->window());
   shown_ = true;
+}
+
+void Window::follow_kernels() {
+  stage_.messages.attempt([&] {
+    kernels_.follow([&] {
+      for (Session* session : {stage_.session.get(), sides_.second()})
+        if (session) session->simulation.gpu()->record_again();
+    });
+  });
 }
 
 void Window::simulate(double elapsed, bool one_step) {

@@ -35,6 +35,7 @@ class Window {
   void settle();
   double idle_time() const;  // [s] for which nothing changes unless the user does something; 0 while things move
   void frame(double elapsed);
+  void follow_kernels();
   void simulate(double elapsed, bool one_step);
   void capture(const Requests& requests);
   void finish(double wall_s);
