@@ -55,22 +55,18 @@ void GpuSolver::make_method() {
   grab_.set_use(method_->descends(), method_->descends() || stop_, buffers_.vertex_count);
   method_->set_stiffness(stiffness_of(terms_));
 
-  chebyshev_.reset();
-  anderson_.reset();
+  acceleration_.reset();
   multiplier_weight_ = {};
-  if (settings_.acceleration == Acceleration::chebyshev) chebyshev_.emplace(programs_, buffers_.vertex_count);
-  if (settings_.acceleration == Acceleration::anderson_positions)
-    anderson_.emplace(programs_, std::vector<AndersonPart>{{&buffers_.displacement, buffers_.vertex_count, nullptr}},
-                      settings_.window);
+  AccelerationInputs accelerated{programs_, buffers_, settings_, {}};
   if (settings_.acceleration == Acceleration::anderson && !method_->accelerates_itself()) {
-    std::vector<AndersonPart> parts{
-        {&buffers_.displacement, buffers_.vertex_count, &method_->weight_of_vertices(buffers_)}};
+    accelerated.state.push_back(
+        {&buffers_.displacement, buffers_.vertex_count, &method_->weight_of_vertices(buffers_)});
     if (method_->multiplier()) {
       multiplier_weight_ = gl::Buffer("multiplier_weight", 2 * sizeof(float) * buffers_.tet_count);
-      parts.push_back({method_->multiplier(), 2 * buffers_.tet_count, &multiplier_weight_});
+      accelerated.state.push_back({method_->multiplier(), 2 * buffers_.tet_count, &multiplier_weight_});
     }
-    anderson_.emplace(programs_, std::move(parts), settings_.window);
   }
+  acceleration_ = make_acceleration(accelerated);
 }
 
 void GpuSolver::record() {
@@ -150,7 +146,7 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
                                        with_material(std::move(bindings), features_, buffers_)));
     passes.begin.back().loops(0);
   }
-  if (anderson_) append(passes.begin, anderson_->begin(programs_));
+  if (acceleration_) append(passes.begin, acceleration_->begin(r));
   passes.first_iteration = iteration(r, true);
   passes.iteration = iteration(r, false);
   passes.end = method_->end(r);
@@ -177,9 +173,7 @@ bool GpuSolver::ready() const {
 Passes GpuSolver::iteration(const Recording& r, bool first) {
   Passes passes = method_->iteration(r, first);
   // Chebyshev acceleration is for methods whose iterations start at the prediction.
-  if (chebyshev_)
-    append(passes, chebyshev_->passes(programs_, buffers_.step, buffers_.predicted, buffers_.displacement, first));
-  if (anderson_) append(passes, anderson_->passes(programs_, first));
+  if (acceleration_) append(passes, acceleration_->after_iteration(r, first));
   return passes;
 }
 
@@ -272,7 +266,7 @@ void GpuSolver::settings_changed() {
   if (regions_) regions_->restart();
   buffers_.upload_step(model_, settings_);
   method_->values_changed(model_, settings_);
-  if (chebyshev_) chebyshev_->forget_spectral_radius();
+  if (acceleration_) acceleration_->values_changed();
 }
 
 void GpuSolver::materials_changed() {

@@ -12,8 +12,7 @@
 #include "base/progress.h"
 #include "gl/fused_pass.h"
 #include "gl/stopwatch.h"
-#include "sim/gpu/acceleration/anderson.h"
-#include "sim/gpu/acceleration/chebyshev.h"
+#include "sim/gpu/acceleration/acceleration.h"
 #include "sim/gpu/acceleration/stop_rule.h"
 #include "sim/gpu/integrators/implicit_euler.h"
 #include "sim/gpu/methods/method.h"
@@ -123,7 +122,6 @@ class GpuSolver {
   /// The number of results that steps have taken on their own since the last call.
   int background_taken() { return std::exchange(background_taken_, 0); }
   const Coloring* coloring() const { return method_->coloring(); }  // of gauss_seidel; null for other methods
-  const Chebyshev* chebyshev() const { return chebyshev_ ? &*chebyshev_ : nullptr; }
 
   std::uint64_t dispatches_per_step() const;
   /// An estimate: every buffer that a kernel uses, once; passes of each iteration and their share of the refreshes,
@@ -177,9 +175,8 @@ class GpuSolver {
   gl::Buffer unconstrained_;    // uint [vertex_count] 1 in unconstrained components; exists if other components are
                                 // constrained and the method needs it
   std::unique_ptr<StepMethod> method_;
-  Method made_ = Method::two_level;     // the method of method_
-  std::optional<Chebyshev> chebyshev_;  // of these only the one in use exists
-  std::optional<Anderson> anderson_;
+  Method made_ = Method::two_level;  // the method of method_
+  std::unique_ptr<StepAcceleration> acceleration_;
   gl::Buffer multiplier_weight_;  // float [2 * tet_count], with Anderson acceleration of multipliers
   std::optional<StopRule> stop_;  // with solver.tolerance
   MotionTargets motions_;
