@@ -27,14 +27,13 @@ class Recovery {
   /// Throws gl::ContextLost where the device is lost; it names the file that keeps the scene.
   void require_device() const;
 
-  void look_for_left();
-  /// By a window that ended badly; until the user has said what to do with it.
+  void look_for_left();  // once, when the window opens
+  /// The file of a window that ended badly, until the user has said what to do with it.
   const std::optional<std::filesystem::path>& left() const { return left_; }
   void forget_left();
   void resumed(const std::filesystem::path& file);  // the scene of this file is open now
-  std::filesystem::path last_session() const {
-    return autosave_.last();
-  }  // of the window that last ended well, or empty
+  /// The file of the window that last ended well; empty: none.
+  std::filesystem::path last_session() const { return autosave_.last(); }
 
  private:
   void go_back(std::uint32_t lost);

@@ -1,5 +1,5 @@
-// What the parts of the window share: the session that is open, the picture that it is drawn on, what the window shows
-// of it, and the message. No part knows the window itself.
+// What the objects of the window share: the session that is open, the picture that it is drawn on, what the window
+// shows of it, and the message. None of them knows the window itself.
 #pragma once
 #include <filesystem>
 #include <memory>

@@ -1,7 +1,7 @@
 // The window: one frame after the other of input, panels, steps, drawing. Whatever fails in a frame becomes a message,
 // and the scene that is open stays open; only the loss of the device ends it, and leaves the scene as it was some
 // seconds before. While nothing moves there are no frames: the window sleeps until something happens. The window has
-// the order of things; each of its parts has a subject of its own, and they share a Stage.
+// the order of things; each of its objects has a subject and a state of its own, and they share a Stage.
 #pragma once
 #include <filesystem>
 #include <memory>

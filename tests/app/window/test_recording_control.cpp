@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "app/window/recording_control.h"
-#include "tests/support/stage.h"
+#include "tests/support/headless_stage.h"
 
 using namespace fascia;
 using namespace fascia::test;

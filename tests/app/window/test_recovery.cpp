@@ -3,7 +3,7 @@
 
 #include "app/window/recovery.h"
 #include "base/file.h"
-#include "tests/support/stage.h"
+#include "tests/support/headless_stage.h"
 
 using namespace fascia;
 using namespace fascia::test;

@@ -1,7 +1,7 @@
 // Which side of a comparison the panels show and the mouse acts on, and what the buttons make of the sides.
 #include <catch2/catch.hpp>
 
-#include "tests/support/stage.h"
+#include "tests/support/headless_stage.h"
 
 using namespace fascia;
 using namespace fascia::test;

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/window/tuning_history.h"
-#include "tests/support/stage.h"
+#include "tests/support/headless_stage.h"
 
 using namespace fascia;
 using namespace fascia::test;

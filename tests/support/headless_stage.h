@@ -1,4 +1,4 @@
-// What the parts of a window share, without a window: one of the shipped scenes, a picture, and ImGui.
+// What the objects of a window share, without a window: one of the shipped scenes, a picture, and ImGui.
 #pragma once
 #include <string>
 
