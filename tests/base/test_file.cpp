@@ -1,4 +1,5 @@
 // Whole files: what is written is complete or not there.
+// Covers: file_read
 #include "base/file.h"
 
 #include <sys/stat.h>

@@ -1,4 +1,5 @@
 // What stands behind the tissue, and what fades into it or is darkened by its surroundings.
+// Covers: render/passes/ambient_occlusion
 #include "tests/render/scene_support.h"
 
 namespace fascia {

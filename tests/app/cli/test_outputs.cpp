@@ -1,4 +1,5 @@
 // What a command writes is looked at before it works, and what is no result is not written.
+// Covers: output_files, sim/simulation/static_equilibrium, app/video/frame_sink
 #include <catch2/catch.hpp>
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 // Wrong command lines: the right word is blamed, in one line, with what was meant, before any work begins.
+// Covers: shared_options
 #include <algorithm>
 #include <catch2/catch.hpp>
 

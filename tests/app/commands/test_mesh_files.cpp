@@ -1,4 +1,5 @@
 // Meshes on the command line: through a pipe, welded on demand, and what is told of them.
+// Covers: convert, info
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>

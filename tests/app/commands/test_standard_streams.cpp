@@ -1,4 +1,5 @@
 // "-" on the command line: a scene from standard input, one result to standard output, and a plain refusal elsewhere.
+// Covers: app/session/open_input
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

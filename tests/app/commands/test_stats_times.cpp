@@ -1,4 +1,5 @@
 // One definition of the time of a step, in the panel Statistics and in stats.json.
+// Covers: app/state/window_state
 #include <catch2/catch.hpp>
 
 #include "app/state/window_state.h"

@@ -1,4 +1,5 @@
 // What the dialog lists of a folder.
+// Covers: gallery
 #include <catch2/catch.hpp>
 
 #include "app/dialogs/folder_listing.h"

@@ -1,4 +1,6 @@
 // Replays that are drawn again: the same pictures every time, in other sizes, slower, from elsewhere.
+// Covers: headless, interpolated_frames, render_camera, video_render, app/session/file_provenance
+// Covers: render/supersampler
 #include <catch2/catch.hpp>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // What the shipped scenes cost, counted: a scene pays for what it uses and for nothing else, and a change that makes
 // one dearer shows here.
+// Covers: graphics, sim/gpu/solver_counts
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"

@@ -1,5 +1,6 @@
 // The automatic range of a heat map: what is shown decides it, not what was shown before; two sides of a comparison
 // have one.
+// Covers: shown_look, sim/gpu/readback/shown_range
 #include <catch2/catch.hpp>
 
 #include "app/compare/split_view.h"

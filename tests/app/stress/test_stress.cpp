@@ -1,4 +1,5 @@
 // The torture table: its criteria fail where they should, and what it leaves behind for a failure repeats it.
+// Covers: run, app/commands/stress
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"

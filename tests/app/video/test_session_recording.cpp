@@ -1,4 +1,5 @@
 // Sessions that are recorded while they go on, and what becomes of them.
+// Covers: app/session/replay_view
 #include <sys/resource.h>
 #include <unistd.h>
 

@@ -1,6 +1,7 @@
 // Contexts of every kind, alone and together. What needs another environment (no display, an X server, an
 // older OpenGL) runs in a second process of this test program, as a test case that is hidden from normal
 // runs.
+// Covers: context_glfw, gl/context/context_egl, gl/context/context_osmesa, gl/context/headless_context
 #include "render/context/context.h"
 
 #define GLFW_INCLUDE_NONE

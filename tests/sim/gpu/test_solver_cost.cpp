@@ -1,4 +1,5 @@
 // What GPU steps cost: sliders rebuild nothing, and features that are off are not there.
+// Covers: sim/gpu/passes/features
 #include <catch2/catch.hpp>
 #include <cstring>
 

@@ -1,5 +1,6 @@
 // Whatever the order of a mesh's vertices, the solver does the same to the bit, and all that it is told and tells
 // counts vertices as the model does.
+// Covers: sim/gpu/readback/step_snapshot
 #include <catch2/catch.hpp>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // What a user reads when a scene is wrong: the exact line, for every kind of mistake.
+// Covers: scene_read_body
 #include "base/json/json_document.h"
 #include "tests/sim/scene/scene_test.h"
 

@@ -1,4 +1,5 @@
 // What happens when a state comes apart: commands end with one line and a file that repeats it.
+// Covers: simulation_replay
 #include <catch2/catch.hpp>
 
 #include <fstream>

@@ -1,4 +1,5 @@
 // A body at rest costs nothing until something changes, and where it lies is where it would have come to lie anyway.
+// Covers: settling, simulation, simulation_checks
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"

@@ -1,5 +1,6 @@
 // fascia bench accuracy on a beam of 48 tets: its table, that a second run goes on where the first one ended, and what
 // is made of the numbers.
+// Covers: accuracy, charts, grid, problem, results, summary
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,6 @@
 // The passes of the two-level method against the same iteration in double precision, on large rotations, where float32
 // and frozen rotations would show first.
+// Covers: coarse_level, sim/gpu/passes/step_gradient
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/methods/two_level.h"

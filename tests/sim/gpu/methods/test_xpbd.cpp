@@ -4,6 +4,7 @@
 // to about 1e-7 relative; the 6x6 system's condition number (about 1 / (1 - 2 nu), times the spread of the tet's shape,
 // some tens) amplifies that to a few 1e-6. A whole step feeds 20 iterations with such errors, which the iteration
 // itself damps.
+// Covers: exact_xpbd, gauss_seidel, jacobi, methods
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/methods/jacobi.h"

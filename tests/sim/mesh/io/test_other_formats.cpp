@@ -1,4 +1,5 @@
 // TetGen and Medit: their own liberties and mistakes.
+// Covers: medit, tetgen
 #include <catch2/catch.hpp>
 #include <fstream>
 

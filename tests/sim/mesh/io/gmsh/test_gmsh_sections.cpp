@@ -1,5 +1,6 @@
 // Gmsh files as other programs write them: sections that no mesh needs, more numbers than belong to an entity, tags
 // without a line end, tags that are missing.
+// Covers: gmsh_passed_over, gmsh_tags
 #include <catch2/catch.hpp>
 #include <cstdio>
 

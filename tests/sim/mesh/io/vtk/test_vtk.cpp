@@ -1,5 +1,6 @@
 // What only VTK's files can have: arrays that may mean regions, pieces, several layouts, and their own
 // mistakes.
+// Covers: vtk_legacy, vtu, vtu_array, xml
 #include <catch2/catch.hpp>
 
 #include "sim/mesh/io/formats.h"
