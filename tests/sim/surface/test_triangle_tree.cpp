@@ -18,13 +18,13 @@ namespace {
 
 double uniform(std::mt19937& random) { return static_cast<double>(random() % 1000000) / 1e6; }
 
-/// Triangles of a tenth anywhere in the unit cube.
+/// Triangles of three tenths anywhere in the unit cube.
 SurfaceMesh soup(std::uint32_t count, std::mt19937& random) {
   SurfaceMesh s;
   const auto point = [&] { return Vector3d(uniform(random), uniform(random), uniform(random)); };
   for (std::uint32_t t = 0; t < count; ++t) {
     const Vector3d at = point();
-    for (int k = 0; k < 3; ++k) s.positions.push_back(at + 0.1 * point());
+    for (int k = 0; k < 3; ++k) s.positions.push_back(at + 0.3 * point());
     s.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
   }
   return s;
