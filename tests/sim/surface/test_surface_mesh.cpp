@@ -8,17 +8,6 @@
 
 using namespace fascia;
 
-namespace {
-
-double area(const SurfaceMesh& s) {
-  double sum = 0;
-  for (const auto& [a, b, c] : s.triangles)
-    sum += (s.positions[b] - s.positions[a]).cross(s.positions[c] - s.positions[a]).norm() / 2;
-  return sum;
-}
-
-}  // namespace
-
 TEST_CASE(
     "names of materials and libraries may hold spaces, a line may name several libraries, and a color may be missing") {
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
