@@ -1,3 +1,5 @@
+// A simulation as programs that use the library see it: steps, states, equilibria, grabs.
+// Covers: simulation_grabs, simulation_measure, simulation_state
 #include <algorithm>
 #include <fstream>
 

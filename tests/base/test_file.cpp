@@ -1,4 +1,5 @@
 // Whole files: a written file is complete or does not exist.
+// Covers: file_read
 #include "base/file.h"
 
 #include <sys/stat.h>

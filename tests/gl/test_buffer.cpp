@@ -1,3 +1,5 @@
+// Buffers and textures: what they hold, and that their memory is counted.
+// Covers: texture
 #include "gl/buffer.h"
 
 #include "gl/texture.h"

@@ -1,3 +1,5 @@
+// Passes that are fused into one dispatch do what they do one after another.
+// Covers: fused_source
 #include "gl/fused_pass.h"
 
 #include <cstdlib>

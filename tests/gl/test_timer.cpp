@@ -1,3 +1,5 @@
+// Times of work on the device.
+// Covers: stopwatch, timestamps
 #include "gl/timer.h"
 
 #include <thread>

@@ -2,6 +2,7 @@
 
 Arguments: the stub file, the folder of the examples.
 """
+# Covers: arrays, module
 import ast
 import gc
 import re

@@ -1,4 +1,5 @@
 // The background of the tissue, fading into it, and ambient occlusion.
+// Covers: render/passes/ambient_occlusion
 #include "tests/render/scene_support.h"
 
 namespace fascia {

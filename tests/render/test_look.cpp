@@ -1,4 +1,5 @@
 // Heat map, wireframe and marks.
+// Covers: render/passes/look_defines, render/passes/marks, render/view/color_map
 #include "tests/render/scene_support.h"
 
 namespace fascia {

@@ -1,3 +1,5 @@
+// The picture of a body on its ground: silhouette, shadows, scales, contexts.
+// Covers: render/passes/shadow_map, render/passes/surface_renderer
 #include "tests/render/scene_support.h"
 
 namespace fascia {

@@ -1,4 +1,6 @@
 // fascia bench figures in its quick form: every file exists, and the tables are readable and consistent.
+// Covers: app/bench/figures/beam_step, app/bench/figures/colorings, app/bench/figures/convergence
+// Covers: app/bench/figures/picture_grid, app/bench/figures/scenes, app/bench/figures/stiff_beam, app/commands/bench
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>

@@ -1,4 +1,5 @@
 // Charts through gnuplot: both formats, every text in them, and errors when gnuplot is missing or fails.
+// Covers: gnuplot
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>

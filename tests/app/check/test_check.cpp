@@ -1,14 +1,12 @@
 // fascia check in a CI system: a folder, exit codes, files of failures, JUnit XML.
+// Covers: check_folder, app/commands/check
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 
 #include "app/check/check_folder.h"
-#include "app/check/junit.h"
-#include "app/system/child_process.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "tests/support/support.h"
@@ -182,44 +180,4 @@ TEST_CASE("check settings: those of a scene override the defaults", "[check]") {
   CHECK(cases[1].options.compare == (folder / "b.golden.png").string());
   const TemporaryFolder empty;
   CHECK_THROWS_AS(read_check_folder(empty.path()), Error);
-}
-
-TEST_CASE("a crash, a hang or a failure in a child is reported", "[check]") {
-  CHECK(run_in_child([] { return std::string("done"); }, 60).answer == "done");
-  CHECK(run_in_child([]() -> std::string { throw Error("a", "b", "c"); }, 60).failure == "a: b; c");
-  const ChildReport crashed = run_in_child(
-      []() -> std::string {
-        std::raise(SIGKILL);
-        return "";
-      },
-      60);
-  CHECK(contains(crashed.failure, "crashed (Killed)"));
-  CHECK(contains(run_in_child(
-                     []() -> std::string {
-                       for (;;) pause();
-                     },
-                     0.3)
-                     .failure,
-                 "took longer than 0.3 s"));
-  CHECK(run_in_child(
-            [] {
-              std::puts("said");
-              std::fflush(stdout);
-              return std::string();
-            },
-            60)
-            .said == "said\n");
-  const std::string large(1 << 20, 'x');  // more than a pipe holds
-  CHECK(run_in_child([&] { return large; }, 60).answer == large);
-}
-
-TEST_CASE("JUnit XML can contain any text", "[check]") {
-  JunitCase c;
-  c.name = "a<b>&\"c\"";
-  c.verdict = JunitCase::Verdict::failed;
-  c.message = "one\ntwo \xc3\xa9 \xff \x01";
-  const std::string xml = junit_xml("s", "2026-01-31T12:00:00", {c});
-  CHECK(contains(xml, "name=\"a&lt;b&gt;&amp;&quot;c&quot;\""));
-  CHECK(contains(xml, "message=\"one&#10;two \xc3\xa9 ? ?\""));
-  CHECK(contains(xml, "<testsuites tests=\"1\" failures=\"1\" errors=\"0\""));
 }

@@ -1,5 +1,7 @@
 // The self-description of the command line: help, nearest words, manual page, completion. All of it comes from the
 // options' own tables.
+// Covers: command_tree, completion_bash, completion_fish, completion_zsh, manual_page, scene_keys
+// Covers: app/commands/command, app/commands/completion
 #include <algorithm>
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,5 @@
 // Outputs of a command are checked before it works, and invalid results are not written.
+// Covers: output_files, sim/simulation/static_equilibrium, app/video/frame_sink
 #include <catch2/catch.hpp>
 
 #include <filesystem>

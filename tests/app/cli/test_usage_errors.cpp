@@ -1,4 +1,5 @@
 // Wrong command lines: one line that names the wrong word and the likely intention, before any work begins.
+// Covers: shared_options
 #include <algorithm>
 #include <catch2/catch.hpp>
 

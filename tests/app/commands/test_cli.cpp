@@ -1,4 +1,5 @@
 // The program as a user's script runs it: exit codes, one-line errors, files that appear complete or not at all.
+// Covers: render, run, app/video/recorder, sim/output/run_provenance, sim/output/stats
 #include <sys/stat.h>
 
 #include <algorithm>

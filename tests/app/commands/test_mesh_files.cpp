@@ -1,4 +1,5 @@
 // Meshes on the command line: through a pipe, welded on request, and their reports.
+// Covers: convert, info
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>

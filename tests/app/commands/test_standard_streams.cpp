@@ -1,5 +1,6 @@
 // "-" on the command line: a scene from standard input, one result to standard output, and a plain refusal for other
 // options.
+// Covers: app/session/open_input
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,5 @@
 // The time of a step has the same definition in the panel Statistics and in stats.json.
+// Covers: app/state/window_state
 #include <catch2/catch.hpp>
 
 #include "app/state/window_state.h"

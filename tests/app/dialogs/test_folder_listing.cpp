@@ -1,4 +1,5 @@
 // The content of a folder in the dialog.
+// Covers: gallery
 #include <catch2/catch.hpp>
 
 #include "app/dialogs/folder_listing.h"

@@ -1,5 +1,6 @@
 // The shipped scenes against assets/check, on both software contexts, by fascia check itself; and that differences
 // fail. Goldens are made by scripts/update_goldens.sh. Tolerances: docs/guide/regression.md.
+// Covers: difference_picture, provenance_difference
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -8,7 +9,6 @@
 #include "app/golden/difference_picture.h"
 #include "app/golden/golden.h"
 #include "app/golden/provenance_difference.h"
-#include "app/golden/tolerance.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "render/target/image.h"
@@ -113,16 +113,6 @@ TEST_CASE("goldens that cannot be compared each give one line", "[golden]") {
   write_file(diff, "of an earlier run");
   CHECK(render({"--compare", png, "--diff", diff}).exit_code == 1);  // of another size
   CHECK_FALSE(fs::exists(diff));
-}
-
-TEST_CASE("tolerances are numbers or quotients", "[golden]") {
-  CHECK(parse_tolerance("0.5/255", "x") == 0.5 / 255);
-  CHECK(parse_tolerance("2e-3", "x") == 2e-3);
-  CHECK(parse_tolerance("0", "x") == 0);
-  for (const char* wrong : {"", "-1", "2", "1/0", "1/", "/2", "1/2/3", "0.1 ", "nan"}) {
-    CAPTURE(wrong);
-    CHECK_THROWS_AS(parse_tolerance(wrong, "x"), Error);
-  }
 }
 
 TEST_CASE("a comparison counts the values beyond its limits", "[golden]") {

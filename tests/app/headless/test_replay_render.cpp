@@ -1,4 +1,6 @@
 // Replays drawn again: the same pictures every time, in other sizes, slower, and with other cameras.
+// Covers: headless, interpolated_frames, render_camera, video_render, app/session/file_provenance
+// Covers: render/supersampler
 #include <catch2/catch.hpp>
 
 #include <algorithm>

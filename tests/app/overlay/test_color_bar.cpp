@@ -1,4 +1,5 @@
 // The color bar is readable on any background, and is left out where it would hide the picture.
+// Covers: grab_marks, overlay
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 // Counted costs of the shipped scenes: a scene pays only for the features that it uses, and a change that makes one
 // more expensive is detected here.
+// Covers: graphics, sim/gpu/solver_counts
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"

@@ -1,5 +1,6 @@
 // The automatic range of a heat map: it depends on the shown values, not on earlier pictures; the two sides of a
 // comparison share one.
+// Covers: shown_look, sim/gpu/readback/shown_range
 #include <catch2/catch.hpp>
 
 #include "app/compare/split_view.h"

@@ -1,8 +1,7 @@
 // The data of plots: the samples kept, the ticks of an axis, the table.
+// Covers: sim/output/sample_history
 #include <catch2/catch.hpp>
-#include <cmath>
 
-#include "app/ui/ticks.h"
 #include "base/file.h"
 #include "sim/output/sample_history.h"
 #include "tests/support/support.h"
@@ -46,32 +45,6 @@ TEST_CASE("a long session discards its oldest samples") {
   CHECK(history.all().size() <= SampleHistory::kMost);
   CHECK(history.all().back().time == many - 1);
   CHECK(history.all().front().time == static_cast<double>(SampleHistory::kMost / 2));
-}
-
-TEST_CASE("axes have round ticks, not too many, with digits that distinguish them") {
-  for (const auto& [low, high] :
-       {std::pair{0.0, 1.0}, {-3.7e-5, 8.1e-5}, {0.99991, 1.00012}, {12345.0, 12399.0}, {-2e9, 1e3}})
-    for (const int most : {2, 4, 9}) {
-      CAPTURE(low, high, most);
-      const Ticks ticks = linear_ticks(low, high, most);
-      REQUIRE(!ticks.values.empty());
-      CHECK(ticks.values.size() <= static_cast<std::size_t>(most) + 1);
-      CHECK(ticks.values.front() >= low - 1e-9 * (high - low));
-      CHECK(ticks.values.back() <= high + 1e-9 * (high - low));
-      for (std::size_t i = 0; i + 1 < ticks.values.size(); ++i) {
-        char a[32], b[32];
-        std::snprintf(a, sizeof a, "%.*g", ticks.digits, ticks.values[i]);
-        std::snprintf(b, sizeof b, "%.*g", ticks.digits, ticks.values[i + 1]);
-        CHECK(std::string(a) != b);
-      }
-      if (ticks.values.size() < 2) continue;
-      const double step = ticks.values[1] - ticks.values[0],
-                   digit = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
-      CAPTURE(step);
-      CHECK((std::abs(digit - 1) < 1e-6 || std::abs(digit - 2) < 1e-6 || std::abs(digit - 5) < 1e-6));
-    }
-  CHECK(decade_ticks(1e-6, 1, 4).values == std::vector<double>{1e-6, 1e-4, 1e-2, 1});
-  CHECK(decade_ticks(2e-3, 5e-3, 4).values.empty());
 }
 
 TEST_CASE("a table of samples has notes, names with units, and empty cells for unknown values") {

@@ -1,4 +1,5 @@
 // Undo and redo of user changes, and regions that get a material of their own during the simulation.
+// Covers: app/session/session, sim/simulation/scene_edits
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
@@ -59,54 +60,6 @@ TEST_CASE("changes are described with their values, as displayed") {
   after.materials[0].region_materials.clear();
   CHECK(changes(after, before) == std::vector<std::string>{"A material of its own, core"});
   CHECK(changes(before, after) == std::vector<std::string>{"The default material, core"});
-}
-
-TEST_CASE("every change is one entry, undone and redone in order") {
-  UndoHistory history;
-  std::vector<Tunables> states{plain()};
-  history.restart(states[0]);
-  CHECK_FALSE(history.can_undo());
-  for (int i = 1; i <= 4; ++i) {
-    Tunables next = states.back();
-    next.solver.iterations += i;
-    states.push_back(next);
-    history.follow(next);
-    history.follow(next);  // no change
-  }
-  CHECK(history.entries().size() == 4);
-  for (int i = 3; i >= 1; --i) {
-    const Tunables back = history.undo();
-    CHECK(back == states[i]);
-    history.accept(back);
-  }
-  CHECK(history.redone_next().text == "Iterations: 11 to 13");
-  const Tunables again = history.redo();
-  CHECK(again == states[2]);
-  history.accept(again);
-  history.follow(again);
-  CHECK(history.can_redo());
-
-  INFO("a new change ends what could be done again");
-  Tunables other = again;
-  other.gravity.x() = 1;
-  history.follow(other);
-  CHECK_FALSE(history.can_redo());
-  CHECK(history.entries().size() == 3);
-
-  INFO("a change by a replay is not an entry");
-  Tunables replayed = other;
-  replayed.solver.substeps = 3;
-  history.accept(replayed);
-  history.follow(replayed);
-  CHECK(history.entries().size() == 3);
-
-  INFO("the oldest go");
-  for (int i = 0; i < 300; ++i) {
-    replayed.solver.iterations = 50 + i % 7;
-    history.follow(replayed);
-  }
-  CHECK(history.entries().size() == UndoHistory::kMostEntries);
-  while (history.can_undo()) history.accept(history.undo());
 }
 
 TEST_CASE("changes of a session are undone to the bit, region by region, during the simulation") {

@@ -1,4 +1,5 @@
 // The stress suite: its criteria fail where they should, and the files of a failure reproduce it.
+// Covers: run, app/commands/stress
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"

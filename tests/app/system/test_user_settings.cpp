@@ -1,8 +1,6 @@
 // The window's stored settings: read and written exactly, and never an obstacle to starting.
 #include <catch2/catch.hpp>
-#include <cstdlib>
 
-#include "app/system/user_files.h"
 #include "app/system/user_settings.h"
 #include "base/error.h"
 #include "base/file.h"
@@ -74,17 +72,4 @@ TEST_CASE("settings that cannot be written are reported once and do no harm") {
   nowhere.change([](UserSettings& settings) { settings.first_run_done = true; });
   CHECK(nowhere.now().first_run_done);
   CHECK(nowhere.warning().empty());
-}
-
-TEST_CASE("the user's folders follow the environment, and only absolute paths in it") {
-  const char* before = std::getenv("XDG_CONFIG_HOME");
-  const std::string kept = before ? before : "";
-  setenv("XDG_CONFIG_HOME", "/somewhere", 1);
-  CHECK(config_folder() == "/somewhere/fascia");
-  setenv("XDG_CONFIG_HOME", "relative", 1);
-  CHECK(config_folder() == std::filesystem::path(std::getenv("HOME") ? std::getenv("HOME") : "") / ".config/fascia");
-  if (before)
-    setenv("XDG_CONFIG_HOME", kept.c_str(), 1);
-  else
-    unsetenv("XDG_CONFIG_HOME");
 }

@@ -1,4 +1,5 @@
 // Sessions that are recorded while they run, and the fate of their files.
+// Covers: app/session/replay_view
 #include <sys/resource.h>
 #include <unistd.h>
 

@@ -1,5 +1,6 @@
 // Contexts of every kind, alone and together. Tests that need another environment (no display, an X server, an older
 // OpenGL) run in a second process of this test program, as a test case that is hidden from normal runs.
+// Covers: context_glfw, gl/context/context_egl, gl/context/context_osmesa, gl/context/headless_context
 #include "render/context/context.h"
 
 #define GLFW_INCLUDE_NONE

@@ -1,4 +1,5 @@
 // Section planes and separate tets, which are drawn from tets instead of the surface.
+// Covers: tet_renderer
 #include "tests/render/scene_support.h"
 
 namespace fascia {

@@ -1,4 +1,5 @@
 // The coarse space of the two-level method and its matrix: properties that hold on any mesh.
+// Covers: coarse_gather, coarse_matrix
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
 #include <map>

@@ -1,4 +1,5 @@
 // Costs of GPU steps: sliders rebuild nothing, and unused features have no cost.
+// Covers: sim/gpu/passes/features
 #include <catch2/catch.hpp>
 #include <cstring>
 

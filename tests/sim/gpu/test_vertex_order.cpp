@@ -1,5 +1,6 @@
 // For any order of a mesh's vertices the solver computes the same to the bit, and all its inputs and outputs use the
 // model's numbering.
+// Covers: sim/gpu/readback/step_snapshot
 #include <catch2/catch.hpp>
 
 #include <algorithm>

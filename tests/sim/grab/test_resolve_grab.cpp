@@ -1,4 +1,5 @@
 // The grabs of a scene: valid input, its meaning, and positions over time.
+// Covers: build_model, grab_patch, sim/scene/scene_read_grab
 #include <cmath>
 
 #include "sim/grab/build_model.h"
@@ -166,29 +167,4 @@ TEST_CASE("shares of a patch add up to one, also if it is smaller than a tet") {
     CHECK((middle - at).norm() < std::max(radius, 1e-9));
     CHECK(patch_stiffness(patch, radius) == Approx(kGrip * model.materials[0].young_modulus * radius));
   }
-}
-
-TEST_CASE("springs at one vertex are joined without a change of their forces") {
-  const std::vector<GrabSpring> springs{
-      {3, {1, 0, 0}, 2, 0}, {5, {0, 0, 1}, 1, 0}, {3, {0, 2, 0}, 6, 1}, {7, {1, 1, 1}, 4, 1}};
-  std::vector<std::uint32_t> place;
-  const std::vector<GrabSpring> whole = joined(springs, place);
-  REQUIRE(whole.size() == 3);
-  CHECK(place == std::vector<std::uint32_t>{0, 1, 0, 2});
-  CHECK(whole[0].stiffness == 8);
-  CHECK((whole[0].target - Vector3d(0.25, 1.5, 0)).norm() < 1e-15);
-  CHECK(whole[1] == springs[1]);
-  std::vector<Vector3d> u(8, Vector3d(0.3, -0.2, 0.1)), forces;
-  for (const GrabSpring& s : whole) forces.push_back(s.stiffness * (s.target - u[s.vertex]));
-  const std::vector<GrabForce> exact = forces_of_grabs(springs, u),
-                               split = forces_of_grabs(springs, whole, place, forces);
-  REQUIRE(exact.size() == 2);
-  REQUIRE(split.size() == 2);
-  Vector3d sum(0, 0, 0);
-  for (std::size_t h = 0; h < 2; ++h) {
-    CHECK(split[h].grab == exact[h].grab);
-    CHECK((split[h].force - exact[h].force).norm() < 1e-12);
-    sum += split[h].force;
-  }
-  CHECK((sum - forces[0] - forces[1] - forces[2]).norm() < 1e-12);
 }

@@ -1,4 +1,5 @@
 // Laws against closed forms of uniaxial stretch and of other states, at the ends of their ranges and through the table.
+// Covers: mooney_rivlin, neo_hookean, st_venant_kirchhoff, stable_neo_hookean
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
 // Values over time: the rows of --history against closed forms and the reference solver.
+// Covers: sample
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>

@@ -1,9 +1,7 @@
 #include "sim/reference/cholesky.h"
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <catch2/catch.hpp>
-#include <set>
 
 #include "sim/reference/elastic_system.h"
 #include "tests/sim/reference/box_model.h"
@@ -82,49 +80,6 @@ TEST_CASE("a matrix that is not positive definite has no factor", "[cholesky]") 
     spoiled.coeffRef(place, place) = -1;
     CAPTURE(place);
     CHECK_FALSE(cholesky.factorize(spoiled, 1e-6 * largest));
-  }
-}
-
-TEST_CASE("a vertex's neighbors are in its own node, above or below, for any shape", "[cholesky]") {
-  const auto shape = GENERATE(0, 1, 2, 3);
-  Model model = shape == 1
-                    ? test::box_model(40, 3, 3, {4, 0.3, 0.3}, test::soft(1e5), [](const Vector3d&) { return false; })
-                    : two_boxes();
-  std::vector<std::vector<int>> neighbors(model.rest_positions.size());
-  for (const Tet& tet : model.tets)
-    for (const std::uint32_t v : tet)
-      for (const std::uint32_t w : tet)
-        if (v != w) neighbors[v].push_back(static_cast<int>(w));
-  if (shape == 2)
-    std::fill(model.rest_positions.begin(), model.rest_positions.end(), Vector3d(1, 2, 3));  // all at one position
-  if (shape == 3)
-    for (Vector3d& x : model.rest_positions) x.z() = x.y() = 0;  // on a line
-  const EliminationTree tree = nested_dissection(neighbors, model.rest_positions);
-
-  std::vector<int> node_of(neighbors.size(), -1);
-  int next = 0;
-  for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
-    REQUIRE(tree.nodes[n].begin == next);
-    next = tree.nodes[n].end;
-    REQUIRE((tree.nodes[n].parent == -1 || tree.nodes[n].parent > static_cast<int>(n)));
-    for (int place = tree.nodes[n].begin; place < next; ++place) node_of[place] = static_cast<int>(n);
-  }
-  REQUIRE(next == static_cast<int>(neighbors.size()));
-  CHECK(std::set<int>(tree.place.begin(), tree.place.end()).size() == neighbors.size());
-  const auto is_above = [&](int node, int other) {
-    while (node >= 0 && node != other) node = tree.nodes[node].parent;
-    return node == other;
-  };
-  int strangers = 0;
-  for (std::size_t v = 0; v < neighbors.size(); ++v)
-    for (const int w : neighbors[v]) {
-      const int a = node_of[tree.place[v]], b = node_of[tree.place[w]];
-      strangers += !is_above(a, b) && !is_above(b, a);
-    }
-  CHECK(strangers == 0);
-  if (shape == 1) {  // a beam is divided across its length
-    REQUIRE(tree.nodes.back().parent == -1);
-    CHECK(tree.nodes.back().end - tree.nodes.back().begin == 16);
   }
 }
 

@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
 
-#include "sim/material/signed_svd.h"
 #include "sim/reference/elasticity.h"
 #include "tests/sim/reference/box_model.h"
 
@@ -44,23 +43,6 @@ const std::vector<Vector3d> kHard = {{1.1, 0.9, 0.8},  {1.2, 0.9, 0.3},    {1.2,
                                      {1.0, 1.0, 0.4},  {1.0, 0.5, 0.5},    {0.31, 0.3, 0.2999}, {5.0, 3.0, -2.0}};
 
 }  // namespace
-
-TEST_CASE("signed singular values give the matrix back with proper rotations", "[elasticity]") {
-  Random random(11);
-  std::vector<Vector3d> all = kHard;
-  all.insert(all.end(), {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {1, 1, -1}, {1e-9, 1e-9, -1e-9}, {1e9, 1, 1e-9}});
-  for (const Vector3d& s : all)
-    for (int turn = 0; turn < 20; ++turn) {
-      const Matrix3d f = stretched(random, s);
-      const SignedSvd svd = signed_svd(f);
-      CAPTURE(s.transpose(), svd.s.transpose());
-      CHECK((svd.u * svd.s.asDiagonal() * svd.v.transpose() - f).norm() <= 1e-14 * f.norm());
-      CHECK(svd.u.determinant() == Approx(1));
-      CHECK(svd.v.determinant() == Approx(1));
-      CHECK(svd.s[0] >= svd.s[1]);
-      CHECK(svd.s[1] >= std::abs(svd.s[2]));
-    }
-}
 
 TEST_CASE("forces of surviving materials are derivatives of their energy, Hessians of their forces", "[elasticity]") {
   const auto model = GENERATE(MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean,

@@ -1,4 +1,5 @@
 // Implicit Euler steps: optimality, closed forms, conservation laws, damping, prescribed motion.
+// Covers: held_path
 #include "sim/reference/newton.h"
 
 #include <Eigen/Eigenvalues>

@@ -1,3 +1,5 @@
+// Replays as files: written, read back, cut, wrong.
+// Covers: replay_write
 #include <catch2/catch.hpp>
 
 #include "base/file.h"

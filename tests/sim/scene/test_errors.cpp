@@ -1,4 +1,5 @@
 // The messages for wrong scenes: the exact line for every kind of error.
+// Covers: scene_read_body
 #include "base/json/json_document.h"
 #include "tests/sim/scene/scene_test.h"
 

@@ -1,4 +1,5 @@
 // Valid scenes: defaults, every key, both kinds of file, round trip.
+// Covers: scene_read, scene_read_display, scene_write
 #include <sys/stat.h>
 
 #include <fstream>

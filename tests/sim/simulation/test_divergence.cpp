@@ -1,4 +1,5 @@
 // Divergence: commands end with one line and a file that reproduces it.
+// Covers: simulation_replay
 #include <catch2/catch.hpp>
 
 #include <fstream>

@@ -1,4 +1,5 @@
 // A body at rest costs nothing until something changes, and lies where it would have come to rest without sleep.
+// Covers: settling, simulation, simulation_checks
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"

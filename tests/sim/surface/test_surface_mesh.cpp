@@ -1,48 +1,12 @@
 // Wavefront .obj: polygons of any shape, materials and colors, and one line about unreadable content.
+// Covers: obj_materials
 #include <catch2/catch.hpp>
 
 #include "base/error.h"
-#include "sim/surface/polygon.h"
 #include "sim/surface/surface_mesh.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
-
-namespace {
-
-double area(const SurfaceMesh& s) {
-  double sum = 0;
-  for (const auto& [a, b, c] : s.triangles)
-    sum += (s.positions[b] - s.positions[a]).cross(s.positions[c] - s.positions[a]).norm() / 2;
-  return sum;
-}
-
-}  // namespace
-
-TEST_CASE("concave polygons are divided into triangles that cover them once, at any size") {
-  for (const double scale : {1.0, 1e-6, 1e6}) {
-    const auto vertex = [&](double x, double y) { return "v " + std::to_string(x) + " 0 " + std::to_string(y) + "\n"; };
-    // A dart whose short diagonal lies outside, and a comb of 20 corners.
-    const SurfaceMesh dart =
-        read_obj_content("dart.obj", vertex(0, 0) + vertex(4, -1) + vertex(3.5, 0) + vertex(4, 1) + "f 1 2 3 4\n");
-    REQUIRE(dart.triangles.size() == 2);
-    CHECK(area(dart) == Approx(3.5));
-
-    std::vector<Eigen::Vector3d> comb;
-    std::vector<std::uint32_t> corners;
-    double expected = 0;
-    for (int tooth = 0; tooth < 9; ++tooth) comb.emplace_back(scale * tooth, 0, scale * (tooth % 2 ? 1 : 4));
-    for (int tooth = 0; tooth < 8; ++tooth) expected += scale * scale * 2.5;
-    comb.emplace_back(scale * 8, 0, 0);
-    comb.emplace_back(0, 0, 0);
-    for (std::uint32_t c = 0; c < comb.size(); ++c) corners.push_back(c);
-    SurfaceMesh cut;
-    cut.positions = comb;
-    triangulate(comb, corners, cut.triangles);
-    CHECK(cut.triangles.size() == comb.size() - 2);
-    CHECK(area(cut) == Approx(expected).epsilon(1e-9));
-  }
-}
 
 TEST_CASE(
     "names of materials and libraries may contain spaces, a line may name several libraries, and a color may be "

@@ -1,11 +1,11 @@
 // Expensive surfaces: many shells, many triangles at one edge or vertex, long thin triangles. The tests count the work.
+// Covers: lattice_sides, surface_shells
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <random>
 
 #include "base/error.h"
 #include "sim/surface/lattice_sides.h"
-#include "sim/surface/polygon.h"
 #include "sim/surface/surface_fill.h"
 #include "sim/surface/surface_shells.h"
 #include "tests/support/surfaces.h"
@@ -228,47 +228,6 @@ TEST_CASE("a long triangle reaches the cells along it, not its whole box", "[sur
   CHECK(missed == 0);
 }
 
-TEST_CASE("triangles around one vertex are not compared with each other", "[surface]") {
-  SurfaceMesh fan = make_cone(50000);
-  std::erase_if(fan.triangles, [](const Triangle& t) { return t[0] == 1; });
-  const TriangleTree tree(fan.positions, fan.triangles);
-  std::size_t compared = 0;
-  CHECK(tree.for_touching_pairs([](std::size_t, std::size_t) {},
-                                [&](std::size_t count) { return (compared = count) < fan.triangles.size(); }));
-  std::printf("%zu triangles: %zu pairs of boxes compared\n", fan.triangles.size(), compared);
-  CHECK(self_intersections(tree).pairs.count == 0);
-
-  // Where thousands intersect each other the search ends, with a note.
-  SurfaceMesh crossing;
-  for (std::uint32_t i = 0; i < 3000; ++i) {
-    const double s = 1e-4 * i;
-    for (const Vector3d& p : {Vector3d(0, 0, s), Vector3d(1, 1, 1 - s), Vector3d(1, 1.001, 1 - s)})
-      crossing.positions.push_back(p);
-    crossing.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-  }
-  CHECK_FALSE(self_intersections(TriangleTree(crossing.positions, crossing.triangles)).complete);
-}
-
-TEST_CASE("the intersections are those that a comparison of all pairs finds", "[surface]") {
-  std::mt19937 random(3);
-  const auto unit = [&] { return static_cast<double>(random() % 100000) / 100000; };
-  SurfaceMesh soup;
-  for (std::uint32_t t = 0; t < 300; ++t) {
-    const Vector3d at(unit(), unit(), unit());
-    for (int k = 0; k < 3; ++k) soup.positions.push_back(at + 0.3 * Vector3d(unit(), unit(), unit()));
-    soup.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
-  }
-  std::size_t expected = 0;
-  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-    for (std::size_t u = t + 1; u < soup.triangles.size(); ++u)
-      expected += self_intersections(TriangleTree(soup.positions, {soup.triangles[t], soup.triangles[u]})).pairs.count;
-  const SelfIntersections found = self_intersections(TriangleTree(soup.positions, soup.triangles));
-  std::printf("%zu pairs cut each other, %zu by comparing all\n", found.pairs.count, expected);
-  CHECK(found.complete);
-  CHECK(found.pairs.count == expected);
-  CHECK(expected > 100);
-}
-
 TEST_CASE("a library of materials is read once for any number of references, and missing items are named a few times",
           "[surface]") {
   std::string text, triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -288,31 +247,4 @@ TEST_CASE("a library of materials is read once for any number of references, and
   CHECK(mesh.materials[0].color == 0xff0000ff);
   CHECK(mesh.notes.size() == 9);
   CHECK(mesh.notes.back() == "19992 more libraries of materials are missing");
-}
-
-TEST_CASE("polygons of any shape are divided into triangles of their area", "[surface]") {
-  std::mt19937 random(4);
-  double largest = 0;
-  for (int n = 4; n <= 255; n += 7) {
-    std::vector<Vector3d> x;
-    std::vector<std::uint32_t> corners;
-    for (int i = 0; i < n; ++i) {
-      const double radius = 0.2 + static_cast<double>(random() % 1000) / 1000, a = 2 * std::numbers::pi * i / n;
-      x.emplace_back(radius * std::cos(a), radius * std::sin(a), 0);
-      corners.push_back(static_cast<std::uint32_t>(i));
-    }
-    double expected = 0, sum = 0;
-    for (int i = 0; i < n; ++i) expected += x[i].cross(x[(i + 1) % n]).z() / 2;
-    std::vector<Triangle> triangles;
-    triangulate(x, corners, triangles);
-    REQUIRE(triangles.size() == static_cast<std::size_t>(n) - 2);
-    for (const auto& [a, b, c] : triangles) {
-      const double area = (x[b] - x[a]).cross(x[c] - x[a]).z() / 2;
-      CHECK(area > -1e-12);
-      sum += area;
-    }
-    largest = std::max(largest, std::abs(sum - expected));
-  }
-  std::printf("areas of polygons and of their triangles: differ by %g at most\n", largest);
-  CHECK(largest < 1e-9);
 }

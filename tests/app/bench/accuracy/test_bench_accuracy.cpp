@@ -1,5 +1,6 @@
 // fascia bench accuracy on a beam of 48 tets: its table, the continuation of a first run by a second, and the
 // evaluation of the numbers.
+// Covers: accuracy, charts, grid, problem, results, summary
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,6 @@
 // The accelerations alone, on linear fixed-point iterations with known solutions: x <- A x + b with A diagonal,
 // computed on the CPU between their passes.
+// Covers: anderson, chebyshev
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 // Results against the exact step: the accuracy of the methods, and the iterations to reach it. The errors are those of
 // the step alone, RMS |u - u_exact| over RMS |u_exact - u~|: 1 is the untouched prediction.
+// Covers: sim/gpu/static_march
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>

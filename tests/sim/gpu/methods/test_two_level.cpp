@@ -1,5 +1,6 @@
 // The passes of the two-level method against the same iteration in double precision, on large rotations, where errors
 // of float32 and of frozen rotations are largest.
+// Covers: coarse_level, sim/gpu/passes/step_gradient
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/methods/two_level.h"

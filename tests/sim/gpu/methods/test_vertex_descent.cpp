@@ -1,4 +1,5 @@
 // Vertex block descent with tets that need a guard: their vertices are deferred to the end of their color.
+// Covers: sim/gpu/passes/recording
 #include "sim/gpu/methods/vertex_descent.h"
 
 #include <catch2/catch.hpp>

@@ -3,6 +3,7 @@
 // Tolerances: float32 carries 6e-8 relative. The strain of a state with displacement gradients of 0.1 to 0.3 is known
 // to about 1e-7 relative; the 6x6 system's condition number (about 1 / (1 - 2 nu), times the spread of the tet's shape,
 // some tens) amplifies that to a few 1e-6. A whole step has such errors in 20 iterations, which damp them.
+// Covers: exact_xpbd, gauss_seidel, jacobi, methods
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/methods/jacobi.h"

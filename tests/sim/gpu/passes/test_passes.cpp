@@ -1,5 +1,6 @@
 // Every kernel that all methods share, alone, against the same pass in double precision on random states.
 // Tolerances: one or a few float32 operations per output, 6e-8 each; sums of n terms grow it by at most n.
+// Covers: motion_targets, sim_buffers, sim/gpu/readback/surface_positions
 #include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
 

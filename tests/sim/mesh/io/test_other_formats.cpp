@@ -1,4 +1,5 @@
 // TetGen and Medit: their specific freedoms and errors.
+// Covers: medit, tetgen
 #include <catch2/catch.hpp>
 #include <fstream>
 

@@ -1,6 +1,5 @@
-// The table of settings, and the solver choices.
+// The table of settings.
 #include <catch2/catch.hpp>
-#include <set>
 
 #include "sim/scene/settings/solver_settings.h"
 
@@ -27,24 +26,4 @@ TEST_CASE("a substep is an equal part of the step") {
   settings.time_step = 0.5;
   settings.substeps = 4;
   CHECK(settings.substep() == 0.125);
-}
-
-TEST_CASE("a valid solver choice is found by its names, the best one by one name or none") {
-  REQUIRE(!solver_choices().empty());
-  CHECK(find_choice({}, {}) == solver_choices().front());
-  std::set<std::pair<std::string, std::string>> seen;
-  for (const SolverChoice& pair : solver_choices()) {
-    const std::string method = name_of(pair.method), acceleration = name_of(pair.acceleration);
-    CAPTURE(method, acceleration);
-    CHECK(seen.emplace(method, acceleration).second);
-    CHECK(find_choice(method, acceleration) == pair);
-    CHECK(find_choice(method, {})->method == pair.method);
-    CHECK(find_choice({}, acceleration)->acceleration == pair.acceleration);
-    CHECK(list_of_choices().find(method + " with " + acceleration) != std::string::npos);
-    CHECK(std::string(label_of(pair.method)).size() > 3);
-    CHECK(std::string(help_of(pair.method)).size() > 20);
-  }
-  CHECK(!find_choice("warp", {}));
-  CHECK(!find_choice({}, "warp"));
-  CHECK(!find_choice("jacobi", ""));
 }

@@ -1,5 +1,6 @@
 // Gmsh files as other programs write them: unneeded sections, extra numbers in an entity, tags without a line break,
 // missing tags.
+// Covers: gmsh_passed_over, gmsh_tags
 #include <catch2/catch.hpp>
 #include <cstdio>
 

@@ -1,4 +1,5 @@
 // Features of VTK files only: arrays that may contain regions, pieces, several layouts, and their specific errors.
+// Covers: vtk_legacy, vtu, vtu_array, xml
 #include <catch2/catch.hpp>
 
 #include "sim/mesh/io/formats.h"

@@ -1,9 +1,10 @@
 // Ticks of an axis: at round numbers, and at both ends if these are round.
+#include "app/ui/ticks.h"
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-
-#include "app/ui/ticks.h"
+#include <cstdio>
 
 using namespace fascia;
 
@@ -44,4 +45,47 @@ TEST_CASE("both ends of a range have a tick if they are multiples of the step, a
     check(1 - reach, 1 + reach);  // of the volume ratio
   CAPTURE(ends);
   CHECK(ends > 1000);
+}
+
+TEST_CASE("axes have round marks, not too many, told apart by their digits") {
+  for (const auto& [low, high] :
+       {std::pair{0.0, 1.0}, {-3.7e-5, 8.1e-5}, {0.99991, 1.00012}, {12345.0, 12399.0}, {-2e9, 1e3}})
+    for (const int most : {2, 4, 9}) {
+      CAPTURE(low, high, most);
+      const Ticks ticks = linear_ticks(low, high, most);
+      REQUIRE(!ticks.values.empty());
+      CHECK(ticks.values.size() <= static_cast<std::size_t>(most) + 1);
+      CHECK(ticks.values.front() >= low - 1e-9 * (high - low));
+      CHECK(ticks.values.back() <= high + 1e-9 * (high - low));
+      for (std::size_t i = 0; i + 1 < ticks.values.size(); ++i) {
+        char a[32], b[32];
+        std::snprintf(a, sizeof a, "%.*g", ticks.digits, ticks.values[i]);
+        std::snprintf(b, sizeof b, "%.*g", ticks.digits, ticks.values[i + 1]);
+        CHECK(std::string(a) != b);
+      }
+      if (ticks.values.size() < 2) continue;
+      const double step = ticks.values[1] - ticks.values[0],
+                   digit = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
+      CAPTURE(step);
+      CHECK((std::abs(digit - 1) < 1e-6 || std::abs(digit - 2) < 1e-6 || std::abs(digit - 5) < 1e-6));
+    }
+  CHECK(decade_ticks(1e-6, 1, 4).values == std::vector<double>{1e-6, 1e-4, 1e-2, 1});
+  CHECK(decade_ticks(2e-3, 5e-3, 4).values.empty());
+}
+
+TEST_CASE("a range of nothing has one mark") {
+  CHECK(linear_ticks(3, 3, 5).values == std::vector<double>{3});
+  CHECK(linear_ticks(3, 2, 5).values == std::vector<double>{3});
+}
+
+TEST_CASE("decades are marked every so many that there is room, from the first on") {
+  CHECK(decade_ticks(1, 1000, 9).values == std::vector<double>{1, 10, 100, 1000});
+  CHECK(decade_ticks(0.5, 2000, 9).values == std::vector<double>{1, 10, 100, 1000});
+  for (int most = 2; most <= 8; ++most)
+    for (int last = 1; last <= 20; ++last) {
+      const Ticks ticks = decade_ticks(1, std::pow(10.0, last), most);
+      CAPTURE(most, last, ticks.values);
+      CHECK(ticks.values.size() <= static_cast<std::size_t>(most));
+      CHECK(ticks.values.front() == 1);
+    }
 }

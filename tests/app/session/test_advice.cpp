@@ -1,0 +1,75 @@
+// Advice beside fields: when it is given, and when it is not.
+#include "app/session/advice.h"
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "sim/mesh/mesh_generate.h"
+
+using namespace fascia;
+
+namespace {
+
+std::optional<UnitHint> unit_hint_of(double size, double scale = 1) {
+  Scene scene;
+  scene.bodies.emplace_back().transform.scale = scale;
+  Model model;
+  const TetMesh mesh = make_box(1, 1, 1, {size, 0.1 * size, 0.1 * size});
+  model.rest_positions = mesh.positions;
+  model.rest_positions.push_back({1e9, 0, 0});  // of no tet
+  model.tets = mesh.tets;
+  return unit_hint(scene, model);
+}
+
+std::optional<Hint> residual_hint(double residual, SolverChoice choice = solver_choices().front()) {
+  SolverSettings settings;
+  settings.method = choice.method;
+  settings.acceleration = choice.acceleration;
+  Diagnostics diagnostics;
+  diagnostics.residual = residual;
+  return iterations_hint(settings, diagnostics);
+}
+
+}  // namespace
+
+TEST_CASE("a Poisson's ratio above which linear tets lock is told of") {
+  CHECK_FALSE(locking_hint(0.3));
+  CHECK_FALSE(locking_hint(kLockingPoissonRatio));
+  REQUIRE(locking_hint(0.451));
+  CHECK(locking_hint(0.451)->name == "locking");
+}
+
+TEST_CASE("a body of no tissue's size is told of with the unit that would make it one") {
+  CHECK_FALSE(unit_hint_of(0.2));
+  CHECK_FALSE(unit_hint_of(3));
+  CHECK_FALSE(unit_hint_of(1e12));  // in no unit
+  const std::optional<UnitHint> millimetres = unit_hint_of(120);
+  REQUIRE(millimetres);
+  CHECK(millimetres->scale == 1e-3);
+  CHECK(millimetres->hint.text == "120 m wide: made in millimetres?");
+  CHECK(millimetres->hint.remedy == "Scale to 120 mm");
+  CHECK(unit_hint_of(1e5)->scale == 1e-6);
+  CHECK(unit_hint_of(1e-4)->scale == 1e3);
+  // The advice is about the scale that the body has already.
+  CHECK_THAT(unit_hint_of(120, 10)->hint.help, Catch::Contains("transform.scale=0.01 "));
+  CHECK_FALSE(unit_hint(Scene{}, Model{}));
+}
+
+TEST_CASE("a step that is left a tenth unsolved is told of, and two_level to those who have another method") {
+  CHECK_FALSE(iterations_hint(SolverSettings{}, std::nullopt));
+  CHECK_FALSE(residual_hint(0.099));
+  CHECK_FALSE(residual_hint(std::numeric_limits<double>::quiet_NaN()));
+  REQUIRE(residual_hint(0.1));
+  CHECK(residual_hint(0.234)->text == "Residual 0.23: too few iterations?");
+  CHECK(residual_hint(0.5)->help.find("two_level") == std::string::npos);
+  CHECK(residual_hint(0.5, {Method::jacobi, Acceleration::none})->help.find("two_level") != std::string::npos);
+}
+
+TEST_CASE("substeps that are long against what tissue does are told of") {
+  SolverSettings settings;
+  CHECK_FALSE(time_step_hint(settings));
+  settings.time_step = 0.05;
+  CHECK(time_step_hint(settings));
+  settings.substeps = 2;
+  CHECK_FALSE(time_step_hint(settings));
+}

@@ -1,0 +1,62 @@
+// Work in a child process: what it answers and says, and how its end is told.
+#include "app/system/child_process.h"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <cstdio>
+#include <new>
+
+#include "base/error.h"
+
+using namespace fascia;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("what crashes, hangs or fails in a child is a report") {
+  CHECK(run_in_child([] { return std::string("done"); }, 60).answer == "done");
+  CHECK(run_in_child([]() -> std::string { throw Error("a", "b", "c"); }, 60).failure == "a: b; c");
+  const ChildReport crashed = run_in_child(
+      []() -> std::string {
+        std::raise(SIGKILL);
+        return "";
+      },
+      60);
+  CHECK(contains(crashed.failure, "crashed (Killed)"));
+  CHECK(contains(run_in_child(
+                     []() -> std::string {
+                       for (;;) pause();
+                     },
+                     0.3)
+                     .failure,
+                 "took longer than 0.3 s"));
+  CHECK(run_in_child(
+            [] {
+              std::puts("said");
+              std::fflush(stdout);
+              return std::string();
+            },
+            60)
+            .said == "said\n");
+  const std::string large(1 << 20, 'x');  // more than a pipe holds
+  CHECK(run_in_child([&] { return large; }, 60).answer == large);
+}
+
+TEST_CASE("what a child changes stays in the child, and a lack of memory has a line of its own") {
+  int number = 1;
+  const ChildReport report = run_in_child(
+      [&] {
+        number = 2;
+        return std::to_string(number);
+      },
+      60);
+  CHECK(report.answer == "2");
+  CHECK(report.failure.empty());
+  CHECK(number == 1);
+  CHECK(contains(run_in_child([]() -> std::string { throw std::bad_alloc(); }, 60).failure, "needs more memory"));
+}

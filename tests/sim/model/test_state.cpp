@@ -1,0 +1,19 @@
+// The state in which a model starts.
+#include "sim/model/state.h"
+
+#include <catch2/catch.hpp>
+
+#include "tests/support/models.h"
+
+using namespace fascia;
+using Eigen::Vector3d;
+
+TEST_CASE("a model starts at rest, with its initial velocities, at time 0") {
+  Model model = test::make_model(make_box(2, 1, 1, {1, 1, 1}), Material{}, [](const Vector3d&) { return false; });
+  for (std::size_t v = 0; v < model.initial_velocity.size(); ++v)
+    model.initial_velocity[v] = Vector3d(static_cast<double>(v), -1, 0.5);
+  const State state = initial_state(model);
+  CHECK(state.time == 0);
+  CHECK(state.velocity == model.initial_velocity);
+  CHECK(state.displacement == std::vector<Vector3d>(12, Vector3d(0, 0, 0)));
+}
