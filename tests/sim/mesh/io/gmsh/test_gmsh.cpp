@@ -1,6 +1,6 @@
 // What only Gmsh files can have: several groups for one entity, elements of higher order, and their own
 // mistakes.
-// Covers: gmsh_2, gmsh_4, sim/mesh/io/tag_map
+// Covers: gmsh_2, gmsh_4
 #include <catch2/catch.hpp>
 
 #include "sim/mesh/io/formats.h"
