@@ -123,8 +123,8 @@ TEST_CASE("fused steps leave the same regions at rest", "[gpu][.threads]") {
   settings.rest_speed = 1e-3;
   Compared c(std::move(model), settings);
   const std::vector<GrabSpring> grab{{static_cast<std::uint32_t>(c.model.rest_positions.size() - 1), {0, 0.05, 0}, 20}};
-  c.alone.set_grab(springs);
-  c.fused.set_grab(springs);
+  c.alone.set_grab(grab);
+  c.fused.set_grab(grab);
   for (int i = 0; i < 30; ++i) c.step();
   CAPTURE(c.alone.share_solved());
   CHECK(c.fused.share_solved() < 1);

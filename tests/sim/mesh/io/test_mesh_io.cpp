@@ -1,5 +1,6 @@
 // Every format and variant, read and written; and the common handling of bad files.
-// Covers: formats, scanner, sim/mesh/io/gmsh/gmsh_write, sim/mesh/io/vtk/vtk_legacy_write, sim/mesh/io/vtk/vtu_write
+// Covers: formats, scanner, tag_map, sim/mesh/io/gmsh/gmsh_write
+// Covers: sim/mesh/io/vtk/vtk_legacy_write, sim/mesh/io/vtk/vtu_write
 #include "sim/mesh/io/mesh_io.h"
 
 #include <catch2/catch.hpp>

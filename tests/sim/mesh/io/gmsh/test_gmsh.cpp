@@ -1,5 +1,5 @@
 // Features of Gmsh files only: several groups for one entity, elements of higher order, and their specific errors.
-// Covers: gmsh_2, gmsh_4, sim/mesh/io/tag_map
+// Covers: gmsh_2, gmsh_4
 #include <catch2/catch.hpp>
 
 #include "sim/mesh/io/formats.h"
