@@ -67,7 +67,7 @@ State bent_beam(const Model& model) {
     const double half_square = 0.5 * rest.x() * rest.x();
     const Vector3d turned = Eigen::AngleAxisd(kBending * half_square, Vector3d::UnitZ()) *
                             (Eigen::AngleAxisd(kTwisting * half_square, Vector3d::UnitX()) * across);
-    state.displacement[v] = (axis + center_line(rest.x()) + turned - rest).cast<float>().cast<double>();
+    state.displacement[v] = float32_of(axis + center_line(rest.x()) + turned - rest);
   }
   for (const std::uint32_t v : model.fixed) state.displacement[v].setZero();
   return state;

@@ -1,11 +1,9 @@
 #include "app/check/check.h"
 
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "app/golden/golden.h"
 #include "app/headless/headless.h"
-#include "app/system/child_process.h"
 #include "base/error.h"
 #include "base/interrupt.h"
 
@@ -15,16 +13,11 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-fs::path left_behind(const CheckOptions& options, const CheckCase& check, const char* ending) {
-  return fs::path(options.out) / (check.name + ending);
-}
-
 void keep_failure(const CheckOptions& options, const CheckCase& check, const Outcome& outcome,
                   const Comparison& comparison) {
-  if (!check.options.compare.empty())
-    write_png(left_behind(options, check, ".new.png"), outcome.picture, outcome.provenance);
-  if (!check.options.state.empty()) write_state(left_behind(options, check, ".new.csv"), outcome.mesh, outcome.fields);
-  if (comparison.picture) write_png(left_behind(options, check, ".diff.png"), *comparison.picture, outcome.provenance);
+  if (!check.options.compare.empty()) write_png(new_picture(options.out, check), outcome.picture, outcome.provenance);
+  if (!check.options.state.empty()) write_state(new_state(options.out, check), outcome.mesh, outcome.fields);
+  if (comparison.picture) write_png(difference(options.out, check), *comparison.picture, outcome.provenance);
 }
 
 // Also handles folders with names that are not UTF-8.
@@ -72,20 +65,34 @@ CheckResult result_of(const ChildReport& report, bool update) {
 
 }  // namespace
 
-CheckResult run_check(const CheckCase& check, const CheckOptions& options) {
+fs::path new_picture(const fs::path& out, const CheckCase& check) { return out / (check.name + ".new.png"); }
+fs::path new_state(const fs::path& out, const CheckCase& check) { return out / (check.name + ".new.csv"); }
+fs::path difference(const fs::path& out, const CheckCase& check) { return out / (check.name + ".diff.png"); }
+
+CheckRun::CheckRun(const CheckCase& check, const CheckOptions& options) : update_(options.update) {
   CheckCase made = check;
   made.options.context = options.context;
   made.options.loads = options.loads;
   made.options.data_dir = options.data_dir;
   made.options.command_line = options.command_line;
   if (!options.out.empty())
-    for (const char* ending : {".new.png", ".new.csv", ".diff.png"}) {
+    for (const fs::path& earlier :
+         {new_picture(options.out, check), new_state(options.out, check), difference(options.out, check)}) {
       std::error_code ignored;
-      fs::remove(left_behind(options, check, ending), ignored);
+      fs::remove(earlier, ignored);
     }
-  const auto start = std::chrono::steady_clock::now();
-  CheckResult result = result_of(run_in_child([&] { return judge(made, options); }, options.timeout), options.update);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  child_ = std::make_unique<ChildProcess>([&] { return judge(made, options); }, options.timeout);
+}
+
+bool CheckRun::ended(int wait_ms) {
+  if (!child_->ended(wait_ms)) return false;
+  if (seconds_ == 0) seconds_ = std::chrono::duration<double>(Clock::now() - start_).count();
+  return true;
+}
+
+CheckResult CheckRun::result() const {
+  CheckResult result = result_of(child_->report(), update_);
+  result.seconds = seconds_;
   return result;
 }
 

@@ -1,11 +1,14 @@
 // Checks one scene of a folder: it is stepped, drawn and compared in a separate process.
 #pragma once
+#include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/check/check_folder.h"
+#include "app/system/child_process.h"
 
 namespace fascia {
 
@@ -13,9 +16,11 @@ struct CheckOptions : CommonOptions {
   std::string folder;
   std::string out;    // folder for the results of failures; empty: none
   std::string junit;  // XML
+  std::string html;   // a report with pictures
   std::string only;   // pattern
   bool update = false;
   double timeout = 600;  // [s] of a scene
+  int jobs = 1;          // scenes at a time
 };
 
 struct CheckResult {
@@ -27,7 +32,25 @@ struct CheckResult {
   std::string said;
 };
 
-/// A scene that does not open, crashes or hangs is a result, not an exception.
-CheckResult run_check(const CheckCase& check, const CheckOptions& options);
+/// A check that is under way. A scene that does not open, crashes or hangs is a result, not an exception.
+class CheckRun {
+ public:
+  CheckRun(const CheckCase& check, const CheckOptions& options);
+  bool ended(int wait_ms);     // waits that long at most
+  CheckResult result() const;  // once it has ended
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool update_;
+  Clock::time_point start_ = Clock::now();
+  double seconds_ = 0;
+  std::unique_ptr<ChildProcess> child_;
+};
+
+/// The files of a failed case in the folder `out`: the new picture, the new state, and both pictures with their
+/// difference.
+std::filesystem::path new_picture(const std::filesystem::path& out, const CheckCase& check);
+std::filesystem::path new_state(const std::filesystem::path& out, const CheckCase& check);
+std::filesystem::path difference(const std::filesystem::path& out, const CheckCase& check);
 
 }  // namespace fascia

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <string_view>
 
+#include "base/number_text.h"
+
 namespace fascia {
 namespace {
 
@@ -77,6 +79,12 @@ std::string counts(const std::vector<JunitCase>& cases) {
 std::string case_xml(const std::string& suite, const JunitCase& c) {
   std::string xml = "    <testcase classname=\"" + escaped(suite) + "\" name=\"" + escaped(c.name) + "\" time=\"" +
                     seconds_text(c.seconds) + "\">\n";
+  if (!c.properties.empty()) {
+    xml += "      <properties>\n";
+    for (const auto& [name, value] : c.properties)
+      xml += "        <property name=\"" + escaped(name) + "\" value=\"" + NumberText().add(value).take() + "\"/>\n";
+    xml += "      </properties>\n";
+  }
   if (c.verdict != JunitCase::Verdict::passed) {
     const std::string kind = c.verdict == JunitCase::Verdict::failed ? "failure" : "error";
     xml += "      <" + kind + " message=\"" + escaped(c.message) + "\" type=\"" + kind + "\">" + escaped(c.details) +

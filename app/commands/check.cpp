@@ -1,10 +1,15 @@
 // fascia check: compares a folder of scenes with their goldens, as a table and as JUnit XML for CI.
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
+#include <functional>
 #include <iostream>
+#include <memory>
+#include <thread>
 
 #include "app/check/check.h"
+#include "app/check/html_report.h"
 #include "app/check/junit.h"
 #include "app/cli/command_line.h"
 #include "app/cli/name_pattern.h"
@@ -44,9 +49,12 @@ std::string row(const std::vector<std::string>& cells, std::size_t name_width) {
 
 std::string cell(const std::optional<double>& value) { return value ? three_digits(*value) : "-"; }
 
+bool is_good(const CheckResult& result) {
+  return result.verdict == Verdict::passed || result.verdict == Verdict::updated;
+}
+
 void print(const CheckCase& check, const CheckResult& result, std::size_t name_width, bool quiet) {
-  const bool good = result.verdict == Verdict::passed || result.verdict == Verdict::updated;
-  if (quiet && good) return;
+  if (quiet && is_good(result)) return;
   char seconds[24];
   std::snprintf(seconds, sizeof seconds, "%.1f", result.seconds);
   std::cout << row({check.name, name_of(result.verdict), cell(result.mean), cell(result.share), cell(result.deviation),
@@ -55,6 +63,18 @@ void print(const CheckCase& check, const CheckResult& result, std::size_t name_w
             << '\n';
   for (const std::string& line : result.lines) std::cout << "    " << line << '\n';
   std::cout.flush();
+}
+
+struct Value {
+  const char* name;
+  std::optional<double> measured;
+  double allowed;
+};
+std::vector<Value> values_of(const CheckCase& check, const CheckResult& result) {
+  const GoldenLimits& limits = check.options.limits;
+  return {{"mean", result.mean, limits.mean},
+          {"share", result.share, limits.share},
+          {"state", result.deviation, limits.state}};
 }
 
 JunitCase junit_case(const CheckCase& check, const CheckResult& result) {
@@ -67,6 +87,24 @@ JunitCase junit_case(const CheckCase& check, const CheckResult& result) {
                                                     : JunitCase::Verdict::passed;
   if (!result.lines.empty()) made.message = result.lines.front();
   for (const std::string& line : result.lines) made.details += line + '\n';
+  for (const Value& v : values_of(check, result)) {
+    if (!v.measured) continue;
+    made.properties.emplace_back(std::string(v.name) + "_measured", *v.measured);
+    made.properties.emplace_back(std::string(v.name) + "_allowed", v.allowed);
+  }
+  return made;
+}
+
+ReportCase report_case(const CheckCase& check, const CheckResult& result, const std::string& out) {
+  ReportCase made{check.name, name_of(result.verdict), is_good(result), result.seconds, {}, result.lines,
+                  "golden",   check.options.compare};
+  for (const Value& v : values_of(check, result))
+    if (v.measured) made.values.push_back({v.name, *v.measured, v.allowed});
+  if (made.good || out.empty()) return made;
+  std::error_code none;
+  const bool compared = fs::exists(difference(out, check), none);
+  made.picture = compared ? difference(out, check) : new_picture(out, check);
+  made.caption = compared ? "golden, result, difference" : "result";
   return made;
 }
 
@@ -89,8 +127,34 @@ std::vector<CheckCase> chosen_cases(const CheckOptions& options) {
   return cases;
 }
 
+// Scenes in separate processes, `jobs` at a time. `done` gets their results in the order of the folder, and returns
+// whether the check goes on.
+void run_checks(const std::vector<CheckCase>& cases, const CheckOptions& options,
+                const std::function<bool(const CheckCase&, const CheckResult&)>& done) {
+  constexpr int kWait = 20;  // [ms]
+  std::vector<std::unique_ptr<CheckRun>> runs(cases.size());
+  std::size_t next = 0, first = 0;  // to begin, to report
+  while (first < cases.size()) {
+    int running = 0;
+    for (std::size_t i = first; i < next; ++i) running += !runs[i]->ended(0);
+    for (; running < options.jobs && next < cases.size() && !interrupted(); ++running, ++next)
+      runs[next] = std::make_unique<CheckRun>(cases[next], options);
+    if (first == next) return;  // interrupted
+    if (!runs[first]->ended(kWait)) continue;
+    if (!done(cases[first], runs[first]->result())) return;
+    runs[first++].reset();
+  }
+}
+
+// So that scenes that are checked at the same time share the cores.
+void share_cores(int jobs) {
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  if (jobs > 1) setenv("LP_NUM_THREADS", std::to_string(std::max(1, cores / jobs)).c_str(), 0);
+}
+
 int check_folder(const CheckOptions& options) {
-  require_outputs({{"--junit", options.junit, {".xml"}, OutputFile::Takes::all_but_foreign}});
+  require_outputs(
+      {{"--junit", options.junit, {".xml"}, OutputFile::Takes::all_but_foreign}, {"--html", options.html, {".html"}}});
   const std::vector<CheckCase> cases = chosen_cases(options);
   if (!options.out.empty()) {
     std::error_code ec;
@@ -100,19 +164,21 @@ int check_folder(const CheckOptions& options) {
   std::size_t name_width = 5;
   for (const CheckCase& check : cases) name_width = std::max(name_width, check.name.size());
   if (!options.quiet) std::cout << row({"scene", "result", "mean", "share", "state", "seconds"}, name_width) << '\n';
+  share_cores(options.jobs);
   std::vector<JunitCase> report;
-  for (const CheckCase& check : cases) {
-    const CheckResult result = run_check(check, options);
-    if (interrupted() && result.verdict == Verdict::error) break;  // it was not completed
+  std::vector<ReportCase> pages;
+  run_checks(cases, options, [&](const CheckCase& check, const CheckResult& result) {
+    if (interrupted() && result.verdict == Verdict::error) return false;  // it was not completed
     print(check, result, name_width, options.quiet);
     report.push_back(junit_case(check, result));
-    if (interrupted()) break;
-  }
+    pages.push_back(report_case(check, result, options.out));
+    return !interrupted();
+  });
   const auto bad = std::count_if(report.begin(), report.end(),
                                  [](const JunitCase& c) { return c.verdict != JunitCase::Verdict::passed; });
-  if (!options.junit.empty())
-    write_file(options.junit,
-               junit_xml("fascia check " + fs::path(options.folder).lexically_normal().string(), now(), report));
+  const std::string title = "fascia check " + fs::path(options.folder).lexically_normal().string();
+  if (!options.junit.empty()) write_file(options.junit, junit_xml(title, now(), report));
+  if (!options.html.empty()) write_file(options.html, html_report(title, now(), pages));
   if (interrupted()) return exit_interrupted;
   if (bad > 0 && !options.out.empty())
     std::cout << "new pictures, states and differences are in " << options.out << '\n';
@@ -136,6 +202,13 @@ void add_check(CLI::App& program, Invocation& invocation) {
       .add_option("--out", options->out, "folder for the new picture, the new state and the difference of what fails")
       ->type_name("DIR");
   command.add_option("--junit", options->junit, "the results for GitLab, Jenkins or GitHub")->type_name("FILE.xml");
+  command
+      .add_option("--html", options->html,
+                  "a report with the goldens, and with --out golden, result and difference of what fails side by side")
+      ->type_name("FILE.html");
+  command.add_option("--jobs", options->jobs, "scenes that are checked at a time")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
   command.add_option("--only", options->only, "scenes whose name has such a part; * and ? as in file names")
       ->type_name("PATTERN");
   command.add_option("--timeout", options->timeout, "after which a scene counts as failed")

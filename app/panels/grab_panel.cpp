@@ -56,17 +56,14 @@ void balance_rows(const Simulation& simulation, const SceneFacts& facts, const D
   char text[32];
   std::snprintf(text, sizeof text, off < 0.0995 ? "%.1f %%" : "%.0f %%", 100 * off);
   const ImVec4& color = off <= kBalanced ? ui::kGood : off <= kAlmost ? ui::kWarning : ui::kDanger;
-  ImGui::PushStyleColor(ImGuiCol_Text, color);
-  ui::fact("Balance", text);
-  ImGui::PopStyleColor();
-  ui::tooltip(
+  ui::fact(
+      "Balance", text,
       "Supports + weight + grabs - mass times acceleration, over the largest of them. Inside the body all forces "
-      "cancel, so\n"
-      "nothing is left of a step that is solved; what is left tells how far the iterations are from that. More of them "
-      "help.\n"
-      "Supports  " +
-      in_newtons(d.reaction) + "\nWeight  " + in_newtons(weight) + "\nHands  " + in_newtons(d.grab_force) +
-      "\nMass times acceleration  " + in_newtons(d.inertia));
+      "cancel, so\nnothing remains of a solved step. The remainder shows how far the iterations are from that. More "
+      "of them help.\nSupports  " +
+          in_newtons(d.reaction) + "\nWeight  " + in_newtons(weight) + "\nGrabs  " + in_newtons(d.grab_force) +
+          "\nMass times acceleration  " + in_newtons(d.inertia),
+      &color);
 }
 
 }  // namespace fascia

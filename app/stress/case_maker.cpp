@@ -39,7 +39,7 @@ std::optional<State> StressCases::start(const Scene& scene,
   State state = initial_state(built);
   const std::vector<char> held = built.held();
   for (std::size_t v = 0; v < held.size(); ++v)
-    if (!held[v]) state.displacement[v] = rounded(place(built.rest_positions[v]) - built.rest_positions[v]);
+    if (!held[v]) state.displacement[v] = float32_of(place(built.rest_positions[v]) - built.rest_positions[v]);
   return state;
 }
 
@@ -70,7 +70,5 @@ std::string in_short(double value) {
   std::snprintf(text, sizeof text, "%g", value);
   return text;
 }
-
-Vector3d rounded(const Vector3d& v) { return v.cast<float>().cast<double>(); }
 
 }  // namespace fascia

@@ -9,6 +9,7 @@
 
 #include "app/stress/stress.h"
 #include "sim/mesh/tet_mesh.h"
+#include "sim/model/state.h"
 
 namespace fascia {
 
@@ -38,7 +39,5 @@ struct StressCases {
 
 /// "1e+06"
 std::string in_short(double value);
-/// Rounds to float32: both sides of a replay start from the same numbers.
-Eigen::Vector3d rounded(const Eigen::Vector3d& v);
 
 }  // namespace fascia

@@ -14,7 +14,7 @@ void add_conservation(StressCases& c) {
   std::optional<State> state = c.bent(s);
   const Model built = build_model(s);
   for (std::size_t v = 0; v < state->velocity.size(); ++v)
-    state->velocity[v] = rounded(Vector3d(1, 2, 0.5) + Vector3d(3, -2, 5).cross(built.rest_positions[v]));
+    state->velocity[v] = float32_of(Vector3d(1, 2, 0.5) + Vector3d(3, -2, 5).cross(built.rest_positions[v]));
   StressCase& made = c.add("conservation", "free and spinning", s, state, 90);
   made.criteria.farthest = 20;
   made.criteria.creates_no_energy = made.criteria.creates_no_momentum = true;

@@ -30,7 +30,8 @@ std::optional<State> shaken(const Scene& scene) {
   const std::vector<char> held = built.held();
   for (; v < edge.size(); ++v)
     if (!held[v] && count[v] > 0)
-      state.displacement[v] = rounded(edge[v] / count[v] * Vector3d(uniform(random), uniform(random), uniform(random)));
+      state.displacement[v] =
+          float32_of(edge[v] / count[v] * Vector3d(uniform(random), uniform(random), uniform(random)));
   return state;
 }
 

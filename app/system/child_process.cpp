@@ -6,12 +6,10 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <iostream>
-#include <memory>
 #include <new>
 
 #include "base/error.h"
@@ -19,9 +17,6 @@
 
 namespace fascia {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 constexpr char kDone = 'd', kFailed = 'f';  // first byte of a child's message
 
@@ -51,24 +46,6 @@ void send(int pipe, std::string_view text) {
   _exit(0);  // the parent cleans up its own resources
 }
 
-// Reads until the child closes its end or the time limit is reached.
-std::string receive(int pipe, pid_t child, Clock::time_point end, bool& late) {
-  std::string message;
-  char block[4096];
-  bool told = false;
-  for (;;) {
-    if (interrupted() && !told) told = kill(child, SIGTERM) == 0;
-    late = late || Clock::now() > end;
-    if (late) kill(child, SIGKILL);
-    pollfd waiting{pipe, POLLIN, 0};
-    if (poll(&waiting, 1, 200) <= 0) continue;
-    const ssize_t count = read(pipe, block, sizeof block);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return message;
-    message.append(block, static_cast<std::size_t>(count));
-  }
-}
-
 std::string content_of(std::FILE* file) {
   std::string text;
   char block[4096];
@@ -79,48 +56,78 @@ std::string content_of(std::FILE* file) {
 
 }  // namespace
 
-ChildReport run_in_child(const std::function<std::string()>& work, double timeout) {
+ChildProcess::ChildProcess(const std::function<std::string()>& work, double timeout)
+    : output_(std::tmpfile(), std::fclose), timeout_(timeout) {
   const auto fail = [](const std::string& what) {
     throw Error("fascia", what + ": " + std::strerror(errno), "expected room for one more process");
   };
-  const File output(std::tmpfile(), std::fclose);
-  if (!output) fail("no temporary file");
+  if (!output_) fail("no temporary file");
   int ends[2];
   if (pipe(ends) != 0) fail("no pipe");
   std::cout.flush();
   std::cerr.flush();
-  const Clock::time_point end =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeout));
-  const pid_t child = fork();
-  if (child == 0) {
+  end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeout));
+  child_ = fork();
+  if (child_ == 0) {
     close(ends[0]);
-    be_the_child(work, ends[1], fileno(output.get()));
+    be_the_child(work, ends[1], fileno(output_.get()));
   }
   close(ends[1]);
-  if (child < 0) {
-    close(ends[0]);
-    fail("no child process");
+  pipe_ = ends[0];
+  if (child_ >= 0) return;
+  close(pipe_);
+  fail("no child process");
+}
+
+ChildProcess::~ChildProcess() {
+  if (child_ < 0) return;
+  kill(child_, SIGKILL);
+  take_end();
+}
+
+bool ChildProcess::ended(int wait_ms) {
+  char block[4096];
+  while (child_ >= 0) {
+    if (interrupted() && !told_) told_ = kill(child_, SIGTERM) == 0;
+    late_ = late_ || Clock::now() > end_;
+    if (late_) kill(child_, SIGKILL);
+    pollfd waiting{pipe_, POLLIN, 0};
+    if (poll(&waiting, 1, wait_ms) <= 0) return false;
+    const ssize_t count = read(pipe_, block, sizeof block);
+    if (count < 0 && errno == EINTR) continue;
+    if (count > 0)
+      message_.append(block, static_cast<std::size_t>(count));
+    else
+      take_end();  // the child has closed its end
   }
-  bool late = false;
-  ChildReport report;
-  const std::string message = receive(ends[0], child, end, late);
-  close(ends[0]);
+  return true;
+}
+
+void ChildProcess::take_end() {
+  close(pipe_);
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  report.said = content_of(output.get());
-  if (late) {
+  while (waitpid(child_, &status, 0) < 0 && errno == EINTR) continue;
+  child_ = -1;
+  report_.said = content_of(output_.get());
+  if (late_) {
     char text[64];
-    std::snprintf(text, sizeof text, "took longer than %g s and was ended", timeout);
-    report.failure = text;
+    std::snprintf(text, sizeof text, "took longer than %g s and was ended", timeout_);
+    report_.failure = text;
   } else if (WIFSIGNALED(status)) {
-    report.failure = std::string("crashed (") + strsignal(WTERMSIG(status)) + ")";
-  } else if (message.empty() || message[0] != kDone) {
-    report.failure = message.size() > 1 ? message.substr(1)
-                                        : "ended without a result, exit code " + std::to_string(WEXITSTATUS(status));
+    report_.failure = std::string("crashed (") + strsignal(WTERMSIG(status)) + ")";
+  } else if (message_.empty() || message_[0] != kDone) {
+    report_.failure = message_.size() > 1 ? message_.substr(1)
+                                          : "ended without a result, exit code " + std::to_string(WEXITSTATUS(status));
   } else {
-    report.answer = message.substr(1);
+    report_.answer = message_.substr(1);
   }
-  return report;
+}
+
+ChildReport run_in_child(const std::function<std::string()>& work, double timeout) {
+  constexpr int kWait = 200;  // [ms]: the time limit and Ctrl-C do not end a wait
+  ChildProcess child(work, timeout);
+  while (!child.ended(kWait)) continue;
+  return child.report();
 }
 
 }  // namespace fascia

@@ -127,7 +127,7 @@ void tooltip(const std::string& text) {
   ImGui::EndTooltip();
 }
 
-void fact(const char* name, const std::string& value, const std::string& help) {
+void fact(const char* name, const std::string& value, const std::string& help, const ImVec4* color) {
   expect_help(name, help);
   const std::string text = pretty(value);
   ImGui::BeginGroup();
@@ -136,12 +136,14 @@ void fact(const char* name, const std::string& value, const std::string& help) {
   ImGui::PopStyleColor();
   ImGui::SameLine();
   const float free = ImGui::GetContentRegionAvail().x, width = ImGui::CalcTextSize(text.c_str()).x;
+  if (color) ImGui::PushStyleColor(ImGuiCol_Text, *color);
   if (width < free) {
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free - width);
     ImGui::TextUnformatted(text.c_str());
   } else {
     ImGui::TextWrapped("%s", text.c_str());
   }
+  if (color) ImGui::PopStyleColor();
   ImGui::EndGroup();
   tooltip(help);
 }

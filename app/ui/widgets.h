@@ -17,7 +17,8 @@ bool section(const char* title, bool open_at_first = true);
 void tooltip(const std::string& text);
 
 /// "label          value", the value right-aligned; a tooltip if there is help.
-void fact(const char* label, const std::string& value, const std::string& help = "");
+/// `color`: of the value; null: that of text.
+void fact(const char* label, const std::string& value, const std::string& help = "", const ImVec4* color = nullptr);
 
 struct NumberField {
   std::string label, unit;

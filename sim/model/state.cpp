@@ -11,4 +11,11 @@ State initial_state(const Model& model) {
   return state;
 }
 
+// Through memory, since g++ 12 drops the two conversions where it vectorizes them.
+Eigen::Vector3d float32_of(const Eigen::Vector3d& v) {
+  volatile float stored[3];
+  for (int k = 0; k < 3; ++k) stored[k] = static_cast<float>(v[k]);
+  return {stored[0], stored[1], stored[2]};
+}
+
 }  // namespace fascia

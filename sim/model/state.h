@@ -15,4 +15,7 @@ struct State {
 /// The rest shape of the scene, with its initial velocities, at time 0.
 State initial_state(const Model& model);
 
+/// A vector as buffers of the GPU hold it: both solvers then start from the same numbers.
+Eigen::Vector3d float32_of(const Eigen::Vector3d& v);
+
 }  // namespace fascia

@@ -39,7 +39,7 @@ TEST_CASE("the start is bent and twisted by known angles, held where the beam is
     CAPTURE(k);
     CHECK((now[k] - now[0] - turn * (rest[k] - rest[0])).norm() < 1e-6);
   }
-  for (const Vector3d& u : state.displacement) CHECK(u == u.cast<float>().cast<double>());  // what float32 holds
+  for (const Vector3d& u : state.displacement) CHECK(u == float32_of(u));  // what float32 holds
 }
 
 TEST_CASE("the squared distance is summed over vertices") {

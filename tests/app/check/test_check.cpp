@@ -92,6 +92,35 @@ TEST_CASE("check: one broken scene does not stop the others, and goldens make th
   CHECK(check(folder.path(), {"--only", "nothing like it"}).exit_code == 1);
 }
 
+TEST_CASE("check: scenes at the same time have the results and the order of one after the other", "[check]") {
+  const TemporaryFolder folder, out;
+  fill(folder.path());
+  REQUIRE(check(folder.path(), {"--update", "--only", "cube", "--jobs", "2"}).exit_code == 0);
+  const auto names = [&](const char* jobs) {
+    const CommandResult result =
+        check(folder.path(), {"--jobs", jobs, "--out", out.path().string(), "--html", (out / "report.html").string(),
+                              "--junit", (out / "report.xml").string()});
+    CAPTURE(jobs, result.out, result.err);
+    CHECK(result.exit_code == 1);
+    CHECK(contains(result.out, "3 scenes, 1 failed"));
+    std::string order;
+    for (const char* name : {"\nbroken ", "\ncube ", "\nsoft "}) {
+      const std::size_t at = result.out.find(name);
+      REQUIRE(at != std::string::npos);
+      order += std::to_string(at < 1000) + (result.out.find(name, at + 1) == std::string::npos ? "once " : "twice ");
+    }
+    return order;
+  };
+  CHECK(names("1") == names("3"));
+  const std::string xml = read_file(out / "report.xml"), html = read_file(out / "report.html");
+  CAPTURE(xml, html.substr(0, 3000));
+  CHECK(contains(xml, "<property name=\"mean_measured\" value=\"0\"/>"));
+  CHECK(contains(xml, "<property name=\"state_allowed\" value=\"1e-05\"/>"));
+  CHECK(contains(html, "3 scenes, 1 failed"));
+  CHECK(contains(html, "data:image/png;base64,"));
+  CHECK(xml.find("broken") < xml.find("\"cube\""));
+}
+
 TEST_CASE("check: a changed scene fails and writes its picture and the difference", "[check]") {
   const TemporaryFolder folder, out;
   write_file(folder / "check.json",

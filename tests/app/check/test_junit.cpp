@@ -45,6 +45,19 @@ TEST_CASE("JUnit XML has a case for each scene, with its verdict, time and outpu
 )");
 }
 
+TEST_CASE("JUnit XML has the measured and the allowed differences of a scene as properties") {
+  JunitCase c;
+  c.name = "liver";
+  c.properties = {{"mean_measured", 0.25}, {"mean_allowed", 1e-5}};
+  const std::string xml = junit_xml("s", "2026-01-31T12:00:00", {c});
+  CAPTURE(xml);
+  CHECK(contains(xml, R"(      <properties>
+        <property name="mean_measured" value="0.25"/>
+        <property name="mean_allowed" value="1e-05"/>
+      </properties>
+)"));
+}
+
 TEST_CASE("what XML forbids is replaced byte by byte, and what UTF-8 allows is kept") {
   const auto name = [](const std::string& text) {
     JunitCase c;

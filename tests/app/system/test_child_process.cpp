@@ -1,6 +1,7 @@
 // Work in a child process: what it answers and says, and how its end is told.
 #include "app/system/child_process.h"
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -59,4 +60,31 @@ TEST_CASE("what a child changes stays in the child, and a lack of memory has a l
   CHECK(report.failure.empty());
   CHECK(number == 1);
   CHECK(contains(run_in_child([]() -> std::string { throw std::bad_alloc(); }, 60).failure, "needs more memory"));
+}
+
+TEST_CASE("children work at the same time, and an abandoned child is ended") {
+  int ends[2];
+  REQUIRE(pipe(ends) == 0);
+  // The first waits for what the second writes.
+  ChildProcess first(
+      [&] {
+        char c = 0;
+        return read(ends[0], &c, 1) == 1 ? std::string(1, c) : std::string("none");
+      },
+      60);
+  CHECK_FALSE(first.ended(0));
+  ChildProcess second([&] { return write(ends[1], "x", 1) == 1 ? std::string("written") : std::string("failed"); }, 60);
+  while (!second.ended(100) || !first.ended(100)) continue;
+  CHECK(second.report().answer == "written");
+  CHECK(first.report().answer == "x");
+  close(ends[0]);
+  close(ends[1]);
+  {
+    ChildProcess left(
+        []() -> std::string {
+          for (;;) pause();
+        },
+        600);
+  }
+  CHECK(waitpid(-1, nullptr, WNOHANG) == -1);  // there is no child
 }

@@ -17,3 +17,15 @@ TEST_CASE("a model starts at rest, with its initial velocities, at time 0") {
   CHECK(state.velocity == model.initial_velocity);
   CHECK(state.displacement == std::vector<Vector3d>(12, Vector3d(0, 0, 0)));
 }
+
+TEST_CASE("float32_of rounds every component to the nearest float32") {
+  for (const double x : {1.0 / 3, -0.24342000000000001, 1e-3 * 0.7, 12345.678901}) {
+    const Eigen::Vector3d v(x, 2.1 * x, -x / 7), rounded = float32_of(v);
+    for (int k = 0; k < 3; ++k) {
+      const volatile float stored = static_cast<float>(v[k]);
+      CAPTURE(x, k, rounded[k] - v[k]);
+      CHECK(rounded[k] == static_cast<double>(stored));
+      CHECK(rounded[k] != v[k]);
+    }
+  }
+}

@@ -63,18 +63,18 @@ TEST_CASE("vertices are named as in the file of their body") {
   CHECK(vertex_name(model, 99) == "vertex 99");
 }
 
-TEST_CASE("a note tells of parts that fall off a model that is held elsewhere") {
+TEST_CASE("a note names components that fall off a model that is constrained elsewhere") {
   Model model = three_parts();
   CHECK(note_of_unconstrained_parts(model).empty());  // falls as a whole
   model.fixed = {0};
-  const std::string end = "): no vertex shared with what is fixed or prescribed";
+  const std::string end = "): no vertex is fixed or prescribed";
   CHECK(note_of_unconstrained_parts(model) ==
-        "2 parts of 11 vertices in all are held nowhere and will fall (vertex 5 of a" + end);
+        "2 components of 11 vertices in all are unconstrained and will fall (vertex 5 of a" + end);
   ResolvedGrab grab;
   grab.grip = {{6, {0, 0, 0}, 1}};
   model.grabs = {grab};
   CHECK(note_of_unconstrained_parts(model) ==
-        "1 part of 7 vertices in all is held nowhere and will fall (vertex 0 of b" + end);
+        "1 component of 7 vertices in all is unconstrained and will fall (vertex 0 of b" + end);
   model.gravity.setZero();
   CHECK(note_of_unconstrained_parts(model).empty());
 }

@@ -39,7 +39,7 @@ State disturbed(const Model& model, double spacing) {
                  y * std::sin(turn) + z * (std::cos(turn) - 1));
     state.velocity[i].setZero();
   }
-  for (Vector3d& u : state.displacement) u = u.cast<float>().cast<double>();
+  for (Vector3d& u : state.displacement) u = float32_of(u);
   return state;
 }
 
