@@ -31,7 +31,7 @@ bool line_row(const Convergence::Line& line, std::size_t index) {
   bool removed = false;
   if (index > 0) {
     removed = ImGui::SmallButton("x");
-    ui::tooltip("Take this line away");
+    ui::tooltip("Remove this line");
     ImGui::SameLine();
   }
   ui::fact(line.name.c_str(), end,
@@ -65,8 +65,8 @@ void convergence_rows(const Simulation& simulation, Convergence& convergence) {
   if (convergence.can_pin(settings)) {
     if (ui::button("Pin these settings", ImGui::GetContentRegionAvail().x)) convergence.pin(settings);
     ui::tooltip(
-        "Keeps the method and acceleration in use as a line, to compare others with. Each line solves a step of its "
-        "own, in turn, one a frame");
+        "Keeps the method and acceleration in use as a line, to compare others with. Each line solves its own "
+        "step, one line per frame in turn");
   }
 }
 

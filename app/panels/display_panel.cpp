@@ -18,9 +18,9 @@ namespace {
 bool range_rows(const Session& session, DisplaySettings& display) {
   bool changed = false, automatic = !display.range;
   ui::label("Range",
-            "Automatic: to a round number above the largest value of the moment, from 0 or as far to the other side of "
-            "a neutral value");
-  if (ui::checkbox("automatic", automatic, "Follows the values; off: the range stays as it is and can be typed")) {
+            "Automatic: up to a round number above the largest current value, from 0 or from the same distance on the "
+            "other side of a neutral value");
+  if (ui::checkbox("automatic", automatic, "Follows the values; off: the range stays fixed and can be typed")) {
     display.range.reset();
     if (!automatic) display.range = session.look.range.cast<double>();
     changed = true;
@@ -53,7 +53,7 @@ bool section_rows(const Session& session, const char* name, const char* help, st
   if (!given) return changed;
   SectionPlane& section = *given;
   ui::label("Across",
-            "The axis that the plane lies across, or its opposite: what lies beyond the plane along it is left out");
+            "The axis normal to the plane, or its opposite: tissue beyond the plane in this direction is not drawn");
   constexpr const char* kAxes[] = {"x", "y", "z", "-x", "-y", "-z"};
   for (int i = 0; i < 6; ++i) {
     const Eigen::Vector3d axis = (i < 3 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(i % 3);
@@ -64,9 +64,10 @@ bool section_rows(const Session& session, const char* name, const char* help, st
     }
   }
   const double middle = section.normal.normalized().dot(session.look.center), reach = 1.2 * session.look.radius;
-  changed |= ui::number({"Offset", "m", middle - reach, middle + reach, -1e9, 1e9, false, false,
-                         "Of the plane from the origin along its normal; Ctrl + left drag moves it, too"},
-                        section.offset);
+  changed |=
+      ui::number({"Offset", "m", middle - reach, middle + reach, -1e9, 1e9, false, false,
+                  "Distance of the plane from the origin along its normal; Ctrl + left drag also moves the plane"},
+                 section.offset);
   return changed;
 }
 
@@ -81,8 +82,9 @@ bool tets_rows(const char* name, const char* help, std::optional<SeparateTets>& 
   if (!tets) return changed;
   changed |= ui::number({"Shrink", "", 0.1, 1, 0.01, 1, false, false, "Size of every tet about its centroid [-]"},
                         tets->shrink);
-  changed |= ui::number(
-      {"Spread", "", 0, 2, 0, 10, false, false, "How much farther from the middle tets are drawn [-]"}, tets->spread);
+  changed |=
+      ui::number({"Spread", "", 0, 2, 0, 10, false, false, "How much farther from the middle the tets are drawn [-]"},
+                 tets->spread);
   return changed;
 }
 

@@ -25,31 +25,32 @@ void grab_panel(const PanelContext& context) {
   Requests& requests = context.requests;
   const double size = context.session.look.radius;
   double radius = state.grab.radius * size;
-  if (ui::number(
-          {"Radius", "m", 0.01 * size, 0.4 * size, 0.001 * size, size, true, false,
-           "Of the patch that a grab holds: the ring on the tissue under the mouse. [ and ], or Ctrl and the wheel"},
-          radius))
+  if (ui::number({"Radius", "m", 0.01 * size, 0.4 * size, 0.001 * size, size, true, false,
+                  "Radius of the patch that a grab holds: the ring on the tissue under the mouse. [ and ], or Ctrl and "
+                  "the wheel"},
+                 radius))
     state.grab.radius = radius / size;
   ui::number({"Grip", "", 0.3, 30, 1e-3, 1e3, true, false,
-              "Stiffness of a grab's springs relative to the tissue's: higher follows more closely and pulls harder"},
+              "Stiffness of a grab's springs relative to the tissue: a higher value follows the mouse more closely and "
+              "pulls harder"},
              state.grab.grip);
   ImGui::Checkbox("Push (X)", &state.grab.push);
-  ui::tooltip("A press pushes into the surface, the wheel deeper; Alt does the opposite of this for one press");
+  ui::tooltip("A press pushes into the surface, the wheel pushes deeper; Alt reverses the setting for one press");
   ImGui::SameLine(0, ui::px(14));
   ImGui::Checkbox("Stay (Ctrl)", &state.grab.stay);
   ui::tooltip(
-      "Grabs stay where they are released, as with Ctrl or T; left on their mark takes one up, right or Delete lets it "
-      "go");
+      "Grabs stay where they are released, as with Ctrl or T; a left click on the mark takes a grab up, a right click "
+      "or Delete releases it");
   if (state.grabs == 0) return;
   requests.let_go |=
       ui::button(("Let go of " + std::to_string(state.grabs) + (state.grabs == 1 ? " grab" : " grabs")).c_str(),
                  ImGui::GetContentRegionAvail().x);
-  ui::tooltip("All that stay (Esc)");
+  ui::tooltip("Releases all grabs that stay (Esc)");
 }
 
 void balance_rows(const Simulation& simulation, const SceneFacts& facts, const Diagnostics& d) {
   ui::fact("Reaction", engineering(d.reaction.norm(), "N"),
-           "Of the supports on the body, fixed and prescribed vertices together:\n" + in_newtons(d.reaction));
+           "Force of the supports on the body, fixed and prescribed vertices together:\n" + in_newtons(d.reaction));
   if (simulation.uses_reference() || !simulation.gpu()->has_step()) return;  // it is about a step of the GPU
   const Eigen::Vector3d weight = facts.mass(simulation.model) * simulation.model.gravity;
   const double off = d.imbalance(weight);

@@ -42,20 +42,19 @@ const std::vector<std::vector<Theme>>& help_columns() {
        {"Time", {{"Space", "pause, go on"}, {".", "one step"}, {"R", "reset"}}},
        {"Values",
         {{"Click on a value", "type another, such as 12.5 kPa"},
-         {"Ctrl+Z, Ctrl+Y", "take a change back, do it again"},
+         {"Ctrl+Z, Ctrl+Y", "undo a change, redo it"},
          {"B", "compare two settings side by side"},
          {"Ctrl+Tab, arrows, Enter", "the panels by keyboard; Esc leaves them"}}}},
-      {{"View",
-        {{"F", "frame the body as it is"}, {"W", "wireframe"}, {"H", "hide the panels"}, {"F3", "plots over time"}}},
+      {{"View", {{"F", "frame the body"}, {"W", "wireframe"}, {"H", "hide the panels"}, {"F3", "plots over time"}}},
        {"Files",
         {{"Ctrl+O", "open; or drop a file on the window"},
-         {"Ctrl+Shift+O", "opened before"},
+         {"Ctrl+Shift+O", "recent files"},
          {"F2", "examples"},
          {"Ctrl+S", "save the scene"},
-         {"Ctrl+Shift+C", "copy the command line of the scene as it is now"},
+         {"Ctrl+Shift+C", "copy the command line of the current scene"},
          {"Ctrl+E", "export the state: .vtu .csv .msh .obj"},
          {"P", "screenshot (PNG)"},
-         {"V, Shift+V", "start and stop a video; choose what it is to be"},
+         {"V, Shift+V", "start and stop a video; video settings"},
          {"Ctrl+R", "save a replay of this session"}}},
        {"Program", {{"F1", "this list"}, {"F5", "reload the shaders"}, {"Ctrl+Q", "quit"}}}}};
   return columns;
@@ -129,9 +128,9 @@ void draw_recovery(const std::string& scene, Requests& requests) {
     if (!ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
       ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     ImGui::AlignTextToFramePadding();
-    ImGui::Text("A window ended before it was closed, with %s.", scene.c_str());
+    ImGui::Text("A window with %s ended unexpectedly.", scene.c_str());
     ImGui::SameLine();
-    requests.resume_recovered |= ImGui::Button("Continue there");
+    requests.resume_recovered |= ImGui::Button("Continue it");
     ImGui::SameLine();
     requests.forget_recovered |= ImGui::Button("Forget it");
   }
@@ -145,7 +144,7 @@ void draw_notice(const WindowState& state, const Room& room) {
   const double speed = state.statistics.speed;
   char text[96];
   if (state.paused) {
-    ui::pill("Paused. Space goes on", middle, top, ui::kText);
+    ui::pill("Paused. Space resumes", middle, top, ui::kText);
   } else if (state.statistics.waits > kUnnoticed) {
     ui::pill("Getting the solver ready", middle, top, ui::kText);
   } else if (!state.statistics.keeps_pace) {

@@ -19,7 +19,7 @@ void history_panel(const PanelContext& context) {
   constexpr float kRows = 8;  // more of them scroll
   const std::size_t count = history.entries().size();
   if (count == 0) {
-    ImGui::TextWrapped("Nothing was changed yet.");
+    ImGui::TextWrapped("No changes yet.");
     return;
   }
   ImGui::BeginChild("entries",
@@ -31,9 +31,9 @@ void history_panel(const PanelContext& context) {
     if (undone) ImGui::PushStyleColor(ImGuiCol_Text, ui::kDim);
     if (ImGui::Selectable(text.c_str(), i == history.done()) && i != history.done()) requests.history = i;
     if (undone) ImGui::PopStyleColor();
-    ui::tooltip(text + (undone                ? ". A click does it again, and all up to it"
-                        : i == history.done() ? ". As it is now"
-                                              : ". A click takes back all that came after it"));
+    ui::tooltip(text + (undone                ? ". A click redoes all changes up to this one"
+                        : i == history.done() ? ". The current state"
+                                              : ". A click undoes all later changes"));
     ImGui::PopID();
   }
   ImGui::EndChild();

@@ -30,7 +30,7 @@ struct Extra {
 constexpr Extra kExtras[] = {
     {"young_modulus", 1e3, 1e10, 1, true,
      "Fat and brain about 1 to 10 kPa, muscle 10 to 100 kPa, ligament 0.1 to 1 GPa. Costs nothing, but stiffer tissue "
-     "needs more iterations to act as stiff as it is."},
+     "needs more iterations to reach its stiffness."},
     {"poisson_ratio", -0.9, 0.499, -1, false,
      "Most soft tissue is near 0.45. Costs nothing; above 0.45 linear tets lock and move too little."},
     {"density", 100, 20000, 0, true, "Water has 1000. Costs nothing; heavier tissue sags more and swings slower."},
@@ -148,17 +148,16 @@ void region_row(const Simulation& simulation, const SceneFacts& facts, std::size
                         ImGuiSelectableFlags_AllowItemOverlap,
                         {ImGui::GetContentRegionAvail().x - button - ui::px(6), 0}))
     chosen = region.material;
-  ui::tooltip(
-      "Region " + std::to_string(region.number) + ", " + engineering(1e6 * region.volume, "ml") + ", " +
-      engineering(region.volume * model.materials[region.material].density, "kg") +
-      (own ? ". Has a material of its own" : ". Has the default material, as all regions without one of their own"));
+  ui::tooltip("Region " + std::to_string(region.number) + ", " + engineering(1e6 * region.volume, "ml") + ", " +
+              engineering(region.volume * model.materials[region.material].density, "kg") +
+              (own ? ". Has its own material" : ". Has the default material, as all regions without their own"));
   text_right(percent_text(region.volume / facts.volume), end - button - ui::px(6));
   ImGui::SameLine(end - button);
   if (ui::small_button(own ? "share" : "own",
-                       own ? "Gives up the material of its own: the region has the default again. The solver is made "
-                             "anew, the state stays"
-                           : "Gives the region a material of its own, which starts as the default and is saved with "
-                             "the scene. The solver is made anew, the state stays",
+                       own ? "Removes the region's own material: the region has the default again. The solver is "
+                             "rebuilt, the state stays"
+                           : "Gives the region its own material, which starts as the default and is saved with "
+                             "the scene. The solver is rebuilt, the state stays",
                        button))
     requests.materials = with_region(simulation, region, !own);
 }
@@ -189,7 +188,7 @@ void material_panel(const PanelContext& context) {
         facts.material_names[state.chosen_material].c_str(),
         percent_text(volume / facts.volume) + ", " +
             engineering(volume * simulation.model.materials[state.chosen_material].density, "kg"),
-        "The material that the sliders below change: its share of the volume, and its mass at the present density");
+        "The material that the sliders below change: its share of the volume, and its mass at the current density");
   }
   material_sliders(simulation, state.chosen_material, state.hints);
 }

@@ -39,14 +39,14 @@ const TimeChart kCharts[] = {{"Energy", "J", false, kEnergy},   {"Volume", "", f
                              {"Residual", "", true, kResidual}, {"Iterations", "", false, kIterationCurves},
                              {"Clock", "s", false, kClock}};
 const char* const kChartHelp[] = {
-    "Kinetic, elastic, of gravity (0 at the rest positions) and their sum: what is lost is damped, by the tissue or by "
-    "the time step",
-    "Of all tissue, over its volume at rest",
-    "What the mouse pulls with, and what the supports hold with",
-    "Of the point that is marked in the picture: at first the one farthest from the supports",
-    "How far each step is from solved: 0 is solved, 1 is not begun",
-    "Of each step, per substep",
-    "From picture to picture, and one time step on the GPU",
+    "Kinetic, elastic and gravitational energy (0 at the rest positions) and their sum: damping by the tissue or by "
+    "the time step reduces the sum",
+    "Volume of all tissue, over its volume at rest",
+    "Forces of the mouse and of the supports on the tissue",
+    "Displacement of the point marked in the picture: at first the point farthest from the supports",
+    "Relative residual of each step: 0 is an exact solution, 1 is the residual of the start",
+    "Iterations of each step, per substep",
+    "Time from picture to picture, and of one time step on the GPU",
     "The residual over the iterations of the next step"};
 static_assert(std::size(kCharts) + 1 == Plots::kCharts && std::size(kChartHelp) == Plots::kCharts);
 constexpr std::size_t kConvergence = Plots::kCharts - 1;
@@ -67,7 +67,7 @@ void choose_charts(Plots& plots) {
 void buttons(Plots& plots, Requests& requests) {
   const float width = (ImGui::GetContentRegionAvail().x - 4 * ImGui::GetStyle().ItemSpacing.x) / 5;
   if (ui::button(plots.held ? "Go on" : "Hold", width, plots.held)) plots.held = !plots.held;
-  ui::tooltip("Nothing is added while it is held; the tissue goes on");
+  ui::tooltip("Holds the curves while the simulation continues");
   ImGui::SameLine();
   if (ui::button("Clear", width)) plots.history.clear();
   ImGui::SameLine();
@@ -75,11 +75,11 @@ void buttons(Plots& plots, Requests& requests) {
   ui::tooltip("Then click on the tissue: the displacement of the vertex next to the click is plotted");
   ImGui::SameLine();
   requests.plot_table |= ui::button("CSV", width);
-  ui::tooltip("The time that is shown, all quantities, with their units and what made them, in the current folder");
+  ui::tooltip("Writes all quantities over the time shown, with units and provenance, to the current folder");
   ImGui::SameLine();
   requests.plot_picture |= ui::button("PNG", width);
   if (!requests.plot_picture)
-    ui::tooltip("This panel as a picture, in the current folder");  // which the picture would show
+    ui::tooltip("Writes a picture of the panel to the current folder");  // which the picture would show
 }
 
 }  // namespace

@@ -39,7 +39,8 @@ void size_fields(VideoSettings& video) {
     video.width = std::clamp(shown[0], kLeastPixels, kMostPixels);
     video.height = std::clamp(shown[1], kLeastPixels, kMostPixels);
   }
-  ui::tooltip("Width and height of videos and pictures, whatever the size of the window. Videos have even numbers");
+  ui::tooltip(
+      "Width and height of videos and pictures, independent of the size of the window. Both are even for videos");
 }
 
 }  // namespace
@@ -47,7 +48,7 @@ void size_fields(VideoSettings& video) {
 void recording_button(const PanelContext& context) {
   bool& shown = context.state.show_recording;
   if (ui::button("Recording...", ImGui::GetContentRegionAvail().x, shown)) shown = !shown;
-  ui::tooltip("What videos are to be (Shift+V), and a replay of this session");
+  ui::tooltip("Video settings (Shift+V), and a replay of this session");
 }
 
 void draw_recording_settings(WindowState& state, Requests& requests) {
@@ -91,8 +92,8 @@ void draw_recording_settings(WindowState& state, Requests& requests) {
     ImGui::Separator();
     requests.save_replay_dialog |= ui::button("Save replay... (Ctrl+R)", ui::px(180), false);
     ui::tooltip(
-        "All that was done to this scene since it was opened, or since its regions or sides changed, as a small file "
-        "that repeats it to the bit");
+        "All inputs to this scene since it was opened, or since its regions or sides changed, as a small file that "
+        "repeats the session to the bit");
   }
   ImGui::End();
 }

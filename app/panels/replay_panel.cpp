@@ -33,10 +33,10 @@ void draw_replay_badge(const Simulation& simulation, WindowState& state, Request
     }
     ImGui::SameLine();
     if (ui::button("Camera", ui::px(66), state.replay_camera)) state.replay_camera = !state.replay_camera;
-    ui::tooltip("Look where the user looked; turning the view ends that");
+    ui::tooltip("Uses the recorded camera; turning the view switches it off");
     ImGui::SameLine();
     requests.end_replay |= ui::button("Take over", ui::px(80), false);
-    ui::tooltip("The replay ends here and the tissue is yours; grabbing it does the same");
+    ui::tooltip("Ends the replay, so that the tissue can be grabbed; grabbing the tissue also ends the replay");
   }
   ImGui::End();
 }

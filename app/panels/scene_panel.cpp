@@ -34,9 +34,9 @@ void scene_panel(const PanelContext& context) {
   requests.save_dialog |= files.add("Save...", "This scene with the values of the sliders, as JSON (Ctrl+S)");
   if (files.add("Help", "Keys and mouse (F1)", state.show_help)) state.show_help = !state.show_help;
   ui::ButtonRow more(3);
-  requests.recent |= more.add("Recent", "What was opened before (Ctrl+Shift+O)");
+  requests.recent |= more.add("Recent", "Recent files (Ctrl+Shift+O)");
   requests.gallery |= more.add("Examples", "The shipped scenes (F2)");
-  requests.export_dialog |= more.add("Export...", "The state of now: .vtu, .csv, .msh or .obj (Ctrl+E)");
+  requests.export_dialog |= more.add("Export...", "The current state: .vtu, .csv, .msh or .obj (Ctrl+E)");
   ui::ButtonRow clock(3);
   if (clock.add(state.paused ? "Play" : "Pause", "Space", state.paused)) state.paused = !state.paused;
   requests.step |= clock.add("Step", "One time step (.)");
@@ -44,19 +44,18 @@ void scene_panel(const PanelContext& context) {
   ui::ButtonRow pictures(3);
   requests.screenshot |=
       pictures.add("Screenshot", "A PNG in the current folder (P); hide the panels with H to leave them out");
-  requests.video |=
-      pictures.add(state.recording ? "Stop video" : "Video",
-                   "A video in the current folder (V; Shift+V chooses what it is to be)", state.recording);
+  requests.video |= pictures.add(state.recording ? "Stop video" : "Video",
+                                 "A video in the current folder (V; Shift+V: video settings)", state.recording);
   if (pictures.add("Plots", "Curves over time (F3)", state.plots.shown)) state.plots.shown = !state.plots.shown;
 
   const UndoHistory& history = state.history;
   ui::ButtonRow changes(3);
-  if (changes.add("Undo", history.can_undo() ? "Takes back: " + history.undone_next().text + " (Ctrl+Z)"
-                                             : "Nothing to take back (Ctrl+Z)") &&
+  if (changes.add("Undo", history.can_undo() ? "Undoes: " + history.undone_next().text + " (Ctrl+Z)"
+                                             : "Nothing to undo (Ctrl+Z)") &&
       history.can_undo())
     requests.history = history.done() - 1;
-  if (changes.add("Redo", history.can_redo() ? "Does again: " + history.redone_next().text + " (Ctrl+Y)"
-                                             : "Nothing was taken back (Ctrl+Y)") &&
+  if (changes.add("Redo", history.can_redo() ? "Redoes: " + history.redone_next().text + " (Ctrl+Y)"
+                                             : "Nothing to redo (Ctrl+Y)") &&
       history.can_redo())
     requests.history = history.done() + 1;
   if (changes.add("Compare", "Two settings side by side under the same grab (B)", state.comparing))
@@ -67,8 +66,8 @@ void scene_panel(const PanelContext& context) {
   ui::fact("Mesh",
            grouped(model.rest_positions.size()) + " vertices, " + grouped(model.tets.size()) +
                (model.tets.size() == 1 ? " tet" : " tets"),
-           "Of all bodies, as simulated: what is degenerate is left out");
-  ui::fact("Mass", engineering(state.facts.mass(model), "kg"), "At the present densities; lumped to the vertices");
+           "Counts of all bodies, as simulated: without degenerate tets");
+  ui::fact("Mass", engineering(state.facts.mass(model), "kg"), "At the current densities; lumped to the vertices");
   char text[64];
   if (clock_now.measured)
     std::snprintf(text, sizeof text, "%.2f s at %.0f %% of real time", simulation.time(),

@@ -73,13 +73,13 @@ void error_row(Session& session) {
   if (session.simulation.uses_reference()) return;
   constexpr const char* kHelp =
       "Distance of the last substep's shape to the exact one, by the reference solver on another thread, in percent of "
-      "the distance between the exact shape and where inertia and gravity alone lead";
+      "the distance between the exact shape and the shape that inertia and gravity alone give";
   TrueError& error = session.true_error;
   if (session.simulation.model.tets.size() > TrueError::kMostTets) {
     ui::fact("True error", "mesh too large", kHelp);
     return;
   }
-  std::string text = error.busy() ? "measuring ..." : error.requested() ? "waits for a step that moves" : "-";
+  std::string text = error.busy() ? "measuring ..." : error.requested() ? "waits for a step with motion" : "-";
   if (const auto& result = error.result()) {
     char percent[32];
     std::snprintf(percent, sizeof percent, "%.2g %%", 100 * result->relative);
@@ -104,8 +104,7 @@ void solver_panel(const PanelContext& context) {
   SolverSettings settings = simulation.scene.solver;
   bool changed = false;
   if (simulation.uses_reference())
-    ui::fact("Method", "Newton, double precision",
-             "The reference solver on the CPU: exact, slow, and deaf to grabbing");
+    ui::fact("Method", "Newton, double precision", "The reference solver on the CPU: exact, slow, and without grabs");
   else
     changed = pair_combos(settings, simulation.model.materials);
   visit_settings(settings, [&](auto& value, const char* name, const char* unit, auto min, auto max, bool logarithmic,

@@ -29,15 +29,15 @@ void clock_rows(const Statistics& s) {
       "Frame", s.measured ? printed("%.1f ms, %.0f per second", frame, frame > 0 ? 1000 / frame : 0) : "-",
       "From picture to picture, everything included: the median of the last 30. The line below shows the last 200");
   if (s.measured) ui::plot("##frame", s.frame, 26);
-  ui::fact("Solve", milliseconds(s.solve),
-           "One time step on the GPU: the median of the last 30 steps. In stats.json solve_ms_per_step is the same of "
-           "all steps");
+  ui::fact(
+      "Solve", milliseconds(s.solve),
+      "One time step on the GPU: the median of the last 30 steps. In stats.json solve_ms_per_step is the median of "
+      "all steps");
   if (s.measured) ui::plot("##solve", s.solve, 26);
   ui::fact("Render", milliseconds(s.render),
            "Surface, shadow and ground on the GPU: the median of the last 30 pictures");
   if (s.measured) ui::plot("##render", s.render, 26);
-  ui::fact("Real time", s.measured ? printed("%.0f %%", 100 * s.speed) : "-",
-           "Simulated time over the time of your clock");
+  ui::fact("Real time", s.measured ? printed("%.0f %%", 100 * s.speed) : "-", "Simulated time over real time");
 }
 
 }  // namespace
@@ -52,12 +52,12 @@ void statistics_panel(const PanelContext& context) {
     const int granted = session.simulation.iterations_granted(), run = d->iterations.value_or(granted);
     const char* limit = run < granted ? " (tolerance)" : run < asked.iterations ? " (frame budget)" : "";
     ui::fact("Iterations", std::to_string(run) + limit,
-             "Of the last step, per substep, and what ended them if not the number asked for");
+             "Iterations of the last step, per substep, with the limit that ended them before the set number");
     ui::fact("Residual", printed("%.2g", d->residual),
-             "How far the last step is from solved: 0 is solved, 1 is not begun");
+             "Relative residual of the last step: 0 is an exact solution, 1 is the residual of the start");
     ui::fact("J", printed("%.3f to %.3f", d->min_det_f, d->max_det_f),
              "Smallest and largest volume of a tet over its volume at rest");
-    ui::fact("Volume", printed("%.2f %%", 100 * d->volume_ratio), "Of all tissue, over its volume at rest");
+    ui::fact("Volume", printed("%.2f %%", 100 * d->volume_ratio), "Volume of all tissue, over its volume at rest");
     ui::fact("Inverted tets", std::to_string(d->inverted), "Tets turned inside out: J below 0");
     ui::fact("Largest strain", printed("%.3g", d->max_strain), "Frobenius norm of the Green strain");
     ui::fact("Largest stress", engineering(d->max_von_mises, "Pa"), "Von Mises");
@@ -66,18 +66,18 @@ void statistics_panel(const PanelContext& context) {
     balance_rows(session.simulation, state.facts, *d);
   }
   ui::fact("Motion", session.simulation.asleep() ? "at rest, asleep" : "awake",
-           "A body at rest costs nothing until something changes (rest speed)");
+           "A body at rest takes no solver time until something changes (rest speed)");
   if (const GpuSolver* gpu = session.simulation.gpu()) {
     const std::size_t present = session.simulation.model.tets.size();
     ui::fact("Tets solved",
              printed("%.0f %%", 100 * gpu->share_solved() * gpu->buffers().tet_count / static_cast<double>(present)),
-             "Of all tets, on average over the steps: those that are fixed and parts at rest are left out");
+             "Share of all tets, on average over the steps: without fixed tets and parts at rest");
     ui::fact("Dispatches", std::to_string(gpu->dispatches_per_step()) + " per step",
              "Compute dispatches of one time step that is solved");
     ui::fact("Kernels", std::to_string(session.simulation.programs()->size()),
-             "Compiled so far, each for what the scene uses");
+             "Kernels compiled so far, each specialised to the scene");
     ui::fact("Moved", bytes_text(gpu->bytes_per_iteration()) + " per iteration",
-             "Estimated: every buffer that a kernel uses, once");
+             "Estimate: the size of every buffer that a kernel uses, once");
   }
   std::string buffers = "All buffers and pictures of the program. The largest buffers:";
   std::vector<std::pair<std::size_t, std::string>> sizes;

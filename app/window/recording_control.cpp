@@ -106,7 +106,7 @@ void RecordingControl::follow_replay() {
   Simulation& simulation = stage_.simulation();
   if (!simulation.replay()) return;
   if (!simulation.replaying()) {
-    end_replay("The replay is over: the tissue is yours");
+    end_replay("The replay is over: the tissue can be grabbed");
     return;
   }
   const auto step = static_cast<double>(simulation.replayed_steps());

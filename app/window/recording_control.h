@@ -32,7 +32,7 @@ class RecordingControl {
   void reset_around(const std::function<void()>& reset);
 
   void follow_replay();  // its camera and display; its end
-  void take_over_replay() { end_replay("You took over from the replay"); }
+  void take_over_replay() { end_replay("The replay ended; the tissue can be grabbed"); }
 
  private:
   void begin();

@@ -29,7 +29,7 @@ void Recovery::go_back(std::uint32_t lost) {
     simulation.back_to_valid();
     simulation.begin_anew();
     if (SplitView* split = sides_.split()) split->restart_from(*stage_.session);
-    stage_.messages.say("The tissue came apart: back to the last sound state, at rest");
+    stage_.messages.say("The tissue diverged: back to the last valid state, at rest");
     return;
   }
   stage_.state.paused = true;
@@ -41,7 +41,7 @@ void Recovery::go_back(std::uint32_t lost) {
   }
   const Divergence divergence = find_divergence(simulation, lost);
   const std::string text =
-      divergence.text(simulation.model) + ". Paused at the last sound state; R goes back to the start. ";
+      divergence.text(simulation.model) + ". Paused at the last valid state; R goes back to the start. ";
   stage_.messages.say(text + "More iterations or substeps, or softer tissue, may help", true);
   stage_.messages.say(text + keep_replay(divergence.replay).string() + " repeats it", true);
 }

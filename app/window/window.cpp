@@ -283,7 +283,7 @@ void Window::resume(const std::filesystem::path& file) {
 void Window::rescale(double factor) {
   take_over(opener_.make(tuning_.rescaled(factor)));
   stage_.messages.say("Scaled by " + engineering(factor, "") +
-                      ": the scene begins anew, and with it what can be undone. Ctrl+S saves it so");
+                      ": the scene restarts with an empty undo history. Ctrl+S saves the scaled scene");
 }
 
 void Window::reset() {
@@ -301,7 +301,7 @@ void Window::reload_shaders() {
   if (text.empty())
     stage_.messages.say("Reloaded " + std::to_string(graphics_.programs->size()) + " programs");
   else
-    stage_.messages.say(text + "\nThe old code stays in use", true);
+    stage_.messages.say(text + "\nThe old shaders stay in use", true);
 }
 
 }  // namespace fascia

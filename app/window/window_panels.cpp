@@ -24,7 +24,7 @@ WindowPanels::WindowPanels(Stage& stage, Sides& sides, const CaptureControl& cap
 
 void WindowPanels::begin(bool greet) {
   dialogs_.opened(stage_.simulation().scene.file);
-  if (!user_.warning().empty()) stage_.messages.say(user_.warning() + ". Went on without it", true);
+  if (!user_.warning().empty()) stage_.messages.say(user_.warning() + ". The window opens without it", true);
   dialogs_.set_last_session(recovery_.last_session());
   if (greet && !scripted_ && !user_.now().first_run_done && !config_folder().empty()) gallery_.ask();
 }

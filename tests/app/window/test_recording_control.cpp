@@ -98,7 +98,7 @@ TEST_CASE("a replay that ends says so once, and not over another message") {
   if (!over) desk.stage.messages.say("Saved");
   if (over) recording.follow_replay();
   if (!over) recording.take_over_replay();
-  CHECK(desk.stage.messages.text() == (over ? "The replay is over: the tissue is yours" : "Saved"));
+  CHECK(desk.stage.messages.text() == (over ? "The replay is over: the tissue can be grabbed" : "Saved"));
   CHECK_FALSE(simulation.replaying());
   desk.stage.messages.clear();
   recording.follow_replay();

@@ -85,5 +85,5 @@ TEST_CASE("tissue that comes apart goes back to where it was sound, and pauses w
     CHECK(desk.stage.state.paused == (time == 3));
     CHECK(files_in(folder.path()) == (time == 3 ? 1 : 0));
   }
-  CHECK_THAT(desk.stage.messages.text(), Catch::Contains("came apart") && Catch::Contains("repeats it"));
+  CHECK_THAT(desk.stage.messages.text(), Catch::Contains("diverged") && Catch::Contains("repeats it"));
 }
