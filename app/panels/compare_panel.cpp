@@ -1,4 +1,4 @@
-// Two settings side by side: which of them the panels below show, and what to do with them.
+// Two settings side by side: the choice of the side that the panels below show, and the actions on both sides.
 #include <imgui.h>
 
 #include "app/panels/panels.h"

@@ -14,7 +14,8 @@ namespace {
 
 constexpr float kHeight = 130;  // of the chart [points]
 
-// A patch of the line's color, its name and where it ends; a button to take it away. True when it was pressed.
+// A patch of the line's color, its name, its last residual and a button that removes the line. Returns true if the
+// button was pressed.
 bool line_row(const Convergence::Line& line, std::size_t index) {
   ImGui::PushID(static_cast<int>(index));
   const float size = ImGui::GetFontSize();

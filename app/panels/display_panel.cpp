@@ -1,4 +1,4 @@
-// What the picture shows of the tissue.
+// Settings of the picture.
 #include <imgui.h>
 
 #include <iterator>
@@ -14,7 +14,7 @@
 namespace fascia {
 namespace {
 
-// Whether the range follows the values, and where it ends if not.
+// Whether the range follows the values, and the bounds of a fixed range.
 bool range_rows(const Session& session, DisplaySettings& display) {
   bool changed = false, automatic = !display.range;
   ui::label("Range",

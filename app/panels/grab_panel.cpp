@@ -1,4 +1,4 @@
-// How grabs take hold, and what the forces on the body add up to.
+// How grabs hold the tissue, and the balance of the forces on the body.
 #include <imgui.h>
 
 #include <cstdio>
@@ -11,7 +11,7 @@
 namespace fascia {
 namespace {
 
-constexpr double kBalanced = 0.01, kAlmost = 0.1;  // imbalance up to which the badge is green, amber
+constexpr double kBalanced = 0.01, kAlmost = 0.1;  // largest imbalance of a green badge, of an amber one
 
 std::string in_newtons(const Eigen::Vector3d& force) {
   return engineering(force.norm(), "N") + "  (" + engineering(force.x(), "N") + ", " + engineering(force.y(), "N") +

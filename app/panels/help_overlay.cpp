@@ -22,7 +22,7 @@ struct Theme {
   std::vector<Key> keys;
 };
 
-// Columns of the list, each a few themes one under the other.
+// Columns of the list, each with a few themes one below the other.
 const std::vector<std::vector<Theme>>& help_columns() {
   static const std::vector<std::vector<Theme>> columns = {
       {{"Mouse",

@@ -1,5 +1,4 @@
-// Short hints for somebody who is new here: each is shown until what it is about was done once, in this window or in
-// one before.
+// Short hints for new users: each is shown until its action was done once, in this window or in an earlier one.
 #pragma once
 #include <string>
 

@@ -1,4 +1,4 @@
-// What was turned so far, the latest first; a click goes back to it, or forth.
+// The changes so far, the latest first. A click undoes or redoes changes up to an entry.
 #include <imgui.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ void history_panel(const PanelContext& context) {
       ui::button("Copy command line",
                  "Copies the command line that opens this scene with the values of the sliders (Ctrl+Shift+C)",
                  ImGui::GetContentRegionAvail().x);
-  constexpr float kRows = 8;  // more of them scroll
+  constexpr float kRows = 8;  // further rows scroll
   const std::size_t count = history.entries().size();
   if (count == 0) {
     ImGui::TextWrapped("No changes yet.");

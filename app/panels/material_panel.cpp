@@ -1,5 +1,5 @@
-// Regions and materials: which material has how much of the tissue, and the sliders of the chosen one, made from the
-// material table.
+// Regions and materials: the share of each material in the tissue, and the sliders of the chosen material, made from
+// the material table.
 #include <imgui.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 namespace fascia {
 namespace {
 
-// What the table does not say: the range that a slider is useful in, the least that may be typed, and what the choice
-// costs.
+// Data beside the table: the useful range of a slider, the smallest value that may be typed, and the cost of the
+// choice.
 struct Extra {
   const char* name;
   double min, max, least;
@@ -120,11 +120,11 @@ std::string percent_text(double share) {
   return text;
 }
 
-// The scene's entries with one more or one less.
+// The scene's entries with the entry of a region added or removed.
 std::vector<MaterialEntries> with_region(const Simulation& simulation, const SceneFacts::Region& region, bool own) {
   std::vector<MaterialEntries> all = material_entries(simulation.scene, simulation.model, simulation.model.materials);
   auto& entries = all[region.body].region_materials;
-  // Of several regions, it may be
+  // The name may belong to several regions
   const std::string& name = simulation.model.bodies[region.body].regions.at(region.number);
   std::erase_if(entries, [&](const auto& entry) {
     return entry.first == region.key || entry.first == std::to_string(region.number) || entry.first == name;
@@ -134,8 +134,8 @@ std::vector<MaterialEntries> with_region(const Simulation& simulation, const Sce
   return all;
 }
 
-// One line: color, name, share of the volume; a click chooses the material. A region without a material of its own has
-// a button for one.
+// One line: color, name, share of the volume. A click chooses the material. A region without its own material has a
+// button that adds one.
 void region_row(const Simulation& simulation, const SceneFacts& facts, std::size_t index, std::size_t& chosen,
                 Requests& requests) {
   const SceneFacts::Region& region = facts.regions[index];

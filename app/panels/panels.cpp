@@ -41,7 +41,7 @@ void draw_panels(const PanelContext& context) {
   ImGui::Begin("panels", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
-  context.state.show_convergence = false;  // unless that panel is drawn
+  context.state.show_convergence = false;  // the panel sets it when drawn
   for (const Panel& panel : kPanels)
     if ((!panel.shown || panel.shown(context)) && (!panel.title || ui::section(panel.title, panel.open_at_first)))
       panel.draw(context);

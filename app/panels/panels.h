@@ -1,6 +1,7 @@
-// What is shown over the picture. Each panel reads the session and changes it at once; what must wait until the frame
-// is done is asked for in Requests. Between ImGui::NewFrame and ImGui::Render; the size of the picture is ImGui's
-// display size. A panel of the column at the left is a file, its declaration here and a row of the table in panels.cpp.
+// Panels and other drawings over the picture. A panel reads the session and changes it at once; work that must wait for
+// the end of the frame is requested in Requests. Call these functions between ImGui::NewFrame and ImGui::Render; the
+// size of the picture is ImGui's display size. Each panel of the column at the left has a file, a declaration here and
+// a row of the table in panels.cpp.
 #pragma once
 #include <span>
 #include <string>
@@ -18,7 +19,7 @@ struct PanelContext {
 };
 
 struct Panel {
-  const char* title;                   // of the heading that folds it; null: it has none and is always unfolded
+  const char* title;                   // of the heading that folds the panel; null: no heading, always unfolded
   bool open_at_first;                  // unfolded
   bool (*shown)(const PanelContext&);  // null: always
   void (*draw)(const PanelContext&);
@@ -41,15 +42,15 @@ void recording_button(const PanelContext& context);
 
 void draw_plots(const Simulation& simulation, WindowState& state, Requests& requests);  // a window of its own, movable
 bool shows_convergence(const Plots& plots);
-/// The panel Convergence, which is a chart of those plots, too.
+/// The content of the panel Convergence, which the plots show too.
 void convergence_rows(const Simulation& simulation, Convergence& convergence);
-/// Supports, weight, grabs and inertia, and a badge that tells whether they balance.
+/// Supports, weight, grabs and inertia, and a badge that shows whether they balance.
 void balance_rows(const Simulation& simulation, const SceneFacts& facts, const Diagnostics& diagnostics);
 
 /// Keys and mouse, one line each, over the picture; closes by its button or F1.
 void draw_help(WindowState& state);
 
-/// What the column at the left and docked plots leave of the picture's width [pixels].
+/// The part of the picture's width beside the column at the left and docked plots [pixels].
 struct Room {
   float left, right;
   float middle() const { return 0.5f * (left + right); }
@@ -57,24 +58,24 @@ struct Room {
 };
 Room room_beside_panels(const WindowState& state);
 
-/// Lines over the picture: what the mouse does (bottom), that time runs slow or stands (top).
+/// Lines over the picture: the actions of the mouse (bottom); a notice of slow or paused time (top).
 void draw_hints(const Hints& hints, const Room& room);
-/// Offers to go on with what a window left that ended badly; `scene`: its name.
+/// Offers to continue with the file of a window that crashed; `scene` is the scene's name.
 void draw_recovery(const std::string& scene, Requests& requests);
 void draw_notice(const WindowState& state, const Room& room);
-/// A red dot: in front of everything and not part of pictures.
+/// A red dot, in front of everything and not part of pictures.
 void draw_recording_dot(double seconds, long dropped);
 
-/// While a replay plays, over the picture; and the small window that says what videos are to be.
+/// The badge of a playing replay, over the picture, and the small window of video settings.
 void draw_replay_badge(const Simulation& simulation, WindowState& state, Requests& requests);
 void draw_recording_settings(WindowState& state, Requests& requests);
 
-/// A message at the top, an error in front of all else; true when it was closed by its button.
+/// A message at the top, an error in front of everything else. Returns true if the message was closed by its button.
 bool draw_message(const std::string& text, bool is_error);
 
 /// Width of the column at the left in pixels.
 float panel_width();
-/// What of the picture's width it covers, with its margins.
+/// The part of the picture's width that the column covers, with its margins.
 float panel_space();
 
 }  // namespace fascia

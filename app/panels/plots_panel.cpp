@@ -1,4 +1,4 @@
-// Curves over time, several charts one above the other, for what is chosen among them.
+// Curves over time: the chosen charts, one above the other.
 #include <imgui.h>
 
 #include <array>
@@ -79,7 +79,7 @@ void buttons(Plots& plots, Requests& requests) {
   ImGui::SameLine();
   requests.plot_picture |= ui::button("PNG", width);
   if (!requests.plot_picture)
-    ui::tooltip("Writes a picture of the panel to the current folder");  // which the picture would show
+    ui::tooltip("Writes a picture of the panel to the current folder");  // a tooltip now would be part of the picture
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ void draw_plots(const Simulation& simulation, WindowState& state, Requests& requ
       if (plots.chosen[i]) {
         ++chosen;
         last = i;
-        lines += kCharts[i].curves.size() > 2 ? 2 : 1;  // of the legend, at the usual width
+        lines += kCharts[i].curves.size() > 2 ? 2 : 1;  // of the legend, at the default width
       }
     const float room =
         ImGui::GetContentRegionAvail().y / ui::px(1) - (plots.chosen[kConvergence] ? kConvergenceHeight : 0);

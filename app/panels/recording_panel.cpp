@@ -1,4 +1,4 @@
-// What videos of the window are to be, and the session as a file.
+// The settings of videos of the window, and the session as a file.
 #include <imgui.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr std::array<Size, 4> kSizes{
     {{"Window", 0, 0}, {"720p", 1280, 720}, {"1080p", 1920, 1080}, {"4K", 3840, 2160}}};
 constexpr std::array<std::pair<const char*, VideoKind>, 3> kKinds{
     {{"MP4", VideoKind::mp4}, {"WebM", VideoKind::webm}, {"PNGs", VideoKind::pictures}}};
-constexpr int kLeastPixels = 16, kMostPixels = 16384;  // as of --size
+constexpr int kLeastPixels = 16, kMostPixels = 16384;  // the limits of --size
 constexpr std::array<double, 3> kRates{24, 30, 60};
 
 void label(const char* text) {
@@ -29,7 +29,7 @@ void label(const char* text) {
   ImGui::SameLine(ui::px(84));
 }
 
-// The size that comes out, to be typed over.
+// The resulting size, which can be edited.
 void size_fields(VideoSettings& video) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const VideoSettings::Size size = video.size_in({static_cast<int>(window.x), static_cast<int>(window.y)});

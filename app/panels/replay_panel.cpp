@@ -1,4 +1,4 @@
-// The badge of a replay that plays: how far it is, and its clock. At the top, where nothing else stands.
+// The badge of a playing replay: its progress and its clock, at the top of the picture, where nothing else is drawn.
 #include <imgui.h>
 
 #include <cstdio>

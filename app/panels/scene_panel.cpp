@@ -1,4 +1,4 @@
-// The top of the column: what is open, files, and the buttons of the clock.
+// The top of the column: the open scene, files, and the buttons of the clock.
 #include <imgui.h>
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// How the scene is solved: method, effort, time step, gravity; and how the grab pulls.
+// How the scene is solved: method, effort, time step, gravity and true error.
 #include <imgui.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ constexpr SolverSlider kSolverSliders[] = {{"iterations", "Iterations", 1, 200, 
                                            {"window", "Window", 1, 10, false},
                                            {"rest_speed", "Rest speed", 0, 1e-2, true}};
 
-// Found by overload for either kind of choice.
+// Found by overload for both kinds of choice.
 constexpr auto kLabelOf = [](auto choice) { return label_of(choice); };
 constexpr auto kHelpOf = [](auto choice) { return help_of(choice); };
 
@@ -43,7 +43,7 @@ bool pair_combos(SolverSettings& settings, const std::vector<Material>& material
     if (carried && std::find(able.begin(), able.end(), pair.method) == able.end()) able.push_back(pair.method);
   }
   bool changed = ui::choice("Method", able, settings.method, kLabelOf, kHelpOf);
-  // Another method keeps the acceleration in use, if it can have it, or gets the best one; so it does after none.
+  // A new method keeps the current acceleration if it supports it; otherwise, and after none, it gets the best one.
   const bool none = changed && settings.acceleration == Acceleration::none;
   const auto pair = none ? std::nullopt : find_choice(name_of(settings.method), name_of(settings.acceleration));
   settings.acceleration = pair.value_or(*find_choice(name_of(settings.method), {})).acceleration;
@@ -68,7 +68,7 @@ void gravity_row(Simulation& simulation) {
   ui::tooltip(kHelp);
 }
 
-// The distance to the exact step: asked for once, or all the time.
+// The distance to the exact step: requested once or continuously.
 void error_row(Session& session) {
   if (session.simulation.uses_reference()) return;
   constexpr const char* kHelp =

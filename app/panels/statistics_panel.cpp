@@ -1,4 +1,4 @@
-// Numbers about the state and about the clock, each with what it means.
+// Numbers about the state and the run times, each with its meaning.
 #include <imgui.h>
 
 #include <algorithm>

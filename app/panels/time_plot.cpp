@@ -15,7 +15,7 @@ namespace fascia::ui {
 namespace {
 
 constexpr float kAxis = 62;           // room for the labels at the left [points]
-constexpr double kLeastShare = 1e-4;  // of the largest value that an axis is high: less would show rounding
+constexpr double kLeastShare = 1e-4;  // of the largest value: the smallest height of an axis; less would show rounding
 constexpr double kShortest = 0.05, kLongest = 1200;  // seconds shown
 
 struct Area {
@@ -77,7 +77,7 @@ void draw_axes(ImDrawList& draw, const Area& area, const char* unit, bool times)
   }
 }
 
-// Of the samples in one column of pixels, the lowest and the highest.
+// In each column of pixels, only the lowest and the highest sample.
 void draw_curve(ImDrawList& draw, const Area& area, const TimeCurve& curve, std::span<const Sample> samples,
                 ImU32 color) {
   std::vector<ImVec2> points;
@@ -123,7 +123,8 @@ void draw_legend(const TimeChart& chart, const Sample* at) {
   }
 }
 
-// Of the time shown [s]: while the latest is followed, no more than there is, and a second at least.
+// Length of the shown time [s]: while the plot follows the latest sample, at most the sampled time and at least a
+// second.
 double span_of(const Plots& plots) {
   const std::span<const Sample> all = plots.history.all();
   if (plots.end || all.empty()) return plots.span;
@@ -141,7 +142,7 @@ void follow_mouse(Plots& plots, const Area& area) {
   if (ImGui::IsMouseDoubleClicked(0)) plots.end.reset();
   if (io.MouseWheel == 0) return;
   const double span = std::clamp((area.end - area.begin) * std::pow(0.8, io.MouseWheel), kShortest, kLongest);
-  // What is under the mouse stays there; while the latest is followed, the right edge does.
+  // The time under the mouse keeps its place; while the plot follows the latest sample, the right edge does.
   if (plots.end) plots.end = *plots.cursor_next + (*plots.end - *plots.cursor_next) * span / (area.end - area.begin);
   plots.span = span;
 }

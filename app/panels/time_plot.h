@@ -22,9 +22,9 @@ struct TimeChart {
   std::span<const TimeCurve> curves;
 };
 
-/// As wide as the panel, `height` points high, with a line of names and values above: those at the cursor, or the
-/// latest. The wheel zooms in time, a drag scrolls, a double click follows the latest again. With `times`, the axis of
-/// time is labelled.
+/// A chart as wide as the panel and `height` points high. The line above it shows names and values at the cursor, or
+/// the latest values. The wheel zooms in time, a drag scrolls, a double click follows the latest sample again. With
+/// `times`, the axis of time is labelled.
 void time_plot(const TimeChart& chart, Plots& plots, float height, bool times);
 
 }  // namespace fascia::ui

@@ -5,15 +5,15 @@
 
 namespace fascia {
 
-/// All that writes throws Error when ffmpeg or the disk fails.
+/// Functions that write throw Error if ffmpeg or the disk fails.
 class CaptureControl {
  public:
   CaptureControl(Stage& stage, ScenePicture& picture) : stage_(stage), picture_(picture) {}
 
   const VideoCapture& video() const { return video_; }
-  void toggle_video();            // starts it, or ends it and says where it is
-  void follow(double simulated);  // the video, after a frame that simulated so long [s]
-  void finish();                  // the video that still runs
+  void toggle_video();            // starts a video, or ends it and shows its path
+  void follow(double simulated);  // adds a frame to the video after `simulated` seconds of simulation
+  void finish();                  // ends a running video
   void screenshot() const;
 
  private:

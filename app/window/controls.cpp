@@ -9,9 +9,9 @@
 namespace fascia {
 namespace {
 
-constexpr double kResize = 1.1;  // of a grab's patch, per press of a key
+constexpr double kResize = 1.1;  // factor of a grab's patch radius, per key press
 
-// The key as its letter says: Z is elsewhere on other keyboards.
+// Returns the key by its letter, because the position of letters such as Z depends on the keyboard layout.
 int letter_of(int key) {
   const char* name = glfwGetKeyName(key, 0);
   return name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0 ? name[0] - 'a' + GLFW_KEY_A : key;
@@ -79,7 +79,7 @@ void Controls::press_button(const InputEvent& event, MouseTool::Picture picture)
   if (!stage_.mouse.grabs().all().empty() && stage_.simulation().replaying()) recording_.take_over_replay();
 }
 
-// With a visible cursor in the panels, keys belong to them; text always does.
+// While the panels show a keyboard cursor, its keys belong to them; text input always does.
 bool Controls::takes_key(int key) const {
   const ImGuiIO& io = ImGui::GetIO();
   const bool of_cursor = key == GLFW_KEY_SPACE || key == GLFW_KEY_ENTER || key == GLFW_KEY_ESCAPE;
@@ -117,7 +117,7 @@ void Controls::press_with_control(int key, bool shift, Requests& requests) {
 }
 
 void Controls::press_key(int key, int mods, Requests& requests) {
-  if (any_popup()) return;  // a dialog
+  if (any_popup()) return;  // a dialog is open
   const bool shift = mods & GLFW_MOD_SHIFT;
   if (mods & GLFW_MOD_CONTROL) return press_with_control(key, shift, requests);
   WindowState& state = stage_.state;
@@ -186,7 +186,7 @@ void Controls::press_key(int key, int mods, Requests& requests) {
       break;
     case GLFW_KEY_F3:
       state.plots.shown = !state.plots.shown;
-      stage_.diagnose = true;  // for the point
+      stage_.diagnose = true;  // the plots need a point
       break;
     case GLFW_KEY_F5:
       requests.reload_shaders = true;

@@ -1,4 +1,4 @@
-// What mouse and keys ask for: some of it is done at once, the rest becomes requests.
+// Handles mouse and keys: some actions run at once, the others become requests.
 #pragma once
 #include "app/ui/window_input.h"
 #include "app/window/observer.h"
@@ -25,7 +25,7 @@ class Controls {
   Sides& sides_;
   Observer& observer_;
   RecordingControl& recording_;
-  // What was active or open when the last frame ended: ImGui closes it before a key is looked at here
+  // Items active or popups open when the last frame ended: ImGui closes them before handle() sees the key
   bool panels_take_escape_ = false;
 };
 

@@ -68,7 +68,7 @@ bool Observer::choose_probe(const Eigen::Vector2d& at) {
   const Ray ray = session.camera.ray(at.x(), at.y(), stage_.framebuffer->width(), stage_.framebuffer->height());
   const auto hit = pick_nearest(ray, session.surface().triangles, positions, shown_cut(session.look));
   if (!hit) return true;
-  // What is drawn may be embedded; what is followed is a vertex of the tets.
+  // The drawn surface may be embedded; the plots follow a vertex of the tets.
   const std::vector<Tet>& tets = session.simulation.model.tets;
   double nearest = 1e300;
   for (const Tet& tet : tets)
@@ -77,7 +77,7 @@ bool Observer::choose_probe(const Eigen::Vector2d& at) {
         nearest = distance;
         plots.probe = v;
       }
-  plots.history.clear();  // of another vertex
+  plots.history.clear();  // the samples are of another vertex
   stage_.diagnose = true;
   return true;
 }

@@ -1,5 +1,5 @@
-// What the window measures of the tissue: asks for it and shares it out, feeds the plots, chooses their point, writes
-// them to files.
+// Measures the tissue for the window: requests diagnostics and distributes them, feeds the plots, chooses their point
+// and writes the plots to files.
 #pragma once
 #include <array>
 #include <optional>
@@ -13,13 +13,13 @@ class Observer {
   Observer(Stage& stage, Sides& sides) : stage_(stage), sides_(sides) {}
 
   void read();    // once a frame, after its steps
-  void finish();  // waits for the residual of the last step, which the frames may not have asked for
+  void finish();  // waits for the residual of the last step, which the frames may not have requested
   double residual() const { return residual_; }                                // the latest of the open session
   const std::optional<Diagnostics>& of_open_session() const { return open_; }  // the latest
 
-  /// A click at this pixel of the window's picture. False: there was nothing to choose.
+  /// A click at this pixel of the window's picture. Returns false if no point was to be chosen.
   bool choose_probe(const Eigen::Vector2d& at);
-  void write_plots(const Requests& requests);  // what of them is asked for. Throws Error
+  void write_plots(const Requests& requests);  // the requested files of the plots. Throws Error
 
  private:
   void follow(const Diagnostics& diagnostics);  // into the plots
@@ -30,9 +30,9 @@ class Observer {
   double residual_ = 0;
   struct Moment {
     double time = 0;  // simulated [s]
-    long steps = 0;   // made
+    long steps = 0;   // steps made
   };
-  std::array<Moment, 2> asked_;  // the last that diagnostics were asked of; no more are under way
+  std::array<Moment, 2> asked_;  // of the last requests for diagnostics; at most two are pending
 };
 
 }  // namespace fascia

@@ -7,7 +7,8 @@ namespace fascia {
 namespace fs = std::filesystem;
 namespace {
 
-// [bytes] of meshes that a session has in its file from its first moment: what takes longer waits until it is saved.
+// [bytes] of meshes that a session writes to its file at the start. Larger meshes are written when the session is
+// saved, because writing them takes long.
 constexpr std::uint64_t kCarriedFromTheStart = 32 << 20;
 
 CameraSettings settings_of(const Camera& camera) { return {camera.eye, camera.target, camera.up, camera.fov_deg}; }
@@ -68,7 +69,7 @@ void RecordingControl::save(const fs::path& path) {
                       ". fascia render --replay makes a video of it");
 }
 
-// With nothing held, so that another recording may go on from here.
+// Releases all grabs, so that a later recording can start from this state.
 void RecordingControl::leave() {
   sides_.end_drag();
   take_over_replay();
@@ -84,7 +85,7 @@ void RecordingControl::begin_anew_around(const std::function<void()>& change) {
   sides_.hold();
 }
 
-// A recording that began in mid-session has its own start, and the start of the scene leads elsewhere.
+// A recording that began in mid-session has its own start, which differs from the start of the scene.
 void RecordingControl::reset_around(const std::function<void()>& reset) {
   const bool other_start = !begins_at_start_ && stage_.simulation().start();
   if (other_start) leave();

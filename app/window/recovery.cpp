@@ -17,7 +17,7 @@ void Recovery::follow() {
 }
 
 void Recovery::go_back(std::uint32_t lost) {
-  constexpr long kForgiven = 600;  // steps
+  constexpr long kForgiven = 600;  // steps; older divergences do not count
   constexpr long kMostTimes = 3;
   Simulation& simulation = stage_.simulation();
   divergences_ = simulation.steps_made() - diverged_at_ > kForgiven ? 1 : divergences_ + 1;

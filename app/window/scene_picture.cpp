@@ -31,7 +31,7 @@ bool ScenePicture::update() {
   glfwGetFramebufferSize(window, &width, &height);
   if (width < 1 || height < 1 || glfwGetWindowAttrib(window, GLFW_ICONIFIED)) return false;
   if (framebuffer && framebuffer->width() == width && framebuffer->height() == height) return true;
-  framebuffer.reset();  // before the new one: two large ones may not fit
+  framebuffer.reset();  // freed first: two large framebuffers may not fit
   try {
     framebuffer = std::make_unique<Framebuffer>(width, height, samples_);
   } catch (const Error&) {
@@ -101,7 +101,7 @@ void ScenePicture::draw_scene(const Canvas& canvas) {
   overlay_.draw_list(picture, canvas.scale, [&](ImDrawList& list) {
     const MarkArea area{list, 0, static_cast<float>(picture.width()) / canvas.scale,
                         static_cast<float>(picture.height()) / canvas.scale};
-    draw_legend(area, session);  // with the range that the colors have just been drawn with
+    draw_legend(area, session);  // with the range of the colors just drawn
     LabelPlaces places({static_cast<float>(canvas.left) / canvas.scale, 0, area.width, area.height}, ui::px(kLabelGap));
     for (const Box& box : covered(canvas)) places.keep_clear(box);
     if (const auto legend = legend_box(area.box(), session)) places.keep_clear(*legend);
@@ -134,7 +134,7 @@ void ScenePicture::draw_comparison(SplitView& split, const Canvas& canvas,
   });
 }
 
-// How much a grab holds, or would hold where the mouse is.
+// The patch of a grab, or the patch that a grab at the mouse would hold.
 void ScenePicture::draw_ring(const MarkArea& area, const Session& session) const {
   if (const Grab* grab = stage_.mouse.grabs().following())
     draw_patch_ring(area, session, grab->anchor(), session.camera.forward(), grab->patch_radius());

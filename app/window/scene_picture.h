@@ -1,5 +1,5 @@
 // The picture of the window and those of its videos: the scene, or both sides of a comparison, with the color bar and
-// what marks places of them.
+// markers in the scene.
 #pragma once
 #include <functional>
 #include <vector>
@@ -13,19 +13,19 @@ namespace fascia {
 
 class ScenePicture {
  public:
-  /// `samples` of a pixel; 0: as many as suit the device.
+  /// `samples` per pixel; 0 selects the number by the device.
   ScenePicture(Graphics& graphics, Overlay& overlay, Stage& stage, Sides& sides, const Observer& observer, int samples);
 
-  /// The window's picture gets the size of the window. False: nothing to draw on, the window is minimised.
+  /// Resizes the picture to the window. Returns false if the window is minimised and there is nothing to draw on.
   bool update();
   void draw();
   /// The same frame on a picture of another size, with or without the panels.
   void draw_onto(Framebuffer& canvas, bool panels);
-  void frame_bodies();  // the camera, beside what covers the picture
+  void frame_bodies();  // places the camera so that the bodies are seen beside the panels
 
  private:
-  /// Where a scene is drawn: a list has `scale` pixels in a unit; the tissue stands beside `left` pixels of panels; and
-  /// whether it is drawn alone, without windows over it.
+  /// Where a scene is drawn: `scale` is the number of pixels per unit of a draw list, `left` the width of the panels
+  /// beside the tissue [pixels], and `alone` means without windows over the scene.
   struct Canvas {
     Framebuffer& picture;
     float scale;
@@ -38,7 +38,7 @@ class ScenePicture {
                        const std::function<void(std::size_t, const Framebuffer&)>& drawn = {});
   void draw_ring(const MarkArea& area, const Session& session) const;
   Margins margins_of(const Canvas& canvas) const;
-  std::vector<Box> covered(const Canvas& canvas) const;  // what else is drawn over it
+  std::vector<Box> covered(const Canvas& canvas) const;  // by other drawings
 
   Graphics& graphics_;
   Overlay& overlay_;

@@ -8,14 +8,14 @@ bool Sides::asleep() const { return stage_.simulation().asleep() && (!split_ || 
 
 void Sides::restart_facts() { stage_.state.facts = SceneFacts(tuned().simulation.scene, tuned().simulation.model); }
 
-// The panels show the other side: its facts, and its history.
+// The panels switch to the facts and the history of the other side.
 void Sides::edit(bool b) {
   WindowState& state = stage_.state;
   if (state.editing_b == b) return;
   state.editing_b = b;
   std::swap(state.history, split_->history);
   restart_facts();
-  state.history.accept(tunables_of(tuned(), state.grab));  // what both share may have changed at the other side
+  state.history.accept(tunables_of(tuned(), state.grab));  // shared values may have changed at the other side
   state.statistics.diagnostics.reset();
   state.convergence.forget();
   stage_.diagnose = true;
@@ -25,13 +25,13 @@ void Sides::open() {
   split_ = std::make_unique<SplitView>(graphics_, *stage_.session, stage_.scene_now(), stage_.simulation().model);
   split_->history.restart(tunables_of(split_->b(), stage_.state.grab));
   lead();
-  edit(true);  // A stays as it was: B is the side to change
+  edit(true);  // A keeps its settings: changes go to B
 }
 
 void Sides::carry_out(CompareAsk ask, const Exchange& exchange) {
   if (ask != CompareAsk::open_or_close && !split_) return;
   end_drag();
-  if (split_) lead();  // the other side, too, is let go of
+  if (split_) lead();  // releases the grab at the other side, too
   switch (ask) {
     case CompareAsk::nothing:
       break;
@@ -94,7 +94,7 @@ void Sides::reset() {
 }
 
 void Sides::follow_error() {
-  const bool follow = tuned().follow_true_error;  // of both sides
+  const bool follow = tuned().follow_true_error;  // the setting applies to both sides
   stage_.session->follow_true_error = follow;
   stage_.session->follow_error();
   if (!split_) return;
@@ -146,7 +146,7 @@ Eigen::Vector2d Sides::pointer_in_side(bool b) const {
   return pointer_ - Eigen::Vector2d(SplitView::areas(stage_.framebuffer->width(), stage_.margins())[b ? 1 : 0].x, 0);
 }
 
-// Grabs that stay pull at both sides alike, so that the mouse may go on at either.
+// Grabs that stay pull equally at both sides, so that the mouse can continue at either.
 MouseTool::Picture Sides::to_side(Eigen::Vector2d& at, bool press) {
   pointer_ = at;
   if (press) grab_in_b_ = points_at_b();

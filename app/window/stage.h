@@ -1,5 +1,5 @@
-// What the objects of the window share: the session that is open, the picture that it is drawn on, what the window
-// shows of it, and the message. None of them knows the window itself.
+// Data that the objects of the window share: the open session, the picture it is drawn on, the window's state and the
+// message. None of these objects knows the window.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -26,7 +26,7 @@ struct Stage {
   bool diagnose = true;  // the state has changed since the last diagnostics
 
   Simulation& simulation() const { return session->simulation; }
-  Scene scene_now() const;  // with the present materials and camera
+  Scene scene_now() const;  // with the current materials and camera
   Provenance provenance() const;
   int panels_cover() const;  // of the picture's width [pixels]
   Margins margins() const;   // of the window's picture

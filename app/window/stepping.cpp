@@ -41,7 +41,7 @@ void Stepping::advance(double elapsed, bool one) {
   }
   while (const auto took = timer_.take())
     stage_.state.statistics.add_steps(took->milliseconds, took->steps, took->compiled, stats_.step_ms);
-  if (still()) stage_.pacing.forget_speed();  // nothing is solved that could be slow
+  if (still()) stage_.pacing.forget_speed();  // without solving no speed is measured
   if (repeats) sides_.accept_tunables_of_a();
 }
 
@@ -53,7 +53,7 @@ void Stepping::make_step() {
   const bool slept = sides_.asleep();
   sides_.step();
   simulated_ += stage_.simulation().scene.solver.time_step;
-  stage_.diagnose |= !slept || !sides_.asleep();  // also the step after which it sleeps
+  stage_.diagnose |= !slept || !sides_.asleep();  // also after the step before the sleep
   ++state.statistics.steps;
   ++stats_.steps;
   if (left_ > 0) --left_;

@@ -1,4 +1,4 @@
-// The steps of a frame: how many the clock asks for, what they cost, and when there are none.
+// The steps of a frame: how many the clock requires, how long they take, and when no step is made.
 #pragma once
 #include "app/overlay/overlay.h"
 #include "app/window/sides.h"
@@ -12,11 +12,11 @@ class Stepping {
   Stepping(Graphics& graphics, Overlay& overlay, Stage& stage, Sides& sides)
       : graphics_(graphics), overlay_(overlay), stage_(stage), sides_(sides) {}
 
-  void limit(long steps) { left_ = steps; }  // no more are made from now on
-  bool done() const { return left_ == 0; }   // all of them are made
+  void limit(long steps) { left_ = steps; }  // at most this many further steps are made
+  bool done() const { return left_ == 0; }   // all steps of the limit are made
   bool still() const;                        // the tissue does not move
 
-  /// `elapsed` seconds after the frame before. `one`: a step although the clock is paused.
+  /// `elapsed` seconds after the previous frame. `one` makes a step although the clock is paused.
   void advance(double elapsed, bool one);
   double simulated() const { return simulated_; }  // in the last advance() [s]
   RunStats& stats() { return stats_; }             // of all steps made
@@ -32,7 +32,7 @@ class Stepping {
   Sides& sides_;
   gl::Timer timer_;
   RunStats stats_;
-  long left_ = -1;  // negative: without a limit
+  long left_ = -1;  // negative without a limit
   double simulated_ = 0;
 };
 

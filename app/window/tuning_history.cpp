@@ -14,8 +14,7 @@ void TuningHistory::session_began() {
 }
 
 void TuningHistory::follow() {
-  if (ImGui::IsAnyItemActive() || stage_.mouse.dragging())
-    return;  // a slider or a section plane that is held is not yet where it will be
+  if (ImGui::IsAnyItemActive() || stage_.mouse.dragging()) return;  // the user still drags a slider or a section plane
   const Tunables now = tunables_of(sides_.tuned(), stage_.state.grab);
   if (sides_.tuned().simulation.repeating())
     stage_.state.history.accept(now);
@@ -25,7 +24,7 @@ void TuningHistory::follow() {
 
 void TuningHistory::go_to(std::size_t entries) {
   UndoHistory& history = stage_.state.history;
-  // The values of the entry that is to be the last in force; those between need not be set.
+  // The values after the last entry in force. The values in between need not be set.
   std::optional<Tunables> wanted;
   while (history.done() > entries && history.can_undo()) wanted = history.undo();
   while (history.done() < entries && history.can_redo()) wanted = history.redo();
@@ -42,7 +41,7 @@ void TuningHistory::set_materials(const std::vector<MaterialEntries>& entries) {
   materials_changed();
 }
 
-// There are more of them, or fewer.
+// The number of materials may have changed.
 void TuningHistory::materials_changed() {
   Session& session = sides_.tuned();
   session.true_error.forget();
@@ -50,7 +49,7 @@ void TuningHistory::materials_changed() {
   stage_.state.facts = SceneFacts(session.simulation.scene, session.simulation.model);
   stage_.pacing.restart();
   stage_.diagnose = true;
-  // With other regions the open session has another scene, whose recording begins here.
+  // With other regions the open session has another scene, so a new recording begins.
   if (&session == stage_.session.get()) recording_.begin_anew_around([] {});
 }
 
@@ -61,7 +60,7 @@ Opened TuningHistory::rescaled(double factor) const {
   return {std::move(scene), std::nullopt, std::move(model)};
 }
 
-// A camera that was not moved is the file's, or none.
+// A camera that was not moved is the camera of the file, if any.
 Scene TuningHistory::scene_to_reproduce() const {
   Scene scene = stage_.scene_now();
   if (scene.camera == opened_camera_) scene.camera = stage_.simulation().scene.camera;

@@ -1,5 +1,5 @@
-// Changes to the open scene that are more than a slider: taking them back, regions with a material of their own,
-// another unit, and the command line that brings them all back.
+// Changes to the open scene beyond a single slider: undo, materials of single regions, other units of length, and the
+// command line that reproduces all changes.
 #pragma once
 #include <optional>
 #include <vector>
@@ -15,11 +15,11 @@ class TuningHistory {
       : stage_(stage), sides_(sides), recording_(recording) {}
 
   void session_began();
-  void follow();                    // once a frame, after the panels: what was turned becomes an entry
-  void go_to(std::size_t entries);  // until so many are in force. Throws Error
-  /// Throws Error and changes nothing where an entry names no region.
+  void follow();                    // once a frame, after the panels: a changed value becomes an entry
+  void go_to(std::size_t entries);  // undoes or redoes until `entries` are in force. Throws Error
+  /// Throws Error and changes nothing if an entry names no region.
   void set_materials(const std::vector<MaterialEntries>& entries);
-  /// The scene as it is now, with all lengths times `factor`, to be opened anew.
+  /// The current scene with all lengths times `factor`, to be opened as a new session.
   Opened rescaled(double factor) const;
   void copy_command() const;  // to the clipboard
 
@@ -30,7 +30,7 @@ class TuningHistory {
   Stage& stage_;
   Sides& sides_;
   RecordingControl& recording_;
-  std::optional<CameraSettings> opened_camera_;  // as the session began with
+  std::optional<CameraSettings> opened_camera_;  // at the start of the session
 };
 
 }  // namespace fascia

@@ -16,15 +16,15 @@
 namespace fascia {
 namespace {
 
-constexpr double kLongestWait = 1;  // [s] to look after signals and the device, which do not wake a window
-// [s] between frames while something is under way that no event reports
+constexpr double kLongestWait = 1;  // [s] between checks of signals and of the device, which do not wake a window
+// [s] between frames while work is pending that no event reports
 constexpr double kUnsettledWait = 1.0 / 30;
-constexpr int kFramesToSettle = 3;        // after an event: panels find their size and what they show over some frames
-constexpr double kShortestFrame = 0.004;  // [s] where the display does not set the pace
+constexpr int kFramesToSettle = 3;        // after an event: the layout of panels settles over some frames
+constexpr double kShortestFrame = 0.004;  // [s] if the display does not limit the frame rate
 
 bool scripted(const ViewOptions& options) { return options.steps || options.time; }
 
-// A scripted window remembers nothing, and a static equilibrium has more digits than the state that steps go on from.
+// A scripted window keeps no record. A static equilibrium has more digits than the state from which steps continue.
 bool recorded(const ViewOptions& options) { return !scripted(options) && !options.static_equilibrium; }
 
 }  // namespace
@@ -47,7 +47,7 @@ Window::Window(Graphics& graphics, const ViewOptions& options, Opened opened)
       kernels_(graphics, !scripted(options)),
       opener_(graphics, overlay_, options.reference, !scripted(options)),
       frames_to_settle_(kFramesToSettle) {
-  stage_.state.video.width = options.width;  // as asked for, whatever the window has got
+  stage_.state.video.width = options.width;  // the requested size, independent of the window's size
   stage_.state.video.height = options.height;
   try {
     stage_.session = opener_.make(std::move(opened));
@@ -144,8 +144,8 @@ void Window::wait_for_events() {
   settled_ = false;
 }
 
-// Before the window waits: numbers that the GPU gives back some frames late have come, and what is shown is drawn once
-// more with them.
+// Before the window waits: fetches the numbers that the GPU returns some frames late, and draws the picture once more
+// with them.
 void Window::settle() {
   stage_.messages.attempt([&] { stage_.session->settle_range(sides_.second()); });
   frames_to_settle_ = kFramesToSettle;
@@ -163,7 +163,7 @@ void Window::frame(double elapsed) {
   Requests requests;
   do {
     requests = {};
-    if (messages.is_error() && input_.take_key(GLFW_KEY_ESCAPE)) messages.clear();  // it lies in front of all else
+    if (messages.is_error() && input_.take_key(GLFW_KEY_ESCAPE)) messages.clear();  // in front of everything else
     overlay_.begin(framebuffer.width(), framebuffer.height());
     const Camera view = stage_.session->camera;
     messages.attempt([&] { controls_.handle(requests); });

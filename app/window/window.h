@@ -1,7 +1,7 @@
-// The window: one frame after the other of input, panels, steps, drawing. Whatever fails in a frame becomes a message,
-// and the scene that is open stays open; only the loss of the device ends it, and leaves the scene as it was some
-// seconds before. While nothing moves there are no frames: the window sleeps until something happens. The window has
-// the order of things; each of its objects has a subject and a state of its own, and they share a Stage.
+// The window: a sequence of frames, each of input, panels, steps and drawing. An error in a frame becomes a message,
+// and the open scene stays open. Only the loss of the device ends the window, and keeps the scene of some seconds ago.
+// While nothing moves no frames are drawn: the window sleeps until an event. The window sets the order of the work.
+// Each of its objects has one subject and its own state, and all objects share a Stage.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -18,13 +18,13 @@ namespace fascia {
 
 class Window {
  public:
-  /// Throws Error when the scene cannot be simulated.
+  /// Throws Error if the scene cannot be simulated.
   Window(Graphics& graphics, const ViewOptions& options, Opened opened);
 
-  /// Until the window is closed, the asked number of steps is done or the program is interrupted. Throws
+  /// Runs until the window is closed, the requested number of steps is made or the program is interrupted. Throws
   /// gl::ContextLost, which names the file that keeps the scene.
   void run();
-  /// The video that was being recorded when the window closed. Throws Error.
+  /// Completes the video that was being recorded when the window closed. Throws Error.
   void finish_video() { capture_.finish(); }
 
   const Simulation& simulation() const { return stage_.simulation(); }
@@ -33,7 +33,7 @@ class Window {
  private:
   void wait_for_events();
   void settle();
-  double idle_time() const;  // [s] for which nothing changes unless the user does something; 0 while things move
+  double idle_time() const;  // [s] until the picture can change without user input; 0 while anything moves
   void frame(double elapsed);
   void follow_kernels();
   void simulate(double elapsed, bool one_step);
@@ -65,9 +65,9 @@ class Window {
   Stepping stepping_;
   KernelSwitch kernels_;
   SceneOpener opener_;
-  int frames_to_settle_;  // to draw although nothing moves
-  bool settled_ = false;  // nothing has happened since settle()
-  bool shown_ = false;    // this session, in a frame: steps come after the first picture
+  int frames_to_settle_;  // frames to draw although nothing moves
+  bool settled_ = false;  // no event since settle()
+  bool shown_ = false;    // the session was drawn in a frame: steps start after the first picture
 };
 
 }  // namespace fascia

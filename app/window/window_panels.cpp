@@ -47,11 +47,12 @@ void WindowPanels::draw(Requests& requests) {
   state.recording = video.running();
   state.grabs = stage_.mouse.grabs().all().size();
   const Room room = room_beside_panels(state);
-  const bool shown_alone = video.running() && !video.settings().panels;  // the scene, in a video
+  const bool shown_alone = video.running() && !video.settings().panels;  // a video of the scene without panels
   if (!shown_alone) draw_notice(state, room);
   if (state.show_panels) {
     draw_panels({sides_.tuned(), state, requests});
-    if (!scripted_ && !shown_alone && !sides_.split()) draw_hints(hints_, room);  // where a comparison has its figures
+    if (!scripted_ && !shown_alone && !sides_.split())
+      draw_hints(hints_, room);  // a comparison shows its figures there
   }
   const Simulation& simulation = stage_.simulation();
   if (state.plots.shown) draw_plots(simulation, state, requests);
@@ -64,11 +65,11 @@ void WindowPanels::draw(Requests& requests) {
   follow_hints();
   if (const bool light = ui::theme() == ui::Theme::light; light != user_.now().light)
     user_.change([&](UserSettings& settings) { settings.light = light; });
-  stage_.messages.draw(requests.screenshot);  // which shows the scene, not the news of the screenshot before it
+  stage_.messages.draw(requests.screenshot);  // a screenshot does not contain the news of the previous one
   if (video.running()) draw_recording_dot(video.seconds(), video.dropped());
 }
 
-// What the user has done once needs no hint any more.
+// A hint is not shown again after its action was done once.
 void WindowPanels::follow_hints() {
   const std::vector<Material>& materials = stage_.simulation().model.materials;
   if (stage_.mouse.grabs().following()) hints_.done("grab");

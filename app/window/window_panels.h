@@ -1,5 +1,5 @@
-// What lies over the picture, once a frame: panels and plots, dialogs, hints, notices and the message; and the settings
-// of the user that they change.
+// Draws everything over the picture, once a frame: panels and plots, dialogs, hints, notices and the message. Owns the
+// user settings that they change.
 #pragma once
 #include <filesystem>
 #include <vector>
@@ -14,14 +14,14 @@ namespace fascia {
 
 class WindowPanels {
  public:
-  /// `scripted`: the window leaves nothing in the user's settings and gives no hints.
+  /// With `scripted` the window does not change the user's settings and gives no hints.
   WindowPanels(Stage& stage, Sides& sides, const CaptureControl& capture, const Recovery& recovery,
                const std::filesystem::path& data_dir, bool scripted);
 
-  /// The first scene is open. `greet`: a new user sees the examples.
+  /// The first scene is open. With `greet` a new user sees the examples.
   void begin(bool greet);
   void opened(const std::filesystem::path& path) { dialogs_.opened(path); }
-  void ask(const Requests& requests);  // the dialogs that are asked for open in the next frame
+  void ask(const Requests& requests);  // requested dialogs open in the next frame
   void draw(Requests& requests);       // between ImGui::NewFrame and ImGui::Render
 
  private:

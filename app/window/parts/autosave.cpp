@@ -14,21 +14,21 @@ namespace fascia {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr auto kPause = std::chrono::seconds(5);  // between two writings
-constexpr double kMostShare = 0.02;               // of the time of one processor
+constexpr auto kPause = std::chrono::seconds(5);  // between two writes
+constexpr double kMostShare = 0.02;               // of the time of one CPU core
 constexpr auto kForgotten = std::chrono::hours(24 * 14);
-constexpr const char* kLast = ".last";  // in the place of the process
+constexpr const char* kLast = ".last";  // replaces the process
 
-// When the process was started, in ticks since the machine was: with its number it names a process for ever. Empty: no
-// such process.
+// Start time of a process in clock ticks since boot: with the process id it identifies a process uniquely. Empty
+// without such a process.
 std::string start_of(const std::string& process) {
   std::ifstream in("/proc/" + process + "/stat");
   std::string line, field;
   if (!std::getline(in, line)) return "";
   std::istringstream fields(
-      line.substr(std::min(line.size(), line.rfind(')') + 1)));  // the name before may hold anything
+      line.substr(std::min(line.size(), line.rfind(')') + 1)));  // the name before may contain any character
   fields >> field;
-  if (field == "Z") return "";  // ended, but nobody has asked how
+  if (field == "Z") return "";  // ended, but not yet reaped by its parent
   for (int i = 4; i <= 22; ++i) fields >> field;
   return field;
 }
@@ -74,7 +74,7 @@ void Autosave::keep(std::shared_ptr<const Replay> replay, const std::string& nam
   std::string stem = name;
   std::replace(stem.begin(), stem.end(), '.', '_');
   const fs::path before = std::exchange(file_, folder_ / (stem + "." + process + "-" + start_of(process) + ".fascia"));
-  if (!before.empty() && before != file_) outdated_.push_back(before);  // of the scene that was open before
+  if (!before.empty() && before != file_) outdated_.push_back(before);  // of the previous scene
   writing_ = std::async(std::launch::async,
                         [replay = std::move(replay), file = file_, outdated = std::exchange(outdated_, {})] {
                           const Clock::time_point start = Clock::now();
@@ -101,7 +101,7 @@ std::optional<fs::path> Autosave::left_behind() const {
   std::error_code ec;
   for (fs::directory_iterator it(folder_, ec), end; !ec && it != end; it.increment(ec)) {
     const std::optional<Owner> owner = owner_of(it->path());
-    if (!owner || start_of(owner->process) == owner->start) continue;  // not ours, or its window is still there
+    if (!owner || start_of(owner->process) == owner->start) continue;  // not an autosave, or its window is still open
     std::error_code unreadable;
     const fs::file_time_type written = it->last_write_time(unreadable);
     if (!unreadable) found.emplace_back(written, it->path());

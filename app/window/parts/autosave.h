@@ -1,5 +1,5 @@
-// The state of a window, written now and then beside the frames, so that a crash loses some seconds only. Every window
-// has a file of its own, named after its process; a window that ends well leaves it as the one that was last.
+// Writes the state of a window at intervals, beside the frames, so that a crash loses only some seconds. Every window
+// has its own file, named after its process. A window that closes normally leaves its file as the last session.
 #pragma once
 #include <chrono>
 #include <filesystem>
@@ -15,32 +15,32 @@ namespace fascia {
 
 class Autosave {
  public:
-  /// An empty folder: nothing is written.
+  /// With an empty folder nothing is written.
   explicit Autosave(std::filesystem::path folder);
-  ~Autosave();  // waits for what is being written
+  ~Autosave();  // waits for a running write
 
-  /// Whether it is time to look again: some seconds after the last time, more where writing takes long, and nothing is
-  /// being written.
+  /// Whether the next write is due: some seconds after the last one, more if writing takes long, and never during a
+  /// write.
   bool due() const;
   void wait_a_while();  // nothing is due for some seconds
-  /// Begins to write, on another thread. `name`: of the scene. Throws what the last writing threw; then nothing more is
-  /// written.
+  /// Starts to write, on another thread. `name` is the scene's name. Throws the error of the previous write; after an
+  /// error nothing more is written.
   void keep(std::shared_ptr<const Replay> replay, const std::string& name);
-  /// `file`, of another window, is removed once what is kept next is written.
+  /// `file`, of another window, is removed after the next write.
   void replace(std::filesystem::path file) { outdated_.push_back(std::move(file)); }
-  /// The window ends well: its file becomes the last one.
+  /// The window closes normally: its file becomes the last session.
   void finish();
 
-  /// What a window that did not end well left, the newest; what others left long ago is removed.
+  /// The newest file of a window that crashed. Removes older files after two weeks.
   std::optional<std::filesystem::path> left_behind() const;
-  std::filesystem::path last() const;  // of the window that last ended well; empty: none
-  /// The scene's name in the name of such a file.
+  std::filesystem::path last() const;  // of the last window that closed normally; empty without one
+  /// The scene's name in the name of an autosave file.
   static std::string name_in(const std::filesystem::path& file);
 
  private:
   using Clock = std::chrono::steady_clock;
   std::filesystem::path folder_, file_;
-  std::vector<std::filesystem::path> outdated_;  // once the next writing is done
+  std::vector<std::filesystem::path> outdated_;  // removed after the next write
   std::future<std::chrono::duration<double>> writing_;
   Clock::time_point next_ = Clock::now();
 };

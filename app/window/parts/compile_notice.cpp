@@ -23,11 +23,11 @@ CompileNotice::CompileNotice(Graphics& graphics, Overlay& overlay, const Framebu
 void CompileNotice::tell() {
   ++kernels_;
   if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() < kUnnoticed) return;
-  glfwPollEvents();  // or the desktop takes the program for dead; what they ask for waits for the next frame
+  glfwPollEvents();  // otherwise the desktop considers the program unresponsive; the events wait for the next frame
   overlay_.draw_list(picture_, 1, [&](ImDrawList& list) {
     ui::pill(list, "Compiling kernels for this graphics driver, the first time only",
              static_cast<float>(left_ + picture_.width()) / 2, ui::px(52),
-             ui::kText);  // below what the window says at the top
+             ui::kText);  // below the notices at the top
   });
   picture_.present(picture_.width(), picture_.height());
   glfwSwapBuffers(graphics_.context->window());

@@ -1,5 +1,5 @@
-// Says why the window stands still while kernels are compiled. A driver that translates a kernel when it first runs
-// takes seconds for all of a method's, or of a first grab's; later starts find them in the driver's cache.
+// Shows why the window is frozen while kernels are compiled. A driver that compiles a kernel at its first run takes
+// seconds for all kernels of a method, or of a first grab; later starts find them in the driver's cache.
 #pragma once
 #include <chrono>
 
@@ -9,10 +9,10 @@ namespace fascia {
 
 class CompileNotice {
  public:
-  /// As long as it lives, which is while steps are made. Shown over `picture`, the last one, whose first `left` columns
-  /// the panels cover.
+  /// The notice can appear during the lifetime of the object, in which steps are made. It is shown over `picture`, the
+  /// last one, whose first `left` columns the panels cover.
   CompileNotice(Graphics& graphics, Overlay& overlay, const Framebuffer& picture, int left);
-  int kernels() const { return kernels_; }  // that ran for the first time meanwhile
+  int kernels() const { return kernels_; }  // that ran for the first time in this lifetime
 
  private:
   void tell();

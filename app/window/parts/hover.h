@@ -1,5 +1,5 @@
-// What the mouse points at while it holds nothing: a place on the tissue, from the depth of the last picture. Nothing
-// waits for it.
+// The place on the tissue under the mouse while the mouse holds nothing, from the depth of the last picture. Reading
+// the depth never waits for the GPU.
 #pragma once
 #include <optional>
 
@@ -10,7 +10,7 @@ namespace fascia {
 
 class Hover {
  public:
-  /// After a picture was drawn: takes the last answer and asks anew. Without a place nothing is pointed at.
+  /// After a picture was drawn: takes the last result and requests the next one. Without a pixel there is no spot.
   void look(const Framebuffer& framebuffer, const Session& session, std::optional<Eigen::Vector2d> pixel);
   const std::optional<DepthProbe::Spot>& spot() const { return spot_; }
 

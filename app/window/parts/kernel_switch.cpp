@@ -19,7 +19,7 @@ void KernelSwitch::follow(const std::function<void()>& renew) {
   if (!warmup_ || warmup_->look() == KernelWarmup::State::running) return;
   const bool cached = warmup_->look() == KernelWarmup::State::cached;
   warmup_.reset();
-  if (!cached) return;  // compiled here, they would freeze the window
+  if (!cached) return;  // compiling in this process would freeze the window
   graphics_.programs->set_fusing(true);
   renew();
 }

@@ -1,6 +1,6 @@
-// On software renderers a session starts with single kernels, which compile in a second, and goes on with fused ones,
-// which are twice as fast, as soon as another process has compiled them. Both make the same bits. On GPUs there are no
-// fused kernels, and this does nothing.
+// On software renderers a session starts with single kernels, which compile in a second, and switches to fused kernels,
+// which are twice as fast, as soon as another process has compiled them. Both give bitwise equal results. GPUs have no
+// fused kernels, so nothing switches there.
 #pragma once
 #include <functional>
 #include <optional>
@@ -13,7 +13,7 @@ namespace fascia {
 
 class KernelSwitch {
  public:
-  /// `wanted` false: sessions have fused kernels from the start.
+  /// With `wanted` false sessions have fused kernels from the start.
   KernelSwitch(Graphics& graphics, bool wanted);
   void session_began(const Simulation& simulation);
   /// Between two steps. `renew` is called when solvers must record their passes again, with fused kernels.

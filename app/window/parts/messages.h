@@ -1,4 +1,5 @@
-// The message over the picture: news for some seconds, an error until it is closed. What fails in a frame becomes one.
+// The message over the picture: information for some seconds, an error until it is closed. Errors in a frame become
+// messages.
 #pragma once
 #include <chrono>
 #include <functional>
@@ -9,17 +10,17 @@ namespace fascia {
 
 class Messages {
  public:
-  /// Takes the place of the message before it.
+  /// Replaces the previous message.
   void say(const std::string& text, bool is_error = false);
-  /// Runs `work`. An exception becomes a message, and so does an opening that was given up: false.
+  /// Runs `work`. An exception or a cancelled opening becomes a message and returns false.
   bool attempt(const std::function<void()>& work);
   void clear() { message_.reset(); }
 
   bool any() const { return message_.has_value(); }
   bool is_error() const { return message_ && message_->is_error; }
-  const std::string& text() const { return message_->text; }  // where there is any
-  double seconds_left() const;                                // until it goes by itself; infinite where there is none
-  /// Between ImGui::NewFrame and ImGui::Render. `without_news`: only an error is shown.
+  const std::string& text() const { return message_->text; }  // requires any()
+  double seconds_left() const;                                // until the message disappears; infinite without one
+  /// Between ImGui::NewFrame and ImGui::Render. With `without_news` only errors are shown.
   void draw(bool without_news);
 
  private:

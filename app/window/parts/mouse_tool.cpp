@@ -15,7 +15,7 @@ constexpr double kDepthPerNotch = 0.04;            // of the wheel, in scene rad
 constexpr double kPushPerNotch = 0.2;              // in patch radii
 constexpr double kSmallest = 0.001, kLargest = 1;  // radius of a patch, in scene radii
 
-// One readback, at the moment of the press only.
+// One readback, only when a button is pressed.
 std::vector<Eigen::Vector3d> deformed_positions(Session& session) {
   GpuSolver& solver = *session.simulation.gpu();
   solver.publish();
@@ -26,12 +26,12 @@ std::vector<Eigen::Vector3d> deformed_positions(Session& session) {
   return positions;
 }
 
-// Where the line from `center` along the unit vector `normal` comes closest to what is seen at a place of the picture
-// [m].
+// Position on the line from `center` along the unit vector `normal` that is closest to the ray of a place in the
+// picture [m].
 double along(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, const Ray& ray) {
   const Eigen::Vector3d to_eye = ray.origin - center;
   const double cosine = ray.direction.dot(normal);
-  constexpr double kLeastSine2 = 0.01;  // where the ray is nearly along the line, no place on it is nearest
+  constexpr double kLeastSine2 = 0.01;  // below it the ray is nearly parallel to the line, and no position is nearest
   return (to_eye.dot(normal) - to_eye.dot(ray.direction) * cosine) / std::max(1 - cosine * cosine, kLeastSine2);
 }
 
@@ -41,7 +41,7 @@ void drag_section(const Eigen::Vector2d& from, const Eigen::Vector2d& to, MouseT
   if (!display.section) return;
   const Eigen::Vector3d normal = display.section->normal.normalized(), center = session.look.center;
   const Camera& camera = session.camera;
-  // Cosine beyond which the normal has no direction in the picture to speak of: up is along it then
+  // Cosine above which the normal has almost no direction in the picture: dragging upwards moves along it then
   constexpr double kHeadOn = 0.97;
   if (std::abs(camera.forward().dot(normal)) > kHeadOn) {
     display.section->offset += (from.y() - to.y()) * camera.pixel_size(center, picture.width, picture.height);
@@ -76,7 +76,7 @@ std::optional<std::size_t> MouseTool::mark_at(const Eigen::Vector2d& at, Picture
 
 void MouseTool::press(Button button, Keys keys, const Eigen::Vector2d& at, Picture picture, Session& session,
                       const GrabSettings& settings) {
-  if (dragging()) return;  // the first button decides
+  if (dragging()) return;  // the first button determines the action
   button_ = button;
   last_ = at;
   if (const auto mark = mark_at(at, picture, session); mark && button != Button::middle) {
@@ -176,7 +176,7 @@ void MouseTool::let_go_staying(Session& session) {
   const std::size_t before = grabs_.all().size();
   for (std::size_t i = before; i-- > 0;)
     if (!grabs_.follows(i)) grabs_.let_go(i);
-  if (grabs_.all().size() < before) hold(session);  // a replay's grabs are none of ours
+  if (grabs_.all().size() < before) hold(session);  // otherwise the grabs of a replay stay
 }
 
 void MouseTool::end_drag(Session& session) {

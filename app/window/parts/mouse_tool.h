@@ -1,5 +1,5 @@
-// What the mouse does to the scene: take hold of tissue, push it, take up a grab that was left, orbit, pan, or move the
-// section plane.
+// Actions of the mouse in the scene: grab tissue, push it, take up a grab that stays, orbit, pan, or move the section
+// plane.
 #pragma once
 #include <Eigen/Core>
 #include <optional>
@@ -19,36 +19,36 @@ class MouseTool {
     bool shift = false, control = false, alt = false;
   };
 
-  /// Left on tissue takes hold of it, with Alt pushes it, elsewhere orbits; with Shift it takes the nearest tissue; on
-  /// the mark of a grab that stays it takes that up again, right lets go of it. Others pan.
+  /// The left button grabs tissue, with Alt pushes it, and orbits beside it; with Shift it grabs the nearest tissue. On
+  /// the mark of a grab that stays, left takes the grab up and right releases it. The other buttons pan.
   void press(Button button, Keys keys, const Eigen::Vector2d& at, Picture picture, Session& session,
              const GrabSettings& settings);
-  /// Instead of press: the section plane of the picture follows the mouse along its normal.
+  /// Used instead of press(): the section plane of the picture follows the mouse along its normal.
   void press_section(Button button, const Eigen::Vector2d& at);
   void move(const Eigen::Vector2d& at, Picture picture, Session& session);
-  /// With Control, or settings.stay, the grab stays where it is.
+  /// With Control, or settings.stay, the grab stays at its place.
   void release(Button button, Keys keys, Session& session, const GrabSettings& settings);
-  /// What the wheel does to grabs: the depth of the one that follows the mouse, with Control the size of patches.
-  /// False: nothing.
+  /// The wheel changes the depth of the grab that follows the mouse, or with Control the size of patches. Returns false
+  /// if nothing changed.
   bool scroll(double notches, Keys keys, Session& session, GrabSettings& settings);
-  /// Size of patches times `factor`, that of the grab that follows the mouse at once.
+  /// Multiplies the size of patches by `factor`; the grab that follows the mouse changes at once.
   void resize(double factor, Session& session, GrabSettings& settings);
-  void stay();  // the grab that follows the mouse stays where it is
-  /// The grab whose mark is at this place, or else the last one that stays.
+  void stay();  // the grab that follows the mouse stays at its place
+  /// Releases the grab whose mark is at `at`, otherwise the last grab that stays.
   void let_go(const Eigen::Vector2d& at, Picture picture, Session& session);
-  void let_go_staying(Session& session);  // of all but the one that follows the mouse
-  /// Whatever the mouse is doing ends; grabs that stay hold on.
+  void let_go_staying(Session& session);  // releases all but the grab that follows the mouse
+  /// Ends the current action of the mouse; grabs that stay keep their hold.
   void end_drag(Session& session);
-  /// Scene replaced or reset: everything is let go of.
+  /// The scene was replaced or reset: releases everything.
   void cancel(Session& session);
 
   bool dragging() const { return tool_ != Tool::none; }
   bool orbiting() const { return tool_ == Tool::orbit || tool_ == Tool::pan; }  // or panning
   GrabSet& grabs() { return grabs_; }
-  /// Springs of the next step, to the simulation.
+  /// Passes the springs of the next step to the simulation.
   void pull(Session& session);
-  /// Those of now: for what was let go of, which pulls no more although no step follows, and for a simulation that has
-  /// to hold on.
+  /// Passes the current springs: after a release, whose grab must not pull although no step follows, and for a
+  /// simulation that takes over the grabs.
   void hold(Session& session);
 
  private:

@@ -29,7 +29,7 @@ void OpeningScreen::show(double share, const char* what) {
   if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() < kPatience) return;
   GLFWwindow* window = graphics_.context->window();
   shown_ = true;
-  glfwPollEvents();  // or the desktop takes the program for dead
+  glfwPollEvents();  // otherwise the desktop considers the program unresponsive
   int width = 0, height = 0;
   glfwGetFramebufferSize(window, &width, &height);
   if (width < 1 || height < 1) return;
@@ -51,7 +51,7 @@ bool OpeningScreen::draw(int width, int height, double share, const char* what) 
   overlay_.begin(width, height);
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  // A height of its own: what ImGui has to measure first it does not show in the first frame.
+  // A fixed height: ImGui hides a window in its first frame if the height must be measured.
   ImGui::SetNextWindowSize({std::min(ui::px(420), 0.8f * size.x), ui::px(126)});
   ImGui::Begin("opening", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
@@ -59,7 +59,7 @@ bool OpeningScreen::draw(int width, int height, double share, const char* what) 
   ImGui::ProgressBar(static_cast<float>(share), {-1, 0});
   ImGui::TextColored(ui::kDim, "%s", what);
   ImGui::Button("Cancel", {-1, 0});
-  // Frames are rare here: the press counts, not the release.
+  // Frames are rare during opening, so the press counts, not the release.
   const bool cancelled =
       (ImGui::IsItemHovered() && ImGui::IsMouseClicked(0)) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   ImGui::End();

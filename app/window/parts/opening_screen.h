@@ -1,4 +1,4 @@
-// What a window shows while a large scene is opened: its name, a bar, and a way out.
+// The screen shown while a large scene is opened: its name, a progress bar and a Cancel button.
 #pragma once
 #include <chrono>
 #include <string>
@@ -7,19 +7,19 @@
 
 namespace fascia {
 
-/// Nobody waits any more: what was being made is given up, and whoever asked for it goes on as before.
+/// Thrown if the user cancels an opening: the new session is discarded, and the open one stays as it was.
 struct Cancelled {
-  std::string name;  // of what was being opened
+  std::string name;  // of the file to open
 };
 
 class OpeningScreen {
  public:
   OpeningScreen(Graphics& graphics, Overlay& overlay, std::string name);
-  ~OpeningScreen();  // what was pressed while it was shown is not for the scene
+  ~OpeningScreen();  // discards the input made while the screen was shown
   OpeningScreen(const OpeningScreen&) = delete;
   OpeningScreen& operator=(const OpeningScreen&) = delete;
-  /// A frame with the bar at `share`, if opening has taken long enough for anybody to wonder. Throws Cancelled when
-  /// Escape or Cancel was pressed, or the window closed.
+  /// Draws a frame with the bar at `share` if opening takes noticeably long. Throws Cancelled if Escape or Cancel was
+  /// pressed, or the window closed.
   void show(double share, const char* what);
 
  private:

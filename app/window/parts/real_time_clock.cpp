@@ -6,9 +6,9 @@
 namespace fascia {
 namespace {
 
-// [s] a longer gap is a window being moved or a file being read, not a slow simulation
+// [s] a longer gap means that a window was moved or a file was read, not that the simulation is slow
 constexpr double kLongestFrame = 0.25;
-constexpr double kStepBudget = 0.03;  // [s] of a frame that steps may take, so that the mouse stays fluent
+constexpr double kStepBudget = 0.03;  // [s] of a frame that steps may take, so that the mouse stays smooth
 constexpr int kMostSteps = 1000;      // per frame
 constexpr double kMemory = 1.0;       // [s] over which the speed is averaged
 
@@ -17,7 +17,7 @@ constexpr double kMemory = 1.0;       // [s] over which the speed is averaged
 int Pacing::advance(double elapsed, double time_step, double step_cost) {
   elapsed = std::clamp(elapsed, 0.0, kLongestFrame);
   owed_ += elapsed / time_step;
-  // As long as the cost is unknown, one: of a million tets it takes seconds.
+  // One step while the cost is unknown: for a million tets a step takes seconds.
   const double affordable =
       step_cost > 0 ? std::clamp(std::floor(kStepBudget / step_cost), 1.0, double{kMostSteps}) : 1;
   const int steps = static_cast<int>(std::min(std::floor(owed_), affordable));

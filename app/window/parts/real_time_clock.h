@@ -1,24 +1,24 @@
-// Real time in equal steps: how many steps a frame owes, when it must give up keeping pace, and how fast the scene then
-// runs.
+// Maps real time to equal steps: the number of steps in a frame, the limit at which the scene falls behind real time,
+// and the resulting speed.
 #pragma once
 
 namespace fascia {
 
 class Pacing {
  public:
-  /// Steps to make now, `elapsed` seconds of real time after the last call. `step_cost` is what a step takes at the
-  /// moment [s], 0 if unknown: a frame is given only the steps that leave it fluent, at least one, and time that does
-  /// not fit is dropped, not owed.
+  /// Returns the number of steps to make, `elapsed` seconds of real time after the last call. `step_cost` is the
+  /// current time of a step [s], 0 if unknown. A frame gets only as many steps as keep it smooth, at least one; time
+  /// that does not fit is dropped, not owed.
   int advance(double elapsed, double time_step, double step_cost);
-  /// After a pause, a reset or an opened scene: nothing is owed and the speed is measured anew.
+  /// After a pause, a reset or an opened scene: no steps are owed and the speed is measured anew.
   void restart();
 
-  /// While nothing has to be solved: the speed is measured anew from the next step on, and what is owed stays owed.
+  /// While nothing has to be solved: the speed is measured anew from the next step on, and owed steps stay owed.
   void forget_speed() { simulated_ = real_ = 0; }
 
   /// Simulated time over real time of about the last second; 1 when keeping pace.
   double speed() const { return real_ > 0 ? simulated_ / real_ : 1; }
-  /// Also while too little has been seen to judge.
+  /// True also while the measured time is too short to judge.
   bool keeps_pace() const { return real_ < 0.5 || speed() > 0.95; }
 
  private:

@@ -12,7 +12,7 @@ namespace fascia {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kReadShare = 0.4;  // of opening a large scene that goes by before the GPU is needed
+constexpr double kReadShare = 0.4;  // share of opening a large scene before the GPU is needed
 
 }  // namespace
 
@@ -27,7 +27,7 @@ std::unique_ptr<Session> SceneOpener::resume(const fs::path& path) {
   Opened input = read(path, screen);
   const State state = input.replay && input.replay->start ? *input.replay->start : initial_state(input.model);
   input.replay.reset();
-  move_scene(input.scene, fs::current_path() / (Autosave::name_in(path) + ".json"));  // what saving suggests
+  move_scene(input.scene, fs::current_path() / (Autosave::name_in(path) + ".json"));  // the name that saving suggests
   std::unique_ptr<Session> session = make(input, screen, kReadShare);
   session->simulation.go_on_from(state);
   return session;
@@ -38,7 +38,7 @@ std::unique_ptr<Session> SceneOpener::make(Opened opened) {
   return make(opened, screen, 0);
 }
 
-// Another thread reads, so that the window answers. Where the user gives it up, the thread ends at its next report.
+// Another thread reads, so that the window stays responsive. After a cancellation the thread ends at its next report.
 Opened SceneOpener::read(const fs::path& path, OpeningScreen& screen) {
   using Clock = std::chrono::steady_clock;
   constexpr auto kFrame = std::chrono::milliseconds(30);
@@ -60,7 +60,7 @@ Opened SceneOpener::read(const fs::path& path, OpeningScreen& screen) {
       std::async(std::launch::async, [path, progress] { return open_file(path, {}, progress); });
   const Clock::time_point start = Clock::now();
   while (reading.wait_for(kFrame) != std::future_status::ready) {
-    // The time that parsing takes is not known: the bar goes on, ever slower.
+    // The time of parsing is unknown, so the bar advances ever more slowly.
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count(),
                  guess = 1 - std::exp(-0.3 * seconds);
     const char* const what = report->what;
@@ -88,7 +88,7 @@ std::unique_ptr<Session> SceneOpener::make(Opened& opened, OpeningScreen& screen
     session =
         std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model), reference_, progress);
   } catch (...) {
-    graphics_.programs->set_fusing(fusing);  // of the session that stays
+    graphics_.programs->set_fusing(fusing);  // of the session that stays open
     throw;
   }
   if (opened.replay) session->simulation.play(std::move(*opened.replay));

@@ -1,5 +1,5 @@
-// Makes sessions of files. The window answers meanwhile, shows a bar while it takes long, and the user can give it up.
-// A session that is open is not touched: where another one cannot be made, nothing has happened.
+// Makes sessions from files. The window stays responsive, shows a progress bar if opening takes long, and the user can
+// cancel. The open session is not touched: if a new one cannot be made, nothing changes.
 #pragma once
 #include <filesystem>
 #include <future>
@@ -13,17 +13,18 @@
 
 namespace fascia {
 
-/// All of its functions throw Error, and Cancelled where the user gives it up.
+/// All functions throw Error, and Cancelled if the user cancels.
 class SceneOpener {
  public:
-  /// `reference`: the double-precision solver. `single_kernels`: sessions begin with these (kernel_switch.h).
+  /// `reference` selects the double-precision solver. With `single_kernels` sessions start with single kernels
+  /// (kernel_switch.h).
   SceneOpener(Graphics& graphics, Overlay& overlay, bool reference, bool single_kernels)
       : graphics_(graphics), overlay_(overlay), reference_(reference), single_kernels_(single_kernels) {}
 
   std::unique_ptr<Session> open(const std::filesystem::path& path);
-  /// The scene that a window left (autosave.h), in the state that it had.
+  /// The scene of an autosaved file (autosave.h), in the saved state.
   std::unique_ptr<Session> resume(const std::filesystem::path& path);
-  /// Of what has been read.
+  /// From a scene that was read.
   std::unique_ptr<Session> make(Opened opened);
 
  private:
@@ -33,7 +34,7 @@ class SceneOpener {
   Graphics& graphics_;
   Overlay& overlay_;
   bool reference_, single_kernels_;
-  std::vector<std::future<Opened>> given_up_;  // readings without a use, which end at their next report
+  std::vector<std::future<Opened>> given_up_;  // cancelled readings, which end at their next report
 };
 
 }  // namespace fascia
