@@ -14,13 +14,13 @@ namespace fascia {
 
 struct CheckOptions : CommonOptions {
   std::string folder;
-  std::string out;    // folder for the results of failures; empty: none
+  std::string out;    // folder for the results of failures; empty without one
   std::string junit;  // XML
   std::string html;   // a report with pictures
   std::string only;   // pattern
   bool update = false;
-  double timeout = 600;  // [s] of a scene
-  int jobs = 1;          // scenes at a time
+  double timeout = 600;  // [s] per scene
+  int jobs = 1;          // scenes checked at a time
 };
 
 struct CheckResult {
@@ -32,11 +32,11 @@ struct CheckResult {
   std::string said;
 };
 
-/// A check that is under way. A scene that does not open, crashes or hangs is a result, not an exception.
+/// A running check. A scene that does not open, crashes or hangs is a result, not an exception.
 class CheckRun {
  public:
   CheckRun(const CheckCase& check, const CheckOptions& options);
-  bool ended(int wait_ms);     // waits that long at most
+  bool ended(int wait_ms);     // waits at most `wait_ms`
   CheckResult result() const;  // once it has ended
 
  private:

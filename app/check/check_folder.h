@@ -15,7 +15,7 @@ struct CheckCase {
   RenderOptions options;  // input, steps, size, goldens, limits
 };
 
-/// The cases in the order of their names. Throws Error for a folder without scenes, and as the readers of JSON do.
+/// The cases in the order of their names. Throws Error for a folder without scenes and for errors in check.json.
 std::vector<CheckCase> read_check_folder(const std::filesystem::path& folder);
 
 }  // namespace fascia

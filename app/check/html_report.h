@@ -1,4 +1,4 @@
-// The results of a check as one HTML file that needs no other: a table, and the pictures of each scene.
+// The results of a check as one self-contained HTML file: a table, and the pictures of each scene.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -18,7 +18,7 @@ struct ReportCase {
   std::vector<ReportValue> values;
   std::vector<std::string> lines;
   std::string caption;            // of the picture
-  std::filesystem::path picture;  // PNG; left out if there is no such file
+  std::filesystem::path picture;  // PNG; omitted if the file does not exist
 };
 
 /// `timestamp` as in 2026-01-31T12:00:00. Pictures are part of the text.

@@ -13,7 +13,7 @@ struct JunitCase {
   double seconds = 0;
   std::string message;                                          // of a failure or error: one line
   std::string details;                                          // all lines
-  std::string output;                                           // of the work
+  std::string output;                                           // of the scene
   std::vector<std::pair<std::string, double>> properties = {};  // measured and allowed differences, by name
 };
 

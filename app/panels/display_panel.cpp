@@ -88,7 +88,7 @@ bool tets_rows(const char* name, const char* help, std::optional<SeparateTets>& 
   return changed;
 }
 
-// Switches, three in a row, and below them what has a strength.
+// Switches, three per row, and below them the settings with a strength.
 bool light_rows(DisplaySettings& display) {
   constexpr float kColumns[] = {0, 1.2f, 2.15f};  // thirds of the width
   const float third = ImGui::GetContentRegionAvail().x / 3, left = ImGui::GetCursorPosX();
@@ -129,7 +129,7 @@ void display_panel(const PanelContext& context) {
   if (ui::choice(
           "Color", all_colors(), display.color, [](ColorBy c) { return quantity_of(c).title; },
           [](ColorBy c) { return std::string(help_of(c)); })) {
-    display.range.reset();  // it was of another quantity
+    display.range.reset();  // the range belonged to another quantity
     changed = true;
   }
   if (is_heat_map(display.color)) {

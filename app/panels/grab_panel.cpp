@@ -51,7 +51,7 @@ void grab_panel(const PanelContext& context) {
 void balance_rows(const Simulation& simulation, const SceneFacts& facts, const Diagnostics& d) {
   ui::fact("Reaction", engineering(d.reaction.norm(), "N"),
            "Force of the supports on the body, fixed and prescribed vertices together:\n" + in_newtons(d.reaction));
-  if (simulation.uses_reference() || !simulation.gpu()->has_step()) return;  // it is about a step of the GPU
+  if (simulation.uses_reference() || !simulation.gpu()->has_step()) return;  // the balance is that of a step on the GPU
   const Eigen::Vector3d weight = facts.mass(simulation.model) * simulation.model.gravity;
   const double off = d.imbalance(weight);
   char text[32];

@@ -67,7 +67,7 @@ constexpr ImGuiWindowFlags kPlain = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
 }  // namespace
 
 void draw_help(WindowState& state) {
-  // In the middle of what the panels leave; over them, and scrolled, where it does not fit.
+  // Centred beside the panels. If the window does not fit there, it covers them and scrolls.
   const char* name = "Keys and mouse";
   const ImVec2 size = ImGui::GetIO().DisplaySize, most{size.x - ui::px(16), size.y - ui::px(16)};
   const ImGuiWindow* before = ImGui::FindWindowByName(name);
@@ -75,7 +75,7 @@ void draw_help(WindowState& state) {
   ImGui::SetNextWindowPos({std::min((size.x + panel_width()) / 2, right_most), size.y / 2}, ImGuiCond_Always,
                           {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({0, 0}, most);
-  ImGui::SetNextWindowBgAlpha(0.98f);  // it may lie over plots
+  ImGui::SetNextWindowBgAlpha(0.98f);  // plots may lie below
   constexpr ImGuiWindowFlags kFlags =
       (kPlain & ~ImGuiWindowFlags_NoTitleBar) | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_HorizontalScrollbar;
   if (ImGui::Begin(name, &state.show_help, kFlags)) {
@@ -105,7 +105,7 @@ void draw_help(WindowState& state) {
 }
 
 void draw_hints(const Hints& hints, const Room& room) {
-  if (room.width() < ui::px(330)) return;  // they do not fit
+  if (room.width() < ui::px(330)) return;  // the hints do not fit
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float left = room.left, middle = room.middle(), line = ui::px(36);
   float below = size.y - ui::px(40);
@@ -124,7 +124,7 @@ void draw_recovery(const std::string& scene, Requests& requests) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({(size.x + panel_width()) / 2, ui::px(50)}, ImGuiCond_Always, {0.5f, 0});
   if (ImGui::Begin("left behind", nullptr, kPlain)) {
-    // Over plots, but not over dialogs.
+    // In front of plots, but not of dialogs.
     if (!ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
       ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     ImGui::AlignTextToFramePadding();
@@ -178,7 +178,7 @@ bool draw_message(const std::string& text, bool is_error) {
     if (is_error) {
       close = ImGui::Button("Close (Esc)");
       close |= ImGui::IsMouseHoveringRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()) &&
-               ImGui::IsMouseClicked(0);  // past a dialog
+               ImGui::IsMouseClicked(0);  // works in front of a dialog, too
       ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     }
   }

@@ -174,7 +174,7 @@ void material_panel(const PanelContext& context) {
   if (used.empty()) return;
   if (std::find(used.begin(), used.end(), state.chosen_material) == used.end()) state.chosen_material = used.front();
   if (facts.regions.size() > 1) {
-    constexpr std::size_t kMostRows = 7;  // more of them scroll
+    constexpr std::size_t kMostRows = 7;  // further rows scroll
     const bool scrolls = facts.regions.size() > kMostRows;
     if (scrolls) ImGui::BeginChild("regions", {0, kMostRows * ImGui::GetTextLineHeightWithSpacing()});
     for (std::size_t r = 0; r < facts.regions.size(); ++r) {

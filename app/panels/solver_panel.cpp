@@ -122,7 +122,7 @@ void solver_panel(const PanelContext& context) {
     }
     double number = value;
     const bool turned = ui::number(field, number);
-    // Without a clock there is no telling whether a large residual is of the moment.
+    // Without measured times a large residual cannot be recognised as temporary.
     if (field.label == "Iterations" && state.statistics.measured && !simulation.asleep())
       hint_row(state.hints, iterations_hint(simulation.scene.solver, state.statistics.diagnostics));
     if (field.label == "Time step") hint_row(state.hints, time_step_hint(simulation.scene.solver));

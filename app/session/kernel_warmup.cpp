@@ -19,11 +19,10 @@ namespace fascia {
 namespace fs = std::filesystem;
 namespace {
 
-// [s] of processor time: a run with cached kernels takes a fraction of it, one that compiles them several times as
-// much.
+// [s] of CPU time: a run with cached kernels takes a fraction of it, a run that compiles them several times as much.
 constexpr double kCompiles = 1;
 
-// As an option of fascia run (sim/scene/grab_text.h): holds a place of the tissue where it is, after the first step.
+// As an option of fascia run (sim/scene/grab_text.h): holds the tissue at `at`, after the first step.
 std::string late_grab(const Eigen::Vector3d& at, double time_step) {
   return NumberText()
       .add("at=")
@@ -53,7 +52,7 @@ KernelWarmup::KernelWarmup(const fs::path& program, const Scene& scene, const Mo
                 "egl",  "--steps", "3",  "--quiet",        "--data-dir", data_dir.string(), "--grab",
                 grab};
     begin();
-  } catch (const std::exception&) {  // the program goes on with the kernels that it has
+  } catch (const std::exception&) {  // the program continues with its current kernels
     state_ = State::failed;
     remove_file();
   }
@@ -104,7 +103,7 @@ KernelWarmup::State KernelWarmup::look() {
     remove_file();
     return state_;
   }
-  first_seconds_ = seconds;  // it compiled; whether the driver keeps what it compiled shows a second run
+  first_seconds_ = seconds;  // the first run compiled; a second run shows whether the driver caches kernels
   try {
     begin();
   } catch (const Error&) {

@@ -1,7 +1,7 @@
-// Fills the cache of a software renderer with the kernels of a scene, beside a program that goes on meanwhile. Fused
-// kernels (gl/fused_pass.h) take the processor seconds to compile, once for a driver and a kind of scene, and freeze
-// the program that waits for them. Another process of the same driver compiles them here: it steps the scene, first
-// free and then grabbed, and leaves them in the driver's cache on disk.
+// Fills the cache of a software renderer with the kernels of a scene, while the program continues. Compiling fused
+// kernels (gl/fused_pass.h) takes the CPU seconds, once per driver and kind of scene, and would freeze the program.
+// Another process with the same driver compiles them here: it steps the scene, first free and then grabbed, and leaves
+// the kernels in the driver's cache on disk.
 #pragma once
 #include <sys/types.h>
 
@@ -16,9 +16,9 @@ namespace fascia {
 
 class KernelWarmup {
  public:
-  enum class State { running, cached, failed };  // failed: also where the driver keeps no cache
+  enum class State { running, cached, failed };  // failed: also if the driver keeps no cache
 
-  /// Begins at low priority. `program`: fascia itself; `data_dir`: that of the shaders.
+  /// Begins at low priority. `program` is the path of fascia, `data_dir` the folder of the shaders.
   KernelWarmup(const std::filesystem::path& program, const Scene& scene, const Model& model,
                const std::filesystem::path& data_dir);
   ~KernelWarmup();  // ends the other process
@@ -34,7 +34,7 @@ class KernelWarmup {
   std::filesystem::path scene_;  // a copy for the other process
   std::vector<std::string> command_;
   pid_t child_ = -1;
-  double first_seconds_ = 0;  // of processor time, of the first run; 0 while it runs
+  double first_seconds_ = 0;  // CPU time of the first run; 0 while it runs
   State state_ = State::running;
 };
 

@@ -1,6 +1,6 @@
-// Ground and background where no shadow falls, kept as a picture with depth while neither the view nor the look
-// changes. On software renderers they take a quarter of the time of a picture, and copying them is nearly free; the
-// picture is the same to the bit.
+// Ground and background outside of shadows, kept as a picture with depth while neither the view nor the look changes.
+// On software renderers drawing them takes a quarter of the time of a picture, and copying them is nearly free. The
+// result is bitwise equal.
 #pragma once
 #include <array>
 #include <optional>
@@ -14,10 +14,10 @@ namespace fascia {
 
 class KeptStage {
  public:
-  /// Begins the picture in `target` with what is kept, and returns true. Returns false, with the target as it was, for
-  /// the first picture of a view and where keeping does not pay or is not exact: on GPUs, with several samples, with a
-  /// transparent backdrop, with ambient occlusion, which darkens the ground before the background is drawn. `frame` is
-  /// bound as the uniform block; `with_ground`: the ground is in view.
+  /// Begins the picture in `target` with the kept one and returns true. Returns false and leaves the target unchanged
+  /// for the first picture of a view, and where keeping does not pay or is not exact: on GPUs, with several samples,
+  /// with a transparent backdrop, and with ambient occlusion, which darkens the ground before the background is drawn.
+  /// `frame` is bound as the uniform block; with `with_ground` the ground is in view.
   bool begin(const Ground& ground, const FrameUniforms& frame, const Look& look, bool with_ground,
              const Framebuffer& target);
 
@@ -26,7 +26,7 @@ class KeptStage {
     int width, height;
     bool ground, shadow;
     Backdrop backdrop;
-    std::array<Eigen::Vector4f, 11> values;  // all of the uniforms that the stage's programs read
+    std::array<Eigen::Vector4f, 11> values;  // all uniforms that the stage's programs read
     bool operator==(const View&) const = default;
   };
   std::optional<View> last_;

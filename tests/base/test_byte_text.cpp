@@ -1,4 +1,4 @@
-// Base64 against the test vectors of RFC 4648, and what VTK makes of it: several streams in one text.
+// Base64 against the test vectors of RFC 4648, and the variant of VTK: several streams in one text.
 #include "base/byte_text.h"
 
 #include <catch2/catch.hpp>
@@ -21,7 +21,7 @@ TEST_CASE("base64 is that of RFC 4648, section 10") {
     CHECK(decoded->bytes == bytes);
     CHECK(decoded->used == std::string_view(text).size());
   }
-  CHECK(base64_encoded("\xfb\xff\xbf") == "+/+/");  // the last two digits of the alphabet
+  CHECK(base64_encoded("\xfb\xff\xbf") == "+/+/");  // the last two characters of the alphabet
 }
 
 TEST_CASE("bytes of every value and number come back") {
@@ -46,7 +46,7 @@ TEST_CASE("streams one after the other are one, with blanks anywhere") {
 }
 
 TEST_CASE("decoding ends with the group that has what was asked for") {
-  const std::string text = "Zm9vYmFy?";  // not read as far as what is no base64
+  const std::string text = "Zm9vYmFy?";  // decoding ends before the invalid character
   const auto decoded = base64_decoded(text, 4);
   REQUIRE(decoded);
   CHECK(decoded->bytes == "foobar");

@@ -1,4 +1,4 @@
-// Where the program's data are: the order of the places, and the one that was chosen.
+// The folder of the program's data: the order of the search, and a folder set by the user.
 #include "base/data_folder.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ TEST_CASE("assets are beside the shaders, or where the folder that was chosen ha
   const test::TemporaryFolder folder;
   CHECK(holds_shaders(test::source_dir()));
   fs::create_directories(folder / "shaders");
-  CHECK_FALSE(holds_shaders(folder.path()));  // another program's
+  CHECK_FALSE(holds_shaders(folder.path()));  // the shaders of another program
   fs::create_directories(folder / "shaders/sim");
   CHECK(holds_shaders(folder.path()));
   CHECK_FALSE(holds_shaders(folder / "none"));

@@ -1,4 +1,4 @@
-// Names for files that nobody named: with the time, and never that of a file that is there.
+// Default names for files: with the time, and never the name of an existing file.
 #include "base/dated_name.h"
 
 #include <catch2/catch.hpp>
@@ -52,7 +52,7 @@ TEST_CASE("numbers of one second begin at 2") {
   const fs::path before = fs::current_path();
   fs::current_path(folder.path());
   std::string first, second;
-  do {  // until both are of one second
+  do {  // until both names have the same second
     first = dated_name(".csv").string();
     std::ofstream(first) << "x";
     second = dated_name(".csv").string();

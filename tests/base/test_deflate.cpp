@@ -1,4 +1,4 @@
-// The zlib format: what another program compressed, and data that are not whole.
+// The zlib format: data compressed by another program, and incomplete data.
 #include "base/deflate.h"
 
 #include <catch2/catch.hpp>
@@ -39,7 +39,7 @@ TEST_CASE("data that are cut, go on, are spoiled or of another size are refused"
     CHECK_FALSE(inflated(made.substr(0, size), bytes.size()));
   }
   std::string spoiled = made;
-  spoiled.back() = static_cast<char>(spoiled.back() ^ 1);  // of the checksum
+  spoiled.back() = static_cast<char>(spoiled.back() ^ 1);  // in the checksum
   CHECK_FALSE(inflated(spoiled, bytes.size()));
   CHECK_FALSE(inflated("", 0));
 }
@@ -49,6 +49,6 @@ TEST_CASE("a size that deflate cannot reach is refused before memory is taken") 
   CHECK(can_inflate_to(1031, 1));
   CHECK_FALSE(can_inflate_to(1032 * 12, 11));
   CHECK_FALSE(inflated(deflated("abc"), std::uint64_t{1} << 40));
-  const std::string zeros(10'000'000, '\0');  // as far as deflate shrinks
+  const std::string zeros(10'000'000, '\0');  // the highest compression of deflate
   CHECK(can_inflate_to(zeros.size(), deflated(zeros).size()));
 }

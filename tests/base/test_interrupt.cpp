@@ -1,4 +1,4 @@
-// Signals of a process, seen from its parent: each case is a child, because a handler stays where it is set.
+// Signals of a process, seen from its parent: each case runs in a child, because handlers stay installed.
 #include "base/interrupt.h"
 
 #include <sys/wait.h>
@@ -12,7 +12,7 @@ using namespace fascia;
 
 namespace {
 
-/// How a child that does this ends: its exit code, or minus the signal that ended it.
+/// Runs `work` in a child. Returns its exit code, or minus the signal that ended it.
 template <class Work>
 int end_of(Work&& work) {
   const pid_t child = fork();

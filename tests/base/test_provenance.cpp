@@ -1,4 +1,4 @@
-// What made a file, in the file: where the line stands in each format, and that it reads back.
+// Provenance of files: the place of the line in each format, and reading it back.
 #include "base/provenance.h"
 
 #include <catch2/catch.hpp>
@@ -45,7 +45,7 @@ TEST_CASE("a text without provenance, or with a damaged one, has none") {
     CHECK(find_provenance(text).empty());
   }
   CHECK(find_provenance("fascia: {\"a\":\"b\",\"n\":3}") == Provenance{{"a", "b"}});
-  CHECK(find_provenance(std::string(100000, ' ') + "fascia: {\"a\":\"b\"}").empty());  // far behind the beginning
+  CHECK(find_provenance(std::string(100000, ' ') + "fascia: {\"a\":\"b\"}").empty());  // too far from the beginning
 }
 
 TEST_CASE("a file of many moments does not name one") {

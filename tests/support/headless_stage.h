@@ -1,4 +1,4 @@
-// What the objects of a window share, without a window: one of the shipped scenes, a picture, and ImGui.
+// The shared objects of a window, without a window: one of the shipped scenes, a picture and ImGui.
 #pragma once
 #include <string>
 
@@ -26,7 +26,7 @@ struct HeadlessStage {
     overlay.scale_to(kHeight);
   }
 
-  /// A comparison does what it is asked for, with nothing around it.
+  /// Runs a request of a comparison, with an exchange that does nothing else.
   void compare(CompareAsk ask) {
     sides.carry_out(ask, [](const auto& change) { change(); });
   }

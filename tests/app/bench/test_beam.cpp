@@ -1,4 +1,4 @@
-// The beam of the figures: its free end, and the bent and twisted start.
+// The beam of the figures: its free end, and its bent and twisted start.
 #include "app/bench/beam.h"
 
 #include <Eigen/Geometry>
@@ -27,7 +27,7 @@ TEST_CASE("the start is bent and twisted by known angles, held where the beam is
   CHECK(measures.inverted == 0);
   CHECK(measures.rms_strain > 0.05);
   CHECK(measures.rms_strain < 0.2);
-  // Cross sections turn as stiff plates: about z and about their own normal by 0.85 each at the tip.
+  // Cross sections turn as rigid plates: about z and about their own normal by 0.85 each at the tip.
   std::vector<Vector3d> rest, now;
   for (const std::uint32_t v : beam_tip(model)) {
     rest.push_back(model.rest_positions[v]);
@@ -39,7 +39,7 @@ TEST_CASE("the start is bent and twisted by known angles, held where the beam is
     CAPTURE(k);
     CHECK((now[k] - now[0] - turn * (rest[k] - rest[0])).norm() < 1e-6);
   }
-  for (const Vector3d& u : state.displacement) CHECK(u == float32_of(u));  // what float32 holds
+  for (const Vector3d& u : state.displacement) CHECK(u == float32_of(u));  // exactly representable in float32
 }
 
 TEST_CASE("the squared distance is summed over vertices") {

@@ -1,4 +1,4 @@
-// Boxes of the benchmarks of speed.
+// Boxes of the speed benchmarks.
 #include "app/bench/box.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// The report for a browser: what is in it, and that names from files cannot become markup.
+// The HTML report: its content, and that names from files cannot become markup.
 #include "app/check/html_report.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// JUnit XML: what stands in it, and that any text can.
+// JUnit XML: its content, for any text.
 #include "app/check/junit.h"
 
 #include <catch2/catch.hpp>
@@ -72,10 +72,10 @@ TEST_CASE("what XML forbids is replaced byte by byte, and what UTF-8 allows is k
   }
   CHECK(name("a\tb") == "a&#9;b");
   CHECK(name("a\rb") == "a?b");
-  CHECK(name("\xc0\xaf") == "??");            // longer than needed
+  CHECK(name("\xc0\xaf") == "??");            // overlong encoding
   CHECK(name("\xe0\x80\x80") == "???");       // likewise
-  CHECK(name("\xed\xa0\x80") == "???");       // half of a pair
-  CHECK(name("\xef\xbf\xbe") == "???");       // no character
-  CHECK(name("\xf4\x90\x80\x80") == "????");  // beyond the last one
-  CHECK(name("\xe2\x82") == "??");            // cut
+  CHECK(name("\xed\xa0\x80") == "???");       // half of a surrogate pair
+  CHECK(name("\xef\xbf\xbe") == "???");       // not a character
+  CHECK(name("\xf4\x90\x80\x80") == "????");  // beyond the last character
+  CHECK(name("\xe2\x82") == "??");            // truncated
 }

@@ -1,4 +1,4 @@
-// What --only selects.
+// Selection by --only.
 #include "app/cli/name_pattern.h"
 
 #include <catch2/catch.hpp>
@@ -13,7 +13,7 @@ TEST_CASE("a pattern is a part of a name, with * and ? as in file names") {
   CHECK(matches("liver, two_level", "l?ver"));
   CHECK(matches("liver, two_level", "[kl]iver"));
   CHECK(matches("a/b", "*"));
-  CHECK(matches("a/b", "a*b"));  // / is no border
+  CHECK(matches("a/b", "a*b"));  // / is an ordinary character
   CHECK(matches("", ""));
   CHECK_FALSE(matches("liver, two_level", "Liver"));
   CHECK_FALSE(matches("liver, two_level", "two_level, liver"));

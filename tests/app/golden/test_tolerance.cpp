@@ -1,4 +1,4 @@
-// Tolerances as people write them.
+// Tolerances as users write them.
 #include "app/golden/tolerance.h"
 
 #include <catch2/catch.hpp>

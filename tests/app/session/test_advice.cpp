@@ -1,4 +1,4 @@
-// Advice beside fields: when it is given, and when it is not.
+// Advice beside fields: cases with advice and cases without.
 #include "app/session/advice.h"
 
 #include <catch2/catch.hpp>
@@ -16,7 +16,7 @@ std::optional<UnitHint> unit_hint_of(double size, double scale = 1) {
   Model model;
   const TetMesh mesh = make_box(1, 1, 1, {size, 0.1 * size, 0.1 * size});
   model.rest_positions = mesh.positions;
-  model.rest_positions.push_back({1e9, 0, 0});  // of no tet
+  model.rest_positions.push_back({1e9, 0, 0});  // in no tet
   model.tets = mesh.tets;
   return unit_hint(scene, model);
 }
@@ -42,7 +42,7 @@ TEST_CASE("a Poisson's ratio above which linear tets lock is told of") {
 TEST_CASE("a body of no tissue's size is told of with the unit that would make it one") {
   CHECK_FALSE(unit_hint_of(0.2));
   CHECK_FALSE(unit_hint_of(3));
-  CHECK_FALSE(unit_hint_of(1e12));  // in no unit
+  CHECK_FALSE(unit_hint_of(1e12));  // no unit fits
   const std::optional<UnitHint> millimetres = unit_hint_of(120);
   REQUIRE(millimetres);
   CHECK(millimetres->scale == 1e-3);
@@ -50,7 +50,7 @@ TEST_CASE("a body of no tissue's size is told of with the unit that would make i
   CHECK(millimetres->hint.remedy == "Scale to 120 mm");
   CHECK(unit_hint_of(1e5)->scale == 1e-6);
   CHECK(unit_hint_of(1e-4)->scale == 1e3);
-  // The advice is about the scale that the body has already.
+  // The advice refers to the current scale of the body.
   CHECK_THAT(unit_hint_of(120, 10)->hint.help, Catch::Contains("transform.scale=0.01 "));
   CHECK_FALSE(unit_hint(Scene{}, Model{}));
 }

@@ -1,4 +1,4 @@
-// Undo and redo of what users turn.
+// Undo and redo of changes by users.
 #include "app/state/undo_history.h"
 
 #include <catch2/catch.hpp>
@@ -25,7 +25,7 @@ TEST_CASE("every change is one entry, taken back and done again in its order") {
     next.solver.iterations += i;
     states.push_back(next);
     history.follow(next);
-    history.follow(next);  // nothing new
+    history.follow(next);  // no change
   }
   CHECK(history.entries().size() == 4);
   for (int i = 3; i >= 1; --i) {

@@ -58,7 +58,7 @@ TEST_CASE("every case of the stress suite has a name of its own and can be simul
                          [](const Input& a, const Input& b) { return a.step < b.step; }));
     const Model model = build_model(c.replay.scene);
     CHECK(!model.tets.empty());
-    if (c.criteria.creates_no_momentum) {  // nothing outside acts
+    if (c.criteria.creates_no_momentum) {  // no external forces
       CHECK(model.fixed.empty());
       CHECK(model.motions.empty());
       CHECK(model.gravity.isZero(0));
@@ -92,7 +92,7 @@ TEST_CASE("starts of the stress suite are the disorder that they are called", "[
   CHECK(suite.measure_start("start", "half mirrored E=1e+09").inverted == tets / 2);
   CHECK(suite.measure_start("start", "flattened E=1e+06").volume_ratio == Approx(0.125));  // the wedge at the clamp
   CHECK(suite.measure_start("start", "collapsed to a point E=1e+06").volume_ratio ==
-        Approx(1.0 / 6));  // the pyramid there
+        Approx(1.0 / 6));  // the pyramid at the clamp
   CHECK(suite.measure_start("start", "random E=1e+06").rms_strain > 1);
   CHECK(suite.find("start", "random E=1e+09").criteria.recovers);
   CHECK(suite.model_of("start", "random E=1e+09").materials[0].young_modulus == 1e9);

@@ -1,4 +1,4 @@
-// Work in a child process: what it answers and says, and how its end is told.
+// Work in a child process: its result, its output and the report of its end.
 #include "app/system/child_process.h"
 
 #include <sys/wait.h>
@@ -65,7 +65,7 @@ TEST_CASE("what a child changes stays in the child, and a lack of memory has a l
 TEST_CASE("children work at the same time, and an abandoned child is ended") {
   int ends[2];
   REQUIRE(pipe(ends) == 0);
-  // The first waits for what the second writes.
+  // The first child waits for output of the second one.
   ChildProcess first(
       [&] {
         char c = 0;
@@ -86,5 +86,5 @@ TEST_CASE("children work at the same time, and an abandoned child is ended") {
         },
         600);
   }
-  CHECK(waitpid(-1, nullptr, WNOHANG) == -1);  // there is no child
+  CHECK(waitpid(-1, nullptr, WNOHANG) == -1);  // no child is left
 }

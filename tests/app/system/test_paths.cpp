@@ -18,7 +18,7 @@ TEST_CASE("a data folder is the one that is named, or the first that has shaders
                     "--data-dir " + folder.path().string() + ": has no folder shaders; expected fascia's data folder");
   fs::create_directories(folder / "shaders/sim");
   CHECK(find_data_dir(folder.path().string()) == folder.path());
-  CHECK(asset_folder() == folder / "assets");  // where "assets:" of scenes leads, too
+  CHECK(asset_folder() == folder / "assets");  // the root of "assets:" in scenes
   set_data_folder({});
   CHECK(default_scene("/x") == "/x/assets/scenes/liver.json");
 }

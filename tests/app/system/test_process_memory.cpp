@@ -1,4 +1,4 @@
-// What the process holds of the memory.
+// The resident memory of the process.
 #include "app/system/process_memory.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// Where a user's own files belong, after the XDG Base Directory Specification.
+// The folders of a user's files, according to the XDG Base Directory Specification.
 #include "app/system/user_files.h"
 
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@ using namespace fascia;
 
 namespace {
 
-/// A variable of the environment, set back at the end.
+/// An environment variable that is restored at the end.
 class Variable {
  public:
   explicit Variable(const char* name) : name_(name) {

@@ -1,4 +1,4 @@
-// Names for people of keys.
+// Labels of keys.
 #include "app/ui/field_labels.h"
 
 #include <catch2/catch.hpp>

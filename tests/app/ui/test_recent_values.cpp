@@ -1,4 +1,4 @@
-// The latest values of a measurement, against a list that forgets nothing.
+// The latest values of a measurement, compared with a list of all values.
 #include "app/ui/recent_values.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Ticks of an axis: at round numbers, and at both ends if these are round.
+// Ticks of an axis: at round numbers, and at both ends if the ends are round.
 #include "app/ui/ticks.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ TEST_CASE("both ends of a range have a tick if they are multiples of the step, a
     const auto round = [&](double end) { return std::abs(end / step - std::round(end / step)) < 1e-6; };
     if (round(low)) CHECK(std::abs(ticks.values.front() - low) <= allowed);
     if (round(high)) CHECK(std::abs(ticks.values.back() - high) <= allowed);
-    // There is no gap at an end that is large enough for another tick.
+    // The gap at an end is too small for another tick.
     CHECK(ticks.values.front() - low < step * (1 - 1e-6) + allowed);
     CHECK(high - ticks.values.back() < step * (1 - 1e-6) + allowed);
     ends += round(low) + round(high);

@@ -1,4 +1,4 @@
-// Frames on their way to a video: in order, counted, given up or failed, whatever the speed of the other end.
+// Frames on their way to a video: in order, counted, cancelled or failed, at any speed of the encoder.
 #include "app/video/frame_queue.h"
 
 #include <catch2/catch.hpp>
@@ -13,14 +13,14 @@ using namespace fascia;
 
 namespace {
 
-/// What arrived, outside of the sink, which the queue owns.
+/// Frames that arrived, stored outside of the sink, which the queue owns.
 struct Record {
   std::mutex mutex;
   std::condition_variable changed;
   std::vector<int> frames;  // the first byte of each
   int entered = 0;          // calls of write
-  bool open = true;         // false: write waits
-  int fails_at = -1;        // frame at which write throws
+  bool open = true;         // false: write() waits
+  int fails_at = -1;        // frame at which write() throws
   bool finished = false, gone = false;
 
   void set_open(bool now) {
@@ -60,7 +60,7 @@ TEST_CASE("frames arrive in their order, as often as they are shown") {
   Record record;
   FrameQueue queue(std::make_unique<Sink>(record));
   CHECK(queue.add(picture(1), 1) == 0);
-  CHECK(queue.add(picture(2), 3) == 2);  // two frames show what the one before did
+  CHECK(queue.add(picture(2), 3) == 2);  // two frames repeat the one before
   CHECK(queue.add(picture(3), 1) == 0);
   queue.finish();
   CHECK(record.frames == std::vector<int>{1, 2, 2, 2, 3});
@@ -72,7 +72,7 @@ TEST_CASE("what an encoder cannot keep up with is shown by the frame before, and
   record.open = false;
   FrameQueue queue(std::make_unique<Sink>(record));
   queue.add(picture(0), 1);
-  record.wait_for(1);  // the encoder has that one, and nothing waits
+  record.wait_for(1);  // the encoder has the frame, and the queue is empty
   std::vector<int> expected{0};
   int waiting = 0, lost = 0;
   for (int i = 1; i <= 20; ++i) {

@@ -1,4 +1,4 @@
-// A video as pictures: their names, and what is in them.
+// A video as pictures: their names and their content.
 #include "app/video/picture_sequence.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// What a window measures and where it goes.
+// Measurements of a window and their destinations.
 #include <catch2/catch.hpp>
 
 #include "app/window/observer.h"
@@ -11,7 +11,7 @@ namespace {
 
 struct Desk : HeadlessStage {
   Observer observer{stage, sides};
-  /// After a step, until what was asked for has come.
+  /// After a step, until the requested diagnostics are available.
   void measure() {
     sides.step();
     stage.diagnose = true;
@@ -27,7 +27,7 @@ TEST_CASE("diagnostics are asked for where something shows them, and go to the s
   WindowState& state = desk.stage.state;
   state.show_panels = false;
   desk.measure();
-  CHECK(desk.stage.diagnose);  // nothing was asked for
+  CHECK(desk.stage.diagnose);  // no request was made
   CHECK_FALSE(desk.observer.of_open_session());
   state.show_panels = true;
   desk.measure();

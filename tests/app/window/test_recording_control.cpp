@@ -1,4 +1,4 @@
-// The recording of a session that is open: where it begins and ends, and what it says of a replay.
+// The recording of an open session: its begin and end, and the messages about a replay.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
@@ -10,7 +10,7 @@ using namespace fascia::test;
 
 namespace {
 
-/// With a folder for recordings of its own.
+/// With its own folder for recordings.
 struct Desk : HeadlessStage {
   TemporaryFolder folder;
   const char* before = std::getenv("XDG_STATE_HOME");

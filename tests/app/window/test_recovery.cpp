@@ -1,4 +1,4 @@
-// What a window keeps against its own bad end, and what it does with tissue that comes apart.
+// The files that a window keeps against a crash, and the recovery of tissue that diverged.
 #include <catch2/catch.hpp>
 
 #include "app/window/recovery.h"
@@ -15,7 +15,7 @@ std::size_t files_in(const std::filesystem::path& folder) {
       std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));
 }
 
-/// Makes the folder the present one.
+/// Makes the folder the current one.
 struct Inside {
   std::filesystem::path before = std::filesystem::current_path();
   explicit Inside(const std::filesystem::path& folder) { std::filesystem::current_path(folder); }

@@ -1,4 +1,4 @@
-// Which side of a comparison the panels show and the mouse acts on, and what the buttons make of the sides.
+// The side of a comparison that the panels show, the side that the mouse acts on, and the actions of the buttons.
 #include <catch2/catch.hpp>
 
 #include "tests/support/headless_stage.h"

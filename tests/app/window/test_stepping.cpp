@@ -11,7 +11,7 @@ namespace {
 
 struct Desk : HeadlessStage {
   Stepping stepping{graphics, overlay, stage, sides};
-  Desk() {  // its kernels are compiled
+  Desk() {  // compiles the kernels
     for (int i = 0; i < 2; ++i) stage.simulation().step();
   }
   double time_step() const { return stage.simulation().scene.solver.time_step; }

@@ -1,4 +1,4 @@
-// Changes of a window's scene that are taken back and done again, and the scene that they make.
+// Undo and redo of changes to a window's scene, and the resulting scene.
 #include <catch2/catch.hpp>
 
 #include "app/window/tuning_history.h"

@@ -1,4 +1,4 @@
-// JSON text: what the parser takes and the place of what it refuses.
+// JSON text: the accepted documents, and the place of each error.
 #include "base/json/json_document.h"
 
 #include <catch2/catch.hpp>
@@ -55,7 +55,7 @@ TEST_CASE("a key that is given twice is named with its path") {
   CHECK(error_of(R"({"a": 1, "a": 2})") == "f.json: a: is given twice; expected each key once");
   CHECK(error_of(R"({"a": [0, {"b": {"c": 1, "c": 1}}]})") ==
         "f.json: a[1].b.c: is given twice; expected each key once");
-  CHECK(error_of(R"([{"a": 1}, {"a": 1}])").empty());  // each in an object of its own
+  CHECK(error_of(R"([{"a": 1}, {"a": 1}])").empty());  // in different objects
 }
 
 TEST_CASE("nesting ends at a depth") {

@@ -1,4 +1,4 @@
-// Values of a document that know their path: what they give, and how each mistake is told.
+// Values of a document with their paths: the values, and the message of each error.
 #include "base/json/json_node.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// The kept picture of ground and background: pictures drawn over it are those that are drawn without, to the bit.
+// The kept picture of ground and background: pictures drawn over it are bitwise equal to those drawn without it.
 #include "render/passes/kept_stage.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// One renderer that draws the same scene again and again.
+// One renderer that draws the same scene repeatedly.
 class Series {
  public:
   Series(gl::ProgramCache& programs, const test::Scene& scene)
@@ -97,7 +97,7 @@ TEST_CASE("a stage is kept from the second picture of a view on, until the view 
   CHECK_FALSE(begins(target));
   CHECK(begins(target));
   CHECK(begins(target));
-  frame.heat_range << 1, 2, 3, 4;  // of the body
+  frame.heat_range << 1, 2, 3, 4;  // a value of the body
   CHECK(begins(target));
   frame.view_projection[3].x() = 0.25f;
   CHECK_FALSE(begins(target));

@@ -1,4 +1,4 @@
-// The point under a pixel of a picture, of a sphere whose points are known.
+// The point under a pixel of a picture, on a sphere whose points are known.
 #include "render/target/depth_probe.h"
 
 #include "tests/render/scene_support.h"
@@ -9,7 +9,7 @@ namespace {
 using Eigen::Vector3d;
 using test::Scene;
 
-/// What the probe finds at a pixel; the scene is drawn anew.
+/// Draws the scene and returns the result of the probe at a pixel.
 std::optional<DepthProbe::Spot> spot_at(const Scene& scene, const Eigen::Vector2i& pixel) {
   gl::ProgramCache programs(test::source_dir() / "shaders", gl::LoadPath::texel);
   SceneRenderer renderer(programs, scene.shape.triangles, static_cast<std::uint32_t>(scene.shape.positions.size()), {},
@@ -20,7 +20,7 @@ std::optional<DepthProbe::Spot> spot_at(const Scene& scene, const Eigen::Vector2
   const double aspect = static_cast<double>(scene.width) / scene.height;
   DepthProbe probe;
   std::optional<DepthProbe::Spot> spot;
-  CHECK_FALSE(probe.take(spot));  // nothing was asked
+  CHECK_FALSE(probe.take(spot));  // no request was made
   probe.request(target, pixel.x(), pixel.y(),
                 (scene.camera.projection(aspect, scene.look.radius) * scene.camera.view()).cast<double>());
   CHECK(probe.pending());
@@ -49,7 +49,7 @@ TEST_CASE("render: the point and the normal under a pixel are those of the spher
     CHECK((spot->point - center).norm() == Approx(0.5).epsilon(0.01));
     CHECK((scene.pixel_of(spot->point) - Eigen::Vector2d(x + 0.5, y + 0.5)).norm() < 0.1);
     CHECK(spot->normal.norm() == Approx(1));
-    CHECK(spot->normal.dot(outward) > 0.98);  // of the triangles there
+    CHECK(spot->normal.dot(outward) > 0.98);  // the normal of a triangle
     CHECK(spot->normal.dot(scene.camera.forward()) < 0);
   }
   CHECK_FALSE(spot_at(scene, {0, 0}));  // beside the body, and at the picture's corners

@@ -1,4 +1,4 @@
-// Cofactors, their products and what replaces log J, against differences and definitions.
+// Cofactors, their products and the extension of log J, against differences and definitions.
 #include "sim/material/invariants.h"
 
 #include <Eigen/LU>

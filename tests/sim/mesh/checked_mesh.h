@@ -1,4 +1,4 @@
-// What tests of the doctor of meshes share: meshes of a few tets, and the report on them.
+// Shared by the tests of the mesh check: meshes of a few tets, and their reports.
 #pragma once
 #include <sstream>
 

@@ -1,4 +1,4 @@
-// Which tets of a mesh can be used, on meshes whose defects are known exactly.
+// The usable tets of a mesh, on meshes whose defects are known exactly.
 #include <catch2/catch.hpp>
 #include <cmath>
 

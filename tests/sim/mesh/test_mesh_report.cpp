@@ -1,4 +1,4 @@
-// The report on a mesh in words.
+// The text of the report on a mesh.
 #include <catch2/catch.hpp>
 
 #include "sim/mesh/mesh_generate.h"
@@ -23,7 +23,7 @@ TEST_CASE("the unit guess advises a scale that makes the size plausible, and is 
   CHECK(guess_unit(700).find("centimetres") == std::string::npos);  // 7 m
   contains(2e5, "scale=1e-06 (200 mm wide)");
   contains(2e-4, "millimetres twice? try --set bodies.0.transform.scale=1000 (200 mm wide)");
-  CHECK(guess_unit(100, 1000).find("scale=1 (100 mm wide)") != std::string::npos);  // of a scale that is there already
+  CHECK(guess_unit(100, 1000).find("scale=1 (100 mm wide)") != std::string::npos);  // for a mesh that is already scaled
   contains(1e9, "--set bodies.0.transform.scale=1e-10");
 }
 

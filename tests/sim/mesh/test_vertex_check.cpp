@@ -1,4 +1,4 @@
-// Vertices at one place, and those far from all others.
+// Vertices at the same position, and vertices far from all others.
 #include "sim/mesh/vertex_check.h"
 
 #include <catch2/catch.hpp>
@@ -18,7 +18,7 @@ TEST_CASE("the first vertex at exactly a place stands for the others there") {
         Indices{0, 1, 0, 3, 1, 0});
   CHECK(first_at_place({{0, 0, 0}, {-0.0, 0, 0}}) == Indices{0, 0});
   CHECK(count_coincident({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}},
-                         {{0, 1, 2, 3}, {4, 1, 2, 3}}) == 1);  // vertex 5 is of no tet
+                         {{0, 1, 2, 3}, {4, 1, 2, 3}}) == 1);  // vertex 5 is in no tet
 }
 
 TEST_CASE("halves that touch with vertices of their own are counted, and welded on demand") {
@@ -63,7 +63,7 @@ TEST_CASE("a vertex that is far from all others is named, whether its tets are l
   for (const double far : {1e6, 1e300}) {
     TetMesh mesh = make_box(3, 3, 3, {1, 1, 1});
     mesh.positions[5].x() = far;
-    mesh.positions.push_back({1e9, 0, 0});  // of no tet
+    mesh.positions.push_back({1e9, 0, 0});  // in no tet
     const std::string text = report_text(mesh);
     INFO(text);
     CHECK(examined(mesh).far_vertices == Indices{5});

@@ -1,4 +1,4 @@
-// Springs of grabs: several at a vertex act as one, and each grab has its part of the force.
+// Springs of grabs: several at a vertex act as one, and each grab has its share of the force.
 #include "sim/model/grab_spring.h"
 
 #include <catch2/catch.hpp>
@@ -34,7 +34,7 @@ TEST_CASE("springs at one vertex are joined without a change of their forces") {
 TEST_CASE("springs without stiffness, alone or beside others, change nothing and have no force") {
   const std::vector<GrabSpring> springs{
       {2, {1, 2, 3}, 0, 4}, {2, {5, 5, 5}, 0, 5}, {1, {1, 0, 0}, 3, 4}, {1, {9, 9, 9}, 0, 5}};
-  std::vector<std::uint32_t> place{7, 7, 7};  // of another call
+  std::vector<std::uint32_t> place{7, 7, 7};  // left over from another call
   const std::vector<GrabSpring> whole = joined(springs, place);
   CHECK(place == std::vector<std::uint32_t>{0, 0, 1, 1});
   REQUIRE(whole.size() == 2);

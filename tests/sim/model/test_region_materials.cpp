@@ -1,4 +1,4 @@
-// Materials of regions: which one a key means, and what a model has after a change.
+// Materials of regions: the region of a key, and the materials of a model after a change.
 #include "sim/model/region_materials.h"
 
 #include <catch2/catch.hpp>
@@ -106,7 +106,7 @@ TEST_CASE("materials that come and go while a model is there are told to its tet
   scene.file = "s.json";
   scene.bodies = {body_with({{"2", stiffness(10)}}), body_with({{"3", stiffness(20)}, {"2", stiffness(30)}})};
   Model model;
-  model.file_mesh.regions = {1, 2, 9, 3, 2, 1};  // the third tet of the file is left out
+  model.file_mesh.regions = {1, 2, 9, 3, 2, 1};  // the third tet of the file is degenerate
   model.tet_source = {0, 1, 3, 4, 5};
   model.tet_material = {0, 0, 0, 0, 0};
   model.bodies.resize(2);

@@ -1,4 +1,4 @@
-// Grabs that follow a path: where they are at a time, and when they hold.
+// Grabs that follow a path: their position over time, and the time in which they hold.
 #include "sim/model/resolved_grab.h"
 
 #include <catch2/catch.hpp>
@@ -37,7 +37,7 @@ TEST_CASE("a smooth path eases in and out of every key") {
     CHECK(grab.displacement(s).x() == Approx(share));
     CHECK(grab.displacement(1 + 2 * s).x() == Approx(1 - share));
   }
-  for (const double key : {0.0, 1.0, 3.0}) {  // no speed there
+  for (const double key : {0.0, 1.0, 3.0}) {  // no speed at the keys
     CAPTURE(key);
     CHECK((grab.displacement(key + 1e-4) - grab.displacement(key - 1e-4)).norm() < 1e-7);
   }
@@ -56,7 +56,7 @@ TEST_CASE("springs hold after the start and up to the release, behind those of o
   const std::vector<ResolvedGrab> grabs{grab, grab_of({{0, {0, 0, 7}}})};
   const GrabSpring other{8, {1, 1, 1}, 5, 0};
   CHECK(with_grabs({}, {}, 1).empty());
-  CHECK(with_grabs({other}, grabs, 1).size() == 3);  // the first one not yet
+  CHECK(with_grabs({other}, grabs, 1).size() == 3);  // the first grab does not hold yet
   const std::vector<GrabSpring> springs = with_grabs({other}, grabs, 1.5);
   REQUIRE(springs.size() == 5);
   CHECK(springs[0] == other);
@@ -66,7 +66,7 @@ TEST_CASE("springs hold after the start and up to the release, behind those of o
   CHECK(with_grabs({}, grabs, 3).size() == 4);
   CHECK(with_grabs({}, grabs, 3.001).size() == 2);
 
-  const std::vector<GrabSpring> last = with_grabs_at_last({other}, grabs);  // one that lets go, too
+  const std::vector<GrabSpring> last = with_grabs_at_last({other}, grabs);  // a grab at its release, too
   REQUIRE(last.size() == 5);
   CHECK(last[0] == other);
   CHECK(last[2].target == Vector3d(2, 0, 0));

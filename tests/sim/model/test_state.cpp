@@ -1,4 +1,4 @@
-// The state in which a model starts.
+// The initial state of a model.
 #include "sim/model/state.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// Parts of a model that nothing holds, in models of a few tets.
+// Parts of a model without support, in models of a few tets.
 #include "sim/model/unconstrained_parts.h"
 
 #include <catch2/catch.hpp>
@@ -8,7 +8,7 @@ using namespace fascia;
 namespace {
 
 /// Three parts: tets 0 and 2 over vertices 0 to 4, tet 1 over 5 to 8, tets 3 and 4, which share one vertex, over 9 to
-/// 15. Vertex 16 is of no tet.
+/// 15. Vertex 16 is in no tet.
 Model three_parts() {
   Model model;
   model.rest_positions.resize(17, Eigen::Vector3d(0, 0, 0));
@@ -52,7 +52,7 @@ TEST_CASE("a part is what tets connect, and one held vertex holds all of it") {
   CHECK(none.parts == 0);
   CHECK(none.vertices == 0);
   CHECK(none.held_parts == 3);
-  CHECK(unconstrained_parts(model, held({16})).held_parts == 0);  // of no tet
+  CHECK(unconstrained_parts(model, held({16})).held_parts == 0);  // in no tet
 }
 
 TEST_CASE("vertices are named as in the file of their body") {

@@ -1,4 +1,4 @@
-// Which vertices a selection means, on a box whose vertices are known.
+// The vertices of a selection, on a box whose vertices are known.
 #include "sim/model/vertex_selection.h"
 
 #include <catch2/catch.hpp>
@@ -13,7 +13,7 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-/// A box of 2 x 4 x 1 cells of 1, group "top", and a vertex far below, of no tet.
+/// A box of 2 x 4 x 1 cells of 1, group "top", and a vertex far below, in no tet.
 struct Sample {
   TetMesh mesh = make_box(2, 4, 1, {2, 4, 1});
   std::vector<char> used;
@@ -98,6 +98,6 @@ TEST_CASE("the lowest vertices are those of a share of the height, and no fewer 
   for (Vector3d& x : pyramid.mesh.positions)
     if (x.y() > 0) x.y() += 50;
   pyramid.mesh.positions[0].y() -= 50;
-  const Indices lowest = pyramid.select(LowestSelection{0.2});  // six of thirty, by their place
+  const Indices lowest = pyramid.select(LowestSelection{0.2});  // six of thirty, by their position
   CHECK(lowest.size() == 6);
 }

@@ -33,7 +33,7 @@ TEST_CASE("a force made of a known deformation gives that deformation back") {
   const Model model = test::box_model(3, 2, 2, {0.3, 0.2, 0.2}, test::soft(1e4), left_end);
   const ElasticSystem system(model);
   VectorXd known(static_cast<Eigen::Index>(3 * model.rest_positions.size()));
-  for (std::size_t v = 0; v < model.rest_positions.size(); ++v) {  // bent by about a tenth, nothing where it is held
+  for (std::size_t v = 0; v < model.rest_positions.size(); ++v) {  // bent by about a tenth; zero at held vertices
     const double x = model.rest_positions[v].x();
     known.segment<3>(static_cast<Eigen::Index>(3 * v)) = Vector3d(0.1 * x, 0.5 * x * x, -0.2 * x * x);
   }
@@ -53,7 +53,7 @@ TEST_CASE("inertia without elastic forces leads to the target plus force over in
   const ElasticSystem system(model);
   const Eigen::Index size = 24;
   Potential potential = statics(system, VectorXd::Zero(size));
-  potential.inertia.setConstant(1e6);  // against a stiffness of a thousandth
+  potential.inertia.setConstant(1e6);  // large against a stiffness of a thousandth
   potential.target = VectorXd::LinSpaced(size, -0.01, 0.02);
   potential.start = potential.target;
   potential.force.setConstant(5e3);
@@ -78,7 +78,7 @@ TEST_CASE("what was found is a minimum: every small step away from it costs ener
   VectorXd u = VectorXd::Zero(size);
   Minimizer minimizer(system);
   REQUIRE(minimizer.minimize(potential, 1e-12, kLimits, u).converged);
-  for (const std::uint32_t v : model.fixed) CHECK(u.segment<3>(3 * v).norm() == 0);  // held ones stay
+  for (const std::uint32_t v : model.fixed) CHECK(u.segment<3>(3 * v).norm() == 0);  // held vertices stay
   const double least = energy(system, potential, u);
   for (int i = 0; i < 50; ++i) {
     VectorXd away = u;
@@ -133,7 +133,7 @@ TEST_CASE("free vertices are taken along by held ones that move, unless staying 
     CHECK((u.segment<3>(static_cast<Eigen::Index>(3 * v)) - Vector3d(0.01, -0.02, 0.005)).norm() < 1e-12);
   }
 
-  // Whatever a linear step makes of half a turn: not more energy than staying would cost.
+  // A linear step may not fit half a turn: the energy is at most that of staying.
   for (const std::uint32_t v : model.fixed) {
     const Vector3d arm = model.rest_positions[v] - Vector3d(0, 0.05, 0.05);
     change.segment<3>(3 * v) = Vector3d(0, -2 * arm.y(), -2 * arm.z());

@@ -1,4 +1,4 @@
-// The order of elimination: every vertex once, neighbors in one line of the tree, separators that are small.
+// The order of elimination: every vertex once, neighbors on one branch of the tree, small separators.
 #include "sim/reference/nested_dissection.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// That share no vertex.
+// The boxes share no vertex.
 Model two_boxes() {
   Model model = test::box_model(9, 4, 4, {0.9, 0.4, 0.4}, test::soft(1e5));
   const Model other = test::box_model(3, 4, 5, {0.3, 0.4, 0.5}, test::soft(1e5));
@@ -33,7 +33,7 @@ TEST_CASE("a vertex's neighbors are in its own node, above or below, whatever th
       for (const std::uint32_t w : tet)
         if (v != w) neighbors[v].push_back(static_cast<int>(w));
   if (shape == 2)
-    std::fill(model.rest_positions.begin(), model.rest_positions.end(), Vector3d(1, 2, 3));  // all at one place
+    std::fill(model.rest_positions.begin(), model.rest_positions.end(), Vector3d(1, 2, 3));  // all at one point
   if (shape == 3)
     for (Vector3d& x : model.rest_positions) x.z() = x.y() = 0;  // on a line
   const EliminationTree tree = nested_dissection(neighbors, model.rest_positions);
@@ -59,7 +59,7 @@ TEST_CASE("a vertex's neighbors are in its own node, above or below, whatever th
       strangers += !is_above(a, b) && !is_above(b, a);
     }
   CHECK(strangers == 0);
-  if (shape == 1) {  // a beam is cut across
+  if (shape == 1) {  // a beam is cut crosswise
     REQUIRE(tree.nodes.back().parent == -1);
     CHECK(tree.nodes.back().end - tree.nodes.back().begin == 16);
   }

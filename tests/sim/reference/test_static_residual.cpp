@@ -1,4 +1,4 @@
-// How far a state is from equilibrium: 0 in one, known shares elsewhere.
+// The distance of a state from equilibrium: 0 in equilibrium, known shares elsewhere.
 #include "sim/reference/static_residual.h"
 
 #include <catch2/catch.hpp>
@@ -61,7 +61,7 @@ TEST_CASE("springs are forces") {
   CHECK(residual(state, springs) < 1e-9);
   CHECK(residual(state) > 1e-2);
 
-  // A spring alone pulls at a body at rest: all of the load is left.
+  // Only a spring pulls at a body at rest: the residual is the whole load.
   model.gravity.setZero();
   CHECK(StaticResidual(model)(initial_state(model), springs) == Approx(1));
 }

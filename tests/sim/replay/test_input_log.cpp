@@ -1,4 +1,5 @@
-// What a user did since the last sound state: kept in order, joined within a step, forgotten into values.
+// Inputs of a user since the last valid state: kept in order, joined within a step, and merged into the initial values
+// when dropped.
 #include "sim/replay/input_log.h"
 
 #include <catch2/catch.hpp>
@@ -32,7 +33,7 @@ TEST_CASE("of several changes of a kind before a step the last one counts, of ma
   log.add({6, MaterialInput{0, stiffness(3)}});
   log.add({6, MaterialInput{1, stiffness(4)}});
   log.add({6, MaterialInput{1, stiffness(5)}});
-  log.add({6, iterations(14)});  // not the last of its kind at that step any more
+  log.add({6, iterations(14)});  // no longer the last of its kind at that step
   const std::vector<Input> expected{{5, iterations(12)},
                                     {6, iterations(13)},
                                     {6, MaterialInput{0, stiffness(3)}},

@@ -1,4 +1,4 @@
-// Times of a replay's steps, where a session changed the time step.
+// Times of the steps of a replay whose session changed the time step.
 #include "sim/replay/replay_time.h"
 
 #include <catch2/catch.hpp>

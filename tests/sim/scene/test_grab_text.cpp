@@ -1,4 +1,4 @@
-// Grabs on the command line: the document that a text stands for.
+// Grabs on the command line: the JSON document of a text.
 #include "sim/scene/grab_text.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// Scenes that carry their files: which names these get, what is kept of them, and when they are left behind.
+// Scenes that carry their files: the names of the files, the kept data, and the files left out.
 #include "sim/scene/scene_carry.h"
 
 #include <catch2/catch.hpp>
@@ -13,7 +13,7 @@ using test::TemporaryFolder;
 
 namespace {
 
-/// A scene of two bodies whose meshes are in these places of a folder, and what a reader noted of them.
+/// A scene of two bodies with meshes at these paths of a folder, and the reader's records of the files.
 struct Sample {
   TemporaryFolder folder;
   Scene scene;
@@ -55,7 +55,7 @@ TEST_CASE("a scene that carries its files has them by their names, with their co
   CHECK(whole.bodies[1].mesh == "b.msh");
   REQUIRE(whole.carries("b.msh"));
   CHECK(carried_content(*whole.recorded("b.msh"), "s.json") == "content of the second one");
-  CHECK(inflated(*s.read[0].file.deflated, 20) == "content of the first");  // is kept for the next time
+  CHECK(inflated(*s.read[0].file.deflated, 20) == "content of the first");  // kept for the next time
   std::filesystem::remove(s.folder / "meshes/a.msh");
   CHECK(self_contained(s.scene, s.read).files == whole.files);
   CHECK_FALSE(with_known_files(s.scene, s.read).files[0].deflated);
@@ -74,7 +74,7 @@ TEST_CASE("a file that another one names stands beside that, and is there once")
   Sample s("meshes/a.node", "meshes/a.node");
   s.read.push_back({"bodies[0].mesh", "a.ele", {"", 3, content_hash("abc"), nullptr}, s.folder / "meshes/a.ele"});
   write_file(s.folder / "meshes/a.ele", "abc");
-  s.read[0] = s.read[1];  // both are of the same file
+  s.read[0] = s.read[1];  // both records are of the same file
   s.read[0].key = "bodies[0].mesh";
   const Scene whole = self_contained(s.scene, s.read);
   REQUIRE(whole.files.size() == 2);

@@ -1,4 +1,4 @@
-// Polygons cut into triangles: every one is covered once, whatever its shape, size and plane.
+// Polygons cut into triangles: every one is covered once, for any shape, size and plane.
 #include "sim/surface/polygon.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Triangles of a surface that cut each other: which ones, and how many pairs are looked at to find them.
+// Intersecting triangles of a surface: the pairs, and the number of pairs compared.
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -27,7 +27,7 @@ TEST_CASE("triangles around one vertex are not compared with each other") {
   std::printf("%zu triangles: %zu pairs of boxes compared\n", fan.triangles.size(), compared);
   CHECK(self_intersections(tree).pairs.count == 0);
 
-  // Where thousands lie across each other the search ends, and says so.
+  // For thousands of intersections the search ends early and reports that.
   SurfaceMesh crossing;
   for (std::uint32_t i = 0; i < 3000; ++i) {
     const double s = 1e-4 * i;

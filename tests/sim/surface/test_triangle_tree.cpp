@@ -1,4 +1,4 @@
-// The tree of a surface's triangles, against asking every triangle.
+// The tree of a surface's triangles, compared with a search over all triangles.
 #include "sim/surface/triangle_tree.h"
 
 #include <Eigen/LU>
@@ -18,7 +18,7 @@ namespace {
 
 double uniform(std::mt19937& random) { return static_cast<double>(random() % 1000000) / 1e6; }
 
-/// Triangles of three tenths anywhere in the unit cube.
+/// Triangles of size 0.3 at random positions in the unit cube.
 SurfaceMesh soup(std::uint32_t count, std::mt19937& random) {
   SurfaceMesh s;
   const auto point = [&] { return Vector3d(uniform(random), uniform(random), uniform(random)); };

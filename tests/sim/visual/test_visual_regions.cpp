@@ -1,4 +1,4 @@
-// Regions as pictures show them: a number for every tet and every drawn triangle.
+// Regions in pictures: a number for every tet and every drawn triangle.
 #include "sim/visual/visual_regions.h"
 
 #include <catch2/catch.hpp>
@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// A row of 4 cells of 6 tets: 12 tets of region 5, which is called "fat", then 12 of region -2.
+/// A row of 4 cells of 6 tets: 12 tets of region 5, named "fat", then 12 of region -2.
 Model row() {
   Model model = test::make_model(make_box(4, 1, 1, {4, 1, 1}), Material{}, [](const Vector3d&) { return false; });
   model.surfaces.resize(1);

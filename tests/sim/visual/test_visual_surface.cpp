@@ -1,4 +1,4 @@
-// What is drawn of a model: the boundary of its tets, or the surfaces that bodies have of their own.
+// The drawn surface of a model: the boundary of its tets, or the bodies' own surfaces.
 #include "sim/visual/visual_surface.h"
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Two bodies of one tet each; neither has a surface of its own.
+/// Two bodies of one tet each, without their own surfaces.
 Model two_tets() {
   Model model;
   model.rest_positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {5, 0, 1}};

@@ -1,4 +1,4 @@
-// The message of a window: what fails becomes one, and an error stays longer than news.
+// The message of a window: an error becomes one, and stays longer than other messages.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <new>

@@ -1,4 +1,4 @@
-// What pictures show: names, titles and units of all that can be chosen.
+// Display settings: names, titles and units of all choices.
 #include "sim/scene/settings/display.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// Methods and accelerations: the pairs that make sense, what each setting acts on, what laws each method carries.
+// Methods and accelerations: the legal pairs, the settings that act on each, and the laws that each method supports.
 #include "sim/scene/settings/solver_choice.h"
 
 #include <algorithm>
