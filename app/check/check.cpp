@@ -28,8 +28,7 @@ std::string judge(const CheckCase& check, const CheckOptions& options) {
   Headless headless(check.options);
   headless.run();
   if (interrupted())
-    throw Error(check.name, "was interrupted",
-                "expected time for all of its steps");  // prevents that results are written
+    throw Error(check.name, "was interrupted", "expected time for all of its steps");  // no results are written
   const Outcome outcome = headless.outcome();
   if (options.update) return text_of(json{{"lines", update_goldens(outcome, check.options.goldens())}});
   const Comparison comparison = compare(outcome, check.options.goldens(), check.options.limits);

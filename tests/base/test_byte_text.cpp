@@ -45,7 +45,7 @@ TEST_CASE("streams one after the other are one, with blanks anywhere") {
   CHECK(decoded->used == 19);  // without the blank at the end
 }
 
-TEST_CASE("decoding ends with the group that has what was asked for") {
+TEST_CASE("decoding ends with the group that completes the requested size") {
   const std::string text = "Zm9vYmFy?";  // decoding ends before the invalid character
   const auto decoded = base64_decoded(text, 4);
   REQUIRE(decoded);
@@ -57,7 +57,7 @@ TEST_CASE("decoding ends with the group that has what was asked for") {
   CHECK_FALSE(base64_decoded(text, 7));
 }
 
-TEST_CASE("what is not base64 is refused") {
+TEST_CASE("text that is not base64 is refused") {
   for (const char* text : {"Z", "Zm", "Zm9", "Zm9v?", "Z===", "====", "Zg=a", "Zg=", "Zm9v-_==", "Zm9v\x80mFy"}) {
     CAPTURE(text);
     CHECK_FALSE(base64_decoded(text));

@@ -29,7 +29,7 @@ TEST_CASE("data are beside the program, in share of its prefix, in the source tr
     unsetenv("FASCIA_DATA_DIR");
 }
 
-TEST_CASE("assets are beside the shaders, or where the folder that was chosen has them") {
+TEST_CASE("assets are beside the shaders, or in the chosen folder") {
   const test::TemporaryFolder folder;
   CHECK(holds_shaders(test::source_dir()));
   fs::create_directories(folder / "shaders");

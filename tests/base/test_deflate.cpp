@@ -6,7 +6,7 @@
 
 using namespace fascia;
 
-TEST_CASE("what was deflated comes back, and text gets smaller") {
+TEST_CASE("deflated data are restored, and text gets smaller") {
   std::mt19937 random(2);
   std::string noise(100000, '\0'), digits;
   for (char& c : noise) c = static_cast<char>(random());
@@ -28,7 +28,7 @@ TEST_CASE("a stream of another program is read") {
   CHECK(inflated(stream, 3) == "abc");
 }
 
-TEST_CASE("data that are cut, go on, are spoiled or of another size are refused") {
+TEST_CASE("truncated, extended, corrupted or wrongly sized data are refused") {
   const std::string bytes = "soft tissue, soft tissue, soft tissue", made = deflated(bytes);
   REQUIRE(inflated(made, bytes.size()) == bytes);
   CHECK_FALSE(inflated(made, bytes.size() - 1));
@@ -44,7 +44,7 @@ TEST_CASE("data that are cut, go on, are spoiled or of another size are refused"
   CHECK_FALSE(inflated("", 0));
 }
 
-TEST_CASE("a size that deflate cannot reach is refused before memory is taken") {
+TEST_CASE("a size that deflate cannot reach is refused before memory is allocated") {
   CHECK(can_inflate_to(0, 0));
   CHECK(can_inflate_to(1031, 1));
   CHECK_FALSE(can_inflate_to(1032 * 12, 11));

@@ -46,14 +46,14 @@ TEST_CASE("the first signal sets the flag and requests the stop, the second one 
         }) == -signal);
 }
 
-TEST_CASE("nothing is caught before it is asked for") {
+TEST_CASE("no signal is caught before the request") {
   CHECK(end_of([] {
           std::raise(SIGINT);
           return 0;
         }) == -SIGINT);
 }
 
-TEST_CASE("a pipe without a reader is no end of the program") {
+TEST_CASE("a pipe without a reader does not end the program") {
   CHECK(end_of([] {
           catch_interrupts();
           int ends[2];
@@ -68,7 +68,7 @@ TEST_CASE("a pipe without a reader is no end of the program") {
         }) == 0);
 }
 
-TEST_CASE("work that ends at once does so with the exit code of an interruption, and only while it lasts") {
+TEST_CASE("work that may end at once exits with the code of an interruption, and only while it lasts") {
   CHECK(end_of([] {
           catch_interrupts();
           const EndAtOnce outer;

@@ -12,7 +12,7 @@ const Provenance kMade{
 
 }  // namespace
 
-TEST_CASE("provenance is one line without what ends a comment of XML, and reads back in its order") {
+TEST_CASE("provenance is one line without the end of an XML comment, and reads back in its order") {
   const std::string json = provenance_json(kMade);
   CAPTURE(json);
   CHECK(json.find("--") == std::string::npos);
@@ -48,6 +48,4 @@ TEST_CASE("a text without provenance, or with a damaged one, has none") {
   CHECK(find_provenance(std::string(100000, ' ') + "fascia: {\"a\":\"b\"}").empty());  // too far from the beginning
 }
 
-TEST_CASE("a file of many moments does not name one") {
-  CHECK(without_moment(kMade) == Provenance{kMade[0], kMade[1]});
-}
+TEST_CASE("a file of many times names no time") { CHECK(without_moment(kMade) == Provenance{kMade[0], kMade[1]}); }

@@ -14,7 +14,7 @@ TEST_CASE("numbers have four digits") {
   CHECK(point({1, -0.25, 1e-9}) == "(1, -0.25, 1e-09)");
 }
 
-TEST_CASE("one of a thing has no plural, and vertices have theirs") {
+TEST_CASE("one item has no plural, and vertices have an irregular one") {
   CHECK(plural(0, "tet") == "0 tets");
   CHECK(plural(1, "tet") == "1 tet");
   CHECK(plural(2, "tet") == "2 tets");
@@ -33,7 +33,7 @@ TEST_CASE("a length has the largest unit of which it is one or more") {
   CHECK(length(0) == "0 m");
 }
 
-TEST_CASE("labels fill a column, and one that is too long keeps a blank behind it") {
+TEST_CASE("labels fill a column, and a longer label keeps a blank behind it") {
   std::ostringstream out;
   line(out, "box") << "1\n";
   line(out, "") << "2\n";

@@ -18,7 +18,7 @@ TEST_CASE("the tip is the free end") {
   for (const std::uint32_t v : tip) CHECK(model.rest_positions[v].x() == 1);
 }
 
-TEST_CASE("the start is bent and twisted by known angles, held where the beam is, and no tet is inside out") {
+TEST_CASE("the start is bent and twisted by known angles, keeps the held vertices, and inverts no tet") {
   const Model model = box_model({24, 6, 6});
   const State state = bent_beam(model);
   for (const std::uint32_t v : model.fixed) CHECK(state.displacement[v].norm() == 0);

@@ -7,7 +7,7 @@
 
 using namespace fascia;
 
-TEST_CASE("a box has about as many tets as it should, in cells that are about cubes") {
+TEST_CASE("a box has about the requested number of tets, in cells that are nearly cubes") {
   for (const std::size_t tets : {500u, 5000u, 50000u, 500000u, 1000000u}) {
     const Eigen::Vector3i cells = cells_of(tets);
     const double made = 6.0 * cells.prod(), shape = cells.x() / (4.0 * cells.y());

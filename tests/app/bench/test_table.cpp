@@ -10,7 +10,7 @@
 
 using namespace fascia;
 
-TEST_CASE("cells are texts, integers as they are and numbers of seven digits") {
+TEST_CASE("cells are texts, exact integers and numbers of seven digits") {
   CHECK(Cell().text().empty());
   CHECK(Cell("a b").text() == "a b");
   CHECK(Cell(std::string("c")).text() == "c");

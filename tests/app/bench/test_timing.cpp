@@ -6,7 +6,7 @@
 
 using namespace fascia;
 
-TEST_CASE("a spread is the median, and what a tenth of the values is below and above") {
+TEST_CASE("a spread is the median and the first and last deciles") {
   std::vector<double> values;
   for (int i = 0; i <= 100; ++i) values.push_back((i * 37) % 101);  // 0 to 100, shuffled
   const Spread spread = spread_of(values);
@@ -15,7 +15,7 @@ TEST_CASE("a spread is the median, and what a tenth of the values is below and a
   CHECK(spread.high == 90);
 }
 
-TEST_CASE("one value is all of its spread, a disturbance does not move the median, and nothing has none") {
+TEST_CASE("one value is its own spread, an outlier does not move the median, and no values have no spread") {
   const Spread one = spread_of({7});
   CHECK(one.median == 7);
   CHECK(one.low == 7);

@@ -58,7 +58,7 @@ TEST_CASE("JUnit XML has the measured and the allowed differences of a scene as 
 )"));
 }
 
-TEST_CASE("what XML forbids is replaced byte by byte, and what UTF-8 allows is kept") {
+TEST_CASE("characters that XML forbids are replaced byte by byte, and valid UTF-8 is kept") {
   const auto name = [](const std::string& text) {
     JunitCase c;
     c.name = text;

@@ -17,7 +17,7 @@ TEST_CASE("tolerances are numbers or quotients") {
   }
 }
 
-TEST_CASE("a tolerance that is refused is named with its place and what was expected") {
+TEST_CASE("the error of a refused tolerance has its place and the expected value") {
   CHECK_THROWS_WITH(parse_tolerance("1/0", "check.json: defaults.max_mean"),
                     "check.json: defaults.max_mean: is 1/0; expected a share from 0 to 1, such as 0.002 or 0.5/255");
   CHECK_THROWS_WITH(parse_tolerance("a\nb", "--x"), Catch::StartsWith("--x: is \"a\\nb\";"));
@@ -25,7 +25,7 @@ TEST_CASE("a tolerance that is refused is named with its place and what was expe
   CHECK(parse_tolerance("3/4", "x") == 0.75);
 }
 
-TEST_CASE("what was measured is told by three digits") {
+TEST_CASE("measured values are printed with three digits") {
   CHECK(three_digits(0.0019607) == "0.00196");
   CHECK(three_digits(1) == "1");
   CHECK(three_digits(123456) == "1.23e+05");

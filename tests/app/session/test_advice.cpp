@@ -32,14 +32,14 @@ std::optional<Hint> residual_hint(double residual, SolverChoice choice = solver_
 
 }  // namespace
 
-TEST_CASE("a Poisson's ratio above which linear tets lock is told of") {
+TEST_CASE("a Poisson's ratio at which linear tets lock gets advice") {
   CHECK_FALSE(locking_hint(0.3));
   CHECK_FALSE(locking_hint(kLockingPoissonRatio));
   REQUIRE(locking_hint(0.451));
   CHECK(locking_hint(0.451)->name == "locking");
 }
 
-TEST_CASE("a body of no tissue's size is told of with the unit that would make it one") {
+TEST_CASE("a body of implausible size gets advice with the unit that makes it plausible") {
   CHECK_FALSE(unit_hint_of(0.2));
   CHECK_FALSE(unit_hint_of(3));
   CHECK_FALSE(unit_hint_of(1e12));  // no unit fits
@@ -55,7 +55,7 @@ TEST_CASE("a body of no tissue's size is told of with the unit that would make i
   CHECK_FALSE(unit_hint(Scene{}, Model{}));
 }
 
-TEST_CASE("a step that is left a tenth unsolved is told of, and two_level to those who have another method") {
+TEST_CASE("a residual of a tenth gets advice, and other methods get the advice of two_level") {
   CHECK_FALSE(iterations_hint(SolverSettings{}, std::nullopt));
   CHECK_FALSE(residual_hint(0.099));
   CHECK_FALSE(residual_hint(std::numeric_limits<double>::quiet_NaN()));
@@ -65,7 +65,7 @@ TEST_CASE("a step that is left a tenth unsolved is told of, and two_level to tho
   CHECK(residual_hint(0.5, {Method::jacobi, Acceleration::none})->help.find("two_level") != std::string::npos);
 }
 
-TEST_CASE("substeps that are long against what tissue does are told of") {
+TEST_CASE("substeps that are long for the motion of the tissue get advice") {
   SolverSettings settings;
   CHECK_FALSE(time_step_hint(settings));
   settings.time_step = 0.05;

@@ -38,7 +38,7 @@ TEST_CASE("another process fills the driver's cache with the kernels of a scene,
   CHECK(scenes_left() == 0);
 }
 
-TEST_CASE("a warm-up whose process fails says so, and one that is given up ends its process") {
+TEST_CASE("a warm-up reports the failure of its process, and an abandoned one ends its process") {
   const std::filesystem::path data_dir = find_data_dir("");
   const Scene scene = open_scene(data_dir / "assets/scenes/cube.json");
   const Model model = build_model(scene);

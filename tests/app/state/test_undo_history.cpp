@@ -15,7 +15,7 @@ Tunables plain() {
 
 }  // namespace
 
-TEST_CASE("every change is one entry, taken back and done again in its order") {
+TEST_CASE("every change is one entry, undone and redone in order") {
   UndoHistory history;
   std::vector<Tunables> states{plain()};
   history.restart(states[0]);

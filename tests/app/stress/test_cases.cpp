@@ -43,7 +43,7 @@ MeshReport report_of(const Model& model) { return examine(model.file_mesh, repai
 
 }  // namespace
 
-TEST_CASE("every case of the stress suite has a name of its own and can be simulated by its pair", "[cases]") {
+TEST_CASE("every case of the stress suite has a unique name and can be simulated by its pair", "[cases]") {
   const SolverChoice pair = GENERATE(solver_choices().front(), SolverChoice{Method::jacobi, Acceleration::chebyshev});
   const Suite suite(pair);
   std::set<std::string> names;
@@ -84,7 +84,7 @@ TEST_CASE("every case of the stress suite has a name of its own and can be simul
   CHECK(suite.has("method switched every frame") == (pair == solver_choices().front()));
 }
 
-TEST_CASE("starts of the stress suite are the disorder that they are called", "[cases]") {
+TEST_CASE("starts of the stress suite have the disorder in their names", "[cases]") {
   const Suite suite;
   const auto tets = static_cast<int>(suite.model_of("start", "mirrored E=1e+06").tets.size());
   CHECK(suite.measure_start("start", "mirrored E=1e+06").inverted == tets);
@@ -98,7 +98,7 @@ TEST_CASE("starts of the stress suite are the disorder that they are called", "[
   CHECK(suite.model_of("start", "random E=1e+09").materials[0].young_modulus == 1e9);
 }
 
-TEST_CASE("what is free in the stress suite moves, spins and is strained", "[cases]") {
+TEST_CASE("free bodies of the stress suite move, spin and are strained", "[cases]") {
   const Suite suite;
   const reference::Measures measures = suite.measure_start("conservation", "free and spinning");
   const double mass = 1000 * 0.4 * 0.2 * 0.2;
@@ -110,7 +110,7 @@ TEST_CASE("what is free in the stress suite moves, spins and is strained", "[cas
   CHECK(suite.find("conservation", "free and spinning").criteria.creates_no_momentum);
 }
 
-TEST_CASE("meshes of the stress suite are as bad as they are called", "[cases]") {
+TEST_CASE("meshes of the stress suite have the defects in their names", "[cases]") {
   const Suite suite;
   CHECK(suite.model_of("mesh", "single tet").tets.size() == 1);
   CHECK(suite.model_of("mesh", "two tets sharing an edge").tets.size() == 2);
@@ -139,7 +139,7 @@ TEST_CASE("numbers of the stress suite are those of their names", "[cases]") {
   CHECK(heavy.materials[1].density == Approx(1e4 * heavy.materials[0].density));
 }
 
-TEST_CASE("what the stress suite does to a body is done in its first steps, and then taken back", "[cases]") {
+TEST_CASE("disturbances of the stress suite act in the first steps, and are then undone", "[cases]") {
   const Suite suite;
   for (const StressCase& c : suite.cases) {
     if (c.group != "handling" || c.name == "twisted by 720 degrees") continue;

@@ -19,7 +19,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 }  // namespace
 
-TEST_CASE("what crashes, hangs or fails in a child is a report") {
+TEST_CASE("a crash, hang or failure in a child is reported") {
   CHECK(run_in_child([] { return std::string("done"); }, 60).answer == "done");
   CHECK(run_in_child([]() -> std::string { throw Error("a", "b", "c"); }, 60).failure == "a: b; c");
   const ChildReport crashed = run_in_child(
@@ -48,7 +48,7 @@ TEST_CASE("what crashes, hangs or fails in a child is a report") {
   CHECK(run_in_child([&] { return large; }, 60).answer == large);
 }
 
-TEST_CASE("what a child changes stays in the child, and a lack of memory has a line of its own") {
+TEST_CASE("changes by a child stay in the child, and a lack of memory has its own line") {
   int number = 1;
   const ChildReport report = run_in_child(
       [&] {

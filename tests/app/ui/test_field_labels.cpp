@@ -5,7 +5,7 @@
 
 using namespace fascia;
 
-TEST_CASE("keys have names for people, their own or their words") {
+TEST_CASE("keys have labels, from the table or from their words") {
   CHECK(label_of_field("young_modulus") == "Young's modulus");
   CHECK(label_of_field("poisson_ratio") == "Poisson's ratio");
   CHECK(label_of_field("color") == "Heat map");

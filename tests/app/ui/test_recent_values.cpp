@@ -7,7 +7,7 @@
 
 using namespace fascia;
 
-TEST_CASE("without a value there is none") {
+TEST_CASE("without values there is no median") {
   const RecentValues values;
   CHECK(values.count() == 0);
   CHECK(values.latest() == 0);

@@ -47,7 +47,7 @@ TEST_CASE("both ends of a range have a tick if they are multiples of the step, a
   CHECK(ends > 1000);
 }
 
-TEST_CASE("axes have round marks, not too many, told apart by their digits") {
+TEST_CASE("axes have round ticks, not too many, with enough digits to differ") {
   for (const auto& [low, high] :
        {std::pair{0.0, 1.0}, {-3.7e-5, 8.1e-5}, {0.99991, 1.00012}, {12345.0, 12399.0}, {-2e9, 1e3}})
     for (const int most : {2, 4, 9}) {
@@ -73,12 +73,12 @@ TEST_CASE("axes have round marks, not too many, told apart by their digits") {
   CHECK(decade_ticks(2e-3, 5e-3, 4).values.empty());
 }
 
-TEST_CASE("a range of nothing has one mark") {
+TEST_CASE("an empty range has one tick") {
   CHECK(linear_ticks(3, 3, 5).values == std::vector<double>{3});
   CHECK(linear_ticks(3, 2, 5).values == std::vector<double>{3});
 }
 
-TEST_CASE("decades are marked every so many that there is room, from the first on") {
+TEST_CASE("decades have ticks at intervals that fit, from the first decade on") {
   CHECK(decade_ticks(1, 1000, 9).values == std::vector<double>{1, 10, 100, 1000});
   CHECK(decade_ticks(0.5, 2000, 9).values == std::vector<double>{1, 10, 100, 1000});
   for (int most = 2; most <= 8; ++most)

@@ -67,7 +67,7 @@ TEST_CASE("frames arrive in their order, as often as they are shown") {
   CHECK(record.finished);
 }
 
-TEST_CASE("what an encoder cannot keep up with is shown by the frame before, and counted") {
+TEST_CASE("frames that a slow encoder drops are replaced by the frame before, and counted") {
   Record record;
   record.open = false;
   FrameQueue queue(std::make_unique<Sink>(record));
@@ -94,7 +94,7 @@ TEST_CASE("what an encoder cannot keep up with is shown by the frame before, and
   CHECK(record.frames == expected);
 }
 
-TEST_CASE("a failure of the encoder comes back to who adds frames, and to who finishes") {
+TEST_CASE("a failure of the encoder is thrown when frames are added and at the end") {
   Record record;
   record.fails_at = 1;
   FrameQueue queue(std::make_unique<Sink>(record));
@@ -106,7 +106,7 @@ TEST_CASE("a failure of the encoder comes back to who adds frames, and to who fi
   CHECK(record.frames == std::vector<int>{0});
 }
 
-TEST_CASE("a queue that is not finished gives its video up") {
+TEST_CASE("a queue that is not finished cancels its video") {
   Record record;
   record.open = false;
   std::optional<FrameQueue> queue;

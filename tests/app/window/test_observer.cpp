@@ -22,7 +22,7 @@ struct Desk : HeadlessStage {
 
 }  // namespace
 
-TEST_CASE("diagnostics are asked for where something shows them, and go to the side that the panels show") {
+TEST_CASE("diagnostics are requested if something shows them, and go to the side that the panels show") {
   Desk desk;
   WindowState& state = desk.stage.state;
   state.show_panels = false;
@@ -45,7 +45,7 @@ TEST_CASE("diagnostics are asked for where something shows them, and go to the s
   CHECK(state.statistics.diagnostics->residual == desk.sides.split()->diagnostics()->residual);
 }
 
-TEST_CASE("plots get a sample of each measurement, with the step that it is of, unless they are held") {
+TEST_CASE("plots get a sample of each measurement with its step, unless they are held") {
   Desk desk;
   Plots& plots = desk.stage.state.plots;
   plots.shown = true;
@@ -59,7 +59,7 @@ TEST_CASE("plots get a sample of each measurement, with the step that it is of, 
   CHECK(plots.history.all().size() == 1);
 }
 
-TEST_CASE("a click chooses the vertex of the plots where one is to be chosen") {
+TEST_CASE("a click chooses the vertex of the plots while the choice is open") {
   Desk desk;
   Plots& plots = desk.stage.state.plots;
   const Eigen::Vector2d middle(HeadlessStage::kWidth / 2, HeadlessStage::kHeight / 2);
@@ -75,7 +75,7 @@ TEST_CASE("a click chooses the vertex of the plots where one is to be chosen") {
   CHECK_FALSE(desk.observer.choose_probe(middle));
 }
 
-TEST_CASE("the residual of the last step is found at the end, whatever was shown") {
+TEST_CASE("the residual of the last step is available at the end, even if nothing showed it") {
   Desk desk;
   desk.sides.step();
   desk.observer.finish();

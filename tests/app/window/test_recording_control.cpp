@@ -33,7 +33,7 @@ struct Desk : HeadlessStage {
 
 }  // namespace
 
-TEST_CASE("a recording has what was done since the session was opened, with the state at its end") {
+TEST_CASE("a recording has the inputs since the session was opened, with the state at its end") {
   Desk desk;
   desk.recording.session_began();
   desk.sides.step();
@@ -84,7 +84,7 @@ TEST_CASE("a session that is not recorded cannot be saved") {
   CHECK_THROWS_WITH(recording.save("never.fascia"), Catch::Contains("this session is not recorded"));
 }
 
-TEST_CASE("a replay that ends says so once, and not over another message") {
+TEST_CASE("the end of a replay is announced once, and not over another message") {
   HeadlessStage desk;
   Simulation& simulation = desk.stage.simulation();
   RecordingControl recording(desk.stage, desk.sides, false);

@@ -24,7 +24,7 @@ struct Inside {
 
 }  // namespace
 
-TEST_CASE("a window that ends well leaves its scene as the last one") {
+TEST_CASE("a window that closes normally leaves its scene as the last session") {
   HeadlessStage desk;
   const TemporaryFolder folder;
   {
@@ -41,7 +41,7 @@ TEST_CASE("a window that ends well leaves its scene as the last one") {
   CHECK(read_replay(next.last_session()).scene.title == desk.stage.simulation().scene.title);
 }
 
-TEST_CASE("what another window left goes on or is forgotten") {
+TEST_CASE("the file of a crashed window is resumed or forgotten") {
   HeadlessStage desk;
   const TemporaryFolder folder;
   const std::filesystem::path left = folder / "cube.999999999-1.fascia";
@@ -63,7 +63,7 @@ TEST_CASE("what another window left goes on or is forgotten") {
   CHECK_FALSE(std::filesystem::exists(left));
 }
 
-TEST_CASE("tissue that comes apart goes back to where it was sound, and pauses when it does so time after time") {
+TEST_CASE("diverged tissue returns to the last valid state, and repeated divergence pauses") {
   HeadlessStage desk;
   const TemporaryFolder folder;
   const Inside inside(folder.path());

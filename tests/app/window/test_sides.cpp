@@ -6,7 +6,7 @@
 using namespace fascia;
 using namespace fascia::test;
 
-TEST_CASE("without a comparison the open session is all there is") {
+TEST_CASE("without a comparison the open session is both sides") {
   HeadlessStage desk;
   Sides& sides = desk.sides;
   int exchanged = 0;
@@ -24,7 +24,7 @@ TEST_CASE("without a comparison the open session is all there is") {
   CHECK_FALSE(sides.grab_in_b());
 }
 
-TEST_CASE("each side has a history of its own, and what a replay changes at A is no entry of it") {
+TEST_CASE("each side has its own history, without the changes by a replay at A") {
   HeadlessStage desk;
   Sides& sides = desk.sides;
   WindowState& state = desk.stage.state;

@@ -19,7 +19,7 @@ struct Desk : HeadlessStage {
 
 }  // namespace
 
-TEST_CASE("a paused window makes the steps that are asked for, one at a time") {
+TEST_CASE("a paused window makes the requested steps, one at a time") {
   Desk desk;
   desk.stage.state.paused = true;
   CHECK(desk.stepping.still());
@@ -34,7 +34,7 @@ TEST_CASE("a paused window makes the steps that are asked for, one at a time") {
   CHECK(desk.stage.state.statistics.steps == 1);
 }
 
-TEST_CASE("a window with a number of steps makes so many and no more") {
+TEST_CASE("a window with a limit of steps makes exactly that number") {
   Desk desk;
   desk.stepping.limit(3);
   for (int i = 0; i < 6; ++i) {
@@ -45,7 +45,7 @@ TEST_CASE("a window with a number of steps makes so many and no more") {
   CHECK(desk.stepping.simulated() == 0);
 }
 
-TEST_CASE("a replay gets no steps beyond its end, and its pace is the user's") {
+TEST_CASE("a replay gets no steps beyond its end, and follows the user's pace") {
   Desk desk;
   Simulation& simulation = desk.stage.simulation();
   simulation.play({simulation.scene, std::nullopt, {}, 2});

@@ -19,7 +19,7 @@ struct Desk : HeadlessStage {
 
 }  // namespace
 
-TEST_CASE("changes are entries of the side that the panels show, and several are taken back at once") {
+TEST_CASE("changes are entries of the side that the panels show, and several are undone at once") {
   Desk desk;
   desk.tuning.session_began();
   desk.tuning.follow();
@@ -43,7 +43,7 @@ TEST_CASE("changes are entries of the side that the panels show, and several are
   if (b) CHECK(iterations_of(*desk.stage.session) == opened);
 }
 
-TEST_CASE("a region gives up its material, and has it again when that is taken back") {
+TEST_CASE("a region loses its own material, and has it again after undo") {
   Desk desk("inclusion");
   desk.tuning.session_began();
   const std::size_t before = desk.materials();
@@ -61,7 +61,7 @@ TEST_CASE("a region gives up its material, and has it again when that is taken b
   CHECK(desk.stage.state.facts.material_volume.size() == before);
 }
 
-TEST_CASE("the scene in another unit keeps what was turned, and the camera only where it was moved") {
+TEST_CASE("the scene in another unit keeps changed values, and the camera only if it was moved") {
   Desk desk;
   desk.tuning.session_began();
   set_iterations(*desk.stage.session, 33);

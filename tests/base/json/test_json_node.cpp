@@ -62,7 +62,7 @@ TEST_CASE("texts, truth values and vectors") {
   CHECK(error_of(json{1, 6, 3}, vector) == "f.json: a.b[1]: is 6; expected 0 to 5 m");
 }
 
-TEST_CASE("an object has the keys that may stand there, and a stranger is named with the nearest of them") {
+TEST_CASE("an object has only the expected keys, and the error of an unknown key names the nearest one") {
   const auto object = [](const Node& n) { n.expect_object({"mesh", "fixed"}); };
   CHECK(error_of(json{{"mesh", 1}}, object).empty());
   CHECK(error_of(json{{"meshes", 1}}, object) ==
@@ -70,7 +70,7 @@ TEST_CASE("an object has the keys that may stand there, and a stranger is named 
   CHECK(error_of(json::array(), object) == "f.json: a.b: is []; expected an object with mesh, fixed");
 }
 
-TEST_CASE("members and elements know where they are") {
+TEST_CASE("members and elements have their paths") {
   const json document{{"list", {1, 2}}, {"object", {{"x", 3}}}};
   const Node root(document, "", kFile);
   CHECK(root.is_object());
@@ -108,7 +108,7 @@ TEST_CASE("a key that is missing leaves its default") {
   CHECK(same == Eigen::Vector3d(4, 5, 6));
 }
 
-TEST_CASE("what an override wrote is told of the override, the last one that did") {
+TEST_CASE("an error in an overridden value names the override, the last one that set it") {
   const DocumentOrigin origin{"f.json",
                               {{"gravity", "gravity", "gravity"},
                                {"solver.iterations", "solver.iterations", "solver"},

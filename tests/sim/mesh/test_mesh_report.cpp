@@ -7,7 +7,7 @@
 using namespace fascia;
 using namespace fascia::test;
 
-TEST_CASE("the unit guess advises a scale that makes the size plausible, and is silent when it is") {
+TEST_CASE("the unit guess advises a scale that makes the size plausible, and is empty for a plausible size") {
   CHECK(guess_unit(0.25).empty());
   CHECK(guess_unit(0.001).empty());
   CHECK(guess_unit(3).empty());
@@ -27,7 +27,7 @@ TEST_CASE("the unit guess advises a scale that makes the size plausible, and is 
   contains(1e9, "--set bodies.0.transform.scale=1e-10");
 }
 
-TEST_CASE("the report names what was found") {
+TEST_CASE("the report names the findings") {
   TetMesh mesh = make_box(2, 1, 1, {6.5, 1, 1});
   std::swap(mesh.tets[3][0], mesh.tets[3][1]);
   mesh.tets.push_back(mesh.tets[0]);

@@ -21,7 +21,7 @@ TEST_CASE("the first vertex at exactly a place stands for the others there") {
                          {{0, 1, 2, 3}, {4, 1, 2, 3}}) == 1);  // vertex 5 is in no tet
 }
 
-TEST_CASE("halves that touch with vertices of their own are counted, and welded on demand") {
+TEST_CASE("halves that touch without shared vertices are counted, and welded on demand") {
   const TetMesh whole = make_box(2, 1, 1, {2, 1, 1});
   TetMesh mesh = whole;
   mesh.groups["end"] = {0, 1};
@@ -51,7 +51,7 @@ TEST_CASE("halves that touch with vertices of their own are counted, and welded 
   CHECK(weld(mesh) == 0);
 }
 
-TEST_CASE("a vertex of no tet is at nobody's place") {
+TEST_CASE("a vertex in no tet does not coincide with another vertex") {
   TetMesh mesh = make_box(1, 1, 1, {1, 1, 1});
   mesh.positions.insert(mesh.positions.begin(), mesh.positions[0]);
   for (Tet& tet : mesh.tets)

@@ -101,7 +101,7 @@ TEST_CASE("the key of a region finds that region alone") {
   CHECK(key_of_region(regions, 42) == "42");
 }
 
-TEST_CASE("materials that come and go while a model is there are told to its tets, or nothing changes") {
+TEST_CASE("added and removed materials of a model are assigned to its tets, or nothing changes") {
   Scene scene;
   scene.file = "s.json";
   scene.bodies = {body_with({{"2", stiffness(10)}}), body_with({{"3", stiffness(20)}, {"2", stiffness(30)}})};

@@ -49,7 +49,7 @@ TEST_CASE("two keys of one time are a jump") {
   CHECK(grab.displacement(1) == Vector3d(1, 0, 0));
 }
 
-TEST_CASE("springs hold after the start and up to the release, behind those of others") {
+TEST_CASE("springs hold after the start and up to the release, after the springs of other grabs") {
   ResolvedGrab grab = grab_of({{1, {0, 0, 0}}, {2, {2, 0, 0}}});
   grab.start = 1;
   grab.release = 3;

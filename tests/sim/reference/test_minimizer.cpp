@@ -66,7 +66,7 @@ TEST_CASE("inertia without elastic forces leads to the target plus force over in
   CHECK(error < 1e-8 * u.norm());
 }
 
-TEST_CASE("what was found is a minimum: every small step away from it costs energy") {
+TEST_CASE("the result is a minimum: every small step away from it costs energy") {
   const Model model = test::box_model(2, 1, 1, {0.2, 0.1, 0.1}, test::soft(1e4, 0.4), left_end);
   const ElasticSystem system(model);
   test::Random random(3);
@@ -118,7 +118,7 @@ TEST_CASE("the work ends at the limit of iterations, at a request, and where a t
   CHECK_FALSE(report.converged);
 }
 
-TEST_CASE("free vertices are taken along by held ones that move, unless staying costs less") {
+TEST_CASE("free vertices follow moving held vertices, unless staying costs less energy") {
   const Model model = test::box_model(3, 1, 1, {0.3, 0.1, 0.1}, test::soft(1e4), left_end);
   const ElasticSystem system(model);
   const auto size = static_cast<Eigen::Index>(3 * model.rest_positions.size());

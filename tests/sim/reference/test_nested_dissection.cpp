@@ -65,7 +65,7 @@ TEST_CASE("a vertex's neighbors are in its own node, above or below, whatever th
   }
 }
 
-TEST_CASE("no vertices have no tree, and a few are one node") {
+TEST_CASE("no vertices give an empty tree, and a few give one node") {
   CHECK(nested_dissection({}, {}).nodes.empty());
   const EliminationTree one = nested_dissection({{1}, {0}, {}}, {{0, 0, 0}, {1, 0, 0}, {5, 0, 0}});
   REQUIRE(one.nodes.size() == 1);
@@ -74,7 +74,7 @@ TEST_CASE("no vertices have no tree, and a few are one node") {
   CHECK(one.nodes[0].parent == -1);
 }
 
-TEST_CASE("a chain is parted by single vertices into pieces of a few") {
+TEST_CASE("single vertices divide a chain into pieces of a few") {
   constexpr int kLength = 1000;
   std::vector<std::vector<int>> neighbors(kLength);
   std::vector<Vector3d> positions;

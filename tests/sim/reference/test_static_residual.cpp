@@ -32,7 +32,7 @@ TEST_CASE("at rest the residual is the weight of the free vertices over the whol
   CHECK(StaticResidual(model)(initial_state(model)) == Approx(std::sqrt(free / all)));
 }
 
-TEST_CASE("in equilibrium nothing is left, beside it something, and without forces nothing is to do") {
+TEST_CASE("the residual is zero in equilibrium, positive beside it, and zero without forces") {
   Model model = hanging();
   State state = initial_state(model);
   NewtonSolver solver(model, {});

@@ -45,7 +45,7 @@ TEST_CASE("of several changes of a kind before a step the last one counts, of ma
   CHECK(log.tuning().solver.iterations == 10);
 }
 
-TEST_CASE("what is forgotten is in the values from which the log begins") {
+TEST_CASE("dropped inputs are in the initial values of the log") {
   InputLog log;
   log.restart(0, start());
   log.add({0, iterations(20)});

@@ -22,7 +22,7 @@ Replay replay_of(std::vector<Input> inputs) {
 
 }  // namespace
 
-TEST_CASE("without a change all steps are as long as the scene says") {
+TEST_CASE("without a change all steps have the length in the scene") {
   const ReplayTime time(replay_of({time_step(3, 0.5), {4, GravityInput{{0, 0, 0}}}}));
   CHECK(time.seconds(0) == 0);
   CHECK(time.seconds(6) == 3);
@@ -33,7 +33,7 @@ TEST_CASE("without a change all steps are as long as the scene says") {
   CHECK(time.longest_step() == 0.5);
 }
 
-TEST_CASE("times add up over the parts with steps of their own") {
+TEST_CASE("times add up over parts with different steps") {
   // 4 steps of 0.5 s, 8 of 0.25 s, then of 1 s.
   const ReplayTime time(replay_of({time_step(4, 0.25), time_step(12, 0.125), time_step(12, 1)}));
   double sum = 0;
@@ -50,7 +50,7 @@ TEST_CASE("times add up over the parts with steps of their own") {
   CHECK(time.longest_step() == 1);
 }
 
-TEST_CASE("a change before the first step is the first part's") {
+TEST_CASE("a change before the first step belongs to the first part") {
   const ReplayTime time(replay_of({time_step(0, 2), time_step(3, 1)}));
   CHECK(time.time_step(0) == 2);
   CHECK(time.seconds(3) == 6);

@@ -23,7 +23,7 @@ TEST_CASE("a path has a key between slashes, of one number, too") {
   CHECK(grab_document("path=1") == json::parse(R"({"path": [[1]]})"));
 }
 
-TEST_CASE("what begins as JSON does is JSON, and a body's name stays a text") {
+TEST_CASE("text that begins like JSON is JSON, and a body's name stays a text") {
   CHECK(grab_document(R"(select={"group":"tip"})") == json::parse(R"({"select": {"group": "tip"}})"));
   CHECK(grab_document("path=[[1,2,3,4]]") == json::parse(R"({"path": [[1, 2, 3, 4]]})"));
   CHECK(grab_document("body=2") == json::parse(R"({"body": "2"})"));

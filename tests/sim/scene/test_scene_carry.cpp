@@ -70,7 +70,7 @@ TEST_CASE("files of one name in several folders get numbers for these") {
   CHECK(carried_content(*whole.recorded("2/m.msh"), "") == "content of the second one");
 }
 
-TEST_CASE("a file that another one names stands beside that, and is there once") {
+TEST_CASE("a file that another file names is beside it, and is carried once") {
   Sample s("meshes/a.node", "meshes/a.node");
   s.read.push_back({"bodies[0].mesh", "a.ele", {"", 3, content_hash("abc"), nullptr}, s.folder / "meshes/a.ele"});
   write_file(s.folder / "meshes/a.ele", "abc");
@@ -83,7 +83,7 @@ TEST_CASE("a file that another one names stands beside that, and is there once")
   CHECK(carried_content(whole.files[1], "") == "abc");
 }
 
-TEST_CASE("files that are gone, changed or too large are not carried, and it is said why") {
+TEST_CASE("missing, changed or too large files are not carried, and the reason is stated") {
   Sample s("a.msh", "b.msh");
   write_file(s.folder / "b.msh", "something of another size");
   CHECK_THROWS_WITH(self_contained(s.scene, s.read), Catch::Contains("b.msh: has changed since it was opened; "));
@@ -99,7 +99,7 @@ TEST_CASE("files that are gone, changed or too large are not carried, and it is 
                                     "carries"));
 }
 
-TEST_CASE("files that together are beyond what was asked for stay where they are") {
+TEST_CASE("files beyond the requested total size are not carried") {
   Sample s("a.msh", "b.msh");  // 20 and 25 bytes
   CHECK_FALSE(self_contained_if_possible(s.scene, s.read, 44).carries("a.msh"));
   CHECK(self_contained_if_possible(s.scene, s.read, 45).carries("a.msh"));

@@ -100,7 +100,7 @@ TEST_CASE("a quadrilateral is cut along its shorter diagonal, wound as it was, i
   }
 }
 
-TEST_CASE("polygons without a plane, or that cross themselves, are cut somehow") {
+TEST_CASE("degenerate and self-intersecting polygons are cut into some triangles") {
   for (const std::vector<Vector3d>& x :
        {std::vector<Vector3d>(5, Vector3d(1, 2, 3)),                                          // a point
         std::vector<Vector3d>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}},                    // a line

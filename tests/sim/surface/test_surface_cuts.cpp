@@ -38,7 +38,7 @@ TEST_CASE("triangles around one vertex are not compared with each other") {
   CHECK_FALSE(self_intersections(TriangleTree(crossing.positions, crossing.triangles)).complete);
 }
 
-TEST_CASE("cuts are those that comparing all pairs finds") {
+TEST_CASE("the cuts are equal to those of a comparison of all pairs") {
   std::mt19937 random(3);
   const auto unit = [&] { return static_cast<double>(random() % 100000) / 100000; };
   SurfaceMesh soup;

@@ -43,7 +43,7 @@ TEST_CASE("winding numbers: inside, outside, in a cavity, near a hole") {
   }
 }
 
-TEST_CASE("a line crosses the triangles that each of them says, shares ascending") {
+TEST_CASE("a line crosses the triangles that single tests find, with ascending shares") {
   std::mt19937 random(5);
   const SurfaceMesh s = soup(400, random);
   const TriangleTree tree(s.positions, s.triangles);
@@ -159,7 +159,7 @@ TEST_CASE("touching pairs are those whose boxes touch and that share no vertex, 
   CHECK_FALSE(tree.for_touching_pairs([](std::size_t, std::size_t) {}, [](std::size_t) { return false; }));
 }
 
-TEST_CASE("a tree of nothing has nothing") {
+TEST_CASE("an empty tree finds nothing") {
   const TriangleTree tree({}, {});
   CHECK(tree.winding({0, 0, 0}) == 0);
   CHECK(tree.crossings({0, 0, 0}, {1, 0, 0}).empty());

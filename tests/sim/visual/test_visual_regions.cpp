@@ -57,7 +57,7 @@ TEST_CASE("tets that are left out of the file do not move the others' regions") 
   CHECK(regions.names == std::vector<std::string>{"region -2", "fat"});
 }
 
-TEST_CASE("of several bodies each has regions of its own, with its name") {
+TEST_CASE("each of several bodies has its own regions, with its name") {
   Model model = row();
   model.bodies.push_back(model.bodies[0]);
   model.surfaces.resize(2);
@@ -72,7 +72,7 @@ TEST_CASE("of several bodies each has regions of its own, with its name") {
   CHECK(regions.of_tet.back() == 2);
 }
 
-TEST_CASE("a triangle of a surface has the region of the tet that its first vertex hangs on") {
+TEST_CASE("a triangle of a surface has the region of the tet in which its first vertex is embedded") {
   Model model = row();
   SurfaceMesh& surface = model.surfaces[0];
   surface.positions = {{0.3, 0.4, 0.5}, {3.7, 0.4, 0.5}, {3.6, 0.6, 0.3}};

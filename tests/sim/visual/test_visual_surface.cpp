@@ -62,7 +62,7 @@ TEST_CASE("colors of one body leave the others without, triangle by triangle") {
   CHECK(drawn_surface(model).colors == std::vector<std::uint32_t>{1, 2, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
 }
 
-TEST_CASE("a model is closed around its tets where it has surfaces and all of them are closed") {
+TEST_CASE("a model is closed around its tets if it has surfaces and all of them are closed") {
   Model model = two_tets();
   model.surfaces[0] = triangle(1);
   CHECK_FALSE(closed_around_tets(model));

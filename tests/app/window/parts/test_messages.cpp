@@ -9,7 +9,7 @@
 
 using namespace fascia;
 
-TEST_CASE("what fails becomes an error, what was given up is news, and what works says nothing") {
+TEST_CASE("a failure becomes an error, a cancellation a message, and success leaves none") {
   Messages messages;
   CHECK_FALSE(messages.any());
   CHECK_FALSE(messages.is_error());
@@ -27,7 +27,7 @@ TEST_CASE("what fails becomes an error, what was given up is news, and what work
   CHECK_FALSE(messages.any());
 }
 
-TEST_CASE("news goes by itself soon, an error does not") {
+TEST_CASE("a message disappears by itself soon, an error does not") {
   Messages messages;
   CHECK(std::isinf(messages.seconds_left()));
   messages.say("Saved");

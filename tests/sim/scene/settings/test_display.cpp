@@ -22,7 +22,7 @@ void check_table(const std::vector<Enumeration>& all, std::size_t count) {
 
 }  // namespace
 
-TEST_CASE("every value of an enumeration has a name of its own and a help, in its order") {
+TEST_CASE("every value of an enumeration has a unique name and a help, in order") {
   check_table(all_colors(), static_cast<std::size_t>(ColorBy::error) + 1);
   check_table(all_color_maps(), static_cast<std::size_t>(ColorMap::grey) + 1);
   check_table(all_backgrounds(), static_cast<std::size_t>(Background::transparent) + 1);
@@ -49,7 +49,7 @@ TEST_CASE("labels have the unit, or a dash for none") {
   CHECK(label_of(ColorBy::volume_ratio) == "Volume ratio J [-]");
 }
 
-TEST_CASE("quantities that go both ways have the map whose middle is their neutral value") {
+TEST_CASE("signed quantities have the map whose middle is their neutral value") {
   for (const ColorBy color : all_colors()) {
     const bool both_ways =
         color == ColorBy::volume_ratio || color == ColorBy::largest_stress || color == ColorBy::smallest_stress;
@@ -64,7 +64,7 @@ TEST_CASE("quantities that go both ways have the map whose middle is their neutr
   CHECK(quantity_of(ColorBy::largest_stress).neutral == 0.0);
 }
 
-TEST_CASE("every setting is visited once, with a key of its own") {
+TEST_CASE("every setting is visited once, with a unique key") {
   DisplaySettings settings;
   std::set<std::string> keys;
   int count = 0;
