@@ -43,7 +43,7 @@ class RecordingControl {
   Stage& stage_;
   Sides& sides_;
   bool enabled_;
-  std::unique_ptr<SessionRecording> recording_;  // null: recordings have no folder
+  std::unique_ptr<SessionRecording> recording_;  // null: disabled, or without a folder
   long recorded_from_ = 0;                       // steps made before it
   bool begins_at_start_ = true;                  // the start that R returns to, not mid-session
   ReplayView replay_view_;

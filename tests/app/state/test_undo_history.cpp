@@ -47,7 +47,7 @@ TEST_CASE("every change is one entry, undone and redone in order") {
   CHECK_FALSE(history.can_redo());
   CHECK(history.entries().size() == 3);
 
-  INFO("what a replay changes is nobody's entry");
+  INFO("changes by a replay are no entries");
   Tunables replayed = other;
   replayed.solver.substeps = 3;
   history.accept(replayed);
