@@ -104,7 +104,7 @@ bool light_rows(DisplaySettings& display) {
   });
   visit_display(display, [&](auto& field, const char*, const char* name, const char* help) {
     if constexpr (std::is_same_v<decltype(field), double&>)
-      changed |= ui::number({name, "", 0, 1, 0, 1, false, false, help}, field);
+      changed |= ui::number({name, "", 0, 1, 0, 1, false, false, help, "off"}, field);
   });
   changed |= ui::choice(
       "Background", all_backgrounds(), display.background, [](Background b) { return name_of(b); },

@@ -84,7 +84,8 @@ void material_sliders(Simulation& simulation, std::size_t index, HintBoard& hint
                                 max,
                                 extra ? extra->logarithmic : logarithmic,
                                 false,
-                                std::string(help) + (extra ? std::string(". ") + extra->cost : "")};
+                                std::string(help) + (extra ? std::string(". ") + extra->cost : ""),
+                                std::strcmp(name, "damping") == 0 ? "off" : ""};
     changed |= ui::number(field, value);
     if (std::strcmp(name, "poisson_ratio") == 0) hint_row(hints, locking_hint(value));
   });

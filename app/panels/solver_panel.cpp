@@ -20,16 +20,17 @@ struct SolverSlider {
   const char* label;
   double min, max;
   bool logarithmic;
+  const char* zero = "";  // ui::NumberField
 };
 constexpr SolverSlider kSolverSliders[] = {{"iterations", "Iterations", 1, 200, true},
-                                           {"tolerance", "Tolerance", 0, 0.1, true},
+                                           {"tolerance", "Tolerance", 0, 0.1, true, "off"},
                                            {"time_step", "Time step", 1e-3, 0.1, true},
                                            {"substeps", "Substeps", 1, 30, true},
-                                           {"frame_budget", "Frame budget", 0, 50, false},
-                                           {"colors", "Colors", 0, 40, false},
-                                           {"spectral_radius", "Spectral radius", 0, 0.9999, false},
+                                           {"frame_budget", "Frame budget", 0, 50, false, "off"},
+                                           {"colors", "Colors", 0, 40, false, "auto"},
+                                           {"spectral_radius", "Spectral radius", 0, 0.9999, false, "auto"},
                                            {"window", "Window", 1, 10, false},
-                                           {"rest_speed", "Rest speed", 0, 1e-2, true}};
+                                           {"rest_speed", "Rest speed", 0, 1e-2, true, "off"}};
 
 // Found by overload for both kinds of choice.
 constexpr auto kLabelOf = [](auto choice) { return label_of(choice); };
@@ -119,6 +120,7 @@ void solver_panel(const PanelContext& context) {
       field.slider_min = extra.min;
       field.slider_max = extra.max;
       field.logarithmic = extra.logarithmic;
+      field.zero = extra.zero;
     }
     double number = value;
     const bool turned = ui::number(field, number);

@@ -24,7 +24,7 @@ struct TimeChart {
 
 /// A chart as wide as the panel and `height` points high. The line above it shows names and values at the cursor, or
 /// the latest values. The wheel zooms in time, a drag scrolls, a double click follows the latest sample again. With
-/// `times`, the axis of time is labelled.
+/// `times`, the axis of time is labeled.
 void time_plot(const TimeChart& chart, Plots& plots, float height, bool times);
 
 }  // namespace fascia::ui

@@ -29,11 +29,11 @@ std::optional<UnitHint> unit_hint(const Scene& scene, const Model& model) {
     for (const std::uint32_t v : tet) box.extend(model.rest_positions[v]);
   const double extent = box.sizes().maxCoeff();
   const std::string advice = guess_unit(extent, scene.bodies.front().transform.scale);
-  const double scale = scale_to_metres(extent);
+  const double scale = scale_to_meters(extent);
   if (advice.empty() || scale == 1) return std::nullopt;
-  const std::string unit = scale == 1e-3   ? "millimetres"
-                           : scale == 1e-2 ? "centimetres"
-                           : scale == 1e-6 ? "micrometres"
+  const std::string unit = scale == 1e-3   ? "millimeters"
+                           : scale == 1e-2 ? "centimeters"
+                           : scale == 1e-6 ? "micrometers"
                                            : "another unit";
   return UnitHint{{"unit", engineering(extent, "m") + " wide: made in " + unit + "?", advice,
                    "Scale to " + engineering(scale * extent, "m")},

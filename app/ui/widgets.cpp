@@ -61,7 +61,8 @@ bool typed_number(const NumberField& field, double& value) {
     return false;
   }
   if (!entered && !ImGui::IsItemDeactivated()) return false;
-  const std::optional<double> parsed = parse_engineering(typing.text, field.unit);
+  const bool zero = !field.zero.empty() && typing.text == field.zero;
+  const std::optional<double> parsed = zero ? 0.0 : parse_engineering(typing.text, field.unit);
   const bool good = parsed && *parsed >= field.min && *parsed <= field.max;
   const bool same = typing.text == typing.shown;  // it is rounded: leaving it keeps the value
   if (entered && !good && !same) {
@@ -185,8 +186,9 @@ bool number(const NumberField& field, double& value) {
       last_pressed = {id, before};
     }
     ImGui::SameLine(0, 0);
-    if (value_button(pretty(engineering(value, field.unit))) || asked_at_slider) {
-      const std::string text = engineering(value, field.unit, 4);
+    const bool zero = value == 0 && !field.zero.empty();
+    if (value_button(zero ? field.zero : pretty(engineering(value, field.unit))) || asked_at_slider) {
+      const std::string text = zero ? field.zero : engineering(value, field.unit, 4);
       typing = {id, text, text, true, false};
       ImGui::ClearActiveID();
     }

@@ -27,6 +27,7 @@ struct NumberField {
   bool logarithmic = false;
   bool integer = false;
   std::string help;
+  std::string zero = "";  // shown for 0, and typed for it: "off"; empty: the number
 };
 /// A slider and its value in engineering notation; a click on the value, or a double click on the slider, starts typing
 /// ("12.5 kPa"). True if the value changed.

@@ -16,7 +16,7 @@ class ScenePicture {
   /// `samples` per pixel; 0 selects the number by the device.
   ScenePicture(Graphics& graphics, Overlay& overlay, Stage& stage, Sides& sides, const Observer& observer, int samples);
 
-  /// Resizes the picture to the window. Returns false if the window is minimised and there is nothing to draw on.
+  /// Resizes the picture to the window. Returns false if the window is minimized and there is nothing to draw on.
   bool update();
   void draw();
   /// The same frame on a picture of another size, with or without the panels.

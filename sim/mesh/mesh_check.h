@@ -60,7 +60,7 @@ std::string guess_unit(double extent, double scale = 1);
 
 /// The scale that gives a mesh of this largest extent [m] the size of tissue, assuming another unit in the file; 1 if
 /// there is none.
-double scale_to_metres(double extent);
+double scale_to_meters(double extent);
 
 /// The text of `fascia info` for one mesh; names at most kNamedTets of each kind.
 void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired, const MeshReport& report);

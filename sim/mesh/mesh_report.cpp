@@ -102,9 +102,9 @@ struct UnitGuess {
   double scale;
 };
 constexpr UnitGuess kTooLarge[] = {
-    {"made in millimetres?", 1e-3}, {"in centimetres?", 1e-2}, {"in micrometres?", 1e-6}};
-constexpr UnitGuess kTooSmall[] = {{"converted from millimetres twice?", 1e3},
-                                   {"converted from micrometres twice?", 1e6}};
+    {"made in millimeters?", 1e-3}, {"in centimeters?", 1e-2}, {"in micrometers?", 1e-6}};
+constexpr UnitGuess kTooSmall[] = {{"converted from millimeters twice?", 1e3},
+                                   {"converted from micrometers twice?", 1e6}};
 
 bool is_tissue(double extent) { return extent >= kSmallestTissue && extent <= kLargestTissue; }
 
@@ -131,7 +131,7 @@ std::string guess_unit(double extent, double scale) {
   return length(extent) + " wide, too " + (extent > kLargestTissue ? "large" : "small") + " for tissue: " + advice;
 }
 
-double scale_to_metres(double extent) {
+double scale_to_meters(double extent) {
   const std::vector<UnitGuess> guesses = unit_guesses(extent);
   return guesses.empty() ? 1 : guesses.front().scale;
 }

@@ -8,7 +8,7 @@ constexpr double kStiffest = 1e15;  // [N/m]
 constexpr double kSmallest = 1e-9;  // [m], [N/m]
 
 std::vector<ScriptedGrab::Key> read_path(const Node& node) {
-  const std::string expected = "a list of keys [t, dx, dy, dz]: seconds after start, ascending, and metres";
+  const std::string expected = "a list of keys [t, dx, dy, dz]: seconds after start, ascending, and meters";
   std::vector<ScriptedGrab::Key> path;
   for (const Node& key : node.elements(expected)) {
     const std::vector<Node> values = key.elements(expected);

@@ -96,7 +96,7 @@ void visit_display(Settings& s, F&& f) {
   f(s.tets, "tets", "Separate tets",
     "Draws every tet on its own instead of the surface: 4 triangles a tet. With a section whole tets are left out");
   f(s.shadow, "shadow", "Shadow", "Draws the scene a second time, as the light sees it");
-  f(s.ground, "ground", "Ground", "A floor with a grid; every line is a round number of metres");
+  f(s.ground, "ground", "Ground", "A floor with a grid; every line is a round number of meters");
   f(s.ambient_occlusion, "ambient_occlusion", "Occlusion",
     "Darkens creases and what stands close together [-]. 0 costs nothing; software renderers pay for every pixel");
   f(s.depth_cue, "depth_cue", "Depth cue", "How far the back of the scene fades into the background [-]");

@@ -24,7 +24,7 @@ const std::vector<MethodInfo>& methods() {
        .name = "vertex_descent",
        .label = "Vertex block descent",
        .help =
-           "Vertex by vertex, each minimises the energy around it (Chen et al. 2024), one dispatch per vertex color. "
+           "Vertex by vertex, each minimizes the energy around it (Chen et al. 2024), one dispatch per vertex color. "
            "Converges to the exact step, fast for short waves, ever more slowly for the bending of large meshes.",
        .accelerations = {A::anderson, A::none},
        .carries_every_law = true,
@@ -102,7 +102,7 @@ const std::vector<AccelerationInfo>& accelerations() {
       {A::nonlinear_cg,
        "nonlinear_cg",
        "Conjugate gradients",
-       "Steps along the correction and the last step at once, with the factors that minimise a quadratic model of the "
+       "Steps along the correction and the last step at once, with the factors that minimize a quadratic model of the "
        "energy. Of a step that raises the energy only a part is kept.",
        {}},
       {A::subspace,

@@ -43,11 +43,11 @@ TEST_CASE("a body of implausible size gets advice with the unit that makes it pl
   CHECK_FALSE(unit_hint_of(0.2));
   CHECK_FALSE(unit_hint_of(3));
   CHECK_FALSE(unit_hint_of(1e12));  // no unit fits
-  const std::optional<UnitHint> millimetres = unit_hint_of(120);
-  REQUIRE(millimetres);
-  CHECK(millimetres->scale == 1e-3);
-  CHECK(millimetres->hint.text == "120 m wide: made in millimetres?");
-  CHECK(millimetres->hint.remedy == "Scale to 120 mm");
+  const std::optional<UnitHint> millimeters = unit_hint_of(120);
+  REQUIRE(millimeters);
+  CHECK(millimeters->scale == 1e-3);
+  CHECK(millimeters->hint.text == "120 m wide: made in millimeters?");
+  CHECK(millimeters->hint.remedy == "Scale to 120 mm");
   CHECK(unit_hint_of(1e5)->scale == 1e-6);
   CHECK(unit_hint_of(1e-4)->scale == 1e3);
   // The advice refers to the current scale of the body.

@@ -150,6 +150,28 @@ TEST_CASE("Young's modulus below 1 Pa and numbers beyond a slider's range are re
   CHECK(window.wait() == 0);
 }
 
+TEST_CASE("off is taken for 0 where 0 means off", "[typing]") {
+  Desk desk;
+  FasciaWindow& window = desk.window;
+  window.screenshot();
+  constexpr int kDamping = kYoung + 87;  // three rows below
+  for (const auto& [text, expected] : {std::pair{"20 ms", 0.02}, {"off", 0.0}}) {
+    window.move(278, kDamping);
+    window.press();
+    window.release();
+    window.type(text);
+    window.key("Return");
+    CAPTURE(text);
+    CHECK(eventually([&, value = expected] {
+      window.pause();
+      const std::vector<Material> all = desk.materials();
+      return !all.empty() && all.back().damping == value;
+    }));
+  }
+  window.key("ctrl+q");
+  CHECK(window.wait() == 0);
+}
+
 TEST_CASE("text for a dialog may arrive together with the keys that open it", "[typing]") {
   Desk desk;
   FasciaWindow& window = desk.window;

@@ -17,12 +17,12 @@ TEST_CASE("the unit guess advises a scale that makes the size plausible, and is 
     CHECK(advice.find(words) != std::string::npos);
   };
   contains(6.5, "6.5 m wide");
-  contains(6.5, "millimetres? try --set bodies.0.transform.scale=0.001 (6.5 mm wide)");
-  contains(6.5, "centimetres? try --set bodies.0.transform.scale=0.01 (65 mm wide)");
+  contains(6.5, "millimeters? try --set bodies.0.transform.scale=0.001 (6.5 mm wide)");
+  contains(6.5, "centimeters? try --set bodies.0.transform.scale=0.01 (65 mm wide)");
   contains(700, "scale=0.001 (700 mm wide)");
-  CHECK(guess_unit(700).find("centimetres") == std::string::npos);  // 7 m
+  CHECK(guess_unit(700).find("centimeters") == std::string::npos);  // 7 m
   contains(2e5, "scale=1e-06 (200 mm wide)");
-  contains(2e-4, "millimetres twice? try --set bodies.0.transform.scale=1000 (200 mm wide)");
+  contains(2e-4, "millimeters twice? try --set bodies.0.transform.scale=1000 (200 mm wide)");
   CHECK(guess_unit(100, 1000).find("scale=1 (100 mm wide)") != std::string::npos);  // for a mesh that is already scaled
   contains(1e9, "--set bodies.0.transform.scale=1e-10");
 }
@@ -58,6 +58,6 @@ TEST_CASE("the scale that makes a mesh the size of tissue is the likeliest unit'
   for (const auto& [extent, scale] :
        {std::pair{0.1, 1.0}, {0.0, 1.0}, {120.0, 1e-3}, {4e5, 1e-6}, {1e-4, 1e3}, {1e-7, 1e6}, {1e12, 1.0}}) {
     CAPTURE(extent, scale);
-    CHECK(scale_to_metres(extent) == scale);
+    CHECK(scale_to_meters(extent) == scale);
   }
 }
