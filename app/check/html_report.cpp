@@ -43,10 +43,11 @@ std::string anchor(std::size_t index) { return "scene-" + std::to_string(index +
 std::string row(const ReportCase& c, std::size_t index) {
   std::string values;
   for (const ReportValue& v : c.values)
-    values += (values.empty() ? "" : ", ") + v.name + " " + three(v.measured) + " of " + three(v.allowed);
+    values += std::string(values.empty() ? "" : ", ") + (v.measured > v.allowed ? "<span class=\"bad\">" : "<span>") +
+              as_html(v.name + " " + three(v.measured) + " / " + three(v.allowed)) + "</span>";
   return "<tr><td><a href=\"#" + anchor(index) + "\">" + as_html(c.name) + "</a></td><td class=\"" +
-         (c.good ? "good" : "bad") + "\">" + as_html(c.verdict) + "</td><td>" + as_html(values) +
-         "</td><td class=\"n\">" + three(c.seconds) + "</td></tr>\n";
+         (c.good ? "good" : "bad") + "\">" + as_html(c.verdict) + "</td><td>" + values + "</td><td class=\"n\">" +
+         three(c.seconds) + "</td></tr>\n";
 }
 
 std::string section(const ReportCase& c, std::size_t index) {
@@ -72,10 +73,12 @@ std::string html_report(const std::string& title, const std::string& timestamp, 
                      "</title><style>" + kStyle + "</style></head><body>\n<h1>" + as_html(title) + "</h1>\n<p>" +
                      as_html(timestamp) + " UTC, " + std::to_string(cases.size()) +
                      (cases.size() == 1 ? " scene, " : " scenes, ") + std::to_string(bad) + " failed</p>\n" +
-                     "<table><tr><th>scene</th><th>result</th><th>measured difference of the allowed one</th>"
-                     "<th>seconds</th></tr>\n";
+                     "<table><tr><th>scene</th><th>result</th><th>measured / limit</th><th>seconds</th></tr>\n";
   for (std::size_t i = 0; i < cases.size(); ++i) text += row(cases[i], i);
-  text += "</table>\n";
+  text +=
+      "</table>\n<p>mean: mean difference of the color channels, 0 to 1. share: share of the pixels with a channel "
+      "that "
+      "differs by more than 8/255. state: largest distance of a vertex from its golden, in sizes of the scene.</p>\n";
   for (std::size_t i = 0; i < cases.size(); ++i) text += section(cases[i], i);
   return text + "</body></html>\n";
 }

@@ -48,7 +48,8 @@ void require_ending(const OutputFile& output) {
   if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
   const bool any = output.takes == OutputFile::Takes::all_but_foreign;
   if (any && std::find(kKinds.begin(), kKinds.end(), ending) == kKinds.end()) return;
-  throw UsageError(output.option + " " + output.path, "has an ending that it cannot write",
+  throw UsageError(output.option + " " + output.path,
+                   any ? "has the ending of another kind of file" : "has an ending that the option does not write",
                    "expected " + listed(endings));
 }
 

@@ -26,7 +26,7 @@ std::string size_text(const Image& image) { return std::to_string(image.width) +
 void require_golden(const fs::path& path) {
   std::error_code ec;
   if (!fs::exists(path, ec))
-    throw Error(path.string(), "no golden yet", "expected one, made with --update and looked at");
+    throw Error(path.string(), "no golden yet", "expected one: --update makes it, to be looked at before it is kept");
 }
 
 ImageDifference picture_difference(const Image& picture, const Image& golden, const fs::path& path) {

@@ -158,7 +158,7 @@ void draw_recording_dot(double seconds, long dropped) {
   char text[64];
   const int length = std::snprintf(text, sizeof text, "%.1f s", seconds);
   if (dropped > 0)
-    std::snprintf(text + length, sizeof text - static_cast<std::size_t>(length), ", dropped frames: %ld", dropped);
+    std::snprintf(text + length, sizeof text - static_cast<std::size_t>(length), ", repeated frames: %ld", dropped);
   const ImVec2 at{ImGui::GetIO().DisplaySize.x - ui::px(24), ui::px(26)};
   list.AddCircleFilled(at, ui::px(8), ImGui::GetColorU32(ui::kDanger));
   const float width = ImGui::CalcTextSize(text).x;

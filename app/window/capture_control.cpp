@@ -15,8 +15,8 @@ void CaptureControl::toggle_video() {
   std::snprintf(text, sizeof text, ", %.1f s", video_.seconds());
   std::string news = text;
   if (video_.dropped() > 0)
-    news += ", " + std::to_string(video_.dropped()) + (video_.dropped() == 1 ? " frame" : " frames") + " dropped";
-  const std::filesystem::path path = video_.finish();
+    news += ", " + std::to_string(video_.dropped()) + (video_.dropped() == 1 ? " frame" : " frames") + " repeated";
+  const std::filesystem::path path = std::filesystem::absolute(video_.finish());
   stage_.messages.say(path.string() + news);
 }
 

@@ -75,8 +75,9 @@ void WindowPanels::follow_hints() {
   if (stage_.mouse.grabs().following()) hints_.done("grab");
   if (stage_.mouse.orbiting()) hints_.done("orbit");
   if (stage_.state.show_help) hints_.done("help");
-  if (hints_.wanted("tune") && ImGui::IsAnyItemActive() && tuned_from_.size() == materials.size() &&
-      tuned_from_ != materials)
+  // By a drag or by a typed number; a replay moves no widget, and an undo is no tuning.
+  const bool by_user = ImGui::IsAnyItemActive() || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
+  if (hints_.wanted("tune") && by_user && tuned_from_.size() == materials.size() && tuned_from_ != materials)
     hints_.done("tune");
   if (hints_.wanted("tune")) tuned_from_ = materials;
 }

@@ -37,8 +37,8 @@ TEST_CASE("the report has a row and a section for each scene, values with their 
   CHECK(count(html, "<tr><td>") == 2);
   CHECK(count(html, "<h2 ") == 2);
   CHECK(count(html, "2 scenes, 1 failed") == 1);
-  CHECK(count(html, "mean 0 of 0.002") == 1);
-  CHECK(count(html, "state 0.5 of 1e-05") == 1);
+  CHECK(count(html, "<span>mean 0 / 0.002</span>") == 1);
+  CHECK(count(html, "<span class=\"bad\">state 0.5 / 1e-05</span>") == 1);
   CHECK(count(html, "src=\"data:image/png;base64,UE5HIGJ5dGVz\"") == 1);
   CHECK(count(html, "<img ") == 1);  // the other picture does not exist
   CHECK(count(html, "<b>") == 0);

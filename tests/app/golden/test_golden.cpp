@@ -59,7 +59,7 @@ TEST_CASE("render compares with goldens, and makes them", "[golden]") {
 
   const CommandResult missing = with({});
   CHECK(missing.exit_code == 1);
-  CHECK(contains(missing.err, "golden.png: no golden yet; expected one, made with --update"));
+  CHECK(contains(missing.err, "golden.png: no golden yet; expected one: --update makes it"));
   CHECK(contains(missing.err, "golden.csv: no golden yet"));
   CHECK(fs::is_empty(folder.path()));
   REQUIRE(with({"--update"}).exit_code == 0);
