@@ -73,6 +73,7 @@ CheckRun::CheckRun(const CheckCase& check, const CheckOptions& options) : update
   CheckCase made = check;
   made.options.context = options.context;
   made.options.loads = options.loads;
+  made.options.kernels = options.kernels;
   made.options.data_dir = options.data_dir;
   made.options.command_line = options.command_line;
   if (!options.out.empty())

@@ -16,6 +16,7 @@ struct CommonOptions {
   std::string replay;               // recorded inputs, with their scene
   std::string context = "auto";     // auto, window, egl, osmesa
   std::string loads = "auto";       // how kernels read buffers: auto, ssbo, texel
+  std::string kernels = "auto";     // of a step: auto (fused on llvmpipe), single
   std::string data_dir;             // shaders and assets; empty: beside the program or in the source tree
   std::optional<long> steps;        // --steps
   std::optional<double> time;       // --time [s]

@@ -65,6 +65,11 @@ void add_graphics(CLI::App& command, CommonOptions& options) {
   add_choice(command, "--loads", options.loads, {"auto", "ssbo", "texel"},
              "how kernels read buffers; auto: ssbo on GPUs with 14 storage blocks a kernel and more, else texel")
       ->capture_default_str();
+  add_choice(
+      command, "--kernels", options.kernels, {"auto", "single"},
+      "how a step runs on software renderers; auto: many kernels fused into one, which takes longer to compile and "
+      "half as long to run; results are the same to the bit")
+      ->capture_default_str();
   command.add_option("--data-dir", options.data_dir, "folder that holds shaders/ and assets/")->type_name("DIR");
   command.add_flag("--quiet", options.quiet, "say nothing but errors");
 }

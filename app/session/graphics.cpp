@@ -37,7 +37,7 @@ Graphics open_graphics(const CommonOptions& options, bool for_view, int width, i
   if (gl::device().vector_width > 0) threads.spread();
   if (request.debug) gl::log_debug_messages([](const std::string& line) { std::cerr << "gl: " << line << '\n'; });
   graphics.programs = std::make_unique<gl::ProgramCache>(graphics.data_dir / "shaders", choose_loads(options.loads));
-  graphics.programs->set_fusing(true);
+  graphics.programs->set_fusing(options.kernels != "single");
   return graphics;
 }
 

@@ -29,11 +29,13 @@ class KernelWarmup {
 
  private:
   void begin();
+  void begin_again();
   void remove_file();
 
   std::filesystem::path scene_;  // a copy for the other process
   std::vector<std::string> command_;
   pid_t child_ = -1;
+  bool single_ = true;        // the single kernels of a grab come first: they are needed first
   double first_seconds_ = 0;  // CPU time of the first run; 0 while it runs
   State state_ = State::running;
 };

@@ -371,3 +371,21 @@ TEST_CASE("a mesh on its own opens, and info examines it", "[cli]") {
   CHECK(info.out.find("2069") != std::string::npos);
   CHECK(info.out.find("mat1") != std::string::npos);
 }
+
+TEST_CASE("a step kernel by kernel makes the bits of fused kernels with more dispatches") {
+  const TemporaryFolder folder;
+  const std::string scene = (source_dir() / "assets/scenes/cube.json").string();
+  const auto run = [&](const std::string& kernels) {
+    const std::string stats = (folder / (kernels + ".json")).string();
+    const CommandResult result = run_fascia({"run", scene, "--steps", "4", "--context", "osmesa", "--kernels", kernels,
+                                             "--hash", "--stats", stats, "--quiet"});
+    CAPTURE(kernels, result.err);
+    CHECK(result.exit_code == 0);
+    return std::pair(result.out, nlohmann::json::parse(read_file(stats)).at("dispatches_per_step").get<long>());
+  };
+  const auto [fused_state, fused_dispatches] = run("auto");
+  const auto [single_state, single_dispatches] = run("single");
+  CAPTURE(fused_state, single_state, fused_dispatches, single_dispatches);
+  CHECK(fused_state == single_state);
+  CHECK(fused_dispatches * 3 < single_dispatches);
+}
