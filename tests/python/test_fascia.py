@@ -2,7 +2,7 @@
 
 Arguments: the stub file, the folder of the examples.
 """
-# Covers: arrays, module
+# Covers: arrays, module, values
 import ast
 import gc
 import re

@@ -9,17 +9,19 @@ KernelSwitch::KernelSwitch(Graphics& graphics, bool wanted)
 
 void KernelSwitch::session_began(const Simulation& simulation) {
   warmup_.reset();
-  const bool steps_on_gpu = !simulation.uses_reference() && simulation.scene.solver.tolerance == 0;
-  if (switches_ && !graphics_.programs->fusing() && steps_on_gpu)
+  if (!switches_) return;
+  if (simulation.uses_reference() || simulation.scene.solver.tolerance > 0)  // no step of it is fused at first
+    graphics_.programs->set_fusing(true);
+  else
     warmup_.emplace(std::filesystem::read_symlink("/proc/self/exe"), simulation.scene, simulation.model,
                     graphics_.data_dir);
 }
 
+// Where the other process fails or the driver keeps no cache, the fused kernels are compiled here: the window waits
+// once and shows a notice, but it does not stay slow.
 void KernelSwitch::follow(const std::function<void()>& renew) {
   if (!warmup_ || warmup_->look() == KernelWarmup::State::running) return;
-  const bool cached = warmup_->look() == KernelWarmup::State::cached;
   warmup_.reset();
-  if (!cached) return;  // compiling in this process would freeze the window
   graphics_.programs->set_fusing(true);
   renew();
 }

@@ -1,4 +1,5 @@
 // JUnit XML: its content, for any text.
+// Covers: xml_text
 #include "app/check/junit.h"
 
 #include <catch2/catch.hpp>

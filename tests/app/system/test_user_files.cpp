@@ -29,15 +29,15 @@ class Variable {
 
 TEST_CASE("the user's folders follow the environment, and only absolute paths in it") {
   const Variable config("XDG_CONFIG_HOME"), state("XDG_STATE_HOME"), home("HOME");
-  home.set("/home/somebody");
+  home.set("/home/user");
   config.set("/somewhere");
   state.set("/elsewhere");
   CHECK(config_folder() == "/somewhere/fascia");
   CHECK(state_folder() == "/elsewhere/fascia");
   config.set("relative");
   state.set(nullptr);
-  CHECK(config_folder() == "/home/somebody/.config/fascia");
-  CHECK(state_folder() == "/home/somebody/.local/state/fascia");
+  CHECK(config_folder() == "/home/user/.config/fascia");
+  CHECK(state_folder() == "/home/user/.local/state/fascia");
   home.set("relative");
   CHECK(config_folder().empty());
   home.set(nullptr);

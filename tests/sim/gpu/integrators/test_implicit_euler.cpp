@@ -5,21 +5,12 @@
 #include "sim/gpu/integrators/implicit_euler.h"
 #include "tests/support/gpu/bars.h"
 #include "tests/support/gpu/gpu_fixture.h"
+#include "tests/support/gpu/unpack.h"
 
 using namespace fascia;
 using namespace fascia::test;
 using Eigen::Vector3d;
 using shared::vec4;
-
-namespace {
-
-std::vector<Vector3d> unpack(const gl::Buffer& buffer) {
-  std::vector<Vector3d> out;
-  for (const vec4& v : buffer.read<vec4>()) out.emplace_back(v.x, v.y, v.z);
-  return out;
-}
-
-}  // namespace
 
 TEST_CASE("predict adds velocity and gravity to free vertices only", "[gpu]") {
   const bool split = GENERATE(false, true);

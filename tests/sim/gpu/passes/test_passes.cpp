@@ -10,21 +10,12 @@
 #include "tests/support/gpu/bars.h"
 #include "tests/support/gpu/double_xpbd.h"
 #include "tests/support/gpu/gpu_fixture.h"
+#include "tests/support/gpu/unpack.h"
 
 using namespace fascia;
 using namespace fascia::test;
 using Eigen::Vector3d;
 using shared::vec4;
-
-namespace {
-
-std::vector<Vector3d> unpack(const gl::Buffer& buffer) {
-  std::vector<Vector3d> out;
-  for (const vec4& v : buffer.read<vec4>()) out.emplace_back(v.x, v.y, v.z);
-  return out;
-}
-
-}  // namespace
 
 TEST_CASE("previous strain is the Green strain of the start of the substep", "[gpu]") {
   Gpu gpu;
