@@ -176,7 +176,8 @@ int check_folder(const CheckOptions& options) {
   });
   const auto bad = std::count_if(report.begin(), report.end(),
                                  [](const JunitCase& c) { return c.verdict != JunitCase::Verdict::passed; });
-  const std::string title = "fascia check " + fs::weakly_canonical(options.folder).filename().string();
+  const fs::path folder = fs::path(options.folder).lexically_normal();
+  const std::string title = "fascia check " + (folder == "." ? fs::current_path().filename() : folder).string();
   if (!options.junit.empty()) write_file(options.junit, junit_xml(title, now(), report));
   if (!options.html.empty()) write_file(options.html, html_report(title, now(), pages));
   if (interrupted()) return exit_interrupted;
