@@ -1,6 +1,7 @@
 // fascia bench figures: measures and draws the four figures of the I3D 2019 paper, and the cost of colorings.
 // fascia bench accuracy: error against iterations and time, every method and acceleration.
 // fascia bench speed and skip: the cost of steps, and of features that are off.
+// fascia bench window: how the window feels.
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -11,6 +12,7 @@
 #include "app/bench/gnuplot.h"
 #include "app/bench/skip.h"
 #include "app/bench/speed.h"
+#include "app/bench/window/window_bench.h"
 #include "app/cli/command_line.h"
 #include "app/commands/command.h"
 #include "base/error.h"
@@ -120,6 +122,27 @@ void add_speed(CLI::App& bench, Invocation& invocation) {
       [&invocation, options] { invocation.run = [options] { return run_speed(*options, options->against); }; });
 }
 
+void add_window(CLI::App& bench, Invocation& invocation) {
+  const auto options = std::make_shared<WindowBenchOptions>();
+  CLI::App& command = *bench.add_subcommand(
+      "window", "the window under a hand, on a virtual screen (Xvfb, xdotool): real time, pictures, latency, freezes");
+  command.add_option("--out", options->out, "folder for the table, made if missing")->type_name("DIR")->required();
+  command.add_flag("--quick", options->quick, "one round, without busy programs beside the window");
+  command.add_option("--against", options->against, "another build of fascia, measured in turn with this one")
+      ->type_name("PROGRAM");
+  add_size(command, options->width, options->height);
+  add_graphics(command, *options);
+  add_examples(command, {"fascia bench window --out window --against old/build/release/fascia"});
+  command.callback([&invocation, options] {
+    invocation.run = [options] {
+      return run_bench(*options, "window", [&](Bench& bench_of_window) {
+        bench_window(bench_of_window, *options);
+        return std::vector<std::string>();
+      });
+    };
+  });
+}
+
 void add_skip(CLI::App& bench, Invocation& invocation) {
   const auto options = std::make_shared<BenchOptions>();
   CLI::App& command = *bench.add_subcommand(
@@ -140,6 +163,7 @@ void add_bench(CLI::App& program, Invocation& invocation) {
   add_accuracy(bench, invocation);
   add_speed(bench, invocation);
   add_skip(bench, invocation);
+  add_window(bench, invocation);
 }
 
 }  // namespace fascia

@@ -20,7 +20,8 @@ int open_window(const ViewOptions& options) {
     throw UsageError("--context " + options.context, "has no window",
                      "expected window, or fascia render for a picture without one");
   const std::vector<OutputFile> outputs{{"--export", options.export_path, state_endings},
-                                        {"--stats", options.stats, {".json"}, OutputFile::Takes::all_but_foreign}};
+                                        {"--stats", options.stats, {".json"}, OutputFile::Takes::all_but_foreign},
+                                        {"--frame-log", options.frame_log, {".csv"}}};
   require_outputs(outputs);
   Opened opened = open_input(options, options.sets);
   require_outputs(outputs, input_files(opened.scene));
@@ -64,6 +65,10 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
       ->type_name(std::string("FILE") + kOrDash);
   command.add_option("--stats", options.stats, "numbers about the run, when the window closes")
       ->type_name(std::string("FILE.json") + kOrDash);
+  command
+      .add_option("--frame-log", options.frame_log,
+                  "the time of every frame and of its parts, when the window closes; fascia bench window reads it")
+      ->type_name("FILE.csv");
 }
 
 }  // namespace

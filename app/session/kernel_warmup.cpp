@@ -1,10 +1,5 @@
 #include "app/session/kernel_warmup.h"
 
-#include <fcntl.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/error.h"
@@ -12,8 +7,6 @@
 #include "base/number_text.h"
 #include "sim/output/sample.h"
 #include "sim/scene/scene_write.h"
-
-extern char** environ;
 
 namespace fascia {
 namespace fs = std::filesystem;
@@ -58,52 +51,29 @@ KernelWarmup::KernelWarmup(const fs::path& program, const Scene& scene, const Mo
   }
 }
 
-KernelWarmup::~KernelWarmup() {
-  if (child_ > 0) {
-    kill(child_, SIGKILL);
-    waitpid(child_, nullptr, 0);
-  }
-  remove_file();
-}
+KernelWarmup::~KernelWarmup() { remove_file(); }
 
 void KernelWarmup::remove_file() {
   std::error_code ignored;
   if (!scene_.empty()) fs::remove(scene_, ignored);
 }
 
-void KernelWarmup::begin() {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  for (const int output : {STDOUT_FILENO, STDERR_FILENO})
-    posix_spawn_file_actions_addopen(&actions, output, "/dev/null", O_WRONLY, 0);
-  std::vector<char*> arguments;
-  for (std::string& word : command_) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  const int failed = posix_spawnp(&child_, arguments.front(), &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (!failed) return;
-  child_ = -1;
-  throw Error("nice", "cannot be run", "expected the program of coreutils");
-}
+void KernelWarmup::begin() { program_.emplace(command_); }
 
 KernelWarmup::State KernelWarmup::look() {
   if (state_ != State::running) return state_;
-  int status = 0;
-  rusage used{};
-  const pid_t ended = wait4(child_, &status, WNOHANG, &used);
-  if (ended == 0) return state_;
-  child_ = -1;
+  const auto end = program_->ended();
+  if (!end) return state_;
   if (single_) {  // its kernels are few and small: what matters is whether those that follow are kept
     single_ = false;
     command_.back() = "auto";
     begin_again();
     return state_;
   }
-  const double seconds = static_cast<double>(used.ru_utime.tv_sec) + 1e-6 * static_cast<double>(used.ru_utime.tv_usec);
-  const bool worked = ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  if (worked && (seconds < kCompiles || (first_seconds_ > 0 && seconds < 0.5 * first_seconds_)))
+  const double seconds = end->cpu_seconds;
+  if (end->succeeded && (seconds < kCompiles || (first_seconds_ > 0 && seconds < 0.5 * first_seconds_)))
     state_ = State::cached;
-  else if (!worked || first_seconds_ > 0)
+  else if (!end->succeeded || first_seconds_ > 0)
     state_ = State::failed;
   if (state_ != State::running) {
     remove_file();

@@ -3,12 +3,12 @@
 // Another process with the same driver compiles them here: it steps the scene, first free and then grabbed, and leaves
 // the kernels in the driver's cache on disk.
 #pragma once
-#include <sys/types.h>
-
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/system/spawned_program.h"
 #include "sim/model/model.h"
 #include "sim/scene/scene.h"
 
@@ -34,7 +34,7 @@ class KernelWarmup {
 
   std::filesystem::path scene_;  // a copy for the other process
   std::vector<std::string> command_;
-  pid_t child_ = -1;
+  std::optional<SpawnedProgram> program_;
   bool single_ = true;        // the single kernels of a grab come first: they are needed first
   double first_seconds_ = 0;  // CPU time of the first run; 0 while it runs
   State state_ = State::running;

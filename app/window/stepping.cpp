@@ -32,12 +32,14 @@ void Stepping::advance(double elapsed, bool one) {
   int steps = due(elapsed, one);
   if (left_ >= 0) steps = static_cast<int>(std::min<long>(steps, left_));
   simulated_ = 0;
+  compiled_ = false;
   const bool repeats = stage_.simulation().repeating();
   if (steps > 0) {
     const CompileNotice notice(graphics_, overlay_, *stage_.framebuffer, stage_.panels_cover());
     timer_.begin();
     for (int i = 0; i < steps; ++i) make_step();
-    timer_.end(steps, notice.kernels() > 0);
+    compiled_ = notice.kernels() > 0;
+    timer_.end(steps, compiled_);
   }
   while (const auto took = timer_.take())
     stage_.state.statistics.add_steps(took->milliseconds, took->steps, took->compiled, stats_.step_ms);

@@ -19,6 +19,7 @@ class Stepping {
   /// `elapsed` seconds after the previous frame. `one` makes a step although the clock is paused.
   void advance(double elapsed, bool one);
   double simulated() const { return simulated_; }  // in the last advance() [s]
+  bool compiled() const { return compiled_; }      // kernels, in the last advance()
   RunStats& stats() { return stats_; }             // of all steps made
   const RunStats& stats() const { return stats_; }
 
@@ -34,6 +35,7 @@ class Stepping {
   RunStats stats_;
   long left_ = -1;  // negative without a limit
   double simulated_ = 0;
+  bool compiled_ = false;
 };
 
 }  // namespace fascia

@@ -46,6 +46,7 @@ Window::Window(Graphics& graphics, const ViewOptions& options, Opened opened)
       stepping_(graphics, overlay_, stage_, sides_),
       kernels_(graphics, !scripted(options)),
       opener_(graphics, overlay_, options.reference, !scripted(options)),
+      log_(options.frame_log),
       frames_to_settle_(kFramesToSettle) {
   stage_.state.video.width = options.width;  // the requested size, independent of the window's size
   stage_.state.video.height = options.height;
@@ -113,6 +114,7 @@ void Window::finish(double wall_s) {
   stage_.messages.attempt([&] { recovery_.remember(); });
   stage_.messages.attempt([&] { recovery_.finish(); });
   stage_.messages.attempt([&] { recording_.end(); });
+  log_.write();
   RunStats& stats = stepping_.stats();
   stats.wall_s = wall_s;
   stats.residual = observer_.residual();
@@ -158,6 +160,7 @@ void Window::frame(double elapsed) {
     stage_.pacing.restart();
     return;
   }
+  log_.begin(elapsed);
   Messages& messages = stage_.messages;
   const Framebuffer& framebuffer = *stage_.framebuffer;
   Requests requests;
@@ -178,16 +181,29 @@ void Window::frame(double elapsed) {
     overlay_.end();
     messages.attempt([&] { carry_out(requests); });
   } while (input_.waiting() && !requests.wait_for_picture());
+  log_.end_of(FrameLog::Part::panels);
   follow_kernels();
+  const long steps_before = stepping_.stats().steps;
   if (shown_ && !messages.attempt([&] { simulate(elapsed, requests.step); })) stage_.state.paused = true;
   messages.attempt([&] { recording_.follow_replay(); });
+  log_.end_of(FrameLog::Part::steps);
   if (!messages.attempt([&] { picture_.draw(); })) stage_.state.paused = true;
+  log_.end_of(FrameLog::Part::scene);
   overlay_.draw(framebuffer);
   messages.attempt([&] { capture(requests); });
   messages.attempt([&] { recording_.follow(); });
   overlay_.draw_foreground(framebuffer);
+  log_.end_of(FrameLog::Part::overlay);
   framebuffer.present(framebuffer.width(), framebuffer.height());
   glfwSwapBuffers(graphics_.context->window());
+  log_.end_of(FrameLog::Part::present);
+  const ImVec2 pointer = ImGui::GetIO().MousePos;
+  log_.end({static_cast<int>(stepping_.stats().steps - steps_before),
+            shown_ ? stepping_.simulated() : 0,
+            stepping_.compiled(),
+            graphics_.programs->fusing(),
+            0,
+            {pointer.x, pointer.y}});
   shown_ = true;
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/cli/options.h"
 #include "app/window/controls.h"
+#include "app/window/parts/frame_log.h"
 #include "app/window/parts/kernel_switch.h"
 #include "app/window/parts/scene_opener.h"
 #include "app/window/stepping.h"
@@ -65,6 +66,7 @@ class Window {
   Stepping stepping_;
   KernelSwitch kernels_;
   SceneOpener opener_;
+  FrameLog log_;
   int frames_to_settle_;  // frames to draw although nothing moves
   bool settled_ = false;  // no event since settle()
   bool shown_ = false;    // the session was drawn in a frame: steps start after the first picture

@@ -1,0 +1,38 @@
+// Another program that runs beside this one: its input is a pipe, its output is discarded.
+#pragma once
+#include <sys/types.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fascia {
+
+class SpawnedProgram {
+ public:
+  struct End {
+    bool succeeded;      // exit code 0
+    double cpu_seconds;  // of its own work, without the kernel's
+  };
+
+  /// `command` is the program, searched in PATH, and its arguments; `environment` is added to this program's. Throws
+  /// Error if it cannot be run.
+  explicit SpawnedProgram(std::vector<std::string> command, const std::map<std::string, std::string>& environment = {});
+  ~SpawnedProgram();  // ends it at once
+  SpawnedProgram(SpawnedProgram&& other) noexcept;
+  SpawnedProgram& operator=(SpawnedProgram&&) = delete;
+
+  void write(std::string_view text);             // to its standard input
+  void ask_to_end() const;                       // SIGTERM
+  std::optional<End> ended();                    // does not wait
+  std::optional<End> wait_for_end(double most);  // [s]
+
+ private:
+  pid_t child_ = -1;
+  int input_ = -1;
+  std::optional<End> end_;
+};
+
+}  // namespace fascia
