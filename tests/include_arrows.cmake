@@ -44,14 +44,16 @@ set(arrows
   "app: base app/cli app/commands app/session"
   "app/bench: base gl sim/gpu sim/grab sim/mesh sim/mesh/io sim/model sim/output sim/reference sim/replay render/target app/session app/system"
   "app/bench/accuracy: base sim/mesh sim/reference sim/scene/settings app/bench app/ui"
+  "app/bench/window: base app/bench app/system"
   "app/bench/figures: sim/gpu sim/grab render/target render/view app/bench app/system app/ui"
   "app/check: base base/json render app/cli app/golden app/headless app/system"
   "app/cli: base base/json sim/material sim/scene sim/scene/settings app/golden"
-  "app/commands: base sim/grab sim/material sim/mesh sim/model sim/ordering sim/output sim/reference sim/scene sim/simulation sim/surface render app/bench app/bench/accuracy app/check app/cli app/golden app/headless app/session app/stress app/system app/video app/window"
+  "app/commands: base sim/grab sim/material sim/mesh sim/model sim/ordering sim/output sim/reference sim/scene sim/simulation sim/surface render app/bench app/bench/accuracy app/bench/window app/check app/cli app/golden app/headless app/session app/stress app/system app/video app/window"
   "app/compare: base gl sim/material app/overlay app/panels app/session app/state app/ui"
   "app/dialogs: base gl render/target app/session app/state app/system app/ui"
   "app/golden: base base/json sim/model sim/output sim/reference render/target"
   "app/headless: base gl shaders/shared sim/output sim/replay sim/simulation render app/cli app/compare app/golden app/overlay app/panels app/session app/video"
+  "app/kernels: base sim/model sim/output sim/scene app/system"
   "app/overlay: sim/grab render/passes app/panels app/session app/ui"
   "app/panels: base gl sim/material sim/replay render/view app/session app/state app/system app/ui"
   "app/session: base base/json gl sim/gpu/readback sim/grab sim/mesh sim/model sim/output sim/replay sim/scene sim/scene/settings sim/simulation sim/visual render render/context render/target render/view app/cli app/system app/ui"
@@ -61,7 +63,7 @@ set(arrows
   "app/ui: sim/output"
   "app/video: base sim/output sim/replay sim/scene render/target app/cli app/system"
   "app/window: base gl shaders/shared sim/grab sim/output sim/scene sim/simulation sim/visual render app/cli app/compare app/dialogs app/overlay app/panels app/session app/state app/system app/ui app/video app/window/parts"
-  "app/window/parts: base gl shaders/shared sim/grab sim/replay sim/scene sim/simulation sim/visual render/target app/overlay app/panels app/session app/ui"
+  "app/window/parts: base gl shaders/shared sim/grab sim/replay sim/scene sim/simulation sim/visual render/target app/kernels app/overlay app/panels app/session app/ui"
 )
 
 set(rooms)

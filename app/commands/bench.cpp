@@ -130,6 +130,12 @@ void add_window(CLI::App& bench, Invocation& invocation) {
   command.add_flag("--quick", options->quick, "one round, without busy programs beside the window");
   command.add_option("--against", options->against, "another build of fascia, measured in turn with this one")
       ->type_name("PROGRAM");
+  command
+      .add_option("--busy", options->busy, "programs that compute beside the window, one measurement for each number")
+      ->type_name("N,...")
+      ->delimiter(',')
+      ->check(CLI::Range(0, 64))
+      ->default_str("0,1,2,4; with --quick 0");
   add_size(command, options->width, options->height);
   add_graphics(command, *options);
   add_examples(command, {"fascia bench window --out window --against old/build/release/fascia"});

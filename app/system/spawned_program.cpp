@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -41,20 +42,20 @@ std::vector<std::string> environment_with(const std::map<std::string, std::strin
 
 SpawnedProgram::SpawnedProgram(std::vector<std::string> command,
                                const std::map<std::string, std::string>& environment) {
-  int pipe_ends[2];
-  if (pipe2(pipe_ends, O_CLOEXEC) != 0)
-    throw Error(command.front(), std::string("cannot be run: ") + std::strerror(errno), "expected a free pipe");
+  int ends[2];  // a socket instead of a pipe: writing to a program that has ended then raises no signal
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+    throw Error(command.front(), std::string("cannot be run: ") + std::strerror(errno), "expected a free socket");
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, pipe_ends[0], STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
   for (const int output : {STDOUT_FILENO, STDERR_FILENO})
     posix_spawn_file_actions_addopen(&actions, output, "/dev/null", O_WRONLY, 0);
   std::vector<std::string> variables = environment_with(environment);
   const int failed = posix_spawnp(&child_, command.front().c_str(), &actions, nullptr, pointers(command).data(),
                                   pointers(variables).data());
   posix_spawn_file_actions_destroy(&actions);
-  close(pipe_ends[0]);
-  input_ = pipe_ends[1];
+  close(ends[0]);
+  input_ = ends[1];
   if (!failed) return;
   close(input_);
   throw Error(command.front(), std::string("cannot be run: ") + std::strerror(failed), "expected an installed program");
@@ -72,7 +73,7 @@ SpawnedProgram::~SpawnedProgram() {
 
 void SpawnedProgram::write(std::string_view text) {
   while (!text.empty()) {
-    const ssize_t written = ::write(input_, text.data(), text.size());
+    const ssize_t written = send(input_, text.data(), text.size(), MSG_NOSIGNAL);
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return;  // it has ended: ended() says so
     text.remove_prefix(static_cast<std::size_t>(written));

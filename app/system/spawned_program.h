@@ -1,4 +1,4 @@
-// Another program that runs beside this one: its input is a pipe, its output is discarded.
+// Another program that runs beside this one: its input comes from here, its output is discarded.
 #pragma once
 #include <sys/types.h>
 

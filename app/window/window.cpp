@@ -44,8 +44,8 @@ Window::Window(Graphics& graphics, const ViewOptions& options, Opened opened)
       panels_(stage_, sides_, capture_, recovery_, graphics.data_dir, scripted(options)),
       controls_(input_, stage_, sides_, observer_, recording_),
       stepping_(graphics, overlay_, stage_, sides_),
-      kernels_(graphics, !scripted(options)),
-      opener_(graphics, overlay_, options.reference, !scripted(options)),
+      kernels_(graphics, !scripted(options), state_folder()),
+      opener_(graphics, overlay_, options.reference, kernels_),
       log_(options.frame_log),
       frames_to_settle_(kFramesToSettle) {
   stage_.state.video.width = options.width;  // the requested size, independent of the window's size

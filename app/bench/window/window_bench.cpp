@@ -19,7 +19,9 @@ namespace {
 
 using Clock = VirtualScreen::Clock;
 
-constexpr double kBeforeGrab = 2, kDragged = 6;  // [s]
+struct Durations {  // [s]
+  double before_grab, dragged, until_compiled;
+};
 constexpr double kMostToBegin = 60, kMostToEnd = 30;
 constexpr auto kBetweenPuts = std::chrono::milliseconds(50);
 
@@ -75,7 +77,7 @@ void require_frame_log(const std::string& program) {
 
 // The tissue is grabbed at the middle of the picture beside the panels and dragged in a circle.
 WindowSession run_session(const Bench& bench, const WindowBenchOptions& options, const Subject& subject,
-                          double before_grab, int busy) {
+                          const Durations& durations, int busy) {
   const fs::path log = subject.home->folder / "frames.csv";
   fs::remove(log);
   VirtualScreen screen(options.width, options.height);
@@ -97,13 +99,13 @@ WindowSession run_session(const Bench& bench, const WindowBenchOptions& options,
                       {{"DISPLAY", screen.name()}});
   for (const auto last = Clock::now() + std::chrono::duration<double>(kMostToBegin); !seen.ended(); wait(0.05))
     if (Clock::now() > last) throw Error(subject.program, "shows no window", "expected one within a minute");
-  wait(before_grab);
+  wait(durations.before_grab);
   const int x = static_cast<int>(0.6 * options.width), y = static_cast<int>(0.46 * options.height);
   const int radius = options.height / 12;
   screen.move(x, y);
   wait(0.3);
   session.pressed = seconds_of(screen.press());
-  const int puts = static_cast<int>(kDragged / std::chrono::duration<double>(kBetweenPuts).count());
+  const int puts = static_cast<int>(durations.dragged / std::chrono::duration<double>(kBetweenPuts).count());
   for (int k = 1; k <= puts; ++k) {
     const double angle = 2 * std::numbers::pi * k / 40;
     const int to_x = x + static_cast<int>(radius * std::sin(angle)),
@@ -146,6 +148,7 @@ std::vector<Cell> row_of(const WindowFigures& f, const Subject& subject, int bus
 }  // namespace
 
 void bench_window(Bench& bench, const WindowBenchOptions& options) {
+  const Durations durations = bench.full_or_quick(Durations{2, 6, 20}, Durations{1, 4, 8});
   std::vector<Subject> subjects;
   subjects.push_back({"this", fs::read_symlink("/proc/self/exe").string(), std::make_unique<Home>("this")});
   if (!options.against.empty()) {
@@ -154,7 +157,8 @@ void bench_window(Bench& bench, const WindowBenchOptions& options) {
   }
   Table table;
   table.notes = {"the default scene with a heat map on a virtual screen of " + std::to_string(options.width) + " x " +
-                     std::to_string(options.height) + ", its tissue dragged for " + Cell(kDragged).text() + " s",
+                     std::to_string(options.height) + ", its tissue dragged for " + Cell(durations.dragged).text() +
+                     " s",
                  "busy: programs beside it that compute without end; cold: no kernel is in the driver's cache"};
   table.columns = {"program",
                    "busy",
@@ -176,8 +180,8 @@ void bench_window(Bench& bench, const WindowBenchOptions& options) {
                    "scene_ms",
                    "overlay_ms",
                    "present_ms"};
-  const auto measure = [&](const Subject& subject, double before_grab, int busy, const std::string& kernels) {
-    const WindowFigures f = figures_of(run_session(bench, options, subject, before_grab, busy));
+  const auto measure = [&](const Subject& subject, int busy, const std::string& kernels) {
+    const WindowFigures f = figures_of(run_session(bench, options, subject, durations, busy));
     table.rows.push_back(row_of(f, subject, busy, kernels));
     bench.say("window: " + subject.name + ", " + kernels + ", " + std::to_string(busy) +
               " busy: " + std::to_string(std::lround(100 * f.share)) + " % of real time, " +
@@ -186,18 +190,20 @@ void bench_window(Bench& bench, const WindowBenchOptions& options) {
               std::to_string(std::lround(std::max(f.longest_before_ms, f.longest_grabbed_ms))) + " ms");
     bench.write("window", table);
   };
+  const std::vector<int> loads =
+      !options.busy.empty() ? options.busy : bench.full_or_quick(std::vector{0, 1, 2, 4}, std::vector{0});
   const int rounds = bench.full_or_quick(3, 1);
   for (int round = 0; round < rounds; ++round)
     for (const Subject& subject : subjects) {
       subject.home->forget_kernels();
-      measure(subject, kBeforeGrab, 0, "cold");
+      measure(subject, 0, "cold");
     }
   // The last cold session may have ended before the other process had compiled everything.
-  constexpr double kUntilCompiled = 20;
-  for (const Subject& subject : subjects) run_session(bench, options, subject, kUntilCompiled, 0);
+  for (const Subject& subject : subjects)
+    run_session(bench, options, subject, {durations.until_compiled, durations.dragged, 0}, 0);
   for (int round = 0; round < rounds; ++round)
-    for (const int busy : bench.full_or_quick(std::vector{0, 1, 2, 4}, std::vector{0}))
-      for (const Subject& subject : subjects) measure(subject, kBeforeGrab, busy, "warm");
+    for (const int busy : loads)
+      for (const Subject& subject : subjects) measure(subject, busy, "warm");
 }
 
 }  // namespace fascia

@@ -8,7 +8,8 @@
 namespace fascia {
 
 struct WindowBenchOptions : BenchOptions {
-  std::string against;  // another build's program, measured in turn; empty: none
+  std::vector<int> busy;  // programs beside it, one measurement each; empty: 0, 1, 2, 4
+  std::string against;    // another build's program, measured in turn; empty: none
 };
 
 /// Writes window.csv. Throws Error or Interrupted.

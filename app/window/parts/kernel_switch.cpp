@@ -4,12 +4,18 @@
 
 namespace fascia {
 
-KernelSwitch::KernelSwitch(Graphics& graphics, bool wanted)
-    : graphics_(graphics), switches_(wanted && gl::fuses(*graphics.programs)) {}
+KernelSwitch::KernelSwitch(Graphics& graphics, bool wanted, const std::filesystem::path& folder)
+    : graphics_(graphics),
+      switches_(wanted && gl::fuses(*graphics.programs)),
+      record_(folder.empty() ? folder : folder / "kernels", describe(graphics)) {}
+
+void KernelSwitch::prepare(const Scene& scene) const {
+  if (switches_) graphics_.programs->set_fusing(record_.has(scene));
+}
 
 void KernelSwitch::session_began(const Simulation& simulation) {
   warmup_.reset();
-  if (!switches_) return;
+  if (!switches_ || graphics_.programs->fusing()) return;
   if (simulation.uses_reference() || simulation.scene.solver.tolerance > 0)  // no step of it is fused at first
     graphics_.programs->set_fusing(true);
   else
@@ -21,6 +27,7 @@ void KernelSwitch::session_began(const Simulation& simulation) {
 // once and shows a notice, but it does not stay slow.
 void KernelSwitch::follow(const std::function<void()>& renew) {
   if (!warmup_ || warmup_->look() == KernelWarmup::State::running) return;
+  if (warmup_->look() == KernelWarmup::State::cached) record_.add(warmup_->scene());
   warmup_.reset();
   graphics_.programs->set_fusing(true);
   renew();

@@ -1,20 +1,24 @@
 // On software renderers a session starts with single kernels, which compile in a second, and switches to fused kernels,
-// which are twice as fast, as soon as another process has compiled them. Both give bitwise equal results. GPUs have no
-// fused kernels, so nothing switches there.
+// which are twice as fast, as soon as another process has compiled them. Where the driver's cache is known to have them
+// it starts with them. Both give bitwise equal results. GPUs have no fused kernels, so nothing switches there.
 #pragma once
 #include <functional>
 #include <optional>
 
 #include "app/session/graphics.h"
-#include "app/session/kernel_warmup.h"
+#include "app/kernels/kernel_record.h"
+#include "app/kernels/kernel_warmup.h"
 #include "sim/simulation/simulation.h"
 
 namespace fascia {
 
 class KernelSwitch {
  public:
-  /// With `wanted` false sessions have fused kernels from the start.
-  KernelSwitch(Graphics& graphics, bool wanted);
+  /// With `wanted` false sessions have fused kernels from the start. `folder` keeps the record of cached kernels;
+  /// empty: none.
+  KernelSwitch(Graphics& graphics, bool wanted, const std::filesystem::path& folder);
+  /// Chooses the kernels of a session that is made of this scene.
+  void prepare(const Scene& scene) const;
   void session_began(const Simulation& simulation);
   /// Between two steps. `renew` is called when solvers must record their passes again, with fused kernels.
   void follow(const std::function<void()>& renew);
@@ -22,6 +26,7 @@ class KernelSwitch {
  private:
   Graphics& graphics_;
   bool switches_;
+  KernelRecord record_;
   std::optional<KernelWarmup> warmup_;
 };
 

@@ -7,8 +7,8 @@ namespace fascia {
 class Pacing {
  public:
   /// Returns the number of steps to make, `elapsed` seconds of real time after the last call. `step_cost` is the
-  /// current time of a step [s], 0 if unknown. A frame gets only as many steps as keep it smooth, at least one; time
-  /// that does not fit is dropped, not owed.
+  /// current time of a step [s], 0 if unknown. A frame gets only as many steps as keep it smooth, at least one, and
+  /// more where pictures are slow; time that does not fit is dropped, not owed.
   int advance(double elapsed, double time_step, double step_cost);
   /// After a pause, a reset or an opened scene: no steps are owed and the speed is measured anew.
   void restart();
@@ -26,6 +26,8 @@ class Pacing {
   static constexpr double kHead = 0.5;
 
   double owed_ = kHead;              // in steps
+  int steps_ = 0;                    // of the last frame
+  double picture_ = 0;               // time of a frame without its steps, an average with decaying weights [s]
   double simulated_ = 0, real_ = 0;  // [s], both fading with the same time constant
 };
 

@@ -82,7 +82,7 @@ std::unique_ptr<Session> SceneOpener::make(Opened& opened, OpeningScreen& screen
     screen.show(share_done + (1 - share_done) * share, what);
   };
   const bool fusing = graphics_.programs->fusing();
-  if (single_kernels_) graphics_.programs->set_fusing(false);
+  kernels_.prepare(opened.scene);
   std::unique_ptr<Session> session;
   try {
     session =

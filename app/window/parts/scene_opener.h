@@ -9,6 +9,7 @@
 #include "app/overlay/overlay.h"
 #include "app/session/open_input.h"
 #include "app/session/session.h"
+#include "app/window/parts/kernel_switch.h"
 #include "app/window/parts/opening_screen.h"
 
 namespace fascia {
@@ -16,10 +17,9 @@ namespace fascia {
 /// All functions throw Error, and Cancelled if the user cancels.
 class SceneOpener {
  public:
-  /// `reference` selects the double-precision solver. With `single_kernels` sessions start with single kernels
-  /// (kernel_switch.h).
-  SceneOpener(Graphics& graphics, Overlay& overlay, bool reference, bool single_kernels)
-      : graphics_(graphics), overlay_(overlay), reference_(reference), single_kernels_(single_kernels) {}
+  /// `reference` selects the double-precision solver, `kernels` chooses the kernels of a session.
+  SceneOpener(Graphics& graphics, Overlay& overlay, bool reference, const KernelSwitch& kernels)
+      : graphics_(graphics), overlay_(overlay), reference_(reference), kernels_(kernels) {}
 
   std::unique_ptr<Session> open(const std::filesystem::path& path);
   /// The scene of an autosaved file (autosave.h), in the saved state.
@@ -33,7 +33,8 @@ class SceneOpener {
 
   Graphics& graphics_;
   Overlay& overlay_;
-  bool reference_, single_kernels_;
+  bool reference_;
+  const KernelSwitch& kernels_;
   std::vector<std::future<Opened>> given_up_;  // cancelled readings, which end at their next report
 };
 

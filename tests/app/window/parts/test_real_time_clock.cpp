@@ -68,6 +68,30 @@ TEST_CASE("small time steps get as many steps as fit into the frame") {
   CHECK(pacing.advance(1.0 / 60, dt, 0) == 1);       // cost not measured yet
 }
 
+TEST_CASE("slow pictures do not slow the tissue as long as a step is faster than real time") {
+  const double dt = 1.0 / 60, picture = 0.045, cost = 0.010;
+  Pacing pacing;
+  double frame_time = picture;
+  for (int frame = 0; frame < 200; ++frame) frame_time = picture + cost * pacing.advance(frame_time, dt, cost);
+  CHECK(pacing.speed() == Approx(1).margin(0.05));
+  CHECK(frame_time == Approx(picture / (1 - cost / dt)).margin(cost));  // as many steps as real time asks for, no more
+}
+
+TEST_CASE("steps of a frame are limited where nothing keeps pace, so that frames do not grow") {
+  const double dt = 1.0 / 60, picture = 0.060, cost = 0.020;
+  Pacing pacing;
+  double frame_time = picture;
+  int steps = 0;
+  for (int frame = 0; frame < 200; ++frame) {
+    steps = pacing.advance(frame_time, dt, cost);
+    frame_time = picture + cost * steps;
+    CHECK(frame_time <= picture + 0.12);
+  }
+  CHECK(steps == 6);
+  CHECK(pacing.speed() == Approx(6 * dt / (picture + 6 * cost)).epsilon(0.05));
+  CHECK_FALSE(pacing.keeps_pace());
+}
+
 TEST_CASE("a long gap is not made up for") {
   Pacing pacing;
   const double dt = 1.0 / 60;

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <thread>
 
-#include "app/session/kernel_warmup.h"
+#include "app/kernels/kernel_warmup.h"
 #include "app/system/paths.h"
 #include "sim/grab/build_model.h"
 #include "tests/support/support.h"

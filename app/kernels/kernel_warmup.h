@@ -26,13 +26,15 @@ class KernelWarmup {
   KernelWarmup& operator=(const KernelWarmup&) = delete;
 
   State look();  // does not wait
+  const Scene& scene() const { return scene_; }
 
  private:
   void begin();
   void begin_again();
   void remove_file();
 
-  std::filesystem::path scene_;  // a copy for the other process
+  Scene scene_;                 // as it was at the beginning
+  std::filesystem::path copy_;  // its file for the other process
   std::vector<std::string> command_;
   std::optional<SpawnedProgram> program_;
   bool single_ = true;        // the single kernels of a grab come first: they are needed first

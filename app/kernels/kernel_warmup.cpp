@@ -1,4 +1,4 @@
-#include "app/session/kernel_warmup.h"
+#include "app/kernels/kernel_warmup.h"
 
 #include <unistd.h>
 
@@ -33,15 +33,16 @@ std::string late_grab(const Eigen::Vector3d& at, double time_step) {
 
 }  // namespace
 
-KernelWarmup::KernelWarmup(const fs::path& program, const Scene& scene, const Model& model, const fs::path& data_dir) {
+KernelWarmup::KernelWarmup(const fs::path& program, const Scene& scene, const Model& model, const fs::path& data_dir)
+    : scene_(scene) {
   try {
-    Scene copy = scene;
-    copy.duration = 0;
+    Scene timeless = scene;
+    timeless.duration = 0;
     const fs::path folder = fs::temp_directory_path();
-    scene_ = folder / ("fascia-kernels-" + std::to_string(getpid()) + ".json");
-    write_file(scene_, scene_to_json(copy, folder));
+    copy_ = folder / ("fascia-kernels-" + std::to_string(getpid()) + ".json");
+    write_file(copy_, scene_to_json(timeless, folder));
     const std::string grab = late_grab(model.rest_positions[tip_vertex(model)], scene.solver.time_step);
-    command_ = {"nice", "-n",        "10",    program.string(), "run",        scene_.string(),   "--context",
+    command_ = {"nice", "-n",        "5",     program.string(), "run",        copy_.string(),    "--context",
                 "egl",  "--steps",   "3",     "--quiet",        "--data-dir", data_dir.string(), "--grab",
                 grab,   "--kernels", "single"};
     begin();
@@ -55,10 +56,12 @@ KernelWarmup::~KernelWarmup() { remove_file(); }
 
 void KernelWarmup::remove_file() {
   std::error_code ignored;
-  if (!scene_.empty()) fs::remove(scene_, ignored);
+  if (!copy_.empty()) fs::remove(copy_, ignored);
 }
 
-void KernelWarmup::begin() { program_.emplace(command_); }
+// Without worker threads: beside a window that keeps all cores busy, threads of low priority mostly wait for each
+// other.
+void KernelWarmup::begin() { program_.emplace(command_, std::map<std::string, std::string>{{"LP_NUM_THREADS", "0"}}); }
 
 KernelWarmup::State KernelWarmup::look() {
   if (state_ != State::running) return state_;
