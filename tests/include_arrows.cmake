@@ -53,7 +53,7 @@ set(arrows
   "app/dialogs: base gl render/target app/session app/state app/system app/ui"
   "app/golden: base base/json sim/model sim/output sim/reference render/target"
   "app/headless: base gl shaders/shared sim/output sim/replay sim/simulation render app/cli app/compare app/golden app/overlay app/panels app/session app/video"
-  "app/kernels: base sim/model sim/output sim/scene app/system"
+  "app/kernels: base sim/scene app/system"
   "app/overlay: sim/grab render/passes app/panels app/session app/ui"
   "app/panels: base gl sim/material sim/replay render/view app/session app/state app/system app/ui"
   "app/session: base base/json gl sim/gpu/readback sim/grab sim/mesh sim/model sim/output sim/replay sim/scene sim/scene/settings sim/simulation sim/visual render render/context render/target render/view app/cli app/system app/ui"

@@ -56,9 +56,10 @@ KernelRecord::KernelRecord(fs::path file, std::string driver) : file_(std::move(
 std::string KernelRecord::key_of(const Scene& scene) const {
   const std::string cache = identity_of(driver_cache());
   if (file_.empty() || cache.empty()) return "";
-  Scene without_duration = scene;
-  without_duration.duration = 0;
-  const std::string text = driver_ + "\n" + cache + "\n" + scene_to_json(without_duration, fs::temp_directory_path());
+  Scene solved = scene;  // without what kernels do not depend on
+  solved.duration = 0;
+  solved.display = {};
+  const std::string text = driver_ + "\n" + cache + "\n" + scene_to_json(solved, fs::temp_directory_path());
   ByteHash hash;
   hash.add({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
   return hash_text(hash.value());

@@ -4,8 +4,6 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/number_text.h"
-#include "sim/output/sample.h"
 #include "sim/scene/scene_write.h"
 
 namespace fascia {
@@ -15,36 +13,17 @@ namespace {
 // [s] of CPU time: a run with cached kernels takes a fraction of it, a run that compiles them several times as much.
 constexpr double kCompiles = 1;
 
-// As an option of fascia run (sim/scene/grab_text.h): holds the tissue at `at`, after the first step.
-std::string late_grab(const Eigen::Vector3d& at, double time_step) {
-  return NumberText()
-      .add("at=")
-      .add(at.x())
-      .add(',')
-      .add(at.y())
-      .add(',')
-      .add(at.z())
-      .add(";translate=0,0,0;start=")
-      .add(1.5 * time_step)
-      .add(";duration=")
-      .add(time_step)
-      .take();
-}
-
 }  // namespace
 
-KernelWarmup::KernelWarmup(const fs::path& program, const Scene& scene, const Model& model, const fs::path& data_dir)
-    : scene_(scene) {
+KernelWarmup::KernelWarmup(const fs::path& program, const Scene& scene, const fs::path& data_dir) : scene_(scene) {
   try {
     Scene timeless = scene;
     timeless.duration = 0;
     const fs::path folder = fs::temp_directory_path();
     copy_ = folder / ("fascia-kernels-" + std::to_string(getpid()) + ".json");
     write_file(copy_, scene_to_json(timeless, folder));
-    const std::string grab = late_grab(model.rest_positions[tip_vertex(model)], scene.solver.time_step);
-    command_ = {"nice", "-n",        "5",     program.string(), "run",        copy_.string(),    "--context",
-                "egl",  "--steps",   "3",     "--quiet",        "--data-dir", data_dir.string(), "--grab",
-                grab,   "--kernels", "single"};
+    command_ = {"nice", "-n",      "5",          program.string(),  "kernels",   copy_.string(), "--context",
+                "egl",  "--quiet", "--data-dir", data_dir.string(), "--kernels", "single"};
     begin();
   } catch (const std::exception&) {  // the program continues with its current kernels
     state_ = State::failed;

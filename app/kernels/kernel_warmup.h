@@ -1,7 +1,7 @@
 // Fills the cache of a software renderer with the kernels of a scene, while the program continues. Compiling fused
 // kernels (gl/fused_pass.h) takes the CPU seconds, once per driver and kind of scene, and would freeze the program.
-// Another process with the same driver compiles them here: it steps the scene, first free and then grabbed, and leaves
-// the kernels in the driver's cache on disk.
+// Another process with the same driver compiles them here: `fascia kernels` steps the scene, first free and then
+// grabbed, and leaves the kernels in the driver's cache on disk.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "app/system/spawned_program.h"
-#include "sim/model/model.h"
 #include "sim/scene/scene.h"
 
 namespace fascia {
@@ -19,8 +18,7 @@ class KernelWarmup {
   enum class State { running, cached, failed };  // failed: also if the driver keeps no cache
 
   /// Begins at low priority. `program` is the path of fascia, `data_dir` the folder of the shaders.
-  KernelWarmup(const std::filesystem::path& program, const Scene& scene, const Model& model,
-               const std::filesystem::path& data_dir);
+  KernelWarmup(const std::filesystem::path& program, const Scene& scene, const std::filesystem::path& data_dir);
   ~KernelWarmup();  // ends the other process
   KernelWarmup(const KernelWarmup&) = delete;
   KernelWarmup& operator=(const KernelWarmup&) = delete;

@@ -94,6 +94,9 @@ class GpuSolver {
   /// Whether the last step solved all tets.
   bool last_was_whole() const { return passes_ == &whole_; }
   void solve_everything();  // in every later step
+  /// Runs the kernels of a step in which some regions rest while others move, if there may be such steps, without any
+  /// that move: the state stays. For filling a driver's cache.
+  void run_partial_kernels();
 
   State download() const { return buffers_.download_state(time_); }
   State download_valid() const { return guard_.download(buffers_); }  // the state of restore_valid()
@@ -152,6 +155,7 @@ class GpuSolver {
   struct FusedStep {
     gl::FusedPasses begin, first, refresh, iteration, end;
   };
+  void record_partial();
   const FusedStep* fused_step() const;  // of passes_; null where they run unfused
   std::optional<FusedStep> fuse(const StepPasses& passes);
   Start start();

@@ -92,10 +92,7 @@ void GpuSolver::choose_passes() {
     if (time_ < model_.end_of_motions()) regions_->restart();
     if (regions_->begin_step(settings_, stiffness_of(terms_))) passes_ = &partial_;
   }
-  if (passes_ == &partial_ && partial_.begin.empty()) {
-    partial_ = record_step(&regions_->active());
-    partial_fused_ = fuse(partial_);
-  }
+  if (passes_ == &partial_) record_partial();
   if (passes_ == &partial_ && after_whole) {
     // Vertices beside resting tets would add stale values in the slots of those, from an earlier step, a heat map or
     // diagnostics, to the objective.
@@ -103,6 +100,22 @@ void GpuSolver::choose_passes() {
     method_->begin_partial();
   }
   tets_stepped_ += passes_ == &partial_ ? regions_->active().tet_count : buffers_.tet_count;
+}
+
+void GpuSolver::record_partial() {
+  if (!partial_.begin.empty()) return;
+  partial_ = record_step(&regions_->active());
+  partial_fused_ = fuse(partial_);
+}
+
+void GpuSolver::run_partial_kernels() {
+  if (!regions_) return;
+  record_partial();
+  passes_ = &partial_;
+  method_->begin_partial();
+  solve_substep();
+  passes_ = &whole_;
+  regions_->restart();
 }
 
 void GpuSolver::step() {

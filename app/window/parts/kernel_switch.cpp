@@ -19,8 +19,7 @@ void KernelSwitch::session_began(const Simulation& simulation) {
   if (simulation.uses_reference() || simulation.scene.solver.tolerance > 0)  // no step of it is fused at first
     graphics_.programs->set_fusing(true);
   else
-    warmup_.emplace(std::filesystem::read_symlink("/proc/self/exe"), simulation.scene, simulation.model,
-                    graphics_.data_dir);
+    warmup_.emplace(std::filesystem::read_symlink("/proc/self/exe"), simulation.scene, graphics_.data_dir);
 }
 
 // Where the other process fails or the driver keeps no cache, the fused kernels are compiled here: the window waits

@@ -5,9 +5,9 @@
 #include <functional>
 #include <optional>
 
-#include "app/session/graphics.h"
 #include "app/kernels/kernel_record.h"
 #include "app/kernels/kernel_warmup.h"
+#include "app/session/graphics.h"
 #include "sim/simulation/simulation.h"
 
 namespace fascia {

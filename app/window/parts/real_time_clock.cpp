@@ -8,9 +8,9 @@ namespace {
 
 // [s] a longer gap means that a window was moved or a file was read, not that the simulation is slow
 constexpr double kLongestFrame = 0.25;
-// [s] of a frame that steps may take: three times as long as the rest of it, since slow pictures must not slow the
+// [s] of a frame that steps may take: twice as long as the rest of it, since slow pictures must not slow the
 // tissue, too, but never so long that the mouse stutters
-constexpr double kLeastBudget = 0.03, kMostBudget = 0.12, kStepsPerPicture = 3;
+constexpr double kLeastBudget = 0.03, kMostBudget = 0.12, kStepsPerPicture = 2;
 constexpr double kNewest = 0.2;   // weight of the last frame in the average of the rest
 constexpr int kMostSteps = 1000;  // per frame
 constexpr double kMemory = 1.0;   // [s] over which the speed is averaged

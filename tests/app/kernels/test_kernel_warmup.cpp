@@ -4,7 +4,7 @@
 
 #include "app/kernels/kernel_warmup.h"
 #include "app/system/paths.h"
-#include "sim/grab/build_model.h"
+#include "sim/scene/scene.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -30,8 +30,7 @@ long scenes_left() {
 TEST_CASE("another process fills the driver's cache with the kernels of a scene, and leaves no file") {
   const std::filesystem::path data_dir = find_data_dir("");
   const Scene scene = open_scene(data_dir / "assets/scenes/cube.json");
-  const Model model = build_model(scene);
-  KernelWarmup warmup(FASCIA_BINARY, scene, model, data_dir);
+  KernelWarmup warmup(FASCIA_BINARY, scene, data_dir);
   CHECK(warmup.look() == KernelWarmup::State::running);
   CHECK(scenes_left() == 1);
   CHECK(waited(warmup) == KernelWarmup::State::cached);
@@ -41,15 +40,14 @@ TEST_CASE("another process fills the driver's cache with the kernels of a scene,
 TEST_CASE("a warm-up reports the failure of its process, and an abandoned one ends its process") {
   const std::filesystem::path data_dir = find_data_dir("");
   const Scene scene = open_scene(data_dir / "assets/scenes/cube.json");
-  const Model model = build_model(scene);
   SECTION("no such program") {
-    KernelWarmup warmup("/nowhere/fascia", scene, model, data_dir);
+    KernelWarmup warmup("/nowhere/fascia", scene, data_dir);
     CHECK(waited(warmup) == KernelWarmup::State::failed);
   }
   SECTION("no shaders") {
-    KernelWarmup warmup(FASCIA_BINARY, scene, model, "/nowhere");
+    KernelWarmup warmup(FASCIA_BINARY, scene, "/nowhere");
     CHECK(waited(warmup) == KernelWarmup::State::failed);
   }
-  SECTION("given up") { KernelWarmup warmup(FASCIA_BINARY, scene, model, data_dir); }
+  SECTION("given up") { KernelWarmup warmup(FASCIA_BINARY, scene, data_dir); }
   CHECK(scenes_left() == 0);
 }
