@@ -6,18 +6,25 @@
 
 #include "app/cli/usage_error.h"
 #include "base/file.h"
+#include "sim/mesh/io/mesh_formats.h"
 
 namespace fascia {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Extensions that identify a kind of file. Others, such as .txt, .log or none, do not.
+// Extensions that identify a kind of file, beside those of meshes. Others, such as .txt, .log or none, do not.
 constexpr auto kKinds = std::to_array<std::string_view>(
-    {".png", ".jpg",  ".jpeg", ".gif",  ".bmp",  ".tif", ".tiff", ".webp",  ".svg",  ".ppm", ".tga",  // pictures
-     ".mp4", ".m4v",  ".mov",  ".mkv",  ".webm", ".avi", ".ogv",  ".mpg",   ".mpeg", ".wmv", ".flv",  // videos
-     ".msh", ".vtk",  ".vtu",  ".pvd",  ".node", ".ele", ".mesh", ".obj",   ".stl",  ".ply",          // meshes
-     ".csv", ".json", ".xml",  ".html", ".pdf",  ".zip", ".gz",   ".fascia"});
+    {".png", ".jpg", ".jpeg", ".gif", ".bmp",  ".tif", ".tiff", ".webp", ".svg",   ".ppm", ".tga",  // pictures
+     ".mp4", ".m4v", ".mov",  ".mkv", ".webm", ".avi", ".ogv",  ".mpg",  ".mpeg",  ".wmv", ".flv",  // videos
+     ".csv", ".pvd", ".json", ".xml", ".html", ".pdf", ".zip",  ".gz",   ".fascia"});
+
+bool has_kind(const std::string& ending) {
+  const auto among = [&](const auto& endings) {
+    return std::find(endings.begin(), endings.end(), ending) != endings.end();
+  };
+  return among(kKinds) || among(tet_endings()) || among(surface_endings());
+}
 
 bool is_special(const fs::path& path) {
   std::error_code ec;
@@ -47,7 +54,7 @@ void require_ending(const OutputFile& output) {
   if (endings.empty() || output.path == kStandardOutput || is_special(output.path)) return;
   if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
   const bool any = output.takes == OutputFile::Takes::all_but_foreign;
-  if (any && std::find(kKinds.begin(), kKinds.end(), ending) == kKinds.end()) return;
+  if (any && !has_kind(ending)) return;
   throw UsageError(output.option + " " + output.path,
                    any ? "has the ending of another kind of file" : "has an ending that the option does not write",
                    "expected " + listed(endings));

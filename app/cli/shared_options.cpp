@@ -77,7 +77,7 @@ void add_graphics(CLI::App& command, CommonOptions& options) {
 void add_common(CLI::App& command, CommonOptions& options) {
   command
       .add_option("scene", options.input,
-                  "scene (.json), tetrahedral mesh, surface (.obj) or replay (.fascia); - is a scene on standard "
+                  "scene (.json), tetrahedral mesh, surface or replay (.fascia); - is a scene on standard "
                   "input, with paths from the working folder; default: the shipped liver")
       ->type_name(std::string("FILE") + kOrDash);
   command.add_option("--set", options.sets, "override a scene value, e.g. solver.iterations=40")

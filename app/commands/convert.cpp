@@ -12,6 +12,7 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/text.h"
+#include "sim/mesh/io/mesh_formats.h"
 #include "sim/mesh/vertex_check.h"
 #include "sim/scene/scene_carry.h"
 #include "sim/surface/surface_fill.h"
@@ -54,7 +55,7 @@ int convert_file(const ConvertOptions& options) {
     return files;
   };
   for (const std::filesystem::path& out : files_of(options.out))
-    require_outputs({{"OUT", out.string(), mesh_endings}}, files_of(options.in));
+    require_outputs({{"OUT", out.string(), written_endings()}}, files_of(options.in));
   std::optional<EndAtOnce> opening(std::in_place);
   MeshFile file = read_mesh_or_fill(options.in, {}, opening_progress(options.in));
   opening.reset();
@@ -66,6 +67,8 @@ int convert_file(const ConvertOptions& options) {
     std::cerr << "fascia: --weld: " << plural(welded, "vertex") << " at the place of an earlier one left out\n";
   if (const std::string lost = names_left_out(options.out, file.mesh); !lost.empty())
     std::cerr << "fascia: " << lost << '\n';
+  if (const std::string cells = ignored_cells(file); !cells.empty())
+    std::cerr << "fascia: not written, beside the tets: " << cells << "; groups keep their vertices\n";
   for (const std::string& note : file.notes) std::cerr << "fascia: " << note << '\n';
   return exit_done;
 }

@@ -88,9 +88,9 @@ int inspect(const InfoOptions& options) {
     const FileReader::File found =
         files.read(body.mesh, "bodies[" + std::to_string(b) + "].mesh", part_of(progress, 0, 0.1));
     std::cout << found.place.string() << '\n';
-    const MeshFile file = is_surface_file(found.place)
-                              ? filled_mesh(files.surface(found), found.place.string(), body, progress)
-                              : files.tets(found);
+    ShapeFile shape = files.shape(found);
+    const MeshFile file = shape.surface ? filled_mesh(std::move(*shape.surface), found.place.string(), body, progress)
+                                        : std::move(shape.tets);
     const MeshRepair repaired = repair(file.mesh);
     print_report(std::cout, file, repaired, examine(file.mesh, repaired));
   }

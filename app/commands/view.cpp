@@ -47,7 +47,7 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
   command
       .get_option("scene")  // not from standard input, since a window reads its scene again
       ->type_name("FILE")
-      ->description("scene (.json), tetrahedral mesh, surface (.obj) or replay (.fascia); default: the shipped liver");
+      ->description("scene (.json), tetrahedral mesh, surface or replay (.fascia); default: the shipped liver");
   command.get_option("--steps")->description(
       "steps after which the window closes by itself; it then keeps no settings, no session and no recent files. "
       "Default: it stays open");

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "base/file.h"
+#include "sim/mesh/io/mesh_formats.h"
 
 namespace fascia {
 namespace fs = std::filesystem;
@@ -17,12 +18,14 @@ std::string lower(std::string text) {
 }  // namespace
 
 const std::vector<FileKind>& openable_kinds() {
-  static const std::vector<FileKind> kinds = {
-      {"All that fascia opens", {".json", ".fascia", ".msh", ".vtk", ".vtu", ".node", ".mesh", ".obj"}},
-      {"Scenes", {".json"}},
-      {"Meshes", {".msh", ".vtk", ".vtu", ".node", ".mesh"}},
-      {"Surfaces", {".obj"}},
-      {"Replays", {".fascia"}}};
+  static const std::vector<FileKind> kinds = [] {
+    FileKind all{"All that fascia opens", {}}, scenes{"Scenes", {".json"}}, meshes{"Meshes", tet_endings()},
+        surfaces{"Surfaces", surface_endings()}, replays{"Replays", {".fascia"}};
+    std::erase(meshes.endings, ".ele");  // of TetGen's pairs the .node file is listed
+    for (const FileKind* kind : {&scenes, &replays, &meshes, &surfaces})
+      all.endings.insert(all.endings.end(), kind->endings.begin(), kind->endings.end());
+    return std::vector<FileKind>{all, scenes, meshes, surfaces, replays};
+  }();
   return kinds;
 }
 

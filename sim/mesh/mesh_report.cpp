@@ -85,18 +85,6 @@ void print_groups(std::ostream& out, const TetMesh& mesh) {
   }
 }
 
-void print_ignored(std::ostream& out, const MeshFile& file) {
-  std::string list;
-  const auto add = [&](std::size_t count, const char* noun) {
-    if (count > 0) list += (list.empty() ? "" : ", ") + plural(count, noun);
-  };
-  add(file.ignored.points, "point");
-  add(file.ignored.lines, "line");
-  add(file.ignored.triangles, "triangle");
-  add(file.ignored.others, "other cell");
-  if (!list.empty()) line(out, "ignored") << list << "\n";
-}
-
 struct UnitGuess {
   const char* question;
   double scale;
@@ -119,6 +107,19 @@ std::vector<UnitGuess> unit_guesses(double extent) {
 }
 
 }  // namespace
+
+std::string ignored_cells(const MeshFile& file) {
+  std::string list;
+  const auto add = [&](std::size_t count, const char* noun) {
+    if (count > 0) list += (list.empty() ? "" : ", ") + plural(count, noun);
+  };
+  add(file.ignored.points, "point");
+  add(file.ignored.lines, "line");
+  add(file.ignored.triangles, "triangle");
+  add(file.ignored.polygons, "polygon");
+  add(file.ignored.others, "other cell");
+  return list;
+}
 
 std::string guess_unit(double extent, double scale) {
   if (extent == 0 || is_tissue(extent)) return "";
@@ -155,7 +156,7 @@ void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& rep
   print_tets(out, "duplicated", repaired.duplicated, "with the vertices of an earlier one, left out");
   print_far(out, file.mesh, report.far_vertices);
   print_slivers(out, report);
-  print_ignored(out, file);
+  if (const std::string cells = ignored_cells(file); !cells.empty()) line(out, "ignored") << cells << "\n";
   for (const std::string& note : file.notes) line(out, "note") << note << "\n";
   if (!report.unit_guess.empty()) line(out, "size") << report.unit_guess << "\n";
 }

@@ -1,11 +1,9 @@
 #include "sim/model/file_reader.h"
 
 #include <algorithm>
-#include <new>
 
 #include "base/error.h"
 #include "base/file.h"
-#include "sim/mesh/io/formats.h"
 #include "sim/scene/scene_paths.h"
 
 namespace fascia {
@@ -61,25 +59,20 @@ void FileReader::remember(const File& file, const std::string& name) {
     files.push_back(std::move(read));
 }
 
-SurfaceMesh FileReader::surface(const File& file) {
-  return read_obj_content(file.place, file.content, [&](const std::string& name) {
-    const File library = find_beside(file, name);
-    // Another file of that name is not part of the scene, and is not moved with the scene.
-    if (library.content.find("newmtl") != std::string::npos) remember(library, name);
-    return library.content;
+ShapeFile FileReader::shape(const File& file) {
+  const bool names_libraries = lower_ending(file.place) == ".obj";
+  return read_shape_content(file.place, file.content, [&](const std::string& name) {
+    const File other = find_beside(file, name);
+    // Another file of a library's name is not part of the scene, and is not moved with the scene.
+    if (!names_libraries || other.content.find("newmtl") != std::string::npos) remember(other, name);
+    return other.content;
   });
 }
 
-MeshFile FileReader::tets(const File& file) {
-  try {
-    return read_mesh_content(file.place, file.content, [&](const std::string& name) {
-      const File other = find_beside(file, name);
-      remember(other, name);
-      return other.content;
-    });
-  } catch (const std::bad_alloc&) {
-    throw Error(file.place.string(), "needs more memory than there is", "expected a smaller mesh");
-  }
+SurfaceMesh FileReader::surface(const File& file) {
+  ShapeFile shape = this->shape(file);
+  if (!shape.surface) throw Error(file.place.string(), "holds tets", "expected a surface");
+  return std::move(*shape.surface);
 }
 
 }  // namespace fascia

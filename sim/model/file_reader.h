@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "sim/mesh/io/mesh_io.h"
 #include "sim/scene/scene.h"
-#include "sim/surface/surface_mesh.h"
+#include "sim/surface/shape_file.h"
 
 namespace fascia {
 
@@ -23,10 +22,10 @@ class FileReader {
   };
   /// Throws Error "scene.json: bodies[0].mesh: m.msh: ..." for a file that cannot be read.
   File read(const std::string& path, const std::string& key, const Progress& progress = {});
-  /// Includes the material libraries. Throws Error.
+  /// Includes the files that it names: material libraries, the other file of a TetGen mesh. Throws Error.
+  ShapeFile shape(const File& file);
+  /// As shape(), of a file that must hold a surface.
   SurfaceMesh surface(const File& file);
-  /// Includes the other file of a TetGen mesh. Throws Error.
-  MeshFile tets(const File& file);
 
   std::vector<ReadFile> files;     // files that were read, each key and name once
   std::vector<std::string> notes;  // one line each

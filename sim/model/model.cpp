@@ -61,14 +61,17 @@ LoadedBody load(const Scene& scene, std::size_t index, FileReader& files, const 
   const std::string& key = loaded.key;
   FileReader::File mesh = files.read(body.mesh, key + ".mesh", part_of(progress, 0, 0.1));
   const std::filesystem::path path = mesh.place;
-  if (is_surface_file(path)) {
-    SurfaceMesh surface = files.surface(std::exchange(mesh, {}));
+  ShapeFile shape = files.shape(std::exchange(mesh, {}));
+  if (shape.surface) {
     FilledSurface filled =
-        fill_surface(std::move(surface), path.string(), body.resolution, part_of(progress, 0.1, 0.9));
+        fill_surface(std::move(*shape.surface), path.string(), body.resolution, part_of(progress, 0.1, 0.9));
     loaded.file = std::move(filled.file);
     loaded.surface = std::move(filled.surface);
   } else {
-    loaded.file = files.tets(std::exchange(mesh, {}));
+    if (body.resolution)
+      throw Error(loaded.where + ".resolution", "is given for a mesh of tets, which it does not change",
+                  "expected it only beside a surface");
+    loaded.file = std::move(shape.tets);
   }
   if (!body.surface.empty()) {
     loaded.surface = files.surface(files.read(body.surface, key + ".surface", part_of(progress, 0.9, 0.95)));

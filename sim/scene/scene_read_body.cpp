@@ -182,15 +182,11 @@ Body read_body(const Node& node) {
   node.expect_object(
       {"name", "mesh", "resolution", "transform", "materials", "fixed", "prescribed", "initial_velocity", "surface"});
   Body body;
-  const std::string expected = "the path of a tet mesh or of a closed surface (.obj)";
+  const std::string expected = "the path of a tet mesh or of a closed surface";
   const Node mesh = node.at("mesh", expected);
   body.mesh = mesh.text(expected);
   if (body.mesh.empty()) mesh.refuse(expected);
-  if (const auto resolution = node.find("resolution")) {
-    body.resolution = resolution->integer(kFewestCells, kMostCells);
-    if (!is_surface_file(body.mesh))
-      resolution->fail("is given for a mesh of tets, which it does not change", "it only beside a surface (.obj)");
-  }
+  if (const auto resolution = node.find("resolution")) body.resolution = resolution->integer(kFewestCells, kMostCells);
   const auto name = node.find("name");
   body.name = name ? name->text("a text") : std::filesystem::path(body.mesh).stem().string();
   if (const auto transform = node.find("transform")) body.transform = read_transform(*transform);
@@ -204,7 +200,7 @@ Body read_body(const Node& node) {
     for (const Node& motion : prescribed->elements("a list of motions")) body.prescribed.push_back(read_motion(motion));
   }
   if (const auto velocity = node.find("initial_velocity")) body.initial_velocity = read_velocity(*velocity);
-  if (const auto surface = node.find("surface")) body.surface = surface->text("the path of an .obj file");
+  if (const auto surface = node.find("surface")) body.surface = surface->text("the path of a surface");
   return body;
 }
 

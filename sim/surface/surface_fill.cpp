@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "sim/surface/shape_file.h"
 
 namespace fascia {
 namespace {
@@ -81,9 +82,9 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
 }
 
 MeshFile read_mesh_or_fill(const std::filesystem::path& path, std::optional<int> resolution, const Progress& progress) {
-  if (!is_surface_file(path)) return read_mesh(path, progress);
-  return fill_surface(read_obj(path, part_of(progress, 0, 0.1)), path.string(), resolution, part_of(progress, 0.1, 1))
-      .file;
+  ShapeFile shape = read_shape(path, part_of(progress, 0, 0.1));
+  if (!shape.surface) return std::move(shape.tets);
+  return fill_surface(std::move(*shape.surface), path.string(), resolution, part_of(progress, 0.1, 1)).file;
 }
 
 }  // namespace fascia

@@ -25,7 +25,7 @@ struct FilledSurface {
 FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::optional<int> resolution,
                            const Progress& progress = {});
 
-/// The mesh of a file: the filled surface of a .obj, else as read_mesh.
+/// The mesh of a file, or the filled surface of one.
 MeshFile read_mesh_or_fill(const std::filesystem::path& path, std::optional<int> resolution = {},
                            const Progress& progress = {});
 

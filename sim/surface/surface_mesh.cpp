@@ -7,9 +7,9 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "sim/mesh/polygon.h"
 #include "sim/surface/obj_lines.h"
 #include "sim/surface/obj_materials.h"
-#include "sim/surface/polygon.h"
 
 namespace fascia {
 namespace {
@@ -161,8 +161,6 @@ void add_colors(const ObjContent& obj, const std::vector<int>& material, Surface
 }
 
 }  // namespace
-
-bool is_surface_file(const std::filesystem::path& path) { return lower_ending(path) == ".obj"; }
 
 SurfaceMesh read_obj(const std::filesystem::path& path, const Progress& progress) {
   return read_obj_content(path, read_file(path, progress),

@@ -1,4 +1,5 @@
-// A surface from a Wavefront .obj file: drawn instead of the boundary of a body's tets, or filled with tets.
+// A surface: drawn instead of the boundary of a body's tets, or filled with tets. Read here from Wavefront .obj files,
+// by sim/mesh/io from others.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -29,9 +30,6 @@ struct SurfaceMesh {
   bool closed = false;             // known to have no open edges (surface_repair.h)
   std::vector<std::string> notes;  // about skipped content, one sentence each
 };
-
-/// Whether a file is read as a surface: if its extension is .obj.
-bool is_surface_file(const std::filesystem::path& path);
 
 /// Wavefront .obj with its material libraries; normals and texture coordinates are skipped. Throws Error.
 SurfaceMesh read_obj(const std::filesystem::path& path, const Progress& progress = {});

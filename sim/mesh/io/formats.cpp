@@ -33,6 +33,7 @@ void count_ignored(MeshFile& file, int dimension, int corners, std::size_t cells
   (dimension == 0                   ? ignored.points
    : dimension == 1                 ? ignored.lines
    : dimension == 2 && corners == 3 ? ignored.triangles
+   : dimension == 2                 ? ignored.polygons
                                     : ignored.others) += cells;
 }
 
@@ -83,20 +84,37 @@ void check_vertex_count(const Scanner& in, std::size_t vertices) {
     in.fail("has " + std::to_string(vertices) + " vertices", "expected at most " + std::to_string(most));
 }
 
+void require_tets(const MeshFile& file, const std::string& where) {
+  const auto& ignored = file.ignored;
+  if (!file.mesh.tets.empty()) return;
+  if (file.is_surface()) {
+    throw Error(where, "is a surface of " + counted(file.faces.ends.size(), "face", "faces") + " without tets",
+                "expected a tetrahedral mesh");
+  }
+  throw Error(where,
+              "holds no tets (" + counted(file.mesh.positions.size(), "vertex", "vertices") + ", " +
+                  counted(ignored.lines, "line", "lines") + ", " + counted(ignored.triangles, "triangle", "triangles") +
+                  ", " + counted(ignored.polygons + ignored.others, "other cell", "other cells") + ")",
+              "expected at least one");
+}
+
 void finish_mesh(MeshFile& file, const std::string& where) {
   TetMesh& mesh = file.mesh;
   const auto& ignored = file.ignored;
-  if (mesh.tets.empty()) {
-    const std::string triangles = counted(ignored.triangles, "triangle", "triangles");
-    if (ignored.triangles > 0 && ignored.others == 0) {
-      throw Error(where, "holds " + triangles + " but no tets",
-                  "expected a tetrahedral mesh: a tet mesher such as gmsh or tetgen can fill a closed surface");
-    }
-    throw Error(where,
-                "holds no tets (" + counted(mesh.positions.size(), "vertex", "vertices") + ", " +
-                    counted(ignored.lines, "line", "lines") + ", " + triangles + ", " +
-                    counted(ignored.others, "other cell", "other cells") + ")",
-                "expected at least one");
+  if (!file.is_surface()) {
+    require_tets(file, where);
+    file.faces = {};
+    file.vertex_colors.clear();
+  }
+  if (const auto& split = file.split; split.tets > 0) {
+    std::string cells;
+    const auto add = [&](std::size_t count, const char* one, const char* many) {
+      if (count > 0) cells += (cells.empty() ? "" : ", ") + counted(count, one, many);
+    };
+    add(split.hexahedra, "hexahedron", "hexahedra");
+    add(split.wedges, "wedge", "wedges");
+    add(split.pyramids, "pyramid", "pyramids");
+    file.notes.push_back(cells + " split into " + counted(split.tets, "tet", "tets") + ".");
   }
   if (ignored.others > 0)
     file.notes.push_back(counted(ignored.others, "cell", "cells") + " of other kinds than tets left out.");

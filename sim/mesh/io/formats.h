@@ -19,9 +19,19 @@ void read_gmsh(Scanner& in, MeshFile& file);
 void read_vtk_legacy(Scanner& in, MeshFile& file);
 void read_vtu(Scanner& in, MeshFile& file);
 void read_medit(Scanner& in, MeshFile& file);
+void read_abaqus(Scanner& in, MeshFile& file);
+void read_febio(Scanner& in, MeshFile& file);
+void read_off(Scanner& in, MeshFile& file);
+void read_ply(Scanner& in, MeshFile& file);
+void read_stl_binary(Scanner& in, MeshFile& file);
+void read_stl_text(Scanner& in, MeshFile& file);
+/// Whether the size of a file is that of a binary STL file with its count.
+bool is_stl_binary(std::string_view content);
 /// Returns the content of a file by its name, in the folder of the file that is read. Throws Error.
 using ReadBeside = std::function<std::string(const std::string& name)>;
 
+/// Files that it includes are read by `read_beside`.
+void read_vega(Scanner& in, MeshFile& file, const ReadBeside& read_beside);
 /// `path` is the .node or the .ele file and `content` its content; the other file is read, from disk if `read_beside`
 /// is empty.
 void read_tetgen(const std::filesystem::path& path, std::string_view content, MeshFile& file,
@@ -30,7 +40,7 @@ void read_tetgen(const std::filesystem::path& path, std::string_view content, Me
 void read_tetgen_content(const std::filesystem::path& node_path, std::string_view node,
                          const std::filesystem::path& ele_path, std::string_view ele, MeshFile& file);
 
-/// As read_mesh of a file with this content.
+/// The content of a file: tets, or a surface (MeshFile::is_surface). `path` is for errors and detection.
 MeshFile read_mesh_content(const std::filesystem::path& path, std::string_view content,
                            const ReadBeside& read_beside = {});
 
@@ -43,10 +53,17 @@ std::string medit_text(const TetMesh& mesh);
 std::string tetgen_node_text(const TetMesh& mesh);
 std::string tetgen_ele_text(const TetMesh& mesh);
 
+/// Of every reader that finds cells with nodes between their corners.
+inline constexpr const char* kHigherOrderNote = "Cells of higher order: kept the corners of each.";
+
 /// Adds a cell that is not a tet to `ignored`, by its dimension and number of corners.
 void count_ignored(MeshFile& file, int dimension, int corners, std::size_t cells = 1);
 
-/// Last step of every reader: refuses a mesh without tets, makes regions selectable as groups and puts groups in order.
+/// Throws Error if a file holds no tets.
+void require_tets(const MeshFile& file, const std::string& where);
+
+/// Last step of every reader: refuses a file with neither tets nor faces, keeps faces only without tets, makes regions
+/// selectable as groups and puts groups in order.
 void finish_mesh(MeshFile& file, const std::string& where);
 
 /// Adds a note if a text file that must end with a number does not end with a line break: it may be truncated.

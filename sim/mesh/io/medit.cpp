@@ -1,9 +1,9 @@
 // Medit .mesh in text: sections by keyword, vertices numbered from 1, a reference number after each item.
-#include <array>
 #include <cctype>
 #include <map>
 
 #include "base/number_text.h"
+#include "sim/mesh/io/cell_split.h"
 #include "sim/mesh/io/formats.h"
 
 namespace fascia {
@@ -37,12 +37,10 @@ class MeditReader {
         if (has_vertices) in_.fail("is the second list of vertices", "expected one");
         has_vertices = true;
         read_vertices();
-      } else if (keyword == "Tetrahedra") {
-        read_tets(4);
-      } else if (keyword == "TetrahedraP2") {
-        read_tets(10);
+      } else if (const auto kind = kKinds.find(keyword); kind != kKinds.end()) {
+        read_cells(kind->second);
       } else {
-        skip_section(keyword);
+        skip_section();
       }
     }
     in_.set_section("");
@@ -64,37 +62,55 @@ class MeditReader {
     }
   }
 
-  void read_tets(int nodes) {
-    const std::size_t count = in_.count("tets", 10);
+  struct Kind {
+    const char* name;
+    int dimension;
+    std::size_t corners, nodes;
+  };
+  static inline const std::map<std::string_view, Kind> kKinds = {{"Edges", {"edge", 1, 2, 2}},
+                                                                 {"EdgesP2", {"edge", 1, 2, 3}},
+                                                                 {"Triangles", {"triangle", 2, 3, 3}},
+                                                                 {"TrianglesP2", {"triangle", 2, 3, 6}},
+                                                                 {"Quadrilaterals", {"quad", 2, 4, 4}},
+                                                                 {"QuadrilateralsQ2", {"quad", 2, 4, 9}},
+                                                                 {"Tetrahedra", {"tet", 3, 4, 4}},
+                                                                 {"TetrahedraP2", {"tet", 3, 4, 10}},
+                                                                 {"Hexahedra", {"hexahedron", 3, 8, 8}},
+                                                                 {"Hexaedra", {"hexahedron", 3, 8, 8}},
+                                                                 {"HexahedraQ2", {"hexahedron", 3, 8, 27}},
+                                                                 {"Prisms", {"prism", 3, 6, 6}},
+                                                                 {"PrismsP2", {"prism", 3, 6, 18}},
+                                                                 {"Pyramids", {"pyramid", 3, 5, 5}},
+                                                                 {"PyramidsP2", {"pyramid", 3, 5, 14}}};
+
+  void read_cells(const Kind& kind) {
+    const std::size_t count = in_.count("cells", 2 * (kind.nodes + 1));
     const auto vertex_count = static_cast<std::int64_t>(file_.mesh.positions.size());
-    for (std::size_t t = 0; t < count; ++t) {
-      Tet tet{};
-      for (int i = 0; i < nodes; ++i) {
-        const auto vertex = in_.number<std::int64_t>("a vertex of a tet");
+    std::vector<std::uint32_t> corners(kind.corners);
+    for (std::size_t c = 0; c < count; ++c) {
+      for (std::size_t i = 0; i < kind.nodes; ++i) {
+        const auto vertex = in_.number<std::int64_t>("a vertex of a cell");
         if (vertex < 1 || vertex > vertex_count) {
-          in_.fail("tet " + std::to_string(t + 1) + " names vertex " + std::to_string(vertex),
+          in_.fail(std::string(kind.name) + " " + std::to_string(c + 1) + " names vertex " + std::to_string(vertex),
                    "expected 1 to " + std::to_string(vertex_count));
         }
-        if (i < 4) tet[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(vertex - 1);
+        if (i < kind.corners) corners[i] = static_cast<std::uint32_t>(vertex - 1);
       }
-      file_.mesh.tets.push_back(tet);
-      file_.mesh.regions.push_back(in_.number<int>("the reference of a tet"));
+      const int region = in_.number<int>("the reference of a cell");
+      if (kind.dimension == 3) {
+        add_solid(file_, corners);
+        file_.mesh.regions.resize(file_.mesh.tets.size(), region);
+      } else if (kind.dimension == 2) {
+        add_face(file_, corners);
+      } else {
+        count_ignored(file_, kind.dimension, static_cast<int>(kind.corners));
+      }
     }
-    if (nodes > 4 && count > 0) file_.notes.push_back("Tets of higher order: kept the four corners of each.");
+    if (kind.nodes > kind.corners && kind.dimension == 3 && count > 0) file_.notes.push_back(kHigherOrderNote);
   }
 
-  /// Skips numbers up to the next keyword; cells of other kinds are counted.
-  void skip_section(const std::string& keyword) {
-    struct Kind {
-      int dimension, corners;
-    };
-    static const std::map<std::string_view, Kind> kinds = {
-        {"Edges", {1, 2}},       {"EdgesP2", {1, 2}},        {"Triangles", {2, 3}},
-        {"TrianglesP2", {2, 3}}, {"Quadrilaterals", {2, 4}}, {"Hexahedra", {3, 8}},
-        {"Hexaedra", {3, 8}},    {"Prisms", {3, 6}},         {"Pyramids", {3, 5}}};
-    if (const auto kind = kinds.find(keyword); kind != kinds.end()) {
-      count_ignored(file_, kind->second.dimension, kind->second.corners, in_.count("cells", 6));
-    }
+  /// Skips numbers up to the next keyword.
+  void skip_section() {
     for (std::string_view word = in_.peek_word(); !word.empty() && !is_keyword(word); word = in_.peek_word()) {
       in_.number<double>("a value");
     }

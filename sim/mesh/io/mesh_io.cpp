@@ -5,58 +5,82 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "sim/mesh/io/foreign_formats.h"
 #include "sim/mesh/io/formats.h"
+#include "sim/mesh/io/mesh_formats.h"
+#include "sim/mesh/io/xml.h"
 
 namespace fascia {
 namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* known_formats =
-    "expected Gmsh .msh, VTK .vtk or .vtu, TetGen .node/.ele or Medit .mesh with tetrahedra";
-
-/// The probable kind of a file that is not a tet mesh, as a hint for the user.
-std::string likely_kind(std::string_view content, const std::string& ending) {
-  if (content.starts_with("solid") || ending == ".stl") return "is an STL surface";
-  if (content.starts_with("ply")) return "is a PLY surface";
-  if (content.starts_with("OFF")) return "is an OFF surface";
-  if (content.starts_with(std::string_view("\1\0\0\0", 4)) || content.starts_with(std::string_view("\0\0\0\1", 4))) {
-    return "looks like binary Medit .meshb";
-  }
-  return "";
+/// As lower_ending, but ".nii.gz" of "head.nii.gz".
+std::string full_ending(const fs::path& path) {
+  const std::string last = lower_ending(path);
+  return last == ".gz" ? lower_ending(path.stem()) + last : last;
 }
 
+std::string known_formats() { return "expected one of " + listed_formats(); }
+
 [[noreturn]] void refuse(const fs::path& path, std::string_view content) {
-  const std::string kind = likely_kind(content, lower_ending(path));
-  if (kind.ends_with("surface")) {
-    throw Error(path.string(), kind + " without tets",
-                "expected a tetrahedral mesh, or a closed surface as Wavefront .obj, which is filled with tets");
-  }
-  throw Error(path.string(),
-              kind.empty() ? "is no mesh that is known here (begins with " + in_quotes(content) + ")" : kind,
-              known_formats);
+  if (const auto foreign = foreign_format(content, full_ending(path)))
+    throw Error(path.string(), std::string("is ") + foreign->name + ", which fascia does not read", foreign->way);
+  throw Error(path.string(), "is no mesh that is known here (begins with " + in_quotes(content) + ")", known_formats());
+}
+
+bool is_off(std::string_view word, const std::string& ending) {
+  const std::size_t at = word.find("OFF");
+  const bool is_keyword = at != word.npos && word.find_first_not_of("STCN4n") >= at &&
+                          word.find_first_not_of("0123456789", at + 3) == word.npos;
+  return is_keyword || ending == ".off";
 }
 
 }  // namespace
 
 MeshFile read_mesh_content(const fs::path& path, std::string_view content, const ReadBeside& read_beside) {
   MeshFile file;
-  if (content.empty()) throw Error(path.string(), "is empty", known_formats);
+  if (content.empty()) throw Error(path.string(), "is empty", known_formats());
   Scanner in(path.string(), content);
   const std::string_view text = content.substr(in.offset());
 
   Scanner peek = in;
   peek.skip_comments();
   const std::string_view word = in.peek_word();
+  const std::string ending = lower_ending(path);
   if (text.starts_with("# vtk DataFile")) {
     read_vtk_legacy(in, file);
   } else if (word.starts_with("$") || peek.peek_word().starts_with("$")) {
     read_gmsh(in, file);
   } else if (word.starts_with("<")) {
-    read_vtu(in, file);
+    const std::string_view root = xml_root_name(text);
+    if (root == "febio_spec")
+      read_febio(in, file);
+    else if (root != "VTKFile" && foreign_format(text, ending))
+      refuse(path, text);
+    else
+      read_vtu(in, file);
+  } else if (word == "*KEYWORD") {
+    refuse(path, text);
+  } else if (peek.peek_word() == "*VERTICES" || ending == ".veg") {
+    read_vega(
+        in, file,
+        read_beside ? read_beside : [&](const std::string& name) { return read_file(path.parent_path() / name); });
+  } else if (word.starts_with("*")) {
+    read_abaqus(in, file);
   } else if (peek.peek_word().starts_with("MeshVersionFormatted")) {
     read_medit(in, file);
-  } else if (const std::string ending = lower_ending(path); ending == ".node" || ending == ".ele") {
+  } else if (word == "ply") {
+    read_ply(in, file);
+  } else if (is_stl_binary(content)) {
+    read_stl_binary(in, file);
+  } else if ((word == "solid" || word == "SOLID") && content.find('\0') == content.npos) {
+    read_stl_text(in, file);
+  } else if (ending == ".stl" || word == "solid") {
+    read_stl_binary(in, file);
+  } else if (is_off(peek.peek_word(), ending)) {
+    read_off(in, file);
+  } else if (ending == ".node" || ending == ".ele") {
     read_tetgen(path, content, file, read_beside);
   } else {
     refuse(path, text);
@@ -66,7 +90,9 @@ MeshFile read_mesh_content(const fs::path& path, std::string_view content, const
 
 MeshFile read_mesh(const fs::path& path, const Progress& progress) {
   try {
-    return read_mesh_content(path, read_file(path, progress));
+    MeshFile file = read_mesh_content(path, read_file(path, progress));
+    require_tets(file, path.string());
+    return file;
   } catch (const std::bad_alloc&) {
     throw Error(path.string(), "needs more memory than there is", "expected a smaller mesh");
   }

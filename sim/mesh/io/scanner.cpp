@@ -36,7 +36,7 @@ std::string in_quotes(std::string_view text) {
 void Scanner::skip_space(bool across_lines) {
   while (pos_ < data_.size()) {
     const char c = data_[pos_];
-    if (is_blank(c) || (across_lines && c == '\n')) {
+    if (is_blank(c) || (across_lines && c == '\n') || (commas_ && c == ',')) {
       ++pos_;
     } else if (comments_ && c == '#') {
       pos_ = std::min(data_.find('\n', pos_), data_.size());
@@ -49,7 +49,7 @@ void Scanner::skip_space(bool across_lines) {
 
 std::string_view Scanner::current_word() const {
   std::size_t end = word_;
-  while (end < data_.size() && !is_space(data_[end]) && !(comments_ && data_[end] == '#')) ++end;
+  while (end < data_.size() && !is_space(data_[end]) && !is_separator(data_[end])) ++end;
   return data_.substr(word_, end - word_);
 }
 
@@ -105,7 +105,6 @@ bool Scanner::skip_past(std::string_view text) {
 
 double Scanner::coordinate(const char* what) { return check_finite(number<double>(what), what); }
 double Scanner::coordinate_on_line(const char* what) { return check_finite(number_on_line<double>(what), what); }
-double Scanner::binary_coordinate(const char* what) { return check_finite(binary<double>(what), what); }
 
 double Scanner::check_finite(double value, const char* what) const {
   if (!std::isfinite(value)) {

@@ -31,6 +31,8 @@ class Scanner {
   void set_section(std::string_view section) { section_ = section; }
   /// '#' starts a comment that runs to the end of the line.
   void skip_comments() { comments_ = true; }
+  /// A comma separates words as a blank does.
+  void skip_commas() { commas_ = true; }
   /// Binary numbers have the other byte order.
   void set_swapped(bool swapped) { swapped_ = swapped; }
 
@@ -57,6 +59,7 @@ class Scanner {
   std::string_view bytes(std::size_t size, const char* what);
   template <class T>
   T binary(const char* what);
+  template <class T = double>
   double binary_coordinate(const char* what);
   void skip(std::uint64_t size, const char* what);
 
@@ -67,6 +70,7 @@ class Scanner {
 
  private:
   void skip_space(bool across_lines);
+  bool is_separator(char c) const { return (comments_ && c == '#') || (commas_ && c == ','); }
   std::string_view current_word() const;
   [[noreturn]] void fail_number(const char* what, const char* kind) const;
   [[noreturn]] void fail_missing(const char* what);
@@ -80,7 +84,7 @@ class Scanner {
   std::size_t pos_ = 0;
   std::size_t word_ = 0;  // start of the last word or number
   std::string section_;
-  bool by_byte_ = false, comments_ = false, swapped_ = false;
+  bool by_byte_ = false, comments_ = false, commas_ = false, swapped_ = false;
 };
 
 /// A piece of file content for one line of an error message: at most 24 bytes, other bytes escaped.
@@ -103,7 +107,7 @@ T Scanner::parse_number(const char* what) {
   T value{};
   const auto [stop, status] = std::from_chars(begin, end, value);
   const bool ends =
-      stop == end || *stop == ' ' || *stop == '\n' || *stop == '\t' || *stop == '\r' || (comments_ && *stop == '#');
+      stop == end || *stop == ' ' || *stop == '\n' || *stop == '\t' || *stop == '\r' || is_separator(*stop);
   if constexpr (std::floating_point<T>) {
     if (status == std::errc::result_out_of_range) {
       value = static_cast<T>(beyond_range(static_cast<std::size_t>(stop - begin)));
@@ -131,6 +135,11 @@ T Scanner::number_on_line(const char* what) {
   skip_space(false);
   if (pos_ == data_.size() || data_[pos_] == '\n') fail_missing(what);
   return parse_number<T>(what);
+}
+
+template <class T>
+double Scanner::binary_coordinate(const char* what) {
+  return check_finite(static_cast<double>(binary<T>(what)), what);
 }
 
 template <class T>

@@ -78,7 +78,7 @@ void read_ele(Scanner& in, const TagMap& vertex_of_tag, MeshFile& file) {
     mesh.regions.assign(count, 0);
     file.notes.push_back("The first attribute of the tets is not a whole number: no regions.");
   }
-  if (nodes > 4) file.notes.push_back("Tets of higher order: kept the four corners of each.");
+  if (nodes > 4) file.notes.push_back(kHigherOrderNote);
 }
 
 /// The file beside `path` with the other extension, in the same case.

@@ -122,9 +122,9 @@ TEST_CASE("a missing key is named") {
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": []})") ==
         "s.json: bodies: is []; expected a list of at least one body");
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": [{}]})") ==
-        "s.json: bodies[0].mesh: is missing; expected the path of a tet mesh or of a closed surface (.obj)");
+        "s.json: bodies[0].mesh: is missing; expected the path of a tet mesh or of a closed surface");
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": [{"mesh": ""}]})") ==
-        "s.json: bodies[0].mesh: is \"\"; expected the path of a tet mesh or of a closed surface (.obj)");
+        "s.json: bodies[0].mesh: is \"\"; expected the path of a tet mesh or of a closed surface");
   CHECK(top_error(R"("camera": {})") ==
         "s.json: camera.eye: is missing; expected a list of 3 numbers [m] (without a camera the view is framed on the "
         "bodies)");
@@ -176,7 +176,7 @@ TEST_CASE("a wrong type reports the value found and the one expected") {
         "s.json: bodies[0]: is \"m.msh\"; expected an object with name, mesh, resolution, transform, materials, fixed, "
         "prescribed, initial_velocity, surface");
   CHECK(body_error(R"("name": 1)") == "s.json: bodies[0].name: is 1; expected a text");
-  CHECK(body_error(R"("surface": 1)") == "s.json: bodies[0].surface: is 1; expected the path of an .obj file");
+  CHECK(body_error(R"("surface": 1)") == "s.json: bodies[0].surface: is 1; expected the path of a surface");
   CHECK(body_error(R"("initial_velocity": 1)") ==
         "s.json: bodies[0].initial_velocity: is 1; expected a list of 3 numbers [m/s] or the path of a CSV file");
   CHECK(body_error(R"("initial_velocity": "")") ==

@@ -33,8 +33,8 @@ TEST_CASE("the resolution is checked, and written so that it reads back") {
   const Scene again = read_scene_content(kidney, scene_to_json(scene, kidney.parent_path()));
   CHECK(again == scene);
   CHECK_THROWS_WITH(open_scene(kidney, {"resolution=1"}), Catch::Contains("resolution") && Catch::Contains("2 to 256"));
-  CHECK_THROWS_WITH(open_scene(test::source_dir() / "assets/meshes/cube.msh", {"resolution=20"}),
-                    Catch::Contains("a mesh of tets"));
+  CHECK_THROWS_WITH(build_model(open_scene(test::source_dir() / "assets/meshes/cube.msh", {"resolution=20"})),
+                    Catch::Contains("bodies[0].resolution: is given for a mesh of tets"));
   CHECK(!open_scene(kidney).bodies[0].resolution);
 }
 

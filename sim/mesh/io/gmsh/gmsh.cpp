@@ -36,7 +36,7 @@ void GmshReader::read() {
     read_section(word);
   }
   require_complete();
-  if (second_order_) file_.notes.push_back("Tets of higher order: kept the four corners of each.");
+  if (second_order_) file_.notes.push_back(kHigherOrderNote);
   note_sections();
   name_groups();
   finish_mesh(file_, in_.where());
@@ -167,16 +167,19 @@ void GmshReader::add_element(const GmshElementType& type, std::int64_t element, 
     }
     corners[i] = *vertex;
   }
-  const bool tet = type.dimension == 3 && type.corners == 4;
-  if (tet) {
-    second_order_ |= type.nodes > 4;
-    file_.mesh.tets.push_back({corners[0], corners[1], corners[2], corners[3]});
-    file_.mesh.regions.push_back(physicals.empty() ? 0 : physicals[0]);
+  second_order_ |= type.dimension >= 2 && type.nodes > type.corners;
+  const std::span<const std::uint32_t> cell(corners.data(), corner_count);
+  const bool solid = type.dimension == 3;
+  if (solid) {
+    add_solid(file_, cell);
+    file_.mesh.regions.resize(file_.mesh.tets.size(), physicals.empty() ? 0 : physicals[0]);
+  } else if (type.dimension == 2) {
+    add_face(file_, cell);
   } else {
     count_ignored(file_, type.dimension, type.corners);
   }
-  // A tet's first physical group is its region, which finish_mesh makes a group.
-  for (const int physical : physicals.subspan(tet && !physicals.empty() ? 1 : 0)) {
+  // The first physical group of a cell is the region of its tets, which finish_mesh makes a group.
+  for (const int physical : physicals.subspan(solid && !physicals.empty() ? 1 : 0)) {
     if (physical == 0) continue;
     const Physical group{type.dimension, physical};
     if (group != last_group_) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "sim/mesh/io/cell_split.h"
 #include "sim/mesh/io/formats.h"
 #include "sim/mesh/io/gmsh/gmsh_tags.h"
 #include "sim/mesh/io/tag_map.h"

@@ -10,7 +10,7 @@ namespace fascia {
 namespace {
 
 struct CellType {
-  int dimension, corners;  // corners 0: any number
+  int dimension, corners;  // corners 0: any number; of three dimensions: a kind without tets
 };
 
 CellType cell_type(std::int64_t type) {
@@ -26,22 +26,67 @@ CellType cell_type(std::int64_t type) {
     case 21:
     case 35:
     case 68:
+    case 75:
       return {1, 0};  // curves of higher order
     case 5:
       return {2, 3};  // triangle
     case 22:
     case 34:
     case 69:
+    case 76:
       return {2, 3};  // triangles of higher order
     case 10:
       return {3, 4};  // tet
     case 24:
     case 71:
+    case 78:
       return {3, 4};  // tets of higher order
+    case 6:
+    case 7:
+      return {2, 0};  // triangle strip, polygon
+    case 8:
+    case 9:
+    case 23:
+    case 28:
+    case 30:
+    case 36:
+    case 70:
+    case 77:
+      return {2, 4};  // pixel, quads
+    case 11:
+    case 12:
+    case 25:
+    case 29:
+    case 33:
+    case 72:
+    case 79:
+      return {3, 8};  // voxel, hexahedra
+    case 13:
+    case 26:
+    case 31:
+    case 32:
+    case 73:
+    case 80:
+      return {3, 6};  // wedges
+    case 14:
+    case 27:
+    case 37:
+    case 74:
+    case 81:
+      return {3, 5};  // pyramids
     default:
       return {3, 0};
   }
 }
+
+/// Linear cells have exactly their corners.
+bool is_linear(std::int64_t type) {
+  constexpr std::array<std::int64_t, 10> types = {1, 3, 5, 8, 9, 10, 11, 12, 13, 14};
+  return std::find(types.begin(), types.end(), type) != types.end();
+}
+
+/// The corners of voxels and pixels go along the axes, not around.
+constexpr std::int64_t kPixel = 8, kVoxel = 11, kStrip = 6;
 
 /// Best first. Compared case-insensitively.
 constexpr std::array<std::string_view, 14> region_names = {
@@ -74,6 +119,14 @@ std::vector<To> values_of(std::string_view bytes, bool swapped) {
 }
 
 }  // namespace
+
+std::optional<std::int64_t> vtk_polydata_type(std::string_view list) {
+  if (list == "VERTICES" || list == "Verts") return 2;
+  if (list == "LINES" || list == "Lines") return 4;
+  if (list == "TRIANGLE_STRIPS" || list == "Strips") return kStrip;
+  if (list == "POLYGONS" || list == "Polys") return 7;
+  return std::nullopt;
+}
 
 std::size_t size_of(VtkType type) {
   constexpr std::array<std::size_t, 10> sizes = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
@@ -145,7 +198,7 @@ void VtkGrid::add_cells(const Scanner& in, const VtkCells& cells) {
     }
     const CellType type = cell_type(cells.types[c]);
     const std::int64_t nodes = end - begin;
-    const bool exact = cells.types[c] == 1 || cells.types[c] == 3 || cells.types[c] == 5 || cells.types[c] == 10;
+    const bool exact = is_linear(cells.types[c]);
     if (exact ? nodes != type.corners : nodes < type.corners) {
       fail("of type " + std::to_string(cells.types[c]) + " has " + std::to_string(nodes) + " points",
            "expected " + std::string(exact ? "" : "at least ") + std::to_string(type.corners));
@@ -159,20 +212,38 @@ void VtkGrid::add_cells(const Scanner& in, const VtkCells& cells) {
         }
       }
     }
-    if (type.dimension != 3 || type.corners != 4) {
+    second_order_ |= type.dimension >= 2 && type.corners > 0 && nodes > type.corners;
+    if (type.dimension == 2) {
+      add_polygon(cells.types[c], {points, static_cast<std::size_t>(type.corners == 0 ? nodes : type.corners)});
+    } else if (type.dimension == 3 && type.corners > 0) {
+      const std::size_t tets =
+          add_solid(file_, vertices(cells.types[c], {points, static_cast<std::size_t>(type.corners)}));
+      tet_cells_.insert(tet_cells_.end(), tets, c);
+    } else {
       count_ignored(file_, type.dimension, type.corners);
-      continue;
     }
-    second_order_ |= nodes > 4;
-    Tet tet;
-    for (std::size_t i = 0; i < 4; ++i)
-      tet[i] = static_cast<std::uint32_t>(static_cast<std::int64_t>(first_point_) + points[i]);
-    file_.mesh.tets.push_back(tet);
-    tet_cells_.push_back(c);
   }
   if (begin != ends) {
     in.fail("cells end at offset " + std::to_string(begin),
             "expected " + std::to_string(ends) + ", the size of the connectivity");
+  }
+}
+
+const std::vector<std::uint32_t>& VtkGrid::vertices(std::int64_t type, std::span<const std::int64_t> points) {
+  corners_.clear();
+  for (const std::int64_t point : points)
+    corners_.push_back(static_cast<std::uint32_t>(static_cast<std::int64_t>(first_point_) + point));
+  if (type == kPixel || type == kVoxel) std::swap(corners_[2], corners_[3]);
+  if (type == kVoxel) std::swap(corners_[6], corners_[7]);
+  return corners_;
+}
+
+void VtkGrid::add_polygon(std::int64_t type, std::span<const std::int64_t> points) {
+  if (type != kStrip) return add_face(file_, vertices(type, points));
+  const std::vector<std::uint32_t>& strip = vertices(type, points);
+  for (std::size_t i = 0; i + 2 < strip.size(); ++i) {  // every second triangle is wound against its corners' order
+    const std::array<std::uint32_t, 3> triangle = {strip[i], strip[i + 1 + i % 2], strip[i + 2 - i % 2]};
+    add_face(file_, triangle);
   }
 }
 
@@ -197,7 +268,7 @@ void VtkGrid::add_field_array(const std::string& name, const std::vector<double>
 void VtkGrid::end_piece() {
   std::vector<int>& regions = file_.mesh.regions;
   regions.resize(file_.mesh.tets.size(), 0);
-  if (region_array_) {
+  if (region_array_ && !tet_cells_.empty()) {
     const auto& [name, values] = *region_array_;
     const bool whole =
         std::all_of(tet_cells_.begin(), tet_cells_.end(), [&v = values](std::size_t c) { return is_region(v[c]); });
@@ -213,7 +284,7 @@ void VtkGrid::end_piece() {
 }
 
 void VtkGrid::finish(const std::string& where) {
-  if (second_order_) file_.notes.push_back("Tets of higher order: kept the four corners of each.");
+  if (second_order_) file_.notes.push_back(kHigherOrderNote);
   finish_mesh(file_, where);
 }
 

@@ -3,11 +3,13 @@
 // "region_name:NAME" that holds its number, so that both are preserved in files that ParaView reads.
 #pragma once
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "sim/mesh/io/cell_split.h"
 #include "sim/mesh/io/formats.h"
 
 namespace fascia {
@@ -25,12 +27,15 @@ std::vector<T> vtk_values(std::string_view bytes, VtkType type, bool swapped);
 extern template std::vector<double> vtk_values<double>(std::string_view, VtkType, bool);
 extern template std::vector<std::int64_t> vtk_values<std::int64_t>(std::string_view, VtkType, bool);
 
+/// The cell type of a list of polydata, POLYGONS in legacy files and Polys in XML; none if the word is no such list.
+std::optional<std::int64_t> vtk_polydata_type(std::string_view list);
+
 /// Cells of one piece. offsets[i] is the end of cell i in connectivity.
 struct VtkCells {
   std::vector<std::int64_t> connectivity, offsets, types;
 };
 
-/// Collects the parts of an unstructured grid, piece by piece.
+/// Collects the parts of an unstructured grid or of polygons, piece by piece.
 class VtkGrid {
  public:
   explicit VtkGrid(MeshFile& file) : file_(file) {}
@@ -51,7 +56,12 @@ class VtkGrid {
   static bool is_region_name(std::string_view name) { return name.starts_with(vtk_region_name_prefix); }
 
  private:
+  /// Into corners_, around the cell.
+  const std::vector<std::uint32_t>& vertices(std::int64_t type, std::span<const std::int64_t> points);
+  void add_polygon(std::int64_t type, std::span<const std::int64_t> points);
+
   MeshFile& file_;
+  std::vector<std::uint32_t> corners_;           // of one cell
   std::size_t first_point_ = 0, first_tet_ = 0;  // of the piece
   std::vector<std::size_t> tet_cells_;           // [tets of the piece] index of the cell
   bool second_order_ = false;

@@ -44,6 +44,8 @@ class LegacyReader {
   void read_keyword(const std::string& keyword);
   void read_points();
   void read_cells();
+  void read_polydata_cells(std::int64_t type);
+  void read_cell_list();
   void read_cell_types();
   void read_attribute(const std::string& keyword);
   void read_field();
@@ -64,8 +66,9 @@ class LegacyReader {
   Scanner& in_;
   MeshFile& file_;
   VtkGrid grid_;
-  bool binary_ = false, has_points_ = false, has_cells_ = false, has_types_ = false;
+  bool binary_ = false, polydata_ = false, has_points_ = false, has_cells_ = false, has_types_ = false;
   VtkCells cells_;
+  std::size_t cell_count_ = 0;
   std::size_t cells_at_ = 0;  // offset of the list
   Owner owner_ = Owner::field;
   std::size_t owner_count_ = 0;
@@ -87,7 +90,9 @@ void LegacyReader::read_header() {
   if (upper(dataset) != "DATASET")
     in_.fail(in_quotes(dataset) + " follows the encoding", "expected DATASET UNSTRUCTURED_GRID");
   const std::string kind = upper(in_.word("the kind of dataset"));
-  if (kind != "UNSTRUCTURED_GRID") in_.fail("dataset is " + in_quotes(kind), "expected UNSTRUCTURED_GRID");
+  polydata_ = kind == "POLYDATA";
+  if (!polydata_ && kind != "UNSTRUCTURED_GRID")
+    in_.fail("dataset is " + in_quotes(kind), "expected UNSTRUCTURED_GRID or POLYDATA");
   file_.format = "VTK legacy " + version + (binary_ ? " binary" : " ASCII");
 }
 
@@ -96,7 +101,8 @@ void LegacyReader::read() {
   while (!in_.at_end()) read_keyword(upper(in_.word("a keyword")));
   in_.set_section("");
   if (!has_points_) in_.fail("has no points", "expected POINTS");
-  if (!has_cells_ || !has_types_) in_.fail("has no cells", "expected CELLS and CELL_TYPES");
+  if (polydata_ ? !has_cells_ : !has_cells_ || !has_types_)
+    in_.fail("has no cells", polydata_ ? "expected POLYGONS" : "expected CELLS and CELL_TYPES");
   grid_.end_piece();
   if (!binary_) note_cut_off(in_, file_);
   grid_.finish(in_.where());
@@ -105,18 +111,20 @@ void LegacyReader::read() {
 void LegacyReader::read_keyword(const std::string& keyword) {
   in_.set_section(keyword);
   if (keyword == "POINTS") return read_points();
-  if (keyword == "CELLS") return read_cells();
-  if (keyword == "CELL_TYPES") return read_cell_types();
+  if (keyword == "CELLS" && !polydata_) return read_cells();
+  if (keyword == "CELL_TYPES" && !polydata_) return read_cell_types();
+  if (const auto cell = vtk_polydata_type(keyword); cell && polydata_) return read_polydata_cells(*cell);
   if (keyword == "METADATA") return skip_metadata();
   if (keyword == "FIELD") return read_field();
   if (keyword == "CELL_DATA" || keyword == "POINT_DATA") {
     const bool of_cells = keyword == "CELL_DATA";
     // The size of an array follows from its owner, which must be known by then.
-    if (of_cells && !(has_cells_ && has_types_))
-      in_.fail("stands before the cells", "expected CELLS and CELL_TYPES first");
+    if (of_cells && !(has_cells_ && (has_types_ || polydata_)))
+      in_.fail("stands before the cells",
+               polydata_ ? "expected POLYGONS first" : "expected CELLS and CELL_TYPES first");
     if (!of_cells && !has_points_) in_.fail("stands before the points", "expected POINTS first");
     owner_ = of_cells ? Owner::cells : Owner::points;
-    owner_count_ = of_cells ? cells_.types.size() : file_.mesh.positions.size();
+    owner_count_ = of_cells ? cell_count_ : file_.mesh.positions.size();
     const auto count = in_.number<std::uint64_t>("a number of values");
     if (count != owner_count_) {
       in_.fail("is for " + std::to_string(count) + (of_cells ? " cells" : " points"),
@@ -194,6 +202,23 @@ void LegacyReader::read_points() {
 void LegacyReader::read_cells() {
   if (has_cells_) in_.fail("is the second list of cells", "expected one");
   has_cells_ = true;
+  read_cell_list();
+  add_cells();
+}
+
+/// Polydata has a list for each kind of cell instead of types.
+void LegacyReader::read_polydata_cells(std::int64_t type) {
+  has_cells_ = true;
+  if (!has_points_) in_.fail("stands before the points", "expected POINTS first");
+  cells_ = {};
+  read_cell_list();
+  cells_.types.assign(cells_.offsets.size(), type);
+  in_.blame(cells_at_);
+  grid_.add_cells(in_, cells_);
+  cell_count_ += cells_.types.size();
+}
+
+void LegacyReader::read_cell_list() {
   cells_at_ = in_.offset();
   const std::size_t first = in_.count("cells", binary_ ? 4 : 2);
   const std::size_t second = in_.count("numbers", binary_ ? 4 : 2);
@@ -232,7 +257,6 @@ void LegacyReader::read_cells() {
     if (used != second)
       in_.fail("cells take " + std::to_string(used) + " numbers", "expected " + std::to_string(second));
   }
-  add_cells();
 }
 
 void LegacyReader::read_cell_types() {
@@ -255,6 +279,7 @@ void LegacyReader::add_cells() {
   in_.set_section("CELLS");
   in_.blame(cells_at_);
   grid_.add_cells(in_, cells_);
+  cell_count_ = cells_.types.size();
   cells_.connectivity = {};
 }
 
@@ -337,7 +362,9 @@ void LegacyReader::read_attribute(const std::string& keyword) {
   if (found == components.end() || owner_ == Owner::field) {
     in_.set_section("");
     in_.fail("keyword is " + in_quotes(keyword),
-             "expected POINTS, CELLS, CELL_TYPES, CELL_DATA, POINT_DATA or an attribute");
+             polydata_
+                 ? "expected POINTS, POLYGONS, TRIANGLE_STRIPS, LINES, VERTICES, CELL_DATA, POINT_DATA or an attribute"
+                 : "expected POINTS, CELLS, CELL_TYPES, CELL_DATA, POINT_DATA or an attribute");
   }
   const std::string name = decoded(in_.word("the name of an array"));
   std::size_t width = found->second, tuples = owner_count_;

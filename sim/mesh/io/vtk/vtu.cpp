@@ -1,4 +1,4 @@
-// Reading VTK XML unstructured grids (.vtu), in one or several pieces.
+// Reading VTK XML unstructured grids (.vtu) and polygons (.vtp), in one or several pieces.
 #include <algorithm>
 
 #include "sim/mesh/io/vtk/vtu_array.h"
@@ -12,7 +12,7 @@ class VtuReader {
       : in_(in), root_(parse_xml(in)), arrays_(in, checked(root_)), file_(file), grid_(file) {}
 
   void read() {
-    const XmlElement& grid = required(root_, "UnstructuredGrid");
+    const XmlElement& grid = required(root_, polydata_ ? "PolyData" : "UnstructuredGrid");
     read_field_data(grid);
     required(grid, "Piece");
     for (const XmlElement& piece : grid.children) {
@@ -25,7 +25,9 @@ class VtuReader {
   const XmlElement& checked(const XmlElement& root) {
     if (root.name != "VTKFile") fail_at(in_, root, "is no VTK file", "expected VTKFile");
     const std::string kind = root.attribute("type");
-    if (kind != "UnstructuredGrid") fail_at(in_, root, "type is " + in_quotes(kind), "expected UnstructuredGrid");
+    polydata_ = kind == "PolyData";
+    if (!polydata_ && kind != "UnstructuredGrid")
+      fail_at(in_, root, "type is " + in_quotes(kind), "expected UnstructuredGrid or PolyData");
     return root;
   }
 
@@ -75,28 +77,52 @@ class VtuReader {
     });
   }
 
+  /// The lists of polydata, in the order of cell data, and the attributes with their sizes.
+  static constexpr std::pair<const char*, const char*> kLists[] = {
+      {"Verts", "NumberOfVerts"}, {"Lines", "NumberOfLines"}, {"Strips", "NumberOfStrips"}, {"Polys", "NumberOfPolys"}};
+
+  std::size_t polydata_count(const XmlElement& piece, const char* number) {
+    return piece.attribute(number).empty() ? 0 : count(piece, number);
+  }
+
+  std::size_t count_polydata(const XmlElement& piece) {
+    std::size_t all = 0;
+    for (const auto& [list, number] : kLists) all += polydata_count(piece, number);
+    return all;
+  }
+
+  /// `type`: of all cells; none if the file has a type for each.
+  void read_cells(const XmlElement& lists, std::size_t cell_count, std::optional<std::int64_t> type) {
+    if (type && cell_count == 0) return;  // programs leave the arrays out
+    const XmlElement& connectivity = required_array(lists, "connectivity");
+    VtkCells cells;
+    cells.offsets = arrays_.values<std::int64_t>(required_array(lists, "offsets"), cell_count);
+    cells.types = type ? std::vector<std::int64_t>(cell_count, *type)
+                       : arrays_.values<std::int64_t>(required_array(lists, "types"), cell_count);
+    cells.connectivity = arrays_.values<std::int64_t>(connectivity, std::nullopt);
+    locate(connectivity);
+    grid_.add_cells(in_, cells);
+    in_.set_section("");
+  }
+
   void read_piece(const XmlElement& piece) {
     const std::size_t point_count = count(piece, "NumberOfPoints");
-    const std::size_t cell_count = count(piece, "NumberOfCells");
+    const std::size_t cell_count = polydata_ ? count_polydata(piece) : count(piece, "NumberOfCells");
 
     const XmlElement& points = required(required(piece, "Points"), "DataArray");
     const std::string components = points.attribute("NumberOfComponents", "3");
     if (components != "3") fail_at(in_, points, "NumberOfComponents is " + in_quotes(components), "expected 3");
-    file_.format = "VTU " + arrays_.encoding(points);
+    file_.format = (polydata_ ? "VTP " : "VTU ") + arrays_.encoding(points);
     const std::vector<double> coordinates = arrays_.values<double>(points, 3 * point_count, true);
     locate(points);
     grid_.add_points(in_, coordinates);
     in_.set_section("");
 
-    const XmlElement& lists = required(piece, "Cells");
-    const XmlElement& connectivity = required_array(lists, "connectivity");
-    VtkCells cells;
-    cells.offsets = arrays_.values<std::int64_t>(required_array(lists, "offsets"), cell_count);
-    cells.types = arrays_.values<std::int64_t>(required_array(lists, "types"), cell_count);
-    cells.connectivity = arrays_.values<std::int64_t>(connectivity, std::nullopt);
-    locate(connectivity);
-    grid_.add_cells(in_, cells);
-    in_.set_section("");
+    if (!polydata_) read_cells(required(piece, "Cells"), cell_count, std::nullopt);
+    for (const auto& [list, number] : kLists) {
+      const XmlElement* const cells = polydata_ ? piece.child(list) : nullptr;
+      if (cells) read_cells(*cells, polydata_count(piece, number), vtk_polydata_type(list));
+    }
 
     for_arrays(piece, "CellData", VtkGrid::is_region_array, [&](const std::string& name, const XmlElement& array) {
       grid_.add_cell_array(name, arrays_.values<double>(array, cell_count));
@@ -108,6 +134,7 @@ class VtuReader {
   }
 
   Scanner& in_;
+  bool polydata_ = false;
   XmlElement root_;
   VtuArrays arrays_;
   MeshFile& file_;

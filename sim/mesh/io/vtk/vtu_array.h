@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/mesh/io/vtk/vtk.h"
-#include "sim/mesh/io/vtk/xml.h"
+#include "sim/mesh/io/xml.h"
 
 namespace fascia {
 

@@ -1,9 +1,10 @@
-// Files written by Gmsh, VTK and TetGen themselves (tests/data/meshes), against the known properties of the bodies in
-// them.
+// Files written by other programs (tests/data/meshes; their names begin with the program), against the known properties
+// of the bodies in them.
 #include <catch2/catch.hpp>
 #include <map>
 
-#include "sim/mesh/io/mesh_io.h"
+#include "base/file.h"
+#include "sim/mesh/io/formats.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -85,5 +86,75 @@ TEST_CASE("a cube as TetGen writes it", "[mesh_io]") {
   CHECK(volumes.size() == 1);
   CHECK(volumes[12] == Approx(1).epsilon(1e-12));
   CHECK(file.mesh.groups.at("12").size() == 8);
-  CHECK(file.notes == std::vector<std::string>{"Tets of higher order: kept the four corners of each."});
+  CHECK(file.notes == std::vector<std::string>{kHigherOrderNote});
+}
+
+namespace {
+
+struct ExpectedCells {
+  std::string file, note;
+  std::size_t tets;
+  double volume;
+  std::vector<std::string> groups;
+};
+
+/// Enclosed by the faces, which are wound outward.
+double enclosed_volume(const MeshFile& file) {
+  double volume = 0;
+  std::size_t begin = 0;
+  for (const std::size_t end : file.faces.ends) {
+    const auto at = [&](std::size_t i) { return file.mesh.positions[file.faces.corners[i]]; };
+    for (std::size_t i = begin + 1; i + 1 < end; ++i)
+      volume += signed_volume6(Eigen::Vector3d::Zero(), at(begin), at(i), at(i + 1)) / 6;
+    begin = end;
+  }
+  return volume;
+}
+
+}  // namespace
+
+TEST_CASE("cells of all kinds as Gmsh, VTK, meshio and CalculiX write them", "[mesh_io]") {
+  const auto expected = GENERATE(values<ExpectedCells>({
+      {"gmsh_hexahedra.msh", "4 hexahedra split into 24 tets.", 24, 2, {"base", "brick"}},
+      {"gmsh_hexahedra.mesh", "4 hexahedra split into 24 tets.", 24, 2, {"1"}},
+      {"gmsh_wedges.vtk", "8 wedges split into 24 tets.", 24, 2, {"5"}},
+      {"gmsh_hexahedra.inp", "4 hexahedra split into 24 tets.", 24, 2, {"Surface1", "Volume1", "base", "brick"}},
+      {"gmsh_tets.inp", "", 18, 0.006, {"Surface1", "Volume1", "clamp", "tissue"}},
+      {"gmsh_tets10.inp", kHigherOrderNote, 18, 0.006, {"Surface1", "Volume1", "clamp", "tissue"}},
+      {"meshio_hexahedra.vtu", "4 hexahedra split into 24 tets.", 24, 2, {"5"}},
+      {"meshio_mixed.vtu", "1 hexahedron, 1 wedge, 1 pyramid split into 11 tets.", 11, 1 + 0.5 + 1. / 3, {}},
+      {"meshio_mixed.vtk", "1 hexahedron, 1 wedge, 1 pyramid split into 11 tets.", 11, 1 + 0.5 + 1. / 3, {}},
+      {"meshio_mixed.inp", "1 hexahedron, 1 wedge split into 9 tets.", 9, 1.5, {}},
+      {"cgx_hexahedra.inp", "8 hexahedra split into 48 tets.", 48, 0.006, {"Eall", "Nall"}},
+      {"vtk_voxels.vtu", "4 hexahedra split into 24 tets.", 24, 4, {}},
+  }));
+  INFO(expected.file);
+  const MeshFile file = read_mesh(test_dir() / "data/meshes" / expected.file);
+  const TetMesh& mesh = file.mesh;
+  CHECK(mesh.tets.size() == expected.tets);
+  double volume = 0;
+  for (const auto& [region, part] : volume_of_regions(mesh)) volume += part;
+  CHECK(volume == Approx(expected.volume).epsilon(1e-6));
+  std::vector<std::string> groups;
+  for (const auto& [name, vertices] : mesh.groups) groups.push_back(name);
+  CHECK(groups == expected.groups);
+  if (!expected.note.empty()) CHECK(std::count(file.notes.begin(), file.notes.end(), expected.note) == 1);
+  if (mesh.groups.contains("clamp")) CHECK(mesh.groups.at("clamp").size() >= 5);
+}
+
+// A box of 0.1 x 0.2 x 0.3 by Gmsh: 12 vertices, 20 triangles; the programs read its STL file.
+TEST_CASE("a surface as Gmsh, admesh, assimp, meshio and VTK write it", "[mesh_io]") {
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(test_dir() / "data/meshes/surfaces")) {
+    const std::string name = entry.path().filename().string();
+    const MeshFile file = read_mesh_content(name, read_file(entry.path()));
+    INFO(name << ": " << file.format);
+    CHECK(file.is_surface());
+    CHECK(file.mesh.positions.size() == (name.starts_with("assimp") ? 60 : 12));  // assimp leaves the corners apart
+    CHECK(file.ignored.triangles == 20);
+    CHECK(enclosed_volume(file) == Approx(0.006).epsilon(1e-6));
+    CHECK(file.notes.empty());
+    ++files;
+  }
+  CHECK(files == 20);
 }

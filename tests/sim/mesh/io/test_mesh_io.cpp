@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "sim/mesh/io/formats.h"
+#include "sim/mesh/io/mesh_formats.h"
 #include "tests/support/meshes/samples.h"
 
 using namespace fascia;
@@ -137,18 +138,15 @@ TEST_CASE("writing works without regions, and refuses what a format does not sup
 }
 
 TEST_CASE("a file that is no mesh is refused in one line", "[mesh_io]") {
-  const std::string formats =
-      "; expected Gmsh .msh, VTK .vtk or .vtu, TetGen .node/.ele or Medit .mesh with tetrahedra";
-  const std::string filler =
-      "; expected a tetrahedral mesh, or a closed surface as Wavefront .obj, which is filled with tets";
+  const std::string formats = "; expected one of " + listed_formats();
   CHECK(error_of("a.msh", "") == "a.msh: is empty" + formats);
   CHECK(error_of("a.msh",
                  "\x7f"
                  "ELF\x02\x01\x01\n\n\xff") ==
         "a.msh: is no mesh that is known here (begins with '\\x7fELF\\x02\\x01\\x01\\x0a\\x0a\\xff')" + formats);
   CHECK(error_of("a.txt", "12 3 4\n") == "a.txt: is no mesh that is known here (begins with '12 3 4\\x0a')" + formats);
-  CHECK(error_of("a.stl", "solid cube\n") == "a.stl: is an STL surface without tets" + filler);
-  CHECK(error_of("a.meshb", std::string("\1\0\0\0\3\0\0\0", 8)) == "a.meshb: looks like binary Medit .meshb" + formats);
+  CHECK(error_of("a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") ==
+        "a.off: is a surface of 1 face without tets; expected a tetrahedral mesh");
   CHECK(error_of("a.xml", "<svg/>") == "a.xml:1: svg: is no VTK file; expected VTKFile");
 
   const TemporaryFolder folder;

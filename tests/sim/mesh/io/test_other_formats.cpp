@@ -83,7 +83,7 @@ TEST_CASE("Medit: bad files", "[mesh_io]") {
   CHECK(medit_error("2 3 4 5 7", "2 3 4 7 7") == "m.mesh:27: Tetrahedra: tet 2 names vertex 7; expected 1 to 6");
   CHECK(medit_error("2 3 4 5 7", "2 3 4 0 7") == "m.mesh:27: Tetrahedra: tet 2 names vertex 0; expected 1 to 6");
   CHECK(medit_error("Tetrahedra 2", "Tetrahedra 1") == "m.mesh:27: found '2'; expected a keyword");
-  CHECK(medit_error("Vertices", "Verticos") == "m.mesh:26: Tetrahedra: tet 1 names vertex 1; expected 1 to 0");
+  CHECK(medit_error("Vertices", "Verticos") == "m.mesh:18: Edges: edge 1 names vertex 1; expected 1 to 0");
   CHECK(medit_error("0.5 -1e-3", "0.5 #c\n -1e-3") == "");
   CHECK(medit_error("0.5 -1e-3", "0.5 !") == "m.mesh:24: SomethingNew: a value is '!'; expected a number");
 }

@@ -54,11 +54,10 @@ TEST_CASE("Gmsh: elements of higher order keep their corners", "[mesh_io]") {
   CHECK(file.mesh.groups.at("4") == std::vector<std::uint32_t>{0, 1, 2, 3});
   CHECK(file.mesh.groups.at("6") == std::vector<std::uint32_t>{0, 1, 2});
   CHECK(file.mesh.groups.at("8") == std::vector<std::uint32_t>{0, 1, 2, 3});  // the line and the quadrangle
-  CHECK(file.notes == std::vector<std::string>{"Tets of higher order: kept the four corners of each.",
-                                               "1 cell of other kinds than tets left out."});
+  CHECK(file.notes == std::vector<std::string>{"Cells of higher order: kept the corners of each."});
   CHECK(file.ignored.lines == 1);
   CHECK(file.ignored.triangles == 1);
-  CHECK(file.ignored.others == 1);
+  CHECK(file.ignored.polygons == 1);
 }
 
 TEST_CASE("Gmsh: sections that are not about the mesh are skipped, wherever they are", "[mesh_io]") {
@@ -134,8 +133,7 @@ TEST_CASE("Gmsh: bad elements", "[mesh_io]") {
   const std::string head =
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n$Elements\n1\n";
   CHECK(error_of("m.msh", head + "1 2 0 1 2 3\n$EndElements\n") ==
-        "m.msh: holds 1 triangle but no tets; expected a tetrahedral mesh: a tet mesher such as gmsh or tetgen can "
-        "fill a closed surface");
+        "m.msh: is a surface of 1 face without tets; expected a tetrahedral mesh");
   CHECK(error_of("m.msh", head + "1 1 0 1 2\n$EndElements\n") ==
         "m.msh: holds no tets (3 vertices, 1 line, 0 triangles, 0 other cells); expected at least one");
 }

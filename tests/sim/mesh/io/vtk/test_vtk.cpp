@@ -1,5 +1,5 @@
 // Features of VTK files only: arrays that may contain regions, pieces, several layouts, and their specific errors.
-// Covers: vtk_legacy, vtu, vtu_array, xml
+// Covers: vtk_legacy, vtu, vtu_array, sim/mesh/io/xml
 #include <catch2/catch.hpp>
 
 #include "sim/mesh/io/formats.h"
@@ -65,15 +65,19 @@ TEST_CASE("VTK: higher order, other cells, other attributes", "[mesh_io]") {
       "\nTEXTURE_COORDINATES c 2 float\n1 2 3 4 5 6\nCOLOR_SCALARS rgb 3\n0 0 0 1 1 1 0 0.5 0\nLOOKUP_TABLE own 2\n0 0 "
       "0 1\n1 1 1 1\n";
   const MeshFile file = read_mesh_content("m.vtk", text);
-  CHECK(file.mesh.tets == std::vector<Tet>{{0, 1, 2, 3}});
-  CHECK(file.ignored.others == 2);
-  CHECK(file.notes == std::vector<std::string>{"Tets of higher order: kept the four corners of each.",
-                                               "2 cells of other kinds than tets left out."});
+  CHECK(file.mesh.tets == std::vector<Tet>{{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 2, 3, 4}});
+  CHECK(file.ignored.polygons == 1);
+  CHECK(file.notes ==
+        std::vector<std::string>{"Cells of higher order: kept the corners of each.", "1 pyramid split into 2 tets."});
 }
 
 TEST_CASE("VTK legacy: bad files", "[mesh_io]") {
   CHECK(vtk_error("ASCII", "ASCI") == "m.vtk:3: encoding is 'ASCI'; expected ASCII or BINARY");
-  CHECK(vtk_error("UNSTRUCTURED_GRID", "POLYDATA") == "m.vtk:4: dataset is 'POLYDATA'; expected UNSTRUCTURED_GRID");
+  CHECK(vtk_error("UNSTRUCTURED_GRID", "STRUCTURED_GRID") ==
+        "m.vtk:4: dataset is 'STRUCTURED_GRID'; expected UNSTRUCTURED_GRID or POLYDATA");
+  CHECK(vtk_error("UNSTRUCTURED_GRID", "POLYDATA") ==
+        "m.vtk:8: keyword is 'CELLS'; expected POINTS, POLYGONS, TRIANGLE_STRIPS, LINES, VERTICES, CELL_DATA, "
+        "POINT_DATA or an attribute");
   CHECK(vtk_error("POINTS 6", "POINTS 1000000000000") ==
         "m.vtk:5: POINTS: claims 1000000000000 points but only 368 bytes follow; expected a complete file");
   CHECK(vtk_error("POINTS 6 double", "POINTS 6 real") ==
@@ -120,8 +124,8 @@ TEST_CASE("VTU: two pieces make one mesh", "[mesh_io]") {
 }
 
 TEST_CASE("VTU: bad XML and attributes", "[mesh_io]") {
-  CHECK(vtu_error("type=\"UnstructuredGrid\"", "type=\"PolyData\"") ==
-        "m.vtu:3: VTKFile: type is 'PolyData'; expected UnstructuredGrid");
+  CHECK(vtu_error("type=\"UnstructuredGrid\"", "type=\"ImageData\"") ==
+        "m.vtu:3: VTKFile: type is 'ImageData'; expected UnstructuredGrid or PolyData");
   CHECK(vtu_error("LittleEndian", "Middle") ==
         "m.vtu:3: VTKFile: byte_order is 'Middle'; expected LittleEndian or BigEndian");
   CHECK(vtu_error("UInt64", "UInt16") == "m.vtu:3: VTKFile: header_type is 'UInt16'; expected UInt32 or UInt64");

@@ -1,4 +1,4 @@
-#include "sim/mesh/io/vtk/xml.h"
+#include "sim/mesh/io/xml.h"
 
 #include <algorithm>
 #include <array>
@@ -178,6 +178,20 @@ const XmlElement* XmlElement::child(std::string_view child_name) const {
   const auto found =
       std::find_if(children.begin(), children.end(), [&](const XmlElement& e) { return e.name == child_name; });
   return found == children.end() ? nullptr : &*found;
+}
+
+std::string_view xml_root_name(std::string_view text) {
+  for (std::size_t at = text.find('<'); at != text.npos; at = text.find('<', at + 1)) {
+    if (text.substr(at).starts_with("<!--")) {
+      at = std::min(text.find("-->", at), text.size());
+      continue;
+    }
+    const std::size_t begin = at + 1;
+    std::size_t end = begin;
+    while (end < text.size() && is_name(text[end])) ++end;
+    if (end > begin) return text.substr(begin, end - begin);
+  }
+  return {};
 }
 
 XmlElement parse_xml(Scanner& in) { return Parser(in).document(); }

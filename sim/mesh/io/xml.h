@@ -1,4 +1,4 @@
-// The subset of XML that VTK files use: elements, attributes, text, comments. A malformed file is refused.
+// The subset of XML that VTK and FEBio files use: elements, attributes, text, comments. A malformed file is refused.
 #pragma once
 #include <string>
 #include <string_view>
@@ -21,6 +21,9 @@ struct XmlElement {
   std::string attribute(std::string_view key, std::string_view absent = {}) const;
   const XmlElement* child(std::string_view child_name) const;
 };
+
+/// The name of the root element, or empty if there is none.
+std::string_view xml_root_name(std::string_view text);
 
 /// The root element. The content of an AppendedData element is skipped: it may be raw binary.
 XmlElement parse_xml(Scanner& in);

@@ -1,4 +1,4 @@
-#include "sim/surface/polygon.h"
+#include "sim/mesh/polygon.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // Polygons cut into triangles: every one is covered once, for any shape, size and plane.
-#include "sim/surface/polygon.h"
+#include "sim/mesh/polygon.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

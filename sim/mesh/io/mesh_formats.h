@@ -1,0 +1,25 @@
+// The file formats that fascia reads, one row each: dialogs, help and messages are made from it.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace fascia {
+
+struct MeshFormat {
+  std::string name;                  // as in messages
+  std::vector<std::string> endings;  // lower case, with the dot
+  enum class Holds { tets, surfaces, both } holds;
+  bool written;  // by write_mesh()
+};
+const std::vector<MeshFormat>& mesh_formats();
+
+/// The endings of formats that hold tets, and of those that hold surfaces only.
+std::vector<std::string> tet_endings();
+std::vector<std::string> surface_endings();
+
+std::vector<std::string> written_endings();
+
+/// "Gmsh .msh, VTK .vtk .vtu, ...".
+std::string listed_formats();
+
+}  // namespace fascia
