@@ -39,6 +39,20 @@ void check_mesh(const TetMesh& mesh) {
   }
 }
 
+void check_file(const MeshFile& file) {
+  if (!file.is_surface()) return check_mesh(file.mesh);
+  const std::size_t vertex_count = file.mesh.positions.size();
+  for (const Eigen::Vector3d& x : file.mesh.positions) require(x.allFinite(), "positions are finite");
+  std::size_t begin = 0;
+  for (const std::size_t end : file.faces.ends) {
+    require(end >= begin + 3, "faces have three corners or more");
+    begin = end;
+  }
+  require(begin == file.faces.corners.size(), "faces have all corners");
+  for (const std::uint32_t v : file.faces.corners) require(v < vertex_count, "faces name vertices of the surface");
+  require(file.vertex_colors.empty() || file.vertex_colors.size() == vertex_count, "all vertices have a color or none");
+}
+
 #ifndef FASCIA_LIBFUZZER
 std::map<std::string, Target>& targets() {
   static std::map<std::string, Target> all;

@@ -23,6 +23,8 @@ void require(bool kept, const char* promise);
 
 /// Checks the guarantees of every reader about a mesh that it returns.
 void check_mesh(const TetMesh& mesh);
+/// As check_mesh, or of a surface.
+void check_file(const MeshFile& file);
 
 #ifdef FASCIA_LIBFUZZER
 #define FUZZ_TARGET(name)                                                              \

@@ -8,5 +8,5 @@ FUZZ_TARGET(gmsh) {
   Scanner in("fuzz.msh", data);
   MeshFile file;
   read_gmsh(in, file);
-  fuzz::check_mesh(file.mesh);
+  fuzz::check_file(file);
 }

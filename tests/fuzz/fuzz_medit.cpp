@@ -8,5 +8,5 @@ FUZZ_TARGET(medit) {
   Scanner in("fuzz.mesh", data);
   MeshFile file;
   read_medit(in, file);
-  fuzz::check_mesh(file.mesh);
+  fuzz::check_file(file);
 }

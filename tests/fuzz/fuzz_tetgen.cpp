@@ -12,5 +12,5 @@ FUZZ_TARGET(tetgen) {
   MeshFile file;
   read_tetgen_content("fuzz.node", data.substr(0, end), "fuzz.ele",
                       data.substr(std::min(end + separator.size(), data.size())), file);
-  fuzz::check_mesh(file.mesh);
+  fuzz::check_file(file);
 }

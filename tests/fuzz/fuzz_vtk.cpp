@@ -8,5 +8,5 @@ FUZZ_TARGET(vtk) {
   Scanner in("fuzz.vtk", data);
   MeshFile file;
   read_vtk_legacy(in, file);
-  fuzz::check_mesh(file.mesh);
+  fuzz::check_file(file);
 }

@@ -1,4 +1,4 @@
-// VTK XML files: XML, base64, appended data, zlib.
+// VTK XML files, .vtu and .vtp: XML, base64, appended data, zlib.
 #include "sim/mesh/io/formats.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -8,5 +8,5 @@ FUZZ_TARGET(vtu) {
   Scanner in("fuzz.vtu", data);
   MeshFile file;
   read_vtu(in, file);
-  fuzz::check_mesh(file.mesh);
+  fuzz::check_file(file);
 }
