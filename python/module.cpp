@@ -281,7 +281,7 @@ PYBIND11_MODULE(fascia, m) {
         "Makes the box from 0 to size [m] of nx * ny * nz cells with six tets each. Raises Error for counts below 1.");
   m.def(
       "read_mesh", [](const std::string& path) { return read_mesh(path); }, py::arg("path"),
-      "Reads a Gmsh, VTK, TetGen or Medit mesh. Raises Error for what cannot be read.");
+      "Reads a Gmsh, VTK, TetGen, Medit, Abaqus, FEBio or Vega mesh. Raises Error for what cannot be read.");
   m.def(
       "tissue", &tissue, py::arg("name"),
       "Returns the material of a tissue from the literature, for example \"liver\". Raises Error for an unknown name.");

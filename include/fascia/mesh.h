@@ -36,9 +36,9 @@ FASCIA_INLINE namespace api {
   /// positive.
   FASCIA_EXPORT Mesh make_box(int nx, int ny, int nz, const Vec3& size);
 
-  /// Reads a mesh from a Gmsh .msh, VTK .vtk or .vtu, TetGen .node/.ele or Medit .mesh file. The content decides the
-  /// format. Coordinates are taken as m. Throws Error with file and line for content that cannot be read, and
-  /// Interrupted if `control` stops the work.
+  /// Reads a mesh of tets, or of cells that become tets, from a Gmsh, VTK, TetGen, Medit, Abaqus, FEBio or Vega file.
+  /// The content decides the format. Coordinates are taken as m. Throws Error with file and line for content that
+  /// cannot be read, and Interrupted if `control` stops the work.
   FASCIA_EXPORT Mesh read_mesh(const std::string& path, const Control& control = {});
 
 }  // namespace api

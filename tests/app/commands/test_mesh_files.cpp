@@ -115,3 +115,14 @@ TEST_CASE("tets with vertices of their own are reported and welded", "[mesh_file
   CHECK(read_mesh(whole).mesh.positions.size() == 12);
   CHECK_THAT(run_fascia({"info", whole}).out, Catch::Contains("components  1\n") && !Catch::Contains("unconstrained"));
 }
+
+TEST_CASE("convert says which cells of a file it does not write", "[mesh_files]") {
+  const TemporaryFolder folder;
+  const std::string boxes = (test_dir() / "data/meshes/gmsh_2.2_binary.msh").string();
+  const CommandResult result = run_fascia({"convert", boxes, (folder / "out.vtk").string()});
+  INFO(result.err);
+  CHECK(result.exit_code == 0);
+  CHECK_THAT(result.err,
+             Catch::Contains("fascia: not written, beside the tets: 1 point, 4 triangles; groups keep their "
+                             "vertices\n"));
+}

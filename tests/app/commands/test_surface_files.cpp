@@ -38,6 +38,20 @@ TEST_CASE("a surface converts to a mesh of tets and runs") {
   CHECK(run.exit_code == 0);
 }
 
+TEST_CASE("an STL file is reported, converted and told from tets by its content") {
+  const TemporaryFolder folder;
+  const std::filesystem::path box = folder / "box.dat";
+  std::filesystem::copy_file(test_dir() / "data/meshes/surfaces/admesh_binary.stl", box);
+  const CommandResult told = run_fascia({"info", box.string(), "--set", "resolution=8"});
+  INFO(told.out << told.err);
+  CHECK(told.exit_code == 0);
+  CHECK_THAT(told.out, Catch::Contains("closed      yes") && Catch::Contains("filled with tets, resolution 8"));
+  const CommandResult converted = run_fascia({"convert", box.string(), (folder / "box.msh").string()});
+  INFO(converted.err);
+  CHECK(converted.exit_code == 0);
+  CHECK(!read_mesh(folder / "box.msh").mesh.tets.empty());
+}
+
 TEST_CASE("a surface without an inside and one of several million tets are refused in one line") {
   const TemporaryFolder folder;
   const std::string sheet = (folder / "sheet.obj").string();

@@ -113,8 +113,12 @@ class AbaqusReader {
   }
 
   Keyword keyword_line() {
-    std::string text(in_.line());
-    while (trimmed(text).ends_with(',') && in_.remaining() > 0 && !at_keyword()) text += in_.line();
+    std::string text;
+    for (bool goes_on = true; goes_on && in_.remaining() > 0;) {
+      const std::string_view line = in_.line();
+      text += line;
+      goes_on = trimmed(line).ends_with(',') && !at_keyword();
+    }
     Keyword keyword;
     std::string_view rest(text);
     for (bool first = true; !rest.empty(); first = false) {
@@ -211,6 +215,8 @@ class AbaqusReader {
   void read_set(const Keyword& keyword, Of of) {
     const std::string name = keyword.value(of == Of::nodes ? "NSET" : "ELSET");
     if (name.empty()) in_.fail("has no name", of == Of::nodes ? "expected NSET=NAME" : "expected ELSET=NAME");
+    if (of == Of::nodes && keyword.has("ELSET"))
+      file_.notes.push_back("Set " + in_quotes(name) + " is of the nodes of an element set and is left out.");
     std::vector<FemRange>& set = set_of(of, name);
     if (keyword.has("GENERATE")) return read_generated(set);
     while (at_values()) {

@@ -52,8 +52,10 @@ class FebioReader {
   }
 
  private:
-  /// A scanner over the text of an element, up to its first child.
-  Scanner text_of(const XmlElement& element) const {
+  /// A scanner over the text of an element that has no children.
+  Scanner text_of(const XmlElement& element) {
+    if (in_.data().substr(element.text_end).starts_with("<!"))
+      fail_at(in_, element, "has a comment in its text", "expected numbers alone");
     Scanner text(in_.where(), in_.data().substr(0, element.text_end));
     text.seek(element.text_begin);
     text.set_section(element.name);
@@ -133,7 +135,12 @@ class FebioReader {
       const std::int64_t id = number(member, "id");
       set.push_back({id, id, 1});
     }
+    if (!list.children.empty()) return;
     Scanner text = text_of(list);
+    if (text.peek_word().starts_with('@')) {  // "@surface:skin"
+      file_.notes.push_back("Set " + in_quotes(name) + " refers to another one and is left out.");
+      return;
+    }
     while (!text.at_end()) {
       const auto id = text.number<std::int64_t>("a member of a set");
       set.push_back({id, id, 1});

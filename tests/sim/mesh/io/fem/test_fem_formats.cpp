@@ -79,6 +79,8 @@ TEST_CASE("Abaqus: one part, placed by its instance; several are refused") {
   CHECK(error_of("a.inp", part + instance + "*INSTANCE, NAME=j, PART=p\n") ==
         "a.inp:16: *INSTANCE: is the second instance; expected one: export the parts as one, or each in a file of its "
         "own");
+  CHECK(read("a.inp", part + "*ELSET, ELSET=e\n1\n*NSET, NSET=n, ELSET=e\n").notes ==
+        std::vector<std::string>{"Set 'n' is of the nodes of an element set and is left out."});
   const MeshFile included = read("a.inp", part + "*INCLUDE, INPUT=more.inp\n");
   CHECK(included.notes == std::vector<std::string>{"*INCLUDE is not followed: insert 'more.inp'."});
   CHECK(error_of("a.inp", "*INCLUDE, INPUT=more.inp\n") ==
@@ -147,6 +149,10 @@ TEST_CASE("FEBio: bad files") {
   CHECK(feb_error("2,3,4,5", "2,3,4,5,1") ==
         "a.feb:15: elem: something follows the nodes of an element; expected the end of the element");
   CHECK(feb_error("1,2,\n3", "1,2,\n9").find("set 'clamp' names node 9") != std::string::npos);
+  CHECK(feb_error("1,2,\n3", "1,2,<!-- c -->3") ==
+        "a.feb:17: NodeSet: has a comment in its text; expected numbers alone");
+  CHECK(read("a.feb", replaced(febio, "1,2,\n3", "@surface:skin")).notes ==
+        std::vector<std::string>{"Set 'clamp' refers to another one and is left out."});
   CHECK(feb_error("<Mesh>", "<Mesh from=\"other.feb\">") ==
         "a.feb:4: Mesh: is in another file, 'other.feb'; expected it in this one");
   CHECK(error_of("a.feb", "<febio_spec version=\"4.0\"></febio_spec>") ==
