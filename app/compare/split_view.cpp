@@ -218,9 +218,11 @@ void SplitView::draw(Session& a, Framebuffer& framebuffer, const Margins& margin
   gl::Clear(GL_COLOR_BUFFER_BIT);
   const std::array<Area, 2> places = areas(framebuffer.width(), margins);
   for (std::size_t i = 0; i < 2; ++i) {
-    frame_picture(
-        i == 0 ? a.camera : b_->camera, a.extent,
-        {places[i].width, framebuffer.height(), {0, static_cast<double>(places[i].width - places[0].width)}, true});
+    frame_picture(i == 0 ? a.camera : b_->camera, a.extent,
+                  {places[i].width,
+                   framebuffer.height(),
+                   {0, static_cast<double>(places[i].width - places[0].width), margins.bottom},
+                   true});
     Framebuffer& picture = picture_of(places[i].width, framebuffer.height(), framebuffer.samples());
     (i == 0 ? a : *b_).draw(picture, arrows(grabs[i]));
     if (drawn) drawn(i, picture);
@@ -233,18 +235,19 @@ void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int h
   const std::array<Area, 2> places = areas(width, margins);
   const float bottom = static_cast<float>(height) / scale, line = static_cast<float>(places[1].x - kDivider) / scale;
   list.AddRectFilled({line, 0}, {static_cast<float>(places[1].x) / scale, bottom}, ImGui::GetColorU32(ui::kAccent));
+  const float free_bottom = bottom - static_cast<float>(margins.bottom) / scale;
   for (std::size_t i = 0; i < 2; ++i) {
     const Session &session = i == 0 ? a : *b_, &other = i == 0 ? *b_ : a;
     const float left = static_cast<float>(places[i].x) / scale, room = static_cast<float>(places[0].width) / scale;
     const float middle = left + 0.5f * room, widest = room - ui::px(40);
-    LabelPlaces free({left, 0, left + room, bottom}, ui::px(kLabelGap));
+    LabelPlaces free({left, 0, left + room, free_bottom}, ui::px(kLabelGap));
     for (const Box& box : labels.covered) free.keep_clear(box);
     const bool edited = labels.measured && (i == 1) == labels.editing_b;  // only the window can edit
     free.keep_clear(ui::pill(list, (i == 0 ? "A   " : "B   ") + side_text(session, other), middle, ui::px(46),
                              edited ? ui::kAccent : ui::kText, widest));
     std::string result = side_result(session, i == 0 ? labels.of_a : diagnostics_, sides_[i].step_ms, labels.measured);
     if (i == 1 && lost_ > 0) result += "  |  diverged " + std::to_string(lost_) + (lost_ == 1 ? " time" : " times");
-    if (!result.empty()) free.keep_clear(ui::pill(list, result, middle, bottom - ui::px(78), ui::kText, widest));
+    if (!result.empty()) free.keep_clear(ui::pill(list, result, middle, free_bottom - ui::px(78), ui::kText, widest));
     draw_grab_marks(area_of(list, places[i], height, scale), session, labels.grabs[i], free);
   }
 }

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/ui/style.h"
+#include "app/ui/widgets.h"
 #include "base/file.h"
 #include "render/target/image.h"
 
@@ -15,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kGalleryTitle = "Examples";
-constexpr float kPictureWidth = 224, kPictureHeight = 126;  // of a picture [points]
+constexpr float kPictureWidth = 112, kPictureHeight = 63, kMargin = 10;  // of a picture, of the strip [points]
 
 }  // namespace
 
@@ -27,7 +29,7 @@ std::vector<Example> shipped_examples(const fs::path& assets) {
     const fs::path stem = it->path().stem();
     try {
       const auto scene = nlohmann::json::parse(read_file(it->path()));
-      examples.push_back({it->path(), assets / "pictures" / "scenes" / (stem.string() + ".png"),
+      examples.push_back({it->path(), assets / "pictures" / "scenes" / (stem.string() + ".png"), stem.string(),
                           scene.value("title", stem.string()), ""});
     } catch (const std::exception&) {
       continue;
@@ -41,6 +43,7 @@ std::vector<Example> shipped_examples(const fs::path& assets) {
         return e.scene.stem() == entry.at("scene").get<std::string>();
       });
       if (named == examples.end()) continue;
+      named->name = entry.at("name").get<std::string>();
       named->says = entry.at("says").get<std::string>();
       std::rotate(next, named, named + 1);
       ++next;
@@ -65,49 +68,59 @@ void Gallery::load() {
   }
 }
 
-bool Gallery::draw(Requests& requests) {
+void Gallery::draw_example(std::size_t index, WindowState& state, Requests& requests) const {
+  const Example& example = examples_[index];
+  const ImVec2 size{ui::px(kPictureWidth), ui::px(kPictureHeight)};
+  const float frame = ui::px(3), width = size.x + 2 * frame;
+  ImGui::PushID(static_cast<int>(index));
+  ImGui::BeginGroup();
+  const auto picture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(pictures_[index].id()));
+  const bool chosen = pictures_[index].id() ? ImGui::ImageButton(picture, size, {0, 0}, {1, 1}, static_cast<int>(frame))
+                                            : ImGui::Button("##example", {width, size.y + 2 * frame});
+  const ImVec2 at = ImGui::GetCursorScreenPos();  // a name that is too long is cut off
+  const ImVec4 clip{at.x, at.y, at.x + width, at.y + ImGui::GetTextLineHeight()};
+  ImGui::GetWindowDrawList()->AddText(nullptr, 0, at, ImGui::GetColorU32(ui::kText), example.name.c_str(), nullptr, 0,
+                                      &clip);
+  ImGui::Dummy({width, ImGui::GetTextLineHeight()});
+  ImGui::EndGroup();
+  ui::tooltip(example.title + (example.says.empty() ? "" : "\n" + example.says));
+  ImGui::PopID();
+  if (!chosen) return;
+  requests.open = example.scene;
+  state.show_gallery = false;
+}
+
+bool Gallery::draw(WindowState& state, float left, Requests& requests) {
   if (!open_) pictures_.clear();  // not in the closing frame, which still draws them
-  if (start_) {
-    load();
-    ImGui::OpenPopup(kGalleryTitle);
-    open_ = true;
-    start_ = false;
-  }
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({0, 0}, {screen.x, 0.94f * screen.y});
-  bool stays = true;
-  if (ImGui::BeginPopupModal(
-          kGalleryTitle, &stays,
-          ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove)) {
-    const ImVec2 size{ui::px(kPictureWidth), ui::px(kPictureHeight)};
-    const int columns = std::clamp(static_cast<int>((screen.x - ui::px(60)) / (size.x + ui::px(28))), 1, 3);
-    if (ImGui::BeginTable("examples", columns)) {
+  const bool shown = state.show_gallery;
+  if (shown && !open_) load();
+  if (shown) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float margin = ui::px(kMargin), begin = std::max(left, margin), pad = ui::px(8),
+                height = ImGui::GetFrameHeight() + 2 * pad + ui::px(kPictureHeight + 6) + style.ItemSpacing.y +
+                         ImGui::GetTextLineHeight() + style.ScrollbarSize;
+    ImGui::SetNextWindowPos({begin, screen.y - margin - height});
+    ImGui::SetNextWindowSize({std::max(1.0f, screen.x - begin - margin), height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
+    if (ImGui::Begin(kGalleryTitle, &state.show_gallery,
+                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                         ImGuiWindowFlags_HorizontalScrollbar)) {
       for (std::size_t i = 0; i < examples_.size(); ++i) {
-        ImGui::TableNextColumn();
-        ImGui::PushID(static_cast<int>(i));
-        const auto picture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(pictures_[i].id()));
-        const bool chosen = pictures_[i].id()
-                                ? ImGui::ImageButton(picture, size, {0, 0}, {1, 1}, static_cast<int>(ui::px(4)))
-                                : ImGui::Button(examples_[i].title.c_str(), {size.x + ui::px(8), size.y + ui::px(8)});
-        if (chosen) requests.open = examples_[i].scene;
-        ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x + ui::px(8));
-        ImGui::PushFont(ui::bold_font());
-        ImGui::TextWrapped("%s", examples_[i].title.c_str());
-        ImGui::PopFont();
-        ImGui::TextColored(ui::kDim, "%s", examples_[i].says.c_str());
-        ImGui::PopTextWrapPos();
-        ImGui::Spacing();
-        ImGui::PopID();
+        if (i > 0) ImGui::SameLine();
+        draw_example(i, state, requests);
       }
-      ImGui::EndTable();
+      if (ImGui::IsWindowHovered() && ImGui::GetIO().MouseWheel != 0)  // the strip has no other direction
+        ImGui::SetScrollX(ImGui::GetScrollX() - ui::px(60) * ImGui::GetIO().MouseWheel);
     }
-    if (requests.open || !stays || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+    ImGui::End();
+    ImGui::PopStyleVar();
+    state.gallery_height = height + margin;
+  } else {
+    state.gallery_height = 0;
   }
-  const bool closed = open_ && !ImGui::IsPopupOpen(kGalleryTitle);
-  if (closed) open_ = false;
-  return closed;
+  return std::exchange(open_, state.show_gallery) && !open_;
 }
 
 }  // namespace fascia

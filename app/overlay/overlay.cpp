@@ -55,7 +55,7 @@ void Overlay::begin(int width, int height) {
   GLFWwindow* window = graphics_.context->window();
   float scale = 1, scale_y = 1;
   glfwGetWindowContentScale(window, &scale, &scale_y);
-  set_scale(std::clamp(scale, 0.5f, 4.0f));
+  set_scale(std::clamp(scale * ui::interface_scale(), 0.5f, 6.0f));
   ImGui_ImplGlfw_NewFrame();
   WindowInput::of(window).feed();  // in pixels of the picture
   ImGuiIO& io = ImGui::GetIO();

@@ -1,6 +1,7 @@
 // Settings of the picture.
 #include <imgui.h>
 
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <string_view>
@@ -120,6 +121,23 @@ void theme_row() {
   }
 }
 
+// Takes effect when the slider is released: a panel that grows under the mouse cannot be set.
+void scale_row() {
+  constexpr const char* kHelp =
+      "Size of texts and panels, on top of the scale of the monitor; kept for the next start. Ctrl + click types a "
+      "number";
+  ui::label("Scale", kHelp);
+  float& wanted = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("wanted scale"), 100 * ui::interface_scale());
+  ImGui::SliderFloat("##scale", &wanted, 100 * ui::kLeastScale, 100 * ui::kLargestScale, "%.0f %%",
+                     ImGuiSliderFlags_AlwaysClamp);
+  ui::tooltip(kHelp);
+  if (ImGui::IsItemActive()) return;
+  constexpr float kStep = 5;  // percent
+  const float rounded = kStep * std::round(wanted / kStep);
+  if (ImGui::IsItemDeactivatedAfterEdit()) ui::set_interface_scale(rounded / 100);
+  wanted = 100 * ui::interface_scale();
+}
+
 }  // namespace
 
 void display_panel(const PanelContext& context) {
@@ -146,6 +164,7 @@ void display_panel(const PanelContext& context) {
       changed |= tets_rows(name, help, field);
   });
   theme_row();
+  scale_row();
   if (changed) session.set_display(display);
 }
 

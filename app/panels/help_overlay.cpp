@@ -105,34 +105,43 @@ void draw_help(WindowState& state) {
 }
 
 void draw_hints(const Hints& hints, const Room& room) {
-  if (room.width() < ui::px(330)) return;  // the hints do not fit
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const float left = room.left, middle = room.middle(), line = ui::px(36);
-  float below = size.y - ui::px(40);
-  if (hints.wanted("help")) {
-    ui::pill("F1: all keys, F2: examples", middle, below, ui::kDim);
+  if (room.width() < ui::px(330) || room.bottom < ui::px(400)) return;  // they do not fit
+  const float middle = room.middle(), line = ui::px(36);
+  float below = room.bottom - ui::px(40);
+  const auto say = [&](const char* text, const ImVec4& color) {
+    ui::pill(text, middle, below, color);
     below -= line;
-  }
-  if (hints.wanted("grab")) ui::pill("Drag the tissue to pull at it", middle, below - line, ui::kText);
-  if (hints.wanted("orbit")) ui::pill("Drag beside it to turn the view, wheel: zoom", middle, below, ui::kText);
-  const char* tune = "Move a slider: the tissue changes at once";
-  if (hints.wanted("tune"))
-    ui::pill(tune, left + 0.5f * ImGui::CalcTextSize(tune).x + ui::px(10), 0.36f * size.y, ui::kText);
+  };
+  if (hints.wanted("help")) say("F1: all keys, F2: examples", ui::kDim);
+  if (hints.wanted("orbit")) say("Drag beside it to turn the view, wheel: zoom", ui::kText);
+  if (hints.wanted("grab"))
+    say("Drag the tissue to pull at it", ui::kText);
+  else if (hints.wanted("tune"))
+    say("Move a slider: the tissue changes at once", ui::kText);
 }
 
-void draw_recovery(const std::string& scene, Requests& requests) {
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({(size.x + panel_width()) / 2, ui::px(50)}, ImGuiCond_Always, {0.5f, 0});
-  if (ImGui::Begin("left behind", nullptr, kPlain)) {
+void draw_recovery(const std::string& scene, const Room& room, Requests& requests) {
+  const std::string text = "fascia closed unexpectedly while " + scene + " was open.";
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float buttons = ImGui::CalcTextSize("RestoreDiscard").x + 4 * style.FramePadding.x + style.ItemSpacing.x,
+              one_line =
+                  ImGui::CalcTextSize(text.c_str()).x + style.ItemSpacing.x + buttons + 2 * style.WindowPadding.x,
+              most = room.width() - ui::px(20);
+  ImGui::SetNextWindowPos({room.middle(), ui::px(50)}, ImGuiCond_Always, {0.5f, 0});
+  if (ImGui::Begin("recovery", nullptr, kPlain)) {
     // In front of plots, but not of dialogs.
     if (!ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
       ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     ImGui::AlignTextToFramePadding();
-    ImGui::Text("A window with %s ended unexpectedly.", scene.c_str());
+    ImGui::PushTextWrapPos(std::max(ui::px(120), most - style.WindowPadding.x));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    if (one_line <= most) ImGui::SameLine();
+    requests.resume_recovered |= ImGui::Button("Restore");
+    ui::tooltip("Opens that scene with its last state");
     ImGui::SameLine();
-    requests.resume_recovered |= ImGui::Button("Continue it");
-    ImGui::SameLine();
-    requests.forget_recovered |= ImGui::Button("Forget it");
+    requests.forget_recovered |= ImGui::Button("Discard");
+    ui::tooltip("Deletes that scene's last state; this cannot be undone");
   }
   ImGui::End();
 }

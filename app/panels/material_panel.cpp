@@ -38,6 +38,8 @@ constexpr Extra kExtras[] = {
      "0 leaves only the damping of the time step. Turning it on costs a few percent of a step."},
 };
 
+constexpr float kTissueList = 400;  // width of the list of tissues [points]
+
 const char* label_of_model(MaterialModel model) { return law_of(model).label; }
 const char* help_of_model(MaterialModel model) { return law_of(model).help; }
 
@@ -54,17 +56,43 @@ std::string help_of_tissue(const Tissue* tissue) {
                   "density. Damping and model stay. Costs nothing.";
 }
 
+// A row of the list: name and values in columns; true if it was clicked.
+bool tissue_row(const Tissue& tissue, bool chosen) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const bool clicked = ImGui::Selectable(tissue.label, chosen, ImGuiSelectableFlags_SpanAllColumns);
+  if (chosen && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
+  ui::tooltip(help_of_tissue(&tissue));
+  for (const std::string& value : {engineering(tissue.young_modulus, "Pa"), engineering(tissue.poisson_ratio, ""),
+                                   engineering(tissue.density, "")}) {
+    ImGui::TableNextColumn();
+    const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(value.c_str()).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, free));
+    ImGui::TextColored(ui::kDim, "%s", value.c_str());
+  }
+  return clicked;
+}
+
 bool tissue_combo(Material& material) {
-  static const std::vector<const Tissue*> choices = [] {
-    std::vector<const Tissue*> all;
-    for (const Tissue& tissue : tissues()) all.push_back(&tissue);
-    return all;
-  }();
-  const Tissue* chosen = tissue_of(material);
-  if (!ui::choice(
-          "Tissue", choices, chosen, [](const Tissue* t) { return label_of_tissue(t); },
-          [](const Tissue* t) { return help_of_tissue(t); }))
+  const Tissue* const now = tissue_of(material);
+  const Tissue* chosen = nullptr;
+  ui::label("Tissue", help_of_tissue(now));
+  ImGui::SetNextWindowSizeConstraints({ui::px(kTissueList), 0}, {ui::px(kTissueList), ui::px(340)});
+  if (!ImGui::BeginCombo("##tissue", label_of_tissue(now).c_str(), ImGuiComboFlags_HeightLargest)) {
+    ui::tooltip(help_of_tissue(now));
     return false;
+  }
+  if (ImGui::BeginTable("tissues", 4)) {
+    ImGui::TableSetupColumn("Tissue", ImGuiTableColumnFlags_WidthStretch);
+    for (const char* head : {"E", "nu", "kg/m\xc2\xb3"})
+      ImGui::TableSetupColumn(head, ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("00.0 kPa").x);
+    ImGui::TableHeadersRow();
+    for (const Tissue& tissue : tissues())
+      if (tissue_row(tissue, &tissue == now)) chosen = &tissue;
+    ImGui::EndTable();
+  }
+  ImGui::EndCombo();
+  if (!chosen || chosen == now) return false;
   apply(*chosen, material);
   return true;
 }

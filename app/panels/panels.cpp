@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <cstring>
+
 #include "app/ui/style.h"
 #include "app/ui/widgets.h"
 
@@ -10,26 +12,46 @@ namespace {
 
 bool while_comparing(const PanelContext& context) { return context.state.comparing; }
 
-const Panel kPanels[] = {{nullptr, true, nullptr, scene_panel},
-                         {"Compare", true, while_comparing, compare_panel},
-                         {"Material", true, nullptr, material_panel},
-                         {"Solver", true, nullptr, solver_panel},
-                         {"Convergence", false, nullptr, convergence_panel},
-                         {"Display", true, nullptr, display_panel},
-                         {"Statistics", true, nullptr, statistics_panel},
-                         {"Grab", false, nullptr, grab_panel},
-                         {"History", false, nullptr, history_panel},
-                         {nullptr, true, nullptr, recording_button}};
+// The panels of a tab follow each other.
+const Panel kPanels[] = {
+    {nullptr, nullptr, true, nullptr, scene_panel},        {nullptr, "Compare", true, while_comparing, compare_panel},
+    {"Tissue", "Material", true, nullptr, material_panel}, {"Tissue", "Grab", true, nullptr, grab_panel},
+    {"Solver", "Solver", true, nullptr, solver_panel},     {"Solver", "Convergence", false, nullptr, convergence_panel},
+    {"Display", nullptr, true, nullptr, display_panel},    {"Data", "Statistics", true, nullptr, statistics_panel},
+    {"Data", "History", true, nullptr, history_panel}};
+
+void draw_panel(const Panel& panel, const PanelContext& context) {
+  if ((!panel.shown || panel.shown(context)) && (!panel.title || ui::section(panel.title, panel.open_at_first)))
+    panel.draw(context);
+}
+
+// The panels of one tab, which scroll while the tabs and what is above them stay.
+void draw_tab(const char* tab, const PanelContext& context) {
+  if (!ImGui::BeginTabItem(tab)) return;
+  ImGui::BeginChild("panels of the tab", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
+  for (const Panel& panel : kPanels)
+    if (panel.tab && std::strcmp(panel.tab, tab) == 0) draw_panel(panel, context);
+  ImGui::EndChild();
+  ImGui::EndTabItem();
+}
 
 }  // namespace
 
 float panel_width() { return ui::px(318); }
 float panel_space() { return panel_width() + 2 * ui::px(10); }
 
+Cover cover_of(const WindowState& state) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const Plots& plots = state.plots;
+  const bool docked = plots.shown && plots.docked && plots.width > 0;
+  return {docked && !plots.at_bottom ? screen.x - plots.left : 0,
+          docked && plots.at_bottom ? screen.y - plots.top : state.gallery_height};
+}
+
 Room room_beside_panels(const WindowState& state) {
-  const float screen = ImGui::GetIO().DisplaySize.x;
-  const bool docked = state.plots.shown && state.plots.docked && state.plots.width > 0;
-  return {state.show_panels ? panel_space() : 0, docked ? state.plots.left : screen};
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const Cover cover = cover_of(state);
+  return {state.show_panels ? panel_space() : 0, screen.x - cover.right, screen.y - cover.bottom};
 }
 
 std::span<const Panel> panels() { return kPanels; }
@@ -43,8 +65,13 @@ void draw_panels(const PanelContext& context) {
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
   context.state.show_convergence = false;  // the panel sets it when drawn
   for (const Panel& panel : kPanels)
-    if ((!panel.shown || panel.shown(context)) && (!panel.title || ui::section(panel.title, panel.open_at_first)))
-      panel.draw(context);
+    if (!panel.tab) draw_panel(panel, context);
+  if (ImGui::BeginTabBar("tabs")) {
+    const char* last = nullptr;
+    for (const Panel& panel : kPanels)
+      if (panel.tab && (!last || std::strcmp(panel.tab, last) != 0)) draw_tab(last = panel.tab, context);
+    ImGui::EndTabBar();
+  }
   ImGui::End();
 }
 

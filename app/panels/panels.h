@@ -19,6 +19,7 @@ struct PanelContext {
 };
 
 struct Panel {
+  const char* tab;                     // on which the panel is; null: above the tabs, always shown
   const char* title;                   // of the heading that folds the panel; null: no heading, always unfolded
   bool open_at_first;                  // unfolded
   bool (*shown)(const PanelContext&);  // null: always
@@ -30,6 +31,7 @@ std::span<const Panel> panels();  // from top to bottom
 void draw_panels(const PanelContext& context);
 
 void scene_panel(const PanelContext& context);
+void toolbar(const PanelContext& context);  // a part of the scene's panel
 void compare_panel(const PanelContext& context);
 void material_panel(const PanelContext& context);
 void solver_panel(const PanelContext& context);
@@ -38,7 +40,6 @@ void display_panel(const PanelContext& context);
 void statistics_panel(const PanelContext& context);
 void grab_panel(const PanelContext& context);
 void history_panel(const PanelContext& context);
-void recording_button(const PanelContext& context);
 
 void draw_plots(const Simulation& simulation, WindowState& state, Requests& requests);  // a window of its own, movable
 bool shows_convergence(const Plots& plots);
@@ -50,9 +51,15 @@ void balance_rows(const Simulation& simulation, const SceneFacts& facts, const D
 /// Keys and mouse, one line each, over the picture; closes by its button or F1.
 void draw_help(WindowState& state);
 
-/// The part of the picture's width beside the column at the left and docked plots [pixels].
+/// The parts of the picture that docked windows cover at the right and at the bottom [pixels].
+struct Cover {
+  float right, bottom;
+};
+Cover cover_of(const WindowState& state);
+
+/// The part of the picture beside the column at the left, docked plots and the gallery [pixels].
 struct Room {
-  float left, right;
+  float left, right, bottom;
   float middle() const { return 0.5f * (left + right); }
   float width() const { return right - left; }
 };
@@ -60,8 +67,8 @@ Room room_beside_panels(const WindowState& state);
 
 /// Lines over the picture: the actions of the mouse (bottom); a notice of slow or paused time (top).
 void draw_hints(const Hints& hints, const Room& room);
-/// Offers to continue with the file of a window that crashed; `scene` is the scene's name.
-void draw_recovery(const std::string& scene, Requests& requests);
+/// Offers to restore the scene of a window that crashed; `scene` is its name.
+void draw_recovery(const std::string& scene, const Room& room, Requests& requests);
 void draw_notice(const WindowState& state, const Room& room);
 /// A red dot, in front of everything and not part of pictures.
 void draw_recording_dot(double seconds, long dropped);

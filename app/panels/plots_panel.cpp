@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/panels/panels.h"
 #include "app/panels/time_plot.h"
@@ -17,6 +18,12 @@ namespace {
 
 using ui::TimeChart;
 using ui::TimeCurve;
+
+constexpr float kMargin = 10, kWidth = 430, kLeastWidth = 260, kLeastHeight = 180;  // of the window [points]
+constexpr float kTissueWidth = 400;    // left for the tissue where the plots are beside it [points]
+constexpr float kBottomShare = 0.42f;  // of the picture's height, where they are below it
+constexpr float kFlat = 320,
+                kTwoColumns = 560;  // a lower window folds the choice of charts; a wider one has two columns [points]
 
 constexpr TimeCurve kEnergy[] = {{"kinetic", [](const Sample& s) { return s.kinetic; }},
                                  {"elastic", [](const Sample& s) { return s.elastic; }},
@@ -51,9 +58,20 @@ const char* const kChartHelp[] = {
 static_assert(std::size(kCharts) + 1 == Plots::kCharts && std::size(kChartHelp) == Plots::kCharts);
 constexpr std::size_t kConvergence = Plots::kCharts - 1;
 
-void choose_charts(Plots& plots) {
+const char* name_of_chart(std::size_t i) { return i == kConvergence ? "Convergence" : kCharts[i].title; }
+
+// A button each, or with `folded` a list behind one button.
+void choose_charts(Plots& plots, bool folded) {
+  if (folded) {
+    ImGui::SameLine();
+    if (ui::button("Charts", ImGui::GetContentRegionAvail().x)) ImGui::OpenPopup("charts");
+    ui::tooltip("The charts that are shown");
+    if (!ImGui::BeginPopup("charts")) return;
+    for (std::size_t i = 0; i < Plots::kCharts; ++i) ui::checkbox(name_of_chart(i), plots.chosen[i], kChartHelp[i]);
+    return ImGui::EndPopup();
+  }
   for (std::size_t i = 0; i < Plots::kCharts; ++i) {
-    const char* name = i == kConvergence ? "Convergence" : kCharts[i].title;
+    const char* name = name_of_chart(i);
     const float width = ImGui::CalcTextSize(name).x + 2 * ImGui::GetStyle().FramePadding.x;
     if (i > 0) {
       ImGui::SameLine(0, ui::px(4));
@@ -64,8 +82,11 @@ void choose_charts(Plots& plots) {
   }
 }
 
-void buttons(Plots& plots, Requests& requests) {
-  const float width = (ImGui::GetContentRegionAvail().x - 4 * ImGui::GetStyle().ItemSpacing.x) / 5;
+// In a row of `count`.
+void buttons(Plots& plots, Requests& requests, int count) {
+  const float width =
+      (ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) /
+      static_cast<float>(count);
   if (ui::button(plots.held ? "Go on" : "Hold", width, plots.held)) plots.held = !plots.held;
   ui::tooltip("Holds the curves while the simulation continues");
   ImGui::SameLine();
@@ -82,6 +103,44 @@ void buttons(Plots& plots, Requests& requests) {
     ui::tooltip("Writes a picture of the panel to the current folder");  // a tooltip now would be part of the picture
 }
 
+// The area of the plots until they are moved: beside the tissue, or below it where the picture is too narrow for both.
+std::array<float, 4> dock_of(const WindowState& state) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float margin = ui::px(kMargin), left = state.show_panels ? panel_space() : 0,
+              bottom = screen.y - margin - state.gallery_height, beside = ui::px(kWidth);
+  if (screen.x - left - beside - 2 * margin >= ui::px(kTissueWidth))
+    return {screen.x - beside - margin, margin, beside, std::max(ui::px(kLeastHeight), bottom - margin)};
+  const float width = std::floor(std::max(ui::px(kLeastWidth), screen.x - left - (left > 0 ? 1 : 2) * margin)),
+              height = std::floor(std::max(ui::px(kLeastHeight), kBottomShare * screen.y));
+  return {screen.x - width - margin, bottom - height, width, height};
+}
+
+// The chosen charts, as high as the room allows.
+void draw_charts(Plots& plots, int columns) {
+  constexpr float kConvergenceHeight = 210;  // [points]
+  std::vector<std::size_t> chosen;
+  std::size_t lines = 0;  // of the legends, at the default width
+  for (std::size_t i = 0; i < std::size(kCharts); ++i)
+    if (plots.chosen[i]) {
+      chosen.push_back(i);
+      lines += kCharts[i].curves.size() > 2 ? 2 : 1;
+    }
+  plots.cursor = std::exchange(plots.cursor_next, std::nullopt);
+  if (chosen.empty()) return;
+  const auto count = chosen.size(), width = static_cast<std::size_t>(columns), rows = (count + width - 1) / width;
+  const float room =
+      ImGui::GetContentRegionAvail().y / ui::px(1) - (plots.chosen[kConvergence] ? kConvergenceHeight : 0);
+  const float legends = static_cast<float>(columns == 1 ? lines : 2 * rows) * ImGui::GetTextLineHeightWithSpacing() +
+                        static_cast<float>(rows) * ImGui::GetStyle().ItemSpacing.y;
+  const float height = std::max(64.0f, (room - legends / ui::px(1)) / static_cast<float>(rows));
+  if (!ImGui::BeginTable("charts", columns)) return;
+  for (std::size_t i = 0; i < count; ++i) {
+    ImGui::TableNextColumn();
+    ui::time_plot(kCharts[chosen[i]], plots, height, i + width >= count);
+  }
+  ImGui::EndTable();
+}
+
 }  // namespace
 
 bool shows_convergence(const Plots& plots) { return plots.shown && plots.chosen[kConvergence]; }
@@ -89,15 +148,14 @@ bool shows_convergence(const Plots& plots) { return plots.shown && plots.chosen[
 void draw_plots(const Simulation& simulation, WindowState& state, Requests& requests) {
   Plots& plots = state.plots;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float margin = ui::px(10), least_width = ui::px(260), least_height = ui::px(180);
-  const float width = std::floor(std::max(least_width, std::min(ui::px(430), 0.45f * screen.x)));
-  const std::array<float, 4> dock{screen.x - width - margin, margin, width,
-                                  std::max(least_height, screen.y - 2 * margin)};
+  const std::array<float, 4> dock = dock_of(state);
+  plots.at_bottom = dock[1] > ui::px(kMargin);
   const bool dock_moved = std::exchange(plots.dock, dock) != dock;
   if (plots.docked && dock_moved) {
     ImGui::SetNextWindowPos({dock[0], dock[1]});
     ImGui::SetNextWindowSize({dock[2], dock[3]});
   }
+  const float least_width = ui::px(kLeastWidth), least_height = ui::px(kLeastHeight);
   ImGui::SetNextWindowSizeConstraints({least_width, least_height},
                                       {std::max(least_width, screen.x), std::max(least_height, screen.y)});
   const char* title = state.comparing ? "Plots of side A###Plots" : "Plots###Plots";
@@ -107,25 +165,10 @@ void draw_plots(const Simulation& simulation, WindowState& state, Requests& requ
     const auto at = [](float is, float wanted) { return std::abs(is - wanted) < 2; };
     plots.docked = at(corner.x, dock[0]) && at(corner.y, dock[1]) && at(size.x, dock[2]) && at(size.y, dock[3]);
     plots.left = corner.x, plots.top = corner.y, plots.width = size.x, plots.height = size.y;
-    buttons(plots, requests);
-    choose_charts(plots);
-    constexpr float kConvergenceHeight = 210;  // [points]
-    std::size_t chosen = 0, last = 0, lines = 0;
-    for (std::size_t i = 0; i < std::size(kCharts); ++i)
-      if (plots.chosen[i]) {
-        ++chosen;
-        last = i;
-        lines += kCharts[i].curves.size() > 2 ? 2 : 1;  // of the legend, at the default width
-      }
-    const float room =
-        ImGui::GetContentRegionAvail().y / ui::px(1) - (plots.chosen[kConvergence] ? kConvergenceHeight : 0);
-    const float legends = static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing() +
-                          static_cast<float>(chosen) * ImGui::GetStyle().ItemSpacing.y;
-    const float height =
-        std::max(64.0f, (room - legends / ui::px(1)) / static_cast<float>(std::max<std::size_t>(chosen, 1)));
-    plots.cursor = std::exchange(plots.cursor_next, std::nullopt);
-    for (std::size_t i = 0; i < std::size(kCharts); ++i)
-      if (plots.chosen[i]) ui::time_plot(kCharts[i], plots, height, i == last);
+    const bool flat = size.y < ui::px(kFlat);
+    buttons(plots, requests, flat ? 6 : 5);
+    choose_charts(plots, flat);
+    draw_charts(plots, size.x > ui::px(kTwoColumns) ? 2 : 1);
     if (plots.chosen[kConvergence]) convergence_rows(simulation, state.convergence);
   }
   ImGui::End();

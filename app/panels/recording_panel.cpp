@@ -45,12 +45,6 @@ void size_fields(VideoSettings& video) {
 
 }  // namespace
 
-void recording_button(const PanelContext& context) {
-  bool& shown = context.state.show_recording;
-  if (ui::button("Recording...", ImGui::GetContentRegionAvail().x, shown)) shown = !shown;
-  ui::tooltip("Video settings (Shift+V), and a replay of this session");
-}
-
 void draw_recording_settings(WindowState& state, Requests& requests) {
   ImGui::SetNextWindowPos({panel_width() + ui::px(24), ui::px(100)}, ImGuiCond_Appearing);
   if (ImGui::Begin("Recording", &state.show_recording,

@@ -70,7 +70,7 @@ bool hint_row(HintBoard& board, const std::optional<Hint>& hint) {
   const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x,
               button = ImGui::GetFontSize() + ui::px(4);
   ImGui::BeginGroup();
-  ImGui::PushStyleColor(ImGuiCol_Text, ui::kWarning);
+  ImGui::PushStyleColor(ImGuiCol_Text, hint->quiet ? ui::kDim : ui::kWarning);
   ImGui::PushTextWrapPos(end - button - ui::px(4));
   ImGui::TextUnformatted(hint->text.c_str());
   ImGui::PopTextWrapPos();

@@ -15,6 +15,7 @@ struct Hint {
   std::string text;    // one line or two
   std::string help;    // the longer form, as a tooltip
   std::string remedy;  // label of a button; empty: none
+  bool quiet = false;  // information rather than a warning: drawn dim
 };
 
 /// The dismissed hints, stored by the window.

@@ -10,13 +10,15 @@ void frame_picture(Camera& camera, const Eigen::Vector2d& extent, const Frame& f
   constexpr double kWidest = 1.3;
   const double width = frame.width, left = frame.margins.left, right = frame.margins.right,
                room = std::max(width - left - right, 1.0);
-  const auto half_of = [&](double across) { return 0.5 * std::min(across, static_cast<double>(frame.height)); };
+  const double height = std::max(frame.height - frame.margins.bottom, 1.0);
+  const auto half_of = [&](double across, double along) { return 0.5 * std::min(across, along); };
   // Without a bar the target is in the center of the space beside the panels, and the lens spans the shorter side of
-  // the picture. Both sides of a comparison are drawn in this manner, whichever has the bar.
+  // the picture, above what covers its bottom. Both sides of a comparison are drawn in this manner, whichever has the
+  // bar.
   double target = 0.5 * (frame.side ? left - right : left);  // from the picture's middle to the right
-  const double half = frame.side ? half_of(room) : half_of(width);
-  camera.reach = half_of(width) / half;
-  if (right > 0 || frame.side) {
+  const double half = half_of(frame.side ? room : width, height);
+  camera.reach = half_of(width, frame.height) / half;
+  if (left > 0 || right > 0 || frame.margins.bottom > 0 || frame.side) {
     const double most = std::max(kWidest, 0.5 * (frame.side ? room : width - left) / half);
     const Eigen::Vector2d body = extent.cwiseMax(-most).cwiseMin(most) * half;
     const double begin = left + kGap * room - 0.5 * width, end = begin + (1 - 2 * kGap) * room;
@@ -24,7 +26,7 @@ void frame_picture(Camera& camera, const Eigen::Vector2d& extent, const Frame& f
     camera.reach *= smaller;
     target = std::min(std::max(target, begin - body.x() / smaller), end - body.y() / smaller);
   }
-  camera.middle.x() = target / (0.5 * width);
+  camera.middle = {target / (0.5 * width), frame.margins.bottom / frame.height};
 }
 
 }  // namespace fascia

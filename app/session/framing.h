@@ -1,5 +1,5 @@
-// Places the tissue in a picture: between the panels at the left and the color bar at the right, or within half of a
-// comparison.
+// Places the tissue in a picture: between the panels at the left and the color bar and plots at the right, above what
+// covers the bottom, or within half of a comparison.
 #pragma once
 #include <Eigen/Core>
 
@@ -13,8 +13,9 @@ inline constexpr int kLeastRows = 360;
 
 /// Widths covered at the edges of the picture [pixels].
 struct Margins {
-  double left = 0;   // panels
-  double right = 0;  // color bar
+  double left = 0;    // panels
+  double right = 0;   // color bar and docked plots
+  double bottom = 0;  // docked plots or the gallery
 };
 
 struct Frame {

@@ -17,6 +17,13 @@ void Statistics::add_steps(double milliseconds, int count, bool compiled, std::v
   step_ms = step_ms > 0 ? 0.8 * step_ms + 0.2 * one : one;
 }
 
+void Statistics::follow_inverted() {
+  if (!diagnostics || diagnostics->inverted == 0)
+    inverted_since.reset();
+  else if (!inverted_since)
+    inverted_since = diagnostics->time;
+}
+
 SceneFacts::SceneFacts(const Scene& scene, const Model& model)
     : material_volume(model.materials.size(), 0.0), material_names(model.material_names) {
   unit = unit_hint(scene, model);

@@ -31,6 +31,8 @@ struct Statistics {
   double waits = 0;  // for a solver that cannot step yet [s]
   long steps = 0;
   std::optional<Diagnostics> diagnostics;
+  std::optional<double> inverted_since;  // simulated time [s]; none: all tets are upright
+  void follow_inverted();                // once a frame, from `diagnostics`
 };
 
 /// Constant properties of a model, for the panels.
@@ -70,7 +72,8 @@ struct WindowState {
   UndoHistory history;
   bool comparing = false, editing_b = false;  // the panels show side B
   Statistics statistics;
-  bool show_recording = false;
+  bool show_recording = false, show_gallery = false;
+  float gallery_height = 0;  // of the strip at the bottom of the picture, with its margin [pixels]; 0: not shown
   VideoSettings video;
   double replay_speed = 1;    // of a replay, over real time
   bool replay_camera = true;  // use the recorded camera
@@ -80,8 +83,8 @@ struct WindowState {
 struct Requests {
   bool open_dialog = false, save_dialog = false, reset = false, step = false, frame_view = false, screenshot = false,
        video = false, reload_shaders = false, close = false, plot_table = false, plot_picture = false, recent = false,
-       export_dialog = false, gallery = false, copy_command = false, resume_recovered = false, forget_recovered = false,
-       let_go = false, save_replay_dialog = false, end_replay = false, save_with_mesh = false;
+       export_dialog = false, copy_command = false, resume_recovered = false, forget_recovered = false, let_go = false,
+       save_replay_dialog = false, end_replay = false, save_with_mesh = false;
   std::optional<std::filesystem::path> open, save, export_state, save_replay,
       resume;  // resume: the recording of an interrupted session (autosave.h)
   CompareAsk compare = CompareAsk::nothing;

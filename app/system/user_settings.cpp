@@ -64,9 +64,13 @@ UserSettings read_user_settings(const fs::path& file) {
     } else if (key == "theme") {
       if (value != "dark" && value != "light") fail(file, key, "dark or light");
       settings.light = value == "light";
+    } else if (key == "scale") {
+      if (!value.is_number() || value < UserSettings::kLeastScale || value > UserSettings::kLargestScale)
+        fail(file, key, "a number from 0.6 to 2.5");
+      settings.scale = value.get<double>();
     } else {
       throw Error(file.string() + ": " + key, "is unknown",
-                  "expected recent, folder, hints_done, first_run_done or theme");
+                  "expected recent, folder, hints_done, welcomed, theme or scale");
     }
   }
   return settings;
@@ -80,7 +84,8 @@ void write_user_settings(const fs::path& file, const UserSettings& settings) {
                   {"folder", settings.folder.string()},
                   {"hints_done", settings.hints_done},
                   {"welcomed", settings.first_run_done},
-                  {"theme", settings.light ? "light" : "dark"}};
+                  {"theme", settings.light ? "light" : "dark"},
+                  {"scale", settings.scale}};
   fs::create_directories(file.parent_path());
   write_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");  // paths may contain any bytes
 }

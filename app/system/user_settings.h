@@ -1,4 +1,4 @@
-// The window's settings from one start to the next: recent files, the last folder, dismissed hints, theme. A small JSON
+// The window's settings from one start to the next: recent files, the last folder, dismissed hints, theme, scale. A small JSON
 // file, read as strictly as scenes; a broken one never prevents the start of the window.
 #pragma once
 #include <filesystem>
@@ -11,12 +11,14 @@ namespace fascia {
 
 struct UserSettings {
   static constexpr std::size_t kMostRecent = 12;
+  static constexpr double kLeastScale = 0.6, kLargestScale = 2.5;
 
   std::vector<std::filesystem::path> recent;  // absolute, the latest first
   std::filesystem::path folder;               // of the dialogs; empty: none yet
   std::set<std::string> hints_done;
   bool first_run_done = false;  // the examples were shown
   bool light = false;           // theme of the panels
+  double scale = 1;             // of the panels, times that of the monitor
 
   void opened(const std::filesystem::path& file);
   bool operator==(const UserSettings&) const = default;

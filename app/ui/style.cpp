@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <initializer_list>
 
@@ -14,7 +15,7 @@ constexpr float kFontSize = 14.5f;  // at scale 1
 constexpr const char* kFontFolders[] = {"/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/TTF",
                                         "/usr/share/fonts/dejavu-sans-fonts"};
 
-float style_scale = 1;
+float style_scale = 1, user_scale = 1;
 ImFont* heading_font = nullptr;
 
 ImFont* load_font(const char* file, float size) {
@@ -124,6 +125,9 @@ void set_colors(ImGuiStyle& style) {
 
 const ImVec4 &kAccent = now.accent, &kText = now.text, &kDim = now.dim, &kGood = now.good, &kWarning = now.warning,
              &kDanger = now.danger, &kPanel = now.panel;
+
+void set_interface_scale(float factor) { user_scale = std::clamp(factor, kLeastScale, kLargestScale); }
+float interface_scale() { return user_scale; }
 
 float px(float points) { return points * style_scale; }
 ImFont* bold_font() { return heading_font; }

@@ -10,6 +10,11 @@ namespace fascia::ui {
 /// again.
 void apply_style(float scale);
 
+/// The user's factor on the scale of the monitor, from kLeastScale to kLargestScale. It takes effect in the next frame.
+void set_interface_scale(float factor);
+float interface_scale();
+inline constexpr float kLeastScale = 0.6f, kLargestScale = 2.5f;
+
 /// Pixels of a length that is `points` at scale 1.
 float px(float points);
 ImFont* bold_font();

@@ -14,6 +14,7 @@
 namespace fascia::ui {
 namespace {
 
+constexpr float kClickReach = 4;                            // a press that moves farther is a drag [points]
 constexpr float kLabelShare = 0.41f, kSliderShare = 0.33f;  // of a row's width; the value has the remainder
 
 // The number being typed; the keyboard focus permits one at a time.
@@ -77,26 +78,42 @@ bool typed_number(const NumberField& field, double& value) {
 
 std::set<std::string> without_help;
 
-void expect_help(const char* label, const std::string& help) {
-  if (help.empty()) without_help.insert(label);
-}
-
 bool wants_to_type() {
   return (ImGui::IsItemHovered() &&
           (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl))) ||
          (ImGui::IsItemFocused() && ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressedMap(ImGuiKey_Enter));
 }
 
-// The value at the end of the row, right-aligned; a click on it starts typing.
-bool value_button(const std::string& text) {
+// The value at the end of the row, right-aligned. A click on it starts typing; a drag is given as its latest pixels to
+// the right.
+struct ValueButton {
+  bool pressed;
+  float dragged;
+};
+ValueButton value_button(const std::string& text) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), size{ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()};
-  const bool pressed = ImGui::InvisibleButton("##value", size);
+  const bool released = ImGui::InvisibleButton("##value", size);
   const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
   const float width = ImGui::CalcTextSize(text.c_str()).x;
   ImGui::GetWindowDrawList()->AddText({low.x + size.x - width, low.y + ImGui::GetStyle().FramePadding.y},
                                       ImGui::GetColorU32(lit ? kAccent : kText), text.c_str());
-  if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
-  return pressed;
+  const ImGuiIO& io = ImGui::GetIO();
+  // The largest distance since the press decides, so that a drag back to its start is no click.
+  const bool moved = io.MouseDragMaxDistanceSqr[0] > kClickReach * kClickReach * px(1) * px(1);
+  const bool drags = ImGui::IsItemActive() && moved && ImGui::IsMouseDown(0);
+  if (ImGui::IsItemHovered() || drags)
+    ImGui::SetMouseCursor(drags ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_TextInput);
+  const bool by_mouse = ImGui::IsMouseReleased(0);
+  return {released && !(by_mouse && moved), drags ? io.MouseDelta.x / px(1) : 0};
+}
+
+// The value after a drag of the number: half a percent per point where the slider is logarithmic, else a thousandth of
+// its range.
+double finely_dragged(const NumberField& field, double value, float points) {
+  constexpr double kPerPoint = 0.005;
+  const double step = (field.slider_max - field.slider_min) / 1000;
+  const double moved = field.logarithmic && value != 0 ? value * std::exp(kPerPoint * points) : value + step * points;
+  return std::clamp(moved, std::max(field.min, field.zero.empty() ? field.min : 0.0), field.max);
 }
 
 ImVec2 pill_pad() { return {px(10), px(5)}; }
@@ -187,7 +204,14 @@ bool number(const NumberField& field, double& value) {
     }
     ImGui::SameLine(0, 0);
     const bool zero = value == 0 && !field.zero.empty();
-    if (value_button(zero ? field.zero : pretty(engineering(value, field.unit))) || asked_at_slider) {
+    const ValueButton button = value_button(zero ? field.zero : pretty(engineering(value, field.unit)));
+    tooltip("Click to type, drag for fine steps");
+    if (button.dragged != 0 && !field.integer) {
+      const double moved = finely_dragged(field, value, button.dragged);
+      changed |= moved != value;
+      value = moved;
+    }
+    if (button.pressed || asked_at_slider) {
       const std::string text = zero ? field.zero : engineering(value, field.unit, 4);
       typing = {id, text, text, true, false};
       ImGui::ClearActiveID();
@@ -278,5 +302,9 @@ bool checkbox(const char* text, bool& value, const std::string& help) {
 }
 
 const std::set<std::string>& unexplained() { return without_help; }
+
+void expect_help(const char* label, const std::string& help) {
+  if (help.empty()) without_help.insert(label);
+}
 
 }  // namespace fascia::ui

@@ -30,7 +30,7 @@ struct NumberField {
   std::string zero = "";  // shown for 0, and typed for it: "off"; empty: the number
 };
 /// A slider and its value in engineering notation; a click on the value, or a double click on the slider, starts typing
-/// ("12.5 kPa"). True if the value changed.
+/// ("12.5 kPa"), and a drag of the value changes it in fine steps. True if the value changed.
 bool number(const NumberField& field, double& value);
 
 /// Starts a row whose control is drawn next and fills the remaining width.

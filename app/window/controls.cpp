@@ -173,8 +173,8 @@ void Controls::press_key(int key, int mods, Requests& requests) {
       mouse.let_go(sides_.pointer_in_side(sides_.grab_in_b()), sides_.picture_of_grab(), held);
       break;
     case GLFW_KEY_ESCAPE:
-      if (state.show_help || state.show_recording)
-        state.show_help = state.show_recording = false;
+      if (state.show_help || state.show_recording || state.show_gallery)
+        state.show_help = state.show_recording = state.show_gallery = false;
       else
         mouse.let_go_staying(held);
       break;
@@ -182,7 +182,7 @@ void Controls::press_key(int key, int mods, Requests& requests) {
       state.show_help = !state.show_help;
       break;
     case GLFW_KEY_F2:
-      requests.gallery = true;
+      state.show_gallery = !state.show_gallery;
       break;
     case GLFW_KEY_F3:
       state.plots.shown = !state.plots.shown;

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/overlay/color_bar.h"
+#include "app/panels/panels.h"
 #include "app/ui/style.h"
 #include "base/error.h"
 #include "render/supersampler.h"
@@ -101,10 +102,11 @@ void ScenePicture::draw_scene(const Canvas& canvas) {
   overlay_.draw_list(picture, canvas.scale, [&](ImDrawList& list) {
     const MarkArea area{list, 0, static_cast<float>(picture.width()) / canvas.scale,
                         static_cast<float>(picture.height()) / canvas.scale};
-    draw_legend(area, session);  // with the range of the colors just drawn
+    const MarkArea free = beside_docks(area, canvas);
+    draw_legend(free, session);  // with the range of the colors just drawn
     LabelPlaces places({static_cast<float>(canvas.left) / canvas.scale, 0, area.width, area.height}, ui::px(kLabelGap));
     for (const Box& box : covered(canvas)) places.keep_clear(box);
-    if (const auto legend = legend_box(area.box(), session)) places.keep_clear(*legend);
+    if (const auto legend = legend_box(free.box(), session)) places.keep_clear(*legend);
     draw_grab_marks(area, session, grabs, places);
     draw_ring(area, session);
     const Plots& plots = stage_.state.plots;
@@ -124,7 +126,9 @@ void ScenePicture::draw_comparison(SplitView& split, const Canvas& canvas,
   const Margins edges = margins_of(canvas);
   split.draw(a, picture, edges, grabs, drawn);
   overlay_.draw_list(picture, scale, [&](ImDrawList& list) {
-    draw_legend({list, 0, static_cast<float>(picture.width()) / scale, static_cast<float>(picture.height()) / scale},
+    draw_legend(beside_docks({list, 0, static_cast<float>(picture.width()) / scale,
+                              static_cast<float>(picture.height()) / scale},
+                             canvas),
                 a);
     split.draw_labels(list, a, picture.width(), picture.height(), edges, scale,
                       {of_a, true, stage_.state.editing_b, grabs, covered(canvas)});
@@ -143,8 +147,19 @@ void ScenePicture::draw_ring(const MarkArea& area, const Session& session) const
 }
 
 Margins ScenePicture::margins_of(const Canvas& canvas) const {
+  const Cover cover = canvas.alone ? Cover{} : cover_of(stage_.state);
+  const int right = static_cast<int>(canvas.scale * cover.right),
+            bottom = static_cast<int>(canvas.scale * cover.bottom);
   return {static_cast<double>(canvas.left),
-          legend_space(*stage_.session, canvas.picture.width(), canvas.picture.height(), canvas.scale)};
+          right + legend_space(*stage_.session, canvas.picture.width() - right, canvas.picture.height() - bottom,
+                               canvas.scale),
+          static_cast<double>(bottom)};
+}
+
+// The part of an area that docked windows leave.
+MarkArea ScenePicture::beside_docks(const MarkArea& area, const Canvas& canvas) const {
+  const Cover cover = canvas.alone ? Cover{} : cover_of(stage_.state);
+  return {area.list, area.x, area.width - cover.right, area.height - cover.bottom};
 }
 
 std::vector<Box> ScenePicture::covered(const Canvas& canvas) const {

@@ -38,6 +38,7 @@ class ScenePicture {
                        const std::function<void(std::size_t, const Framebuffer&)>& drawn = {});
   void draw_ring(const MarkArea& area, const Session& session) const;
   Margins margins_of(const Canvas& canvas) const;
+  MarkArea beside_docks(const MarkArea& area, const Canvas& canvas) const;
   std::vector<Box> covered(const Canvas& canvas) const;  // by other drawings
 
   Graphics& graphics_;

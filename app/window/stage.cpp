@@ -29,7 +29,10 @@ Provenance Stage::provenance() const {
 int Stage::panels_cover() const { return state.show_panels ? static_cast<int>(panel_space()) : 0; }
 
 Margins Stage::margins() const {
-  return {static_cast<double>(panels_cover()), legend_space(*session, framebuffer->width(), framebuffer->height(), 1)};
+  const Cover cover = cover_of(state);
+  const int width = framebuffer->width() - static_cast<int>(cover.right),
+            height = framebuffer->height() - static_cast<int>(cover.bottom);
+  return {static_cast<double>(panels_cover()), legend_space(*session, width, height, 1) + cover.right, cover.bottom};
 }
 
 void Stage::save(const std::filesystem::path& path, bool with_mesh) {

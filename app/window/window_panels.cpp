@@ -20,13 +20,14 @@ WindowPanels::WindowPanels(Stage& stage, Sides& sides, const CaptureControl& cap
       gallery_(data_dir),
       hints_(user_) {
   if (user_.now().light) ui::set_theme(ui::Theme::light);
+  ui::set_interface_scale(static_cast<float>(user_.now().scale));
 }
 
 void WindowPanels::begin(bool greet) {
   dialogs_.opened(stage_.simulation().scene.file);
   if (!user_.warning().empty()) stage_.messages.say(user_.warning() + ". The window opens without it", true);
   dialogs_.set_last_session(recovery_.last_session());
-  if (greet && !scripted_ && !user_.now().first_run_done && !config_folder().empty()) gallery_.ask();
+  if (greet && !scripted_ && !user_.now().first_run_done && !config_folder().empty()) stage_.state.show_gallery = true;
 }
 
 void WindowPanels::ask(const Requests& requests) {
@@ -34,7 +35,6 @@ void WindowPanels::ask(const Requests& requests) {
   if (requests.open_dialog) dialogs_.ask_open(file);
   if (requests.recent) dialogs_.ask_recent();
   if (requests.export_dialog) dialogs_.ask_export(file);
-  if (requests.gallery) gallery_.ask();
   if (requests.save_dialog) dialogs_.ask_save(file);
   if (requests.save_replay_dialog) dialogs_.ask_replay();
 }
@@ -45,6 +45,7 @@ void WindowPanels::draw(Requests& requests) {
   state.statistics.speed = stage_.pacing.speed();
   state.statistics.keeps_pace = stage_.pacing.keeps_pace();
   state.recording = video.running();
+  state.statistics.follow_inverted();
   state.grabs = stage_.mouse.grabs().all().size();
   const Room room = room_beside_panels(state);
   const bool shown_alone = video.running() && !video.settings().panels;  // a video of the scene without panels
@@ -55,16 +56,19 @@ void WindowPanels::draw(Requests& requests) {
       draw_hints(hints_, room);  // a comparison shows its figures there
   }
   const Simulation& simulation = stage_.simulation();
+  if (gallery_.draw(state, room.left, requests))
+    user_.change([](UserSettings& settings) { settings.first_run_done = true; });
   if (state.plots.shown) draw_plots(simulation, state, requests);
   if (simulation.replaying()) draw_replay_badge(simulation, state, requests);
   if (state.show_recording) draw_recording_settings(state, requests);
   if (state.show_help) draw_help(state);
   dialogs_.draw(requests);
-  if (gallery_.draw(requests)) user_.change([](UserSettings& settings) { settings.first_run_done = true; });
-  if (recovery_.left()) draw_recovery(Autosave::name_in(*recovery_.left()), requests);
+  if (recovery_.left()) draw_recovery(Autosave::name_in(*recovery_.left()), room, requests);
   follow_hints();
   if (const bool light = ui::theme() == ui::Theme::light; light != user_.now().light)
     user_.change([&](UserSettings& settings) { settings.light = light; });
+  if (const double scale = ui::interface_scale(); scale != user_.now().scale)
+    user_.change([&](UserSettings& settings) { settings.scale = scale; });
   stage_.messages.draw(requests.screenshot);  // a screenshot does not contain the news of the previous one
   if (video.running()) draw_recording_dot(video.seconds(), video.dropped());
 }

@@ -34,6 +34,7 @@ TEST_CASE("the gallery has every shipped scene with a picture and a description"
   for (const Example& example : examples) {
     CAPTURE(example.scene);
     CHECK_FALSE(example.title.empty());
+    CHECK(example.name.size() < 20);  // fits below its picture
     CHECK_FALSE(example.says.empty());
     CHECK(std::filesystem::exists(example.picture));
   }

@@ -3,6 +3,8 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 #include <catch2/catch.hpp>
+#include <set>
+#include <string>
 
 #include "app/compare/split_view.h"
 #include "app/overlay/overlay.h"
@@ -46,7 +48,7 @@ struct Desk {
 
 }  // namespace
 
-TEST_CASE("the panel Plots keeps its place at the right when the window shrinks and grows", "[panel_layout]") {
+TEST_CASE("the panel Plots keeps its place at the edge when the window shrinks and grows", "[panel_layout]") {
   Desk desk;
   desk.state.plots.shown = true;
   desk.show_plots(1280, 720);
@@ -54,7 +56,8 @@ TEST_CASE("the panel Plots keeps its place at the right when the window shrinks 
   CHECK(docked == std::array<float, 4>{840, 10, 430, 700});
   desk.show_plots(640, 480);
   CHECK(desk.inside(640, 480));
-  CHECK(desk.state.plots.height > 400);
+  CHECK(desk.state.plots.at_bottom);
+  CHECK(desk.state.plots.height > 180);
   desk.show_plots(1280, 720);
   CHECK(desk.place() == docked);
 
@@ -69,6 +72,45 @@ TEST_CASE("the panel Plots keeps its place at the right when the window shrinks 
   desk.show_plots(640, 480);
   CHECK(desk.inside(640, 480));
   CHECK(desk.state.plots.width == 400);
+}
+
+TEST_CASE("docked plots leave room for the tissue, and the picture knows what they cover", "[panel_layout]") {
+  Desk desk;
+  desk.state.plots.shown = true;
+  for (const auto& [width, height] : {std::pair(1280, 720), {1000, 700}, {800, 600}})
+    for (const float gallery : {0.0f, 150.0f}) {
+      desk.state.gallery_height = gallery;
+      for (int frame = 0; frame < 2; ++frame)
+        desk.show_plots(width, height, [&, width = width, height = height] {
+          const Room room = room_beside_panels(desk.state);
+          const Cover cover = cover_of(desk.state);
+          CAPTURE(width, height, gallery, room.right, room.bottom, cover.right, cover.bottom);
+          CHECK(desk.inside(static_cast<float>(width), static_cast<float>(height) - gallery));
+          CHECK(room.right - room.left >= (width == 800 ? 440 : 400));
+          CHECK(room.bottom >= 0.3 * height);
+          const Plots& plots = desk.state.plots;  // beside or below the rest
+          CHECK((plots.left >= room.right || plots.top >= room.bottom));
+        });
+    }
+}
+
+TEST_CASE("every panel is on a tab or above the tabs, and its tab is inside the column", "[panel_layout]") {
+  Desk desk;
+  for (int frame = 0; frame < 2; ++frame)
+    desk.frame(800, 600, [&] {
+      Requests requests;
+      draw_panels({desk.session, desk.state, requests});
+    });
+  const ImGuiTabBar& bar = *ImGui::GetCurrentContext()->TabBars.GetByIndex(0);
+  std::set<std::string> tabs;
+  for (const Panel& panel : panels())
+    if (panel.tab) tabs.insert(panel.tab);
+  REQUIRE(bar.Tabs.Size == static_cast<int>(tabs.size()));
+  for (const ImGuiTabItem& tab : bar.Tabs) {
+    CAPTURE(tab.Offset, tab.Width, tab.ContentWidth);
+    CHECK(tab.Width >= tab.ContentWidth);  // not cut off
+    CHECK(tab.Offset + tab.Width <= panel_width() - 20);
+  }
 }
 
 TEST_CASE("the list of keys is inside the picture, at any size", "[panel_layout]") {

@@ -122,6 +122,26 @@ TEST_CASE("a comparison frames the body in both halves alike, beside the bar", "
     }
 }
 
+TEST_CASE("a body is above what covers the bottom of the picture", "[framing]") {
+  Camera camera, alone;
+  const Eigen::Vector2d extent{-0.7, 0.7};
+  frame_picture(alone, extent, {1280, 720, {}});
+  frame_picture(camera, extent, {1280, 720, {0, 0, 180}});
+  // A point of the lens' upper and lower edge, in rows from the top
+  const auto row = [](const Camera& c, double up) { return 0.5 * 720 * (1 - c.middle.y() - up / c.reach); };
+  CAPTURE(camera.middle.transpose(), camera.reach);
+  CHECK(row(alone, 1) == Approx(0).margin(1e-9));
+  CHECK(row(alone, -1) == Approx(720));
+  CHECK(row(camera, 1) == Approx(0).margin(1e-9));
+  CHECK(row(camera, -1) == Approx(720 - 180));
+  INFO("and beside the panels, where the picture is narrow");
+  frame_picture(camera, extent, {800, 600, {338, 0, 165}});
+  const double half = 0.5 * (600 - 165), smaller = camera.reach / (600.0 / (600 - 165)),
+               middle = 0.5 * 800 * (1 + camera.middle.x());
+  CHECK(middle + extent.x() * half / smaller >= 338);
+  CHECK(middle + extent.y() * half / smaller <= 800);
+}
+
 TEST_CASE("a newly framed body fills the space beside the bar", "[framing]") {
   Graphics graphics = open_graphics(headless(), false);
   Session session(graphics, scene_of("liver", "von_mises"), false);

@@ -17,6 +17,7 @@ TEST_CASE("user settings survive a round trip, and a missing file means a new us
   settings.folder = "/a";
   settings.hints_done = {"grab"};
   settings.first_run_done = settings.light = true;
+  settings.scale = 1.25;
   write_user_settings(folder / "deep/settings.json", settings);
   CHECK(read_user_settings(folder / "deep/settings.json") == settings);
 }
@@ -40,7 +41,8 @@ TEST_CASE("broken settings are reported, kept aside and replaced") {
       GENERATE(as<std::string>(), "{", "[]", "{\"fascia_settings\": 2}", "{\"fascia_settings\": 1, \"recent\": 3}",
                "{\"fascia_settings\": 1, \"recent\": [3]}", "{\"fascia_settings\": 1, \"colour\": \"red\"}",
                "{\"fascia_settings\": 1, \"welcomed\": \"yes\"}", "{\"fascia_settings\": 1, \"folder\": []}",
-               "{\"fascia_settings\": 1, \"theme\": \"red\"}", "\xff\xfe");
+               "{\"fascia_settings\": 1, \"theme\": \"red\"}", "{\"fascia_settings\": 1, \"scale\": 9}",
+               "{\"fascia_settings\": 1, \"scale\": \"large\"}", "\xff\xfe");
   CAPTURE(broken);
   write_file(folder / "settings.json", broken);
   CHECK_THROWS_AS(read_user_settings(folder / "settings.json"), Error);

@@ -21,7 +21,7 @@ TEST_CASE("keys with Ctrl and Shift that are pressed and released within a frame
   write_file(folder / "cube.json", cube_scene("Test cube", 2e4));
   FasciaWindow window({(folder / "cube.json").string(), "--size", "1000x700"}, folder.path());
   window.screenshot();
-  window.move(278, 328);  // the number of Young's modulus
+  window.move(278, 280);  // the number of Young's modulus
   window.press();
   window.release();
   window.pause();
@@ -52,7 +52,10 @@ TEST_CASE("Escape closes a list of the panels, and grabs that stay are kept") {
   CHECK(eventually([&] { return difference(rest, right_part(window.screenshot().image, kPanels)).share > 0.01; }));
   window.key("t");
   window.release();
-  window.move(215, 510);  // the list of methods, which opens below
+  window.move(115, 185);  // the tab Solver
+  window.press();
+  window.release();
+  window.move(215, 251);  // the list of methods, which opens below
   window.screenshot();
   const auto panels = [&] {
     Image image = display.watch(1).front();

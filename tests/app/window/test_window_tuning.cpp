@@ -134,7 +134,7 @@ TEST_CASE("a session with swapped sides is replayed to the bit, even if R return
   double began = begins_at();
   CHECK(began == 0);
   for (int swap = 0; swap < 2; ++swap) {
-    window.move(128, 328);
+    window.move(128, 251);  // Swap
     window.press();
     window.pause();
     window.release();

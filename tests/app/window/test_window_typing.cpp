@@ -13,8 +13,8 @@ using namespace fascia::test;
 
 namespace {
 
-constexpr int kSlider = 214, kYoung = 328,
-              kDensity = 386;  // near the right end of the slider; rows of the panel Material
+constexpr int kSlider = 214, kYoung = 280,
+              kDensity = 338;  // near the right end of the slider; rows of the panel Material
 
 struct Desk {
   TemporaryFolder folder;
