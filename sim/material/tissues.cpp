@@ -47,6 +47,11 @@ const std::vector<Tissue>& tissues() {
        "human, in vivo, transient elastography at 50 Hz (5.5 +- 1.6 kPa); slow compression of samples gives less",
        "Roulot et al. 2008, Liver stiffness values in apparently healthy subjects: influence of gender and metabolic "
        "syndrome, J Hepatol 48"},
+      {"liver_indented", "Liver, indented", 12e3, 0.4, 1060, 10e3, 15e3,
+       "pig, in vivo, static indentation during laparoscopy (10 to 15 kPa), as an instrument feels it; Poisson's ratio "
+       "below the physical one, at which linear tets bend more freely",
+       "Samur et al. 2007, A robotic indenter for minimally invasive measurement and characterization of soft tissue "
+       "response, Med Image Anal 11"},
       {"thyroid", "Thyroid", 11e3, kSoft, 1050, 5e3, 25e3,
        "human, in vivo, shear-wave elastography, 127 volunteers (10.97 +- 3.1 kPa)",
        "Arda et al. 2011, Quantitative assessment of normal soft-tissue elasticity using shear-wave ultrasound "

@@ -92,3 +92,13 @@ TEST_CASE("a preset that does not exist gives the nearest name and the list") {
   CHECK(SceneFile(body_with(R"({"default": {"preset": 3}})")).open_error().find("preset: is 3; expected a tissue") !=
         std::string::npos);
 }
+
+TEST_CASE("the shipped liver is made of a tissue of the table") {
+  for (const char* name : {"liver", "liver_hands"}) {
+    const Scene scene = open_scene(source_dir() / "assets/scenes" / (std::string(name) + ".json"));
+    const Tissue* tissue = tissue_of(scene.bodies.at(0).material);
+    REQUIRE(tissue);
+    CHECK(tissue->name == std::string("liver_indented"));
+    CHECK(scene.bodies[0].material.damping == 0.01);
+  }
+}
