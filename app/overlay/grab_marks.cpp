@@ -123,6 +123,15 @@ void draw_patch_ring(const MarkArea& area, const Session& session, const Vector3
   list.PopClipRect();
 }
 
+void draw_brush_marks(const MarkArea& area, const Session& session, const std::vector<Vector3d>& places, bool fix) {
+  for (const Vector3d& place : places) {
+    const auto middle = place_of(area, session, place);
+    if (!middle) continue;
+    area.list.AddCircleFilled(*middle, ui::px(3), fix ? IM_COL32(0, 0, 0, 255) : IM_COL32(255, 255, 255, 255));
+    area.list.AddCircle(*middle, ui::px(3), fix ? IM_COL32(255, 255, 255, 200) : IM_COL32(0, 0, 0, 200));
+  }
+}
+
 void draw_probe(const MarkArea& area, const Session& session, const Vector3d& place) {
   const auto middle = place_of(area, session, place);
   if (!middle) return;

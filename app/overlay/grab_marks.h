@@ -46,6 +46,10 @@ void draw_grab_marks(const MarkArea& area, const Session& session, const std::ve
 void draw_patch_ring(const MarkArea& area, const Session& session, const Eigen::Vector3d& place,
                      const Eigen::Vector3d& normal, double radius);
 
+/// Draws a dot at each place [m]: vertices under the brush, which fixes or releases them.
+void draw_brush_marks(const MarkArea& area, const Session& session, const std::vector<Eigen::Vector3d>& places,
+                      bool fix);
+
 /// Draws a dot at `place` [m], the position of the plotted vertex.
 void draw_probe(const MarkArea& area, const Session& session, const Eigen::Vector3d& place);
 

@@ -13,12 +13,16 @@ namespace {
 bool while_comparing(const PanelContext& context) { return context.state.comparing; }
 
 // The panels of a tab follow each other.
-const Panel kPanels[] = {
-    {nullptr, nullptr, true, nullptr, scene_panel},        {nullptr, "Compare", true, while_comparing, compare_panel},
-    {"Tissue", "Material", true, nullptr, material_panel}, {"Tissue", "Grab", true, nullptr, grab_panel},
-    {"Solver", "Solver", true, nullptr, solver_panel},     {"Solver", "Convergence", false, nullptr, convergence_panel},
-    {"Display", nullptr, true, nullptr, display_panel},    {"Data", "Statistics", true, nullptr, statistics_panel},
-    {"Data", "History", true, nullptr, history_panel}};
+const Panel kPanels[] = {{nullptr, nullptr, true, nullptr, scene_panel},
+                         {nullptr, "Compare", true, while_comparing, compare_panel},
+                         {"Tissue", "Material", true, nullptr, material_panel},
+                         {"Tissue", "Grab", true, nullptr, grab_panel},
+                         {"Tissue", "Fixed vertices", true, nullptr, fixed_panel},
+                         {"Solver", "Solver", true, nullptr, solver_panel},
+                         {"Solver", "Convergence", false, nullptr, convergence_panel},
+                         {"Display", nullptr, true, nullptr, display_panel},
+                         {"Data", "Statistics", true, nullptr, statistics_panel},
+                         {"Data", "History", true, nullptr, history_panel}};
 
 void draw_panel(const Panel& panel, const PanelContext& context) {
   if ((!panel.shown || panel.shown(context)) && (!panel.title || ui::section(panel.title, panel.open_at_first)))

@@ -86,6 +86,21 @@ void compare_entries(const MaterialEntries& from, const MaterialEntries& to, boo
     if (!find(to, key)) list.lines.push_back("The default material" + of_body + ", " + key);
 }
 
+/// "57 vertices", or the number of selections where they are not lists of vertices.
+std::string fixed_text(const FixedSets& sets) {
+  std::size_t vertices = 0, others = 0;
+  for (const auto& body : sets)
+    for (const Selection& selection : body) {
+      if (const auto* list = std::get_if<VertexSelection>(&selection))
+        vertices += list->vertices.size();
+      else
+        ++others;
+    }
+  const std::string listed = std::to_string(vertices) + (vertices == 1 ? " vertex" : " vertices");
+  if (others == 0) return listed;
+  return std::to_string(others) + (others == 1 ? " selection" : " selections") + (vertices > 0 ? ", " + listed : "");
+}
+
 /// Compares every display key in its scene-file form, so that new keys are included automatically.
 void compare_display(const DisplaySettings& from, const DisplaySettings& to, ChangeList& list) {
   const auto document = [](const DisplaySettings& display) {
@@ -110,8 +125,9 @@ void compare_display(const DisplaySettings& from, const DisplaySettings& to, Cha
 
 Tunables tunables_of(const Session& session, const GrabSettings& grab) {
   const Simulation& simulation = session.simulation;
-  return {simulation.scene.solver, material_entries(simulation.scene, simulation.model, simulation.model.materials),
-          simulation.scene.gravity, simulation.scene.display, grab};
+  return {simulation.scene.solver,    material_entries(simulation.scene, simulation.model, simulation.model.materials),
+          fixed_of(simulation.scene), simulation.scene.gravity,
+          simulation.scene.display,   grab};
 }
 
 void set_tunables(Session& session, GrabSettings& grab, const Tunables& tunables) {
@@ -133,6 +149,7 @@ std::vector<std::string> changes(const Tunables& from, const Tunables& to) {
   compare_settings(from.solver, to.solver, list);
   for (std::size_t b = 0; b < std::min(from.materials.size(), to.materials.size()); ++b)
     compare_entries(from.materials[b], to.materials[b], to.materials.size() == 1, "body " + std::to_string(b), list);
+  if (from.fixed != to.fixed) list.add("Fixed", fixed_text(from.fixed), fixed_text(to.fixed));
   for (int axis = 0; axis < 3; ++axis)
     list.number(std::string("Gravity ") + "xyz"[axis], from.gravity[axis], to.gravity[axis], "m/s^2");
   compare_display(from.display, to.display, list);

@@ -45,9 +45,11 @@ void Controls::handle(Requests& requests) {
         if (!io.WantCaptureMouse && event.code <= GLFW_MOUSE_BUTTON_MIDDLE) press_button(event, picture);
         break;
       case Kind::release:
+        if (stage_.brush.painting() && event.code == GLFW_MOUSE_BUTTON_LEFT) end_stroke(requests);
         stage_.mouse.release(button_of(event.code), keys_of(event.mods), held, stage_.state.grab);
         break;
       case Kind::move:
+        stage_.brush.move(event.at, {picture.width, picture.height}, held, brush_radius());
         stage_.mouse.move(event.at, picture, held);
         break;
       case Kind::scroll:
@@ -69,9 +71,22 @@ void Controls::handle(Requests& requests) {
   }
 }
 
+double Controls::brush_radius() const { return stage_.state.grab.radius * stage_.session->look.radius; }
+
+void Controls::end_stroke(Requests& requests) {
+  const Simulation& simulation = stage_.simulation();
+  const std::vector<std::uint32_t> marked = stage_.brush.finish();
+  const FixedSets now = fixed_of(simulation.scene),
+                  wanted = with_fixed(simulation.scene, simulation.model, marked, stage_.state.brush == Brush::fix);
+  if (wanted != now) requests.fixed = wanted;
+}
+
 void Controls::press_button(const InputEvent& event, MouseTool::Picture picture) {
   const bool left = event.code == GLFW_MOUSE_BUTTON_LEFT;
   if (left && !sides_.split() && observer_.choose_probe(event.at)) return;
+  if (left && stage_.state.brush != Brush::off && !sides_.split() && !(event.mods & GLFW_MOD_SHIFT) &&
+      stage_.brush.begin(event.at, {picture.width, picture.height}, *stage_.session, brush_radius()))
+    return;
   if (left && event.mods & GLFW_MOD_CONTROL && stage_.session->display().section)
     stage_.mouse.press_section(button_of(event.code), event.at);
   else
@@ -175,6 +190,8 @@ void Controls::press_key(int key, int mods, Requests& requests) {
     case GLFW_KEY_ESCAPE:
       if (state.show_help || state.show_recording || state.show_gallery)
         state.show_help = state.show_recording = state.show_gallery = false;
+      else if (state.brush != Brush::off)
+        state.brush = Brush::off;
       else
         mouse.let_go_staying(held);
       break;

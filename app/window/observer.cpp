@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "app/state/deformed_positions.h"
 #include "base/dated_name.h"
-#include "shaders/shared/types.h"
 #include "sim/visual/picking.h"
 
 namespace fascia {
@@ -61,10 +61,7 @@ bool Observer::choose_probe(const Eigen::Vector2d& at) {
   if (!plots.shown || !plots.choosing) return false;
   plots.choosing = false;
   Session& session = *stage_.session;
-  GpuSolver& solver = *session.simulation.gpu();
-  solver.publish();
-  std::vector<Eigen::Vector3d> positions;
-  for (const shared::vec4& p : solver.positions().read<shared::vec4>()) positions.emplace_back(p.x, p.y, p.z);
+  const std::vector<Eigen::Vector3d> positions = deformed_positions(session);
   const Ray ray = session.camera.ray(at.x(), at.y(), stage_.framebuffer->width(), stage_.framebuffer->height());
   const auto hit = pick_nearest(ray, session.surface().triangles, positions, shown_cut(session.look));
   if (!hit) return true;

@@ -109,6 +109,7 @@ void ScenePicture::draw_scene(const Canvas& canvas) {
     if (const auto legend = legend_box(free.box(), session)) places.keep_clear(*legend);
     draw_grab_marks(area, session, grabs, places);
     draw_ring(area, session);
+    draw_brush_marks(area, session, stage_.brush.places(), stage_.state.brush == Brush::fix);
     const Plots& plots = stage_.state.plots;
     if (plots.shown && d && d->probe)
       draw_probe(area, session, session.simulation.model.rest_positions[*plots.probe] + *d->probe);

@@ -8,6 +8,7 @@
 #include "app/session/framing.h"
 #include "app/session/session.h"
 #include "app/state/window_state.h"
+#include "app/window/parts/fix_brush.h"
 #include "app/window/parts/messages.h"
 #include "app/window/parts/mouse_tool.h"
 #include "app/window/parts/real_time_clock.h"
@@ -22,6 +23,7 @@ struct Stage {
   WindowState state = {};
   Messages messages = {};
   MouseTool mouse = {};
+  FixBrush brush = {};
   Pacing pacing = {};
   bool diagnose = true;  // the state has changed since the last diagnostics
 

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "app/session/reproduce.h"
+#include "base/error.h"
 #include "sim/grab/build_model.h"
 #include "sim/scene/scene_scale.h"
 
@@ -24,16 +25,36 @@ void TuningHistory::follow() {
 
 void TuningHistory::go_to(std::size_t entries) {
   UndoHistory& history = stage_.state.history;
+  const std::size_t before = history.done();
   // The values after the last entry in force. The values in between need not be set.
   std::optional<Tunables> wanted;
   while (history.done() > entries && history.can_undo()) wanted = history.undo();
   while (history.done() < entries && history.can_redo()) wanted = history.redo();
   if (!wanted) return;
+  try {
+    set_fixed(wanted->fixed);  // first: it takes another session
+  } catch (...) {
+    while (history.done() < before) history.redo();
+    while (history.done() > before) history.undo();
+    throw;
+  }
   Session& session = sides_.tuned();
   const std::vector<std::string> names = session.simulation.model.material_names;
   set_tunables(session, stage_.state.grab, *wanted);
   history.accept(tunables_of(session, stage_.state.grab));
   if (session.simulation.model.material_names != names) materials_changed();
+}
+
+void TuningHistory::set_fixed(const FixedSets& fixed) {
+  if (fixed == fixed_of(sides_.tuned().simulation.scene)) return;
+  if (sides_.split())
+    throw Error("Fixed vertices", "cannot change during a comparison", "close the comparison first (B)");
+  Scene scene = stage_.scene_now();
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) scene.bodies[b].fixed = fixed[b];
+  sides_.let_go();
+  std::unique_ptr<Session> session = session_with_fixed(graphics_, *stage_.session, std::move(scene));
+  recording_.begin_anew_around([&] { stage_.session = std::move(session); });
+  model_changed();
 }
 
 void TuningHistory::set_materials(const std::vector<MaterialEntries>& entries) {
@@ -45,12 +66,17 @@ void TuningHistory::set_materials(const std::vector<MaterialEntries>& entries) {
 void TuningHistory::materials_changed() {
   Session& session = sides_.tuned();
   session.true_error.forget();
-  stage_.state.convergence.forget();
-  stage_.state.facts = SceneFacts(session.simulation.scene, session.simulation.model);
-  stage_.pacing.restart();
-  stage_.diagnose = true;
+  model_changed();
   // With other regions the open session has another scene, so a new recording begins.
   if (&session == stage_.session.get()) recording_.begin_anew_around([] {});
+}
+
+void TuningHistory::model_changed() {
+  const Simulation& simulation = sides_.tuned().simulation;
+  stage_.state.convergence.forget();
+  stage_.state.facts = SceneFacts(simulation.scene, simulation.model);
+  stage_.pacing.restart();
+  stage_.diagnose = true;
 }
 
 Opened TuningHistory::rescaled(double factor) const {

@@ -1,5 +1,5 @@
-// Changes to the open scene beyond a single slider: undo, materials of single regions, other units of length, and the
-// command line that reproduces all changes.
+// Changes to the open scene beyond a single slider: undo, materials of single regions, fixed vertices, other units of
+// length, and the command line that reproduces all changes.
 #pragma once
 #include <optional>
 #include <vector>
@@ -11,22 +11,26 @@ namespace fascia {
 
 class TuningHistory {
  public:
-  TuningHistory(Stage& stage, Sides& sides, RecordingControl& recording)
-      : stage_(stage), sides_(sides), recording_(recording) {}
+  TuningHistory(Graphics& graphics, Stage& stage, Sides& sides, RecordingControl& recording)
+      : graphics_(graphics), stage_(stage), sides_(sides), recording_(recording) {}
 
   void session_began();
   void follow();                    // once a frame, after the panels: a changed value becomes an entry
   void go_to(std::size_t entries);  // undoes or redoes until `entries` are in force. Throws Error
   /// Throws Error and changes nothing if an entry names no region.
   void set_materials(const std::vector<MaterialEntries>& entries);
+  /// Throws Error, and changes nothing, during a comparison and if the scene cannot be built.
+  void set_fixed(const FixedSets& fixed);
   /// The current scene with all lengths times `factor`, to be opened as a new session.
   Opened rescaled(double factor) const;
   void copy_command() const;  // to the clipboard
 
  private:
   void materials_changed();
+  void model_changed();
   Scene scene_to_reproduce() const;
 
+  Graphics& graphics_;
   Stage& stage_;
   Sides& sides_;
   RecordingControl& recording_;

@@ -36,7 +36,7 @@ Window::Window(Graphics& graphics, const ViewOptions& options, Opened opened)
       stage_{options.command_line},
       sides_(graphics, stage_),
       recording_(stage_, sides_, recorded(options)),
-      tuning_(stage_, sides_, recording_),
+      tuning_(graphics, stage_, sides_, recording_),
       observer_(stage_, sides_),
       picture_(graphics, overlay_, stage_, sides_, observer_, options.samples),
       capture_(stage_, picture_),
@@ -250,6 +250,7 @@ void Window::carry_out(const Requests& requests) {
     sides_.carry_out(requests.compare, [&](const auto& change) { recording_.begin_anew_around(change); });
   if (requests.history) tuning_.go_to(*requests.history);
   if (requests.materials) tuning_.set_materials(*requests.materials);
+  if (requests.fixed) tuning_.set_fixed(*requests.fixed);
   if (requests.rescale) rescale(*requests.rescale);
   if (requests.copy_command) tuning_.copy_command();
   if (requests.reset) reset();

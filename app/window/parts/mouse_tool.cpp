@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "app/overlay/grab_marks.h"
-#include "shaders/shared/types.h"
+#include "app/state/deformed_positions.h"
 #include "sim/visual/picking.h"
 
 namespace fascia {
@@ -14,17 +14,6 @@ namespace {
 constexpr double kDepthPerNotch = 0.04;            // of the wheel, in scene radii
 constexpr double kPushPerNotch = 0.2;              // in patch radii
 constexpr double kSmallest = 0.001, kLargest = 1;  // radius of a patch, in scene radii
-
-// One readback, only when a button is pressed.
-std::vector<Eigen::Vector3d> deformed_positions(Session& session) {
-  GpuSolver& solver = *session.simulation.gpu();
-  solver.publish();
-  const std::vector<shared::vec4> read = solver.positions().read<shared::vec4>();
-  std::vector<Eigen::Vector3d> positions;
-  positions.reserve(read.size());
-  for (const shared::vec4& p : read) positions.emplace_back(p.x, p.y, p.z);
-  return positions;
-}
 
 // Position on the line from `center` along the unit vector `normal` that is closest to the ray of a place in the
 // picture [m].

@@ -1,7 +1,9 @@
 // Undo and redo of changes to a window's scene, and the resulting scene.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "app/window/tuning_history.h"
+#include "base/error.h"
 #include "tests/support/headless_stage.h"
 
 using namespace fascia;
@@ -12,7 +14,7 @@ namespace {
 struct Desk : HeadlessStage {
   using HeadlessStage::HeadlessStage;
   RecordingControl recording{stage, sides, false};
-  TuningHistory tuning{stage, sides, recording};
+  TuningHistory tuning{graphics, stage, sides, recording};
   const UndoHistory& history() const { return stage.state.history; }
   std::size_t materials() { return sides.tuned().simulation.model.materials.size(); }
 };
@@ -79,4 +81,35 @@ TEST_CASE("the scene in another unit keeps changed values, and the camera only i
   CHECK(size(twice.model) == Approx(2 * size(desk.stage.simulation().model)));
   desk.stage.session->camera.zoom(0.5);
   CHECK(desk.tuning.rescaled(1).scene.camera == desk.stage.scene_now().camera);
+}
+
+TEST_CASE("a stroke of the brush is an entry, and is undone and redone") {
+  Desk desk;
+  desk.tuning.session_began();
+  desk.tuning.follow();
+  const auto fixed = [&] { return desk.stage.simulation().model.fixed; };
+  const std::vector<std::uint32_t> before = fixed();
+  const std::vector<char> held = desk.stage.simulation().model.held();
+  const auto free = static_cast<std::uint32_t>(std::find(held.begin(), held.end(), 0) - held.begin());
+  const auto with = [&](std::uint32_t v) {
+    return with_fixed(desk.stage.simulation().scene, desk.stage.simulation().model, std::vector{v}, true);
+  };
+  desk.tuning.set_fixed(with(free));
+  desk.tuning.follow();
+  REQUIRE(desk.history().entries().size() == 1);
+  CHECK_THAT(desk.history().entries()[0].text, Catch::Contains("Fixed: ") && Catch::Contains(" vertices"));
+  CHECK(fixed().size() == before.size() + 1);
+  desk.tuning.go_to(0);
+  CHECK(fixed() == before);
+  CHECK(fixed_of(desk.stage.simulation().scene) == fixed_of(open_scene(source_dir() / "assets/scenes/cube.json")));
+  desk.tuning.go_to(1);
+  CHECK(fixed().size() == before.size() + 1);
+  CHECK(desk.history().entries().size() == 1);
+
+  INFO("not during a comparison, which keeps the history as it is");
+  desk.compare(CompareAsk::open_or_close);
+  desk.compare(CompareAsk::edit_a);
+  CHECK_THROWS_AS(desk.tuning.go_to(0), Error);
+  CHECK(desk.history().done() == 1);
+  CHECK(fixed().size() == before.size() + 1);
 }
