@@ -7,7 +7,7 @@
 #include <system_error>
 #include <thread>
 
-#include "app/bench/gnuplot.h"
+#include "app/charts/gnuplot.h"
 #include "base/byte_hash.h"
 #include "base/error.h"
 #include "base/file.h"
@@ -83,7 +83,8 @@ void Bench::write(const std::string& name, const Image& picture, Session& sessio
 }
 
 void Bench::draw(const std::string& name, const Chart& chart) const {
-  if (has_gnuplot) write_chart(folder / name, chart);
+  for (const std::string& ending : options.charts)
+    if (has_gnuplot) write_chart(folder / (name + ending), chart);
 }
 
 std::string name_of(const SolverChoice& pair) {

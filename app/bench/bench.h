@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/bench/chart.h"
 #include "app/bench/table.h"
+#include "app/charts/chart.h"
 #include "app/session/graphics.h"
 #include "app/session/session.h"
 #include "sim/output/run_provenance.h"
@@ -37,7 +37,8 @@ class Bench {
   /// Writes NAME.csv, with the notes of every table.
   void write(const std::string& name, Table table) const;
   void write(const std::string& name, const Image& picture, Session& session, long step) const;  // NAME.png
-  void draw(const std::string& name, const Chart& chart) const;  // NAME.svg and NAME.png; no effect without gnuplot
+  void draw(const std::string& name,
+            const Chart& chart) const;  // NAME.svg, ... as asked for; no effect without gnuplot
 
  private:
   std::vector<std::string> notes_;

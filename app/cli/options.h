@@ -61,4 +61,5 @@ struct BenchOptions : CommonOptions {
   int width = 1280, height = 720;
 };
 
+  std::vector<std::string> charts{".svg", ".png"};  // endings of their files
 }  // namespace fascia

@@ -2,20 +2,23 @@
 // fascia bench accuracy: error against iterations and time, every method and acceleration.
 // fascia bench speed and skip: the cost of steps, and of features that are off.
 // fascia bench window: how the window feels.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <sstream>
 
 #include "app/bench/accuracy/accuracy.h"
 #include "app/bench/bench.h"
-#include "app/bench/gnuplot.h"
 #include "app/bench/skip.h"
 #include "app/bench/speed.h"
 #include "app/bench/window/window_bench.h"
+#include "app/charts/gnuplot.h"
 #include "app/cli/command_line.h"
 #include "app/commands/command.h"
 #include "base/error.h"
+#include "base/suggest.h"
 
 namespace fascia {
 namespace {
@@ -71,12 +74,38 @@ int run_speed(const BenchOptions& options, const std::string& against) {
 
 int run_skip(const BenchOptions& options) { return run_bench(options, "skip", bench_skip); }
 
+void add_charts(CLI::App& command, BenchOptions& options) {
+  std::string usual;
+  for (const std::string& ending : options.charts) usual += (usual.empty() ? "" : ",") + ending.substr(1);
+  std::vector<std::string> known;
+  for (const std::string& ending : chart_endings()) known.push_back(ending.substr(1));
+  command
+      .add_option_function<std::string>(
+          "--charts",
+          [&options, known](const std::string& text) {
+            options.charts.clear();
+            std::istringstream parts(text);
+            for (std::string part; std::getline(parts, part, ',');) {
+              if (std::find(known.begin(), known.end(), part) == known.end())
+                throw CLI::ValidationError("--charts", "is " + text + perhaps(part, known) +
+                                                           "; expected one or more of " + join(known) +
+                                                           ", with commas between them");
+              options.charts.push_back("." + part);
+            }
+            if (options.charts.empty()) throw CLI::ValidationError("--charts", "is empty; expected " + join(known));
+          },
+          "files of the charts: svg, png, pdf")
+      ->type_name("ENDINGS")
+      ->default_str(usual);
+}
+
 void add_figures(CLI::App& bench, Invocation& invocation) {
   const auto options = std::make_shared<BenchOptions>();
   CLI::App& command = *bench.add_subcommand("figures", "the figures of the I3D 2019 paper, and the cost of colorings");
   command.add_option("--out", options->out, "folder for the files, made if missing")->type_name("DIR")->required();
   command.add_flag("--quick", options->quick,
                    "small meshes, few iterations: the same files in less time, the numbers worth little");
+  add_charts(command, *options);
   add_size(command, options->width, options->height);
   add_graphics(command, *options);
   add_examples(command, {"fascia bench figures --quick --out figures"});
@@ -96,6 +125,7 @@ void add_accuracy(CLI::App& bench, Invocation& invocation) {
       ->required();
   command.add_flag("--quick", options->quick, "three small cases, for a first look");
   command.add_flag("--fresh", options->fresh, "measure again what the folder holds");
+  add_charts(command, *options);
   add_graphics(command, *options);
   add_examples(command, {"fascia bench accuracy --quick --out accuracy"});
   command.callback(

@@ -105,7 +105,7 @@ Chart BeamStep::chart(const std::string& title) const {
   Chart chart;
   chart.title = title + ", " + std::to_string(model_.tets.size()) + " tets";
   const double start = pairs_.front().trace.front().rms_strain;
-  double smallest = exact_strain_;
+  double smallest = exact_strain_, largest = exact_strain_;
   for (const PairTrace& p : pairs_) {
     Series series;
     series.name = label_of(p.pair) + (p.trace.back().finite ? "" : ", diverges");
@@ -115,11 +115,13 @@ Chart BeamStep::chart(const std::string& title) const {
       const double strain = p.trace[i].finite ? p.trace[i].rms_strain : kUnknown;
       series.points.emplace_back(static_cast<double>(i), strain);
       smallest = std::fmin(smallest, strain);
+      largest = std::fmax(largest, strain);
     }
     chart.series.push_back(std::move(series));
   }
   chart.x = {"iterations", true, Eigen::Vector2d(1, scene_.solver.iterations)};
-  chart.y = {"Green strain, RMS of the Frobenius norm [-]", true, Eigen::Vector2d(0.7 * smallest, 1.7 * start)};
+  chart.y = {"Green strain, RMS of the Frobenius norm [-]", true,
+             Eigen::Vector2d(0.7 * smallest, std::min(1.7 * start, 1.15 * largest))};
   chart.levels.push_back({"Exact step", exact_strain_});
   return chart;
 }

@@ -1,11 +1,10 @@
 #include "app/bench/figures/picture_grid.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 
-#include "app/bench/chart.h"
-#include "app/bench/gnuplot.h"
+#include "app/charts/chart.h"
+#include "app/charts/gnuplot.h"
 #include "render/view/look.h"
 
 namespace fascia {
@@ -48,13 +47,6 @@ std::string canvas(const PictureGrid& grid, const Layout& layout) {
   return pixels;
 }
 
-std::string hex(const Eigen::Vector3f& color) {
-  char text[8];
-  const auto byte = [&](int k) { return static_cast<unsigned>(255 * std::clamp(color[k], 0.0f, 1.0f) + 0.5f); };
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(0), byte(1), byte(2));
-  return text;
-}
-
 void write_text(std::ostream& out, const std::string& text, int x, int y, const char* style) {
   out << "set label " << gnuplot_quoted(text) << " at first " << x << ", first " << y << " front " << style << '\n';
 }
@@ -80,7 +72,7 @@ void write_grid(const std::filesystem::path& path, const PictureGrid& grid) {
   }
   out << "set palette defined (";
   for (int c = 0; c <= kScaleColors; ++c)
-    out << (c ? ", " : "") << c << " '" << hex(heat_color(static_cast<float>(c) / kScaleColors)) << '\'';
+    out << (c ? ", " : "") << c << " '" << gnuplot_color(heat_color(static_cast<float>(c) / kScaleColors)) << '\'';
   out << ")\nset cbrange [" << grid.range.x() << ':' << grid.range.y() << "]\nset cblabel "
       << gnuplot_quoted(grid.scale_label) << "\nset cbtics\nset colorbox user origin screen "
       << double(w - kScale + kGap) / w << ", screen " << 0.15 << " size screen " << 20.0 / w << ", screen 0.6\n";

@@ -158,6 +158,16 @@ TEST_CASE("every mistyped choice and key is suggested, regardless of case and se
   CHECK_THAT(said_of({"--grab", "At=0,0,0;translate=0,0.1,0"}), Contains("perhaps \"at\""));
 }
 
+TEST_CASE("charts have the endings that are asked for", "[usage]") {
+  const TemporaryFolder folder;
+  const auto said_of = [&](const std::string& endings) {
+    return said({"bench", "figures", "--quick", "--out", (folder / "never").string(), "--charts", endings});
+  };
+  CHECK_THAT(said_of("svg,jpg"), Contains("--charts: is svg,jpg; expected one or more of svg, png, pdf"));
+  CHECK_THAT(said_of("PDF"), Contains("perhaps \"pdf\""));
+  CHECK_THAT(said_of(","), Contains("--charts"));
+}
+
 TEST_CASE("samples per pixel have one range, for the window, for pictures and for checks", "[usage]") {
   for (const char* command : {"view", "render"}) {
     CHECK_THAT(said({command, "--samples", "257"}), Contains("--samples") && Contains("1 to 256"));

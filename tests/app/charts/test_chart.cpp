@@ -1,4 +1,4 @@
-// Charts through gnuplot: both formats, every text in them, and errors when gnuplot is missing or fails.
+// Charts through gnuplot: all formats, every text in them, and errors when gnuplot is missing or fails.
 // Covers: gnuplot
 #include <sys/stat.h>
 
@@ -7,8 +7,8 @@
 #include <functional>
 #include <limits>
 
-#include "app/bench/chart.h"
-#include "app/bench/gnuplot.h"
+#include "app/charts/chart.h"
+#include "app/charts/gnuplot.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "render/target/image.h"
@@ -62,9 +62,10 @@ class Path {
 
 }  // namespace
 
-TEST_CASE("a chart is an SVG and a PNG with all its texts", "[chart]") {
+TEST_CASE("a chart is an SVG, a PNG or a PDF by its ending, with all its texts", "[chart]") {
   const TemporaryFolder folder;
-  write_chart(folder / "a'chart", example());
+  CHECK(chart_endings() == std::vector<std::string>{".svg", ".png", ".pdf"});
+  for (const std::string& ending : chart_endings()) write_chart(folder / ("a'chart" + ending), example());
   const std::string svg = read_file(folder / "a'chart.svg");
   for (const char* text :
        {"Strain_of ", "iterations", "strain [-]", "a_line", "some marks", "no number at all", "exact"}) {
@@ -74,22 +75,38 @@ TEST_CASE("a chart is an SVG and a PNG with all its texts", "[chart]") {
   const Image png = read_png(folder / "a'chart.png");
   CHECK(png.width == 1440);
   CHECK(png.height == 960);
-  CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 2);
+  CHECK(read_file(folder / "a'chart.pdf").starts_with("%PDF-"));
+  CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 3);
+  CHECK(error_of([&] { write_chart(folder / "chart.jpg", example()); }).find("expected .svg, .png or .pdf") !=
+        std::string::npos);
+}
+
+TEST_CASE("ticks of an axis of many decades are powers of ten, and an underscore in a text stays one", "[chart]") {
+  const TemporaryFolder folder;
+  Chart chart = example();
+  chart.y = {"error", true, Eigen::Vector2d(1e-7, 10)};
+  write_chart(folder / "chart.svg", chart);
+  const std::string svg = read_file(folder / "chart.svg");
+  CHECK(svg.find("1e-05") == std::string::npos);
+  CHECK(svg.find("0.001") == std::string::npos);
+  CHECK(svg.find("a_line") != std::string::npos);  // not a subscript
 }
 
 TEST_CASE("the same chart gives the same files", "[chart]") {
   const TemporaryFolder folder;
-  write_chart(folder / "one", example());
-  write_chart(folder / "two", example());
-  CHECK(read_file(folder / "one.svg") == read_file(folder / "two.svg"));
-  CHECK(read_file(folder / "one.png") == read_file(folder / "two.png"));
+  for (const std::string ending : {".svg", ".png"}) {
+    write_chart(folder / ("one" + ending), example());
+    write_chart(folder / ("two" + ending), example());
+    CAPTURE(ending);
+    CHECK(read_file(folder / ("one" + ending)) == read_file(folder / ("two" + ending)));
+  }
 }
 
 TEST_CASE("without gnuplot a chart names its package", "[chart]") {
   const TemporaryFolder folder, tools;
   const Path path(tools.path().string());
   CHECK(!gnuplot_installed());
-  CHECK(error_of([&] { write_chart(folder / "chart", example()); }).find("gnuplot-nox") != std::string::npos);
+  CHECK(error_of([&] { write_chart(folder / "chart.svg", example()); }).find("gnuplot-nox") != std::string::npos);
   CHECK(fs::is_empty(folder.path()));
 }
 
@@ -100,7 +117,7 @@ TEST_CASE("a gnuplot that fails leaves the old chart in place", "[chart]") {
   chmod((tools / "gnuplot").c_str(), 0755);
   const Path path(tools.path().string() + ":/usr/bin:/bin");
   CHECK(gnuplot_installed());
-  const std::string error = error_of([&] { write_chart(folder / "chart", example()); });
+  const std::string error = error_of([&] { write_chart(folder / "chart.svg", example()); });
   CAPTURE(error);
   CHECK(error.find("chart.svg: gnuplot ended with status 1") != std::string::npos);
   CHECK(error.find("out of ink") != std::string::npos);

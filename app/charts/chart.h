@@ -34,11 +34,14 @@ struct Chart {
   std::vector<Level> levels;
 };
 
-/// Draws `path`.svg and `path`.png; the legend stands below, in up to three columns. Throws Error, also when gnuplot is
-/// not installed.
+/// Draws the chart as SVG, PNG or PDF, by the ending of `path`; the legend stands below, in up to three columns. Throws
+/// Error, also when gnuplot is not installed.
 void write_chart(const std::filesystem::path& path, const Chart& chart);
+std::vector<std::string> chart_endings();  // ".svg", ...
 
 /// A text as a gnuplot string.
 std::string gnuplot_quoted(const std::string& text);
+/// An sRGB color as gnuplot reads it, "#0072b2".
+std::string gnuplot_color(const Eigen::Vector3f& color);
 
 }  // namespace fascia

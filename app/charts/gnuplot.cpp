@@ -1,4 +1,4 @@
-#include "app/bench/gnuplot.h"
+#include "app/charts/gnuplot.h"
 
 #include <fcntl.h>
 #include <spawn.h>
