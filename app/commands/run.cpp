@@ -219,7 +219,9 @@ int run_input(const RunOptions& options) {
   if (inverted > 0 && !options.quiet)
     std::cerr << "fascia: " << inverted << " of " << plural(simulation.model.tets.size(), "tet")
               << (inverted == 1 ? " is" : " are") << " inside out at the end\n";
-  if (!options.quiet)
+  if (!options.quiet && options.static_equilibrium)
+    std::cerr << "fascia: solved in " << stats.wall_s << " s\n";
+  else if (!options.quiet)
     std::cerr << "fascia: " << plural(static_cast<std::size_t>(stats.steps), "step") << ", " << last.time
               << " s simulated in " << stats.wall_s << " s, median " << percentiles(stats.solve_ms).median
               << " ms a step\n";
@@ -236,7 +238,7 @@ void add_run(CLI::App& program, Invocation& invocation) {
       .add_option("--export", options->export_path,
                   "the state after the last step: .vtu, .csv, .msh or .obj; to standard output as CSV")
       ->type_name(std::string("FILE") + kOrDash);
-  command.add_option("--every", options->every, "export every K-th step as numbered files")
+  command.add_option("--every", options->every, "export the start and every K-th step as numbered files")
       ->type_name("K")
       ->check(at_least(1));
   auto* history =

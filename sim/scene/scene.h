@@ -98,6 +98,7 @@ struct Scene {
 /// transform., ...) means body 0. An override's error names "--set KEY".
 Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 /// As open_scene of a scene file with this content.
+  std::size_t option_grabs = 0;  // number of those, at the end, that --grab added: messages name the option
 Scene read_scene_content(const std::filesystem::path& path, std::string_view content,
                          const std::vector<std::string>& overrides = {});
 

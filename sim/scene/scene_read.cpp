@@ -78,7 +78,10 @@ Scene read_scene(const Node& root) {
   for (const Node& body : bodies.elements("a list of at least one body")) scene.bodies.push_back(read_body(body));
   if (scene.bodies.empty()) bodies.refuse("a list of at least one body");
   if (const auto grabs = root.find("grabs"))
-    for (const Node& grab : grabs->elements("a list of grabs")) scene.grabs.push_back(read_grab(grab));
+    for (const Node& grab : grabs->elements("a list of grabs")) {
+      scene.grabs.push_back(read_grab(grab));
+      scene.option_grabs += grab.where("at").starts_with("--grab");
+    }
   const auto solver = root.find("solver");
   if (solver) {
     scene.solver = read_solver(*solver);

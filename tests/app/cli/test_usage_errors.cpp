@@ -158,6 +158,14 @@ TEST_CASE("every mistyped choice and key is suggested, regardless of case and se
   CHECK_THAT(said_of({"--grab", "At=0,0,0;translate=0,0.1,0"}), Contains("perhaps \"at\""));
 }
 
+TEST_CASE("a grab of the command line that is off the tissue names its option, not the scene", "[usage]") {
+  const auto said_of = [](const std::string& grab) { return said({"run", cube(), "--steps", "0", "--grab", grab}); };
+  CHECK_THAT(said_of("at=9,9,9;translate=0,0.1,0"),
+             Contains("--grab: grabs[0].at: ") && Contains("m from the nearest vertex; expected a place on or near"));
+  CHECK_THAT(said_of("at=0,0,0;body=liver;translate=0,0.1,0"),
+             Contains("--grab: grabs[0].body: there is no body \"liver\""));
+}
+
 TEST_CASE("charts have the endings that are asked for", "[usage]") {
   const TemporaryFolder folder;
   const auto said_of = [&](const std::string& endings) {

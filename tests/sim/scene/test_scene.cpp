@@ -310,3 +310,10 @@ TEST_CASE("a number of one law is written if the law reads it or it is no defaul
   CHECK(written(R"({"default": {"model": "mooney_rivlin"}})"));
   CHECK(written(R"({"default": {}, "2": {"mooney_ratio": 0.2}})"));
 }
+
+TEST_CASE("grabs of the command line are known as such") {
+  const std::string grab = R"("grabs": [{"at": [0, 0, 0], "translate": [0, 0.1, 0]}])";
+  const Scene scene = SceneFile(scene_text("", grab)).open({"--grab at=1,0,0;push=0.1", "--grab at=2,0,0;push=0.1"});
+  CHECK(scene.grabs.size() == 3);
+  CHECK(scene.option_grabs == 2);
+}
