@@ -29,12 +29,20 @@ struct MaterialLaw {
   /// Whether Psi equals St. Venant-Kirchhoff's, whose formulas keep more digits; null: never.
   bool (*is_st_venant_kirchhoff)(const Eigen::Matrix3d& f);
   Density (*density)(const Eigen::Matrix3d& f, const Material& material, bool with_second);
+  bool fades_damping = false;  // viscosity falls with damping_share()
 };
 
-extern const MaterialLaw kSignedStVenantKirchhoff, kStVenantKirchhoff, kStableNeoHookean, kNeoHookean, kMooneyRivlin;
+extern const MaterialLaw kSignedStVenantKirchhoff, kStVenantKirchhoff, kStableNeoHookean, kNeoHookean, kMooneyRivlin,
+    kSquared;
 
 const std::vector<const MaterialLaw*>& material_laws();  // all of them, in the order of the menu
 const MaterialLaw& law_of(MaterialModel model);
+
+/// Factor of the damping, at most 1, of a tet with Green strain E_n at the start of a step. D : (E - E_n)/h resists a
+/// change of F in proportion to |F|^2: a law whose stiffness does not follow has it divided by |F_n|^2 / 3 = 1 + 2/3 tr
+/// E_n where that is above 1, so that drawn-out tets do not creep for seconds.
+double damping_share(MaterialModel model, const Eigen::Matrix3d& previous_strain);
+
 bool reads(MaterialModel model, std::string_view field);  // of Material, by its name in visit_material()
 
 }  // namespace fascia

@@ -5,14 +5,18 @@
 namespace fascia {
 
 const std::vector<const MaterialLaw*>& material_laws() {
-  static const std::vector<const MaterialLaw*> laws = {&kSignedStVenantKirchhoff, &kStVenantKirchhoff,
-                                                       &kStableNeoHookean, &kNeoHookean, &kMooneyRivlin};
+  static const std::vector<const MaterialLaw*> laws = {
+      &kSignedStVenantKirchhoff, &kStVenantKirchhoff, &kStableNeoHookean, &kNeoHookean, &kMooneyRivlin, &kSquared};
   return laws;
 }
 
 const MaterialLaw& law_of(MaterialModel model) {
   return **std::find_if(material_laws().begin(), material_laws().end(),
                         [&](const MaterialLaw* law) { return law->model == model; });
+}
+
+double damping_share(MaterialModel model, const Eigen::Matrix3d& previous_strain) {
+  return law_of(model).fades_damping ? 1 / std::max(1.0, 1 + 2.0 / 3 * previous_strain.trace()) : 1;
 }
 
 bool reads(MaterialModel model, std::string_view field) {

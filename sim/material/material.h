@@ -14,7 +14,8 @@ enum class MaterialModel {
   st_venant_kirchhoff,
   stable_neo_hookean,
   neo_hookean,
-  mooney_rivlin
+  mooney_rivlin,
+  squared
 };
 
 const std::vector<MaterialModel>& material_models();  // all of them

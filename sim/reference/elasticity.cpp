@@ -67,7 +67,8 @@ double von_mises(const Matrix3d& f, const Material& material) {
 
 // The viscous part always acts on the Green strain itself, which is smooth for any shape of the tet.
 Derivatives elastic(const LinearTet& rest, const Corners& displacements, const Material& material,
-                    double damping_over_h, const Matrix3d& previous_strain, bool with_hessian, bool project) {
+                    double full_damping_over_h, const Matrix3d& previous_strain, bool with_hessian, bool project) {
+  const double damping_over_h = full_damping_over_h * damping_share(material.model, previous_strain);
   const Matrix3d h = rest.displacement_gradient(displacements);
   const Matrix3d f = Matrix3d::Identity() + h;
   const Matrix3d strain = strain_of(h);

@@ -5,7 +5,8 @@
 //   energy = V Psi,  gradient_a = V F S b_a
 //
 // Kelvin-Voigt damping over an implicit Euler step adds damping/h * (eps - eps_n) to eps in S (see
-// Material::damping): the incremental potential is V [Psi(eps) + damping/h * Psi(eps - eps_n)].
+// Material::damping): the incremental potential is V [Psi(eps) + damping/h * Psi(eps - eps_n)]. Laws that reduce the
+// damping of drawn-out tets multiply it by damping_share() (sim/material/law.h).
 #pragma once
 #include <Eigen/Core>
 

@@ -3,6 +3,7 @@
 //   laws of the Green strain: P = F S, S = D : e, with F and e as returned by deformation_of()
 //   other laws: sim/material/laws.glsl
 //   viscous, of every model (Kelvin-Voigt): P = damping/h F D : (E - E_n) of the plain Green strain E
+//   (damping_share() in sim/material/law.h: laws that reduce it where a tet is drawn out)
 #include "sim/material/deformation.glsl"
 #include "sim/elasticity/feature_damping.glsl"
 #include "sim/material/st_venant_kirchhoff.glsl"
@@ -26,9 +27,15 @@ Elastic elastic_of(mat3 h, vec4 material) {
 }
 
 #if DAMPING
+float damping_over_h(Sym3 before, vec4 material) {
+  float damping = damping_over_h(material);
+  if (FADES_DAMPING(material)) damping /= max(1.0, 1.0 + 2.0 / 3.0 * (before.d.x + before.d.y + before.d.z));
+  return damping;
+}
+
 Sym3 viscous_stress(uint t, Sym3 strain, vec4 material) {
   Sym3 before = previous_strain_of(t);
-  float damping = damping_over_h(material);
+  float damping = damping_over_h(before, material);
   return second_piola_stress(Sym3(damping * (strain.d - before.d), damping * (strain.s - before.s)), material);
 }
 #endif
@@ -68,7 +75,7 @@ Tangent tangent_of(uint t, mat3 h, vec4 material) {
 #if DAMPING
   Sym3 viscous = viscous_stress(t, green_strain(h), material);
   r.s = Sym3(r.s.d + viscous.d, r.s.s + viscous.s);
-  r.stiff += damping_over_h(material);
+  r.stiff += damping_over_h(previous_strain_of(t), material);
 #endif
   return r;
 }

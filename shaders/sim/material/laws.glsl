@@ -8,6 +8,9 @@
 #if NEO_HOOKEAN
 #include "sim/material/neo_hookean.glsl"
 #endif
+#if SQUARED
+#include "sim/material/squared.glsl"
+#endif
 #if MOONEY_RIVLIN
 #include "sim/material/mooney_rivlin.glsl"
 #endif

@@ -13,15 +13,28 @@ std::string capitals(std::string name) {
   return name;
 }
 
+std::string has_model(const MaterialLaw& law) {
+  return "HAS_MODEL(material, " + std::to_string(static_cast<int>(law.model)) + ".0)";
+}
+
 // A call of a law's function, selected by the material's law: HAS_MODEL(material, 2.0) ? stable_neo_hookean_block(...)
 // : ...
 std::string call_of_law(const std::vector<const MaterialLaw*>& laws, const std::string& function) {
   std::string text;
   for (const MaterialLaw* law : laws) {
-    if (law != laws.back()) text += "HAS_MODEL(material, " + std::to_string(static_cast<int>(law->model)) + ".0) ? ";
+    if (law != laws.back()) text += has_model(*law) + " ? ";
     text += law->name + function + (law == laws.back() ? "" : " : ");
   }
   return "(" + text + ")";
+}
+
+// Whether a material has one of the laws: "true" or "false" if all or none of the scene's laws are among them.
+std::string test_of_law(const std::vector<const MaterialLaw*>& among, const std::vector<const MaterialLaw*>& laws) {
+  if (among.empty()) return "false";
+  if (among.size() == laws.size()) return "true";
+  std::string text;
+  for (const MaterialLaw* law : among) text += (text.empty() ? "(" : " || ") + has_model(*law);
+  return text + ")";
 }
 
 }  // namespace
@@ -41,20 +54,18 @@ gl::Defines defines_of(const Features& features) {
   gl::Defines defines{{"DAMPING", flag(features.damping)},
                       {"MATERIAL_PER_TET", flag(features.material_per_tet)},
                       {"LAW_COUNT", std::to_string(features.models.size())}};
-  std::vector<const MaterialLaw*> beyond;
-  std::string any;
+  std::vector<const MaterialLaw*> laws, beyond, fading;
   for (const MaterialLaw* law : material_laws()) {
     const bool has = features.models.contains(law->model);
     defines.emplace_back(capitals(law->name), flag(has));
-    if (!has || law->of_strain) continue;
-    beyond.push_back(law);
-    any +=
-        (any.empty() ? "" : " || ") + ("HAS_MODEL(material, " + std::to_string(static_cast<int>(law->model)) + ".0)");
+    if (has) laws.push_back(law);
+    if (has && !law->of_strain) beyond.push_back(law);
+    if (has && law->fades_damping) fading.push_back(law);
   }
+  defines.emplace_back("FADES_DAMPING(material)", test_of_law(fading, laws));
   defines.emplace_back("BEYOND_STRAIN", flag(!beyond.empty()));
   if (beyond.empty()) return defines;
-  defines.emplace_back("IS_BEYOND_STRAIN(material)",
-                       beyond.size() == features.models.size() ? "true" : "(" + any + ")");
+  defines.emplace_back("IS_BEYOND_STRAIN(material)", test_of_law(beyond, laws));
   defines.emplace_back("LAW_RESPONSE(h, material)", call_of_law(beyond, "_response(h, material)"));
   defines.emplace_back("LAW_CURVATURE(h, material, a, b)", call_of_law(beyond, "_curvature(h, material, a, b)"));
   defines.emplace_back("LAW_BLOCK(h, material, b)", call_of_law(beyond, "_block(h, material, b)"));

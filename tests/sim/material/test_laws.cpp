@@ -1,5 +1,5 @@
 // Laws against closed forms of uniaxial stretch and of other states, at the ends of their ranges and through the table.
-// Covers: mooney_rivlin, neo_hookean, st_venant_kirchhoff, stable_neo_hookean
+// Covers: mooney_rivlin, neo_hookean, squared, st_venant_kirchhoff, stable_neo_hookean
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
@@ -72,6 +72,105 @@ TEST_CASE("nearly incompressible bars approach the incompressible forms", "[laws
   }
 }
 
+namespace {
+
+// Nominal stresses of the squared law along given principal stretches, from its closed form: w_i = mu I/3 s_i + g1
+// J/s_i.
+Vector3d squared_stress(const Material& material, const Vector3d& s) {
+  const double mu = material.lame_mu(), k = material.lame_lambda() - 2 * mu / 3, j = s.prod(), i = s.squaredNorm();
+  const double volume = k >= 0 || j <= 1 ? k * (j - 1) : k * std::log(j) / j, g1 = volume - mu / j;
+  return mu * i / 3 * s + g1 * j * s.cwiseInverse();
+}
+
+// The stretch across, equal along `free` axes, at which these are free of stress, by bisection.
+Vector3d with_free_sides(const Material& material, Vector3d s, const std::vector<int>& free) {
+  double low = 0.05, high = 5;
+  for (int k = 0; k < 200; ++k) {
+    const double middle = 0.5 * (low + high);
+    for (const int axis : free) s[axis] = middle;
+    (squared_stress(material, s)[free[0]] > 0 ? high : low) = middle;
+  }
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("stresses of the squared law are those of its closed form", "[laws]") {
+  const double nu = GENERATE(-0.9, 0.0, 0.15, 0.3, 0.45, 0.499);
+  const Material material = of(MaterialModel::squared, nu);
+  for (const Vector3d& s : {Vector3d(0.8, 0.8, 0.8), Vector3d(1.2, 1.2, 1.2), Vector3d(2, 0.7, 0.7),
+                            Vector3d(0.5, 1.13, 1.13), Vector3d(1.4, 0.9, 0.6), Vector3d(3, 2, 0.1)}) {
+    const Vector3d exact = squared_stress(material, s);
+    const Matrix3d p = stress(material, s);
+    CAPTURE(nu, s.transpose(), exact.transpose());
+    CHECK((p.diagonal() - exact).norm() < 1e-10 * exact.norm());
+    CHECK((p - Matrix3d(p.diagonal().asDiagonal())).norm() == 0);
+  }
+}
+
+TEST_CASE("bars, sheets and blocks of the squared law have tabulated stresses", "[laws]") {
+  struct Row {
+    double nu, stretch;
+    std::vector<int> free;
+    double nominal, across;  // 0: not compared
+  };
+  const std::vector<int> sides{1, 2}, thickness{2};
+  for (const Row& row :
+       {Row{0.3, 0.5, sides, -0.737587, 1.129760}, Row{0.3, 0.8, sides, -0.222214, 1.058819},
+        Row{0.3, 1.2, sides, 0.190483, 0.940397}, Row{0.3, 2.0, sides, 1.127117, 0.737157},
+        Row{0.49, 0.5, sides, -1.543924, 0}, Row{0.49, 0.8, sides, -0.263166, 0}, Row{0.49, 1.2, sides, 0.175276, 0},
+        Row{0.49, 2.0, sides, 0.978935, 0}, Row{0.3, 0.8, thickness, -0.290091, 1.154472},
+        Row{0.3, 1.2, thickness, 0.288121, 0.826520}, Row{0.3, 0.8, {}, -0.383949, 0}, Row{0.3, 1.2, {}, 0.680103, 0},
+        Row{0.49, 0.8, {}, -5.313244, 0}, Row{0.49, 1.2, {}, 17.303177, 0}}) {
+    const Material material = of(MaterialModel::squared, row.nu);
+    Vector3d s = Vector3d::Constant(row.stretch);
+    if (!row.free.empty()) s = with_free_sides(material, s, row.free);
+    const Matrix3d p = stress(material, s);
+    CAPTURE(row.nu, row.stretch, row.free.size(), s.transpose(), p(0, 0));
+    CHECK(p(0, 0) == Approx(row.nominal).margin(6e-7));
+    for (const int axis : row.free) CHECK(std::abs(p(axis, axis)) < 1e-12);
+    if (row.across != 0) CHECK(s[row.free[0]] == Approx(row.across).margin(6e-7));
+  }
+}
+
+TEST_CASE("simple shear of the squared law has the stresses of the closed form", "[laws]") {
+  const double nu = GENERATE(0.0, 0.3, 0.49), gamma = GENERATE(0.1, 0.5, 1.5);
+  const Material material = of(MaterialModel::squared, nu);
+  const double mu = material.lame_mu();
+  Matrix3d f = Matrix3d::Identity(), exact = mu * gamma * gamma / 3 * Matrix3d::Identity();
+  f(0, 1) = gamma;
+  exact(0, 1) = mu * gamma * (1 + gamma * gamma / 3);
+  exact(1, 0) = mu * gamma;
+  const Matrix3d p = law_of(material.model).density(f, material, false).first;
+  CAPTURE(nu, gamma, p, exact);
+  CHECK((p - exact).norm() < 1e-10 * exact.norm());
+  if (nu == 0.3 && gamma == 0.5) {
+    CHECK(p(0, 1) == Approx(0.208333).margin(6e-7));
+    CHECK(p(1, 0) == Approx(0.192308).margin(6e-7));
+    CHECK(p(0, 0) == Approx(0.032051).margin(6e-7));
+  }
+}
+
+TEST_CASE("a tet of no size is no trap of the squared law", "[laws]") {
+  // Its energy falls from F = 0 in every direction of expansion, and along a line without volume.
+  const Material material = of(MaterialModel::squared, 0.3);
+  const auto energy = [&](const Vector3d& s) {
+    return law_of(material.model).density(s.asDiagonal(), material, false).energy;
+  };
+  CHECK(energy({0.1, 0.1, 0.1}) < energy({0, 0, 0}));
+  CHECK(energy({0.4, 0.4, 0.4}) < energy({0.1, 0.1, 0.1}));
+  CHECK(law_of(material.model).density(Matrix3d::Zero(), material, true).second.norm() == 0);
+}
+
+TEST_CASE("damping falls with the square of the stretch, of the squared law alone", "[laws]") {
+  const Vector3d stretches(2, 0.8, 0.7);
+  const Matrix3d strain = 0.5 * (stretches.cwiseAbs2().array() - 1).matrix().asDiagonal().toDenseMatrix();
+  CHECK(damping_share(MaterialModel::squared, strain) == Approx(3 / stretches.squaredNorm()));
+  CHECK(damping_share(MaterialModel::squared, -0.1 * Matrix3d::Identity()) == 1);  // squeezed
+  for (const MaterialModel model : material_models())
+    if (model != MaterialModel::squared) CHECK(damping_share(model, strain) == 1);
+}
+
 TEST_CASE("Mooney-Rivlin of ratio 0 is neo-Hookean", "[laws]") {
   Matrix3d f;
   f << 1.2, 0.3, -0.1, 0.05, 0.8, 0.2, -0.3, 0.1, 1.1;
@@ -115,7 +214,7 @@ TEST_CASE("derivatives of every law are those of its energy", "[laws]") {
 }
 
 TEST_CASE("energies with a logarithm stay finite, and grow through J = 0", "[laws]") {
-  for (const MaterialModel model : {MaterialModel::neo_hookean, MaterialModel::mooney_rivlin})
+  for (const MaterialModel model : {MaterialModel::neo_hookean, MaterialModel::mooney_rivlin, MaterialModel::squared})
     for (const double nu : {-0.5, 0.0, 0.3, 0.49}) {
       double before = 0;
       for (const double s : {0.15, 0.05, 0.0, -0.2, -0.6, -1.0}) {

@@ -1,6 +1,7 @@
 #include "sim/reference/elasticity.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <type_traits>
 
@@ -100,6 +101,32 @@ TEST_CASE("the Hessian is symmetric and the derivative of the gradient", "[elast
       CHECK((exact.hessian - exact.hessian.transpose()).norm() < 1e-15 * exact.hessian.norm());
       CHECK((exact.hessian - differences).norm() < 1e-11 * exact.hessian.norm());
     }
+}
+
+// What damping adds is a share of what it adds with St. Venant-Kirchhoff's law, in energy, force and stiffness alike.
+TEST_CASE("a drawn-out tet of the squared law is damped by its share", "[elasticity]") {
+  Random random(15);
+  for (const double stretch : {0.7, 1.0, 1.5, 3.0}) {
+    RandomTet tet = random_tet(random);
+    tet.previous_strain = 0.5 * (stretch * stretch - 1) * Matrix3d::Identity();
+    const LinearTet rest(tet.rest);
+    const auto added = [&](MaterialModel model) {
+      Material material = soft(1e5, 0.4);
+      material.model = model;
+      Derivatives d = elastic(rest, tet.displacements, material, 2.5, tet.previous_strain, true, false);
+      const Derivatives still = elastic(rest, tet.displacements, material, 0, tet.previous_strain, true, false);
+      d.energy -= still.energy;
+      d.gradient -= still.gradient;
+      d.hessian -= still.hessian;
+      return d;
+    };
+    const Derivatives squared = added(MaterialModel::squared), usual = added(MaterialModel::st_venant_kirchhoff);
+    const double share = std::min(1.0, 1 / (stretch * stretch));
+    CAPTURE(stretch, share, squared.energy, usual.energy);
+    CHECK(squared.energy == Approx(share * usual.energy).epsilon(1e-11));
+    CHECK((squared.gradient - share * usual.gradient).norm() < 1e-11 * usual.gradient.norm());
+    CHECK((squared.hessian - share * usual.hessian).norm() < 1e-11 * usual.hessian.norm());
+  }
 }
 
 TEST_CASE("the energy is half of strain times stress in the six-vector form with tensor shears", "[elasticity]") {

@@ -46,7 +46,7 @@ const std::vector<Vector3d> kHard = {{1.1, 0.9, 0.8},  {1.2, 0.9, 0.3},    {1.2,
 
 TEST_CASE("forces of surviving materials are derivatives of their energy, Hessians of their forces", "[elasticity]") {
   const auto model = GENERATE(MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean,
-                              MaterialModel::neo_hookean, MaterialModel::mooney_rivlin);
+                              MaterialModel::neo_hookean, MaterialModel::mooney_rivlin, MaterialModel::squared);
   const double nu = GENERATE(-0.5, 0.0, 0.3, 0.49);
   const Material material = of(model, nu);
   Random random(12);
@@ -92,7 +92,7 @@ TEST_CASE("signed St. Venant-Kirchhoff is plain St. Venant-Kirchhoff down to a s
 
 TEST_CASE("every model has Young's modulus and Poisson's ratio at small strain, and no force at rest", "[elasticity]") {
   const auto model = GENERATE(MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean,
-                              MaterialModel::neo_hookean, MaterialModel::mooney_rivlin);
+                              MaterialModel::neo_hookean, MaterialModel::mooney_rivlin, MaterialModel::squared);
   const double nu = GENERATE(0.0, 0.3, 0.45, 0.499);
   Random random(14);
   const Vector12d rest = moved(displaced(random.rotation()), 0, 0);
@@ -108,7 +108,7 @@ TEST_CASE("only the surviving materials push a mirrored tet back", "[elasticity]
   const Vector12d mirrored = moved(displaced(Vector3d(1, 1, -1).asDiagonal()), 0, 0);
   CHECK(at(mirrored, of(MaterialModel::st_venant_kirchhoff, 0.3), false).gradient.norm() < 1e-9);
   for (const auto model : {MaterialModel::signed_st_venant_kirchhoff, MaterialModel::stable_neo_hookean,
-                           MaterialModel::neo_hookean, MaterialModel::mooney_rivlin}) {
+                           MaterialModel::neo_hookean, MaterialModel::mooney_rivlin, MaterialModel::squared}) {
     const Derivatives d = at(mirrored, of(model, 0.3), false);
     Vector12d back;  // towards the rest shape
     for (int a = 0; a < 4; ++a) back.segment<3>(3 * a) = -mirrored.segment<3>(3 * a);

@@ -250,7 +250,7 @@ TEST_CASE("methods, accelerations and material models that do not exist list tho
         "s.json: solver.acceleration: is \"chebychev\", perhaps \"chebyshev\"" + pairs);
   const std::string models =
       "expected a model that exists: signed_st_venant_kirchhoff, st_venant_kirchhoff, stable_neo_hookean, neo_hookean, "
-      "mooney_rivlin";
+      "mooney_rivlin, squared";
   CHECK(body_error(R"("materials": {"default": {"model": "ogden"}})") ==
         "s.json: bodies[0].materials.default.model: is \"ogden\"; " + models);
   CHECK(body_error(R"("materials": {"2": {"model": "st_venant_kirchoff"}})") ==

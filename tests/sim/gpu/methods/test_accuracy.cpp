@@ -116,6 +116,22 @@ TEST_CASE("grabbed tissue is solved as fast as free tissue", "[gpu]") {
   CHECK(error < 3e-3);
 }
 
+// In double precision and on the GPU alike the damping of the drawn-out tets is reduced (damping_share()).
+TEST_CASE("a drawn-out bar of the squared law makes the damped step of double precision", "[gpu]") {
+  Gpu gpu;
+  const double damping = GENERATE(0.0, 0.05, 0.5);
+  Model model = clamped_beam(10, 3, 3, 1e5);
+  model.materials[0].model = MaterialModel::squared;
+  model.materials[0].damping = damping;
+  State state = random_state(model, 2e-3, 7);
+  for (std::size_t v = 0; v < state.displacement.size(); ++v)
+    state.displacement[v] = float32_of(state.displacement[v] + Vector3d(0.8 * model.rest_positions[v].x(), 0, 0));
+  const Step step(model, state);
+  const double error = step.error_of(gpu, with(solver_choices().front(), 100));
+  CAPTURE(damping, error);
+  CHECK(error < 1e-3);
+}
+
 TEST_CASE("every method with an exact fixed point reaches it, and more iterations do not leave it", "[gpu]") {
   // The strain relative to the exact one, which acceleration on positions alone gets wrong.
   struct Case {

@@ -20,7 +20,7 @@ namespace {
 constexpr MaterialModel kPlain = MaterialModel::st_venant_kirchhoff,
                         kSigned = MaterialModel::signed_st_venant_kirchhoff,
                         kStable = MaterialModel::stable_neo_hookean, kNeoHookean = MaterialModel::neo_hookean,
-                        kMooneyRivlin = MaterialModel::mooney_rivlin;
+                        kMooneyRivlin = MaterialModel::mooney_rivlin, kSquaredLaw = MaterialModel::squared;
 
 // A strongly bent beam of two materials, with additional random strains.
 Model beam(MaterialModel soft = kPlain, MaterialModel stiff = kPlain) {
@@ -83,10 +83,11 @@ struct Step {
 }  // namespace
 
 TEST_CASE("the gradient of a step and its objective", "[gpu]") {
-  const auto [soft, stiff] = GENERATE(
-      std::pair(kPlain, kPlain), std::pair(kSigned, kSigned), std::pair(kStable, kStable), std::pair(kSigned, kStable),
-      std::pair(kPlain, kSigned), std::pair(kNeoHookean, kNeoHookean), std::pair(kMooneyRivlin, kMooneyRivlin),
-      std::pair(kNeoHookean, kStable), std::pair(kMooneyRivlin, kPlain));
+  const auto [soft, stiff] =
+      GENERATE(std::pair(kPlain, kPlain), std::pair(kSigned, kSigned), std::pair(kStable, kStable),
+               std::pair(kSigned, kStable), std::pair(kPlain, kSigned), std::pair(kNeoHookean, kNeoHookean),
+               std::pair(kMooneyRivlin, kMooneyRivlin), std::pair(kNeoHookean, kStable),
+               std::pair(kMooneyRivlin, kPlain), std::pair(kSquaredLaw, kSquaredLaw), std::pair(kSquaredLaw, kSigned));
   const double noise = GENERATE(0.0, 0.03);  // [m] the larger one inverts tets
   CAPTURE(name_of(soft), name_of(stiff), noise);
   Step s(GENERATE(gl::LoadPath::texel, gl::LoadPath::storage), Acceleration::none, soft, stiff, noise);
@@ -107,7 +108,7 @@ TEST_CASE("the gradient of a step and its objective", "[gpu]") {
 
 TEST_CASE("steps within the span of the corrections and the last step", "[gpu]") {
   const Acceleration acceleration = GENERATE(Acceleration::none, Acceleration::nonlinear_cg, Acceleration::subspace);
-  const MaterialModel soft = GENERATE(kPlain, kStable, kNeoHookean, kMooneyRivlin);
+  const MaterialModel soft = GENERATE(kPlain, kStable, kNeoHookean, kMooneyRivlin, kSquaredLaw);
   Step s(GENERATE(gl::LoadPath::texel, gl::LoadPath::storage), acceleration, soft);
   const VectorXd start = s.displacement();
   DoubleTwoLevel exact(s.model, s.settings.substep(), start, flat(s.buffers.predicted, s.buffers.vertex_count));

@@ -45,9 +45,9 @@ TEST_CASE("published positions and heat map scalars", "[gpu]") {
   const auto color =
       GENERATE(ColorBy::none, ColorBy::region, ColorBy::strain, ColorBy::von_mises, ColorBy::displacement,
                ColorBy::velocity, ColorBy::volume_ratio, ColorBy::largest_stress, ColorBy::smallest_stress);
-  const auto law =
-      GENERATE(MaterialModel::st_venant_kirchhoff, MaterialModel::signed_st_venant_kirchhoff,
-               MaterialModel::stable_neo_hookean, MaterialModel::neo_hookean, MaterialModel::mooney_rivlin);
+  const auto law = GENERATE(MaterialModel::st_venant_kirchhoff, MaterialModel::signed_st_venant_kirchhoff,
+                            MaterialModel::stable_neo_hookean, MaterialModel::neo_hookean, MaterialModel::mooney_rivlin,
+                            MaterialModel::squared);
   Gpu gpu;
   Model model = block();
   model.materials[0].model = law;
