@@ -88,7 +88,7 @@ struct Format {
   double too_wide;  // share by which a column of the legend is estimated too wide, whose letters are small
 };
 constexpr std::array kFormats{
-    Format{".svg", "svg size 960,640 dynamic enhanced font 'DejaVu Sans,15' background '#ffffff'", 13, 0.65, 0.3},
+    Format{".svg", "svg size 960,640 dynamic enhanced font 'DejaVu Sans,15' background '#ffffff'", 13, 0.65, 0.24},
     Format{".png", "pngcairo size 1440,960 enhanced font 'DejaVu Sans,17' linewidth 1.5", 13, 1.3, 0.15},
     Format{".pdf", "pdfcairo size 20cm,13.33cm enhanced font 'DejaVu Sans,11' linewidth 1.2", 8, 0.6, 0.15}};
 

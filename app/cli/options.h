@@ -34,6 +34,9 @@ struct RenderOptions : CommonOptions {
   double fps = 60;
   double slow = 1;                // times slower than real time
   std::string camera = "follow";  // follow (the replay's), scene, a file, or six numbers: eye, target
+  std::string turntable;          // "8s" or "360deg"; empty: none
+  std::string preset;             // of pictures, see picture_presets()
+  std::string legend_out;         // the legend alone: SVG or PDF
   bool hash = false;              // of the last state and of all frames
   bool panels = false;            // --ui
   std::string color;              // overrides display.color
@@ -58,8 +61,8 @@ struct ViewOptions : CommonOptions {
 struct BenchOptions : CommonOptions {
   std::string out;  // folder
   bool quick = false;
+  std::vector<std::string> charts{".svg", ".png"};  // endings of their files
   int width = 1280, height = 720;
 };
 
-  std::vector<std::string> charts{".svg", ".png"};  // endings of their files
 }  // namespace fascia

@@ -39,6 +39,7 @@ std::vector<std::string> values_of(bool) { return {"true", "false"}; }
 std::vector<std::string> values_of(ColorBy) { return names_of(all_colors()); }
 std::vector<std::string> values_of(ColorMap) { return names_of(all_color_maps()); }
 std::vector<std::string> values_of(Background) { return names_of(all_backgrounds()); }
+std::vector<std::string> values_of(const MarkSettings&) { return {"true", "false"}; }
 
 }  // namespace
 
@@ -63,6 +64,8 @@ std::vector<SceneKey> scene_keys() {
     visit_display(scene.display, [&](const auto& field, const std::string& name, auto&&...) {
       if (key.name == "display." + name) key.values = values_of(field);
     });
+    if (key.name == "display.legend.side") key.values = names_of(all_legend_sides());
+    if (key.name == "display.legend.plate") key.values = {"true", "false"};
     if (key.name == "materials.default.model") key.values = names_of(material_models());
   }
   return keys;

@@ -4,11 +4,13 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/output_files.h"
+#include "app/cli/picture_preset.h"
 #include "app/cli/usage_error.h"
 #include "app/commands/command.h"
 #include "app/golden/tolerance.h"
 #include "app/headless/headless.h"
 #include "app/headless/video_render.h"
+#include "app/overlay/legend_file.h"
 #include "app/session/open_input.h"
 #include "app/video/frame_sink.h"
 #include "base/error.h"
@@ -26,7 +28,8 @@ std::vector<OutputFile> outputs_of(const RenderOptions& options) {
   const bool pictures = lower_ending(options.video) == ".png";
   return {{"--out", options.out, {".png"}},
           {"--diff", options.difference, {".png"}},
-          {"--video", pictures ? "" : options.video, {}}};
+          {"--video", pictures ? "" : options.video, {}},
+          {"--legend-out", options.legend_out, {".svg", ".pdf"}}};
 }
 
 // Returns the exit code.
@@ -54,8 +57,9 @@ int render_input(const RenderOptions& options) {
   if (options.out.empty() && options.video.empty() && !options.hash && !compares)
     throw UsageError("fascia render", "no output named",
                      "expected --out FILE.png, --video FILE.mp4, --compare GOLDEN.png or several of them");
-  if (options.static_equilibrium && !options.video.empty())
-    throw UsageError("--static", "has no motion to put into " + options.video, "leave out --video");
+  if (!options.turntable.empty()) parse_turntable(options.turntable);  // a typing mistake is reported before opening
+  if (!options.legend_out.empty() && options.out.empty())
+    throw UsageError("--legend-out", "has no picture to explain", "expected --out FILE.png beside it");
   require_steps_or_static(options);
   const std::vector<OutputFile> outputs = outputs_of(options);
   require_outputs(outputs);
@@ -75,6 +79,11 @@ int render_input(const RenderOptions& options) {
   require_outputs(outputs, inputs);
   if (!options.video.empty() && headless.session().display().background == Background::transparent)
     throw Error("--video", "has no transparency", "expected another display.background");
+  if (options.static_equilibrium && !options.video.empty() && headless.camera_seconds() == 0)
+    throw UsageError("--static", "has no motion to put into " + options.video,
+                     "expected --turntable SECONDS, camera.keys, or no --video");
+  if (!options.legend_out.empty() && !has_legend_file(headless.session()))
+    throw UsageError("--legend-out", "has no colors to explain", "expected --color, or the scene key display.color");
   std::optional<VideoRender> video;
   if (!options.video.empty()) video.emplace(options, headless);
   headless.run([&] {
@@ -84,6 +93,8 @@ int render_input(const RenderOptions& options) {
   if (video) {
     video->finish();
     if (!options.quiet) std::cerr << "fascia: " << options.video << ", " << video->frames() << " frames\n";
+    if (const std::string note = video->note_of_range(); !note.empty() && !options.quiet)
+      std::cerr << "fascia: " << note << '\n';
   }
   if (options.hash) {
     std::cout << "state " << hash_text(state_hash(headless.session().simulation.state())) << '\n';
@@ -94,6 +105,7 @@ int render_input(const RenderOptions& options) {
   if (!options.out.empty()) {
     write_png(options.out, outcome.picture, outcome.provenance);
     if (!options.quiet) std::cerr << "fascia: " << options.out << '\n';
+    if (!options.legend_out.empty()) write_legend(options.legend_out, headless.session());
   }
   return compares ? judge(options, outcome) : exit_done;
 }
@@ -163,15 +175,28 @@ void add_render(CLI::App& program, Invocation& invocation) {
       ->check(CLI::Range(0.01, 1000.0))
       ->needs(video)
       ->capture_default_str();
-  command
-      .add_option("--samples", options->samples,
-                  "samples per pixel; more than the renderer has are averaged from several pictures")
-      ->check(CLI::Range(1, kMostSamples))
-      ->capture_default_str();
+  CLI::Option* samples =
+      command
+          .add_option("--samples", options->samples,
+                      "samples per pixel; more than the renderer has are averaged from several pictures")
+          ->check(CLI::Range(1, kMostSamples))
+          ->capture_default_str();
   command
       .add_option("--camera", options->camera,
                   "follow (a replay's), scene, a scene or replay file that has one, or EYE,TARGET as six numbers")
       ->capture_default_str();
+  command
+      .add_option("--turntable", options->turntable,
+                  "the camera circles its target: one turn in so many seconds of the video, 8s, or so many degrees in "
+                  "the whole video, 360deg")
+      ->type_name("8s|360deg")
+      ->needs(video);
+  std::vector<std::string> presets;
+  for (const PicturePreset& preset : picture_presets()) presets.emplace_back(preset.name);
+  add_choice(command, "--preset", options->preset, presets,
+             "display values and samples for a purpose, which --set and other options override");
+  command.add_option("--legend-out", options->legend_out, "the legend of --out alone, as SVG or PDF")
+      ->type_name("FILE.svg");
   command.add_flag("--hash", options->hash, "print fingerprints of the last state and of all frames of the video");
   std::vector<std::string> colors;
   for (const ColorBy color : all_colors()) colors.emplace_back(name_of(color));
@@ -189,8 +214,10 @@ void add_render(CLI::App& program, Invocation& invocation) {
                 "fascia render liver.json --video liver.mp4 --time 4 --size 1920x1080",
                 "fascia render liver.json --steps 30 --compare golden.png --state golden.csv --diff diff.png"},
                "the work failed, or a golden differs");
-  command.callback([&invocation, options] {
+  command.callback([&invocation, options, samples] {
     options->command_line = invocation.command_line;
+    for (const PicturePreset& preset : picture_presets())
+      if (preset.name == options->preset && samples->empty()) options->samples = preset.samples;
     invocation.run = [options] { return render_input(*options); };
   });
 }

@@ -185,9 +185,10 @@ MarkArea SplitView::area_of(ImDrawList& list, const Area& area, int height, floa
 
 std::array<SplitView::Area, 2> SplitView::areas(int width, const Margins& margins) {
   const int left = static_cast<int>(margins.left), right = static_cast<int>(margins.right),
-            each = std::max(1, (width - left - right - kDivider) / 2);
-  const int begin = left + each + kDivider;
-  return {Area{left, each}, Area{begin, right > 0 ? width - begin : each}};
+            legend = static_cast<int>(margins.legend_left),
+            each = std::max(1, (width - left - legend - right - kDivider) / 2);
+  const int begin = left + legend + each + kDivider;
+  return {Area{left, legend + each}, Area{begin, right > 0 ? width - begin : each}};
 }
 
 Framebuffer& SplitView::picture_of(int width, int height, int samples) {
@@ -217,11 +218,13 @@ void SplitView::draw(Session& a, Framebuffer& framebuffer, const Margins& margin
   gl::ClearColor(ui::kPanel.x, ui::kPanel.y, ui::kPanel.z, 1);
   gl::Clear(GL_COLOR_BUFFER_BIT);
   const std::array<Area, 2> places = areas(framebuffer.width(), margins);
+  const int each = std::min(places[0].width, places[1].width);  // the side with the legend is wider
   for (std::size_t i = 0; i < 2; ++i) {
+    const double legend = places[i].width - each;
     frame_picture(i == 0 ? a.camera : b_->camera, a.extent,
                   {places[i].width,
                    framebuffer.height(),
-                   {0, static_cast<double>(places[i].width - places[0].width), margins.bottom},
+                   {.right = i == 0 ? 0 : legend, .bottom = margins.bottom, .legend_left = i == 0 ? legend : 0},
                    true});
     Framebuffer& picture = picture_of(places[i].width, framebuffer.height(), framebuffer.samples());
     (i == 0 ? a : *b_).draw(picture, arrows(grabs[i]));
@@ -238,7 +241,8 @@ void SplitView::draw_labels(ImDrawList& list, const Session& a, int width, int h
   const float free_bottom = bottom - static_cast<float>(margins.bottom) / scale;
   for (std::size_t i = 0; i < 2; ++i) {
     const Session &session = i == 0 ? a : *b_, &other = i == 0 ? *b_ : a;
-    const float left = static_cast<float>(places[i].x) / scale, room = static_cast<float>(places[0].width) / scale;
+    const int each = std::min(places[0].width, places[1].width), legend = i == 0 ? places[0].width - each : 0;
+    const float left = static_cast<float>(places[i].x + legend) / scale, room = static_cast<float>(each) / scale;
     const float middle = left + 0.5f * room, widest = room - ui::px(40);
     LabelPlaces free({left, 0, left + room, free_bottom}, ui::px(kLabelGap));
     for (const Box& box : labels.covered) free.keep_clear(box);

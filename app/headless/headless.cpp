@@ -7,11 +7,13 @@
 #include <iostream>
 #include <sstream>
 
+#include "app/cli/picture_preset.h"
 #include "app/headless/interpolated_frames.h"
 #include "app/overlay/color_bar.h"
 #include "app/panels/panels.h"
 #include "base/error.h"
 #include "base/interrupt.h"
+#include "sim/replay/replay_time.h"
 #include "sim/simulation/divergence.h"
 
 namespace fascia {
@@ -19,7 +21,8 @@ namespace {
 
 // `split`: additional sets for the second side in one text, separated by semicolons.
 Opened open_with_display(const RenderOptions& options, const std::string& split = "") {
-  std::vector<std::string> sets = options.sets;
+  std::vector<std::string> sets = preset_sets(options.preset);
+  sets.insert(sets.end(), options.sets.begin(), options.sets.end());
   std::istringstream parts(split);
   for (std::string part; std::getline(parts, part, ';');)
     if (!part.empty()) sets.push_back(part);
@@ -27,6 +30,8 @@ Opened open_with_display(const RenderOptions& options, const std::string& split 
   if (options.wireframe) sets.push_back("display.wireframe=true");
   return open_input(options, sets);
 }
+
+CameraSettings settings_of(const Camera& camera) { return {camera.eye, camera.target, camera.up, camera.fov_deg}; }
 
 std::vector<GrabMark> marks_of(const Simulation& simulation, const std::optional<Diagnostics>& diagnostics) {
   return grab_marks(simulation, diagnostics ? diagnostics->grab_forces : std::vector<GrabForce>(), nullptr);
@@ -42,15 +47,14 @@ Headless::Headless(const RenderOptions& options, Opened opened)
                               workload_of(opened.scene, opened.model, options.static_equilibrium))),
       session_(graphics_, std::move(opened.scene), std::move(opened.model), options.reference),
       picture_(options.width, options.height, options.samples),
-      camera_(options.camera, session_.simulation.scene, opened.replay ? &*opened.replay : nullptr),
+      camera_(options.camera, session_.simulation.scene, opened.replay ? &*opened.replay : nullptr,
+              settings_of(session_.camera)),
       opened_(session_.display()),
       overlay_(graphics_) {
-  if (const auto camera = camera_.at(0)) session_.look_from(*camera);
-  session_.measure_extent();
   Simulation& simulation = session_.simulation;
   // Display settings from the options apply to the whole replay.
   const auto names_display = [](const std::string& set) { return set.starts_with("display."); };
-  const bool chosen = !options.color.empty() || options.wireframe ||
+  const bool chosen = !options.color.empty() || options.wireframe || !options.preset.empty() ||
                       std::any_of(options.sets.begin(), options.sets.end(), names_display);
   if (opened.replay && !chosen) view_ = ReplayView(*opened.replay);
   if (opened.replay) simulation.play(std::move(*opened.replay));
@@ -65,7 +69,38 @@ Headless::Headless(const RenderOptions& options, Opened opened)
     if (session_.display().color == ColorBy::error) split_->b().simulation.gpu()->solve_everything();
   }
   if (!options.static_equilibrium) steps_ = steps_to_run(options, simulation);
+  session_.range_only_grows = !options.video.empty();
+  start_camera(simulation.replay() ? ReplayTime(*simulation.replay()).seconds(steps_)
+                                   : static_cast<double>(steps_) * simulation.scene.solver.time_step);
   announce(options, graphics_, simulation.model.notes);
+}
+
+// Points the camera for the first picture of so many simulated seconds, and reserves space for all directions from
+// which a moving camera sees the body, so that the framing does not change.
+void Headless::start_camera(double seconds) {
+  if (!options_.turntable.empty()) {
+    const Turntable turntable = parse_turntable(options_.turntable);
+    constexpr double kTurn = 360;  // [degrees]
+    if (turntable.seconds)
+      camera_.turn(kTurn * options_.slow / *turntable.seconds);
+    else if (seconds > 0)
+      camera_.turn(turntable.degrees / seconds);
+    camera_seconds_ = turntable.seconds.value_or(0) / options_.slow;
+  }
+  camera_seconds_ = std::max(camera_seconds_, camera_.end());
+  session_.look_from(camera_.at(0, 0));
+  session_.measure_extent();
+  if (!camera_.moves()) return;
+  constexpr int kDirections = 48;
+  Eigen::Vector2d widest = session_.extent;
+  const double all = std::max(seconds, camera_seconds_);
+  for (int k = 1; k <= kDirections; ++k) {
+    session_.look_from(camera_.at(0, all * k / kDirections));
+    session_.measure_extent();
+    widest = {std::min(widest.x(), session_.extent.x()), std::max(widest.y(), session_.extent.y())};
+  }
+  session_.extent = widest;
+  session_.look_from(camera_.at(0, 0));
 }
 
 void Headless::run(const std::function<void()>& after_step) {
@@ -98,19 +133,19 @@ void Headless::show_as_of(double step) {
   if (display != session_.display()) session_.set_display(display);
 }
 
-void Headless::look(double step) {
+void Headless::look(double step, double time) {
   show_as_of(step);
-  if (const auto camera = camera_.at(step)) session_.look_from(*camera);
+  session_.look_from(camera_.at(step, time));
 }
 
 Framebuffer& Headless::draw() {
   require_valid(session_.simulation);
   session_.forget_range();
-  return draw(static_cast<double>(step_), nullptr);
+  return draw(static_cast<double>(step_), session_.simulation.simulated(), nullptr);
 }
 
-Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
-  look(step);
+Framebuffer& Headless::draw(double step, double time, const gl::Buffer* positions) {
+  look(step, time);
   if (split_) split_->share(session_);
   const bool tells = options_.panels || split_;
   const std::optional<Diagnostics> diagnostics = tells ? diagnose() : diagnose_grabs();
@@ -127,7 +162,7 @@ Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
     grabs = remembered_grabs_[remembered_grabs_.size() - 1 - std::min(ago, remembered_grabs_.size() - 1)];
   }
   const int width = picture_.framebuffer().width(), height = picture_.framebuffer().height();
-  if (options_.panels || has_legend(session_)) overlay_.scale_to(height);
+  if (options_.panels || has_legend(session_)) scale_overlay();
   frame_picture(session_.camera, session_.extent, {width, height, margins(height >= kLeastRows)});
   Framebuffer& framebuffer =
       picture_.draw(session_.camera, [&](Framebuffer& target) { session_.draw(target, arrows(grabs), positions); });
@@ -136,10 +171,15 @@ Framebuffer& Headless::draw(double step, const gl::Buffer* positions) {
   return framebuffer;
 }
 
-Margins Headless::margins(bool bar) {
+void Headless::scale_overlay() {
+  overlay_.set_legend_font(session_.display().legend.font_size);
+  overlay_.scale_to(picture_.framebuffer().height());
+}
+
+Margins Headless::margins(bool legend) {
   const Framebuffer& picture = picture_.framebuffer();
-  return {options_.panels ? panel_space() : 0,
-          bar ? legend_space(session_, picture.width(), picture.height(), 1) : 0.0};
+  const double panels = options_.panels ? panel_space() : 0;
+  return legend ? legend_margins(session_, picture.width(), picture.height(), 1, panels) : Margins{panels};
 }
 
 std::optional<Diagnostics> Headless::diagnose() {
@@ -158,7 +198,7 @@ void Headless::remember_grabs() {
 }
 
 Framebuffer& Headless::draw_split(const std::optional<Diagnostics>& diagnostics) {
-  overlay_.scale_to(picture_.framebuffer().height());
+  scale_overlay();
   const Margins edges = margins(true);
   split_->request_diagnostics();
   split_->take_diagnostics(true);

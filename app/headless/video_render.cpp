@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <utility>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 #include "sim/replay/replay_time.h"
 
 namespace fascia {
@@ -60,16 +63,33 @@ double VideoRender::step_at(double frame) const {
 
 void VideoRender::write_frame() {
   const double step = interpolated_ ? step_at(static_cast<double>(frame_)) : static_cast<double>(headless_.step());
-  headless_.draw(step, interpolated_ ? &interpolated_->at(step) : nullptr).read_into(pixels_.data());
+  const double time = static_cast<double>(frame_) / rate_;
+  headless_.draw(step, time, interpolated_ ? &interpolated_->at(step) : nullptr).read_into(pixels_.data());
+  if (const Session& session = headless_.session(); session.look.heat_map && !session.display().range) {
+    last_range_ = session.look.range;
+    if (!first_range_ || std::exchange(ranged_, session.display().color) != session.display().color)
+      first_range_ = last_range_;
+  }
   sink_->write(pixels_);
   if (options_.hash) hash_.add(pixels_);
   ++frame_;
 }
 
 void VideoRender::finish() {
-  const long frames = std::lround(frame_of_step_.back() + kRounding);
-  while (frame_ < frames) write_frame();
+  const bool at_rest = frame_of_step_.empty();  // static equilibrium, around which the camera moves
+  if (at_rest) interpolated_.reset();
+  const double end = at_rest ? rate_ * headless_.camera_seconds() : frame_of_step_.back();
+  const long frames = std::lround(end + kRounding);
+  while (frame_ < frames && !(at_rest && interrupted())) write_frame();
   sink_->finish();
+}
+
+std::string VideoRender::note_of_range() const {
+  if (first_range_ == last_range_) return "";
+  std::ostringstream text;
+  text << "the range of the colors grew in the video; display.range=[" << last_range_->x() << ',' << last_range_->y()
+       << "] gives it one range";
+  return text.str();
 }
 
 }  // namespace fascia

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/headless/headless.h"
@@ -20,7 +21,10 @@ class VideoRender {
   VideoRender(const RenderOptions& options, Headless& headless);
 
   void after_step();  // writes the frames that can be drawn so far. Throws Error
-  void finish();      // writes all remaining frames
+  /// Writes all remaining frames; without steps, those of the camera's own motion.
+  void finish();
+  /// How to give the whole video one range of colors, if its automatic range grew; empty otherwise.
+  std::string note_of_range() const;
   long frames() const { return frame_; }
   std::uint64_t hash() const { return hash_.value(); }  // of all frames
 
@@ -37,6 +41,8 @@ class VideoRender {
   std::vector<std::uint8_t> pixels_;
   ByteHash hash_;
   long frame_ = 0;
+  ColorBy ranged_ = ColorBy::none;
+  std::optional<Eigen::Vector2f> first_range_, last_range_;  // of a heat map that follows its values
 };
 
 }  // namespace fascia

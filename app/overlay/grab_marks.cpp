@@ -78,6 +78,7 @@ MarkArea MarkArea::whole() {
 
 void draw_grab_marks(const MarkArea& area, const Session& session, const std::vector<GrabMark>& marks,
                      LabelPlaces& places) {
+  const MarkSettings& shown_kinds = session.display().marks;
   ImDrawList& list = area.list;
   list.PushClipRect({area.x, 0}, {area.x + area.width, area.height}, true);
   std::vector<std::optional<ImVec2>> grabs;
@@ -89,14 +90,14 @@ void draw_grab_marks(const MarkArea& area, const Session& session, const std::ve
     if (!shown) continue;
     const float reach = ui::px(8);
     places.keep_clear({place->x - reach, place->y - reach, place->x + reach, place->y + reach});
-    if (mark.stays) {
+    if (mark.stays && shown_kinds.grabs) {
       const float radius = static_cast<float>(kMarkRadius) * area.height / 720;
       list.AddCircleFilled(*place, radius,
                            ImGui::GetColorU32(ImVec4(ui::kAccent.x, ui::kAccent.y, ui::kAccent.z, 0.35f)));
       list.AddCircle(*place, radius, ImGui::GetColorU32({1, 1, 1, 0.95f}), 0, ui::px(2));
     }
   }
-  for (std::size_t i = 0; i < marks.size(); ++i) {
+  for (std::size_t i = 0; i < marks.size() && shown_kinds.forces; ++i) {
     if (!grabs[i]) continue;
     const std::string force = engineering(marks[i].force.norm(), "N");
     const Box label = places.place(ui::pill_box(force, grabs[i]->x + ui::px(44), grabs[i]->y - ui::px(34)));

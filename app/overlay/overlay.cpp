@@ -7,6 +7,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/overlay/color_bar.h"
 #include "app/panels/panels.h"
@@ -36,16 +37,17 @@ Overlay::~Overlay() {
 }
 
 void Overlay::set_scale(float scale) {
-  if (scale == scale_) return;
+  if (scale == scale_ && legend_font_ == loaded_legend_font_) return;
   scale_ = scale;
-  ui::apply_style(scale);
+  loaded_legend_font_ = legend_font_;
+  ui::apply_style(scale, legend_font_);
   renderer_ = std::make_unique<ImguiRenderer>(*graphics_.programs);
 }
 
 void Overlay::scale_to(int height) {
-  const float scale = scale_;
+  const std::pair before(scale_, loaded_legend_font_);
   set_scale(std::clamp(static_cast<float>(height) / 720, 0.5f, 12.0f));
-  if (scale == scale_) return;
+  if (before == std::pair(scale_, loaded_legend_font_)) return;
   ImGui::GetIO().DisplaySize = {static_cast<float>(height), static_cast<float>(height)};
   ImGui::NewFrame();  // uses the new font
   ImGui::EndFrame();
@@ -140,6 +142,7 @@ void Overlay::draw_list(const Framebuffer& framebuffer, float scale, const std::
 void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool panels,
                             const std::optional<Diagnostics>& diagnostics, const std::vector<GrabMark>& grabs,
                             const std::function<void()>& more) {
+  set_legend_font(session.display().legend.font_size);
   scale_to(framebuffer.height());
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(framebuffer.width()), static_cast<float>(framebuffer.height())};
@@ -153,12 +156,13 @@ void Overlay::draw_headless(Session& session, Framebuffer& framebuffer, bool pan
     Requests nobody_asks;
     if (panels) draw_panels({session, state, nobody_asks});
     const MarkArea area = MarkArea::whole();
-    draw_legend(area, session);
+    const float left = panels ? panel_space() : 0;
+    draw_legend(area, session, left);
     constexpr float kFar = 1e6f;
     LabelPlaces places(framebuffer.height() >= kLeastRows ? area.box() : Box{-kFar, -kFar, kFar, kFar},
                        ui::px(kLabelGap));
     for (const Box& box : covered()) places.keep_clear(box);
-    if (const auto legend = legend_box(area.box(), session)) places.keep_clear(*legend);
+    if (const auto legend = legend_box(area.box(), session, left)) places.keep_clear(*legend);
     draw_grab_marks(area, session, grabs, places);
     if (more) more();
     ImGui::Render();

@@ -9,6 +9,7 @@
 #include "app/overlay/grab_marks.h"
 #include "app/session/graphics.h"
 #include "app/session/session.h"
+#include "app/ui/style.h"
 #include "render/passes/imgui_renderer.h"
 
 struct ImDrawList;
@@ -22,7 +23,7 @@ class Overlay {
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
 
-  /// Draws one frame of panels (if requested), color bar and forces of grabs over the resolved framebuffer, without a
+  /// Draws one frame of panels (if requested), legend and forces of grabs over the resolved framebuffer, without a
   /// window. `more` is called to draw additional content with ImGui.
   void draw_headless(Session& session, Framebuffer& framebuffer, bool panels,
                      const std::optional<Diagnostics>& diagnostics, const std::vector<GrabMark>& grabs,
@@ -30,6 +31,8 @@ class Overlay {
   /// Sets the scale, so that lengths in pixels and texts are measured correctly before the first picture of this
   /// height.
   void scale_to(int height);
+  /// Font of the legend in the pictures from the next scale_to() or begin() on [points].
+  void set_legend_font(double size) { legend_font_ = static_cast<float>(size); }
 
   /// The sequence of a window's frame: begin, which gives ImGui the next input (WindowInput::feed); any ImGui calls;
   /// end; then draw over the resolved framebuffer, first the part that belongs to the picture, then the rest (ImGui's
@@ -53,7 +56,7 @@ class Overlay {
 
   Graphics& graphics_;
   std::unique_ptr<ImguiRenderer> renderer_;
-  float scale_ = 0;
+  float scale_ = 0, loaded_legend_font_ = 0, legend_font_ = ui::kFontSize;
 };
 
 }  // namespace fascia

@@ -19,7 +19,7 @@ namespace {
 bool range_rows(const Session& session, DisplaySettings& display) {
   bool changed = false, automatic = !display.range;
   ui::label("Range",
-            "Automatic: up to a round number above the largest current value, from 0 or from the same distance on the "
+            "Automatic: up to a round number above nearly all current values, from 0 or from the same distance on the "
             "other side of a neutral value");
   if (ui::checkbox("automatic", automatic, "Follows the values; off: the range stays fixed and can be typed")) {
     display.range.reset();
@@ -89,19 +89,29 @@ bool tets_rows(const char* name, const char* help, std::optional<SeparateTets>& 
   return changed;
 }
 
-// Switches, three per row, and below them the settings with a strength.
+// Switches, three per row.
+class Switches {
+ public:
+  bool add(const char* name, const char* help, bool& on) {
+    constexpr float kColumns[] = {0, 1.2f, 2.15f};  // thirds of the width
+    const std::size_t column = count_++ % std::size(kColumns);
+    if (column > 0) ImGui::SameLine(left_ + kColumns[column] * third_);
+    const bool changed = ImGui::Checkbox(name, &on);
+    ui::tooltip(help);
+    return changed;
+  }
+
+ private:
+  float third_ = ImGui::GetContentRegionAvail().x / 3, left_ = ImGui::GetCursorPosX();
+  std::size_t count_ = 0;
+};
+
+// The switches, and below them the settings with a strength.
 bool light_rows(DisplaySettings& display) {
-  constexpr float kColumns[] = {0, 1.2f, 2.15f};  // thirds of the width
-  const float third = ImGui::GetContentRegionAvail().x / 3, left = ImGui::GetCursorPosX();
   bool changed = false;
-  std::size_t switches = 0;
+  Switches switches;
   visit_display(display, [&](auto& field, const char*, const char* name, const char* help) {
-    if constexpr (std::is_same_v<decltype(field), bool&>) {
-      const std::size_t column = switches++ % std::size(kColumns);
-      if (column > 0) ImGui::SameLine(left + kColumns[column] * third);
-      changed |= ImGui::Checkbox(name, &field);
-      ui::tooltip(help);
-    }
+    if constexpr (std::is_same_v<decltype(field), bool&>) changed |= switches.add(name, help, field);
   });
   visit_display(display, [&](auto& field, const char*, const char* name, const char* help) {
     if constexpr (std::is_same_v<decltype(field), double&>)
@@ -111,6 +121,25 @@ bool light_rows(DisplaySettings& display) {
       "Background", all_backgrounds(), display.background, [](Background b) { return name_of(b); },
       [](Background b) { return std::string(help_of(b)); });
   return changed;
+}
+
+bool marks_row(const char* name, const char* help, MarkSettings& marks) {
+  bool changed = false;
+  ImGui::TextUnformatted(name);
+  ui::tooltip(help);
+  ImGui::PushID(name);
+  Switches switches;
+  visit_marks(marks, [&](bool& kind, const char* mark, const char* help_of_mark) {
+    changed |= switches.add(mark, help_of_mark, kind);
+  });
+  ImGui::PopID();
+  return changed;
+}
+
+bool legend_row(const char* name, LegendSettings& legend) {
+  return ui::choice(
+      name, all_legend_sides(), legend.side, [](LegendSide s) { return name_of(s); },
+      [](LegendSide s) { return std::string(help_of(s)); });
 }
 
 void theme_row() {
@@ -162,6 +191,9 @@ void display_panel(const PanelContext& context) {
       changed |= section_rows(session, name, help, field);
     if constexpr (std::is_same_v<decltype(field), std::optional<SeparateTets>&>)
       changed |= tets_rows(name, help, field);
+    if constexpr (std::is_same_v<decltype(field), MarkSettings&>) changed |= marks_row(name, help, field);
+    if constexpr (std::is_same_v<decltype(field), LegendSettings&>)
+      if (display.color != ColorBy::none) changed |= legend_row(name, field);
   });
   theme_row();
   scale_row();

@@ -13,9 +13,10 @@ inline constexpr int kLeastRows = 360;
 
 /// Widths covered at the edges of the picture [pixels].
 struct Margins {
-  double left = 0;    // panels
-  double right = 0;   // color bar and docked plots
-  double bottom = 0;  // docked plots or the gallery
+  double left = 0;         // panels
+  double right = 0;        // legend and docked plots
+  double bottom = 0;       // docked plots or the gallery
+  double legend_left = 0;  // legend at the left edge, beside the panels
 };
 
 struct Frame {
@@ -24,7 +25,7 @@ struct Frame {
   bool side = false;  // of a comparison: shows the whole body, as large as on the other side
 };
 
-/// Sets `middle` and `reach` of the camera so that the body is between panels and color bar; without a bar, and if it
+/// Sets `middle` and `reach` of the camera so that the body is between panels and legend; without a legend, and if it
 /// is there already, the camera is unchanged. `extent`: Session::extent. The result does not depend on the current
 /// camera: orbits and zooms look as they do without a bar.
 void frame_picture(Camera& camera, const Eigen::Vector2d& extent, const Frame& frame);

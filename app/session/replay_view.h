@@ -18,6 +18,7 @@ class ReplayView {
   /// none was recorded by then.
   std::optional<CameraSettings> camera(double step) const;
   std::optional<DisplaySettings> display(double step) const;
+  bool has_camera() const { return !keys_.empty(); }
 
  private:
   struct Key {

@@ -21,6 +21,10 @@ std::vector<Eigen::Vector3d> places_of(const Model& model, const std::vector<Eig
   return places;
 }
 
+ShownValues together(const ShownValues& a, const ShownValues& b) {
+  return {std::min(a.smallest, b.smallest), std::max(a.largest, b.largest), std::max(a.usual, b.usual)};
+}
+
 }  // namespace
 
 Session::Session(Graphics& graphics, Scene scene, Model built, bool use_reference, const Progress& progress)
@@ -101,7 +105,7 @@ void Session::measure_error() {
 
 void Session::show_error() { simulation.gpu()->set_vertex_errors(true_error.result()->distance); }
 
-std::optional<Eigen::Vector2d> Session::measure_shown(bool now) {
+std::optional<ShownValues> Session::measure_shown(bool now) {
   GpuSolver& solver = *simulation.gpu();
   ShownRange& range = *solver.shown_range();
   const bool wait = now || !shown_;  // without a range the colors would have another meaning for some frames
@@ -115,25 +119,35 @@ std::optional<Eigen::Vector2d> Session::measure_shown(bool now) {
 }
 
 void Session::follow_range(Session* beside, bool now) {
-  if (!simulation.gpu()->shown_range() || display().range) return;
-  std::optional<Eigen::Vector2d> shown = measure_shown(now);
+  if (!simulation.gpu()->shown_range()) return;
+  compared_ = measure_shown(now);
   if (const auto other =
           beside && beside->display().color == display().color ? beside->measure_shown(now) : std::nullopt)
-    shown = shown ? Eigen::Vector2d(std::min(shown->x(), other->x()), std::max(shown->y(), other->y())) : *other;
-  if (shown) fascia::follow_range(*shown, display().color, range_);
-  if (range_) look.range = *range_;
+    compared_ = compared_ ? together(*compared_, *other) : *other;
+  if (!display().range) {
+    if (compared_) fascia::follow_range(*compared_, display().color, range_only_grows, range_);
+    if (range_) look.range = *range_;
+  }
   if (beside) beside->look.range = look.range;
+}
+
+std::array<bool, 2> Session::beyond_range() const {
+  if (!look.heat_map || !compared_) return {false, false};
+  const double rounding = 1e-6 * static_cast<double>(look.range.cwiseAbs().maxCoeff());
+  return {compared_->smallest<look.range.x() - rounding, compared_->largest> look.range.y() + rounding};
 }
 
 void Session::forget_range() {
   shown_.reset();
+  compared_.reset();
   range_.reset();
   if (!display().range) look.range = Look().range;
 }
 
 void Session::show_grabbed() {
   std::vector<std::uint32_t> grabbed;
-  for (const GrabSpring& spring : simulation.springs()) grabbed.push_back(spring.vertex);
+  if (display().marks.grabs)
+    for (const GrabSpring& spring : simulation.springs()) grabbed.push_back(spring.vertex);
   if (grabbed == grabbed_) return;
   renderer_->set_grabbed(grabbed);
   grabbed_ = std::move(grabbed);
@@ -144,6 +158,7 @@ void Session::draw(Framebuffer& framebuffer, std::span<const GrabArrow> grabs, c
   solver.publish();
   show_grabbed();
   framebuffer.bind();
+  if (!display().marks.grabs) grabs = {};
   renderer_->draw(SurfaceView{positions ? positions : &solver.positions()}, camera, look, grabs, framebuffer);
   framebuffer.resolve();
 }

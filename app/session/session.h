@@ -1,5 +1,6 @@
 // Connects simulation and drawing: the only code that passes the solver's buffers to the renderer.
 #pragma once
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,13 +41,16 @@ class Session {
   /// replaces the current ones: vec4, as GpuSolver::positions.
   void draw(Framebuffer& framebuffer, std::span<const GrabArrow> grabs = {}, const gl::Buffer* positions = nullptr);
 
-  /// Call once before each picture: an automatic range of the heat map covers the values shown one frame ago here and
-  /// in `beside`, which gets the same range. The first picture of a quantity waits for the GPU and covers its own
+  /// Call once before each picture: an automatic range of the heat map follows the values shown one frame ago here and
+  /// in `beside`, which gets the same range. The first picture of a quantity waits for the GPU and follows its own
   /// values.
   void follow_range(Session* beside = nullptr) { follow_range(beside, false); }
   /// The same from the current state, for a single picture.
   void settle_range(Session* beside = nullptr) { follow_range(beside, true); }
-  void forget_range();  // makes the next range independent of earlier pictures
+  void forget_range();            // makes the next range independent of earlier pictures
+  bool range_only_grows = false;  // for a video, whose colors must keep their meaning
+  /// Whether values lie below and above the range of the colors, as of the last call of follow_range or settle_range.
+  std::array<bool, 2> beyond_range() const;
   /// Call once per frame, after its steps: updates the comparison with the exact step, if requested, and its heat map.
   void follow_error();
   void measure_error();  // at once, for a single picture
@@ -68,13 +72,14 @@ class Session {
   void show_error();
   void show_grabbed();
   void follow_range(Session* beside, bool now);
-  std::optional<Eigen::Vector2d> measure_shown(bool now);
+  std::optional<ShownValues> measure_shown(bool now);
 
   VisualSurface surface_;
   std::optional<VisualRegions> regions_;  // created when first shown
   std::optional<SceneRenderer> renderer_;
-  std::optional<Eigen::Vector2d> shown_;  // smallest and largest value of the heat map at the last measurement
-  std::optional<Eigen::Vector2f> range_;  // follows shown_
+  std::optional<ShownValues> shown_;      // of the heat map at the last measurement
+  std::optional<ShownValues> compared_;   // shown_ together with those of the session beside
+  std::optional<Eigen::Vector2f> range_;  // follows compared_
   std::vector<std::uint32_t> grabbed_;    // vertices that the renderer shows as grabbed
   Eigen::Vector3d box_min_, box_max_;     // of the bodies at rest [m]
   std::string description_;

@@ -59,16 +59,20 @@ void show(const DisplaySettings& display, Look& look) {
   if (display.tets) look.tets = {static_cast<float>(display.tets->shrink), static_cast<float>(display.tets->spread)};
   look.shadow = display.shadow;
   look.ground = display.ground;
+  look.fixed_dots = display.marks.fixed;
   look.ambient_occlusion = static_cast<float>(display.ambient_occlusion);
   look.depth_cue = static_cast<float>(display.depth_cue);
   look.backdrop = backdrop_of(display.background);
 }
 
-void follow_range(const Eigen::Vector2d& shown, ColorBy color, std::optional<Eigen::Vector2f>& range) {
+void follow_range(const ShownValues& shown, ColorBy color, bool only_grows, std::optional<Eigen::Vector2f>& range) {
+  constexpr double kLeastShare = 0.1;  // of the largest value: a small patch under load must not be of one color
   const auto neutral = quantity_of(color).neutral;
-  const double middle = neutral.value_or(0), wanted = neutral ? (shown.array() - middle).abs().maxCoeff() : shown.y();
+  const double middle = neutral.value_or(0), farthest = std::max(shown.largest - middle, middle - shown.smallest),
+               wanted = std::max(shown.usual, kLeastShare * (neutral ? farthest : shown.largest));
   if (!(wanted > 0) || !std::isfinite(wanted)) return;
-  if (const double reach = range ? range->y() - middle : 0; wanted <= reach && wanted >= 0.2 * reach) return;
+  const double reach = range ? range->y() - middle : 0;
+  if (wanted <= reach && (only_grows || wanted >= 0.2 * reach)) return;
   // Closer to a neutral value of 1, float32 has no accuracy left.
   const double next = std::max(round_up(wanted), middle == 0 ? 0.0 : 1e-5);
   range = Eigen::Vector2d(neutral ? middle - next : 0, middle + next).cast<float>();

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "render/view/look.h"
+#include "sim/gpu/readback/shown_range.h"
 #include "sim/scene/settings/display.h"
 
 namespace fascia {
@@ -10,9 +11,11 @@ namespace fascia {
 /// Sets the parts of `look` that the scene's key "display" defines; the range only if it is fixed.
 void show(const DisplaySettings& display, Look& look);
 
-/// Updates the `range` of one quantity to the smallest and largest value shown: from 0 to a round number above the
-/// largest, or symmetric about the quantity's neutral value. It grows at once and shrinks only when most of it is
-/// unused, since a flickering bar is unreadable. None until a value other than the neutral one was shown.
-void follow_range(const Eigen::Vector2d& shown, ColorBy color, std::optional<Eigen::Vector2f>& range);
+/// Updates the `range` of one quantity to the values shown: from 0 to a round number above nearly all of them, or
+/// symmetric about the quantity's neutral value. Two percent of the values may lie beyond, since the stress at a single
+/// vertex would else leave one color for all others, but none by more than ten times. The range grows at once and
+/// shrinks only when most of it is unused, since a flickering bar is unreadable; never with `only_grows`. None until a
+/// value other than the neutral one was shown.
+void follow_range(const ShownValues& shown, ColorBy color, bool only_grows, std::optional<Eigen::Vector2f>& range);
 
 }  // namespace fascia

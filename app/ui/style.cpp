@@ -9,14 +9,12 @@
 namespace fascia::ui {
 namespace {
 
-constexpr float kFontSize = 14.5f;  // at scale 1
-
 // fontconfig's default on Debian, installed wherever ffmpeg is; without it ImGui's own bitmap font is used.
 constexpr const char* kFontFolders[] = {"/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/TTF",
                                         "/usr/share/fonts/dejavu-sans-fonts"};
 
 float style_scale = 1, user_scale = 1;
-ImFont* heading_font = nullptr;
+ImFont *heading_font = nullptr, *font_of_legend = nullptr;
 
 ImFont* load_font(const char* file, float size) {
   for (const char* folder : kFontFolders) {
@@ -29,11 +27,12 @@ ImFont* load_font(const char* file, float size) {
   return nullptr;
 }
 
-void load_fonts(float scale) {
+void load_fonts(float scale, float legend_font_size) {
   ImGuiIO& io = ImGui::GetIO();
   io.Fonts->Clear();
-  const float size = static_cast<float>(static_cast<int>(kFontSize * scale + 0.5f));
-  heading_font = nullptr;
+  const auto pixels = [&](float points) { return static_cast<float>(static_cast<int>(points * scale + 0.5f)); };
+  const float size = pixels(kFontSize);
+  heading_font = font_of_legend = nullptr;
   if (load_font("DejaVuSans.ttf", size)) heading_font = load_font("DejaVuSans-Bold.ttf", size);
   if (io.Fonts->Fonts.empty()) {
     ImFontConfig config;
@@ -41,6 +40,8 @@ void load_fonts(float scale) {
     io.Fonts->AddFontDefault(&config);
   }
   if (!heading_font) heading_font = io.Fonts->Fonts[0];
+  if (legend_font_size != kFontSize) font_of_legend = load_font("DejaVuSans.ttf", pixels(legend_font_size));
+  if (!font_of_legend) font_of_legend = io.Fonts->Fonts[0];
 }
 
 struct Palette {
@@ -131,6 +132,7 @@ float interface_scale() { return user_scale; }
 
 float px(float points) { return points * style_scale; }
 ImFont* bold_font() { return heading_font; }
+ImFont* legend_font() { return font_of_legend; }
 
 Theme theme() { return chosen; }
 
@@ -140,9 +142,9 @@ void set_theme(Theme wanted) {
   set_colors(ImGui::GetStyle());
 }
 
-void apply_style(float scale) {
+void apply_style(float scale, float legend_font_size) {
   style_scale = scale;
-  load_fonts(scale);
+  load_fonts(scale, legend_font_size);
   ImGuiStyle style;
   style.WindowPadding = {14, 12};
   style.FramePadding = {8, 4};

@@ -6,9 +6,12 @@ struct ImVec4;
 
 namespace fascia::ui {
 
-/// Sets style and fonts of the current ImGui context for a scale (1: 96 dots per inch). The font atlas must be uploaded
-/// again.
-void apply_style(float scale);
+/// The font of panels and labels [points].
+inline constexpr float kFontSize = 14.5f;
+
+/// Sets style and fonts of the current ImGui context for a scale (1: 96 dots per inch), with a legend in a font of its
+/// own size [points]. The font atlas must be uploaded again.
+void apply_style(float scale, float legend_font_size = kFontSize);
 
 /// The user's factor on the scale of the monitor, from kLeastScale to kLargestScale. It takes effect in the next frame.
 void set_interface_scale(float factor);
@@ -18,6 +21,7 @@ inline constexpr float kLeastScale = 0.6f, kLargestScale = 2.5f;
 /// Pixels of a length that is `points` at scale 1.
 float px(float points);
 ImFont* bold_font();
+ImFont* legend_font();
 
 /// Themes of the panels, for dark and for bright rooms. A change takes effect at once.
 enum class Theme { dark, light };

@@ -81,7 +81,8 @@ void ScenePicture::draw_onto(Framebuffer& picture, bool panels) {
 
 void ScenePicture::frame_bodies() {
   const Margins edges = stage_.margins();
-  const double width = stage_.framebuffer->width(), shown = std::max(0.1 * width, width - edges.left - edges.right),
+  const double width = stage_.framebuffer->width(),
+               shown = std::max(0.1 * width, width - edges.left - edges.legend_left - edges.right),
                aspect = 1.0 / stage_.framebuffer->height();
   if (sides_.split())
     stage_.session->frame_bodies(0.5 * shown * aspect, {1, 1});
@@ -103,10 +104,11 @@ void ScenePicture::draw_scene(const Canvas& canvas) {
     const MarkArea area{list, 0, static_cast<float>(picture.width()) / canvas.scale,
                         static_cast<float>(picture.height()) / canvas.scale};
     const MarkArea free = beside_docks(area, canvas);
-    draw_legend(free, session);  // with the range of the colors just drawn
-    LabelPlaces places({static_cast<float>(canvas.left) / canvas.scale, 0, area.width, area.height}, ui::px(kLabelGap));
+    const float left = static_cast<float>(canvas.left) / canvas.scale;
+    draw_legend(free, session, left);  // with the range of the colors just drawn
+    LabelPlaces places({left, 0, area.width, area.height}, ui::px(kLabelGap));
     for (const Box& box : covered(canvas)) places.keep_clear(box);
-    if (const auto legend = legend_box(free.box(), session)) places.keep_clear(*legend);
+    if (const auto legend = legend_box(free.box(), session, left)) places.keep_clear(*legend);
     draw_grab_marks(area, session, grabs, places);
     draw_ring(area, session);
     draw_brush_marks(area, session, stage_.brush.places(), stage_.state.brush == Brush::fix);
@@ -130,7 +132,7 @@ void ScenePicture::draw_comparison(SplitView& split, const Canvas& canvas,
     draw_legend(beside_docks({list, 0, static_cast<float>(picture.width()) / scale,
                               static_cast<float>(picture.height()) / scale},
                              canvas),
-                a);
+                a, static_cast<float>(canvas.left) / scale);
     split.draw_labels(list, a, picture.width(), picture.height(), edges, scale,
                       {of_a, true, stage_.state.editing_b, grabs, covered(canvas)});
     const bool ring_in_b = stage_.mouse.grabs().following() ? sides_.grab_in_b() : sides_.points_at_b();
@@ -151,10 +153,11 @@ Margins ScenePicture::margins_of(const Canvas& canvas) const {
   const Cover cover = canvas.alone ? Cover{} : cover_of(stage_.state);
   const int right = static_cast<int>(canvas.scale * cover.right),
             bottom = static_cast<int>(canvas.scale * cover.bottom);
-  return {static_cast<double>(canvas.left),
-          right + legend_space(*stage_.session, canvas.picture.width() - right, canvas.picture.height() - bottom,
-                               canvas.scale),
-          static_cast<double>(bottom)};
+  Margins margins = legend_margins(*stage_.session, canvas.picture.width() - right, canvas.picture.height() - bottom,
+                                   canvas.scale, canvas.left);
+  margins.right += right;
+  margins.bottom = bottom;
+  return margins;
 }
 
 // The part of an area that docked windows leave.

@@ -30,9 +30,11 @@ int Stage::panels_cover() const { return state.show_panels ? static_cast<int>(pa
 
 Margins Stage::margins() const {
   const Cover cover = cover_of(state);
-  const int width = framebuffer->width() - static_cast<int>(cover.right),
-            height = framebuffer->height() - static_cast<int>(cover.bottom);
-  return {static_cast<double>(panels_cover()), legend_space(*session, width, height, 1) + cover.right, cover.bottom};
+  Margins margins = legend_margins(*session, framebuffer->width() - static_cast<int>(cover.right),
+                                   framebuffer->height() - static_cast<int>(cover.bottom), 1, panels_cover());
+  margins.right += cover.right;
+  margins.bottom = cover.bottom;
+  return margins;
 }
 
 void Stage::save(const std::filesystem::path& path, bool with_mesh) {

@@ -167,6 +167,7 @@ void Window::frame(double elapsed) {
   do {
     requests = {};
     if (messages.is_error() && input_.take_key(GLFW_KEY_ESCAPE)) messages.clear();  // in front of everything else
+    overlay_.set_legend_font(stage_.session->display().legend.font_size);
     overlay_.begin(framebuffer.width(), framebuffer.height());
     const Camera view = stage_.session->camera;
     messages.attempt([&] { controls_.handle(requests); });

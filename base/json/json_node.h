@@ -46,6 +46,7 @@ class Node {
   std::vector<Node> elements(const std::string& expected) const;
 
   // Values. Ranges are closed.
+  bool is_boolean() const { return value_->is_boolean(); }
   bool is_string() const { return value_->is_string(); }
   bool is_object() const { return value_->is_object(); }
   double number(double min, double max, const std::string& unit) const;

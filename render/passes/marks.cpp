@@ -32,7 +32,8 @@ void Marks::draw_dots(const gl::Program& program, const Dots& dots, const Style&
 }
 
 void Marks::draw(const Look& look, const gl::Buffer& positions, std::span<const GrabArrow> grabs) const {
-  if (fixed_.count == 0 && grabbed_.count == 0 && grabs.empty()) return;
+  const bool has_fixed = look.fixed_dots && fixed_.count > 0;
+  if (!has_fixed && grabbed_.count == 0 && grabs.empty()) return;
   static const Style kFixed{3.0f, {0.15f, 0.19f, 0.27f, 1}, {0.95f, 0.96f, 0.98f, 1}};
   static const Style kGrabbed{4.0f, {1.00f, 0.80f, 0.20f, 1}, {1, 1, 1, 1}};
   gl::Enable(GL_BLEND);
@@ -43,7 +44,7 @@ void Marks::draw(const Look& look, const gl::Buffer& positions, std::span<const 
   dots.use();
   gl::ActiveTexture(GL_TEXTURE0);
   gl::BindTexture(GL_TEXTURE_BUFFER, positions.texel_view(GL_RGBA32F));
-  draw_dots(dots, fixed_, kFixed);
+  if (has_fixed) draw_dots(dots, fixed_, kFixed);
   draw_dots(dots, grabbed_, kGrabbed);
   if (!grabs.empty()) {
     gl::Disable(GL_DEPTH_TEST);

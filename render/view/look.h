@@ -26,6 +26,7 @@ struct Look {
   std::optional<float> neutral;  // the scalar in the middle of the map, which then extends equally far to both sides
   Eigen::Vector3f color{0.80f, 0.34f, 0.29f};  // tissue, sRGB
   bool shadow = true, ground = true;
+  bool fixed_dots = true;       // on fixed vertices
   float ambient_occlusion = 0;  // strength, 0 to 1
   float depth_cue = 0;          // share by which the back of the scene fades into the backdrop
   Backdrop backdrop = Backdrop::gradient;

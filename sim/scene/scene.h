@@ -72,14 +72,36 @@ struct CameraSettings {
   bool operator==(const CameraSettings&) const = default;
 };
 
+/// One place of a camera that moves in pictures and videos. A value that a key omits is that of the key before, and
+/// that of the camera in the first one.
+struct CameraKey {
+  double time = 0;                      // [s] simulated
+  std::optional<Eigen::Vector3d> eye;   // [m]; or the next three, around the target
+  std::optional<double> orbit_deg;      // from the camera's place about `up`, to the right
+  std::optional<double> elevation_deg;  // of the eye above the plane through the target across `up`, -89 to 89
+  std::optional<double> zoom;           // 2: half the camera's distance from its target
+  std::optional<Eigen::Vector3d> target;
+  std::optional<double> fov_deg;
+  bool operator==(const CameraKey&) const = default;
+};
+
+/// Scene keys "camera.keys" and "camera.smooth".
+struct CameraMotion {
+  std::vector<CameraKey> keys;  // times ascending; empty: the camera stands still
+  bool smooth = true;           // a curve through the keys, else straight from key to key
+  bool operator==(const CameraMotion&) const = default;
+};
+
 struct Scene {
   std::filesystem::path file;  // of the scene, or of a mesh opened on its own
   std::string title;
   Eigen::Vector3d gravity{0, -9.81, 0};
   std::vector<Body> bodies;
   std::vector<ScriptedGrab> grabs;
+  std::size_t option_grabs = 0;  // number of those, at the end, that --grab added: messages name the option
   SolverSettings solver;
   std::optional<CameraSettings> camera;  // absent: framed on the bodies
+  CameraMotion camera_motion;
   DisplaySettings display;
   double duration = 2;             // [s] of `run` and `--video` when neither --steps nor --time is given
   std::vector<KnownFile> files;    // known data of all or some files that the paths above name
@@ -98,7 +120,6 @@ struct Scene {
 /// transform., ...) means body 0. An override's error names "--set KEY".
 Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 /// As open_scene of a scene file with this content.
-  std::size_t option_grabs = 0;  // number of those, at the end, that --grab added: messages name the option
 Scene read_scene_content(const std::filesystem::path& path, std::string_view content,
                          const std::vector<std::string>& overrides = {});
 

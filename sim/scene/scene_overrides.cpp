@@ -30,6 +30,7 @@ const json& template_document() {
   static const json document = [] {
     Scene scene;
     scene.camera.emplace();
+    scene.camera_motion.keys = {{0, Eigen::Vector3d::Ones(), 0, 0, 1, Eigen::Vector3d::Zero(), 40}};
     scene.display.section.emplace();
     scene.display.tets.emplace();
     Body& body = scene.bodies.emplace_back();

@@ -9,18 +9,16 @@
 namespace fascia {
 namespace {
 
-constexpr double kLargestAcceleration = 1e6;  // [m/s^2]
+constexpr double kLargestAcceleration = 1e6;             // [m/s^2]
+constexpr double kNarrowestLens = 1, kWidestLens = 170;  // [degrees]
 
-}  // namespace
-
-CameraSettings read_camera(const Node& node) {
+CameraSettings read_place(const Node& node) {
   CameraSettings camera;
-  node.expect_object({"eye", "target", "up", "fov_deg"});
   camera.eye = node.at("eye", "a list of 3 numbers [m] (without a camera the view is framed on the bodies)")
                    .vector(-kFarthestLook, kFarthestLook, "m");
   node.read("target", camera.target, -kFarthestLook, kFarthestLook, "m");
   node.read("up", camera.up, -kFarthestLook, kFarthestLook, "");
-  node.read("fov_deg", camera.fov_deg, 1, 170, "degrees");
+  node.read("fov_deg", camera.fov_deg, kNarrowestLens, kWidestLens, "degrees");
   const Eigen::Vector3d view = camera.target - camera.eye;
   if (view.isZero(0)) node.fail("eye and target are the same point", "two different points");
   // Below a millionth of a radian the right-hand axis of the picture has no accuracy left in float32.
@@ -28,6 +26,65 @@ CameraSettings read_camera(const Node& node) {
     node.fail("up has no part across the view from eye to target", "an up vector across the view");
   }
   return camera;
+}
+
+CameraKey read_camera_key(const Node& node) {
+  constexpr double kMostTurns = 1000, kSteepest = 89, kFarthestZoom = 1e3;
+  node.expect_object({"time", "eye", "orbit_deg", "elevation_deg", "zoom", "target", "fov_deg"});
+  CameraKey key;
+  key.time = node.at("time", "seconds").number(0, kLongestTime, "s");
+  const auto vector = [&](const char* name, std::optional<Eigen::Vector3d>& field) {
+    if (const auto given = node.find(name)) field = given->vector(-kFarthestLook, kFarthestLook, "m");
+  };
+  const auto number = [&](const char* name, std::optional<double>& field, double min, double max, const char* unit) {
+    const auto given = node.find(name);
+    if (given) field = given->number(min, max, unit);
+    return given.has_value();
+  };
+  vector("eye", key.eye);
+  vector("target", key.target);
+  const bool turns = number("orbit_deg", key.orbit_deg, -360 * kMostTurns, 360 * kMostTurns, "degrees");
+  const bool rises = number("elevation_deg", key.elevation_deg, -kSteepest, kSteepest, "degrees");
+  const bool zooms = number("zoom", key.zoom, 1 / kFarthestZoom, kFarthestZoom, "");
+  number("fov_deg", key.fov_deg, kNarrowestLens, kWidestLens, "degrees");
+  if (key.eye && (turns || rises || zooms))
+    node.fail("has eye and orbit_deg, elevation_deg or zoom", "eye alone, or the others");
+  if (key.eye && key.target && *key.eye == *key.target)
+    node.fail("eye and target are the same point", "two different points");
+  return key;
+}
+
+CameraMotion read_camera_motion(const Node& node) {
+  CameraMotion motion;
+  if (const auto keys = node.find("keys")) {
+    const std::string expected = "a list of keys, times ascending, such as {\"time\": 4, \"orbit_deg\": 360}";
+    for (const Node& element : keys->elements(expected)) {
+      motion.keys.push_back(read_camera_key(element));
+      if (const std::size_t n = motion.keys.size(); n > 1 && !(motion.keys[n - 2].time < motion.keys[n - 1].time))
+        element.fail("time is " + excerpt(motion.keys.back().time), "a later time than that of the key before");
+    }
+    if (motion.keys.empty()) keys->refuse(expected);
+  }
+  if (const auto smooth = node.find("smooth")) {
+    motion.smooth = smooth->boolean();
+    if (motion.keys.empty()) smooth->fail("has no keys to go through", "camera.keys beside it");
+  }
+  return motion;
+}
+
+// A camera that only moves begins where the bodies are framed.
+void read_scene_camera(const Node& node, Scene& scene) {
+  node.expect_object({"eye", "target", "up", "fov_deg", "keys", "smooth"});
+  scene.camera_motion = read_camera_motion(node);
+  const bool has_place = node.find("eye") || node.find("target") || node.find("up") || node.find("fov_deg");
+  if (has_place || scene.camera_motion.keys.empty()) scene.camera = read_place(node);
+}
+
+}  // namespace
+
+CameraSettings read_camera(const Node& node) {
+  node.expect_object({"eye", "target", "up", "fov_deg"});
+  return read_place(node);
 }
 
 SolverSettings read_solver(const Node& node) {
@@ -96,7 +153,7 @@ Scene read_scene(const Node& root) {
       if (values.model) materials.emplace_back().model = *values.model;
     require_carried(scene.solver.method, materials, method);
   }
-  if (const auto camera = root.find("camera")) scene.camera = read_camera(*camera);
+  if (const auto camera = root.find("camera")) read_scene_camera(*camera, scene);
   if (const auto display = root.find("display")) scene.display = read_display(*display);
   if (const auto files = root.find("files")) scene.files = read_files(*files);
   return scene;

@@ -6,6 +6,8 @@
 namespace fascia {
 namespace {
 
+constexpr double kSmallestFont = 6, kLargestFont = 60;  // [points]
+
 // The values of one setting, by its type.
 void read(const Node& node, bool& on) { on = node.boolean(); }
 
@@ -27,6 +29,37 @@ void read_choice(const Node& node, const std::vector<Choice>& choices, Choice& c
 void read(const Node& node, ColorBy& color) { read_choice(node, all_colors(), color); }
 void read(const Node& node, ColorMap& map) { read_choice(node, all_color_maps(), map); }
 void read(const Node& node, Background& background) { read_choice(node, all_backgrounds(), background); }
+
+void read(const Node& node, LegendSide& side) { read_choice(node, all_legend_sides(), side); }
+
+void read(const Node& node, MarkSettings& marks) {
+  std::vector<std::string> names;
+  visit_marks(marks, [&](bool&, const char* name, auto&&...) { names.emplace_back(name); });
+  const std::string expected = "true, false, or a list of " + join(names);
+  if (node.is_boolean()) {
+    const bool on = node.boolean();
+    visit_marks(marks, [&](bool& kind, auto&&...) { kind = on; });
+    return;
+  }
+  marks = {false, false, false};
+  for (const Node& element : node.elements(expected)) {
+    const std::string given = element.text("one of " + join(names));
+    bool known = false;
+    visit_marks(marks, [&](bool& kind, const char* name, auto&&...) {
+      if (given != name) return;
+      if (kind) element.fail("is " + excerpt(given) + " again", "each name once");
+      kind = known = true;
+    });
+    if (!known) element.fail("is " + excerpt(given) + perhaps(given, names), "one of " + join(names));
+  }
+}
+
+void read(const Node& node, LegendSettings& legend) {
+  node.expect_object({"side", "font_size", "plate"});
+  if (const auto side = node.find("side")) read(*side, legend.side);
+  node.read("font_size", legend.font_size, kSmallestFont, kLargestFont, "points");
+  if (const auto plate = node.find("plate")) legend.plate = plate->boolean();
+}
 
 void read(const Node& node, std::optional<Eigen::Vector2d>& range) {
   const std::string expected = "a list of 2 numbers, the lower one first";

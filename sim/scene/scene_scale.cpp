@@ -36,6 +36,10 @@ void scale_lengths(Scene& scene, double factor) {
     scene.camera->eye *= factor;
     scene.camera->target *= factor;
   }
+  for (CameraKey& key : scene.camera_motion.keys) {
+    if (key.eye) *key.eye *= factor;
+    if (key.target) *key.target *= factor;
+  }
 }
 
 }  // namespace fascia

@@ -66,12 +66,26 @@ OrderedJson setting(bool on) { return on; }
 OrderedJson setting(double share) { return number(share); }
 template <class Choice>
 requires std::is_enum_v<Choice> OrderedJson setting(Choice choice) { return name_of(choice); }
+OrderedJson setting(const Eigen::Vector3d& place) { return vector(place); }
 OrderedJson setting(const Eigen::Vector2d& range) { return {number(range[0]), number(range[1])}; }
 OrderedJson setting(const SectionPlane& section) {
   return {{"normal", vector(section.normal)}, {"offset", number(section.offset)}};
 }
 OrderedJson setting(const SeparateTets& tets) {
   return {{"shrink", number(tets.shrink)}, {"spread", number(tets.spread)}};
+}
+OrderedJson setting(const MarkSettings& marks) {
+  OrderedJson shown = OrderedJson::array();
+  std::size_t kinds = 0;
+  visit_marks(marks, [&](bool on, const char* name, auto&&...) {
+    ++kinds;
+    if (on) shown.push_back(name);
+  });
+  if (shown.empty() || shown.size() == kinds) return !shown.empty();
+  return shown;
+}
+OrderedJson setting(const LegendSettings& legend) {
+  return {{"side", name_of(legend.side)}, {"font_size", number(legend.font_size)}, {"plate", legend.plate}};
 }
 template <class Part>
 OrderedJson setting(const std::optional<Part>& part) {
@@ -96,6 +110,10 @@ class SceneWriter {
     for (const ScriptedGrab& g : scene_.grabs) object["grabs"].push_back(grab(g));
     object["solver"] = solver_document(scene_.solver);
     if (scene_.camera) object["camera"] = camera_document(*scene_.camera);
+    if (const CameraMotion& motion = scene_.camera_motion; !motion.keys.empty()) {
+      for (const CameraKey& key : motion.keys) object["camera"]["keys"].push_back(camera_key(key));
+      object["camera"]["smooth"] = motion.smooth;
+    }
     object["display"] = display_document(scene_.display);
     object["duration"] = number(scene_.duration);
     return object;
@@ -170,6 +188,20 @@ class SceneWriter {
     }
     if (grab.release) object["release"] = number(*grab.release);
     object["smooth"] = grab.smooth;
+    return object;
+  }
+
+  static OrderedJson camera_key(const CameraKey& key) {
+    OrderedJson object = {{"time", number(key.time)}};
+    const auto add = [&](const char* name, const auto& value) {
+      if (value) object[name] = setting(*value);
+    };
+    add("eye", key.eye);
+    add("orbit_deg", key.orbit_deg);
+    add("elevation_deg", key.elevation_deg);
+    add("zoom", key.zoom);
+    add("target", key.target);
+    add("fov_deg", key.fov_deg);
     return object;
   }
 

@@ -1,33 +1,46 @@
 #include "sim/gpu/readback/shown_range.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "shaders/shared/types.h"
-#include "sim/gpu/passes/reduction.h"
 
 namespace fascia {
+namespace {
 
-ShownRange::ShownRange(gl::ProgramCache& programs, const gl::Buffer& positions, std::uint32_t vertex_count)
-    : partial_count_(lanes_read_back(vertex_count, 1024)),
-      partials_("range_partials", partial_count_ * sizeof(shared::vec4)),
-      staging_(gl::Buffer::staging("range_staging", partials_.bytes())),
-      pass_(programs.compute("sim/readback/shown_range.comp"),
-            {{"position", &positions}, {"range_partials", &partials_}}, partial_count_,
-            {{"vertex_count", vertex_count}}) {}
+constexpr double kUsualShare = 0.98;
+constexpr std::size_t kMostRanked = 65536;  // of larger meshes every n-th vertex is ranked: a millisecond of the CPU
+
+}  // namespace
+
+ShownRange::ShownRange(const gl::Buffer& positions, std::uint32_t vertex_count)
+    : positions_(positions), staging_(gl::Buffer::staging("range_staging", vertex_count * sizeof(shared::vec4))) {}
 
 void ShownRange::request() {
-  pass_.run();
-  staging_.copy(partials_, partials_.bytes());
+  staging_.copy(positions_, staging_.bytes());
   fence_.set();
 }
 
-std::optional<Eigen::Vector2d> ShownRange::take(bool wait) {
+std::optional<ShownValues> ShownRange::take(bool wait) {
   if (!fence_.take(wait)) return std::nullopt;
-  Eigen::Vector2d range(3.4e38, -3.4e38);
-  for (const shared::vec4& p : staging_.read<shared::vec4>())
-    range = {std::min<double>(range.x(), p.x), std::max<double>(range.y(), p.y)};
-  if (range.x() > range.y()) return std::nullopt;
-  return range;
+  const std::vector<shared::vec4> shown = staging_.read<shared::vec4>();
+  const std::size_t spacing = (shown.size() + kMostRanked - 1) / kMostRanked;
+  ShownValues values{HUGE_VAL, -HUGE_VAL, 0};
+  std::vector<float> ranked;  // distances from the middle
+  ranked.reserve(shown.size() / spacing + 1);
+  for (std::size_t v = 0; v < shown.size(); ++v) {
+    const float scalar = shown[v].w;
+    if (!std::isfinite(scalar)) continue;
+    values.smallest = std::min<double>(values.smallest, scalar);
+    values.largest = std::max<double>(values.largest, scalar);
+    if (v % spacing == 0) ranked.push_back(std::abs(scalar - static_cast<float>(middle_)));
+  }
+  if (ranked.empty()) return std::nullopt;
+  const auto place = static_cast<std::ptrdiff_t>(std::ceil(kUsualShare * static_cast<double>(ranked.size()))) - 1;
+  std::nth_element(ranked.begin(), ranked.begin() + place, ranked.end());
+  values.usual = ranked[static_cast<std::size_t>(place)];
+  return values;
 }
 
 }  // namespace fascia

@@ -63,7 +63,8 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
                                                      {"HEAT_AT_REST", color == ColorBy::volume_ratio ? "1.0" : "0.0"}}),
       std::move(publish), buffers.vertex_count);
   if (!heat) range_.reset();
-  if (heat && !range_) range_.emplace(programs, positions_, vertex_count_);
+  if (heat && !range_) range_.emplace(positions_, vertex_count_);
+  if (heat) range_->set_middle(quantity_of(color).neutral.value_or(0));
   if (embedded_count_ == 0) return;
   gl::ComputePass::Bindings embed{{"embed_position", &embed_position_},
                                   {"embed_vertices", &embed_vertices_},

@@ -25,6 +25,12 @@ constexpr Choice kBackgrounds[] = {
     {"transparent", "Pictures get an alpha channel; of the ground only the shadow is kept. No videos"},
 };
 
+constexpr Choice kLegendSides[] = {
+    {"right", "At the right edge, halfway up"},
+    {"left", "At the left edge, halfway up"},
+    {"off", "No legend"},
+};
+
 template <class Enumeration, class Table>
 std::vector<Enumeration> all_of(const Table& table) {
   std::vector<Enumeration> all;
@@ -87,5 +93,12 @@ const std::vector<Background>& all_backgrounds() {
 }
 const char* name_of(Background background) { return kBackgrounds[static_cast<std::size_t>(background)].name; }
 const char* help_of(Background background) { return kBackgrounds[static_cast<std::size_t>(background)].help; }
+
+const std::vector<LegendSide>& all_legend_sides() {
+  static const std::vector<LegendSide> sides = all_of<LegendSide>(kLegendSides);
+  return sides;
+}
+const char* name_of(LegendSide side) { return kLegendSides[static_cast<std::size_t>(side)].name; }
+const char* help_of(LegendSide side) { return kLegendSides[static_cast<std::size_t>(side)].help; }
 
 }  // namespace fascia

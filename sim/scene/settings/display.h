@@ -43,16 +43,22 @@ ColorMap chosen_map(ColorMap map, ColorBy color);
 /// The background behind the tissue. transparent: pictures have an alpha channel.
 enum class Background { gradient, white, black, transparent };
 
+/// The edge of the picture at which the legend stands: the color bar, or the names of the regions.
+enum class LegendSide { right, left, off };
+
 // For each enumeration: all values, the name in scene files, and the description.
 const std::vector<ColorBy>& all_colors();
 const std::vector<ColorMap>& all_color_maps();
 const std::vector<Background>& all_backgrounds();
+const std::vector<LegendSide>& all_legend_sides();
 inline const char* name_of(ColorBy color) { return quantity_of(color).name; }
 const char* name_of(ColorMap map);
 const char* name_of(Background background);
+const char* name_of(LegendSide side);
 inline const char* help_of(ColorBy color) { return quantity_of(color).help; }
 const char* help_of(ColorMap map);
 const char* help_of(Background background);
+const char* help_of(LegendSide side);
 
 /// Cuts the drawn body open: the part beyond the plane, normal . x > offset, is left out, and the cut is closed.
 struct SectionPlane {
@@ -68,9 +74,32 @@ struct SeparateTets {
   bool operator==(const SeparateTets&) const = default;
 };
 
+/// The marks over the tissue. In scene files: true (all), false (none), or a list of names.
+struct MarkSettings {
+  bool fixed = true;   // dots on fixed and prescribed vertices
+  bool grabs = true;   // grabbed vertices, arrows from the tissue to the target, handles
+  bool forces = true;  // of the grabs, as texts [N]
+  bool operator==(const MarkSettings&) const = default;
+};
+
+/// f(field, name, help) for every kind of mark.
+template <class M, class F>
+void visit_marks(M& marks, F&& f) {
+  f(marks.fixed, "fixed", "Dots on fixed and prescribed vertices");
+  f(marks.grabs, "grabs", "Grabbed vertices, and an arrow from the tissue to the target of every grab");
+  f(marks.forces, "forces", "Forces of the grabs in newtons");
+}
+
+struct LegendSettings {
+  LegendSide side = LegendSide::right;
+  double font_size = 14.5;  // [points] of a picture of 720 rows; the bar grows with it
+  bool plate = true;        // behind the legend
+  bool operator==(const LegendSettings&) const = default;
+};
+
 struct DisplaySettings {
   ColorBy color = ColorBy::none;
-  std::optional<Eigen::Vector2d> range;  // of the color map in the quantity's unit; absent: automatic
+  std::optional<Eigen::Vector2d> range;  // of the color map in the quantity's unit; absent: follows the values
   ColorMap color_map = ColorMap::automatic;
   bool wireframe = false;
   std::optional<SectionPlane> section;
@@ -79,11 +108,13 @@ struct DisplaySettings {
   double ambient_occlusion = 0;  // strength, 0 (off) to 1
   double depth_cue = 0;          // fading of the back of the scene into the background, 0 (off) to 1
   Background background = Background::gradient;
+  MarkSettings marks;
+  LegendSettings legend;
   bool operator==(const DisplaySettings&) const = default;
 };
 
-/// f(field, key, label, help) for every setting. A field is a bool, a double from 0 to 1, one of the enumerations, or
-/// an optional part.
+/// f(field, key, label, help) for every setting. A field is a bool, a double from 0 to 1, one of the enumerations, a
+/// part of several values, or an optional part.
 template <class Settings, class F>
 void visit_display(Settings& s, F&& f) {
   f(s.color, "color", "Color", "what colors the tissue");
@@ -101,6 +132,8 @@ void visit_display(Settings& s, F&& f) {
     "Darkens creases and what stands close together [-]. 0 costs nothing; software renderers pay for every pixel");
   f(s.depth_cue, "depth_cue", "Depth cue", "How far the back of the scene fades into the background [-]");
   f(s.background, "background", "Background", "behind the tissue");
+  f(s.marks, "marks", "Marks", "Dots on fixed vertices; grabs with their vertices, arrows and forces");
+  f(s.legend, "legend", "Legend", "The color bar or the names of the regions");
 }
 
 }  // namespace fascia

@@ -1,5 +1,7 @@
 // The color bar is readable on any background, and is left out where it would hide the picture.
 // Covers: grab_marks, overlay
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -16,7 +18,18 @@ namespace {
 constexpr int kWidth = 640, kHeight = 720;  // at 720 rows a point is a pixel
 constexpr std::uint8_t kTissue[4] = {190, 60, 50, 255};
 
-/// The bar for velocity over a picture full of tissue.
+/// Legend and grabs over a picture full of tissue.
+Image over_tissue(Session& session, Overlay& overlay, const std::vector<GrabMark>& grabs = {}, int width = kWidth,
+                  int height = kHeight) {
+  Framebuffer framebuffer(width, height, 1);
+  std::vector<std::uint8_t> tissue;
+  for (int i = 0; i < width * height; ++i) tissue.insert(tissue.end(), kTissue, kTissue + 4);
+  framebuffer.replace(tissue.data());
+  overlay.draw_headless(session, framebuffer, false, std::nullopt, grabs);
+  return framebuffer.read();
+}
+
+/// The bar for velocity.
 Image bar_over_tissue(Backdrop backdrop, int width, int height) {
   Graphics graphics = open_graphics(headless(), false);
   Overlay overlay(graphics);
@@ -24,12 +37,7 @@ Image bar_over_tissue(Backdrop backdrop, int width, int height) {
   scene.display.color = ColorBy::velocity;
   Session session(graphics, scene, false);
   session.look.backdrop = backdrop;
-  Framebuffer framebuffer(width, height, 1);
-  std::vector<std::uint8_t> tissue;
-  for (int i = 0; i < width * height; ++i) tissue.insert(tissue.end(), kTissue, kTissue + 4);
-  framebuffer.replace(tissue.data());
-  overlay.draw_headless(session, framebuffer, false, std::nullopt, {});
-  return framebuffer.read();
+  return over_tissue(session, overlay, {}, width, height);
 }
 
 const std::uint8_t* pixel(const Image& image, int x, int y) {
@@ -110,14 +118,7 @@ TEST_CASE("a grab's force is shown beside the color bar and inside the picture",
   Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
   scene.display.color = ColorBy::velocity;
   Session session(graphics, scene, false);
-  const auto drawn = [&](const std::vector<GrabMark>& grabs) {
-    Framebuffer framebuffer(kWidth, kHeight, 1);
-    std::vector<std::uint8_t> tissue;
-    for (int i = 0; i < kWidth * kHeight; ++i) tissue.insert(tissue.end(), kTissue, kTissue + 4);
-    framebuffer.replace(tissue.data());
-    overlay.draw_headless(session, framebuffer, false, std::nullopt, grabs);
-    return framebuffer.read();
-  };
+  const auto drawn = [&](const std::vector<GrabMark>& grabs) { return over_tissue(session, overlay, grabs); };
   const Image without = drawn({});
   const auto box = legend_box({0, 0, kWidth, kHeight}, session);
   REQUIRE(box);
@@ -158,4 +159,110 @@ TEST_CASE("a picture that is too small for a color bar has none", "[color_bar]")
   const std::size_t usual = covered(bar_over_tissue(Backdrop::gradient, 320, 240));
   CHECK(usual > 0);
   CHECK(usual < 320 * 240 / 5);
+}
+
+namespace {
+
+/// First and last column that is not tissue.
+std::array<int, 2> columns_of(const Image& image) {
+  std::array<int, 2> ends{image.width, -1};
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (!std::equal(kTissue, kTissue + 3, pixel(image, x, y))) ends = {std::min(ends[0], x), std::max(ends[1], x)};
+  return ends;
+}
+
+}  // namespace
+
+TEST_CASE("the legend is at either edge or off, with its plate or without", "[color_bar]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Overlay overlay(graphics);
+  Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
+  scene.display.color = ColorBy::velocity;
+  Session session(graphics, scene, false);
+  DisplaySettings display = scene.display;
+  const auto drawn = [&] {
+    session.set_display(display);
+    return over_tissue(session, overlay);
+  };
+  const std::array<int, 2> right = columns_of(drawn());
+  display.legend.side = LegendSide::left;
+  const std::array<int, 2> left = columns_of(drawn());
+  CAPTURE(right[0], right[1], left[0], left[1]);
+  CHECK(right[0] > kWidth / 2);
+  CHECK(left[0] == kWidth - 1 - right[1]);
+  CHECK(left[1] - left[0] == right[1] - right[0]);
+  const Margins margins = legend_margins(session, kWidth, kHeight, 1, 0);
+  CHECK(margins.right == 0);
+  CHECK(margins.legend_left > left[1]);
+
+  const std::size_t with_plate = covered(drawn());
+  display.legend.plate = false;
+  const std::size_t without = covered(drawn());
+  CHECK(without > 1000);
+  CHECK(without < 0.4 * static_cast<double>(with_plate));
+  display.legend.side = LegendSide::off;
+  CHECK(covered(drawn()) == 0);
+  CHECK(!legend_box({0, 0, kWidth, kHeight}, session));
+}
+
+TEST_CASE("the legend grows with its font", "[color_bar]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Overlay overlay(graphics);
+  Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
+  scene.display.color = ColorBy::velocity;
+  Session session(graphics, scene, false);
+  const auto size_with = [&](double font) {
+    DisplaySettings display = scene.display;
+    display.legend.font_size = font;
+    session.set_display(display);
+    over_tissue(session, overlay);
+    const auto box = legend_box({0, 0, kWidth, kHeight}, session);
+    REQUIRE(box);
+    return Eigen::Vector2f(box->right - box->left, box->bottom - box->top);
+  };
+  const Eigen::Vector2f usual = size_with(14.5), large = size_with(22), small = size_with(8);
+  CAPTURE(usual.transpose(), large.transpose(), small.transpose());
+  CHECK(large.x() / usual.x() == Approx(22 / 14.5).epsilon(0.06));  // texts have whole pixels
+  CHECK(large.y() / usual.y() == Approx(22 / 14.5).epsilon(0.06));
+  CHECK(small.x() / usual.x() == Approx(8 / 14.5).epsilon(0.06));
+}
+
+TEST_CASE("an arrow at an end of the bar shows that values lie beyond it", "[color_bar]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Overlay overlay(graphics);
+  Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
+  scene.display.color = ColorBy::velocity;
+  Session session(graphics, scene, false);
+  for (int i = 0; i < 4; ++i) session.simulation.step();
+  // Pixels between the title and the bar, and below the bar, in the colors of its ends.
+  const auto arrows_with = [&](double low, double high) {
+    DisplaySettings display = scene.display;
+    display.range = Eigen::Vector2d(low, high);
+    session.set_display(display);
+    session.settle_range();
+    const Image image = over_tissue(session, overlay);
+    const auto box = legend_box({0, 0, kWidth, kHeight}, session);
+    REQUIRE(box);
+    const auto count = [&](int begin, int end, float share) {
+      const Eigen::Vector3f color = color_maps::dusk(share);
+      int found = 0;
+      for (int y = begin; y < end; ++y)
+        for (int x = static_cast<int>(box->left); x < static_cast<int>(box->right); ++x) {
+          float off = 0;
+          for (int c = 0; c < 3; ++c) off = std::max(off, std::abs(pixel(image, x, y)[c] / 255.0f - color[c]));
+          found += off < 0.02f;
+        }
+      return found;
+    };
+    const int bar_top = static_cast<int>(box->top) + 10 + 30, bar_bottom = bar_top + 220;
+    return std::array{count(bar_bottom + 1, bar_bottom + 9, 0), count(bar_top - 9, bar_top - 1, 1)};
+  };
+  const auto none = arrows_with(-1, 10), above = arrows_with(-1, 1e-4), both = arrows_with(1e-5, 1e-4);
+  CAPTURE(none, above, both);
+  CHECK(none == std::array{0, 0});
+  CHECK(above[0] == 0);
+  CHECK(above[1] > 30);
+  CHECK(both[0] > 30);
+  CHECK(both[1] == above[1]);
 }

@@ -1,7 +1,8 @@
-// The automatic range of a heat map: it depends on the shown values, not on earlier pictures; the two sides of a
-// comparison share one.
+// The automatic range of a heat map: it depends on the shown values, not on earlier pictures, and a few large values do
+// not set it; the two sides of a comparison share one.
 // Covers: shown_look, sim/gpu/readback/shown_range
 #include <catch2/catch.hpp>
+#include <tuple>
 
 #include "app/compare/split_view.h"
 #include "app/session/shown_look.h"
@@ -35,7 +36,8 @@ void pull(Session& session, double stiffness) {
 TEST_CASE("a range is initially absent, grows at once and shrinks late", "[heat_range]") {
   std::optional<Eigen::Vector2f> range;
   const auto follows = [&](double low, double high, ColorBy color = ColorBy::displacement) {
-    follow_range({low, high}, color, range);
+    const double middle = quantity_of(color).neutral.value_or(0);
+    follow_range({low, high, std::max(middle - low, high - middle)}, color, false, range);
     return range;
   };
   CHECK_FALSE(follows(0, 0));
@@ -46,6 +48,53 @@ TEST_CASE("a range is initially absent, grows at once and shrinks late", "[heat_
   CHECK(follows(0, 0.19) == Eigen::Vector2f(0, 0.2f));
   range.reset();
   CHECK(follows(0.9, 1.3, ColorBy::volume_ratio) == Eigen::Vector2f(0.5f, 1.5f));
+}
+
+TEST_CASE("two percent of the values may lie beyond the range, but none by more than ten times", "[heat_range]") {
+  const auto range_of = [](const ShownValues& shown, ColorBy color) {
+    std::optional<Eigen::Vector2f> range;
+    follow_range(shown, color, false, range);
+    return range.value_or(Eigen::Vector2f(-1, -1));
+  };
+  CHECK(range_of({0, 900, 190}, ColorBy::von_mises) == Eigen::Vector2f(0, 200));
+  CHECK(range_of({0, 9000, 190}, ColorBy::von_mises) == Eigen::Vector2f(0, 1000));
+  CHECK(range_of({0, 4, 0}, ColorBy::velocity) == Eigen::Vector2f(0, 0.5f));
+  CHECK(range_of({-900, 40, 190}, ColorBy::smallest_stress) == Eigen::Vector2f(-200, 200));
+}
+
+TEST_CASE("the range of a video only grows", "[heat_range]") {
+  std::optional<Eigen::Vector2f> range;
+  std::vector<float> ends;
+  for (const double value : {0.0, 0.3, 0.01, 0.7, 0.02, 0.0}) {
+    follow_range({0, value, value}, ColorBy::displacement, true, range);
+    ends.push_back(range ? range->y() : 0);
+  }
+  CHECK(ends == std::vector<float>{0, 0.5f, 0.5f, 1, 1, 1});
+}
+
+TEST_CASE("values beyond the range are known, with an automatic and with a fixed one", "[heat_range]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Session session(graphics, cube(ColorBy::displacement), false);
+  pull(session, 50);
+  session.settle_range();
+  const State state = session.simulation.state();
+  double largest = 0;
+  for (const Eigen::Vector3d& u : state.displacement) largest = std::max(largest, u.norm());
+  CAPTURE(largest, session.look.range.y());
+  CHECK(session.beyond_range() == std::array{false, largest > session.look.range.y()});
+  DisplaySettings display = session.display();
+  for (const auto& [low, high, below, above] : {std::tuple(-1.0, 2 * largest, false, false),
+                                                {0.5 * largest, 2 * largest, true, false},
+                                                {0.1 * largest, 0.5 * largest, true, true}}) {
+    display.range = Eigen::Vector2d(low, high);
+    session.set_display(display);
+    session.settle_range();
+    CAPTURE(low, high);
+    CHECK(session.beyond_range() == std::array{below, above});
+  }
+  display.color = ColorBy::none;
+  session.set_display(display);
+  CHECK(session.beyond_range() == std::array{false, false});
 }
 
 TEST_CASE("pictures of one state have one range, regardless of earlier pictures", "[heat_range]") {

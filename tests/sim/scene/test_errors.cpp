@@ -84,10 +84,10 @@ TEST_CASE("an unknown key is named with the nearest known one, at every level") 
         "s.json: solver.iters: unknown key \"iters\", perhaps \"iterations\"; expected one of method, acceleration, "
         "iterations, tolerance, time_step, substeps, frame_budget, colors, spectral_radius, window, rest_speed");
   CHECK(top_error(R"("camera": {"eye": [0, 0, 1], "fov": 40})") ==
-        "s.json: camera.fov: unknown key \"fov\"; expected one of eye, target, up, fov_deg");
+        "s.json: camera.fov: unknown key \"fov\"; expected one of eye, target, up, fov_deg, keys, smooth");
   CHECK(top_error(R"("display": {"colour": "none"})") ==
         "s.json: display.colour: unknown key \"colour\", perhaps \"color\"; expected one of color, range, color_map, "
-        "wireframe, section, tets, shadow, ground, ambient_occlusion, depth_cue, background");
+        "wireframe, section, tets, shadow, ground, ambient_occlusion, depth_cue, background, marks, legend");
   CHECK(body_error(R"("fixd": [])") ==
         "s.json: bodies[0].fixd: unknown key \"fixd\", perhaps \"fixed\"; expected one of name, mesh, resolution, "
         "transform, materials, fixed, prescribed, initial_velocity, surface");
@@ -170,6 +170,20 @@ TEST_CASE("a wrong type reports the value found and the one expected") {
         "s.json: display.range: is [0]; expected a list of 2 numbers, the lower one first");
   CHECK(top_error(R"("display": {"range": [1, 1]})") ==
         "s.json: display.range: is [1,1]; expected a list of 2 numbers, the lower one first");
+  CHECK(top_error(R"("display": {"marks": "fixed"})") ==
+        "s.json: display.marks: is \"fixed\"; expected true, false, or a list of fixed, grabs, forces");
+  CHECK(top_error(R"("display": {"marks": ["grab"]})") ==
+        "s.json: display.marks[0]: is \"grab\", perhaps \"grabs\"; expected one of fixed, grabs, forces");
+  CHECK(top_error(R"("display": {"marks": ["fixed", "fixed"]})") ==
+        "s.json: display.marks[1]: is \"fixed\" again; expected each name once");
+  CHECK(top_error(R"("display": {"legend": "off"})") ==
+        "s.json: display.legend: is \"off\"; expected an object with side, font_size, plate");
+  CHECK(top_error(R"("display": {"legend": {"side": "top"}})") ==
+        "s.json: display.legend.side: is \"top\"; expected one of right, left, off");
+  CHECK(top_error(R"("display": {"legend": {"font_size": 3}})") ==
+        "s.json: display.legend.font_size: is 3; expected 6 to 60 points");
+  CHECK(top_error(R"("display": {"legend": {"plate": 0}})") ==
+        "s.json: display.legend.plate: is 0; expected true or false");
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": {}})") ==
         "s.json: bodies: is {}; expected a list of at least one body");
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": ["m.msh"]})") ==
@@ -236,6 +250,29 @@ TEST_CASE("cameras that see nothing") {
         "s.json: camera: eye and target are the same point; expected two different points");
   CHECK(top_error(R"("camera": {"eye": [0, 5, 0]})") ==
         "s.json: camera: up has no part across the view from eye to target; expected an up vector across the view");
+}
+
+TEST_CASE("keys of a camera that cannot be followed") {
+  const auto keys_error = [](const std::string& keys) { return top_error("\"camera\": {\"keys\": [" + keys + "]}"); };
+  const std::string list = "expected a list of keys, times ascending, such as {\"time\": 4, \"orbit_deg\": 360}";
+  CHECK(keys_error("") == "s.json: camera.keys: is []; " + list);
+  CHECK(top_error(R"("camera": {"keys": {"time": 1}})") == "s.json: camera.keys: is {\"time\":1}; " + list);
+  CHECK(keys_error(R"({"orbit_deg": 90})") == "s.json: camera.keys[0].time: is missing; expected seconds");
+  CHECK(keys_error(R"({"time": -1})") == "s.json: camera.keys[0].time: is -1; expected 0 to 1e+09 s");
+  CHECK(keys_error(R"({"time": 1}, {"time": 1})") ==
+        "s.json: camera.keys[1]: time is 1.0; expected a later time than that of the key before");
+  CHECK(keys_error(R"({"time": 0, "orbit": 90})") ==
+        "s.json: camera.keys[0].orbit: unknown key \"orbit\", perhaps \"orbit_deg\"; expected one of time, eye, "
+        "orbit_deg, elevation_deg, zoom, target, fov_deg");
+  CHECK(keys_error(R"({"time": 0, "elevation_deg": 90})") ==
+        "s.json: camera.keys[0].elevation_deg: is 90; expected -89 to 89 degrees");
+  CHECK(keys_error(R"({"time": 0, "zoom": 0})") == "s.json: camera.keys[0].zoom: is 0; expected 0.001 to 1000");
+  CHECK(keys_error(R"({"time": 0, "eye": [1, 0, 0], "zoom": 2})") ==
+        "s.json: camera.keys[0]: has eye and orbit_deg, elevation_deg or zoom; expected eye alone, or the others");
+  CHECK(keys_error(R"({"time": 0, "eye": [1, 0, 0], "target": [1, 0, 0]})") ==
+        "s.json: camera.keys[0]: eye and target are the same point; expected two different points");
+  CHECK(top_error(R"("camera": {"eye": [1, 0, 0], "smooth": false})") ==
+        "s.json: camera.smooth: has no keys to go through; expected camera.keys beside it");
 }
 
 TEST_CASE("methods, accelerations and material models that do not exist list those that do") {

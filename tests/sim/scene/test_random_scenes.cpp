@@ -134,6 +134,21 @@ Scene scene(Dice& dice, const std::filesystem::path& file) {
   scene.display.color = dice.one_of(all_colors());
   if (dice.chance()) scene.display.range = Eigen::Vector2d(dice.number(-1e30, -1e-30), dice.number(1e-30, 1e30));
   scene.display.wireframe = dice.chance();
+  visit_marks(scene.display.marks, [&](bool& kind, auto&&...) { kind = dice.chance(); });
+  scene.display.legend = {dice.one_of(all_legend_sides()), dice.number(6, 60), dice.chance()};
+  if (dice.chance()) {
+    scene.camera_motion.smooth = dice.chance();
+    for (const double time : {dice.number(0, 1), dice.number(2, 1e9)}) {
+      CameraKey& key = scene.camera_motion.keys.emplace_back();
+      key.time = time;
+      if (dice.chance()) key.target = dice.vector(1e6);
+      if (dice.chance()) key.fov_deg = dice.number(1, 170);
+      if (dice.chance()) key.eye = {dice.number(1e7, 1e8), 0, 0};
+      if (!key.eye && dice.chance()) key.orbit_deg = dice.number(-3600, 3600);
+      if (!key.eye && dice.chance()) key.elevation_deg = dice.number(-89, 89);
+      if (!key.eye && dice.chance()) key.zoom = dice.number(0.001, 1000);
+    }
+  }
   return scene;
 }
 

@@ -36,7 +36,8 @@ const char* const kFullScene = R"({
   "camera": {"eye": [0, 0.3, 1], "target": [0, 0.1, 0], "up": [0, 0, 1], "fov_deg": 35},
   "display": {"color": "von_mises", "range": [0, 2.5e4], "color_map": "ember", "wireframe": true,
               "section": {"normal": [0, 1, 1], "offset": -0.02}, "tets": {"shrink": 0.5, "spread": 0.25},
-              "shadow": false, "ground": false, "ambient_occlusion": 0.75, "depth_cue": 0.5, "background": "transparent"},
+              "shadow": false, "ground": false, "ambient_occlusion": 0.75, "depth_cue": 0.5, "background": "transparent",
+              "marks": ["fixed", "forces"], "legend": {"side": "left", "font_size": 20, "plate": false}},
   "duration": 2.5
 })";
 
@@ -81,7 +82,8 @@ TEST_CASE("every key of a scene is read") {
   CHECK(*scene.camera == CameraSettings{{0, 0.3, 1}, {0, 0.1, 0}, {0, 0, 1}, 35});
   CHECK(scene.display == DisplaySettings{ColorBy::von_mises, Eigen::Vector2d(0, 2.5e4), ColorMap::ember, true,
                                          SectionPlane{{0, 1, 1}, -0.02}, SeparateTets{0.5, 0.25}, false, false, 0.75,
-                                         0.5, Background::transparent});
+                                         0.5, Background::transparent, MarkSettings{true, false, true},
+                                         LegendSettings{LegendSide::left, 20, false}});
   REQUIRE(scene.bodies.size() == 2);
 
   const Body& body = scene.bodies[0];
@@ -249,7 +251,9 @@ TEST_CASE("a written scene is readable: lists of numbers on one line, no needles
     "ground": true,
     "ambient_occlusion": 0,
     "depth_cue": 0,
-    "background": "gradient"
+    "background": "gradient",
+    "marks": true,
+    "legend": {"side": "right", "font_size": 14.5, "plate": true}
   },
   "duration": 2
 }
@@ -309,6 +313,31 @@ TEST_CASE("a number of one law is written if the law reads it or it is no defaul
   CHECK(written(R"({"default": {"model": "neo_hookean", "mooney_ratio": 0.4}})"));
   CHECK(written(R"({"default": {"model": "mooney_rivlin"}})"));
   CHECK(written(R"({"default": {}, "2": {"mooney_ratio": 0.2}})"));
+}
+
+TEST_CASE("marks are all, none or some, also on the command line") {
+  const auto marks = [](const std::string& value) {
+    return SceneFile(scene_text()).open({"display.marks=" + value}).display.marks;
+  };
+  CHECK(SceneFile(scene_text()).open().display.marks == MarkSettings{true, true, true});
+  CHECK(marks("true") == MarkSettings{true, true, true});
+  CHECK(marks("false") == MarkSettings{false, false, false});
+  CHECK(marks("[]") == MarkSettings{false, false, false});
+  CHECK(marks(R"(["forces","fixed"])") == MarkSettings{true, false, true});
+}
+
+TEST_CASE("a camera that moves has a place or is framed on the bodies") {
+  const SceneFile file(scene_text("", R"("camera": {"keys": [{"time": 0}, {"time": 2, "orbit_deg": 90}]})"));
+  const Scene framed = file.open();
+  CHECK(!framed.camera);
+  REQUIRE(framed.camera_motion.keys.size() == 2);
+  CHECK(framed.camera_motion.keys[1].orbit_deg == 90.0);
+  CHECK(framed.camera_motion.smooth);
+  const Scene placed = file.open({"camera.eye=[0,1,2]", "camera.smooth=false", "camera.keys[1].time=3"});
+  REQUIRE(placed.camera);
+  CHECK(placed.camera->eye == Eigen::Vector3d(0, 1, 2));
+  CHECK(!placed.camera_motion.smooth);
+  CHECK(placed.camera_motion.keys[1].time == 3);
 }
 
 TEST_CASE("grabs of the command line are known as such") {

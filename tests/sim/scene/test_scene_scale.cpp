@@ -38,6 +38,8 @@ Scene cube_with_all_lengths() {
   scene.grabs = {led, pushed};
   scene.display.section = SectionPlane{{0, 0, 1}, 0.3};
   scene.camera = CameraSettings{};
+  scene.camera_motion.keys.resize(1);
+  scene.camera_motion.keys[0].eye = Vector3d(0, 1, 2);
   return scene;
 }
 
@@ -72,6 +74,7 @@ TEST_CASE("every length of a scene is scaled: bodies, motions, grabs, velocities
   }
   CHECK(after.display.section->offset == Approx(3e-4));
   CHECK(after.camera->eye == kFactor * before.camera->eye);
+  CHECK(*after.camera_motion.keys[0].eye == kFactor * Vector3d(0, 1, 2));
   CHECK(after.gravity == before.gravity);
 }
 

@@ -128,7 +128,7 @@ TEST_CASE("diagnostics include all pairs of tets and all vertices, for any numbe
     CHECK((got->momentum - expected.momentum).norm() < 1e-5 * expected.momentum.norm());
     CHECK((got->reaction - expected.fixed_reaction).norm() < 1e-5 * expected.fixed_reaction.norm());
     CHECK(got->max_det_f == Approx(expected.max_det_f).epsilon(1e-5));
-    CHECK(shown->y() == Approx(farthest).epsilon(1e-6));
+    CHECK(shown->largest == Approx(farthest).epsilon(1e-6));
   }
 }
 

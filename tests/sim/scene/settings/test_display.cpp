@@ -26,6 +26,7 @@ TEST_CASE("every value of an enumeration has a unique name and a help, in order"
   check_table(all_colors(), static_cast<std::size_t>(ColorBy::error) + 1);
   check_table(all_color_maps(), static_cast<std::size_t>(ColorMap::grey) + 1);
   check_table(all_backgrounds(), static_cast<std::size_t>(Background::transparent) + 1);
+  check_table(all_legend_sides(), static_cast<std::size_t>(LegendSide::off) + 1);
 }
 
 TEST_CASE("names are those of their values") {
@@ -75,5 +76,5 @@ TEST_CASE("every setting is visited once, with a unique key") {
     CHECK(*help != '\0');
     ++count;
   });
-  CHECK(count == 11);
+  CHECK(count == 13);
 }
