@@ -1,8 +1,11 @@
 #include "render/scene_renderer.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cassert>
 
 #include "render/passes/ambient_occlusion.h"
+#include "render/passes/edge_smoothing.h"
 #include "render/passes/ground.h"
 #include "render/passes/kept_stage.h"
 #include "render/passes/marks.h"
@@ -23,7 +26,6 @@ FrameUniforms frame_uniforms(const Camera& camera, const Look& look, int width, 
   frame.center << look.center.cast<float>(), float(look.radius);
   const double per_pixel = camera.pixel_size(camera.eye + camera.forward(), width, height);
   frame.picture << float(width), float(height), float(height) / 720, float(per_pixel);
-  for (int c = 0; c < 3; ++c) frame.base_color[c] = linear_of_srgb(look.color[c]);
   const Eigen::Vector2f ends = map_range(look);
   const float span = ends.y() - ends.x(), scale = span != 0 ? 1 / span : 0;
   const float first = (look.range.x() - ends.x()) * scale,
@@ -46,6 +48,15 @@ FrameUniforms frame_uniforms(const Camera& camera, const Look& look, int width, 
   return frame;
 }
 
+// Unit vector along the longest side of the box around these points.
+Eigen::Vector3f longest_side(std::span<const Eigen::Vector3d> points) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : points) box.extend(point);
+  Eigen::Index axis = 0;
+  if (!box.isEmpty()) box.sizes().maxCoeff(&axis);
+  return Eigen::Vector3f::Unit(axis);
+}
+
 }  // namespace
 
 struct SceneRenderer::Impl {
@@ -58,7 +69,17 @@ struct SceneRenderer::Impl {
         shadow(programs),
         ground(programs),
         marks(programs, marked),
-        frame("frame uniforms", sizeof(FrameUniforms)) {}
+        frame("frame uniforms", sizeof(FrameUniforms)),
+        fibers(longest_side(rest_positions)) {}
+
+  // The buffer with the paints of all regions, for a scene of this radius [m].
+  void upload_paints(double radius) {
+    std::vector<Eigen::Vector4f> vectors;
+    for (const TissuePaint& paint : paints)
+      for (const Eigen::Vector4f& vector : packed(paint, radius)) vectors.push_back(vector);
+    paint_buffer = gl::Buffer("paints", vectors);
+    paint_radius = radius;
+  }
 
   // Ambient occlusion in the size of the target, or null if the look has none.
   const AmbientOcclusion* ambient_occlusion(const Look& look, const Framebuffer& target) {
@@ -71,7 +92,7 @@ struct SceneRenderer::Impl {
   // beyond the plane is the winding number of the surface at the ray's point on the plane. Where that is inside, the
   // cut is drawn: in the color of the tets where there are tets, and of plain tissue where the surface is away from
   // them.
-  void draw_cut_within_surface(const Look& look, const gl::Buffer& positions) const {
+  void draw_cut_within_surface(const Look& look, const gl::Buffer& positions, GLuint paint_view) const {
     gl::Enable(GL_STENCIL_TEST);
     gl::StencilFunc(GL_ALWAYS, 0, 0xff);
     gl::StencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
@@ -85,7 +106,7 @@ struct SceneRenderer::Impl {
     gl::ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl::StencilFunc(GL_NOTEQUAL, 0, 0xff);
     gl::StencilOp(GL_KEEP, GL_KEEP, GL_ZERO);  // once per pixel
-    tets->draw_cap(look, positions);
+    tets->draw_cap(look, positions, paint_view);
     tets->draw_flesh(look);
     gl::Disable(GL_STENCIL_TEST);
   }
@@ -101,6 +122,11 @@ struct SceneRenderer::Impl {
   KeptStage kept_stage;
   Marks marks;
   gl::Buffer frame;
+  Eigen::Vector3f fibers;
+  std::vector<TissuePaint> paints{TissuePaint{}};
+  gl::Buffer paint_buffer;  // of several paints, for a scene of this radius
+  double paint_radius = 0;
+  std::optional<EdgeSmoothing> smoothing;  // while a look needs it
 };
 
 SceneRenderer::SceneRenderer(gl::ProgramCache& programs, std::span<const std::array<std::uint32_t, 3>> triangles,
@@ -118,6 +144,12 @@ void SceneRenderer::set_regions(std::span<const std::uint32_t> triangle_region) 
 }
 bool SceneRenderer::has_regions() const { return impl_->surface.has_regions(); }
 
+void SceneRenderer::set_paints(std::span<const TissuePaint> paints) {
+  assert(!paints.empty());
+  impl_->paints.assign(paints.begin(), paints.end());
+  impl_->paint_buffer = {};
+}
+
 void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const Look& asked,
                          std::span<const GrabArrow> grabs, const Framebuffer& target) {
   Impl& parts = *impl_;
@@ -134,7 +166,13 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
   if (!needs_tets) parts.tets.reset();
   if (needs_tets && !parts.tets) parts.tets.emplace(parts.programs, parts.tet_view);
 
-  const FrameUniforms frame = frame_uniforms(camera, look, target.width(), target.height());
+  FrameUniforms frame = frame_uniforms(camera, look, target.width(), target.height());
+  const auto first = packed(parts.paints.front(), look.radius);
+  std::copy(first.begin(), first.end(), frame.paint);
+  frame.fibers << parts.fibers, 0;
+  if (parts.paints.size() > 1 && (!parts.paint_buffer || parts.paint_radius != look.radius))
+    parts.upload_paints(look.radius);
+  const GLuint paints = parts.paint_buffer ? parts.paint_buffer.texel_view(GL_RGBA32F) : 0;
   parts.frame.upload(0, sizeof(frame), &frame);
   if (!look.tets) parts.surface.update(positions);
   gl::BindBufferBase(GL_UNIFORM_BUFFER, 0, parts.frame.id());
@@ -168,15 +206,15 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
   if (transparent) gl::ClearColor(0, 0, 0, 0);
   if (!has_stage) gl::Clear((transparent ? GL_COLOR_BUFFER_BIT : 0) | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   // From front to back, so that every pixel is shaded once: the fill rate limits software renderers.
-  if (look.shadow) parts.shadow.bind_depth(0);
+  if (look.shadow) parts.shadow.bind_depth(0, !look.quality.contact_shadow);
   if (look.tets)
-    parts.tets->draw_tets(look, positions);
+    parts.tets->draw_tets(look, positions, paints);
   else
-    clipped([&] { parts.surface.draw(look); });
+    clipped([&] { parts.surface.draw(look, parts.surface.has_regions() ? paints : 0); });
   if (cut_surface && parts.tet_view.within_surface)
-    parts.draw_cut_within_surface(look, positions);
+    parts.draw_cut_within_surface(look, positions, paints);
   else if (cut_surface)
-    parts.tets->draw_cap(look, positions);
+    parts.tets->draw_cap(look, positions, paints);
   if (ground) {
     if (!has_stage) parts.ground.draw_unshadowed(look);
     if (look.shadow) parts.shadow.bind_ground_light(0);
@@ -185,6 +223,12 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
   const AmbientOcclusion* occlusion = parts.ambient_occlusion(look, target);
   if (occlusion) occlusion->darken(camera, look, target);
   if (!transparent && !has_stage) parts.ground.draw_background(look);
+  // Pictures that are averaged from several are smooth already.
+  const bool smooths = look.quality.edge_smoothing && target.samples() == 1 && camera.jitter.isZero();
+  if (smooths && !(parts.smoothing && parts.smoothing->fits(target)))
+    parts.smoothing.emplace(parts.programs, target.width(), target.height());
+  if (!smooths) parts.smoothing.reset();
+  if (smooths) parts.smoothing->smooth(target);
   if (!look.tets) parts.marks.draw(look, positions, grabs);  // separate tets are not drawn at the vertices
 }
 

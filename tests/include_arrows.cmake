@@ -61,6 +61,8 @@ set(arrows
   "app/panels: base gl sim/material sim/replay render/view app/session app/state app/system app/ui"
   "app/session: base base/json gl sim/gpu/readback sim/grab sim/mesh sim/model sim/output sim/replay sim/scene sim/scene/settings sim/simulation sim/visual render render/context render/target render/view app/cli app/system app/ui"
   "app/state: shaders/shared sim/gpu/readback sim/grab sim/material sim/mesh sim/model sim/output sim/scene sim/simulation app/session app/ui app/video"
+  "app/session: base base/json gl sim/gpu/readback sim/grab sim/material sim/mesh sim/model sim/output sim/replay sim/scene sim/scene/settings sim/simulation sim/visual render render/context render/target render/view app/cli app/system app/ui"
+  "app/state: sim/gpu/readback sim/grab sim/material sim/mesh sim/model sim/output sim/scene sim/simulation app/session app/ui app/video"
   "app/stress: base sim/grab sim/mesh sim/mesh/io sim/model sim/replay sim/simulation app/bench app/system"
   "app/system: base"
   "app/ui: sim/output"

@@ -74,6 +74,7 @@ CheckRun::CheckRun(const CheckCase& check, const CheckOptions& options) : update
   made.options.context = options.context;
   made.options.loads = options.loads;
   made.options.kernels = options.kernels;
+  made.options.quality = options.quality;
   made.options.data_dir = options.data_dir;
   made.options.command_line = options.command_line;
   if (!options.out.empty())

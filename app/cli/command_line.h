@@ -23,6 +23,7 @@ void refuse_dashes(CLI::App& program);
 
 // Options of several commands.
 void add_size(CLI::App& command, int& width, int& height);
+void add_quality(CLI::App& command, CommonOptions& options);
 void add_graphics(CLI::App& command, CommonOptions& options);
 void add_common(CLI::App& command, CommonOptions& options);  // add_graphics(), and how to open and step a scene
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "sim/material/material.h"
+#include "sim/material/tissue_looks.h"
 #include "sim/scene/scene_write.h"
 #include "sim/scene/settings/solver_settings.h"
 
@@ -47,6 +48,8 @@ std::vector<SceneKey> scene_keys() {
   Scene scene;
   scene.bodies.resize(1);
   scene.bodies[0].surface = "surface.obj";
+  scene.bodies[0].material.look = &tissue_looks().front();
+  scene.bodies[0].material.color = {0, 0, 0};
   scene.camera.emplace();
   scene.display.range.emplace(0, 1);
   std::vector<SceneKey> keys;
@@ -67,6 +70,7 @@ std::vector<SceneKey> scene_keys() {
     if (key.name == "display.legend.side") key.values = names_of(all_legend_sides());
     if (key.name == "display.legend.plate") key.values = {"true", "false"};
     if (key.name == "materials.default.model") key.values = names_of(material_models());
+    if (key.name == "materials.default.look") key.values = look_names();
   }
   return keys;
 }

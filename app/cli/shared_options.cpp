@@ -59,6 +59,13 @@ void add_size(CLI::App& command, int& width, int& height) {
       ->default_str(std::to_string(width) + "x" + std::to_string(height));
 }
 
+void add_quality(CLI::App& command, CommonOptions& options) {
+  add_choice(command, "--quality", options.quality, {"auto", "full", "draft"},
+             "detail of tissue, soft shadows and smooth edges in pictures; auto: full, but draft in the frames of a "
+             "window on software renderers")
+      ->capture_default_str();
+}
+
 void add_graphics(CLI::App& command, CommonOptions& options) {
   add_choice(command, "--context", options.context, {"auto", "window", "egl", "osmesa"}, "where OpenGL comes from")
       ->capture_default_str();

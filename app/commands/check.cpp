@@ -216,6 +216,7 @@ void add_check(CLI::App& program, Invocation& invocation) {
       ->type_name("SECONDS")
       ->check(CLI::Range(1e-3, 1e7))
       ->capture_default_str();
+  add_quality(command, *options);
   add_graphics(command, *options);
   add_examples(
       command,

@@ -201,6 +201,7 @@ void add_render(CLI::App& program, Invocation& invocation) {
   std::vector<std::string> colors;
   for (const ColorBy color : all_colors()) colors.emplace_back(name_of(color));
   add_choice(command, "--color", options->color, colors, "what colors the tissue (scene key display.color)");
+  add_quality(command, *options);
   command.add_flag("--wireframe", options->wireframe, "draw the surface's edges");
   command
       .add_option("--split", options->split,

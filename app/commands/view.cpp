@@ -59,6 +59,7 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
                   "samples per pixel; the window takes as many of them as the renderer has")
       ->check(CLI::Range(1, kMostSamples))
       ->default_str("4, on software renderers 1");
+  add_quality(command, options);
   command
       .add_option("--export", options.export_path,
                   "the state when the window closes: .vtu, .csv, .msh or .obj; to standard output as CSV")

@@ -38,6 +38,9 @@ Graphics open_graphics(const CommonOptions& options, bool for_view, int width, i
   if (request.debug) gl::log_debug_messages([](const std::string& line) { std::cerr << "gl: " << line << '\n'; });
   graphics.programs = std::make_unique<gl::ProgramCache>(graphics.data_dir / "shaders", choose_loads(options.loads));
   graphics.programs->set_fusing(options.kernels != "single");
+  graphics.still = options.quality == "draft" ? kDraftQuality : kFullQuality;
+  const bool slow = for_view && gl::device().software && options.quality == "auto";
+  graphics.live = slow ? kDraftQuality : graphics.still;
   return graphics;
 }
 

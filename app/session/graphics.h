@@ -9,6 +9,7 @@
 #include "app/session/software_threads.h"
 #include "gl/program.h"
 #include "render/context/context.h"
+#include "render/view/quality.h"
 
 namespace fascia {
 
@@ -16,6 +17,7 @@ struct Graphics {
   std::filesystem::path data_dir;
   std::unique_ptr<Context> context;
   std::unique_ptr<gl::ProgramCache> programs;
+  Quality live, still;  // of pictures in a window's frames, and of all others
 };
 
 /// Creates the context that the options request. On software renderers the number of worker threads is set first

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
 
 #include "app/session/shown_look.h"
 
@@ -42,6 +43,7 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
       box_min_ = box_min_.cwiseMin(model.rest_positions[v]);
       box_max_ = box_max_.cwiseMax(model.rest_positions[v]);
     }
+  look.quality = graphics.live;
   look.center = 0.5 * (box_min_ + box_max_);
   look.radius = 0.5 * (box_max_ - box_min_).norm();
   lay_ground(box_min_.y());
@@ -83,11 +85,10 @@ void Session::set_display(const DisplaySettings& display) {
   simulation.gpu()->set_color(display.color);
   if (other_range) forget_range();
   show(display, look);
-  const bool by_region = display.color == ColorBy::region;
-  if ((by_region || display.section || display.tets) && !regions_)
+  if ((needs_regions() || display.section || display.tets) && !regions_)
     regions_ = drawn_regions(simulation.scene, simulation.model, surface_);
-  if (by_region != renderer_->has_regions())
-    renderer_->set_regions(by_region ? regions_->of_triangle : std::vector<std::uint32_t>());
+  if (needs_regions() != renderer_->has_regions())
+    renderer_->set_regions(needs_regions() ? regions_->of_triangle : std::vector<std::uint32_t>());
   if (display.section || display.tets)
     renderer_->set_tets({simulation.model.tets, regions_->of_tet, closed_around_tets(simulation.model)});
   if (display.color == ColorBy::error && true_error.result()) show_error();
@@ -153,10 +154,32 @@ void Session::show_grabbed() {
   grabbed_ = std::move(grabbed);
 }
 
+bool Session::needs_regions() const { return display().color == ColorBy::region || paints_.size() > 1; }
+
+// Materials may change between any two pictures: each region has the paint of its material.
+void Session::show_paints() {
+  const Model& model = simulation.model;
+  std::vector<TissuePaint> paints;
+  for (const Material& material : model.materials) paints.push_back(paint_of(material));
+  if (std::equal(paints.begin() + 1, paints.end(), paints.begin())) {
+    paints.resize(1);
+  } else {
+    if (!regions_) regions_ = drawn_regions(simulation.scene, model, surface_);
+    const std::vector<TissuePaint> of_material = std::exchange(paints, {});
+    for (const std::uint32_t tet : regions_->first_tet) paints.push_back(of_material[model.tet_material[tet]]);
+  }
+  if (paints == paints_) return;
+  paints_ = std::move(paints);
+  renderer_->set_paints(paints_);
+  if (needs_regions() != renderer_->has_regions())
+    renderer_->set_regions(needs_regions() ? regions_->of_triangle : std::vector<std::uint32_t>());
+}
+
 void Session::draw(Framebuffer& framebuffer, std::span<const GrabArrow> grabs, const gl::Buffer* positions) {
   GpuSolver& solver = *simulation.gpu();
   solver.publish();
   show_grabbed();
+  show_paints();
   framebuffer.bind();
   if (!display().marks.grabs) grabs = {};
   renderer_->draw(SurfaceView{positions ? positions : &solver.positions()}, camera, look, grabs, framebuffer);

@@ -71,6 +71,8 @@ class Session {
   void lay_ground(double below);  // [m] lowest point
   void show_error();
   void show_grabbed();
+  void show_paints();
+  bool needs_regions() const;  // of triangles
   void follow_range(Session* beside, bool now);
   std::optional<ShownValues> measure_shown(bool now);
 
@@ -81,6 +83,7 @@ class Session {
   std::optional<ShownValues> compared_;   // shown_ together with those of the session beside
   std::optional<Eigen::Vector2f> range_;  // follows compared_
   std::vector<std::uint32_t> grabbed_;    // vertices that the renderer shows as grabbed
+  std::vector<TissuePaint> paints_;       // that the renderer has
   Eigen::Vector3d box_min_, box_max_;     // of the bodies at rest [m]
   std::string description_;
 };

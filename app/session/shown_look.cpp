@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/material/tissue_looks.h"
+
 namespace fascia {
 namespace {
 
@@ -40,7 +42,34 @@ Backdrop backdrop_of(Background background) {
   }
 }
 
+Eigen::Vector3f vector_of(const SrgbColor& color) { return {color[0], color[1], color[2]}; }
+
 }  // namespace
+
+TissuePaint paint_of(const Material& material) {
+  const TissueLook& look = material.look ? *material.look : tissue_looks().front();
+  TissuePaint paint{.color = vector_of(look.color),
+                    .patches = vector_of(look.patches),
+                    .lines = vector_of(look.lines),
+                    .patch_size = look.patch_size,
+                    .patchiness = look.patchiness,
+                    .line_share = look.line_share,
+                    .stretch = look.stretch,
+                    .bumpiness = look.bumpiness,
+                    .wetness = look.wetness,
+                    .scattering = look.scattering};
+  if (!material.color) return paint;
+  const auto [red, green, blue] = *material.color;
+  const Eigen::Vector3f color = Eigen::Vector3d(red, green, blue).cast<float>();
+  // Patches and lines differ from the material's color as they differ from the look's.
+  constexpr float kDarkest = 0.02f;
+  const Eigen::Vector3f change = color.cwiseQuotient(paint.color.cwiseMax(kDarkest));
+  paint.patches = paint.patches.cwiseProduct(change).cwiseMin(1);
+  paint.lines = paint.lines.cwiseProduct(change).cwiseMin(1);
+  paint.color = color;
+  paint.over_corners = true;
+  return paint;
+}
 
 void show(const DisplaySettings& display, Look& look) {
   look.heat_map = is_heat_map(display.color);

@@ -33,7 +33,7 @@ void CaptureControl::finish() {
 
 void CaptureControl::screenshot() const {
   const std::filesystem::path path = dated_name(".png");
-  write_png(path, stage_.framebuffer->read(), stage_.provenance());
+  write_png(path, picture_.still(), stage_.provenance());
   stage_.messages.say(path.string());
 }
 

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/overlay/color_bar.h"
 #include "app/panels/panels.h"
@@ -77,6 +78,23 @@ void ScenePicture::draw_onto(Framebuffer& picture, bool panels) {
   stage_.session->camera = in_window;
   if (split) split->b().camera = in_window_b;
   overlay_.draw_onto(picture, panels);
+}
+
+Image ScenePicture::still() {
+  const Framebuffer& shown = *stage_.framebuffer;
+  Quality& quality = stage_.session->look.quality;
+  if (quality == graphics_.still) return shown.read();
+  constexpr int kSamples = 4;
+  Framebuffer picture(shown.width(), shown.height(), std::min(kSamples, samples_of_renderer()));
+  Session* const second = sides_.second();
+  const auto exchange = [&](const Quality& other) {
+    if (second) second->look.quality = other;
+    return std::exchange(quality, other);
+  };
+  const Quality live = exchange(graphics_.still);
+  draw_onto(picture, stage_.state.show_panels);
+  exchange(live);
+  return picture.read();
 }
 
 void ScenePicture::frame_bodies() {

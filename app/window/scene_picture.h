@@ -21,6 +21,8 @@ class ScenePicture {
   void draw();
   /// The same frame on a picture of another size, with or without the panels.
   void draw_onto(Framebuffer& canvas, bool panels);
+  /// The last frame with its panels, in the quality of still pictures.
+  Image still();
   void frame_bodies();  // places the camera so that the bodies are seen beside the panels
 
  private:

@@ -13,9 +13,17 @@ inline gl::Defines backdrop_defines(const Look& look) {
           {"BACKDROP_TRANSPARENT", flag(look.backdrop == Backdrop::transparent)}};
 }
 
-/// For surface.frag and the shaders before it. `triangles` per item of the region buffer. `colored`: corners have
-/// colors of their own, which are shown.
-gl::Defines tissue_defines(const Look& look, bool cap, int triangles, bool colored = false);
+/// What the drawn triangles have, beside the look.
+struct DrawnTriangles {
+  int triangles = 1;      // per item of the region buffer
+  bool cap = false;       // the cut of a section plane
+  bool colored = false;   // corners have colors of their own, which are shown
+  bool detailed = false;  // corners have rest positions
+  bool paints = false;    // regions have paints of their own
+};
+
+/// For surface.frag and the shaders before it.
+gl::Defines tissue_defines(const Look& look, const DrawnTriangles& drawn);
 /// The same for the depth map of the light.
 gl::Defines depth_defines(const Look& look);
 

@@ -22,16 +22,19 @@ Eigen::Vector4f vec4(const Vector3d& xyz, double w) {
   return {float(xyz.x()), float(xyz.y()), float(xyz.z()), float(w)};
 }
 
-gl::Defines ground_defines() {
-  return {{"GROUND_SIZE", std::to_string(ShadowMap::kGroundSize) + ".0"},
+}  // namespace
+
+gl::Defines ShadowMap::defines() {
+  constexpr double kFlatness = kHalfSide * kHalfSide / (kDepthReach * kDepthReach);
+  return {{"SHADOW_SIZE", std::to_string(kSize) + ".0"},
+          {"GROUND_SIZE", std::to_string(kGroundSize) + ".0"},
+          {"SHADOW_FLATNESS", std::to_string(kFlatness)},
           {"PENUMBRA", std::to_string(kLampSlope * kDepthReach / kHalfSide)}};
 }
 
-}  // namespace
-
 ShadowMap::ShadowMap(gl::ProgramCache& programs)
-    : cover_program_(programs.draw("draw/fullscreen.vert", "draw/ground_cover.frag", ground_defines())),
-      light_program_(programs.draw("draw/fullscreen.vert", "draw/ground_light.frag", ground_defines())),
+    : cover_program_(programs.draw("draw/fullscreen.vert", "draw/ground_cover.frag", defines())),
+      light_program_(programs.draw("draw/fullscreen.vert", "draw/ground_light.frag", defines())),
       depth_("shadow depth", GL_DEPTH_COMPONENT32F, kSize, kSize),
       ground_cover_("shadow cover of the ground", GL_RGBA8, kGroundSize, kGroundSize),
       ground_light_("shadow on the ground", GL_RGBA8, kGroundSize, kGroundSize),
@@ -101,9 +104,9 @@ void ShadowMap::draw(const std::function<void()>& draw_depth, bool ground) const
   gl::Enable(GL_DEPTH_TEST);
 }
 
-void ShadowMap::bind_depth(GLuint unit) const {
+void ShadowMap::bind_depth(GLuint unit, bool compared) const {
   gl::ActiveTexture(GL_TEXTURE0 + unit);
-  set_compare(depth_, GL_COMPARE_REF_TO_TEXTURE);
+  set_compare(depth_, compared ? GL_COMPARE_REF_TO_TEXTURE : GL_NONE);
 }
 
 void ShadowMap::bind_ground_light(GLuint unit) const {

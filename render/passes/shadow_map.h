@@ -24,8 +24,11 @@ class ShadowMap {
   static void aim(const Look& look, FrameUniforms& frame);
   /// Calls `draw_depth` to draw the shadow casters, then blurs their shadow on the ground if `ground` is set.
   void draw(const std::function<void()>& draw_depth, bool ground) const;
-  void bind_depth(GLuint unit) const;         // for sampler2DShadow
+  /// For sampler2DShadow, or if not `compared` for sampler2D.
+  void bind_depth(GLuint unit, bool compared) const;
   void bind_ground_light(GLuint unit) const;  // for sampler2D
+  /// Sizes of the maps and of the light, for programs that read the maps.
+  static gl::Defines defines();
 
  private:
   const gl::Program &cover_program_, &light_program_;

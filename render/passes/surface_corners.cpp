@@ -117,6 +117,8 @@ SurfaceCorners make_surface_corners(std::span<const std::array<std::uint32_t, 3>
       fan_of.push_back(first[place]);
       result.vertex.push_back(triangles[place / 3][place % 3]);
       if (!colors.empty()) result.colors.push_back(colors[place]);
+      if (!rest_positions.empty())
+        result.rest.push_back(rest_positions[result.vertex.back()].cast<float>().homogeneous());
     }
     result.indices.push_back(id);
   }

@@ -15,6 +15,7 @@ struct SurfaceCorners {
   std::vector<std::uint32_t> fan;  // [2 * 3 * triangle_count] the other two vertices of each triangle, in its winding
   std::vector<std::uint32_t> indices;  // [3 * triangle_count] the triangles by corner
   std::vector<std::uint32_t> colors;   // [corner_count] or empty
+  std::vector<Eigen::Vector4f> rest;   // [corner_count] rest position [m], w 1; or empty
 };
 
 /// `rest_positions` may be empty: then every vertex is one corner. `colors` [3 * triangle_count], of the triangles'

@@ -1,5 +1,8 @@
 #include "render/passes/surface_renderer.h"
 
+#include <array>
+#include <utility>
+
 #include "render/passes/look_defines.h"
 
 namespace fascia {
@@ -18,7 +21,7 @@ std::vector<Eigen::Vector4f> linear_colors(const std::vector<std::uint32_t>& col
 
 }  // namespace
 
-SurfaceRenderer::SurfaceRenderer(gl::ProgramCache& programs, const SurfaceCorners& corners)
+SurfaceRenderer::SurfaceRenderer(gl::ProgramCache& programs, SurfaceCorners corners)
     : programs_(programs),
       normals_(programs.compute("draw/normals.comp")),
       corner_vertex_("surface corner_vertex", corners.vertex),
@@ -29,12 +32,27 @@ SurfaceRenderer::SurfaceRenderer(gl::ProgramCache& programs, const SurfaceCorner
       normal_("surface corner_normal", corners.vertex.size() * 16),
       corner_count_(static_cast<std::uint32_t>(corners.vertex.size())),
       index_count_(static_cast<GLsizei>(corners.indices.size())) {
-  vertices_.set_vec4(0, position_);
-  vertices_.set_vec4(1, normal_);
-  vertices_.set_indices(indices_);
-  if (corners.colors.empty()) return;
-  color_ = gl::Buffer("surface corner_color", linear_colors(corners.colors));
-  vertices_.set_vec4(2, color_);
+  rest_ = std::move(corners.rest);
+  if (!corners.colors.empty()) color_ = gl::Buffer("surface corner_color", linear_colors(corners.colors));
+  fill(vertices_);
+}
+
+void SurfaceRenderer::fill(const VertexArray& vertices) const {
+  vertices.set_vec4(0, position_);
+  vertices.set_vec4(1, normal_);
+  if (color_) vertices.set_vec4(2, color_);
+  vertices.set_indices(indices_);
+}
+
+// Whether there are rest positions, which the first detailed picture uploads.
+bool SurfaceRenderer::provide_rest() {
+  if (!rest_.empty()) {
+    rest_buffer_ = gl::Buffer("surface corner_rest", rest_);
+    rest_ = {};
+    fill(detailed_vertices_);
+    detailed_vertices_.set_vec4(3, rest_buffer_);
+  }
+  return static_cast<bool>(rest_buffer_);
 }
 
 void SurfaceRenderer::update(const gl::Buffer& positions) {
@@ -67,33 +85,43 @@ void SurfaceRenderer::draw_bare(const Look& look) const {
   Look bare;
   bare.shadow = false;
   bare.section = look.section;
-  programs_.draw("draw/surface.vert", "draw/depth.frag", tissue_defines(bare, false, 1)).use();
+  programs_.draw("draw/surface.vert", "draw/depth.frag", tissue_defines(bare, {})).use();
   vertices_.bind();
   gl::DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }
 
-void SurfaceRenderer::draw(const Look& look) const {
-  const bool colored = color_ && !look.heat_map && !look.regions;
-  const GLuint regions = look.regions ? regions_.texel_view(GL_R32UI) : 0,
-               colors = look.wireframe && colored ? color_.texel_view(GL_RGBA32F) : 0;
-  programs_.draw("draw/surface.vert", "draw/surface.frag", tissue_defines(look, false, 1, colored)).use();
-  const auto bind = [](GLuint unit, GLuint view) {
-    gl::ActiveTexture(GL_TEXTURE0 + unit);
-    gl::BindTexture(GL_TEXTURE_BUFFER, view);
-  };
-  if (!look.wireframe) {
-    if (look.regions) bind(4, regions);
-    vertices_.bind();
-    gl::DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
-    return;
-  }
+void SurfaceRenderer::draw(const Look& look, GLuint paints) {
+  const bool plain = !look.heat_map && !look.regions, colored = color_ && plain,
+             detailed = plain && look.quality.detail && provide_rest(),
+             by_region = look.regions || (plain && paints != 0);
+  DrawnTriangles drawn;
+  drawn.colored = colored;
+  drawn.detailed = detailed;
+  drawn.paints = paints != 0;
   // All views are created before any is bound, because creating one binds it to the active unit.
-  const GLuint views[] = {indices_.texel_view(GL_R32UI), position_.texel_view(GL_RGBA32F),
-                          normal_.texel_view(GL_RGBA32F)};
-  for (GLuint i = 0; i < 3; ++i) bind(1 + i, views[i]);
-  if (look.regions || colored) bind(4, look.regions ? regions : colors);
-  no_vertices_.bind();
-  gl::DrawArrays(GL_TRIANGLES, 0, index_count_);
+  std::array<GLuint, 8> views{};  // by texture unit
+  if (by_region) views[4] = regions_.texel_view(GL_R32UI);
+  if (plain) views[7] = paints;
+  if (look.wireframe) {
+    views[1] = indices_.texel_view(GL_R32UI);
+    views[2] = position_.texel_view(GL_RGBA32F);
+    views[3] = normal_.texel_view(GL_RGBA32F);
+    if (colored) views[5] = color_.texel_view(GL_RGBA32F);
+    if (detailed) views[6] = rest_buffer_.texel_view(GL_RGBA32F);
+  }
+  for (GLuint unit = 0; unit < views.size(); ++unit) {
+    if (views[unit] == 0) continue;
+    gl::ActiveTexture(GL_TEXTURE0 + unit);
+    gl::BindTexture(GL_TEXTURE_BUFFER, views[unit]);
+  }
+  programs_.draw("draw/surface.vert", "draw/surface.frag", tissue_defines(look, drawn)).use();
+  if (look.wireframe) {
+    no_vertices_.bind();
+    gl::DrawArrays(GL_TRIANGLES, 0, index_count_);
+  } else {
+    (detailed ? detailed_vertices_ : vertices_).bind();
+    gl::DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+  }
 }
 
 }  // namespace fascia

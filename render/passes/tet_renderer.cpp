@@ -15,7 +15,7 @@ TetRenderer::TetRenderer(gl::ProgramCache& programs, const TetView& view)
       region_("drawn regions", view.region.size_bytes(), view.region.data()),
       tet_count_(static_cast<GLsizei>(view.tets.size())) {}
 
-void TetRenderer::draw(const gl::Program& program, const gl::Buffer& positions, GLsizei vertices) const {
+void TetRenderer::draw(const gl::Program& program, const gl::Buffer& positions, GLsizei vertices, GLuint paints) const {
   program.use();
   const GLuint views[] = {tets_.texel_view(GL_RGBA32UI), positions.texel_view(GL_RGBA32F), 0,
                           region_.texel_view(GL_R32UI)};
@@ -23,26 +23,39 @@ void TetRenderer::draw(const gl::Program& program, const gl::Buffer& positions, 
     gl::ActiveTexture(GL_TEXTURE1 + i);
     gl::BindTexture(GL_TEXTURE_BUFFER, views[i]);
   }
+  if (paints != 0) {
+    gl::ActiveTexture(GL_TEXTURE7);
+    gl::BindTexture(GL_TEXTURE_BUFFER, paints);
+  }
   no_vertices_.bind();
   gl::DrawArrays(GL_TRIANGLES, 0, vertices);
 }
 
-void TetRenderer::draw_cap(const Look& look, const gl::Buffer& positions) const {
-  draw(programs_.draw("draw/cap.vert", "draw/surface.frag", tissue_defines(look, true, kCapTriangles)), positions,
-       3 * kCapTriangles * tet_count_);
+void TetRenderer::draw_cap(const Look& look, const gl::Buffer& positions, GLuint paints) const {
+  DrawnTriangles drawn;
+  drawn.triangles = kCapTriangles;
+  drawn.cap = true;
+  drawn.paints = paints != 0;
+  draw(programs_.draw("draw/cap.vert", "draw/surface.frag", tissue_defines(look, drawn)), positions,
+       3 * kCapTriangles * tet_count_, paints);
 }
 
 void TetRenderer::draw_flesh(const Look& look) const {
   Look plain = look;
   plain.heat_map = plain.regions = plain.wireframe = false;
-  programs_.draw("draw/section_plane.vert", "draw/surface.frag", tissue_defines(plain, true, 1)).use();
+  DrawnTriangles drawn;
+  drawn.cap = true;
+  programs_.draw("draw/section_plane.vert", "draw/surface.frag", tissue_defines(plain, drawn)).use();
   no_vertices_.bind();
   gl::DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void TetRenderer::draw_tets(const Look& look, const gl::Buffer& positions) const {
-  draw(programs_.draw("draw/tets.vert", "draw/surface.frag", tissue_defines(look, false, kFaces)), positions,
-       3 * kFaces * tet_count_);
+void TetRenderer::draw_tets(const Look& look, const gl::Buffer& positions, GLuint paints) const {
+  DrawnTriangles drawn;
+  drawn.triangles = kFaces;
+  drawn.paints = paints != 0;
+  draw(programs_.draw("draw/tets.vert", "draw/surface.frag", tissue_defines(look, drawn)), positions,
+       3 * kFaces * tet_count_, paints);
 }
 
 void TetRenderer::draw_depth(const Look& look, const gl::Buffer& positions) const {

@@ -21,14 +21,15 @@ struct TetView {
 class TetRenderer {
  public:
   TetRenderer(gl::ProgramCache& programs, const TetView& view);
-  void draw_cap(const Look& look, const gl::Buffer& positions) const;
+  /// `paints` of the regions: their texel view, 0 for one paint.
+  void draw_cap(const Look& look, const gl::Buffer& positions, GLuint paints) const;
   void draw_flesh(const Look& look) const;  // the whole section plane, as the inside of tissue without tets
   /// The shadow map, if any, must be bound to texture unit 0.
-  void draw_tets(const Look& look, const gl::Buffer& positions) const;
+  void draw_tets(const Look& look, const gl::Buffer& positions, GLuint paints) const;
   void draw_depth(const Look& look, const gl::Buffer& positions) const;  // of separate tets
 
  private:
-  void draw(const gl::Program& program, const gl::Buffer& positions, GLsizei vertices) const;
+  void draw(const gl::Program& program, const gl::Buffer& positions, GLsizei vertices, GLuint paints = 0) const;
   gl::ProgramCache& programs_;
   gl::Buffer tets_, region_;
   GLsizei tet_count_;

@@ -6,6 +6,7 @@
 
 #include "base/ray.h"
 #include "render/view/color_map.h"
+#include "render/view/quality.h"
 
 namespace fascia {
 
@@ -20,11 +21,10 @@ struct TetSpread {
 struct Look {
   bool wireframe = false;
   bool heat_map = false;  // color by position.w over `range`
-  bool regions = false;   // color by region; otherwise by `color`
+  bool regions = false;   // color by region; otherwise by the tissues' paints
   Eigen::Vector2f range{0, 1};
   const ColorMapCurve* color_map = &color_maps::dusk;
   std::optional<float> neutral;  // the scalar in the middle of the map, which then extends equally far to both sides
-  Eigen::Vector3f color{0.80f, 0.34f, 0.29f};  // tissue, sRGB
   bool shadow = true, ground = true;
   bool fixed_dots = true;       // on fixed vertices
   float ambient_occlusion = 0;  // strength, 0 to 1
@@ -36,6 +36,7 @@ struct Look {
   Eigen::Vector3d center{0, 0, 0};  // of the scene at rest [m]
   double radius = 1;                // of the scene at rest [m]: sets light, shadow and grid scale
   Eigen::Vector3d up{0, 1, 0};
+  Quality quality;
 };
 
 /// Scalars at the two ends of the color map: `range`, or with a neutral scalar the interval that extends equally far to

@@ -6,7 +6,10 @@ layout(binding = 1) uniform usamplerBuffer indices;
 layout(binding = 2) uniform samplerBuffer corner_position;
 layout(binding = 3) uniform samplerBuffer corner_normal;
 #if BASE_COLOR
-layout(binding = 4) uniform samplerBuffer corner_color;
+layout(binding = 5) uniform samplerBuffer corner_color;
+#endif
+#if DETAIL
+layout(binding = 6) uniform samplerBuffer corner_rest;
 #endif
 #else
 layout(location = 0) in vec4 position;
@@ -14,6 +17,9 @@ layout(location = 0) in vec4 position;
 layout(location = 1) in vec4 normal;
 #if BASE_COLOR
 layout(location = 2) in vec4 color;
+#endif
+#if DETAIL
+layout(location = 3) in vec4 rest_position;
 #endif
 #endif
 #endif
@@ -30,6 +36,9 @@ void main() {
 #if BASE_COLOR
   vec4 color = texelFetch(corner_color, corner);
 #endif
+#if DETAIL
+  vec4 rest_position = texelFetch(corner_rest, corner);
+#endif
   barycentric = vec3(gl_VertexID % 3 == 0, gl_VertexID % 3 == 1, gl_VertexID % 3 == 2);
 #endif
 #if DEPTH_ONLY
@@ -38,6 +47,9 @@ void main() {
   hand_on(position, normal.xyz);
 #if BASE_COLOR
   own_color = color;
+#endif
+#if DETAIL
+  rest = rest_position.xyz;
 #endif
 #endif
 #if SECTION

@@ -8,6 +8,9 @@ out float heat;
 #if SHADOW
 out vec3 shadow_position;
 #endif
+#if DETAIL
+out vec3 rest, place;
+#endif
 #if WIREFRAME
 out vec3 barycentric;
 #endif
@@ -21,6 +24,9 @@ void hand_on(vec4 position, vec3 normal) {
   gl_Position = to_clip(position.xyz);
   to_eye = normalize(frame.eye.xyz - position.xyz);
   surface_normal = normal;
+#if DETAIL
+  place = position.xyz;
+#endif
 #if HEAT_MAP
   heat = (position.w - frame.heat_range.x) * frame.heat_range.y;
 #endif

@@ -12,7 +12,8 @@ vec4 ground_u;         // step of the same to (1, 0)
 vec4 ground_v;         // step of the same to (0, 1)
 vec4 grid_x;           // xyz: unit vector along the ground; w: spacing of the fine grid lines [m]
 vec4 grid_z;           // xyz: across it; w: strong lines per fine line
-vec4 base_color;       // rgb of the surface, linear
+vec4 paint[5];         // of the tissue, if there is one only: draw/paint.glsl
+vec4 fibers;           // xyz: unit vector along the longest side of the rest shape
 vec4 heat_range;       // scalar at 0 of the color map, 1 / (scalar at 1 - it); place of the range's ends in the map
 vec4 color_map[7];     // rgb: coefficients of t^0 to t^6, sRGB
 vec4 region_color[8];  // rgb, linear

@@ -1,5 +1,6 @@
 // Isotropic tissue material: the parameters that a user sets, and the constants that follow.
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,8 @@ std::optional<MaterialModel> find_material_model(std::string_view name);
 /// Above this value linear tets are visibly too stiff on any affordable mesh.
 inline constexpr double kLockingPoissonRatio = 0.45;
 
+struct TissueLook;
+
 struct Material {
   double young_modulus = 1e5;  // E [Pa]
   double poisson_ratio = 0.3;  // nu [-], -0.9 to 0.499
@@ -32,6 +35,9 @@ struct Material {
   double damping = 0;          // ratio of viscosity to stiffness [s] (Kelvin-Voigt: S = D (eps + damping * d eps/dt))
   MaterialModel model = MaterialModel::signed_st_venant_kirchhoff;
   double mooney_ratio = 0.2;  // for mooney_rivlin only: C01 / (C10 + C01) [-]
+  // In pictures:
+  const TissueLook* look = nullptr;                           // a row of tissue_looks(); null: the first one
+  std::optional<std::array<double, 3>> color = std::nullopt;  // sRGB, 0 to 1; absent: that of the look
 
   double lame_lambda() const { return young_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio)); }
   double lame_mu() const { return young_modulus / (2 * (1 + poisson_ratio)); }

@@ -14,6 +14,7 @@ namespace fascia {
 struct Tissue {
   const char* name;      // "liver", as in scene files
   const char* label;     // as displayed: "Liver"
+  const char* look;      // TissueLook::name
   double young_modulus;  // [Pa] at small strain
   double poisson_ratio;  // [-] 0.45 where the tissue is nearly incompressible: 0.49 would be physical, but locks linear
                          // tets
@@ -27,9 +28,9 @@ const std::vector<Tissue>& tissues();              // by organ, soft ones first
 const Tissue* find_tissue(std::string_view name);  // null if there is no such tissue
 std::vector<std::string> tissue_names();
 
-/// Modulus, Poisson's ratio and density are set to the tissue's; damping and model stay unchanged.
+/// Modulus, Poisson's ratio, density and look are set to the tissue's; damping, model and color stay unchanged.
 void apply(const Tissue& tissue, Material& material);
-/// The tissue whose values a material has; null for custom values.
+/// The tissue whose modulus, Poisson's ratio and density a material has; null for custom values.
 const Tissue* tissue_of(const Material& material);
 /// Information for a user before use: range, conditions, note on Poisson's ratio, source. Several lines.
 std::string about(const Tissue& tissue);

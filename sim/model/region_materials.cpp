@@ -15,6 +15,8 @@ Material with_override(Material material, const MaterialOverride& values) {
   std::size_t next = 0;
   visit_material(material, [&](double& field, auto&&...) { field = given[next++].value_or(field); });
   material.model = values.model.value_or(material.model);
+  if (values.look) material.look = values.look;
+  if (values.color) material.color = values.color;
   return material;
 }
 
@@ -25,6 +27,8 @@ MaterialOverride override_with(const Material& material) {
   std::size_t next = 0;
   visit_material(values, [&](auto& field, auto&&...) { field = numbers[next++]; });
   values.model = material.model;
+  values.look = material.look;
+  values.color = material.color;
   return values;
 }
 

@@ -49,6 +49,8 @@ struct MaterialOverride {
   std::optional<double> young_modulus, poisson_ratio, density, damping;
   std::optional<MaterialModel> model;
   std::optional<double> mooney_ratio = std::nullopt;
+  const TissueLook* look = nullptr;
+  std::optional<std::array<double, 3>> color = std::nullopt;
   bool operator==(const MaterialOverride&) const = default;
 };
 

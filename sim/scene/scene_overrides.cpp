@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/json/json_document.h"
 #include "base/suggest.h"
+#include "sim/material/tissue_looks.h"
 #include "sim/scene/grab_text.h"
 #include "sim/scene/scene.h"
 #include "sim/surface/surface_fill.h"
@@ -37,6 +38,8 @@ const json& template_document() {
     body.fixed.emplace_back(LowestSelection{0.02});
     body.prescribed.emplace_back().select = LowestSelection{0.02};
     body.surface = "surface.obj";
+    body.material.look = &tissue_looks().front();
+    body.material.color = {0, 0, 0};
     scene.grabs.emplace_back().radius = 0.01;
     body.resolution = kFewestCells;
     return parse_json(scene_to_json(scene, ""), "template");
@@ -154,7 +157,7 @@ void clear_preset_values(json& document, const std::vector<std::string>& segment
     material = &(material->is_array() ? (*material)[*index_of(segments[s])] : (*material)[segments[s]]);
   const std::string& path = origin.overrides.back().path;
   const std::string parent = path.substr(0, path.rfind('.'));
-  for (const char* key : {"young_modulus", "poisson_ratio", "density"}) {
+  for (const char* key : {"young_modulus", "poisson_ratio", "density", "look"}) {
     const bool asked =
         std::any_of(origin.overrides.begin(), origin.overrides.end(),
                     [&](const DocumentOrigin::Override& o) { return o.path == path_of_key(parent, key); });

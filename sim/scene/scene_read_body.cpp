@@ -4,6 +4,7 @@
 
 #include "base/json/json_document.h"
 #include "base/suggest.h"
+#include "sim/material/tissue_looks.h"
 #include "sim/material/tissues.h"
 #include "sim/scene/scene_read.h"
 #include "sim/surface/surface_fill.h"
@@ -25,6 +26,19 @@ MaterialModel read_model(const Node& node) {
   return *model;
 }
 
+const TissueLook& read_look(const Node& node) {
+  const std::string expected = "a look that exists: " + join(look_names());
+  const std::string name = node.text(expected);
+  const TissueLook* look = find_look(name);
+  if (!look) node.fail("is " + excerpt(name) + perhaps(name, look_names()), expected);
+  return *look;
+}
+
+std::array<double, 3> read_color(const Node& node) {
+  const Eigen::Vector3d color = node.vector(0, 1, "");
+  return {color.x(), color.y(), color.z()};
+}
+
 const Tissue& read_preset(const Node& node) {
   std::string listed;
   for (const std::string& name : tissue_names()) listed += (listed.empty() ? "" : ", ") + name;
@@ -41,17 +55,21 @@ template <class M>
 void read_material(const Node& node, M& material) {
   std::vector<std::string> known = {"model", "preset"};
   visit_material(material, [&](auto&, const char* name, auto&&...) { known.push_back(name); });
+  known.insert(known.end(), {"look", "color"});
   node.expect_object(known);
   if (const auto preset = node.find("preset")) {
     const Tissue& tissue = read_preset(*preset);
     material.young_modulus = tissue.young_modulus;
     material.poisson_ratio = tissue.poisson_ratio;
     material.density = tissue.density;
+    material.look = find_look(tissue.look);
   }
   visit_material(material, [&](auto& field, const char* name, const char* unit, double min, double max, auto&&...) {
     if (const auto value = node.find(name)) field = value->number(min, max, unit);
   });
   if (const auto model = node.find("model")) material.model = read_model(*model);
+  if (const auto look = node.find("look")) material.look = &read_look(*look);
+  if (const auto color = node.find("color")) material.color = read_color(*color);
 }
 
 void read_materials(const Node& node, Body& body) {

@@ -7,6 +7,7 @@
 #include "base/byte_hash.h"
 #include "base/byte_text.h"
 #include "sim/material/law.h"
+#include "sim/material/tissue_looks.h"
 #include "sim/scene/scene_paths.h"
 
 namespace fascia {
@@ -58,6 +59,11 @@ OrderedJson material(const M& material) {
     ++i;
   });
   if (const std::optional<MaterialModel> model = material.model) object["model"] = name_of(*model);
+  if (material.look) object["look"] = material.look->name;
+  if (material.color) {
+    const auto [red, green, blue] = *material.color;
+    object["color"] = {number(red), number(green), number(blue)};
+  }
   return object;
 }
 

@@ -16,6 +16,8 @@ void follow(MaterialOverride& values, const Material& now, const Material& fallb
     ++i;
   });
   if (values.model || now.model != fallback.model) values.model = now.model;
+  if (values.look || now.look != fallback.look) values.look = now.look;
+  if (values.color || now.color != fallback.color) values.color = now.color;
 }
 
 }  // namespace

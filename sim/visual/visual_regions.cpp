@@ -67,6 +67,8 @@ VisualRegions drawn_regions(const Scene& scene, const Model& model, const Visual
     regions.names.push_back(scene.bodies.size() > 1 ? model.bodies[key.first].name + ": " + own : own);
   }
   for (const auto& key : keys) regions.of_tet.push_back(numbers[key]);
+  regions.first_tet.resize(regions.names.size());
+  for (std::size_t t = keys.size(); t-- > 0;) regions.first_tet[regions.of_tet[t]] = static_cast<std::uint32_t>(t);
   number_triangles(model, surface, regions);
   return regions;
 }

@@ -10,6 +10,7 @@ namespace fascia {
 
 struct VisualRegions {
   std::vector<std::string> names;          // "tumour", "region 2"; with several bodies "liver: tumour"
+  std::vector<std::uint32_t> first_tet;    // [names] one of its tets
   std::vector<std::uint32_t> of_tet;       // [Model::tets] index into names
   std::vector<std::uint32_t> of_triangle;  // [VisualSurface::triangles]
 };

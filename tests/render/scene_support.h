@@ -94,6 +94,8 @@ struct Scene {
   std::vector<std::uint32_t> tet_region, triangle_region;
   bool within_surface = false;        // as TetView's
   std::vector<std::uint32_t> colors;  // of the triangles' corners
+  std::vector<TissuePaint> paints{TissuePaint{}};
+  std::vector<Eigen::Vector3d> rest;  // positions at rest; empty: those of the shape
   std::optional<GrabArrow> grab;
   bool creases = true;
   int width = 320, height = 240, samples = 1;
@@ -109,9 +111,10 @@ struct Scene {
 
   Image draw(gl::LoadPath path = gl::LoadPath::texel) const {
     gl::ProgramCache programs(source_dir() / "shaders", path);
-    SceneRenderer renderer(
-        programs, shape.triangles, static_cast<std::uint32_t>(shape.positions.size()), marked,
-        creases ? std::span<const Eigen::Vector3d>(shape.positions) : std::span<const Eigen::Vector3d>(), colors);
+    const std::span<const Eigen::Vector3d> at_rest = rest.empty() ? shape.positions : rest;
+    SceneRenderer renderer(programs, shape.triangles, static_cast<std::uint32_t>(shape.positions.size()), marked,
+                           creases ? at_rest : std::span<const Eigen::Vector3d>(), colors);
+    renderer.set_paints(paints);
     renderer.set_grabbed(grabbed);
     renderer.set_tets({tets, tet_region, within_surface});
     renderer.set_regions(triangle_region);

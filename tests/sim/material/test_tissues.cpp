@@ -4,6 +4,7 @@
 #include <set>
 #include <sstream>
 
+#include "sim/material/tissue_looks.h"
 #include "sim/material/tissues.h"
 #include "tests/sim/scene/scene_test.h"
 
@@ -40,6 +41,8 @@ TEST_CASE("every tissue has values that a scene permits, a range around them and
     CHECK(about(tissue).find(tissue.source) != std::string::npos);
     REQUIRE(tissue_of(material));
     CHECK(tissue_of(material)->young_modulus == tissue.young_modulus);
+    REQUIRE(material.look);
+    CHECK(material.look->name == std::string(tissue.look));
   }
   CHECK(find_tissue("Liver") == nullptr);
   CHECK(tissue_of(Material{}) == nullptr);

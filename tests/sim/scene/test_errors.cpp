@@ -97,10 +97,10 @@ TEST_CASE("an unknown key is named with the nearest known one, at every level") 
   CHECK(
       body_error(R"("materials": {"default": {"youngs_modulus": 1}})") ==
       "s.json: bodies[0].materials.default.youngs_modulus: unknown key \"youngs_modulus\", perhaps \"young_modulus\"; "
-      "expected one of model, preset, young_modulus, poisson_ratio, density, damping, mooney_ratio");
+      "expected one of model, preset, young_modulus, poisson_ratio, density, damping, mooney_ratio, look, color");
   CHECK(body_error(R"("materials": {"7": {"E": 1}})") ==
         "s.json: bodies[0].materials.7.E: unknown key \"E\"; expected one of model, preset, young_modulus, "
-        "poisson_ratio, density, damping, mooney_ratio");
+        "poisson_ratio, density, damping, mooney_ratio, look, color");
   CHECK(body_error(R"("fixed": [{"boxx": 1}])") ==
         "s.json: bodies[0].fixed[0].boxx: unknown key \"boxx\", perhaps \"box\"; expected one of box, sphere, "
         "vertices, group, lowest");

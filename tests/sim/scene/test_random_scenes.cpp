@@ -1,7 +1,9 @@
 // Random scenes with all valid values: written and read back they are the same, to the bit.
+#include <array>
 #include <cstring>
 #include <random>
 
+#include "sim/material/tissue_looks.h"
 #include "sim/scene/scene_write.h"
 #include "tests/sim/scene/scene_test.h"
 
@@ -84,6 +86,10 @@ Body body(Dice& dice, Method method) {
     value = dice.number(least, most);
   });
   body.material.model = model();
+  const auto look = [&] { return &tissue_looks()[static_cast<std::size_t>(dice.whole(0, 5))]; };
+  const auto color = [&] { return std::array{dice.number(0, 1), dice.number(0, 1), dice.number(0, 1)}; };
+  if (dice.chance()) body.material.look = look();
+  if (dice.chance()) body.material.color = color();
   for (const char* key : {"17", "4", "a.b", "core"}) {  // in the order of their bytes, as a reader finds them
     if (dice.chance()) continue;
     MaterialOverride& values = body.region_materials.emplace_back(key, MaterialOverride{}).second;
@@ -92,6 +98,8 @@ Body body(Dice& dice, Method method) {
                      if (dice.chance()) value = dice.number(least, most);
                    });
     if (dice.chance()) values.model = model();
+    if (dice.chance()) values.look = look();
+    if (dice.chance()) values.color = color();
   }
   for (int n = dice.whole(0, 3); n > 0; --n) body.fixed.push_back(selection(dice));
   for (int n = dice.whole(0, 2); n > 0; --n) {
