@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cstring>
 
 #include "render/passes/ambient_occlusion.h"
 #include "render/passes/edge_smoothing.h"
@@ -88,6 +90,16 @@ struct SceneRenderer::Impl {
     return occlusion ? &*occlusion : nullptr;
   }
 
+  // Whether the shadow map is drawn for this picture: not while it may serve for more pictures under the same light.
+  bool shadow_due(const FrameUniforms& now, int every, bool with_ground) {
+    std::array<float, 17> aim{with_ground ? 1.0f : 0.0f};
+    std::memcpy(&aim[1], &now.light_projection, 16 * sizeof(float));
+    if (aim == shadow_aim && ++shadow_pictures < every) return false;
+    shadow_aim = aim;
+    shadow_pictures = 0;
+    return true;
+  }
+
   // Draws the cut of a closed surface whose tets end elsewhere. The signed count of surface hits of a pixel's ray
   // beyond the plane is the winding number of the surface at the ray's point on the plane. Where that is inside, the
   // cut is drawn: in the color of the tets where there are tets, and of plain tissue where the surface is away from
@@ -118,6 +130,8 @@ struct SceneRenderer::Impl {
   std::optional<AmbientOcclusion> occlusion;  // while a look needs it
   SurfaceRenderer surface;
   ShadowMap shadow;
+  std::array<float, 17> shadow_aim{};  // of the shadow map: with the ground, the light's projection
+  int shadow_pictures = 0;             // drawn with the shadow map
   Ground ground;
   KeptStage kept_stage;
   Marks marks;
@@ -196,7 +210,7 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
     else
       clipped([&] { parts.surface.draw_depth(look); });
   };
-  if (look.shadow) parts.shadow.draw(draw_depth, ground);
+  if (look.shadow && parts.shadow_due(frame, look.quality.shadow_every, ground)) parts.shadow.draw(draw_depth, ground);
 
   target.bind();
   gl::Enable(GL_DEPTH_TEST);

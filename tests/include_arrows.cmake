@@ -59,16 +59,14 @@ set(arrows
   "app/kernels: base sim/scene app/system"
   "app/overlay: base sim/grab sim/scene/settings render/passes render/view app/charts app/panels app/session app/ui"
   "app/panels: base gl sim/material sim/replay render/view app/session app/state app/system app/ui"
-  "app/session: base base/json gl sim/gpu/readback sim/grab sim/mesh sim/model sim/output sim/replay sim/scene sim/scene/settings sim/simulation sim/visual render render/context render/target render/view app/cli app/system app/ui"
-  "app/state: shaders/shared sim/gpu/readback sim/grab sim/material sim/mesh sim/model sim/output sim/scene sim/simulation app/session app/ui app/video"
   "app/session: base base/json gl sim/gpu/readback sim/grab sim/material sim/mesh sim/model sim/output sim/replay sim/scene sim/scene/settings sim/simulation sim/visual render render/context render/target render/view app/cli app/system app/ui"
-  "app/state: sim/gpu/readback sim/grab sim/material sim/mesh sim/model sim/output sim/scene sim/simulation app/session app/ui app/video"
+  "app/state: shaders/shared sim/gpu/readback sim/grab sim/material sim/mesh sim/model sim/output sim/scene sim/simulation app/session app/ui app/video"
   "app/stress: base sim/grab sim/mesh sim/mesh/io sim/model sim/replay sim/simulation app/bench app/system"
   "app/system: base"
   "app/ui: sim/output"
   "app/video: base sim/output sim/replay sim/scene render/target app/cli app/system"
   "app/window: base gl sim/grab sim/output sim/scene sim/simulation sim/visual render app/cli app/compare app/dialogs app/overlay app/panels app/session app/state app/system app/ui app/video app/window/parts"
-  "app/window/parts: base gl sim/grab sim/replay sim/scene sim/simulation sim/visual render/target app/kernels app/overlay app/panels app/session app/state app/ui"
+  "app/window/parts: base gl sim/grab sim/replay sim/scene sim/simulation sim/visual render/target render/view app/kernels app/overlay app/panels app/session app/state app/ui"
 )
 
 set(rooms)

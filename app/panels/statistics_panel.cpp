@@ -37,6 +37,9 @@ void clock_rows(const Statistics& s) {
   ui::fact("Render", milliseconds(s.render),
            "Surface, shadow and ground on the GPU: the median of the last 30 pictures");
   if (s.measured) ui::plot("##render", s.render, 26);
+  ui::fact("Quality", s.quality,
+           "Of moving pictures: a software renderer that is too slow saves some of their shadows. Still pictures, "
+           "screenshots and videos have all; --quality full always");
   ui::fact("Real time", s.measured ? printed("%.0f %%", 100 * s.speed) : "-", "Simulated time over real time");
 }
 

@@ -29,7 +29,8 @@ struct Statistics {
   double step_ms = 0;                 // one step, an average with decaying weights: the estimate for the next one
   double speed = 1;                   // simulated over real time
   bool keeps_pace = true;
-  double waits = 0;  // for a solver that cannot step yet [s]
+  const char* quality = "full";  // of the picture, for the panels
+  double waits = 0;              // for a solver that cannot step yet [s]
   long steps = 0;
   std::optional<Diagnostics> diagnostics;
   std::optional<double> inverted_since;  // simulated time [s]; none: all tets are upright

@@ -34,11 +34,11 @@ bool VideoCapture::advance(double simulated) {
   return owed_ >= 0.5;
 }
 
-Framebuffer& VideoCapture::canvas(Framebuffer& window, bool shows_panels) {
+Framebuffer& VideoCapture::canvas(Framebuffer& window, bool shows_panels, bool full_quality) {
   const VideoSettings::Size whole = settings_.size_in({window.width(), window.height()});
   const bool same_size = settings_.width == 0 ? whole.width == size_.width && whole.height == size_.height
                                               : window.width() == size_.width && window.height() == size_.height;
-  if (same_size && (settings_.panels || !shows_panels)) return window;
+  if (full_quality && same_size && (settings_.panels || !shows_panels)) return window;
   if (!own_) own_ = std::make_unique<Framebuffer>(size_.width, size_.height, window.samples());
   return *own_;
 }

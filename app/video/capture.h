@@ -25,8 +25,9 @@ class VideoCapture {
 
   /// Advances by `simulated` seconds [s]; returns whether a frame is due.
   bool advance(double simulated);
-  /// The framebuffer for a due frame: the window's picture if that is requested, else a separate one.
-  Framebuffer& canvas(Framebuffer& window, bool shows_panels);
+  /// The framebuffer for a due frame: the window's picture if that shows what was requested in full quality, else a
+  /// separate one.
+  Framebuffer& canvas(Framebuffer& window, bool shows_panels, bool full_quality);
   void write(const Framebuffer& canvas);
 
  private:

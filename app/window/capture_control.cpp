@@ -22,7 +22,7 @@ void CaptureControl::toggle_video() {
 
 void CaptureControl::follow(double simulated) {
   if (!video_.running() || !video_.advance(simulated)) return;
-  Framebuffer& canvas = video_.canvas(*stage_.framebuffer, stage_.state.show_panels);
+  Framebuffer& canvas = video_.canvas(*stage_.framebuffer, stage_.state.show_panels, picture_.full());
   if (&canvas != stage_.framebuffer.get()) picture_.draw_onto(canvas, video_.settings().panels);
   video_.write(canvas);
 }

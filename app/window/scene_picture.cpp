@@ -5,11 +5,11 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "app/overlay/color_bar.h"
 #include "app/panels/panels.h"
 #include "app/ui/style.h"
+#include "app/window/parts/governor.h"
 #include "base/error.h"
 #include "render/supersampler.h"
 
@@ -45,7 +45,8 @@ bool ScenePicture::update() {
   return true;
 }
 
-void ScenePicture::draw() {
+void ScenePicture::draw(int level) {
+  set_quality(lowered(graphics_.live, level));
   const bool aims = !stage_.mouse.dragging() && !ImGui::GetIO().WantCaptureMouse;
   const auto look = [&](const Framebuffer& picture, const Session& session, bool b) {
     hover_.look(picture, session, aims ? std::optional(sides_.pointer_in_side(b)) : std::nullopt);
@@ -65,16 +66,26 @@ void ScenePicture::draw() {
   while (const auto took = timer_.take()) stage_.state.statistics.render.add(took->milliseconds);
 }
 
+void ScenePicture::set_quality(const Quality& quality) {
+  stage_.session->look.quality = quality;
+  if (Session* const second = sides_.second()) second->look.quality = quality;
+}
+
+bool ScenePicture::full() const { return stage_.session->look.quality == graphics_.still; }
+
 void ScenePicture::draw_onto(Framebuffer& picture, bool panels) {
   const float scale = overlay_.scale_onto(picture);
   const Canvas canvas{picture, scale, panels ? static_cast<int>(scale * static_cast<float>(stage_.panels_cover())) : 0,
                       !panels};
   SplitView* const split = sides_.split();
   const Camera in_window = stage_.session->camera, in_window_b = split ? split->b().camera : in_window;
+  const Quality of_window = stage_.session->look.quality;
+  set_quality(graphics_.still);
   if (split)
     draw_comparison(*split, canvas);
   else
     draw_scene(canvas);
+  set_quality(of_window);
   stage_.session->camera = in_window;
   if (split) split->b().camera = in_window_b;
   overlay_.draw_onto(picture, panels);
@@ -82,18 +93,10 @@ void ScenePicture::draw_onto(Framebuffer& picture, bool panels) {
 
 Image ScenePicture::still() {
   const Framebuffer& shown = *stage_.framebuffer;
-  Quality& quality = stage_.session->look.quality;
-  if (quality == graphics_.still) return shown.read();
+  if (full()) return shown.read();
   constexpr int kSamples = 4;
   Framebuffer picture(shown.width(), shown.height(), std::min(kSamples, samples_of_renderer()));
-  Session* const second = sides_.second();
-  const auto exchange = [&](const Quality& other) {
-    if (second) second->look.quality = other;
-    return std::exchange(quality, other);
-  };
-  const Quality live = exchange(graphics_.still);
   draw_onto(picture, stage_.state.show_panels);
-  exchange(live);
   return picture.read();
 }
 

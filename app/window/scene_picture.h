@@ -18,11 +18,12 @@ class ScenePicture {
 
   /// Resizes the picture to the window. Returns false if the window is minimized and there is nothing to draw on.
   bool update();
-  void draw();
-  /// The same frame on a picture of another size, with or without the panels.
+  /// `level` of Governor.
+  void draw(int level);
+  /// The same frame on a picture of another size, in the quality of still pictures, with or without the panels.
   void draw_onto(Framebuffer& canvas, bool panels);
-  /// The last frame with its panels, in the quality of still pictures.
-  Image still();
+  bool full() const;    // whether the last frame had the quality of still pictures
+  Image still();        // the last frame with its panels, in the quality of still pictures
   void frame_bodies();  // places the camera so that the bodies are seen beside the panels
 
  private:
@@ -35,6 +36,7 @@ class ScenePicture {
     bool alone;
   };
   void draw_scene(const Canvas& canvas);
+  void set_quality(const Quality& quality);
   /// `drawn`: SplitView::draw.
   void draw_comparison(SplitView& split, const Canvas& canvas,
                        const std::function<void(std::size_t, const Framebuffer&)>& drawn = {});

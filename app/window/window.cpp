@@ -47,6 +47,7 @@ Window::Window(Graphics& graphics, const ViewOptions& options, Opened opened)
       kernels_(graphics, !scripted(options), state_folder()),
       opener_(graphics, overlay_, options.reference, kernels_),
       log_(options.frame_log),
+      governor_(gl::device().software && options.quality != "full" && !scripted(options)),
       frames_to_settle_(kFramesToSettle) {
   stage_.state.video.width = options.width;  // the requested size, independent of the window's size
   stage_.state.video.height = options.height;
@@ -164,12 +165,12 @@ void Window::frame(double elapsed) {
   Messages& messages = stage_.messages;
   const Framebuffer& framebuffer = *stage_.framebuffer;
   Requests requests;
+  const Camera view = stage_.session->camera;
   do {
     requests = {};
     if (messages.is_error() && input_.take_key(GLFW_KEY_ESCAPE)) messages.clear();  // in front of everything else
     overlay_.set_legend_font(stage_.session->display().legend.font_size);
     overlay_.begin(framebuffer.width(), framebuffer.height());
-    const Camera view = stage_.session->camera;
     messages.attempt([&] { controls_.handle(requests); });
     if (view.eye != stage_.session->camera.eye || view.target != stage_.session->camera.target)
       stage_.state.replay_camera = false;
@@ -188,7 +189,8 @@ void Window::frame(double elapsed) {
   if (shown_ && !messages.attempt([&] { simulate(elapsed, requests.step); })) stage_.state.paused = true;
   messages.attempt([&] { recording_.follow_replay(); });
   log_.end_of(FrameLog::Part::steps);
-  if (!messages.attempt([&] { picture_.draw(); })) stage_.state.paused = true;
+  govern(elapsed, view);
+  if (!messages.attempt([&] { picture_.draw(governor_.level()); })) stage_.state.paused = true;
   log_.end_of(FrameLog::Part::scene);
   overlay_.draw(framebuffer);
   messages.attempt([&] { capture(requests); });
@@ -215,6 +217,16 @@ void Window::follow_kernels() {
         if (session) session->simulation.gpu()->record_again();
     });
   });
+}
+
+// The time of a frame is that of the one before, with the picture drawn then.
+void Window::govern(double elapsed, const Camera& before) {
+  const Camera& now = stage_.session->camera;
+  const bool moves =
+      !stepping_.still() || stage_.mouse.dragging() || before.eye != now.eye || before.target != now.target;
+  Statistics& statistics = stage_.state.statistics;
+  governor_.follow(elapsed, statistics.render.latest() / 1000, moves, stepping_.compiled());
+  statistics.quality = kLevelNames[static_cast<std::size_t>(governor_.level())];
 }
 
 void Window::simulate(double elapsed, bool one_step) {

@@ -9,6 +9,7 @@
 #include "app/cli/options.h"
 #include "app/window/controls.h"
 #include "app/window/parts/frame_log.h"
+#include "app/window/parts/governor.h"
 #include "app/window/parts/kernel_switch.h"
 #include "app/window/parts/scene_opener.h"
 #include "app/window/stepping.h"
@@ -37,6 +38,7 @@ class Window {
   double idle_time() const;  // [s] until the picture can change without user input; 0 while anything moves
   void frame(double elapsed);
   void follow_kernels();
+  void govern(double elapsed, const Camera& before);
   void simulate(double elapsed, bool one_step);
   void capture(const Requests& requests);
   void finish(double wall_s);
@@ -67,6 +69,7 @@ class Window {
   KernelSwitch kernels_;
   SceneOpener opener_;
   FrameLog log_;
+  Governor governor_;
   int frames_to_settle_;  // frames to draw although nothing moves
   bool settled_ = false;  // no event since settle()
   bool shown_ = false;    // the session was drawn in a frame: steps start after the first picture

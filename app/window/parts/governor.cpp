@@ -30,4 +30,10 @@ void Governor::follow(double frame, double picture, bool moves, bool compiled) {
   slow_ = fast_ = since_change_ = 0;
 }
 
+Quality lowered(Quality quality, int level) {
+  if (level >= 1) quality.shadow_taps = 1;
+  if (level >= 2) quality.shadow_every = level == 2 ? 2 : 4;
+  return quality;
+}
+
 }  // namespace fascia

@@ -2,6 +2,9 @@
 // enough, and raises it again. Only pictures in which something moves: a still picture, and everything that is not the
 // window's own picture, has full quality. Steps are never affected.
 #pragma once
+#include <array>
+
+#include "render/view/quality.h"
 
 namespace fascia {
 
@@ -27,5 +30,12 @@ class Governor {
   double since_change_ = 1e9;       // [s]
   double frame_ = 0, picture_ = 0;  // averages over the last half second [s]
 };
+
+/// The quality of a moving picture at a level of Governor.
+Quality lowered(Quality quality, int level);
+
+/// What a level saves, for the panels; the first is the full quality.
+inline constexpr std::array<const char*, Governor::kLevels + 1> kLevelNames{
+    "full", "hard edges of shadows", "shadows of every 2nd picture", "shadows of every 4th picture"};
 
 }  // namespace fascia

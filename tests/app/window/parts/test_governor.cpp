@@ -68,3 +68,15 @@ TEST_CASE("frames that say nothing about pictures change nothing") {
   run(idle, 10, 0.1, 0.1);
   CHECK(idle.level() == 0);
 }
+
+TEST_CASE("every level saves more than the one above it, and effects of still pictures are not touched") {
+  const fascia::Quality full = fascia::kFullQuality;
+  CHECK(lowered(full, 0) == full);
+  for (int level = 1; level <= Governor::kLevels; ++level) {
+    CAPTURE(level);
+    const fascia::Quality above = lowered(full, level - 1), here = lowered(full, level);
+    CHECK((here.shadow_taps < above.shadow_taps || here.shadow_every > above.shadow_every));
+    CHECK(here.detail == full.detail);
+    CHECK(here.edge_smoothing == full.edge_smoothing);
+  }
+}
