@@ -56,7 +56,7 @@ struct MaterialOverride {
 
 struct Body {
   std::string name;
-  std::string mesh;  // as written (Scene::resolve); tets, or a closed surface (.obj) to be filled with tets
+  std::string mesh;               // as written (Scene::resolve); tets, or a closed surface to be filled with tets
   std::optional<int> resolution;  // cells along the longest side for the filling; absent: several thousand tets
   Transform transform;
   Material material;                                                       // "default"
@@ -64,7 +64,7 @@ struct Body {
   std::vector<Selection> fixed;
   std::vector<PrescribedMotion> prescribed;
   std::variant<Eigen::Vector3d, std::string> initial_velocity = Eigen::Vector3d(0, 0, 0);  // [m/s] or CSV path
-  std::string surface;  // .obj drawn instead of the tets' boundary
+  std::string surface;  // drawn instead of the tets' boundary
   bool operator==(const Body&) const = default;
 };
 

@@ -13,6 +13,7 @@ namespace {
 
 SurfaceMesh surface_of(MeshFile file) {
   SurfaceMesh surface;
+  surface.format = file.format;
   std::vector<std::uint32_t> corners;
   std::size_t begin = 0;
   const auto at = [&](std::size_t corner) { return file.faces.corners.begin() + static_cast<std::ptrdiff_t>(corner); };

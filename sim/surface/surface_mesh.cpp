@@ -170,6 +170,7 @@ SurfaceMesh read_obj(const std::filesystem::path& path, const Progress& progress
 SurfaceMesh read_obj_content(const std::filesystem::path& path, std::string_view content,
                              const ObjMaterials::Library& read_library) {
   SurfaceMesh mesh;
+  mesh.format = "Wavefront OBJ";
   ObjMaterials materials;
   const std::string text = prepared(path, content, read_library, materials);
   mesh.materials = materials.take(mesh.notes);

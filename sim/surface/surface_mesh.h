@@ -28,6 +28,7 @@ struct SurfaceMesh {
   std::vector<SurfaceMaterial> materials;
   bool vertex_colors = false;
   bool closed = false;             // known to have no open edges (surface_repair.h)
+  std::string format;              // as displayed: "STL binary"
   std::vector<std::string> notes;  // about skipped content, one sentence each
 };
 

@@ -79,7 +79,7 @@ std::vector<std::string> notes_of(const SurfaceReport& report) {
 void print_report(std::ostream& out, const SurfaceMesh& surface, const SurfaceRepair& repaired,
                   const Progress& progress) {
   const SurfaceReport& report = repaired.report;
-  line(out, "format") << "Wavefront OBJ surface\n";
+  line(out, "format") << surface.format << " surface\n";
   line(out, "vertices") << report.vertices;
   if (report.welded > 0) out << ", " << report.welded << " of them at the place of another one";
   out << "\n";

@@ -27,7 +27,7 @@ constexpr std::size_t kFirstLines = 4096;  // [bytes]
 /// The first row that fits.
 const Row* find_row(string_view content, string_view ending) {
   static const Row rows[] = {
-      {{"an LS-DYNA keyword file", "FEBio Studio opens it and saves a .feb"}, {"*KEYWORD"sv}, {}, {}},
+      {{"an LS-DYNA keyword file", "FEBio Studio opens it and saves a .feb"}, {"*KEYWORD"sv}, {"\n*KEYWORD"sv}, {}},
       {{"an XDMF mesh", "ParaView, or 'meshio convert FILE OUT.vtu', makes a .vtu of it"}, {}, {"<Xdmf"sv}, {}},
       {{"a COLLADA scene", kBlender}, {}, {"<COLLADA"sv}, {}},
       {{"an X3D scene", kBlender}, {}, {"<X3D"sv}, {}},

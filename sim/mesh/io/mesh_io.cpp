@@ -1,6 +1,7 @@
 #include "sim/mesh/io/mesh_io.h"
 
 #include <algorithm>
+#include <cctype>
 #include <new>
 
 #include "base/error.h"
@@ -29,6 +30,11 @@ std::string known_formats() { return "expected one of " + listed_formats(); }
   throw Error(path.string(), "is no mesh that is known here (begins with " + in_quotes(content) + ")", known_formats());
 }
 
+/// A section; in Nastran and LS-DYNA files a blank follows the '$' of a comment.
+bool is_gmsh(std::string_view word) {
+  return word.size() > 1 && word[0] == '$' && std::isalpha(static_cast<unsigned char>(word[1])) != 0;
+}
+
 bool is_off(std::string_view word, const std::string& ending) {
   const std::size_t at = word.find("OFF");
   const bool is_keyword = at != word.npos && word.find_first_not_of("STCN4n") >= at &&
@@ -50,7 +56,7 @@ MeshFile read_mesh_content(const fs::path& path, std::string_view content, const
   const std::string ending = lower_ending(path);
   if (text.starts_with("# vtk DataFile")) {
     read_vtk_legacy(in, file);
-  } else if (word.starts_with("$") || peek.peek_word().starts_with("$")) {
+  } else if (is_gmsh(word) || is_gmsh(peek.peek_word())) {
     read_gmsh(in, file);
   } else if (word.starts_with("<")) {
     const std::string_view root = xml_root_name(text);

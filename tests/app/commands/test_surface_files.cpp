@@ -45,7 +45,8 @@ TEST_CASE("an STL file is reported, converted and told from tets by its content"
   const CommandResult told = run_fascia({"info", box.string(), "--set", "resolution=8"});
   INFO(told.out << told.err);
   CHECK(told.exit_code == 0);
-  CHECK_THAT(told.out, Catch::Contains("closed      yes") && Catch::Contains("filled with tets, resolution 8"));
+  CHECK_THAT(told.out, Catch::Contains("format      STL binary surface") && Catch::Contains("closed      yes") &&
+                           Catch::Contains("filled with tets, resolution 8"));
   const CommandResult converted = run_fascia({"convert", box.string(), (folder / "box.msh").string()});
   INFO(converted.err);
   CHECK(converted.exit_code == 0);

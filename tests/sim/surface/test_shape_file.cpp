@@ -21,6 +21,7 @@ TEST_CASE("a file is a surface if it holds faces and no tets, whatever its endin
   const std::string skin = "Triangles 4\n1 3 2 5\n1 2 4 5\n2 3 4 5\n3 1 4 5\n";
   const ShapeFile surface = read("a.mesh", vertices + skin + "End\n");
   REQUIRE(surface.surface);
+  CHECK(surface.surface->format == "Medit ASCII");
   CHECK(surface.surface->triangles == std::vector<Triangle>{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
   CHECK(surface.surface->colors.empty());
   const ShapeFile tets = read("a.mesh", vertices + skin + "Tetrahedra 1\n1 2 3 4 0\nEnd\n");

@@ -133,7 +133,8 @@ TEST_CASE("files of other kinds are named, with a way to bring them in") {
   CHECK(told("a.bdf", "SOL 101\nCEND\nBEGIN BULK\nGRID,1,,0.,0.,0.\n") ==
         "a.bdf: is a Nastran deck, which fascia does not read; Gmsh converts it: gmsh FILE -save -format msh41 -o "
         "OUT.msh");
-  CHECK(told("a.dat", "$ comment\nGRID           1\nCTETRA\n").find("Nastran") == std::string::npos);  // '$': Gmsh
+  CHECK(told("a.dat", "$ Created by Gmsh\nGRID           1\nCTETRA\n").starts_with("a.dat: is a Nastran deck"));
+  CHECK(told("a.key", "$# comment\n*KEYWORD\n").starts_with("a.key: is an LS-DYNA keyword file"));
   CHECK(told("a.dat", "SOL 101\nGRID           1\n").starts_with("a.dat: is a Nastran deck"));
   CHECK(told("a.xdmf", "<?xml version=\"1.0\"?><!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n<Xdmf Version=\"3.0\"></Xdmf>")
             .starts_with("a.xdmf: is an XDMF mesh"));
