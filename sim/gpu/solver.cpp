@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "sim/gpu/methods/methods.h"
 #include "sim/gpu/passes/compute_probe.h"
+#include "sim/gpu/unfolding.h"
 
 namespace fascia {
 
@@ -182,6 +183,8 @@ void GpuSolver::reset() { upload(initial_state(given_)); }
 void GpuSolver::upload(const State& state) {
   buffers_.upload_state(model_, state);
   time_ = state.time;
+  starts_inside_out_ = needs_unfolding(given_, state);
+  if (unfolding_ && !starts_inside_out_) end_unfolding();
   state_changed();
   guard_.keep(buffers_, time_);
 }
@@ -272,6 +275,7 @@ void GpuSolver::settings_changed() {
 void GpuSolver::materials_changed() {
   ++materials_version_;
   model_.materials = given_.materials;
+  if (unfolding_) take_unfolding_law(model_.materials);
   model_.gravity = given_.gravity;
   buffers_.upload_materials(model_);
   settings_changed();

@@ -164,6 +164,8 @@ class GpuSolver {
   int refreshes() const;  // per substep
   Passes iteration(const Recording& recording, bool first);
   void choose_passes();
+  void unfold();  // before a step (sim/gpu/unfolding.h)
+  void end_unfolding();
   void state_changed();
   std::uint32_t vertex_at(std::uint32_t place) const;  // `place`: as read back
 
@@ -206,7 +208,13 @@ class GpuSolver {
   double time_ = 0;
   long steps_solved_ = 0;
   std::uint64_t tets_stepped_ = 0;
-  std::uint64_t substeps_ = 0;  // since stop_ was created
+  std::uint64_t substeps_ = 0;      // since stop_ was created
+  bool starts_inside_out_ = false;  // until the first step
+  struct Unfolding {
+    double until;  // [s] the time at which it ends at the latest
+    int steps = 0;
+  };
+  std::optional<Unfolding> unfolding_;
   bool has_step_ = false;
   unsigned materials_version_ = 0;  // changes of materials and gravity so far
 };

@@ -1,5 +1,6 @@
 // Runs the solver's recorded passes: plain steps, timed steps and traced ones.
 #include "sim/gpu/solver.h"
+#include "sim/gpu/unfolding.h"
 
 namespace fascia {
 
@@ -118,7 +119,24 @@ void GpuSolver::run_partial_kernels() {
   regions_->restart();
 }
 
+void GpuSolver::unfold() {
+  if (starts_inside_out_) {
+    starts_inside_out_ = false;
+    unfolding_ = Unfolding{time_ + kLongestUnfolding};
+    materials_changed();
+  } else if (++unfolding_->steps % kUnfoldingInterval == 0 &&
+             (time_ >= unfolding_->until || is_unfolded(given_, download()))) {
+    end_unfolding();
+  }
+}
+
+void GpuSolver::end_unfolding() {
+  unfolding_.reset();
+  materials_changed();
+}
+
 void GpuSolver::step() {
+  if (starts_inside_out_ || unfolding_) unfold();
   look_beside();
   choose_passes();
   for (int s = 0; s < settings_.substeps; ++s) solve_substep();
