@@ -128,7 +128,8 @@ TEST_CASE("the guide has a row for every key of stats.json", "[cli]") {
     const CommandResult result =
         run_fascia({"run", liver, "--steps", "2", "--context", "osmesa", "--quiet", "--stats", "-", more});
     REQUIRE(result.exit_code == 0);
-    for (const auto& item : nlohmann::json::parse(result.out).items()) {
+    const nlohmann::json stats = nlohmann::json::parse(result.out);
+    for (const auto& item : stats.items()) {
       CAPTURE(more, item.key());
       CHECK((guide.find("`" + item.key() + "`") != std::string::npos ||
              guide.find("`" + item.key() + ".") != std::string::npos));

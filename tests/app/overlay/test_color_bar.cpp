@@ -18,6 +18,18 @@ namespace {
 constexpr int kWidth = 640, kHeight = 720;  // at 720 rows a point is a pixel
 constexpr std::uint8_t kTissue[4] = {190, 60, 50, 255};
 
+/// A cube in the colors of its velocity.
+struct Colored {
+  Graphics graphics = open_graphics(headless(), false);
+  Overlay overlay{graphics};
+  Scene scene = [] {
+    Scene opened = open_scene(source_dir() / "assets/scenes/cube.json");
+    opened.display.color = ColorBy::velocity;
+    return opened;
+  }();
+  Session session{graphics, scene, false};
+};
+
 /// Legend and grabs over a picture full of tissue.
 Image over_tissue(Session& session, Overlay& overlay, const std::vector<GrabMark>& grabs = {}, int width = kWidth,
                   int height = kHeight) {
@@ -31,13 +43,9 @@ Image over_tissue(Session& session, Overlay& overlay, const std::vector<GrabMark
 
 /// The bar for velocity.
 Image bar_over_tissue(Backdrop backdrop, int width, int height) {
-  Graphics graphics = open_graphics(headless(), false);
-  Overlay overlay(graphics);
-  Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
-  scene.display.color = ColorBy::velocity;
-  Session session(graphics, scene, false);
-  session.look.backdrop = backdrop;
-  return over_tissue(session, overlay, {}, width, height);
+  Colored cube;
+  cube.session.look.backdrop = backdrop;
+  return over_tissue(cube.session, cube.overlay, {}, width, height);
 }
 
 const std::uint8_t* pixel(const Image& image, int x, int y) {
@@ -113,11 +121,9 @@ TEST_CASE("on a transparent picture the bar is readable over white and over blac
 }
 
 TEST_CASE("a grab's force is shown beside the color bar and inside the picture", "[color_bar]") {
-  Graphics graphics = open_graphics(headless(), false);
-  Overlay overlay(graphics);
-  Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
-  scene.display.color = ColorBy::velocity;
-  Session session(graphics, scene, false);
+  Colored cube;
+  Session& session = cube.session;
+  Overlay& overlay = cube.overlay;
   const auto drawn = [&](const std::vector<GrabMark>& grabs) { return over_tissue(session, overlay, grabs); };
   const Image without = drawn({});
   const auto box = legend_box({0, 0, kWidth, kHeight}, session);
@@ -175,12 +181,10 @@ std::array<int, 2> columns_of(const Image& image) {
 }  // namespace
 
 TEST_CASE("the legend is at either edge or off, with its plate or without", "[color_bar]") {
-  Graphics graphics = open_graphics(headless(), false);
-  Overlay overlay(graphics);
-  Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
-  scene.display.color = ColorBy::velocity;
-  Session session(graphics, scene, false);
-  DisplaySettings display = scene.display;
+  Colored cube;
+  Session& session = cube.session;
+  Overlay& overlay = cube.overlay;
+  DisplaySettings display = cube.scene.display;
   const auto drawn = [&] {
     session.set_display(display);
     return over_tissue(session, overlay);
@@ -207,13 +211,11 @@ TEST_CASE("the legend is at either edge or off, with its plate or without", "[co
 }
 
 TEST_CASE("the legend grows with its font", "[color_bar]") {
-  Graphics graphics = open_graphics(headless(), false);
-  Overlay overlay(graphics);
-  Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
-  scene.display.color = ColorBy::velocity;
-  Session session(graphics, scene, false);
+  Colored cube;
+  Session& session = cube.session;
+  Overlay& overlay = cube.overlay;
   const auto size_with = [&](double font) {
-    DisplaySettings display = scene.display;
+    DisplaySettings display = cube.scene.display;
     display.legend.font_size = font;
     session.set_display(display);
     over_tissue(session, overlay);
@@ -229,15 +231,13 @@ TEST_CASE("the legend grows with its font", "[color_bar]") {
 }
 
 TEST_CASE("an arrow at an end of the bar shows that values lie beyond it", "[color_bar]") {
-  Graphics graphics = open_graphics(headless(), false);
-  Overlay overlay(graphics);
-  Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
-  scene.display.color = ColorBy::velocity;
-  Session session(graphics, scene, false);
+  Colored cube;
+  Session& session = cube.session;
+  Overlay& overlay = cube.overlay;
   for (int i = 0; i < 4; ++i) session.simulation.step();
   // Pixels between the title and the bar, and below the bar, in the colors of its ends.
   const auto arrows_with = [&](double low, double high) {
-    DisplaySettings display = scene.display;
+    DisplaySettings display = cube.scene.display;
     display.range = Eigen::Vector2d(low, high);
     session.set_display(display);
     session.settle_range();
