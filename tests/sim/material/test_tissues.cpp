@@ -64,24 +64,27 @@ TEST_CASE("a preset sets the values that its entry does not give") {
                                             "2": {"preset": "liver"}, "3": {"density": 900, "preset": "liver"}})"))
                         .open()
                         .bodies[0];
-  CHECK(body.material == Material{1234, liver.poisson_ratio, liver.density, 0.5, Material().model});
+  CHECK(body.material == Material{1234, liver.poisson_ratio, liver.density, 0.5, Material().model,
+                                  Material().mooney_ratio, find_look("liver")});
   CHECK(body.region_materials[0].second ==
-        MaterialOverride{liver.young_modulus, liver.poisson_ratio, liver.density, {}, {}});
-  CHECK(body.region_materials[1].second == MaterialOverride{liver.young_modulus, liver.poisson_ratio, 900, {}, {}});
+        MaterialOverride{liver.young_modulus, liver.poisson_ratio, liver.density, {}, {}, {}, find_look("liver")});
+  CHECK(body.region_materials[1].second ==
+        MaterialOverride{liver.young_modulus, liver.poisson_ratio, 900, {}, {}, {}, find_look("liver")});
 }
 
 TEST_CASE("a preset of the command line replaces the file's numbers, not those of the command line") {
   const SceneFile file(body_with(R"({"default": {"young_modulus": 1e6, "density": 2000, "damping": 0.25}})"));
   const Tissue& fat = *find_tissue("fat");
   CHECK(file.open({"materials.default.preset=fat"}).bodies[0].material ==
-        Material{fat.young_modulus, fat.poisson_ratio, fat.density, 0.25, Material().model});
+        Material{fat.young_modulus, fat.poisson_ratio, fat.density, 0.25, Material().model, Material().mooney_ratio,
+                 find_look("fat")});
   for (const std::vector<std::string>& sets :
        {std::vector<std::string>{"materials.default.density=930", "materials.default.preset=fat"},
         std::vector<std::string>{"materials.default.preset=fat", "bodies[0].materials.default.density=930"}})
-    CHECK(file.open(sets).bodies[0].material ==
-          Material{fat.young_modulus, fat.poisson_ratio, 930, 0.25, Material().model});
+    CHECK(file.open(sets).bodies[0].material == Material{fat.young_modulus, fat.poisson_ratio, 930, 0.25,
+                                                         Material().model, Material().mooney_ratio, find_look("fat")});
   CHECK(file.open({"materials.7.preset=fat"}).bodies[0].region_materials[0].second ==
-        MaterialOverride{fat.young_modulus, fat.poisson_ratio, fat.density, {}, {}});
+        MaterialOverride{fat.young_modulus, fat.poisson_ratio, fat.density, {}, {}, {}, find_look("fat")});
 }
 
 TEST_CASE("a preset that does not exist gives the nearest name and the list") {
