@@ -25,9 +25,9 @@ struct Frame {
   bool side = false;  // of a comparison: shows the whole body, as large as on the other side
 };
 
-/// Sets `middle` and `reach` of the camera so that the body is between panels and legend; without a legend, and if it
-/// is there already, the camera is unchanged. `extent`: Session::extent. The result does not depend on the current
-/// camera: orbits and zooms look as they do without a bar.
+/// Sets `middle` and `reach` of the camera so that the body is between panels and legend and above what covers the
+/// bottom. Without any of them, and if the body is there already, the camera is unchanged. `extent`: Session::extent.
+/// The result does not depend on the current camera: orbits and zooms look as they do without a bar.
 void frame_picture(Camera& camera, const Eigen::Vector2d& extent, const Frame& frame);
 
 }  // namespace fascia

@@ -1,5 +1,5 @@
-// The window's settings from one start to the next: recent files, the last folder, dismissed hints, theme, scale. A small JSON
-// file, read as strictly as scenes; a broken one never prevents the start of the window.
+// The window's settings from one start to the next: recent files, the last folder, dismissed hints, theme, scale. A
+// small JSON file, read as strictly as scenes; a broken one never prevents the start of the window.
 #pragma once
 #include <filesystem>
 #include <functional>

@@ -25,21 +25,3 @@ TEST_CASE("the panel shows the same time of a step as stats.json: of one step, t
   CHECK(statistics.solve.median() == percentiles({all.end() - 30, all.end()}).median);
   CHECK(RecentValues().median() == 0);
 }
-
-TEST_CASE("the time at which tets turned inside out is kept until all are upright again") {
-  Statistics statistics;
-  statistics.follow_inverted();
-  CHECK_FALSE(statistics.inverted_since);
-  const auto at = [&](double time, int inverted) {
-    statistics.diagnostics.emplace();
-    statistics.diagnostics->time = time;
-    statistics.diagnostics->inverted = inverted;
-    statistics.follow_inverted();
-    return statistics.inverted_since;
-  };
-  CHECK_FALSE(at(1, 0));
-  CHECK(at(2, 3) == 2);
-  CHECK(at(3, 5) == 2);
-  CHECK_FALSE(at(4, 0));
-  CHECK(at(5, 1) == 5);
-}
