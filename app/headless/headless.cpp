@@ -141,7 +141,10 @@ void Headless::look(double step, double time) {
 Framebuffer& Headless::draw() {
   require_valid(session_.simulation);
   session_.forget_range();
-  return draw(static_cast<double>(step_), session_.simulation.simulated(), nullptr);
+  session_.forget_ground();
+  const double step = static_cast<double>(step_), time = session_.simulation.simulated();
+  if (!session_.simulation.scene.camera && !camera_.at(step, time)) session_.frame_with_motion();
+  return draw(step, time, nullptr);
 }
 
 Framebuffer& Headless::draw(double step, double time, const gl::Buffer* positions) {
@@ -154,6 +157,7 @@ Framebuffer& Headless::draw(double step, double time, const gl::Buffer* position
     if (split_) split_->b().measure_error();
   }
   session_.settle_range(split_ ? &split_->b() : nullptr);
+  session_.settle_ground(split_ ? &split_->b() : nullptr);
   if (split_) return draw_split(diagnostics);
   std::vector<GrabMark> grabs = marks_of(session_.simulation, diagnostics);
   if (positions && !remembered_grabs_.empty()) {

@@ -2,12 +2,31 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "app/session/shown_look.h"
 
 namespace fascia {
 namespace {
+
+constexpr double kFootDepth = 0.05;  // of the radius: a body with held vertices so near its lowest point stands on it
+constexpr double kLeftView = 1.25;   // times the size at rest, beyond which a body has left the view of frame()
+
+std::vector<std::uint32_t> drawn_vertices(const VisualSurface& surface) {
+  std::vector<std::uint32_t> vertices;
+  for (const Triangle& t : surface.triangles) vertices.insert(vertices.end(), t.begin(), t.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+double lowest_of(const VisualSurface& surface) {
+  double lowest = std::numeric_limits<double>::max();
+  for (const Triangle& t : surface.triangles)
+    for (const std::uint32_t v : t) lowest = std::min(lowest, surface.rest_positions[v].y());
+  return surface.triangles.empty() ? 0 : lowest;
+}
 
 // Positions of the tets' vertices.
 std::vector<Eigen::Vector3d> places_of(const Model& model, const std::vector<Eigen::Vector3d>& displacement) {
@@ -33,8 +52,8 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
       surface_(drawn_surface(simulation.model)),
       description_(describe(graphics)) {
   renderer_.emplace(*simulation.programs(), surface_.triangles,
-                    static_cast<std::uint32_t>(surface_.rest_positions.size()), simulation.model.fixed,
-                    surface_.rest_positions, surface_.colors);
+                    static_cast<std::uint32_t>(surface_.rest_positions.size()),
+                    drawn_marks(simulation.model, simulation.model.fixed), surface_.rest_positions, surface_.colors);
   const Model& model = simulation.model;
   box_min_.setConstant(1e300);
   box_max_.setConstant(-1e300);
@@ -46,7 +65,10 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
   look.quality = graphics.live;
   look.center = 0.5 * (box_min_ + box_max_);
   look.radius = 0.5 * (box_max_ - box_min_).norm();
-  lay_ground(box_min_.y());
+  const std::vector<char> held = model.held();
+  for (std::size_t v = 0; v < held.size(); ++v)
+    stands_ = stands_ || (held[v] && model.rest_positions[v].y() < box_min_.y() + kFootDepth * look.radius);
+  forget_ground();
   if (simulation.scene.camera)
     look_from(*simulation.scene.camera);
   else
@@ -57,7 +79,30 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
 
 void Session::frame() { camera.frame(box_min_, box_max_); }
 
-void Session::lay_ground(double below) { look.ground_height = below - 0.4 * look.radius; }
+void Session::lay_ground(double below) { look.ground_height = below - (stands_ ? 0 : 0.4 * look.radius); }
+
+void Session::forget_ground() { lay_ground(lowest_of(surface_)); }
+
+void Session::follow_ground(Session* beside, bool now) {
+  if (!display().ground) return;
+  measure_lowest(now);
+  if (!beside) return;
+  beside->measure_lowest(now);
+  look.ground_height = beside->look.ground_height = std::min(look.ground_height, beside->look.ground_height);
+}
+
+void Session::measure_lowest(bool now) {
+  if (surface_.triangles.empty()) return;
+  GpuSolver& solver = *simulation.gpu();
+  if (!lowest_) lowest_.emplace(*simulation.programs(), solver.positions(), drawn_vertices(surface_));
+  std::optional<double> lowest = lowest_->take(false);
+  if (now || !lowest_->pending()) {
+    solver.publish();
+    lowest_->request();
+  }
+  if (now) lowest = lowest_->take(true);
+  if (lowest) look.ground_height = std::min(look.ground_height, *lowest);
+}
 
 void Session::measure_extent() { extent = camera.extent(places_of(simulation.model, {})); }
 
@@ -70,6 +115,15 @@ void Session::frame_bodies(double aspect, const Eigen::Vector2d& part) {
   camera.fit(box.min(), box.max(), aspect, part);
   extent = camera.extent(places);
   lay_ground(std::min(box_min_.y(), box.min().y()));
+}
+
+void Session::frame_with_motion() {
+  Eigen::AlignedBox3d box(box_min_, box_max_);
+  const std::vector<Eigen::Vector3d> places = places_of(simulation.model, simulation.state().displacement);
+  for (const Eigen::Vector3d& place : places) box.extend(place);
+  if (!box.diagonal().allFinite() || box.diagonal().norm() < kLeftView * (box_max_ - box_min_).norm()) return;
+  camera.frame(box.min(), box.max());
+  extent = camera.extent(places);
 }
 
 void Session::look_from(const CameraSettings& view) {
@@ -150,7 +204,7 @@ void Session::show_grabbed() {
   if (display().marks.grabs)
     for (const GrabSpring& spring : simulation.springs()) grabbed.push_back(spring.vertex);
   if (grabbed == grabbed_) return;
-  renderer_->set_grabbed(grabbed);
+  renderer_->set_grabbed(drawn_marks(simulation.model, grabbed));
   grabbed_ = std::move(grabbed);
 }
 

@@ -10,6 +10,7 @@
 #include "render/scene_renderer.h"
 #include "render/target/framebuffer.h"
 #include "render/view/camera.h"
+#include "sim/gpu/readback/lowest_point.h"
 #include "sim/grab/build_model.h"
 #include "sim/simulation/simulation.h"
 #include "sim/simulation/true_error.h"
@@ -51,6 +52,11 @@ class Session {
   bool range_only_grows = false;  // for a video, whose colors must keep their meaning
   /// Whether values lie below and above the range of the colors, as of the last call of follow_range or settle_range.
   std::array<bool, 2> beyond_range() const;
+  /// Call as follow_range: the ground stays below the lowest point of one frame ago, here and in `beside`. Without a
+  /// drawn ground it does nothing.
+  void follow_ground(Session* beside = nullptr) { follow_ground(beside, false); }
+  void settle_ground(Session* beside = nullptr) { follow_ground(beside, true); }
+  void forget_ground();  // puts the ground below the bodies at rest again
   /// Call once per frame, after its steps: updates the comparison with the exact step, if requested, and its heat map.
   void follow_error();
   void measure_error();  // at once, for a single picture
@@ -64,11 +70,15 @@ class Session {
   /// Frames the current bodies from the camera's direction: they fill this part of a picture of this aspect ratio,
   /// width over height. The ground is placed below them.
   void frame_bodies(double aspect, const Eigen::Vector2d& part);
+  /// Frames the bodies at rest together with their current positions, if these left the space that frame() shows.
+  void frame_with_motion();
   void look_from(const CameraSettings& view);
   void measure_extent();  // of the body at rest, for the current camera
 
  private:
   void lay_ground(double below);  // [m] lowest point
+  void follow_ground(Session* beside, bool now);
+  void measure_lowest(bool now);  // lowers the ground
   void show_error();
   void show_grabbed();
   void show_paints();
@@ -82,6 +92,8 @@ class Session {
   std::optional<ShownValues> shown_;      // of the heat map at the last measurement
   std::optional<ShownValues> compared_;   // shown_ together with those of the session beside
   std::optional<Eigen::Vector2f> range_;  // follows compared_
+  std::optional<LowestPoint> lowest_;     // created when the ground is first shown
+  bool stands_ = false;                   // on the ground, held at its lowest part; else it hangs above the ground
   std::vector<std::uint32_t> grabbed_;    // vertices that the renderer shows as grabbed
   std::vector<TissuePaint> paints_;       // that the renderer has
   Eigen::Vector3d box_min_, box_max_;     // of the bodies at rest [m]

@@ -119,6 +119,7 @@ void ScenePicture::draw_scene(const Canvas& canvas) {
   const std::vector<GrabMark> grabs =
       grab_marks(session.simulation, d ? d->grab_forces : std::vector<GrabForce>(), &stage_.mouse.grabs());
   session.follow_range();
+  session.follow_ground();
   frame_picture(session.camera, session.extent, {picture.width(), picture.height(), margins_of(canvas)});
   session.draw(canvas.picture, arrows(grabs));
   overlay_.draw_list(picture, canvas.scale, [&](ImDrawList& list) {
@@ -147,6 +148,7 @@ void ScenePicture::draw_comparison(SplitView& split, const Canvas& canvas,
   const std::optional<Diagnostics>& of_a = observer_.of_open_session();
   const SplitView::SideGrabs grabs = split.grabs(a, of_a, &stage_.mouse.grabs());
   a.follow_range(&split.b());
+  a.follow_ground(&split.b());
   const Margins edges = margins_of(canvas);
   split.draw(a, picture, edges, grabs, drawn);
   overlay_.draw_list(picture, scale, [&](ImDrawList& list) {

@@ -29,6 +29,37 @@ VisualSurface drawn_surface(const Model& model) {
   return drawn;
 }
 
+std::vector<std::uint32_t> drawn_marks(const Model& model, const std::vector<std::uint32_t>& vertices) {
+  if (model.embedded.points.empty()) return vertices;
+  constexpr double kNear = 0.4;  // weight of a mesh vertex, up to which an embedded one is not at its place
+  struct Nearest {
+    double weight = kNear;
+    std::uint32_t embedded = 0;
+  };
+  const auto count = static_cast<std::uint32_t>(model.rest_positions.size());
+  std::vector<Nearest> nearest(count);
+  for (std::uint32_t i = 0; i < model.embedded.ties.size(); ++i)
+    for (std::size_t k = 0; k < 4; ++k) {
+      Nearest& now = nearest[model.embedded.ties[i].vertices[k]];
+      if (const double weight = model.embedded.ties[i].weights[k]; weight > now.weight) now = {weight, count + i};
+    }
+  std::vector<std::uint32_t> marks;
+  for (const std::uint32_t v : vertices) {
+    const auto body = std::find_if(model.bodies.begin(), model.bodies.end(), [&](const BodyPart& part) {
+      return v >= part.vertex_begin && v < part.vertex_begin + part.vertex_count;
+    });
+    const bool has_surface = body != model.bodies.end() &&
+                             !model.surfaces[static_cast<std::size_t>(body - model.bodies.begin())].triangles.empty();
+    if (!has_surface)
+      marks.push_back(v);
+    else if (nearest[v].embedded > 0)
+      marks.push_back(nearest[v].embedded);
+  }
+  std::sort(marks.begin(), marks.end());
+  marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
+  return marks;
+}
+
 bool closed_around_tets(const Model& model) {
   const auto own = [](const SurfaceMesh& s) { return !s.triangles.empty(); };
   return std::any_of(model.surfaces.begin(), model.surfaces.end(), own) &&

@@ -71,3 +71,15 @@ TEST_CASE("a model is closed around its tets if it has surfaces and all of them 
   model.surfaces[1] = triangle(2);
   CHECK_FALSE(closed_around_tets(model));
 }
+
+TEST_CASE("marks lie on the drawn surface, and only where it is near the marked vertex") {
+  Model model = two_tets();
+  CHECK(drawn_marks(model, {0, 2, 5}) == std::vector<std::uint32_t>{0, 2, 5});
+  // Body b has a surface of three vertices: two near vertex 5, the nearer one last, and one in the middle of its tet.
+  model.surfaces[1] = triangle(5);
+  model.embedded.points = model.surfaces[1].positions;
+  model.embedded.ties = {
+      {{4, 5, 6, 7}, {0.3, 0.5, 0.1, 0.1}}, {{4, 5, 6, 7}, {0.25, 0.25, 0.25, 0.25}}, {{4, 5, 6, 7}, {0.1, 0.9, 0, 0}}};
+  CHECK(drawn_marks(model, {0, 2}) == std::vector<std::uint32_t>{0, 2});
+  CHECK(drawn_marks(model, {2, 4, 5, 6}) == std::vector<std::uint32_t>{2, 10});
+}
