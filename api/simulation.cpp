@@ -4,7 +4,7 @@
 #include "api/scene.h"
 #include "api/settings.h"
 #include "api/values.h"
-#include "sim/grab/build_model.h"
+#include "sim/bare_mesh/settled_model.h"
 #include "sim/mesh/tet_faces.h"
 
 namespace fascia::api {
@@ -31,7 +31,7 @@ Simulation Simulation::open(const std::string& path, Context context, const Open
     const Progress progress = progress_of(options.control, path);
     auto impl = std::make_unique<Impl>(std::move(context));
     fascia::Scene scene = open_scene(path, options.set);
-    Model model = build_model(scene, part_of(progress, 0, 0.5));
+    Model model = settled_model(scene, part_of(progress, 0, 0.5));
     impl->start(std::move(scene), std::move(model), options.reference, part_of(progress, 0.5, 1));
     return impl;
   }));

@@ -6,7 +6,7 @@
 #include "app/bench/timing.h"
 #include "app/system/process_memory.h"
 #include "render/target/framebuffer.h"
-#include "sim/grab/build_model.h"
+#include "sim/bare_mesh/settled_model.h"
 #include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/mesh_generate.h"
 
@@ -134,7 +134,7 @@ void measure_opening(Bench& bench, const Eigen::Vector3i& cells, Table& table) {
   std::optional<Model> model;
   const double read_ms = milliseconds_of([&] {
     scene = open_scene(mesh);
-    model = build_model(*scene);
+    model = settled_model(*scene);
   });
   std::error_code ignored;
   std::filesystem::remove(mesh, ignored);

@@ -25,6 +25,9 @@ void refuse_dashes(CLI::App& program);
 void add_size(CLI::App& command, int& width, int& height);
 void add_quality(CLI::App& command, CommonOptions& options);
 void add_graphics(CLI::App& command, CommonOptions& options);
+/// --unit and --up, and the scene values that they set.
+void add_mesh_frame(CLI::App& command, std::string& unit, std::string& up);
+std::vector<std::string> mesh_frame_sets(const std::string& unit, const std::string& up);
 void add_common(CLI::App& command, CommonOptions& options);  // add_graphics(), and how to open and step a scene
 
 /// The end of the name of a value, as in "FILE.csv or -", for options that accept "-" as standard input or output;

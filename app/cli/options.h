@@ -12,6 +12,7 @@ namespace fascia {
 struct CommonOptions {
   std::string input;               // scene or mesh; empty: the default scene
   std::vector<std::string> sets;   // --set KEY=VALUE
+  std::string unit, up;            // --unit, --up: scene keys of body 0; empty: those of the scene, or guessed
   std::vector<std::string> grabs;  // --grab TEXT (sim/scene/grab_text.h)
   std::string replay;              // recorded inputs, with their scene
   std::string context = "auto";    // auto, window, egl, osmesa

@@ -50,6 +50,8 @@ std::vector<SceneKey> scene_keys() {
   scene.bodies[0].surface = "surface.obj";
   scene.bodies[0].material.look = &tissue_looks().front();
   scene.bodies[0].material.color = {0, 0, 0};
+  scene.bodies[0].unit = LengthUnit::mm;  // not written where they have no effect
+  scene.bodies[0].up = UpAxis::z;
   scene.camera.emplace();
   scene.display.range.emplace(0, 1);
   std::vector<SceneKey> keys;
@@ -62,6 +64,8 @@ std::vector<SceneKey> scene_keys() {
     accelerations.insert(name_of(pair.acceleration));
   }
   for (SceneKey& key : keys) {
+    if (key.name == "unit") key.values = names_of(kLengthUnits);
+    if (key.name == "up") key.values = names_of(kUpAxes);
     if (key.name == "solver.method") key.values.assign(methods.begin(), methods.end());
     if (key.name == "solver.acceleration") key.values.assign(accelerations.begin(), accelerations.end());
     visit_display(scene.display, [&](const auto& field, const std::string& name, auto&&...) {

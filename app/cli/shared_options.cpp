@@ -7,6 +7,7 @@
 
 #include "app/cli/command_line.h"
 #include "base/suggest.h"
+#include "sim/scene/mesh_frame.h"
 
 namespace fascia {
 
@@ -81,6 +82,25 @@ void add_graphics(CLI::App& command, CommonOptions& options) {
   command.add_flag("--quiet", options.quiet, "say nothing but errors");
 }
 
+void add_mesh_frame(CLI::App& command, std::string& unit, std::string& up) {
+  const auto names_of = [](const auto& choices) {
+    std::vector<std::string> names;
+    for (const auto choice : choices) names.emplace_back(name_of(choice));
+    return names;
+  };
+  add_choice(command, "--unit", unit, names_of(kLengthUnits),
+             "unit of the mesh's coordinates (scene key unit); default: guessed for a mesh on its own");
+  add_choice(command, "--up", up, names_of(kUpAxes),
+             "axis of the mesh that points up (scene key up); default: guessed for a mesh on its own");
+}
+
+std::vector<std::string> mesh_frame_sets(const std::string& unit, const std::string& up) {
+  std::vector<std::string> sets;
+  if (!unit.empty()) sets.push_back("unit=" + unit);
+  if (!up.empty()) sets.push_back("up=" + up);
+  return sets;
+}
+
 void add_common(CLI::App& command, CommonOptions& options) {
   command
       .add_option("scene", options.input,
@@ -90,6 +110,7 @@ void add_common(CLI::App& command, CommonOptions& options) {
   command.add_option("--set", options.sets, "override a scene value, e.g. solver.iterations=40")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  add_mesh_frame(command, options.unit, options.up);
   command
       .add_option("--grab", options.grabs,
                   "one more grab, as in the scene's grabs: "

@@ -13,7 +13,7 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/text.h"
-#include "sim/grab/build_model.h"
+#include "sim/bare_mesh/settled_model.h"
 #include "sim/material/tissues.h"
 #include "sim/mesh/mesh_check.h"
 #include "sim/model/file_reader.h"
@@ -29,6 +29,7 @@ struct InfoOptions {
   std::string input;
   bool tissues = false;  // the table of presets instead of a mesh
   std::vector<std::string> sets;
+  std::string unit, up;
 };
 
 // Prints the dispatches of a Gauss-Seidel sweep and their balance.
@@ -67,6 +68,17 @@ MeshFile filled_mesh(SurfaceMesh surface, const std::string& where, const Body& 
   return std::move(filled.file);
 }
 
+/// What the file does not state, and how fascia opens it.
+void print_plan(const BareMeshPlan& plan) {
+  std::cout << "\nopened on its own: what the file does not state is chosen as follows"
+            << (plan.unit == LengthUnit::m ? "" : std::string("; m above means ") + name_of(plan.unit)) << '\n';
+  std::cout << "  unit         " << name_of(plan.unit) << ": " << plan.unit_reason << "; another one: --unit\n";
+  std::cout << "  up           " << name_of(plan.up) << ": " << plan.up_reason << "; another axis: --up\n";
+  std::cout << "  supports     " << plan.support_reason << "; others: --set fixed=...\n";
+  std::cout << "  stiffness    " << plan.young_modulus << " Pa: " << plan.stiffness_reason
+            << "; another one: --set materials.default.young_modulus=...\n";
+}
+
 int inspect(const InfoOptions& options) {
   const EndAtOnce reading;  // no file is being written
   if (options.tissues) {
@@ -80,7 +92,11 @@ int inspect(const InfoOptions& options) {
     const std::string ending = lower_ending(options.input);
     if (ending != ".vtu" && ending != ".msh") return exit_done;  // such files may be meshes
   }
-  const Scene scene = blaming_options([&] { return open_scene_or_input(options.input, options.sets); });
+  Scene scene = blaming_options([&] {
+    std::vector<std::string> sets = options.sets;
+    for (std::string& set : mesh_frame_sets(options.unit, options.up)) sets.push_back(std::move(set));
+    return open_scene_or_input(options.input, sets);
+  });
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     const Progress progress = opening_progress(body.mesh);
@@ -92,9 +108,12 @@ int inspect(const InfoOptions& options) {
     const MeshFile file = shape.surface ? filled_mesh(std::move(*shape.surface), found.place.string(), body, progress)
                                         : std::move(shape.tets);
     const MeshRepair repaired = repair(file.mesh);
-    print_report(std::cout, file, repaired, examine(file.mesh, repaired));
+    MeshReport report = examine(file.mesh, repaired);
+    if (scene.unsettled || body.unit != LengthUnit::m) report.unit_guess.clear();  // the unit is known, or in the plan
+    print_report(std::cout, file, repaired, report);
   }
-  const Model model = build_model(scene, opening_progress(options.input));
+  const Model model = settled_model(scene, opening_progress(options.input));
+  if (model.plan) print_plan(*model.plan);
   const std::vector<double> masses = lumped_masses(model);
   std::cout << "\nscene\n";
   std::cout << "  mass         " << std::accumulate(masses.begin(), masses.end(), 0.0) << " kg\n";
@@ -111,7 +130,8 @@ int inspect(const InfoOptions& options) {
   if (const EmbeddedPoints& drawn = model.embedded; !drawn.points.empty())
     std::cout << "  surface      " << plural(drawn.points.size(), "vertex") << ", " << drawn.outside
               << " of them outside of the tets, at most " << drawn.farthest << " m\n";
-  for (const std::string& note : model.notes) std::cout << "  note         " << note << '\n';
+  for (std::size_t n = model.plan ? 1 : 0; n < model.notes.size(); ++n)  // the first one sums up the plan
+    std::cout << "  note         " << model.notes[n] << '\n';
   return exit_done;
 }
 
@@ -129,6 +149,7 @@ void add_info(CLI::App& program, Invocation& invocation) {
   command.add_flag("--tissues", options->tissues, "list the tissue presets with their sources, instead")
       ->excludes(scene);
   command.add_option("--set", options->sets, "override a scene value")->type_name("KEY=VALUE")->allow_extra_args(false);
+  add_mesh_frame(command, options->unit, options->up);
   add_examples(command,
                {"fascia info liver.msh", "fascia info beam.json --set solver.colors=5", "fascia info --tissues"});
   command.callback([&invocation, options] {

@@ -37,6 +37,28 @@ void notes_rows(const Model& model, HintBoard& hints) {
              Hint{note, note, "Found when the scene was opened: about its files, not about the motion", "", true});
 }
 
+// The guesses about a mesh on its own that files do not state: one button settles each otherwise.
+void mesh_frame_rows(const BareMeshPlan& plan, Requests& requests) {
+  const auto open_again = [&](LengthUnit unit, UpAxis up) {
+    std::vector<std::string> sets = plan.overrides;
+    sets.push_back(std::string("unit=") + name_of(unit));
+    sets.push_back(std::string("up=") + name_of(up));
+    requests.open_again = std::move(sets);
+  };
+  ui::label("Unit", "Of the mesh's coordinates, " + plan.unit_reason + ". A saved scene has it as the key unit");
+  ui::ButtonRow units(static_cast<int>(kLengthUnits.size()));
+  for (const LengthUnit unit : kLengthUnits) {
+    const std::string help = std::string("Opens the mesh again in ") + name_of(unit);
+    if (units.add(name_of(unit), help, unit == plan.unit)) open_again(unit, plan.up);
+  }
+  ui::label("Up", "Axis of the mesh that points up: " + plan.up_reason + ". A saved scene has it as the key up");
+  ui::ButtonRow axes(static_cast<int>(kUpAxes.size()));
+  for (const UpAxis up : kUpAxes) {
+    const std::string help = std::string("Opens the mesh again with ") + name_of(up) + " up";
+    if (axes.add(name_of(up), help, up == plan.up)) open_again(plan.unit, up);
+  }
+}
+
 }  // namespace
 
 void scene_panel(const PanelContext& context) {
@@ -64,8 +86,8 @@ void scene_panel(const PanelContext& context) {
   else
     std::snprintf(text, sizeof text, "%.2f s", simulation.time());
   ui::fact("Time", text, "Simulated since the start of the scene");
-  if (const auto& unit = state.facts.unit; unit && hint_row(state.hints, unit->hint))
-    context.requests.rescale = unit->scale;
+  if (const auto& unit = state.facts.unit; unit && hint_row(state.hints, unit->hint)) requests.rescale = unit->scale;
+  if (model.plan) mesh_frame_rows(*model.plan, requests);
   inverted_row(state.statistics);
   notes_rows(model, state.hints);
 }

@@ -23,7 +23,7 @@ std::optional<Hint> locking_hint(double poisson_ratio) {
 }
 
 std::optional<UnitHint> unit_hint(const Scene& scene, const Model& model) {
-  if (model.tets.empty()) return std::nullopt;
+  if (model.tets.empty() || model.plan) return std::nullopt;  // a plan has a unit
   Eigen::AlignedBox3d box;
   for (const Tet& tet : model.tets)
     for (const std::uint32_t v : tet) box.extend(model.rest_positions[v]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/cli/command_line.h"
 #include "app/cli/usage_error.h"
 #include "app/session/advice.h"
 #include "app/session/opening_progress.h"
@@ -10,6 +11,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/interrupt.h"
+#include "sim/bare_mesh/settled_model.h"
 #include "sim/replay/replay_time.h"
 #include "sim/scene/scene_paths.h"
 
@@ -19,7 +21,7 @@ namespace {
 Opened open_replay(const std::filesystem::path& path, const std::vector<std::string>& sets, const Progress& progress) {
   Replay replay = read_replay(path, sets);
   Scene scene = replay.scene;
-  Model model = build_model(scene, progress);
+  Model model = settled_model(scene, progress);
   Opened opened{std::move(scene), std::move(replay), std::move(model)};
   const Replay& read = *opened.replay;
   if (!read.note.empty()) opened.model.notes.push_back(read.note);
@@ -62,13 +64,14 @@ Scene open_scene_or_input(const std::filesystem::path& path, const std::vector<s
 Opened open_file(const std::filesystem::path& path, const std::vector<std::string>& sets, const Progress& progress) {
   if (lower_ending(path) == ".fascia") return open_replay(path, sets, progress);
   Scene scene = open_scene_or_input(path, sets);
-  Model model = build_model(scene, progress);
+  Model model = settled_model(scene, progress);
   return {std::move(scene), std::nullopt, std::move(model)};
 }
 
 Opened open_input(const CommonOptions& options, const std::vector<std::string>& sets) {
   if (!options.data_dir.empty()) find_data_dir(options.data_dir);  // sets the folder of "assets:"
   std::vector<std::string> overrides = sets;
+  for (const std::string& set : mesh_frame_sets(options.unit, options.up)) overrides.push_back(set);
   for (const std::string& grab : options.grabs) overrides.push_back("--grab " + grab);
   if (!options.replay.empty() && !options.input.empty())
     throw UsageError("--replay", "has a scene of its own", "leave out " + options.input);

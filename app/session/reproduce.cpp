@@ -68,6 +68,21 @@ void collect(const std::string& path, const OrderedJson& from, const OrderedJson
   }
 }
 
+/// Adds the values that a mesh on its own leaves open, where they equal the defaults: they would be guessed again.
+void settle(const Scene& now, std::vector<std::string>& sets) {
+  const Body& body = now.bodies.front();
+  const OrderedJson document = scene_document(now, now.file.parent_path())["bodies"][0];
+  const std::pair<std::string, OrderedJson> values[] = {
+      {"unit", name_of(body.unit)},
+      {"up", name_of(body.up)},
+      {"fixed", document["fixed"]},
+      {"materials.default.young_modulus", document["materials"]["default"]["young_modulus"]},
+      {"materials.default.model", name_of(body.material.model)}};
+  for (const auto& [key, value] : values)
+    if (std::none_of(sets.begin(), sets.end(), [&](const std::string& set) { return set.starts_with(key); }))
+      sets.push_back(key + "=" + text_of_value(value));
+}
+
 }  // namespace
 
 std::vector<std::string> sets_between(const Scene& from, const Scene& to) {
@@ -107,7 +122,10 @@ std::string command_line(const std::filesystem::path& file, const std::vector<st
 
 std::string command_that_reproduces(const Scene& now) {
   const bool is_replay = lower_ending(now.file) == ".fascia";
-  return command_line(now.file, sets_between(is_replay ? read_replay(now.file).scene : open_scene(now.file), now));
+  const Scene opened = is_replay ? read_replay(now.file).scene : open_scene(now.file);
+  std::vector<std::string> sets = sets_between(opened, now);
+  if (opened.unsettled) settle(now, sets);
+  return command_line(now.file, sets);
 }
 
 }  // namespace fascia

@@ -98,6 +98,7 @@ struct Requests {
   std::optional<std::vector<MaterialEntries>> materials;  // for regions: a material of their own, or the default
   std::optional<FixedSets> fixed;                         // after a stroke of the brush
   std::optional<double> rescale;                          // factor for all bodies: the file has another unit
+  std::optional<std::vector<std::string>> open_again;     // a mesh on its own, with these --set texts
   /// Some requests are executed with the steps and the picture of a frame.
   bool wait_for_picture() const { return step || screenshot || video || plot_table || plot_picture; }
 };

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/system/process_memory.h"
-#include "sim/grab/build_model.h"
+#include "sim/bare_mesh/settled_model.h"
 #include "sim/replay/replay.h"
 #include "sim/simulation/divergence.h"
 
@@ -119,9 +119,9 @@ int soak_scenes(Bench& bench, const std::vector<std::filesystem::path>& inputs, 
                    "failures"};
   int failed = 0;
   for (const std::filesystem::path& input : inputs) {
-    const Scene scene = open_scene(input);
+    Scene scene = open_scene(input);
     const std::string name = input.stem().string();
-    const std::size_t tets = build_model(scene).tets.size();
+    const std::size_t tets = settled_model(scene).tets.size();
     const SoakRun runs[2] = {soak(bench, scene, steps), soak(bench, scene, steps)};
     std::string what;
     for (const std::string& failure : soak_failures(runs[0], runs[1])) what += (what.empty() ? "" : "; ") + failure;

@@ -150,7 +150,10 @@ void Window::wait_for_events() {
 // Before the window waits: fetches the numbers that the GPU returns some frames late, and draws the picture once more
 // with them.
 void Window::settle() {
-  stage_.messages.attempt([&] { stage_.session->settle_range(sides_.second()); });
+  stage_.messages.attempt([&] {
+    stage_.session->settle_range(sides_.second());
+    stage_.session->settle_ground(sides_.second());
+  });
   frames_to_settle_ = kFramesToSettle;
   settled_ = true;
 }
@@ -265,6 +268,7 @@ void Window::carry_out(const Requests& requests) {
   if (requests.materials) tuning_.set_materials(*requests.materials);
   if (requests.fixed) tuning_.set_fixed(*requests.fixed);
   if (requests.rescale) rescale(*requests.rescale);
+  if (requests.open_again) open_again(*requests.open_again);
   if (requests.copy_command) tuning_.copy_command();
   if (requests.reset) reset();
   if (requests.step) stage_.state.paused = true;
@@ -316,10 +320,16 @@ void Window::rescale(double factor) {
                       ": the scene restarts with an empty undo history. Ctrl+S saves the scaled scene");
 }
 
+void Window::open_again(const std::vector<std::string>& overrides) {
+  take_over(opener_.open(stage_.simulation().scene.file, overrides));
+  stage_.messages.say("The mesh was opened again, with an empty undo history. Ctrl+S saves it as a scene");
+}
+
 void Window::reset() {
   sides_.let_go();
   recording_.reset_around([&] { sides_.reset(); });
   stage_.session->true_error.forget();
+  stage_.session->forget_ground();
   stage_.state.statistics.steps = 0;
   stage_.pacing.restart();
   stage_.diagnose = true;

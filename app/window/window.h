@@ -49,6 +49,7 @@ class Window {
   void set_title();
   void resume(const std::filesystem::path& file);
   void rescale(double factor);
+  void open_again(const std::vector<std::string>& overrides);
   void reset();
   void reload_shaders();
 

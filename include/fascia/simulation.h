@@ -53,9 +53,9 @@ FASCIA_INLINE namespace api {
   class FASCIA_EXPORT Simulation {
    public:
     // Opening and closing.
-    /// Opens a scene (.json) or a mesh. A mesh without a scene is fixed at its lowest vertices. Throws Error for files
-    /// that cannot be read, values out of range and a context without OpenGL (unless OpenOptions::reference is set),
-    /// and Interrupted if OpenOptions::control stops the work.
+    /// Opens a scene (.json) or a mesh. What a mesh without a scene leaves open is chosen for it and stated in notes().
+    /// Throws Error for files that cannot be read, values out of range and a context without OpenGL (unless
+    /// OpenOptions::reference is set), and Interrupted if OpenOptions::control stops the work.
     static Simulation open(const std::string& path, Context context = Context::own(), const OpenOptions& options = {});
     /// Makes a simulation from arrays. Throws Error for arrays of wrong size, numbers that are not finite, values and
     /// indices out of range, a mesh without a usable tet, a non-empty OpenOptions::set and a context without OpenGL

@@ -14,8 +14,8 @@ Model with_grabs(const Scene& scene, Model model) {
 
 }  // namespace
 
-Model build_model(const Scene& scene, const Progress& progress) {
-  return with_grabs(scene, build_bodies(scene, progress));
+Model build_model(const Scene& scene, const Progress& progress, const BodyRead& read) {
+  return with_grabs(scene, build_bodies(scene, progress, read));
 }
 Model build_model(const Scene& scene, std::vector<TetMesh> meshes) {
   return with_grabs(scene, build_bodies(scene, std::move(meshes)));

@@ -7,7 +7,7 @@ namespace fascia {
 
 /// Reads the meshes, surfaces and CSV files of the scene. Throws Error for an unreadable file, an empty selection, a
 /// material key that names no region, prescribed targets that miss vertices, or a grab without vertices to pull.
-Model build_model(const Scene& scene, const Progress& progress = {});
+Model build_model(const Scene& scene, const Progress& progress = {}, const BodyRead& read = {});
 /// The same from meshes in memory, [body] (sim/model/model.h).
 Model build_model(const Scene& scene, std::vector<TetMesh> meshes);
 

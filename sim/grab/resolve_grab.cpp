@@ -139,17 +139,19 @@ Place place_of(const ScriptedGrab& grab, const Selection& selection, const Scene
   const BodyPart& body = model.bodies[b];
   // Selections refer to the positions in the file, before the transform.
   TetMesh mesh;
-  const Eigen::Affine3d back = placement(scene.bodies[b].transform).inverse();
+  const Eigen::Affine3d back = placement(scene.bodies[b]).inverse();
   for (std::uint32_t v = 0; v < body.vertex_count; ++v)
     mesh.positions.push_back(back * model.rest_positions[body.vertex_begin + v]);
-  std::vector<char> used(body.vertex_count, 0);
-  for (std::uint32_t t = body.tet_begin; t < body.tet_begin + body.tet_count; ++t)
-    for (const std::uint32_t v : model.tets[t]) used[v - body.vertex_begin] = 1;
+  for (std::uint32_t t = body.tet_begin; t < body.tet_begin + body.tet_count; ++t) {
+    Tet& tet = mesh.tets.emplace_back(model.tets[t]);
+    for (std::uint32_t& v : tet) v -= body.vertex_begin;
+  }
   for (const auto& [name, vertices] : model.file_mesh.groups)
     for (const std::uint32_t v : vertices)
       if (v >= body.vertex_begin && v < body.vertex_begin + body.vertex_count)
         mesh.groups[name].push_back(v - body.vertex_begin);
-  std::vector<std::uint32_t> vertices = select_vertices(selection, mesh, used, where + ".select");
+  std::vector<std::uint32_t> vertices =
+      select_vertices(selection, {mesh, mesh.tets, scene.bodies[b].up}, where + ".select");
   for (std::uint32_t& v : vertices) v += body.vertex_begin;
   Place place;
   place.patch = even_patch(model, vertices);

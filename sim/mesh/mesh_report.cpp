@@ -53,7 +53,7 @@ void print_shape(std::ostream& out, const MeshReport& report) {
   line(out, "volume") << number(report.volume) << " m^3\n";
   line(out, "edges") << length(report.shortest_edge) << " to " << length(report.longest_edge) << "\n";
   line(out, "dihedral") << number(report.smallest_dihedral_deg) << " to " << number(report.largest_dihedral_deg)
-                        << " degrees\n";
+                        << " degrees between the faces of a tet\n";
   line(out, "components") << report.components
                           << (report.components > 1 ? ", which share no vertex and so move independently\n" : "\n");
   line(out, "boundary") << plural(report.boundary_triangles, "triangle");

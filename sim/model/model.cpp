@@ -135,12 +135,12 @@ void add_materials(const LoadedBody& loaded, Model& model, BodyPart& part) {
 /// Appends the body's motions and fixed vertices in the model's numbering; [vertex_count] 1 where constrained.
 std::vector<char> add_constraints(const LoadedBody& loaded, std::uint32_t vertex_begin, Model& model) {
   const TetMesh& mesh = loaded.file.mesh;
+  const SelectableMesh selectable{mesh, loaded.repaired.tets, loaded.body.up};
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::vector<std::size_t> motion_of(mesh.positions.size(), kNone);
   for (std::size_t m = 0; m < loaded.body.prescribed.size(); ++m) {
     const std::string element = ".prescribed[" + std::to_string(m) + "]", where = loaded.where + element;
-    Motion motion =
-        resolve_motion(loaded.body.prescribed[m], loaded.files, mesh, loaded.used, where, loaded.key + element);
+    Motion motion = resolve_motion(loaded.body.prescribed[m], loaded.files, selectable, where, loaded.key + element);
     for (std::uint32_t& vertex : motion.vertices) {
       if (motion_of[vertex] != kNone) {
         throw Error(where,
@@ -156,7 +156,7 @@ std::vector<char> add_constraints(const LoadedBody& loaded, std::uint32_t vertex
   std::vector<char> held(mesh.positions.size(), 0);
   for (std::size_t s = 0; s < loaded.body.fixed.size(); ++s) {
     const std::string where = loaded.where + ".fixed[" + std::to_string(s) + "]";
-    for (const std::uint32_t vertex : select_vertices(loaded.body.fixed[s], mesh, loaded.used, where)) held[vertex] = 1;
+    for (const std::uint32_t vertex : select_vertices(loaded.body.fixed[s], selectable, where)) held[vertex] = 1;
   }
   for (std::uint32_t v = 0; v < held.size(); ++v) {
     const bool is_moved = motion_of[v] != kNone;
@@ -189,7 +189,7 @@ Tet shifted(Tet tet, std::uint32_t by) {
 void add_mesh(const LoadedBody& loaded, const BodyPart& part, Model& model) {
   const TetMesh& mesh = loaded.file.mesh;
   TetMesh& all = model.file_mesh;
-  const Eigen::Affine3d place = placement(loaded.body.transform);
+  const Eigen::Affine3d place = placement(loaded.body);
   const auto first_tet = static_cast<std::uint32_t>(all.tets.size());
   for (const Vector3d& position : mesh.positions) all.positions.push_back(place * position);
   for (const Tet& tet : mesh.tets) all.tets.push_back(shifted(tet, part.vertex_begin));
@@ -206,7 +206,7 @@ void add_mesh(const LoadedBody& loaded, const BodyPart& part, Model& model) {
 void add_surface(LoadedBody loaded, const BodyPart& part, Model& model) {
   SurfaceMesh& surface = model.surfaces.emplace_back(std::move(loaded.surface));
   if (surface.triangles.empty()) return;
-  const Eigen::Affine3d place = placement(loaded.body.transform);
+  const Eigen::Affine3d place = placement(loaded.body);
   for (Vector3d& p : surface.positions) p = place * p;
   EmbeddedPoints own =
       embed(surface.positions, model.file_mesh.positions, {model.tets.begin() + part.tet_begin, model.tets.end()});
@@ -244,7 +244,7 @@ void add_body(LoadedBody loaded, Model& model) {
 
 }  // namespace
 
-Model build_bodies(const Scene& scene, const Progress& progress) {
+Model build_bodies(const Scene& scene, const Progress& progress, const BodyRead& read) {
   Model model;
   model.gravity = scene.gravity;
   model.notes = scene.notes;
@@ -252,8 +252,11 @@ Model build_bodies(const Scene& scene, const Progress& progress) {
   const auto share = [&](std::size_t bodies) {
     return static_cast<double>(bodies) / static_cast<double>(scene.bodies.size());
   };
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    add_body(load(scene, b, files, part_of(progress, share(b), share(b + 1))), model);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    LoadedBody loaded = load(scene, b, files, part_of(progress, share(b), share(b + 1)));
+    if (read) read(b, loaded.file.mesh, loaded.repaired.tets);
+    add_body(std::move(loaded), model);
+  }
   model.notes.insert(model.notes.end(), files.notes.begin(), files.notes.end());
   model.files = std::move(files.files);
   model.rest_positions = model.file_mesh.positions;

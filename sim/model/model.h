@@ -4,13 +4,16 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
 #include "sim/material/material.h"
 #include "sim/mesh/tet_mesh.h"
+#include "sim/model/bare_mesh_plan.h"
 #include "sim/model/resolved_grab.h"
 #include "sim/scene/scene.h"
 #include "sim/surface/embedding.h"
@@ -58,6 +61,7 @@ struct Model {
   TetMesh file_mesh;                      // every vertex and tet of the files (placed), for exports
   std::vector<std::uint32_t> tet_source;  // [tet_count] index of each tet in file_mesh.tets
   std::vector<std::string> notes;         // repairs and warnings for the user, one line each
+  std::optional<BareMeshPlan> plan;       // of a mesh opened on its own
   std::vector<ReadFile> files;            // files that were read for the model
 
   std::vector<char> held() const;  // [vertex_count] 1 where fixed or prescribed
@@ -65,10 +69,13 @@ struct Model {
   double end_of_grabs() const;     // [s] when the last scripted grab ends its path or is released; 0 without any
 };
 
-/// Reads the meshes, surfaces and CSV files of the scene's bodies, without the grabs (sim/grab/build_model.h). Throws
-/// Error for an unreadable file, an empty selection, a material key that names no region, or prescribed targets that
-/// miss vertices.
-Model build_bodies(const Scene& scene, const Progress& progress = {});
+/// Called with the mesh of a body and its usable tets, before anything else of the body is looked at.
+using BodyRead = std::function<void(std::size_t body, const TetMesh& mesh, const std::vector<Tet>& tets)>;
+
+/// Reads the meshes, surfaces and CSV files of the scene's bodies, without the grabs (sim/grab/build_model.h). `read`
+/// may change the scene. Throws Error for an unreadable file, an empty selection, a material key that names no region,
+/// or prescribed targets that miss vertices.
+Model build_bodies(const Scene& scene, const Progress& progress = {}, const BodyRead& read = {});
 /// The same from meshes in memory, [body], instead of the files that the bodies name. Their vertex indices and
 /// positions are not checked.
 Model build_bodies(const Scene& scene, std::vector<TetMesh> meshes);

@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "sim/model/vertex_csv.h"
-#include "sim/model/vertex_selection.h"
 
 namespace fascia {
 
@@ -21,12 +20,12 @@ Vector3d Motion::position(std::size_t k, const Vector3d& rest, double t) const {
   return center + (1 + share * (scale - 1)) * (rotation * (rest - center)) + share * translate;
 }
 
-Motion resolve_motion(const PrescribedMotion& motion, FileReader& files, const TetMesh& mesh,
-                      const std::vector<char>& used, const std::string& where, const std::string& key) {
+Motion resolve_motion(const PrescribedMotion& motion, FileReader& files, const SelectableMesh& body,
+                      const std::string& where, const std::string& key) {
   Motion result;
   result.start = motion.start;
   result.duration = motion.duration;
-  if (motion.select) result.vertices = select_vertices(*motion.select, mesh, used, where + ".select");
+  if (motion.select) result.vertices = select_vertices(*motion.select, body, where + ".select");
   if (motion.targets.empty()) {
     result.translate = motion.translate;
     result.axis = motion.axis;
@@ -36,7 +35,7 @@ Motion resolve_motion(const PrescribedMotion& motion, FileReader& files, const T
     return result;
   }
   const FileReader::File file = files.read(motion.targets, key + ".targets");
-  VertexTable table = read_vertex_csv_content(file.place, file.content, mesh.positions.size());
+  VertexTable table = read_vertex_csv_content(file.place, file.content, body.mesh.positions.size());
   if (!motion.select) {
     result.vertices = std::move(table.vertices);
     result.targets = std::move(table.values);

@@ -5,12 +5,13 @@
 
 #include "sim/model/file_reader.h"
 #include "sim/model/model.h"
+#include "sim/model/vertex_selection.h"
 
 namespace fascia {
 
-/// `vertices` are those of the body's mesh; `key` is the scene key of the motion, "bodies[0].prescribed[0]". Throws
+/// `body`: the mesh of the body; `key` is the scene key of the motion, "bodies[0].prescribed[0]". Throws
 /// Error as select_vertices and read_vertex_csv do, and if the CSV file of targets misses selected vertices.
-Motion resolve_motion(const PrescribedMotion& motion, FileReader& files, const TetMesh& mesh,
-                      const std::vector<char>& used, const std::string& where, const std::string& key);
+Motion resolve_motion(const PrescribedMotion& motion, FileReader& files, const SelectableMesh& body,
+                      const std::string& where, const std::string& key);
 
 }  // namespace fascia

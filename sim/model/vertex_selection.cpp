@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <map>
 
 #include "base/error.h"
 #include "base/suggest.h"
+#include "sim/mesh/pieces.h"
 
 namespace fascia {
 namespace {
@@ -14,6 +16,8 @@ using Eigen::Vector3d;
 
 struct Selector {
   const TetMesh& mesh;
+  const std::vector<Tet>& tets;
+  const UpAxis up;
   const std::vector<char>& used;
   const std::string& where;
 
@@ -53,23 +57,28 @@ struct Selector {
                 names.empty() ? "expected a mesh with groups" : "expected one of " + join(names));
   }
   std::vector<std::uint32_t> operator()(const LowestSelection& lowest) const {
-    double bottom = std::numeric_limits<double>::max(), top = std::numeric_limits<double>::lowest();
-    for (std::size_t v = 0; v < used.size(); ++v) {
-      if (!used[v]) continue;
-      bottom = std::min(bottom, mesh.positions[v].y());
-      top = std::max(top, mesh.positions[v].y());
-    }
-    std::vector<double> heights;
-    for (std::size_t v = 0; v < used.size(); ++v)
-      if (used[v]) heights.push_back(mesh.positions[v].y());
+    const Vector3d away = (lowest.highest ? -1 : 1) * direction(up);  // from the end that is selected
+    const auto height = [&](std::uint32_t v) { return away.dot(mesh.positions[v]); };
+    const std::vector<std::uint32_t> piece =
+        lowest.each_piece ? pieces_of(tets, used.size()) : std::vector<std::uint32_t>(used.size(), 0);
+    std::map<std::uint32_t, std::vector<double>> heights;
+    for (std::uint32_t v = 0; v < used.size(); ++v)
+      if (used[v]) heights[piece[v]].push_back(height(v));
+    std::map<std::uint32_t, double> limits;
+    for (auto& [number, values] : heights) limits[number] = limit_of(std::move(values), lowest.share);
+    return all_where([&](std::uint32_t v) { return used[v] && height(v) <= limits.at(piece[v]); });
+  }
+
+  static double limit_of(std::vector<double> heights, double share) {
+    const auto [bottom, top] = std::minmax_element(heights.begin(), heights.end());
+    double limit = *bottom + share * (*top - *bottom);
     // A tip or an edge would be a hinge around which the body topples: at least as many vertices as the share states
     // are selected.
-    double limit = bottom + lowest.share * (top - bottom);
-    if (const auto least = static_cast<std::size_t>(lowest.share * static_cast<double>(heights.size())); least > 0) {
+    if (const auto least = static_cast<std::size_t>(share * static_cast<double>(heights.size())); least > 0) {
       std::nth_element(heights.begin(), heights.begin() + static_cast<std::ptrdiff_t>(least - 1), heights.end());
       limit = std::max(limit, heights[least - 1]);
     }
-    return all_where([&](std::uint32_t v) { return used[v] && mesh.positions[v].y() <= limit; });
+    return limit;
   }
 };
 
@@ -99,14 +108,15 @@ std::vector<char> used_vertices(const std::vector<Tet>& tets, std::size_t vertex
   return used;
 }
 
-std::vector<std::uint32_t> select_vertices(const Selection& selection, const TetMesh& mesh,
-                                           const std::vector<char>& used, const std::string& where) {
-  std::vector<std::uint32_t> vertices = std::visit(Selector{mesh, used, where}, selection);
+std::vector<std::uint32_t> select_vertices(const Selection& selection, const SelectableMesh& body,
+                                           const std::string& where) {
+  const std::vector<char> used = used_vertices(body.tets, body.mesh.positions.size());
+  std::vector<std::uint32_t> vertices = std::visit(Selector{body.mesh, body.tets, body.up, used, where}, selection);
   if (std::none_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return used[v]; })) {
     const std::string found = vertices.empty()
                                   ? "selects nothing"
                                   : "selects no vertex of a tet (" + std::to_string(vertices.size()) + " unused)";
-    throw Error(where, found, "expected some of the " + extent_of(mesh, used));
+    throw Error(where, found, "expected some of the " + extent_of(body.mesh, used));
   }
   return vertices;
 }

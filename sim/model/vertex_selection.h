@@ -12,9 +12,16 @@ namespace fascia {
 /// [vertex_count] 1 where a tet uses the vertex.
 std::vector<char> used_vertices(const std::vector<Tet>& tets, std::size_t vertex_count);
 
-/// Ascending and unique. Positions are those of the file, before the body's transform. `used` comes from the usable
-/// tets. Throws Error for a vertex or group that the mesh does not have, and for a selection without a vertex of a tet.
-std::vector<std::uint32_t> select_vertices(const Selection& selection, const TetMesh& mesh,
-                                           const std::vector<char>& used, const std::string& where);
+/// What selections select from: a mesh as its file has it, and its usable tets.
+struct SelectableMesh {
+  const TetMesh& mesh;
+  const std::vector<Tet>& tets;
+  UpAxis up = UpAxis::y;  // Body::up
+};
+
+/// Ascending and unique. Positions are those of the file, before the body's placement. Throws Error for a vertex or
+/// group that the mesh does not have, and for a selection without a vertex of a tet.
+std::vector<std::uint32_t> select_vertices(const Selection& selection, const SelectableMesh& body,
+                                           const std::string& where);
 
 }  // namespace fascia

@@ -16,8 +16,6 @@
 namespace fascia {
 namespace {
 
-constexpr double kLowestShare = 0.02;  // of the height: the part of a mesh opened on its own that is fixed
-
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors start text files with it
 
 /// The first character that is no space and no byte order mark, without reading a whole large mesh.
@@ -42,13 +40,27 @@ bool is_scene(const std::filesystem::path& path) {
   return first == '{' || path.extension() == ".json";
 }
 
-Scene read_document(nlohmann::json document, const std::filesystem::path& path,
+Scene read_document(nlohmann::json& document, const std::filesystem::path& path,
                     const std::vector<std::string>& overrides) {
   DocumentOrigin origin{path.string(), {}};
   apply_overrides(document, overrides, origin);
   Scene scene = read_scene(Node(document, "", origin));
   scene.file = path;
   return scene;
+}
+
+/// `body`: of a mesh on its own, as JSON with the overrides applied.
+Unsettled left_open(const nlohmann::json& body, const std::vector<std::string>& overrides) {
+  const auto material = body.contains("materials") ? body["materials"].value("default", nlohmann::json::object())
+                                                   : nlohmann::json::object();
+  Unsettled open;
+  open.unit = !body.contains("unit");
+  open.up = !body.contains("up");
+  open.supports = !body.contains("fixed") && !body.contains("prescribed");
+  open.stiffness = !material.contains("young_modulus") && !material.contains("preset");
+  open.law = !material.contains("model");
+  open.overrides = overrides;
+  return open;
 }
 
 }  // namespace
@@ -79,21 +91,24 @@ Scene open_scene(const std::filesystem::path& path, const std::vector<std::strin
   document["fascia_scene"] = 1;
   document["title"] = path.filename().string();
   document["bodies"][0]["mesh"] = path.filename().string();
-  document["bodies"][0]["fixed"][0]["lowest"] = kLowestShare;
-  return read_document(std::move(document), path, overrides);
+  Scene scene = read_document(document, path, overrides);
+  scene.unsettled = left_open(document["bodies"][0], overrides);
+  return scene;
 }
 
 Scene read_scene_content(const std::filesystem::path& path, std::string_view content,
                          const std::vector<std::string>& overrides) {
-  return read_document(parse_json(content, path.string()), path, overrides);
+  nlohmann::json document = parse_json(content, path.string());
+  return read_document(document, path, overrides);
 }
 
-Eigen::Affine3d placement(const Transform& transform) {
+Eigen::Affine3d placement(const Body& body) {
   using Eigen::Vector3d;
+  const Transform& transform = body.transform;
   const Vector3d angles = transform.rotate_deg * (std::numbers::pi / 180);
   return Eigen::Translation3d(transform.translate) * Eigen::AngleAxisd(angles.z(), Vector3d::UnitZ()) *
          Eigen::AngleAxisd(angles.y(), Vector3d::UnitY()) * Eigen::AngleAxisd(angles.x(), Vector3d::UnitX()) *
-         Eigen::Scaling(transform.scale);
+         Eigen::Scaling(transform.scale * meters(body.unit)) * Eigen::Affine3d(turned_up(body.up));
 }
 
 }  // namespace fascia

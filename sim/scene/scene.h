@@ -15,6 +15,7 @@
 
 #include "sim/material/material.h"
 #include "sim/scene/known_file.h"
+#include "sim/scene/mesh_frame.h"
 #include "sim/scene/scene_grab.h"
 #include "sim/scene/scene_selection.h"
 #include "sim/scene/settings/display.h"
@@ -28,9 +29,6 @@ struct Transform {  // applied scale, then rotation, then translation
   Eigen::Vector3d translate = Eigen::Vector3d::Zero();   // [m]
   bool operator==(const Transform&) const = default;
 };
-
-/// From the mesh file's coordinates to the scene's.
-Eigen::Affine3d placement(const Transform& transform);
 
 struct PrescribedMotion {           // path from rest to target over [start, start + duration], constant afterwards
   std::optional<Selection> select;  // with translate/rotate/scale
@@ -56,8 +54,10 @@ struct MaterialOverride {
 
 struct Body {
   std::string name;
-  std::string mesh;               // as written (Scene::resolve); tets, or a closed surface to be filled with tets
-  std::optional<int> resolution;  // cells along the longest side for the filling; absent: several thousand tets
+  std::string mesh;                 // as written (Scene::resolve); tets, or a closed surface to be filled with tets
+  std::optional<int> resolution;    // cells along the longest side for the filling; absent: several thousand tets
+  LengthUnit unit = LengthUnit::m;  // of the mesh's coordinates
+  UpAxis up = UpAxis::y;            // of the mesh's axes, turned to y before the transform
   Transform transform;
   Material material;                                                       // "default"
   std::vector<std::pair<std::string, MaterialOverride>> region_materials;  // region number or group name
@@ -66,6 +66,17 @@ struct Body {
   std::variant<Eigen::Vector3d, std::string> initial_velocity = Eigen::Vector3d(0, 0, 0);  // [m/s] or CSV path
   std::string surface;  // drawn instead of the tets' boundary
   bool operator==(const Body&) const = default;
+};
+
+/// From the mesh file's coordinates to the scene's: `unit`, then `up`, then `transform`.
+Eigen::Affine3d placement(const Body& body);
+
+/// Values of a mesh opened on its own that its user left open. They are chosen once the mesh is read
+/// (sim/bare_mesh/settled_model.h).
+struct Unsettled {
+  bool unit = true, up = true, supports = true, stiffness = true, law = true;
+  std::vector<std::string> overrides;  // those of open_scene, to open the mesh again
+  bool operator==(const Unsettled&) const = default;
 };
 
 struct CameraSettings {
@@ -105,9 +116,10 @@ struct Scene {
   std::optional<CameraSettings> camera;  // absent: framed on the bodies
   CameraMotion camera_motion;
   DisplaySettings display;
-  double duration = 2;             // [s] of `run` and `--video` when neither --steps nor --time is given
-  std::vector<KnownFile> files;    // known data of all or some files that the paths above name
-  std::vector<std::string> notes;  // of the reader, one line each: files found at other places
+  double duration = 2;                 // [s] of `run` and `--video` when neither --steps nor --time is given
+  std::vector<KnownFile> files;        // known data of all or some files that the paths above name
+  std::vector<std::string> notes;      // of the reader, one line each: files found at other places
+  std::optional<Unsettled> unsettled;  // of a mesh opened on its own; a scene file is taken as it is
   bool operator==(const Scene&) const = default;
 
   /// Resolves a path as written: relative to the scene file's folder, or with "assets:" to the folder of the shipped
@@ -117,7 +129,7 @@ struct Scene {
   bool carries(const std::string& path) const;
 };
 
-/// Opens a scene (JSON) or a mesh on its own (default material, lowest 2 percent fixed). `overrides` are --set texts
+/// Opens a scene (JSON) or a mesh on its own, which leaves `unsettled` values. `overrides` are --set texts
 /// "KEY=VALUE", or "--grab TEXT" (sim/scene/grab_text.h); a KEY that starts with a key of bodies (materials., fixed.,
 /// transform., ...) means body 0. An override's error names "--set KEY".
 Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});

@@ -1,4 +1,5 @@
 // Reads one body of a scene file: its mesh, materials, selections and motions.
+#include <algorithm>
 #include <charconv>
 #include <limits>
 
@@ -148,6 +149,17 @@ PrescribedMotion read_motion(const Node& node) {
   return motion;
 }
 
+/// One of `choices` by its name.
+template <class Choice, std::size_t n>
+Choice read_choice(const Node& node, const std::array<Choice, n>& choices) {
+  std::vector<std::string> names;
+  for (const Choice choice : choices) names.emplace_back(name_of(choice));
+  const std::string expected = "one of " + join(names), text = node.text(expected);
+  const auto found = std::find(names.begin(), names.end(), text);
+  if (found == names.end()) node.refuse(expected);
+  return choices[static_cast<std::size_t>(found - names.begin())];
+}
+
 std::variant<Eigen::Vector3d, std::string> read_velocity(const Node& node) {
   const std::string expected = "a list of 3 numbers [m/s] or the path of a CSV file";
   if (!node.is_string()) {
@@ -171,8 +183,10 @@ Transform read_transform(const Node& node) {
 }  // namespace
 
 Selection read_selection(const Node& node) {
-  const std::vector<std::string> kinds = {"box", "sphere", "vertices", "group", "lowest"};
-  node.expect_object(kinds);
+  const std::vector<std::string> kinds = {"box", "sphere", "vertices", "group", "lowest", "highest"};
+  std::vector<std::string> known = kinds;
+  known.emplace_back("each_piece");
+  node.expect_object(known);
   std::optional<Node> found;
   std::string kind;
   for (const std::string& candidate : kinds) {
@@ -183,11 +197,14 @@ Selection read_selection(const Node& node) {
     kind = candidate;
   }
   if (!found) node.fail("selects nothing", "one of " + join(kinds));
+  const auto each_piece = node.find("each_piece");
+  if (each_piece && kind != "lowest" && kind != "highest")
+    each_piece->fail("is given beside " + kind, "it beside lowest or highest only");
   if (kind == "box") return read_box(*found);
   if (kind == "sphere") return read_sphere(*found);
   if (kind == "vertices") return read_vertices(*found);
   if (kind == "group") return GroupSelection{found->text("the name of a group of the mesh")};
-  return LowestSelection{found->number(0, 1, "of the height")};
+  return LowestSelection{found->number(0, 1, "of the height"), kind == "highest", each_piece && each_piece->boolean()};
 }
 
 Material read_material(const Node& node) {
@@ -197,8 +214,8 @@ Material read_material(const Node& node) {
 }
 
 Body read_body(const Node& node) {
-  node.expect_object(
-      {"name", "mesh", "resolution", "transform", "materials", "fixed", "prescribed", "initial_velocity", "surface"});
+  node.expect_object({"name", "mesh", "resolution", "unit", "up", "transform", "materials", "fixed", "prescribed",
+                      "initial_velocity", "surface"});
   Body body;
   const std::string expected = "the path of a tet mesh or of a closed surface";
   const Node mesh = node.at("mesh", expected);
@@ -207,6 +224,8 @@ Body read_body(const Node& node) {
   if (const auto resolution = node.find("resolution")) body.resolution = resolution->integer(kFewestCells, kMostCells);
   const auto name = node.find("name");
   body.name = name ? name->text("a text") : std::filesystem::path(body.mesh).stem().string();
+  if (const auto unit = node.find("unit")) body.unit = read_choice(*unit, kLengthUnits);
+  if (const auto up = node.find("up")) body.up = read_choice(*up, kUpAxes);
   if (const auto transform = node.find("transform")) body.transform = read_transform(*transform);
   if (const auto materials = node.find("materials")) read_materials(*materials, body);
   if (const auto fixed = node.find("fixed")) {

@@ -25,10 +25,12 @@ struct GroupSelection {
   std::string group;
   bool operator==(const GroupSelection&) const = default;
 };
-/// "lowest": the vertices within `share` of the height from the bottom along y or, if those are fewer, the lowest
-/// `share` of all vertices. These are fixed when a mesh is opened on its own.
+/// "lowest": the vertices within `share` of the height from the bottom along Body::up or, if those are fewer, the
+/// lowest `share` of all vertices. "highest": the same from the top.
 struct LowestSelection {
   double share;
+  bool highest = false;
+  bool each_piece = false;  // of every connected piece of the mesh by itself
   bool operator==(const LowestSelection&) const = default;
 };
 using Selection = std::variant<BoxSelection, SphereSelection, VertexSelection, GroupSelection, LowestSelection>;

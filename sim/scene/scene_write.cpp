@@ -36,7 +36,10 @@ OrderedJson selection(const Selection& selection) {
     }
     void operator()(const VertexSelection& s) { object["vertices"] = s.vertices; }
     void operator()(const GroupSelection& s) { object["group"] = s.group; }
-    void operator()(const LowestSelection& s) { object["lowest"] = number(s.share); }
+    void operator()(const LowestSelection& s) {
+      object[s.highest ? "highest" : "lowest"] = number(s.share);
+      if (s.each_piece) object["each_piece"] = true;
+    }
   };
   OrderedJson object;
   std::visit(Writer{object}, selection);
@@ -138,6 +141,8 @@ class SceneWriter {
   OrderedJson body(const Body& body) const {
     OrderedJson object = {{"name", body.name}, {"mesh", path(body.mesh)}};
     if (body.resolution) object["resolution"] = *body.resolution;
+    if (body.unit != LengthUnit::m) object["unit"] = name_of(body.unit);
+    if (body.up != UpAxis::y) object["up"] = name_of(body.up);
     object["transform"] = {{"scale", number(body.transform.scale)},
                            {"rotate_deg", vector(body.transform.rotate_deg)},
                            {"translate", vector(body.transform.translate)}};

@@ -16,15 +16,15 @@ constexpr double kReadShare = 0.4;  // share of opening a large scene before the
 
 }  // namespace
 
-std::unique_ptr<Session> SceneOpener::open(const fs::path& path) {
+std::unique_ptr<Session> SceneOpener::open(const fs::path& path, const std::vector<std::string>& sets) {
   OpeningScreen screen(graphics_, overlay_, path.filename().string());
-  Opened input = read(path, screen);
+  Opened input = read(path, sets, screen);
   return make(input, screen, kReadShare);
 }
 
 std::unique_ptr<Session> SceneOpener::resume(const fs::path& path) {
   OpeningScreen screen(graphics_, overlay_, Autosave::name_in(path));
-  Opened input = read(path, screen);
+  Opened input = read(path, {}, screen);
   const State state = input.replay && input.replay->start ? *input.replay->start : initial_state(input.model);
   input.replay.reset();
   move_scene(input.scene, fs::current_path() / (Autosave::name_in(path) + ".json"));  // the name that saving suggests
@@ -39,7 +39,7 @@ std::unique_ptr<Session> SceneOpener::make(Opened opened) {
 }
 
 // Another thread reads, so that the window stays responsive. After a cancellation the thread ends at its next report.
-Opened SceneOpener::read(const fs::path& path, OpeningScreen& screen) {
+Opened SceneOpener::read(const fs::path& path, const std::vector<std::string>& sets, OpeningScreen& screen) {
   using Clock = std::chrono::steady_clock;
   constexpr auto kFrame = std::chrono::milliseconds(30);
   std::erase_if(given_up_, [](const std::future<Opened>& f) {
@@ -57,7 +57,7 @@ Opened SceneOpener::read(const fs::path& path, OpeningScreen& screen) {
     report->what = what;
   };
   std::future<Opened> reading =
-      std::async(std::launch::async, [path, progress] { return open_file(path, {}, progress); });
+      std::async(std::launch::async, [path, sets, progress] { return open_file(path, sets, progress); });
   const Clock::time_point start = Clock::now();
   while (reading.wait_for(kFrame) != std::future_status::ready) {
     // The time of parsing is unknown, so the bar advances ever more slowly.

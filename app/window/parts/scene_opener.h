@@ -21,14 +21,14 @@ class SceneOpener {
   SceneOpener(Graphics& graphics, Overlay& overlay, bool reference, const KernelSwitch& kernels)
       : graphics_(graphics), overlay_(overlay), reference_(reference), kernels_(kernels) {}
 
-  std::unique_ptr<Session> open(const std::filesystem::path& path);
+  std::unique_ptr<Session> open(const std::filesystem::path& path, const std::vector<std::string>& sets = {});
   /// The scene of an autosaved file (autosave.h), in the saved state.
   std::unique_ptr<Session> resume(const std::filesystem::path& path);
   /// From a scene that was read.
   std::unique_ptr<Session> make(Opened opened);
 
  private:
-  Opened read(const std::filesystem::path& path, OpeningScreen& screen);
+  Opened read(const std::filesystem::path& path, const std::vector<std::string>& sets, OpeningScreen& screen);
   std::unique_ptr<Session> make(Opened& opened, OpeningScreen& screen, double share_done);
 
   Graphics& graphics_;

@@ -110,9 +110,25 @@ TEST_CASE(
   CHECK(fixed_by(R"({"lowest": 1})") == Indices{0, 1, 2, 3, 4});
 }
 
-TEST_CASE("a mesh on its own is fixed at its lowest 2 percent") {
-  const SceneFile mesh(kTwoTets, "m.msh");
-  CHECK(build_model(mesh.open()).fixed == Indices{0, 1, 3});
+TEST_CASE("the unit and the axis that points up place the mesh, before the transform") {
+  const auto placed = [](const std::string& keys) { return TwoTets(keys).build().rest_positions; };
+  const std::vector<Eigen::Vector3d> x = placed("");
+  const auto turns = [&](const std::string& up, const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& to) {
+    CAPTURE(up);
+    const std::vector<Eigen::Vector3d> y = placed("\"up\": \"" + up + "\", \"unit\": \"mm\"");
+    for (std::size_t v = 0; v < x.size(); ++v) CHECK((y[v] - 1e-3 * to(x[v])).norm() < 1e-18);
+  };
+  turns("y", [](const Eigen::Vector3d& p) { return p; });
+  turns("z", [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), p.z(), -p.y()); });
+  turns("x", [](const Eigen::Vector3d& p) { return Eigen::Vector3d(-p.y(), p.x(), p.z()); });
+  turns("-x", [](const Eigen::Vector3d& p) { return Eigen::Vector3d(-p.y(), -p.x(), -p.z()); });
+  turns("-y", [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), -p.y(), -p.z()); });
+  turns("-z", [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), -p.z(), p.y()); });
+  const std::vector<Eigen::Vector3d> moved =
+      placed(R"("unit": "in", "up": "z", "transform": {"scale": 2, "translate": [1, 2, 3]})");
+  for (std::size_t v = 0; v < x.size(); ++v)
+    CHECK((moved[v] - (0.0508 * Eigen::Vector3d(x[v].x(), x[v].z(), -x[v].y()) + Eigen::Vector3d(1, 2, 3))).norm() <
+          1e-15);
 }
 
 TEST_CASE("an empty selection is an error that states where the vertices are") {

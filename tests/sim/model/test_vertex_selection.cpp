@@ -17,6 +17,7 @@ using Indices = std::vector<std::uint32_t>;
 struct Sample {
   TetMesh mesh = make_box(2, 4, 1, {2, 4, 1});
   std::vector<char> used;
+  UpAxis up = UpAxis::y;
   Sample() {
     mesh.groups["top"] = where([](const Vector3d& x) { return x.y() == 4; });
     mesh.positions.push_back({0, -100, 0});
@@ -31,7 +32,9 @@ struct Sample {
       if (holds(mesh.positions[v])) found.push_back(v);
     return found;
   }
-  Indices select(const Selection& selection) const { return select_vertices(selection, mesh, used, "s.json: fixed"); }
+  Indices select(const Selection& selection) const {
+    return select_vertices(selection, {mesh, mesh.tets, up}, "s.json: fixed");
+  }
   std::string error_of(const Selection& selection) const {
     try {
       select(selection);
@@ -100,4 +103,29 @@ TEST_CASE("the lowest vertices are those of a share of the height, and no fewer 
   pyramid.mesh.positions[0].y() -= 50;
   const Indices lowest = pyramid.select(LowestSelection{0.2});  // six of thirty, by their position
   CHECK(lowest.size() == 6);
+}
+
+TEST_CASE("lowest and highest follow the axis that points up") {
+  Sample s;
+  const auto on = [&](auto holds) { return s.where([&](const Vector3d& x) { return x.y() >= 0 && holds(x); }); };
+  CHECK(s.select(LowestSelection{0.02, true}) == on([](const Vector3d& x) { return x.y() == 4; }));
+  s.up = UpAxis::x;
+  CHECK(s.select(LowestSelection{0.02}) == on([](const Vector3d& x) { return x.x() == 0; }));
+  CHECK(s.select(LowestSelection{0.02, true}) == on([](const Vector3d& x) { return x.x() == 2; }));
+  s.up = UpAxis::minus_z;
+  CHECK(s.select(LowestSelection{0.02}) == on([](const Vector3d& x) { return x.z() == 1; }));
+}
+
+TEST_CASE("each connected piece has its own lowest vertices") {
+  Sample s;  // and a second box above it
+  const TetMesh above = make_box(1, 1, 1, {1, 1, 1});
+  const auto first = static_cast<std::uint32_t>(s.mesh.positions.size());
+  for (const Vector3d& p : above.positions) s.mesh.positions.push_back(p + Vector3d(0, 10, 0));
+  for (Tet t : above.tets) {
+    for (std::uint32_t& v : t) v += first;
+    s.mesh.tets.push_back(t);
+  }
+  CHECK(s.select(LowestSelection{0.02}) == s.where([](const Vector3d& x) { return x.y() == 0; }));
+  CHECK(s.select(LowestSelection{0.02, false, true}) ==
+        s.where([](const Vector3d& x) { return x.y() == 0 || x.y() == 10; }));
 }

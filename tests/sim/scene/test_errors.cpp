@@ -90,7 +90,7 @@ TEST_CASE("an unknown key is named with the nearest known one, at every level") 
         "wireframe, section, tets, shadow, ground, ambient_occlusion, depth_cue, background, marks, legend");
   CHECK(body_error(R"("fixd": [])") ==
         "s.json: bodies[0].fixd: unknown key \"fixd\", perhaps \"fixed\"; expected one of name, mesh, resolution, "
-        "transform, materials, fixed, prescribed, initial_velocity, surface");
+        "unit, up, transform, materials, fixed, prescribed, initial_velocity, surface");
   CHECK(body_error(R"("transform": {"rotate": [0, 0, 0]})") ==
         "s.json: bodies[0].transform.rotate: unknown key \"rotate\", perhaps \"rotate_deg\"; expected one of scale, "
         "rotate_deg, translate");
@@ -103,7 +103,7 @@ TEST_CASE("an unknown key is named with the nearest known one, at every level") 
         "poisson_ratio, density, damping, mooney_ratio, look, color");
   CHECK(body_error(R"("fixed": [{"boxx": 1}])") ==
         "s.json: bodies[0].fixed[0].boxx: unknown key \"boxx\", perhaps \"box\"; expected one of box, sphere, "
-        "vertices, group, lowest");
+        "vertices, group, lowest, highest, each_piece");
   CHECK(body_error(R"("fixed": [{"sphere": {"centre": [0, 0, 0], "radius": 1}}])") ==
         "s.json: bodies[0].fixed[0].sphere.centre: unknown key \"centre\", perhaps \"center\"; expected one of center, "
         "radius");
@@ -187,7 +187,8 @@ TEST_CASE("a wrong type reports the value found and the one expected") {
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": {}})") ==
         "s.json: bodies: is {}; expected a list of at least one body");
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": ["m.msh"]})") ==
-        "s.json: bodies[0]: is \"m.msh\"; expected an object with name, mesh, resolution, transform, materials, fixed, "
+        "s.json: bodies[0]: is \"m.msh\"; expected an object with name, mesh, resolution, unit, up, transform, "
+        "materials, fixed, "
         "prescribed, initial_velocity, surface");
   CHECK(body_error(R"("name": 1)") == "s.json: bodies[0].name: is 1; expected a text");
   CHECK(body_error(R"("surface": 1)") == "s.json: bodies[0].surface: is 1; expected the path of a surface");
@@ -215,9 +216,17 @@ TEST_CASE("a value that does not fit on one line is abbreviated") {
 TEST_CASE("selections") {
   const std::string corners = "; expected a list of two corners, [[xmin, ymin, zmin], [xmax, ymax, zmax]] [m]";
   CHECK(body_error(R"("fixed": [{}])") ==
-        "s.json: bodies[0].fixed[0]: selects nothing; expected one of box, sphere, vertices, group, lowest");
+        "s.json: bodies[0].fixed[0]: selects nothing; expected one of box, sphere, vertices, group, lowest, highest");
   CHECK(body_error(R"("fixed": [{"group": "a", "lowest": 0.1}])") ==
-        "s.json: bodies[0].fixed[0]: has group and lowest; expected one of box, sphere, vertices, group, lowest");
+        "s.json: bodies[0].fixed[0]: has group and lowest; expected one of box, sphere, vertices, group, lowest, "
+        "highest");
+  CHECK(body_error(R"("fixed": [{"group": "a", "each_piece": true}])") ==
+        "s.json: bodies[0].fixed[0].each_piece: is given beside group; expected it beside lowest or highest only");
+  CHECK_THAT(body_error(R"("fixed": [{"lowest": 0.1, "each_piece": 1}])"),
+             Catch::StartsWith("s.json: bodies[0].fixed[0].each_piece: is 1; expected "));
+  CHECK(body_error(R"("unit": "ft")") == "s.json: bodies[0].unit: is \"ft\"; expected one of m, cm, mm, um, in");
+  CHECK(body_error(R"("unit": 0.001)") == "s.json: bodies[0].unit: is 0.001; expected one of m, cm, mm, um, in");
+  CHECK(body_error(R"("up": "w")") == "s.json: bodies[0].up: is \"w\"; expected one of x, y, z, -x, -y, -z");
   CHECK(body_error(R"("fixed": [{"box": 1}])") == "s.json: bodies[0].fixed[0].box: is 1" + corners);
   CHECK(body_error(R"("fixed": [{"box": [[0, 0, 0]]}])") == "s.json: bodies[0].fixed[0].box: is [[0,0,0]]" + corners);
   CHECK(body_error(R"("fixed": [{"box": [[0, 0, 1], [1, 1, 0]]}])") ==

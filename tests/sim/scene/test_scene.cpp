@@ -141,7 +141,7 @@ TEST_CASE("a solver section gets the best solver choice with its names") {
   }
 }
 
-TEST_CASE("a mesh on its own is a body with the default material, fixed at its lowest 2 percent") {
+TEST_CASE("a mesh on its own is a body that leaves open what its file does not state") {
   const SceneFile file("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n", "liver.msh");
   const Scene scene = file.open();
   CHECK(scene.file == file.path());
@@ -150,7 +150,40 @@ TEST_CASE("a mesh on its own is a body with the default material, fixed at its l
   CHECK(scene.bodies[0].name == "liver");
   CHECK(scene.resolve(scene.bodies[0].mesh) == file.path());
   CHECK(scene.bodies[0].material == Material{});
-  CHECK(scene.bodies[0].fixed == std::vector<Selection>{LowestSelection{0.02}});
+  CHECK(scene.bodies[0].fixed.empty());
+  CHECK(scene.unsettled == Unsettled());
+
+  const auto left_open = [&](const std::vector<std::string>& overrides) {
+    const Scene with = open_scene(file.path(), overrides);
+    REQUIRE(with.unsettled);
+    CHECK(with.unsettled->overrides == overrides);
+    const Unsettled& u = *with.unsettled;
+    return std::vector<bool>{u.unit, u.up, u.supports, u.stiffness, u.law};
+  };
+  CHECK(left_open({"unit=mm"}) == std::vector<bool>{false, true, true, true, true});
+  CHECK(left_open({"up=-z"}) == std::vector<bool>{true, false, true, true, true});
+  CHECK(left_open({"fixed=[]"}) == std::vector<bool>{true, true, false, true, true});
+  CHECK(left_open({"fixed.0.highest=0.1"}) == std::vector<bool>{true, true, false, true, true});
+  CHECK(left_open({"materials.default.young_modulus=5"}) == std::vector<bool>{true, true, true, false, true});
+  CHECK(left_open({"materials.default.preset=liver"}) == std::vector<bool>{true, true, true, false, true});
+  CHECK(left_open({"materials.default.model=neo_hookean"}) == std::vector<bool>{true, true, true, true, false});
+  CHECK(left_open({"materials.default.density=900"}) == std::vector<bool>{true, true, true, true, true});
+}
+
+TEST_CASE("a scene in a file leaves nothing open, and keeps unit, axis and supports when it is written") {
+  const std::string keys =
+      R"("unit": "mm", "up": "-z", "fixed": [{"highest": 0.1}, {"lowest": 0.2, "each_piece": true}])";
+  const Scene scene = SceneFile(scene_text(keys)).open();
+  CHECK(!scene.unsettled);
+  const Body& body = scene.bodies[0];
+  CHECK(body.unit == LengthUnit::mm);
+  CHECK(body.up == UpAxis::minus_z);
+  CHECK(body.fixed == std::vector<Selection>{LowestSelection{0.1, true}, LowestSelection{0.2, false, true}});
+  CHECK(SceneFile(scene_to_json(scene, scene.file.parent_path())).open().bodies == scene.bodies);
+  const Scene plain = SceneFile(scene_text("")).open();
+  CHECK(!plain.unsettled);
+  CHECK(plain.bodies[0].unit == LengthUnit::m);
+  CHECK(plain.bodies[0].up == UpAxis::y);
 }
 
 TEST_CASE("a scene is distinguished from a mesh by its content, or by the extension .json") {

@@ -1,0 +1,69 @@
+#include "sim/bare_mesh/settled_model.h"
+
+#include <catch2/catch.hpp>
+
+#include "base/file.h"
+#include "sim/bare_mesh/plan.h"
+#include "sim/mesh/io/mesh_io.h"
+#include "tests/support/bare_shapes.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+struct MeshOnDisk {
+  TemporaryFolder folder;
+  std::filesystem::path path = folder / "cone.msh";
+  MeshOnDisk() { write_mesh(path, turned(make_cone(50, 100), 2)); }  // z up, in mm
+};
+
+}  // namespace
+
+TEST_CASE("a mesh on its own is settled, and its values are keys of the saved scene") {
+  const MeshOnDisk mesh;
+  Scene scene = open_scene(mesh.path);
+  const Model model = settled_model(scene);
+  CHECK(!scene.unsettled);
+  REQUIRE(model.plan);
+  const Body& body = scene.bodies[0];
+  CHECK(body.unit == LengthUnit::mm);
+  CHECK(body.up == UpAxis::z);
+  CHECK(body.fixed == model.plan->fixed);
+  CHECK(body.material.young_modulus == model.plan->young_modulus);
+  REQUIRE(!model.notes.empty());
+  CHECK(model.notes[0] == "cone: " + text_of(*model.plan));
+  CHECK(!model.fixed.empty());
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : model.rest_positions) box.extend(p);
+  CHECK(box.sizes().y() == Approx(0.1));
+  for (const std::uint32_t v : model.fixed) CHECK(model.rest_positions[v].y() == Approx(box.min().y()));
+
+  const std::filesystem::path saved = mesh.folder / "saved.json";
+  write_file(saved, scene_to_json(scene, mesh.folder.path()));
+  Scene again = open_scene(saved);
+  CHECK(again.bodies == scene.bodies);
+  CHECK(!again.unsettled);
+  const Model same = settled_model(again);
+  CHECK(!same.plan);
+  CHECK(same.rest_positions == model.rest_positions);
+  CHECK(same.fixed == model.fixed);
+}
+
+TEST_CASE("overrides settle single values of a mesh on its own") {
+  const MeshOnDisk mesh;
+  Scene scene = open_scene(mesh.path, {"unit=cm", "up=y", "materials.default.young_modulus=123"});
+  const Model model = settled_model(scene);
+  CHECK(scene.bodies[0].unit == LengthUnit::cm);
+  CHECK(scene.bodies[0].up == UpAxis::y);
+  CHECK(model.materials[0].young_modulus == 123);
+  CHECK(!model.fixed.empty());
+}
+
+TEST_CASE("a method that does not carry the law of meshes on their own keeps one that it carries") {
+  const MeshOnDisk mesh;
+  Scene scene = open_scene(mesh.path, {"solver.method=jacobi"});
+  const Model model = settled_model(scene);
+  CHECK(carries(scene.solver.method, model.materials[0].model));
+}
