@@ -1,7 +1,8 @@
 // fascia bench figures: measures and draws the four figures of the I3D 2019 paper, and the cost of colorings.
 // fascia bench accuracy: error against iterations and time, every method and acceleration.
-// fascia bench speed and skip: the cost of steps, and of features that are off.
+// fascia bench speed, static and skip: the cost of steps, of equilibria, and of features that are off.
 // fascia bench window: how the window feels.
+// fascia bench fill: the quality of tets that fill surfaces.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,8 +12,10 @@
 
 #include "app/bench/accuracy/accuracy.h"
 #include "app/bench/bench.h"
+#include "app/bench/fill/fill.h"
 #include "app/bench/skip.h"
 #include "app/bench/speed.h"
+#include "app/bench/static_times.h"
 #include "app/bench/window/window_bench.h"
 #include "app/charts/gnuplot.h"
 #include "app/cli/command_line.h"
@@ -97,6 +100,22 @@ void add_charts(CLI::App& command, BenchOptions& options) {
           "files of the charts: svg, png, pdf")
       ->type_name("ENDINGS")
       ->default_str(usual);
+}
+
+int run_static(const BenchOptions& options) {
+  return run_bench(options, "static", [](Bench& bench) {
+    bench_static(bench);
+    return std::vector<std::string>();
+  });
+}
+
+int run_fill(const BenchOptions& options) {
+  const std::filesystem::path folder(options.out);
+  std::error_code ignored;  // writing the table reports it
+  std::filesystem::create_directories(folder, ignored);
+  write_table(folder / "fill.csv", fill_table(options.quick));
+  if (!options.quiet) std::cerr << "fascia: " << (folder / "fill.csv").string() << '\n';
+  return exit_done;
 }
 
 void add_figures(CLI::App& bench, Invocation& invocation) {
@@ -190,6 +209,28 @@ void add_skip(CLI::App& bench, Invocation& invocation) {
   command.callback([&invocation, options] { invocation.run = [options] { return run_skip(*options); }; });
 }
 
+void add_static(CLI::App& bench, Invocation& invocation) {
+  const auto options = std::make_shared<BenchOptions>();
+  CLI::App& command = *bench.add_subcommand(
+      "static", "time and iterations to the static equilibrium of bent boxes, from 5,000 to a million tets");
+  command.add_option("--out", options->out, "folder for the table, made if missing")->type_name("DIR")->required();
+  command.add_flag("--quick", options->quick, "small meshes");
+  add_graphics(command, *options);
+  add_examples(command, {"fascia bench static --out static"});
+  command.callback([&invocation, options] { invocation.run = [options] { return run_static(*options); }; });
+}
+
+void add_fill(CLI::App& bench, Invocation& invocation) {
+  const auto options = std::make_shared<BenchOptions>();
+  CLI::App& command = *bench.add_subcommand(
+      "fill", "how well tets fill twenty closed surfaces: angles, volume, distance to the surface");
+  command.add_option("--out", options->out, "folder for the table, made if missing")->type_name("DIR")->required();
+  command.add_flag("--quick", options->quick, "a coarse resolution only");
+  command.add_flag("--quiet", options->quiet, "say nothing but errors");
+  add_examples(command, {"fascia bench fill --out fill"});
+  command.callback([&invocation, options] { invocation.run = [options] { return run_fill(*options); }; });
+}
+
 }  // namespace
 
 void add_bench(CLI::App& program, Invocation& invocation) {
@@ -198,8 +239,10 @@ void add_bench(CLI::App& program, Invocation& invocation) {
   add_figures(bench, invocation);
   add_accuracy(bench, invocation);
   add_speed(bench, invocation);
+  add_static(bench, invocation);
   add_skip(bench, invocation);
   add_window(bench, invocation);
+  add_fill(bench, invocation);
 }
 
 }  // namespace fascia

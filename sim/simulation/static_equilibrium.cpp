@@ -1,6 +1,7 @@
 #include "sim/simulation/static_equilibrium.h"
 
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <sstream>
 
@@ -25,7 +26,7 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
   const double tolerance = scene.solver.tolerance > 0 ? scene.solver.tolerance : 1e-5;
   equilibrium_.emplace();
   const auto tell_news = [&](const reference::NewtonReport& report) {
-    if (news) news({report.iterations, 0, report.relative_residual, false});
+    if (news) news({report.iterations, 0, report.relative_residual, false, tolerance});
   };
   const reference::NewtonReport march = march_to_equilibrium(*gpu_, model, tolerance, *equilibrium_, stop, tell_news);
   StaticReport report{march.iterations, 0, march.relative_residual, march.converged};
@@ -36,7 +37,7 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
   const bool rescues =
       !march.converged && march.relative_residual <= kNear && model.tets.size() <= reference::NewtonSolver::kMostTets;
   if (stop.stop_requested() || !(refines || rescues)) return report;
-  if (news) news({march.iterations, 1, march.relative_residual, false});
+  if (news) news({march.iterations, 1, march.relative_residual, false, tolerance});
   State exact = *equilibrium_;
   const reference::NewtonReport newton = by_newton(exact, refines ? 0 : tolerance);
   report.newton_iterations = newton.iterations;
@@ -59,16 +60,30 @@ std::string describe(const StaticReport& report) {
   return text.str();
 }
 
+std::optional<double> seconds_left(double before, double now, double tolerance, double seconds) {
+  if (!(tolerance > 0 && now > tolerance && now < before)) return std::nullopt;
+  return seconds * std::log(now / tolerance) / std::log(before / now);
+}
+
 std::function<void(const StaticReport&)> static_news(bool quiet) {
   if (quiet) return {};
   using Clock = std::chrono::steady_clock;
   static constexpr auto kInterval = std::chrono::seconds(5);
-  return [last = Clock::now(), begin = Clock::now()](const StaticReport& report) mutable {
+  struct Seen {
+    double residual = 0;
+    Clock::time_point time;
+  };
+  return [last = Clock::now(), begin = Clock::now(), first = Seen()](const StaticReport& report) mutable {
+    if (first.residual == 0 && report.relative_residual > 0) first = {report.relative_residual, Clock::now()};
     const bool newton = report.newton_iterations > 0 && Clock::now() - begin > kInterval;
     if (Clock::now() - last < kInterval && !newton) return;
     last = Clock::now();
     std::cerr << "fascia: static equilibrium: " << report.iterations << " iterations";
     if (report.relative_residual > 0) std::cerr << ", relative residual " << report.relative_residual;
+    const double seconds = std::chrono::duration<double>(Clock::now() - first.time).count();
+    if (const auto left = seconds_left(first.residual, report.relative_residual, report.tolerance, seconds);
+        left && !newton)
+      std::cerr << " of " << report.tolerance << ", about " << std::ceil(*left) << " s left";
     std::cerr << (newton ? ", now by Newton's method in double precision" : "") << std::endl;
   };
 }

@@ -1,6 +1,7 @@
 // The report of a search for a static equilibrium (Simulation::solve_static), and its messages.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace fascia {
@@ -12,12 +13,16 @@ struct StaticReport {
   int iterations = 0, newton_iterations = 0;  // of the scene's method, and of Newton's
   double relative_residual = 0;               // reference::NewtonReport
   bool converged = false;                     // to the tolerance
+  double tolerance = 0;                       // of relative_residual
 };
 
 /// "static equilibrium after 12 Newton iterations, relative residual 1e-11"
 /// One line.
 std::string describe(const StaticReport& report);
-/// A callback that reports the progress of a long solve on stderr every few seconds.
+/// Seconds until the residual reaches the tolerance, if it goes on falling as it did during the last `seconds`, in
+/// which it fell from `before` to `now`. None while it does not fall.
+std::optional<double> seconds_left(double before, double now, double tolerance, double seconds);
+/// A callback that reports the progress of a long solve on stderr every few seconds, with an estimate of what is left.
 std::function<void(const StaticReport&)> static_news(bool quiet);
 /// Throws Error if the state is not an equilibrium: neither to the tolerance nor, with a mesh too large for Newton's
 /// method, to the limit of float32.

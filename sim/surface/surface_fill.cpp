@@ -28,6 +28,19 @@ int resolution_for(const SurfaceReport& report, double tets) {
   return cells;
 }
 
+/// A resolution with two cells across the parts of mean thickness, if the surface allows it. A tube of radius r has
+/// V / A = r / 2, a sheet of thickness t has t / 2.
+std::string remedy_for_thin_parts(const SurfaceReport& report, int resolution) {
+  const double longest = report.box.sizes().maxCoeff(), spacing = 2 * std::abs(report.volume) / report.area;
+  const int most = resolution_for(report, kMostTets);
+  const int fine = std::clamp(static_cast<int>(std::ceil(longest / spacing)), resolution + 1, kMostCells);
+  if (resolution >= most) return "no finer resolution is possible: thicken the thin parts, or make the tets elsewhere";
+  const int chosen = std::min(fine, most);
+  const long thousands = std::max(1L, std::lround(expected_tets(report, longest / chosen) / 1000));
+  return "--set resolution=" + std::to_string(chosen) + " is finer (about " + std::to_string(1000 * thousands) +
+         " tets)";
+}
+
 MeshFile as_mesh(LatticeFill fill) {
   MeshFile file;
   file.format = "tets in a surface";
@@ -71,10 +84,10 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
     const double share = static_cast<double>(whole) / static_cast<double>(filled.file.mesh.tets.size());
     const bool notable = std::abs(volume / found.volume - 1) > kVolume || share > kShare;
     if (notable)
-      filled.file.notes.push_back(
-          "parts are thinner than the lattice's " + length(spacing) + ": " + plural(whole, "tet") +
-          " kept whole there, the tets have " + number(volume / found.volume) +
-          " times the volume of the surface; a resolution above " + std::to_string(filled.resolution) + " is finer");
+      filled.file.notes.push_back("parts are thinner than the lattice's " + length(spacing) + ": " +
+                                  plural(whole, "tet") + " kept whole there, the tets have " +
+                                  number(volume / found.volume) + " times the volume of the surface; " +
+                                  remedy_for_thin_parts(found, filled.resolution));
   }
   put_right(surface, filled.repaired);
   filled.surface = std::move(surface);

@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "sim/mesh/mesh_check.h"
 #include "sim/surface/surface_repair.h"
 
 namespace fascia {
@@ -49,7 +48,8 @@ void require_fillable(const SurfaceRepair& repaired, const std::string& where) {
                 "is open: " + found(report.open_edges, "edge") + " of one triangle only, " +
                     plural(report.holes, "hole") + " of " + percent(report.hole_area / report.area) + " of its area",
                 "expected a closed surface, or holes of at most " + percent(kLargestHoles) +
-                    ": close them, or give a sheet a thickness");
+                    ": fill the holes in the program that made the file, or, where the surface is a thin wall, give "
+                    "that wall a thickness there");
   // The volume of a sheet with two sides is only rounding.
   if (!(std::abs(report.volume) > 1e-9 * std::pow(report.area, 1.5)))
     throw Error(where, "encloses no volume (" + number(report.volume) + " m^3 in " + number(report.area) + " m^2)",
@@ -128,9 +128,6 @@ void print_report(std::ostream& out, const SurfaceMesh& surface, const SurfaceRe
   if (surface.vertex_colors) line(out, "colors") << "of the vertices\n";
   for (const std::string& note : surface.notes) line(out, "note") << note << "\n";
   for (const std::string& note : notes_of(report)) line(out, "note") << note << "\n";
-  if (!report.box.isEmpty())
-    if (const std::string guess = guess_unit(report.box.sizes().maxCoeff()); !guess.empty())
-      line(out, "size") << guess << "\n";
 }
 
 }  // namespace fascia

@@ -208,7 +208,8 @@ TEST_CASE("a surface without an inside is refused with defect, number, place and
   plane.triangles = {{0, 1, 2}, {0, 2, 3}};
   CHECK(error_of(plane) ==
         "test.obj: is open: 4 edges, the first at (0.05, 0, 0) of one triangle only, 1 hole of 100 % of its area; "
-        "expected a closed surface, or holes of at most 20 %: close them, or give a sheet a thickness");
+        "expected a closed surface, or holes of at most 20 %: fill the holes in the program that made the file, or, "
+        "where the surface is a thin wall, give that wall a thickness there");
   SurfaceMesh both_sides = test::joined(plane, test::turned(plane));
   CHECK(error_of(both_sides).find("is open") != std::string::npos);
 
