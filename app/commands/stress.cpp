@@ -10,6 +10,7 @@
 #include "app/stress/stress.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "sim/material/tissues.h"
 #include "sim/scene/scene_carry.h"
 
 namespace fascia {
@@ -64,13 +65,14 @@ Table table_of(const std::vector<Row>& rows) {
   Table table;
   table.columns = {"group",    "case",        "method",    "acceleration",   "passed",        "failures",
                    "steps",    "recovered_s", "rms_sizes", "farthest_sizes", "energy_growth", "momentum_growth",
-                   "inverted", "replay"};
+                   "inverted", "least_J",     "elastic_J", "model",          "replay"};
   for (const Row& row : rows) {
     const StressResult& r = row.result;
     table.rows.push_back({row.made.group, row.made.name, name_of(row.pair.method), name_of(row.pair.acceleration),
                           row.passed() ? 1 : 0, joined(r.failures, "; "), r.steps,
                           r.recovered_after >= 0 ? Cell(r.recovered_after) : Cell(), r.rms, r.farthest, r.energy_growth,
-                          r.momentum_growth, r.inverted, row.replay.string()});
+                          r.momentum_growth, r.inverted, r.least_volume_ratio, r.elastic,
+                          name_of(row.made.replay.scene.bodies[0].material.model), row.replay.string()});
   }
   return table;
 }
@@ -114,13 +116,20 @@ std::string summary_of(const Bench& bench, const std::vector<Row>& rows) {
   return text;
 }
 
-int run_stress(const BenchOptions& options, const std::string& only, MaterialModel model) {
+// Without a model the tissue law, or that of Material with methods that do not carry it.
+MaterialModel model_for(Method method, const std::string& model) {
+  if (!model.empty()) return *find_material_model(model);
+  return carries(method, kTissueLaw) ? kTissueLaw : Material().model;
+}
+
+int run_stress(const BenchOptions& options, const std::string& only, const std::string& chosen) {
   std::vector<Row> rows;
   bool stopped = false;
   Bench bench(options, "stress");
   try {
     bench.say(describe(bench.graphics));
     for (const SolverChoice& pair : solver_choices()) {
+      const MaterialModel model = model_for(pair.method, chosen);
       if (!carries(pair.method, model)) continue;
       for (StressCase& made : stress_cases(pair, model, bench.folder, options.quick)) {
         const std::string name = full_name(made, pair);
@@ -155,7 +164,7 @@ int run_stress(const BenchOptions& options, const std::string& only, MaterialMod
 
 void add_stress(CLI::App& program, Invocation& invocation) {
   struct Options : BenchOptions {
-    std::string only, model = name_of(Material().model);
+    std::string only, model;
   };
   const auto options = std::make_shared<Options>();
   options->width = 640;
@@ -173,13 +182,15 @@ void add_stress(CLI::App& program, Invocation& invocation) {
       .add_option("--only", options->only,
                   "cases whose group/case/method + acceleration has such a part; * and ? as in file names")
       ->type_name("PATTERN");
-  add_choice(command, "--model", options->model, models, "material model of all bodies")->capture_default_str();
+  add_choice(command, "--model", options->model, models,
+             std::string("material model of all bodies (default: ") + name_of(kTissueLaw) + ", or " +
+                 name_of(Material().model) + " with methods that do not carry it)");
   add_size(command, options->width, options->height);
   add_graphics(command, *options);
   add_examples(command, {"fascia stress --quick --out stress", "fascia stress --only 'start/*two_level' --out stress"},
                "a case fails");
   command.callback([&invocation, options] {
-    invocation.run = [options] { return run_stress(*options, options->only, *find_material_model(options->model)); };
+    invocation.run = [options] { return run_stress(*options, options->only, options->model); };
   });
 }
 

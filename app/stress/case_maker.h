@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/stress/stress.h"
+#include "sim/material/tissues.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/model/state.h"
 

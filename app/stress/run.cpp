@@ -10,8 +10,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRecovered = 1e-3;  // RMS displacement, in sizes
-constexpr double kGrowth = 0.02;     // of energy and momenta, relative to their initial scale
+constexpr double kRecovered = 1e-3;                  // RMS displacement, in sizes
+constexpr double kGrowth = 0.02;                     // of energy and momenta, relative to their initial scale
+constexpr double kSprungBack = 1e-4, kStill = 1e-3;  // StressCriteria::springs_back, carries_its_weight
 
 // Reference values for the state: its initial measures, and the sizes that make them relative.
 class Ledger {
@@ -85,7 +86,9 @@ StressResult run_stress_case(Simulation& simulation, const StressCriteria& crite
     result.failures.push_back(text.str());
   };
   const Ledger ledger(simulation);
-  const bool conserves = criteria.creates_no_energy || criteria.creates_no_momentum;
+  const bool every_step = criteria.creates_no_energy || criteria.creates_no_momentum || criteria.springs_back;
+  double most_elastic = 0;
+  reference::Measures now;
   const long steps = simulation.replay()->steps;
   while (result.steps < steps) {
     simulation.step();
@@ -107,15 +110,25 @@ StressResult run_stress_case(Simulation& simulation, const StressCriteria& crite
     else if (result.recovered_after < 0)
       result.recovered_after = simulation.time();
     const bool last = result.steps == steps;
-    if (!conserves && !last) continue;
-    const reference::Measures now = reference::measure(simulation.model, state);
+    if (!every_step && !last) continue;
+    now = reference::measure(simulation.model, state);
+    most_elastic = std::max(most_elastic, now.elastic);
     result.energy_growth = std::max(result.energy_growth, ledger.energy_growth(now, state));
     result.momentum_growth = std::max(result.momentum_growth, ledger.momentum_growth(now));
-    if (last) result.inverted = now.inverted;
   }
+  result.inverted = now.inverted;
+  result.least_volume_ratio = now.min_det_f;
+  result.elastic = now.elastic;
   if (result.farthest > criteria.farthest) fail("moved by ", result.farthest, " sizes");
   if (criteria.keeps_upright && result.inverted > 0) fail(result.inverted, " tets inside out at the end");
   if (criteria.recovers && result.rms >= kRecovered) fail("off its rest shape by ", result.rms, " sizes RMS");
+  if (criteria.springs_back && now.kinetic + now.elastic > kSprungBack * most_elastic)
+    fail("keeps ", now.kinetic + now.elastic, " J of ", most_elastic, " J");
+  if (criteria.carries_its_weight) {
+    const double work = -now.gravitational;
+    if (now.elastic > work) fail("elastic energy of ", now.elastic, " J, work of gravity ", work, " J");
+    if (now.kinetic > kStill * work) fail("moves with ", now.kinetic, " J, work of gravity ", work, " J");
+  }
   if (criteria.creates_no_energy && result.energy_growth > kGrowth)
     fail("energy grew by ", 100 * result.energy_growth, " %");
   if (criteria.creates_no_momentum && result.momentum_growth > kGrowth)

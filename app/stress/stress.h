@@ -19,6 +19,9 @@ struct StressCriteria {
   bool recovers = false;             // the RMS displacement ends below 1e-3 sizes
   bool creates_no_energy = false;    // kinetic + elastic + potential never exceeds the initial value by more than 2 %
   bool creates_no_momentum = false;  // linear and angular, of a free body without gravity, by more than 2 %
+  /// Energies at rest: "no tet inverted" can hide one that is stretched eight times.
+  bool springs_back = false;        // kinetic + elastic end below 1e-4 of the largest elastic energy of the run
+  bool carries_its_weight = false;  // elastic ends below the work of gravity, kinetic below 1e-3 of it
 };
 
 struct StressCase {
@@ -39,6 +42,8 @@ struct StressResult {
   double energy_growth = 0;           // largest, relative to the scale of the initial energy
   double momentum_growth = 0;         // the same of momenta
   int inverted = 0;                   // tets at the end
+  double least_volume_ratio = 1;      // J at the end
+  double elastic = 0;                 // energy at the end [J]
 };
 
 class Simulation;

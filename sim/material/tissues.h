@@ -11,6 +11,10 @@
 
 namespace fascia {
 
+/// The law of tissue that is not given one: of meshes opened alone and of a tissue chosen in the panel. Scene files
+/// that name no law have that of Material.
+inline constexpr MaterialModel kTissueLaw = MaterialModel::squared;
+
 struct Tissue {
   const char* name;      // "liver", as in scene files
   const char* label;     // as displayed: "Liver"

@@ -1,5 +1,6 @@
 // The cases of the stress suite as they are made: that each is what its name says, and can be simulated.
-// Covers: case_maker, cases_conservation, cases_handling, cases_meshes, cases_numbers, cases_starts
+// Covers: case_maker, cases_conservation, cases_handling, cases_meshes, cases_numbers
+// Covers: cases_slender, cases_standing, cases_starts
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
@@ -7,6 +8,7 @@
 
 #include "app/stress/stress.h"
 #include "sim/grab/build_model.h"
+#include "sim/material/tissues.h"
 #include "sim/mesh/mesh_check.h"
 #include "sim/reference/newton.h"
 #include "tests/support/support.h"
@@ -81,6 +83,9 @@ TEST_CASE("every case of the stress suite has a unique name and can be simulated
   CHECK(groups["conservation"] == 1);
   CHECK(groups["mesh"] == 8);
   CHECK(groups["handling"] == (pair == solver_choices().front() ? 9 : 8));
+  const bool carries_tissue = carries(pair.method, kTissueLaw);  // the others have no such cases
+  CHECK(groups["standing"] == (carries_tissue ? 24 : 0));
+  CHECK(groups["slender"] == (carries_tissue ? 3 : 0));
   CHECK(suite.has("method switched every frame") == (pair == solver_choices().front()));
 }
 
@@ -122,6 +127,34 @@ TEST_CASE("meshes of the stress suite have the defects in their names", "[cases]
   CHECK(report_of(suite.model_of("mesh", "disconnected parts")).components == 3);
   CHECK(report_of(suite.model_of("mesh", "1 mm")).box_max.x() == Approx(1e-3));
   CHECK(report_of(suite.model_of("mesh", "100 m")).box_max.x() == Approx(100));
+}
+
+TEST_CASE("standing bodies of the stress suite weigh what their names say, on a clamped foot", "[cases]") {
+  const Suite suite;
+  for (const char* shape : {"cube", "cone"}) {
+    const StressCase& made = suite.find("standing", std::string(shape) + " w=0.8 nu=0.49");
+    const Model model = build_model(made.replay.scene);
+    CAPTURE(shape);
+    CHECK(model.materials[0].density * 9.81 * 0.4 / model.materials[0].young_modulus == Approx(0.8));
+    CHECK(model.materials[0].poisson_ratio == 0.49);
+    CHECK(model.fixed.size() == 16);  // of 4 x 4 x 4 vertices
+    for (const std::uint32_t v : model.fixed) CHECK(model.rest_positions[v].y() < 1e-9);
+    CHECK(made.criteria.carries_its_weight);
+    CHECK(report_of(model).flipped == 0);
+  }
+}
+
+TEST_CASE("three hands pull the trunk of the stress suite apart and let it go", "[cases]") {
+  const Suite suite;
+  const StressCase& made = suite.find("slender", "trunk with three hands");
+  const Model model = build_model(made.replay.scene);
+  CHECK(report_of(model).box_max.x() == Approx(0.15));
+  std::set<double> pulls;
+  const Input& last_pull = made.replay.inputs[made.replay.inputs.size() - 2];
+  for (const GrabSpring& spring : std::get<GrabInput>(last_pull.change)) pulls.insert(spring.target.norm());
+  CHECK(pulls.size() == 3);
+  CHECK(std::get<GrabInput>(made.replay.inputs.back().change).empty());
+  CHECK(made.criteria.springs_back);
 }
 
 TEST_CASE("numbers of the stress suite are those of their names", "[cases]") {

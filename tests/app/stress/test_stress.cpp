@@ -60,7 +60,7 @@ TEST_CASE("every criterion of the stress suite can fail") {
 
   SECTION("at rest all criteria hold") {
     box.clamp();
-    CHECK(box.failure({1e-9, true, true, true, true}) == "");
+    CHECK(box.failure({1e-9, true, true, true, true, true, true}) == "");
   }
   SECTION("distance") {
     box.scene.bodies[0].initial_velocity = Vector3d(60, 0, 0);
@@ -93,6 +93,26 @@ TEST_CASE("every criterion of the stress suite can fail") {
     CHECK(box.failure(criteria) == "");
     criteria.creates_no_momentum = true;
     CHECK_THAT(box.failure(criteria), Catch::StartsWith("momentum grew by "));
+  }
+  SECTION("energy that is left at rest") {
+    box.scene.bodies[0].initial_velocity = Vector3d(1, 0, 0);
+    CHECK(box.failure(criteria) == "");
+    criteria.springs_back = true;
+    CHECK_THAT(box.failure(criteria), Catch::StartsWith("keeps 4 J of "));
+  }
+  SECTION("weight that is not carried yet") {
+    box.clamp();
+    box.scene.gravity = {0, -1000, 0};
+    criteria.carries_its_weight = true;
+    CHECK_THAT(box.failure(criteria, std::nullopt, 1), Catch::StartsWith("moves with "));
+  }
+  SECTION("elastic energy that no weight has stored") {
+    box.clamp();
+    State start = initial_state(build_model(box.scene));
+    for (Vector3d& u : start.displacement) u = Vector3d::Zero();
+    start.displacement[13] = {0.02, 0, 0};
+    criteria.carries_its_weight = true;
+    CHECK_THAT(box.failure(criteria, start, 1), Catch::StartsWith("elastic energy of "));
   }
   SECTION("inverted tets: plain St. Venant-Kirchhoff is at rest when mirrored") {
     box.scene.bodies[0].material.model = MaterialModel::st_venant_kirchhoff;
