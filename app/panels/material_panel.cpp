@@ -53,7 +53,8 @@ std::string label_of_tissue(const Tissue* tissue) { return tissue ? tissue->labe
 std::string help_of_tissue(const Tissue* tissue) {
   return tissue ? std::string(tissue->label) + ": " + about(*tissue)
                 : "Values of a tissue from the literature, with their source: Young's modulus, Poisson's ratio and "
-                  "density. Damping and model stay. Costs nothing.";
+                  "density. Damping stays; so does the model, except that St. Venant-Kirchhoff becomes squared "
+                  "neo-Hookean. Costs nothing.";
 }
 
 // A row of the list: name and values in columns; true if it was clicked.
@@ -73,7 +74,9 @@ bool tissue_row(const Tissue& tissue, bool chosen) {
   return clicked;
 }
 
-bool tissue_combo(Material& material) {
+// Of a scene whose method carries it, the law of tissues replaces the one of scene files that name none; another law
+// was chosen and stays.
+bool tissue_combo(Material& material, Method method) {
   const Tissue* const now = tissue_of(material);
   const Tissue* chosen = nullptr;
   ui::label("Tissue", help_of_tissue(now));
@@ -94,12 +97,13 @@ bool tissue_combo(Material& material) {
   ImGui::EndCombo();
   if (!chosen || chosen == now) return false;
   apply(*chosen, material);
+  if (material.model == Material().model && carries(method, kTissueLaw)) material.model = kTissueLaw;
   return true;
 }
 
 void material_sliders(Simulation& simulation, std::size_t index, HintBoard& hints) {
   Material material = simulation.model.materials[index];
-  bool changed = tissue_combo(material);
+  bool changed = tissue_combo(material, simulation.scene.solver.method);
   visit_material(material, [&](double& value, const char* name, const char* unit, double min, double max,
                                bool logarithmic, const char* help) {
     if (!reads(material.model, name)) return;

@@ -38,12 +38,17 @@ constexpr auto kHelpOf = [](auto choice) { return help_of(choice); };
 
 bool pair_combos(SolverSettings& settings, const std::vector<Material>& materials) {
   std::vector<Method> able;
+  bool refuses = false;
   for (const SolverChoice& pair : solver_choices()) {
     const bool carried = std::all_of(materials.begin(), materials.end(),
                                      [&](const Material& m) { return carries(pair.method, m.model); });
+    refuses |= !carried;
     if (carried && std::find(able.begin(), able.end(), pair.method) == able.end()) able.push_back(pair.method);
   }
   bool changed = ui::choice("Method", able, settings.method, kLabelOf, kHelpOf);
+  if (refuses)
+    ui::fact("XPBD methods", "need another model",
+             "They carry laws of the Green strain alone: choose St. Venant-Kirchhoff as the material's model first");
   // A new method keeps the current acceleration if it supports it; otherwise, and after none, it gets the best one.
   const bool none = changed && settings.acceleration == Acceleration::none;
   const auto pair = none ? std::nullopt : find_choice(name_of(settings.method), name_of(settings.acceleration));

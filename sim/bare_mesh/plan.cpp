@@ -9,6 +9,7 @@
 #include "sim/bare_mesh/flat_sides.h"
 #include "sim/bare_mesh/foot.h"
 #include "sim/bare_mesh/stiffness.h"
+#include "sim/material/tissues.h"
 #include "sim/mesh/pieces.h"
 #include "sim/model/vertex_selection.h"
 
@@ -224,7 +225,7 @@ BareMeshPlan plan_bare_mesh(const std::filesystem::path& file, const TetMesh& me
   plan.up = body.up;
   plan.fixed = body.fixed;
   plan.young_modulus = body.material.young_modulus;
-  plan.law = open.law ? kBareMeshLaw : body.material.model;
+  plan.law = open.law ? kTissueLaw : body.material.model;
   const FlatSides sides = flat_sides(mesh.positions, tets);
   choose_unit(sides.size.maxCoeff() * body.transform.scale, open.unit, plan);
   Hold hold = Hold::underside;

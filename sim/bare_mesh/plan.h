@@ -9,9 +9,6 @@
 
 namespace fascia {
 
-/// The law of a mesh that is opened on its own.
-inline constexpr MaterialModel kBareMeshLaw = MaterialModel::signed_st_venant_kirchhoff;
-
 /// `file`: its ending hints at the axis. `tets`: the usable ones. `body`: its values that `open` does not leave open
 /// are kept, and the others follow from them. `gravity` [m/s^2] is its magnitude; without gravity that of the Earth is
 /// assumed.

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/json/json_document.h"
+#include "sim/material/tissues.h"
 #include "sim/scene/scene_overrides.h"
 #include "sim/scene/scene_paths.h"
 #include "sim/scene/scene_read.h"

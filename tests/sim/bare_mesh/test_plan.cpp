@@ -159,7 +159,7 @@ TEST_CASE("given values stay, and the others follow from them") {
   CHECK(text_of(given) ==
         "taken as mm (100 mm wide), -z up (as given), held as given, E 7 MPa (as given); --unit, --up and --set change "
         "it");
-  CHECK(plan_of(make_cone(50, 100)).law == kBareMeshLaw);
+  CHECK(plan_of(make_cone(50, 100)).law == MaterialModel::squared);
 }
 
 TEST_CASE("the same mesh has the same plan") {
