@@ -11,13 +11,16 @@ using Eigen::Vector3d;
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
+/// To a picometer, so that all vertices at a pole have one position; without a negative zero.
+Vector3d rounded(const Vector3d& p) { return (p * 1e12).array().round() / 1e12 + 0.0; }
+
 /// A grid of quads over [0, 1] x [0, 1], each in two triangles; `around` and `along`: whether u and v close. Rows that
 /// collapse to a point become triangles.
 SurfaceMesh grid(int nu, int nv, bool around, bool along, const std::function<Vector3d(double, double)>& at) {
   SurfaceMesh surface;
   const int rows = along ? nv : nv + 1, columns = around ? nu : nu + 1;
   for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i) surface.positions.push_back(at(double(i) / nu, double(j) / nv));
+    for (int i = 0; i < columns; ++i) surface.positions.push_back(rounded(at(double(i) / nu, double(j) / nv)));
   const auto vertex = [&](int i, int j) { return static_cast<std::uint32_t>(j % rows * columns + i % columns); };
   for (int j = 0; j < nv; ++j)
     for (int i = 0; i < nu; ++i) {
@@ -104,7 +107,7 @@ std::vector<Shape> fill_shapes() {
       {"kidney", star([](const Vector3d& d) {
          return (0.1 - 0.04 * std::exp(-8 * (d - Vector3d(0, 0, 1)).squaredNorm())) * (0.7 + 0.3 * d.y() * d.y());
        })},
-      {"heart", star([](const Vector3d& d) { return 0.07 + 0.025 * d.y() - 0.02 * std::abs(d.x()) * d.y(); })},
+      {"heart", star([](const Vector3d& d) { return 0.095 + 0.034 * d.y() - 0.027 * std::abs(d.x()) * d.y(); })},
       {"cube", box({0.2, 0.2, 0.2})},
       {"brick", box({0.2, 0.1, 0.05})},
       {"plate", box({0.2, 0.2, 0.01})},
