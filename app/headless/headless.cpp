@@ -143,7 +143,10 @@ Framebuffer& Headless::draw() {
   session_.forget_range();
   session_.forget_ground();
   const double step = static_cast<double>(step_), time = session_.simulation.simulated();
-  if (!session_.simulation.scene.camera && !camera_.at(step, time)) session_.frame_with_motion();
+  if (camera_.framed()) {
+    session_.frame_with_motion();
+    camera_.reframe(settings_of(session_.camera));
+  }
   return draw(step, time, nullptr);
 }
 

@@ -74,6 +74,7 @@ RenderCamera::RenderCamera(const std::string& choice, const Scene& scene, const 
 
 void RenderCamera::take(const Scene& scene, const CameraSettings& framed) {
   still_ = scene.camera.value_or(framed);
+  framed_ = !scene.camera;
   if (!scene.camera_motion.keys.empty()) keys_.emplace(scene.camera_motion, still_, scene.file.string());
 }
 

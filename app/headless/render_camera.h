@@ -29,12 +29,16 @@ class RenderCamera {
   CameraSettings at(double step, double time) const;
   double end() const { return keys_ ? keys_->end() : 0; }  // time of the last key of the scene's camera [s]
   bool moves() const { return keys_ || turn_ != 0; }
+  /// Whether nobody chose the camera, so that reframe() may set another one.
+  bool framed() const { return framed_ && !moves(); }
+  void reframe(const CameraSettings& camera) { still_ = camera; }
 
  private:
   CameraSettings untouched(double step, double time) const;
   void take(const Scene& scene, const CameraSettings& framed);
 
   CameraSettings still_;
+  bool framed_ = false;  // on the bodies
   ReplayView path_;
   std::optional<CameraPath> keys_;
   double turn_ = 0;

@@ -86,8 +86,9 @@ void scene_panel(const PanelContext& context) {
   else
     std::snprintf(text, sizeof text, "%.2f s", simulation.time());
   ui::fact("Time", text, "Simulated since the start of the scene");
-  if (const auto& unit = state.facts.unit; unit && hint_row(state.hints, unit->hint)) requests.rescale = unit->scale;
-  if (model.plan) mesh_frame_rows(*model.plan, requests);
+  if (const auto& unit = state.facts.unit; unit && hint_row(state.hints, unit->hint))
+    context.requests.rescale = unit->scale;
+  if (model.plan) mesh_frame_rows(*model.plan, context.requests);
   inverted_row(state.statistics);
   notes_rows(model, state.hints);
 }
