@@ -157,7 +157,7 @@ TEST_CASE("bash completes commands, options, choices, scene keys and files", "[c
   write_file(folder / "picture.png", "");
   write_file(folder / "scene.json", "");
   CHECK(offered(script, {"fascia", "ren"}, folder.path()) == Words{"render"});
-  CHECK(offered(script, {"fascia", "bench", "s"}, folder.path()) == Words{"skip", "speed"});
+  CHECK(offered(script, {"fascia", "bench", "s"}, folder.path()) == Words{"skip", "speed", "static"});
   CHECK(offered(script, {"fascia", "render", "--context", "e"}, folder.path()) == Words{"egl"});
   CHECK(offered(script, {"fascia", "render", "--context", "=", "os"}, folder.path()) == Words{"osmesa"});
   CHECK(offered(script, {"fascia", "render", "--comp"}, folder.path()) == Words{"--compare"});
