@@ -77,7 +77,7 @@ TEST_CASE("a legend at the left edge mirrors one at the right edge", "[framing]"
   for (const Eigen::Vector2d& extent : {Eigen::Vector2d(-1, 1), {-0.5, 1.6}, {-2, 2}}) {
     Camera right, left;
     frame_picture(right, extent, {800, 600, {0, 160}});
-    frame_picture(left, {-extent.y(), -extent.x()}, {800, 600, {0, 0, 160}});
+    frame_picture(left, {-extent.y(), -extent.x()}, {800, 600, {.legend_left = 160}});
     CAPTURE(extent.transpose(), right.middle.x(), left.middle.x());
     CHECK(left.middle.x() == Approx(-right.middle.x()).margin(1e-12));
     CHECK(left.reach == Approx(right.reach));
@@ -85,7 +85,7 @@ TEST_CASE("a legend at the left edge mirrors one at the right edge", "[framing]"
 }
 
 TEST_CASE("a comparison with its legend at the left frames both halves alike", "[framing]") {
-  const Margins margins{100, 0, 150};
+  const Margins margins{.left = 100, .legend_left = 150};
   const std::array<SplitView::Area, 2> areas = SplitView::areas(1000, margins);
   CHECK(areas[0].x == 100);
   CHECK(areas[0].width == areas[1].width + 150);
