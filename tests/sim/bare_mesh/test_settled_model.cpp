@@ -67,3 +67,20 @@ TEST_CASE("a method that does not carry the law of meshes on their own keeps one
   const Model model = settled_model(scene);
   CHECK(carries(scene.solver.method, model.materials[0].model));
 }
+
+TEST_CASE("a mesh opened alone has the tissue law if the method carries it, and a note otherwise") {
+  const MeshOnDisk mesh;
+  const auto opened = [&](const std::vector<std::string>& overrides) {
+    Scene scene = open_scene(mesh.path, overrides);
+    const Model model = settled_model(scene);
+    return std::pair(std::string(name_of(scene.bodies[0].material.model)), model.notes.back());
+  };
+  CHECK(opened({}).first == "squared");
+  CHECK(opened({"materials.default.model=neo_hookean"}).first == "neo_hookean");
+  const auto [law, note] = opened({"solver.method=jacobi"});
+  CHECK(law == "signed_st_venant_kirchhoff");
+  CHECK(note == "jacobi does not carry the material model squared, so it is signed_st_venant_kirchhoff");
+  Scene scene = open_scene(mesh.path);
+  settled_model(scene);
+  CHECK(scene_to_json(scene, mesh.folder.path()).find(R"("model": "squared")") != std::string::npos);
+}
