@@ -28,11 +28,13 @@ struct Desk {
   void keys(const std::vector<std::string>& names) {
     for (const std::string& name : names) window.key(name);
   }
-  /// Pixels of the red box of an error (see panels_help.cpp) on the screen.
+  /// Pixels of the red box of an error (see panels_help.cpp) on the screen, above the gallery, whose tissues are red,
+  /// too.
   long red_pixels() const {
     const Image image = display.watch(1).front();
     long count = 0;
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+    const std::size_t above_gallery = 4 * static_cast<std::size_t>(image.width) * 540;
+    for (std::size_t i = 0; i < above_gallery; i += 4)
       count += std::abs(image.rgba[i] - 84) < 12 && std::abs(image.rgba[i + 1] - 26) < 12 &&
                std::abs(image.rgba[i + 2] - 24) < 12;
     return count;
