@@ -148,7 +148,7 @@ std::vector<Cell> row_of(const WindowFigures& f, const Subject& subject, int bus
 }  // namespace
 
 void bench_window(Bench& bench, const WindowBenchOptions& options) {
-  const Durations durations = bench.full_or_quick(Durations{2, 6, 20}, Durations{1, 4, 8});
+  const Durations durations = bench.full_or_quick(Durations{2, 6, 45}, Durations{1, 4, 8});
   std::vector<Subject> subjects;
   subjects.push_back({"this", fs::read_symlink("/proc/self/exe").string(), std::make_unique<Home>("this")});
   if (!options.against.empty()) {
