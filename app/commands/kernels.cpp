@@ -35,9 +35,7 @@ void add_kernels(CLI::App& program, Invocation& invocation) {
   const auto options = std::make_shared<CommonOptions>();
   CLI::App& command = *program.add_subcommand(
       "kernels", "compiles the kernels of a scene, free and grabbed, so that the driver's cache on disk has them");
-  command
-      .add_option("scene", options->input,
-                  "scene (.json), tetrahedral mesh or surface (.obj); default: the shipped liver")
+  command.add_option("scene", options->input, "scene (.json), tetrahedral mesh or surface; default: the shipped liver")
       ->type_name(std::string("FILE") + kOrDash);
   command.add_option("--set", options->sets, "override a scene value, e.g. solver.method=jacobi")
       ->type_name("KEY=VALUE")

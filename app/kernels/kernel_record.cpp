@@ -30,7 +30,7 @@ fs::path driver_cache() {
 // Differs after the folder was removed and made again. Empty if there is none.
 std::string identity_of(const fs::path& path) {
   struct statx found {};
-  if (path.empty() || statx(AT_FDCWD, path.c_str(), 0, STATX_INO | STATX_BTIME | STATX_MTIME, &found) != 0) return "";
+  if (path.empty() || statx(AT_FDCWD, path.c_str(), 0, STATX_INO | STATX_BTIME, &found) != 0) return "";
   std::ostringstream text;
   text << found.stx_ino << ' ' << found.stx_btime.tv_sec << '.' << found.stx_btime.tv_nsec;
   return text.str();

@@ -33,7 +33,7 @@ void Ground::lay(const Look& look, FrameUniforms& frame) {
 const gl::Program& Ground::program(const Look& look, bool shadow) const {
   gl::Defines defines = backdrop_defines(look);
   defines.emplace_back("SHADOW", flag(shadow));
-  return programs_.draw("draw/ground.vert", "draw/ground.frag", defines);
+  return programs_.draw("draw/ground/ground.vert", "draw/ground/ground.frag", defines);
 }
 
 void Ground::draw_unshadowed(const Look& look) const {
@@ -52,7 +52,7 @@ void Ground::draw_shadowed(const Look& look) const {
 
 void Ground::draw_background(const Look& look) const {
   no_vertices_.bind();
-  programs_.draw("draw/fullscreen.vert", "draw/background.frag", backdrop_defines(look)).use();
+  programs_.draw("draw/fullscreen.vert", "draw/ground/background.frag", backdrop_defines(look)).use();
   gl::DrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -33,8 +33,8 @@ gl::Defines ShadowMap::defines() {
 }
 
 ShadowMap::ShadowMap(gl::ProgramCache& programs)
-    : cover_program_(programs.draw("draw/fullscreen.vert", "draw/ground_cover.frag", defines())),
-      light_program_(programs.draw("draw/fullscreen.vert", "draw/ground_light.frag", defines())),
+    : cover_program_(programs.draw("draw/fullscreen.vert", "draw/ground/ground_cover.frag", defines())),
+      light_program_(programs.draw("draw/fullscreen.vert", "draw/ground/ground_light.frag", defines())),
       depth_("shadow depth", GL_DEPTH_COMPONENT32F, kSize, kSize),
       ground_cover_("shadow cover of the ground", GL_RGBA8, kGroundSize, kGroundSize),
       ground_light_("shadow on the ground", GL_RGBA8, kGroundSize, kGroundSize),

@@ -112,10 +112,12 @@ void GpuSolver::record_partial() {
 void GpuSolver::run_partial_kernels() {
   if (!regions_) return;
   record_partial();
+  const double time = time_;
   passes_ = &partial_;
   method_->begin_partial();
   solve_substep();
   passes_ = &whole_;
+  time_ = time;
   regions_->restart();
 }
 

@@ -113,30 +113,6 @@ TEST_CASE("the singular is used for one item", "[cli]") {
   CHECK(run.err.find("fascia: 1 step, ") != std::string::npos);
 }
 
-TEST_CASE("a static solve reports its time and no steps", "[cli]") {
-  const CommandResult result = run_fascia({"run", cube().string(), "--static", "--context", "osmesa"});
-  CAPTURE(result.err);
-  CHECK(result.exit_code == 0);
-  CHECK(result.err.find("fascia: solved in ") != std::string::npos);
-  CHECK(result.err.find("step") == std::string::npos);
-}
-
-TEST_CASE("the guide has a row for every key of stats.json", "[cli]") {
-  const std::string guide = read_file(source_dir() / "docs/guide/command-line.md");
-  const std::string liver = (source_dir() / "assets/scenes/liver_hands.json").string();
-  for (const std::string more : {"--error", "--reference"}) {
-    const CommandResult result =
-        run_fascia({"run", liver, "--steps", "2", "--context", "osmesa", "--quiet", "--stats", "-", more});
-    REQUIRE(result.exit_code == 0);
-    const nlohmann::json stats = nlohmann::json::parse(result.out);
-    for (const auto& item : stats.items()) {
-      CAPTURE(more, item.key());
-      CHECK((guide.find("`" + item.key() + "`") != std::string::npos ||
-             guide.find("`" + item.key() + ".") != std::string::npos));
-    }
-  }
-}
-
 TEST_CASE("help and version", "[cli]") {
   CHECK(run_fascia({"--version"}).out.rfind("fascia ", 0) == 0);
   for (const char* command : {"view", "render", "run", "info", "convert"}) {

@@ -47,6 +47,8 @@ TEST_CASE("a window is measured cold and warm, by its own log of frames") {
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].at("kernels") == "cold");
   CHECK(rows[1].at("kernels") == "warm");
+  CHECK(rows[0].at("fused_after_s") != "0");
+  CHECK(rows[1].at("fused_after_s") == "0");  // compiled, and known to be
   for (const auto& row : rows) {
     CAPTURE(row);
     const auto number = [&](const char* column) { return std::stod(row.at(column)); };
