@@ -9,9 +9,13 @@ SolverSettings checked(const Settings& settings) {
   if (!pair)
     throw Error("settings", "method \"" + settings.method + "\" with acceleration \"" + settings.acceleration + "\"",
                 "expected one of these solver choices: " + list_of_choices());
+  const std::optional<Integrator> integrator = find_integrator(settings.integrator);
+  if (!integrator)
+    throw Error("settings.integrator", "is \"" + settings.integrator + "\"", "expected implicit_euler, bdf2, sdirk2");
   SolverSettings own;
   own.method = pair->method;
   own.acceleration = pair->acceleration;
+  own.integrator = *integrator;
   own.iterations = settings.iterations;
   own.tolerance = settings.tolerance;
   own.time_step = settings.time_step;
@@ -29,6 +33,7 @@ Settings shown(const SolverSettings& settings) {
   Settings out;
   out.method = name_of(settings.method);
   out.acceleration = name_of(settings.acceleration);
+  out.integrator = name_of(settings.integrator);
   out.iterations = settings.iterations;
   out.tolerance = settings.tolerance;
   out.time_step = settings.time_step;

@@ -57,6 +57,8 @@ void define_values(py::module_& m) {
                "Makes settings; keyword arguments set the fields. Raises TypeError for an unknown field.");
   settings.def_readwrite("method", &Settings::method, "The method, as in scene files.")
       .def_readwrite("acceleration", &Settings::acceleration, "The acceleration of the method, as in scene files.")
+      .def_readwrite("integrator", &Settings::integrator,
+                     "The time integrator, as in scene files: \"implicit_euler\", \"bdf2\" or \"sdirk2\".")
       .def_readwrite("iterations", &Settings::iterations, "The largest number of iterations per substep, 1 to 10000.")
       .def_readwrite("tolerance", &Settings::tolerance,
                      "The relative residual at which iterations stop [-], 0 to 1. With 0 all iterations run.")

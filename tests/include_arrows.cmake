@@ -31,7 +31,7 @@ set(arrows
   "sim/reference: base sim/elements sim/integrators sim/material sim/model sim/scene/settings"
   "sim/replay: base base/json sim/grab sim/model sim/scene"
   "sim/scene: base base/json sim/material sim/scene/settings sim/surface"
-  "sim/scene/settings: base sim/material"
+  "sim/scene/settings: base sim/integrators sim/material"
   "sim/simulation: base sim/gpu sim/gpu/passes sim/grab sim/model sim/reference sim/replay sim/scene"
   "sim/surface: base sim/mesh sim/mesh/io"
   "sim/visual: base sim/mesh sim/model"

@@ -113,6 +113,9 @@ void solver_panel(const PanelContext& context) {
     ui::fact("Method", "Newton, double precision", "The reference solver on the CPU: exact, slow, and without grabs");
   else
     changed = pair_combos(settings, simulation.model.materials);
+  std::vector<Integrator> all;
+  for (const IntegratorInfo& info : integrators()) all.push_back(info.integrator);
+  changed |= ui::choice("Integrator", all, settings.integrator, kLabelOf, kHelpOf);
   visit_settings(settings, [&](auto& value, const char* name, const char* unit, auto min, auto max, bool logarithmic,
                                const char* help) {
     if (!applies(name, settings.choice())) return;

@@ -52,6 +52,7 @@ void Convergence::measure(Simulation& simulation, gl::ProgramCache& programs) {
   probe.settings.iterations = current.iterations;
   probe.settings.time_step = current.time_step;
   probe.settings.substeps = current.substeps;
+  probe.settings.integrator = current.integrator;
   if (!probe.solver) probe.solver = std::make_unique<GpuSolver>(programs, simulation.model, probe.settings);
   if (probe.solver->settings() != probe.settings) probe.solver->set_settings(probe.settings);
   probe.solver->follow(*simulation.gpu());

@@ -45,6 +45,7 @@ void compare_settings(const SolverSettings& from, const SolverSettings& to, Chan
   if (from.method != to.method) list.add("Method", label_of(from.method), label_of(to.method));
   if (from.acceleration != to.acceleration)
     list.add("Acceleration", label_of(from.acceleration), label_of(to.acceleration));
+  if (from.integrator != to.integrator) list.add("Integrator", label_of(from.integrator), label_of(to.integrator));
   visit_both(
       [&](bool second, auto f) { visit_settings(second ? to : from, f); },
       [&](double a, double b, const char* name, const char* unit) { list.number(label_of_field(name), a, b, unit); });

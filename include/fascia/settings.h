@@ -15,6 +15,8 @@ FASCIA_INLINE namespace api {
     std::string method = "two_level";
     /// The acceleration of the method, as in scene files.
     std::string acceleration = "subspace";
+    /// The time integrator, as in scene files: "implicit_euler", "bdf2" or "sdirk2".
+    std::string integrator = "implicit_euler";
     /// The largest number of iterations per substep, 1 to 10000.
     int iterations = 10;
     /// The relative residual at which the iterations of a substep stop [-], 0 to 1. With 0 all iterations run.

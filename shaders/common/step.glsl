@@ -1,4 +1,4 @@
-// The uniform block of a substep.
+// The uniform block of a stage of a substep (sim/integrators/stage.h).
 #include "shared/types.h"
 layout(std140) uniform Step { StepValues step_values; };
 #define GRAVITY step_values.gravity.xyz
@@ -8,3 +8,5 @@ layout(std140) uniform Step { StepValues step_values; };
 #define TOLERANCE step_values.solver.z
 #define INVERSE_MEAN_MASS step_values.solver.w
 #define FARTHEST step_values.guard.x
+#define STAGE_DURATION step_values.guard.y
+#define EXTRAPOLATION step_values.guard.z

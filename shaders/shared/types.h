@@ -8,14 +8,15 @@ struct vec4 {
 };
 #endif
 
-// The values that every kernel of a substep can read (uniform block Step).
+// The values that every kernel of a stage of a substep can read (uniform block Step; sim/integrators/stage.h).
 struct StepValues {
-  vec4 gravity;   // xyz acceleration [m/s^2], w substep h [s]
+  vec4 gravity;   // xyz acceleration [m/s^2], w length l of the stage [s]
   vec4 solver;    // x spectral radius for Chebyshev acceleration, 0: estimated; y iterations, z tolerance, w 1 / mean
                   // mass [1/kg]
   vec4 material;  // for a scene with one material: x Young's modulus E [Pa], y Poisson's ratio [-], z damping [s], w
                   // model
-  vec4 guard;     // x distance from its prediction at which a vertex counts as diverged [m]
+  vec4 guard;  // x distance from its prediction at which a vertex counts as diverged [m]; y duration of the stage [s],
+               // z its extrapolation p [-]
 };
 
 // Partial sums of one invocation of the diagnostic kernels; the CPU adds them in double precision.

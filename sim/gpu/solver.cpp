@@ -28,7 +28,7 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       surface_(buffers_, drawn) {
   require_carried(settings_.method, model.materials, "solver.method");
   require_computing(programs);
-  buffers_.upload_step(model_, settings_);
+  upload_step(next_stages().front());
   reset();
   report(progress, 0.4, "Preparing the solver");
   make_method();
@@ -52,7 +52,7 @@ void GpuSolver::make_method() {
   }
   stop_.reset();
   if (settings_.tolerance > 0) stop_.emplace(programs_, buffers_, method_->gradient());
-  substeps_ = 0;
+  stages_solved_ = 0;
   grab_.set_use(method_->descends(), method_->descends() || stop_, buffers_.vertex_count);
   method_->set_stiffness(stiffness_of(terms_));
 
@@ -71,6 +71,9 @@ void GpuSolver::make_method() {
 }
 
 void GpuSolver::record() {
+  const bool extrapolates = info_of(settings_.integrator).extrapolates;
+  if (!extrapolates) earlier_step_ = 0;
+  buffers_.keep_earlier(extrapolates);
   if (!features_.damping) previous_strain_ = {};
   if (features_.damping && !previous_strain_)
     previous_strain_ = gl::Buffer("previous_strain", 2 * sizeof(shared::vec4) * buffers_.tet_count);
@@ -126,15 +129,11 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
       programs_);  // kernels that are part of another program need none of their own
   const Recording r = recording(active);
   StepPasses passes;
+  const bool strains_first = buffers_.earlier_displacement && features_.damping;
+  if (strains_first) passes.begin.push_back(strains_at_start(r));
   passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), start(), active));
   if (!motions_.empty()) passes.begin.push_back(motions_.pass(programs_, buffers_));
-  if (features_.damping) {
-    passes.begin.push_back(r.over_pairs(
-        "sim/step/previous_strain.comp", {},
-        with_pairs({{"previous_displacement", &buffers_.previous_displacement}, {"previous_strain", &previous_strain_}},
-                   buffers_)));
-    passes.begin.back().loops(0);
-  }
+  if (features_.damping && !strains_first) passes.begin.push_back(strains_at_start(r));
   append(passes.begin, method_->begin(r));
   if (const StepGradient* gradient = method_->gradient()) passes.before_first = passes.before = gradient->passes(r);
   passes.refresh = method_->refresh(r);
@@ -186,24 +185,29 @@ void GpuSolver::upload(const State& state) {
   starts_inside_out_ = needs_unfolding(given_, state);
   if (unfolding_ && !starts_inside_out_) end_unfolding();
   state_changed();
-  guard_.keep(buffers_, time_);
+  if (buffers_.earlier_displacement) earlier_step_ = state.earlier.step;
+  guard_.keep(buffers_, {time_, earlier_step_});
 }
 
 void GpuSolver::restore_valid(bool at_rest) {
-  time_ = guard_.restore(buffers_);
+  const StateGuard::Moment moment = guard_.restore(buffers_);
+  state_changed();
+  time_ = moment.time;
   if (at_rest)
     buffers_.velocity.upload(0, buffers_.velocity.bytes(), std::vector<shared::vec4>(buffers_.vertex_count).data());
-  state_changed();
+  else
+    earlier_step_ = moment.earlier_step;
 }
 
 void GpuSolver::state_changed() {
   has_step_ = false;
   published_ = false;
+  earlier_step_ = 0;
   if (regions_) regions_->restart();
 }
 
 void GpuSolver::request_check() {
-  guard_.request(buffers_, time_);
+  guard_.request(buffers_, {time_, earlier_step_});
   if (regions_) regions_->restart();  // so that steps from this state on are repeated to the bit
 }
 
@@ -238,7 +242,7 @@ void GpuSolver::solve_everything() {
 void GpuSolver::set_settings(const SolverSettings& settings) {
   require_carried(settings.method, given_.materials, "solver.method");
   const auto needs = [](const SolverSettings& s) {
-    return std::tuple(s.method, s.acceleration, s.colors, s.window, s.tolerance > 0, s.rest_speed > 0);
+    return std::tuple(s.method, s.acceleration, s.integrator, s.colors, s.window, s.tolerance > 0, s.rest_speed > 0);
   };
   const bool same_passes = needs(settings) == needs(settings_);
   SolverSettings before = settings_;
@@ -248,7 +252,7 @@ void GpuSolver::set_settings(const SolverSettings& settings) {
   before = settings_;
   settings_ = settings;
   if (same_step) {
-    buffers_.upload_step(model_, settings_);
+    upload_step(next_stages().front());
     return;
   }
   if (!same_passes) try {
@@ -267,7 +271,7 @@ void GpuSolver::settings_changed() {
   has_step_ = false;
   published_ = false;
   if (regions_) regions_->restart();
-  buffers_.upload_step(model_, settings_);
+  upload_step(next_stages().front());
   method_->values_changed(model_, settings_);
   if (acceleration_) acceleration_->values_changed();
 }
@@ -324,10 +328,14 @@ void GpuSolver::follow(const GpuSolver& leader) {
   buffers_.velocity.copy(leader.buffers_.velocity, buffers_.velocity.bytes());
   time_ = leader.time_;
   state_changed();
+  if (leader.earlier_step_ == 0 || !buffers_.earlier_displacement) return;
+  earlier_step_ = leader.earlier_step_;
+  buffers_.earlier_displacement.copy(leader.buffers_.earlier_displacement, buffers_.earlier_displacement.bytes());
+  buffers_.earlier_velocity.copy(leader.buffers_.earlier_velocity, buffers_.earlier_velocity.bytes());
 }
 
 void GpuSolver::request_diagnostics() {
-  diagnostics_.request(grab_, settings_.substep(), time_, stop_ ? &stop_->state() : nullptr);
+  diagnostics_.request(grab_, stage_.length, time_, stop_ ? &stop_->state() : nullptr);
 }
 
 void GpuSolver::set_compensated(bool compensated) {

@@ -14,7 +14,7 @@
 #include "gl/stopwatch.h"
 #include "sim/gpu/acceleration/acceleration.h"
 #include "sim/gpu/acceleration/stop_rule.h"
-#include "sim/gpu/integrators/implicit_euler.h"
+#include "sim/gpu/integrators/stage.h"
 #include "sim/gpu/methods/method.h"
 #include "sim/gpu/passes/motion_targets.h"
 #include "sim/gpu/readback/diagnostics.h"
@@ -33,7 +33,7 @@ class GpuSolver {
   GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
             const EmbeddedPoints& drawn = {}, const Progress& progress = {});
 
-  /// One frame step of settings.time_step: substeps, each of predict, iterations, velocity.
+  /// One frame step of settings.time_step: substeps and their stages, each of predict, iterations, velocity.
   void step();
   struct KernelTime {
     double ms = 0;  // of all runs together
@@ -61,7 +61,8 @@ class GpuSolver {
   bool descends() const { return method_->gradient() != nullptr; }
   const gl::Buffer& positions() const { return surface_.positions(); }  // vec4 [vertex_count + points]
 
-  /// One substep with diagnostics of the state before the first and after every iteration: [iterations + 1]. For plots
+  /// One substep with diagnostics of the state before the first and after every iteration of its last stage:
+  /// [iterations + 1]. For plots
   /// of convergence; waits for the GPU each time.
   std::vector<Diagnostics> traced_substep();
 
@@ -86,6 +87,7 @@ class GpuSolver {
 
   /// Whether the buffers hold a complete substep, solved under the current model, settings and springs.
   bool has_step() const { return has_step_; }
+  const IntegratorStage& stage() const { return stage_; }  // the last one of that substep
   const std::vector<GrabSpring>& springs() const { return springs_; }
   /// The number of steps that were solved, without those at rest. A changed number means a changed state.
   long steps_solved() const { return steps_solved_; }
@@ -98,16 +100,16 @@ class GpuSolver {
   /// that move: the state stays. For filling a driver's cache.
   void run_partial_kernels();
 
-  State download() const { return buffers_.download_state(time_); }
+  State download() const { return buffers_.download_state(time_, earlier_step_); }
   State download_valid() const { return guard_.download(buffers_); }  // the state of restore_valid()
   void upload(const State& state);
   /// Stores displacements in two floats each, for static equilibria: methods that descend the energy then accumulate
   /// what float32 would lose.
   void set_compensated(bool compensated);
-  /// The mean over all substeps so far: below settings().iterations where solver.tolerance ends them, and then waits
+  /// The mean over all stages so far: below settings().iterations where solver.tolerance ends them, and then waits
   /// for the GPU.
   double mean_iterations() const;
-  int last_iterations() const;  // of the last substep; waits as mean_iterations() does
+  int last_iterations() const;  // of the last stage; waits as mean_iterations() does
   /// Copies state, materials, gravity and grab from another solver of the same model; the state does not pass through
   /// the CPU.
   void follow(const GpuSolver& leader);
@@ -139,9 +141,12 @@ class GpuSolver {
   void record();
   void run(const Passes& passes);
   void look_beside();
-  void begin_substep();
+  std::vector<IntegratorStage> next_stages() const;  // of the next substep
+  void upload_step(const IntegratorStage& stage);
+  void begin_stage(const IntegratorStage& stage);
   void iterate(int iteration, int count = 1);  // `count` iterations, if fused and alike_from() permits
-  void end_substep();
+  void end_stage();
+  void solve_stage(const IntegratorStage& stage);
   void solve_substep();
   int alike_from(int iteration) const;  // the first later iteration that runs other passes
   void settings_changed();
@@ -206,10 +211,12 @@ class GpuSolver {
   bool background_held_ = false;
   int background_taken_ = 0;
   double time_ = 0;
+  double earlier_step_ = 0;   // State::Earlier::step
+  IntegratorStage stage_{0};  // whose values the kernels read
   long steps_solved_ = 0;
   std::uint64_t tets_stepped_ = 0;
-  std::uint64_t substeps_ = 0;      // since stop_ was created
-  bool starts_inside_out_ = false;  // until the first step
+  std::uint64_t stages_solved_ = 0;  // since stop_ was created
+  bool starts_inside_out_ = false;   // until the first step
   struct Unfolding {
     double until;  // [s] the time at which it ends at the latest
     int steps = 0;

@@ -7,14 +7,14 @@
 namespace fascia {
 
 int GpuSolver::last_iterations() const {
-  if (!stop_ || substeps_ == 0) return settings_.iterations;
+  if (!stop_ || stages_solved_ == 0) return settings_.iterations;
   return static_cast<int>(
       std::min(stop_->state().read<std::uint32_t>().front(), static_cast<std::uint32_t>(settings_.iterations)));
 }
 
 double GpuSolver::mean_iterations() const {
-  if (!stop_ || substeps_ == 0) return settings_.iterations;
-  return static_cast<double>(stop_->state().read<std::uint32_t>().back()) / static_cast<double>(substeps_);
+  if (!stop_ || stages_solved_ == 0) return settings_.iterations;
+  return static_cast<double>(stop_->state().read<std::uint32_t>().back()) / static_cast<double>(stages_solved_);
 }
 
 double GpuSolver::share_solved() const {
@@ -48,13 +48,13 @@ std::uint64_t GpuSolver::dispatches_per_step() const {
     count += refreshes() * fused.refresh.dispatches(1);
     for (int i = 1; i < settings_.iterations; i = alike_from(i))
       count += fused.iteration.dispatches(static_cast<std::uint32_t>(alike_from(i) - i));
-    return settings_.substeps * count;
+    return settings_.stages_per_step() * count;
   }
   const std::uint64_t others = (settings_.iterations - 1) / before_every_;  // runs of before_ after the first
   const std::uint64_t iterations =
       whole_.before_first.size() + others * whole_.before.size() + whole_.first_iteration.size() +
       (settings_.iterations - 1) * whole_.iteration.size() + refreshes() * whole_.refresh.size();
-  return settings_.substeps * (whole_.begin.size() + iterations + whole_.end.size());
+  return settings_.stages_per_step() * (whole_.begin.size() + iterations + whole_.end.size());
 }
 
 }  // namespace fascia

@@ -34,9 +34,19 @@ void GpuSolver::look_beside() {
   if (!background_held_) background_taken_ += method_->update(false);
 }
 
-void GpuSolver::begin_substep() {
-  time_ += settings_.substep();
-  ++substeps_;
+std::vector<IntegratorStage> GpuSolver::next_stages() const {
+  return stages_of(settings_.integrator, settings_.substep(), earlier_step_);
+}
+
+void GpuSolver::upload_step(const IntegratorStage& stage) {
+  stage_ = stage;
+  buffers_.upload_step(model_, settings_, stage);
+}
+
+void GpuSolver::begin_stage(const IntegratorStage& stage) {
+  if (stage != stage_) upload_step(stage);
+  time_ += stage.duration;
+  ++stages_solved_;
   published_ = false;
   motions_.upload(model_, time_);
   if (const FusedStep* fused = fused_step())
@@ -57,7 +67,7 @@ void GpuSolver::iterate(int iteration, int count) {
   run(iteration == 0 ? passes_->first_iteration : passes_->iteration);
 }
 
-void GpuSolver::end_substep() {
+void GpuSolver::end_stage() {
   if (const FusedStep* fused = fused_step())
     fused->end.run();
   else
@@ -75,14 +85,19 @@ const GpuSolver::FusedStep* GpuSolver::fused_step() const {
   return fused && !times_ ? &*fused : nullptr;
 }
 
-void GpuSolver::solve_substep() {
-  begin_substep();
+void GpuSolver::solve_stage(const IntegratorStage& stage) {
+  begin_stage(stage);
   for (int i = 0; i < settings_.iterations;) {
     const int count = fused_step() ? alike_from(i) - i : 1;
     iterate(i, count);
     i += count;
   }
-  end_substep();
+  end_stage();
+}
+
+void GpuSolver::solve_substep() {
+  for (const IntegratorStage& stage : next_stages()) solve_stage(stage);
+  earlier_step_ = info_of(settings_.integrator).multistep ? settings_.substep() : 0;
 }
 
 // Selects the passes for all tets or for the moving part only.
@@ -153,12 +168,14 @@ void GpuSolver::settle(const State& equilibrium) {
   step();
   buffers_.upload_state(model_, equilibrium);
   time_ = time;
+  earlier_step_ = 0;
   published_ = false;
-  guard_.keep(buffers_, time_);
+  guard_.keep(buffers_, {time_});
 }
 
 void GpuSolver::rest() {
   time_ += settings_.time_step;
+  earlier_step_ = 0;
   guard_.pass_time(settings_.time_step);
 }
 
@@ -171,14 +188,17 @@ std::vector<Diagnostics> GpuSolver::traced_substep() {
   passes_ = &whole_;
   if (regions_) regions_->restart();
   look_beside();
-  begin_substep();
+  const std::vector<IntegratorStage> stages = next_stages();
+  for (std::size_t k = 0; k + 1 < stages.size(); ++k) solve_stage(stages[k]);
+  begin_stage(stages.back());
   if (grab_.acts()) grab_.forget();
   diagnose();
   for (int i = 0; i < settings_.iterations; ++i) {
     iterate(i);
     diagnose();
   }
-  end_substep();
+  end_stage();
+  earlier_step_ = 0;
   return trace;
 }
 

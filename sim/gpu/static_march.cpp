@@ -80,6 +80,7 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
   AsBefore as_before(solver);
   SolverSettings marching = solver.settings();
   marching.substeps = 1;
+  marching.integrator = Integrator::implicit_euler;
   marching.iterations = kIterations;
   marching.time_step = kFirstStep;
   marching.tolerance = 0;

@@ -1,4 +1,5 @@
-// The state of a model: positions and velocities of its vertices.
+// The state of a model: positions and velocities of its vertices, and what a time integrator remembers of the substep
+// before.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
@@ -11,6 +12,14 @@ struct State {
   std::vector<Eigen::Vector3d> displacement;  // [vertex_count] u = x - X [m]
   std::vector<Eigen::Vector3d> velocity;      // [vertex_count] v [m/s]
   double time = 0;                            // [s]
+
+  /// The same at the start of the substep before, for integrators that extrapolate (sim/integrators/stage.h). Empty:
+  /// unknown, as after a reset.
+  struct Earlier {
+    std::vector<Eigen::Vector3d> displacement, velocity;
+    double step = 0;  // length of that substep [s]; 0: unknown
+  };
+  Earlier earlier = {};
 };
 /// The rest shape of the scene, with its initial velocities, at time 0.
 State initial_state(const Model& model);

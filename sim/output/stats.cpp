@@ -72,6 +72,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
       {"renderer", stats.renderer},
       {"method", simulation.uses_reference() ? "newton" : name_of(simulation.scene.solver.method)},
       {"acceleration", simulation.uses_reference() ? "none" : name_of(simulation.scene.solver.acceleration)},
+      {"integrator", name_of(simulation.scene.solver.integrator)},
       {"vertices", simulation.model.rest_positions.size()},
       {"tets", simulation.model.tets.size()},
       {"steps", stats.steps},

@@ -14,10 +14,10 @@
 
 namespace fascia::reference {
 
-/// Viscous part of an implicit Euler step (elasticity.h). Empty: purely elastic.
+/// Viscous part of a stage (elasticity.h, sim/integrators/stage.h). Empty: purely elastic.
 struct ViscousStep {
-  std::vector<Eigen::Matrix3d> previous_strain;  // [tet_count] eps_n
-  double h = 1;                                  // [s]
+  std::vector<Eigen::Matrix3d> previous_strain;  // [tet_count] eps*
+  double h = 1;                                  // l [s]
 };
 
 class ElasticSystem {

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
-#include "sim/integrators/implicit_euler.h"
+#include "base/error.h"
 #include "sim/reference/held_path.h"
 #include "sim/reference/minimizer.h"
 
@@ -57,8 +58,11 @@ struct NewtonSolver::Impl {
         mass(per_component(lumped_masses(model))),
         gravity(model.gravity.replicate(model.rest_positions.size(), 1)) {}
 
-  NewtonReport substep(State& state);
+  NewtonReport solve(const IntegratorStage& stage, State& state);
   NewtonReport solve_static(State& state, double tolerance);
+  /// eps* [tet_count].
+  std::vector<Eigen::Matrix3d> strains(const IntegratorStage& stage, const VectorXd& now,
+                                       const VectorXd& earlier) const;
 
   /// Minimizes potential(1) with the constrained vertices at the end of their path, from `u`, by the largest increments
   /// of s in (0, 1] for which Newton's method converges with every tet upright. `divisible`: whether smaller increments
@@ -108,29 +112,40 @@ NewtonReport NewtonSolver::Impl::follow(const HeldPath& path, const std::functio
   return total;
 }
 
-NewtonReport NewtonSolver::Impl::substep(State& state) {
-  const double h = settings.substep();
-  const ImplicitEuler integrator{h};
+std::vector<Eigen::Matrix3d> NewtonSolver::Impl::strains(const IntegratorStage& stage, const VectorXd& now,
+                                                         const VectorXd& earlier) const {
+  std::vector<Eigen::Matrix3d> strains = system.strains(now);
+  if (stage.extrapolation == 0) return strains;
+  const std::vector<Eigen::Matrix3d> before = system.strains(earlier);
+  for (std::size_t i = 0; i < strains.size(); ++i) strains[i] = stage.extrapolated(strains[i], before[i]);
+  return strains;
+}
+
+NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, State& state) {
+  if (stage.extrapolation != 0 && state.earlier.displacement.size() != state.displacement.size())
+    throw Error("reference solver", "has no earlier state", "expected one for a stage that extrapolates");
   const VectorXd old = flat(state.displacement), velocity = flat(state.velocity);
+  const VectorXd earlier = flat(state.earlier.displacement);
+  const VectorXd start = stage.extrapolated(old, earlier);
   Potential potential;
-  potential.inertia = integrator.inertia(mass);
-  potential.target = integrator.predicted(old, velocity, gravity);
-  potential.start = old;
+  potential.inertia = stage.inertia(mass);
+  potential.target = stage.predicted(start, stage.extrapolated(velocity, flat(state.earlier.velocity)), gravity);
+  potential.start = start;
   potential.force = VectorXd::Zero(old.size());
   for (const GrabSpring& spring : springs) add(spring, potential);
-  if (system.viscous()) potential.viscous = {system.strains(old), h};
+  if (system.viscous()) potential.viscous = {strains(stage, old, earlier), stage.length};
 
   // The inertial prediction is the better start, but not if it inverts tets.
   VectorXd u = old;
-  system.add_to_free(system.free_part(velocity), h, u);
+  system.add_to_free(system.free_part(velocity), stage.duration, u);
   if (system.min_det_f(u) <= 0 && system.min_det_f(old) > 0) u = old;
 
-  const HeldPath path(model, old, state.time, state.time + h);
+  const HeldPath path(model, old, state.time, state.time + stage.duration);
   const NewtonReport report = follow(
       path, [&](double) { return potential; }, path.moves(), step_tolerance, u);
-  state.displacement = vectors_of(u);
-  state.velocity = vectors_of(integrator.velocity(u, old));
-  state.time += h;
+  state.earlier.displacement = std::exchange(state.displacement, vectors_of(u));
+  state.earlier.velocity = std::exchange(state.velocity, vectors_of(stage.velocity(u, start)));
+  state.time += stage.duration;
   return report;
 }
 
@@ -158,6 +173,7 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance) {
   const NewtonReport report = follow(path, potential, true, tolerance > 0 ? tolerance : static_tolerance, u);
   state.displacement = vectors_of(u);
   state.velocity.assign(state.displacement.size(), Vector3d::Zero());
+  state.earlier = {};
   state.time = end;
   return report;
 }
@@ -169,14 +185,21 @@ NewtonSolver::~NewtonSolver() = default;
 NewtonReport NewtonSolver::step(State& state) {
   NewtonReport report;
   report.converged = true;
-  for (int k = 0; k < impl_->settings.substeps; ++k) {
-    const NewtonReport part = impl_->substep(state);
-    report.iterations += part.iterations;
-    report.relative_residual = std::max(report.relative_residual, part.relative_residual);
-    report.converged = report.converged && part.converged;
+  const SolverSettings& settings = impl_->settings;
+  for (int k = 0; k < settings.substeps; ++k) {
+    for (const IntegratorStage& stage : stages_of(settings.integrator, settings.substep(), state.earlier.step)) {
+      const NewtonReport part = impl_->solve(stage, state);
+      report.iterations += part.iterations;
+      report.relative_residual = std::max(report.relative_residual, part.relative_residual);
+      report.converged = report.converged && part.converged;
+    }
+    state.earlier.step = settings.substep();
   }
+  if (!info_of(settings.integrator).multistep) state.earlier = {};
   return report;
 }
+
+NewtonReport NewtonSolver::solve(const IntegratorStage& stage, State& state) { return impl_->solve(stage, state); }
 
 void NewtonSolver::set_springs(const std::vector<GrabSpring>& springs) { impl_->springs = springs; }
 

@@ -1,8 +1,8 @@
-// The reference solver, the ground truth of all tests: implicit Euler steps and static equilibria of a Model in double
-// precision by Newton's method with line search and a sparse factorization.
+// The reference solver, the ground truth of all tests: time steps and static equilibria of a Model in double precision
+// by Newton's method with line search and a sparse factorization.
 //
-//   step:   minimize 1/2 (u - u~)^T M (u - u~) + h^2 sum_e V_e Psi_e
-//           with u~ = u_n + h v_n + h^2 g and v = (u - u_n) / h
+//   step:   minimize 1/2 (u - u~)^T M (u - u~) + l^2 sum_e V_e Psi_e
+//           with l and u~ of the settings' integrator (sim/integrators/stage.h)
 //   static: minimize sum_e V_e Psi_e - f_ext.u, and half the stiffness of every spring times its squared length
 //           with loads and prescribed motions applied in increments where Newton's method cannot apply them at once
 #pragma once
@@ -12,6 +12,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "sim/integrators/stage.h"
 #include "sim/model/grab_spring.h"
 #include "sim/model/model.h"
 #include "sim/model/state.h"
@@ -65,9 +66,11 @@ class NewtonSolver {
   /// A solve ends unconverged soon after `stop` is requested.
   NewtonSolver(const Model& model, const SolverSettings& settings, std::stop_token stop = {});
   ~NewtonSolver();
-  /// One frame step: settings.substeps implicit Euler steps, each to a relative residual of 1e-12 or to the limit of
-  /// double precision.
+  /// One frame step: settings.substeps substeps, each of whose stages is solved to a relative residual of 1e-12 or to
+  /// the limit of double precision.
   NewtonReport step(State& state);
+  /// One stage alone, of any integrator. Throws Error if it extrapolates from a state without State::earlier.
+  NewtonReport solve(const IntegratorStage& stage, State& state);
   /// Sets the springs; several at a vertex are possible, and initially there are none.
   void set_springs(const std::vector<GrabSpring>& springs);
   /// Static equilibrium from `state` (its velocity is set to zero, its time to the end of all motions).

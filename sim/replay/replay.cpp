@@ -112,8 +112,21 @@ Input read_input(const Node& node, long earliest) {
   node.refuse(expected);
 }
 
+State::Earlier read_earlier(const Node& node, std::size_t vertex_count) {
+  node.expect_object({"step", "displacement", "velocity"});
+  State::Earlier earlier;
+  earlier.step = node.at("step", "seconds").number(0, kAnything, "s");
+  earlier.displacement = read_vectors(node.at("displacement", "a vector per vertex [m]"));
+  earlier.velocity = read_vectors(node.at("velocity", "a vector per vertex [m/s]"));
+  if (earlier.displacement.size() != vertex_count || earlier.velocity.size() != vertex_count)
+    node.fail(std::to_string(earlier.displacement.size()) + " displacements, " +
+                  std::to_string(earlier.velocity.size()) + " velocities",
+              "one of each per vertex, " + std::to_string(vertex_count));
+  return earlier;
+}
+
 State read_start(const Node& start) {
-  start.expect_object({"time", "displacement", "velocity"});
+  start.expect_object({"time", "displacement", "velocity", "earlier"});
   State state;
   state.time = start.at("time", "seconds").number(0, kAnything, "s");
   state.displacement = read_vectors(start.at("displacement", "a vector per vertex [m]"));
@@ -122,6 +135,7 @@ State read_start(const Node& start) {
     start.fail(std::to_string(state.displacement.size()) + " displacements, " + std::to_string(state.velocity.size()) +
                    " velocities",
                "one of each per vertex");
+  if (const auto earlier = start.find("earlier")) state.earlier = read_earlier(*earlier, state.displacement.size());
   return state;
 }
 

@@ -68,10 +68,15 @@ std::string replay_header(const Replay& replay, const std::filesystem::path& fol
   Json header{{"fascia_replay", 2}};
   for (const auto& [keyword, text] : replay.made_by) header["made_by"][keyword] = text;
   header["scene"] = complete_document(replay.scene, folder);
-  if (replay.start)
+  if (replay.start) {
     header["start"] = {{"time", replay.start->time},
                        {"displacement", list_of(replay.start->displacement)},
                        {"velocity", list_of(replay.start->velocity)}};
+    if (const State::Earlier& earlier = replay.start->earlier; earlier.step > 0)
+      header["start"]["earlier"] = {{"step", earlier.step},
+                                    {"displacement", list_of(earlier.displacement)},
+                                    {"velocity", list_of(earlier.velocity)}};
+  }
   header["timed"] = replay.timed;
   return line_of(header);
 }

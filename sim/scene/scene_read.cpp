@@ -87,9 +87,26 @@ CameraSettings read_camera(const Node& node) {
   return read_place(node);
 }
 
+namespace {
+
+Integrator read_integrator(const Node& node) {
+  std::vector<std::string> names;
+  std::string expected;
+  for (const IntegratorInfo& info : integrators()) {
+    expected += (names.empty() ? "" : ", ") + std::string(info.name);
+    names.emplace_back(info.name);
+  }
+  const std::string name = node.text(expected);
+  const std::optional<Integrator> integrator = find_integrator(name);
+  if (!integrator) node.fail("is " + excerpt(name) + perhaps(name, names), expected);
+  return *integrator;
+}
+
+}  // namespace
+
 SolverSettings read_solver(const Node& node) {
   SolverSettings solver;
-  std::vector<std::string> known = {"method", "acceleration"};
+  std::vector<std::string> known = {"method", "acceleration", "integrator"};
   visit_settings(solver, [&](auto&, const char* name, auto&&...) { known.push_back(name); });
   node.expect_object(known);
   visit_settings(solver, [&](auto& field, const char* name, const char* unit, auto min, auto max, auto&&...) {
@@ -120,6 +137,7 @@ SolverSettings read_solver(const Node& node) {
   if (!pair) acceleration_node->fail(excerpt(*acceleration) + " does not go with " + excerpt(*method), expected);
   solver.method = pair->method;
   solver.acceleration = pair->acceleration;
+  if (const auto integrator = node.find("integrator")) solver.integrator = read_integrator(*integrator);
   return solver;
 }
 

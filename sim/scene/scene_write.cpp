@@ -270,7 +270,9 @@ OrderedJson complete_document(const Scene& scene, const fs::path& folder) {
 }
 
 OrderedJson solver_document(const SolverSettings& settings) {
-  OrderedJson solver = {{"method", name_of(settings.method)}, {"acceleration", name_of(settings.acceleration)}};
+  OrderedJson solver = {{"method", name_of(settings.method)},
+                        {"acceleration", name_of(settings.acceleration)},
+                        {"integrator", name_of(settings.integrator)}};
   visit_settings(settings, [&](const auto& field, const char* name, auto&&...) { solver[name] = number(field); });
   return solver;
 }

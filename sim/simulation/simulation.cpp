@@ -100,8 +100,8 @@ void Simulation::step_within_budget() {
   const SolverSettings& wanted = scene.solver;
   int iterations = wanted.iterations;
   if (ms_per_iteration_ > 0)
-    iterations = static_cast<int>(
-        std::clamp<double>(std::floor(wanted.frame_budget / (ms_per_iteration_ * wanted.substeps)), 1, iterations));
+    iterations = static_cast<int>(std::clamp<double>(
+        std::floor(wanted.frame_budget / (ms_per_iteration_ * wanted.stages_per_step())), 1, iterations));
   if (iterations != gpu_->settings().iterations) {
     --steps_;  // inputs apply before this step
     grant(iterations);
@@ -112,7 +112,7 @@ void Simulation::step_within_budget() {
   gpu_->step();
   gl::Finish();
   const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  const double per_iteration = ms / (std::max(gpu_->last_iterations(), 1) * wanted.substeps);
+  const double per_iteration = ms / (std::max(gpu_->last_iterations(), 1) * wanted.stages_per_step());
   constexpr double kNews = 0.2;  // weight of a new measurement: a slow step must not affect many others
   ms_per_iteration_ = ms_per_iteration_ > 0 ? (1 - kNews) * ms_per_iteration_ + kNews * per_iteration : per_iteration;
 }

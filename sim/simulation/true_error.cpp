@@ -20,15 +20,21 @@ void TrueError::forget() {
 }
 
 StepError TrueError::compare(const Problem& problem, const SolvedStep& step, std::stop_token stop) {
-  const double h = problem.settings.time_step;
+  const IntegratorStage& stage = problem.stage;
   const std::size_t n = step.solution.size();
-  State state{step.previous, {}, problem.end_time - h};
-  for (std::size_t v = 0; v < n; ++v)  // the velocity that leads to exactly the u~ of the solver
-    state.velocity.push_back((step.predicted[v] - step.previous[v]) / h - h * problem.model.gravity);
+  State state{step.previous, {}, problem.end_time - stage.duration};
+  state.earlier.displacement = step.previous;
+  for (std::size_t v = 0; v < n; ++v) {
+    // The velocity v* that leads to exactly the u~ of the solver, and the earlier displacement to its u*
+    state.velocity.push_back((step.predicted[v] - step.from[v]) / stage.length - stage.length * problem.model.gravity);
+    if (stage.extrapolation != 0)
+      state.earlier.displacement[v] -= (step.from[v] - step.previous[v]) / stage.extrapolation;
+  }
+  state.earlier.velocity = state.velocity;
   reference::NewtonSolver solver(problem.model, problem.settings, std::move(stop));
   solver.set_springs(problem.springs);
   StepError error;
-  error.converged = solver.step(state).converged;
+  error.converged = solver.solve(stage, state).converged;
   error.step = problem.step;
   error.distance.reserve(n);
   double squared = 0, scale = 0;
@@ -45,10 +51,8 @@ StepError TrueError::compare(const Problem& problem, const SolvedStep& step, std
 
 void TrueError::begin(Simulation& simulation) {
   const GpuSolver& solver = *simulation.gpu();
-  SolverSettings settings = simulation.scene.solver;
-  settings.time_step = settings.substep();
-  settings.substeps = 1;
-  waiting_ = Problem{simulation.model, settings, solver.springs(), solver.time(), solver.steps_solved()};
+  waiting_ = Problem{simulation.model, simulation.scene.solver, solver.springs(),
+                     solver.stage(),   solver.time(),           solver.steps_solved()};
   snapshot_.request(solver.buffers());
 }
 

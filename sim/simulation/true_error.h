@@ -1,5 +1,5 @@
-// The distance between the solver's steps and exact ones: at intervals the reference solver repeats the last substep
-// from its start on another thread, while the frames continue.
+// The distance between the solver's steps and exact ones: at intervals the reference solver repeats the last stage of
+// a substep from its start on another thread, while the frames continue.
 #pragma once
 #include <future>
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace fascia {
 
-/// Compares both shapes at the end of a substep.
+/// Compares both shapes at the end of a stage, the last one of a substep.
 struct StepError {
   double relative = 0;          // RMS |u - u_exact| over RMS |u_exact - u~|: 1: as far away as the prediction
   double largest = 0;           // [m]
@@ -44,8 +44,9 @@ class TrueError {
  private:
   struct Problem {  // copies: model, settings and springs may change before the thread ends
     Model model;
-    SolverSettings settings;  // a single substep
+    SolverSettings settings;
     std::vector<GrabSpring> springs;
+    IntegratorStage stage;
     double end_time;
     long step;
   };

@@ -1,8 +1,9 @@
-// Inertial prediction u~ = u_n + h v_n + h^2 g of every vertex; the iterations start there.
-// Reads velocity and the inverse masses; writes previous_displacement, predicted, displacement (w: inverse mass). First
-// pass of a substep. Constrained vertices (inverse mass 0) are not moved.
-// With START_WITHOUT_GRAVITY the iterations start at u_n + h v_n instead: a stiff supported body hardly follows gravity
-// within a step. UNCONSTRAINED: except in unconstrained components, which fall as predicted.
+// Inertial prediction u~ = u* + l v* + l^2 g of every vertex; the iterations start there (sim/integrators/stage.h).
+// Without EXTRAPOLATES, u* and v* are displacement and velocity. Reads velocity and the inverse masses; writes
+// previous_displacement, predicted, displacement (w: inverse mass). First pass of a stage, but for the strains of
+// damped materials where EXTRAPOLATES. Constrained vertices (inverse mass 0) are not moved.
+// With START_WITHOUT_GRAVITY the iterations start where the velocity leads instead: a stiff supported body hardly
+// follows gravity within a step. UNCONSTRAINED: except in unconstrained components, which fall as predicted.
 // With MASS_SPLITTING the w of displacement is the inverse mass of each of a vertex's n copies: a share m / n of its
 // mass (Tonge, Benevolenski, Voroshilov 2012). The mean of the n corrections then equals their sum at full mass:
 // positions get the same step as the multipliers. Copies: one per tet around the vertex (Jacobi), or the vertex and its
@@ -23,7 +24,12 @@ float copies(uint i) { return 1.0; }
 #ifdef UNCONSTRAINED
 INPUT_UINT(Unconstrained, unconstrained)  // [vertex_count] not 0: starts with gravity
 #endif
-OUTPUT(vec4, PreviousDisplacement, previous_displacement)
+#ifdef EXTRAPOLATES
+// [vertex_count] u and v at the start of the stage or substep before; this stage's own at the end of this pass
+INOUT(vec4, EarlierDisplacement, earlier_displacement)
+INOUT(vec4, EarlierVelocity, earlier_velocity)
+#endif
+OUTPUT(vec4, PreviousDisplacement, previous_displacement)  // [vertex_count] u* [m]
 OUTPUT(vec4, Predicted, predicted)
 
 #ifdef LISTED
@@ -37,17 +43,31 @@ void main() {
 #ifdef LISTED
   if (INVOCATION >= moving_count) inv_mass = 0.0;
 #endif
-  vec3 drift = inv_mass > 0.0 ? SUBSTEP * FETCH(velocity, i).xyz : vec3(0.0);
   vec3 fall = inv_mass > 0.0 ? SUBSTEP * SUBSTEP * GRAVITY : vec3(0.0);
-  previous_displacement[i] = vec4(u, inv_mass);
-  predicted[i] = vec4(u + (drift + fall), inv_mass);
-#if START_WITHOUT_GRAVITY
-  vec3 start = drift;
-#ifdef UNCONSTRAINED
-  if (FETCH1(unconstrained, i) != 0u) start += fall;
+#ifdef EXTRAPOLATES
+  vec3 v = FETCH(velocity, i).xyz;
+  vec3 from = u + EXTRAPOLATION * (u - earlier_displacement[i].xyz);
+  vec3 drift = inv_mass > 0.0 ? STAGE_DURATION * v : vec3(0.0);
+  vec3 inertial = inv_mass > 0.0 ? SUBSTEP * (v + EXTRAPOLATION * (v - earlier_velocity[i].xyz)) : vec3(0.0);
+#ifdef LISTED
+  if (INVOCATION >= moving_count) from = u;
 #endif
-  displacement[i] = vec4(u + start, inv_mass);
+  earlier_displacement[i] = vec4(u, 0.0);
+  earlier_velocity[i] = vec4(v, 0.0);
+  vec3 all = from + (inertial + fall);
 #else
-  displacement[i] = vec4(u + (drift + fall), copies(i) * inv_mass);
+  vec3 from = u, drift = inv_mass > 0.0 ? SUBSTEP * FETCH(velocity, i).xyz : vec3(0.0);
+  vec3 all = u + (drift + fall);
+#endif
+  previous_displacement[i] = vec4(from, inv_mass);
+  predicted[i] = vec4(all, inv_mass);
+#if START_WITHOUT_GRAVITY
+  vec3 start = u + drift;
+#ifdef UNCONSTRAINED
+  if (FETCH1(unconstrained, i) != 0u) start = all;
+#endif
+  displacement[i] = vec4(start, inv_mass);
+#else
+  displacement[i] = vec4(all, copies(i) * inv_mass);
 #endif
 }

@@ -1,11 +1,11 @@
-// v = (u - u_n) / h. Last pass of a substep. Records a vertex that is not finite, or that the forces have thrown
+// v = (u - u*) / l. Last pass of a stage (sim/integrators/stage.h). Records a vertex that is not finite, or that the forces have thrown
 // implausibly far from its prediction: the state has diverged.
 #include "common/io.glsl"
 #include "common/finite.glsl"
 #include "common/step.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)                   // [vertex_count] u [m]
-INPUT_VEC4(PreviousDisplacement, previous_displacement)  // [vertex_count] u_n [m]
+INPUT_VEC4(PreviousDisplacement, previous_displacement)  // [vertex_count] u* [m]
 INPUT_VEC4(Predicted, predicted)                         // [vertex_count] xyz u~ [m], w inverse mass, 0 where
                                                          // constrained
 OUTPUT(vec4, Velocity, velocity)                         // [vertex_count] [m/s]

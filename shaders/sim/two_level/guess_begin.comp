@@ -1,5 +1,5 @@
-// The iterations' start, u_n + h v_n, stored as a step p from u_n like any other, so that the objective without it can
-// be evaluated. Constrained vertices keep their prescribed places. After predict and prescribe.
+// The iterations' start, where the velocity leads, stored as a step p from u_n like any other, so that the objective
+// without it can be evaluated. Constrained vertices keep their prescribed places. After predict and prescribe.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_VEC4(PreviousDisplacement, previous_displacement)  // [vertex_count] u_n [m]

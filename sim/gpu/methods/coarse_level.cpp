@@ -49,7 +49,7 @@ Model material_part(const Model& model) {
 CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, const SolverSettings& settings)
     : space_(make_coarse_space(model, coarse_node_target(model.tets.size()))),
       materials_(model.materials),
-      h_(settings.substep()) {
+      h_(settings.stage_length()) {
   if (empty()) return;
   const CoarseGather gather = make_coarse_gather(model, space_);
   std::vector<Tet> entries;  // of c_ja [1/m] (float bits) and the vertex
@@ -79,7 +79,7 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
   inverse_rows_ = gl::Buffer("coarse_inverse", sizeof(Tet) * row_octets_ * 3 * n);
   scale_ = gl::Buffer("coarse_scale", sizeof(vec4) * n);
   correction_ = gl::Buffer("coarse_correction", sizeof(vec4) * n);
-  start({material_part(model), settings.substep()});
+  start({material_part(model), settings.stage_length()});
 }
 
 Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const {
@@ -144,10 +144,10 @@ void CoarseLevel::start(Job job) {
 }
 
 void CoarseLevel::values_changed(const Model& model, const SolverSettings& settings) {
-  if (empty() || (model.materials == materials_ && settings.substep() == h_)) return;
+  if (empty() || (model.materials == materials_ && settings.stage_length() == h_)) return;
   materials_ = model.materials;
-  h_ = settings.substep();
-  Job job{material_part(model), settings.substep()};
+  h_ = settings.stage_length();
+  Job job{material_part(model), settings.stage_length()};
   if (inverse_.valid())
     next_ = std::move(job);
   else

@@ -55,7 +55,7 @@ void TwoLevelMethod::prepare(const Recording& r) {
 Passes TwoLevelMethod::begin(const Recording& r) const {
   Passes passes;
   passes.push_back(r.over_vertices("sim/two_level/guess_begin.comp", {},
-                                   {{"previous_displacement", &r.buffers.previous_displacement},
+                                   {{"previous_displacement", &r.buffers.start_of_stage()},
                                     {"predicted", &r.buffers.predicted},
                                     {"last_step", &last_step_},
                                     {"iterate", &r.buffers.displacement},

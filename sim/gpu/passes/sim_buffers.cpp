@@ -188,10 +188,28 @@ void SimBuffers::upload_state(const Model& model, const State& state) {
   for (std::size_t i = 0; i < vertex_count; ++i)
     values[i] = to_vec4(held[i] ? Eigen::Vector3d(0, 0, 0) : state.velocity[placement.vertex[i]], 0);
   velocity.upload(0, values.size() * sizeof(vec4), values.data());
+  if (!earlier_displacement || state.earlier.step == 0) return;
+  for (const auto& [buffer, vectors] : {std::pair(&earlier_displacement, &state.earlier.displacement),
+                                        std::pair(&earlier_velocity, &state.earlier.velocity)}) {
+    for (std::size_t i = 0; i < vertex_count; ++i) values[i] = to_vec4((*vectors)[placement.vertex[i]], 0);
+    buffer->upload(0, values.size() * sizeof(vec4), values.data());
+  }
 }
 
-State SimBuffers::download_state(double time) const {
+void SimBuffers::keep_earlier(bool kept) {
+  if (kept == static_cast<bool>(earlier_displacement)) return;
+  earlier_displacement = gl::Buffer();
+  earlier_velocity = gl::Buffer();
+  if (!kept) return;
+  const std::vector<vec4> zero(vertex_count);
+  earlier_displacement = gl::Buffer("earlier_displacement", zero);
+  earlier_velocity = gl::Buffer("earlier_velocity", zero);
+}
+
+State SimBuffers::download_state(double time, double earlier_step) const {
   State state{download_vectors(displacement), download_vectors(velocity), time};
+  if (earlier_step > 0)
+    state.earlier = {download_vectors(earlier_displacement), download_vectors(earlier_velocity), earlier_step};
   if (displacement_low) {
     const std::vector<Eigen::Vector3d> low = download_vectors(displacement_low);
     for (std::size_t i = 0; i < vertex_count; ++i) state.displacement[i] += low[i];
@@ -228,14 +246,15 @@ void SimBuffers::upload_materials(const Model& model) {
   mass.upload(0, mass_values.size() * sizeof(float), mass_values.data());
 }
 
-void SimBuffers::upload_step(const Model& model, const SolverSettings& settings) {
-  const double h = settings.substep();
+void SimBuffers::upload_step(const Model& model, const SolverSettings& settings, const IntegratorStage& stage) {
+  const double h = stage.length;
   const shared::StepValues values{
       to_vec4(model.gravity, h),
       {static_cast<float>(settings.spectral_radius), static_cast<float>(settings.iterations),
        static_cast<float>(settings.tolerance), static_cast<float>(1 / mean_mass)},
       to_vec4(model.materials.front()),
-      {static_cast<float>(kFarthest * (size + h * h * model.gravity.norm())), 0, 0, 0}};
+      {static_cast<float>(kFarthest * (size + h * h * model.gravity.norm())), static_cast<float>(stage.duration),
+       static_cast<float>(stage.extrapolation), 0}};
   step.upload(0, sizeof values, &values);
 }
 

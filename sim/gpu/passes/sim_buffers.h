@@ -33,8 +33,10 @@ struct SimBuffers {
   gl::Buffer displacement_low;       // xyz: the part of u that float32 cannot represent, u = displacement +
                                      // displacement_low; exists for static equilibria only
   gl::Buffer velocity;               // xyz v [m/s]
-  gl::Buffer previous_displacement;  // u at the start of the substep
-  gl::Buffer predicted;              // u~, the result of inertia and gravity alone
+  gl::Buffer previous_displacement;  // u* of the stage (sim/integrators/stage.h)
+  // u and v at the start of the stage during it, of the stage or substep before at its start; keep_earlier()
+  gl::Buffer earlier_displacement, earlier_velocity;
+  gl::Buffer predicted;  // u~, the result of inertia and gravity alone
 
   MeshOrder placement;
   gl::Buffer placed_vertex;  // uint [vertex_count] placement.vertex
@@ -72,13 +74,21 @@ struct SimBuffers {
   /// Reserves `count` copies of vertices behind the displacements, which are preserved.
   void set_phantom_count(std::uint32_t count);
 
+  /// Creates or frees earlier_displacement and earlier_velocity, for integrators that extrapolate.
+  void keep_earlier(bool kept);
+  /// u [m] at the start of the stage, during the stage.
+  const gl::Buffer& start_of_stage() const {
+    return earlier_displacement ? earlier_displacement : previous_displacement;
+  }
+
   void upload_state(const Model& model, const State& state);
-  State download_state(double time) const;
+  /// `earlier_step`: State::Earlier::step; 0: the earlier state is left out.
+  State download_state(double time, double earlier_step = 0) const;
   /// The xyz of a buffer, vec4 [vertex_count or more], in the model's vertex order. Waits for the GPU.
   std::vector<Eigen::Vector3d> download_vectors(const gl::Buffer& buffer) const;
   /// Also updates the masses, which follow density; call after any material change.
   void upload_materials(const Model& model);
-  void upload_step(const Model& model, const SolverSettings& settings);
+  void upload_step(const Model& model, const SolverSettings& settings, const IntegratorStage& stage);
   bool material_per_tet() const { return static_cast<bool>(tet_material); }
 };
 

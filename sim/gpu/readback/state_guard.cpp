@@ -12,9 +12,9 @@ constexpr std::size_t kWord = sizeof(std::uint32_t);
 
 }  // namespace
 
-StateGuard::StateGuard(gl::ProgramCache& programs, SimBuffers& buffers) : programs_(programs) { keep(buffers, 0); }
+StateGuard::StateGuard(gl::ProgramCache& programs, SimBuffers& buffers) : programs_(programs) { keep(buffers, {}); }
 
-void StateGuard::copy(const SimBuffers& buffers, double time, Copy& to) {
+void StateGuard::copy(const SimBuffers& buffers, const Moment& moment, Copy& to) {
   const std::size_t bytes = sizeof(shared::vec4) * buffers.vertex_count;
   if (!to.displacement) {
     to.displacement = gl::Buffer("guard_displacement", bytes);
@@ -22,15 +22,22 @@ void StateGuard::copy(const SimBuffers& buffers, double time, Copy& to) {
   }
   to.displacement.copy(buffers.displacement, bytes);
   to.velocity.copy(buffers.velocity, bytes);
-  to.time = time;
+  to.moment = moment;
+  if (moment.earlier_step == 0) return;
+  if (!to.earlier_displacement) {
+    to.earlier_displacement = gl::Buffer("guard_earlier_displacement", bytes);
+    to.earlier_velocity = gl::Buffer("guard_earlier_velocity", bytes);
+  }
+  to.earlier_displacement.copy(buffers.earlier_displacement, bytes);
+  to.earlier_velocity.copy(buffers.earlier_velocity, bytes);
 }
 
-void StateGuard::keep(SimBuffers& buffers, double time) {
+void StateGuard::keep(SimBuffers& buffers, const Moment& moment) {
   clear(buffers);
-  copy(buffers, time, good_);
+  copy(buffers, moment, good_);
 }
 
-void StateGuard::request(const SimBuffers& buffers, double time) {
+void StateGuard::request(const SimBuffers& buffers, const Moment& moment) {
   if (fence_.is_set()) return;
   if (!measure_) {
     motion_ = gl::Buffer("motion", 3 * kWord);
@@ -46,7 +53,7 @@ void StateGuard::request(const SimBuffers& buffers, double time) {
   constexpr std::uint32_t kZero[3] = {};
   motion_.upload(0, sizeof kZero, kZero);
   measure_->run();
-  copy(buffers, time, candidate_);
+  copy(buffers, moment, candidate_);
   note_.copy(buffers.diverged, kWord);
   note_.copy(motion_, motion_.bytes(), kWord);
   fence_.set();
@@ -57,7 +64,7 @@ std::optional<StateGuard::Verdict> StateGuard::take(bool wait) {
   const auto note = note_.read<std::uint32_t>();
   if (note[0] != kNone) return Verdict{note[0], {}};
   const auto length = [&](std::size_t k) { return std::sqrt(static_cast<double>(std::bit_cast<float>(note[k]))); };
-  const Movement movement{candidate_.time - good_.time, length(1), length(2), length(3)};
+  const Movement movement{candidate_.moment.time - good_.moment.time, length(1), length(2), length(3)};
   std::swap(good_, candidate_);
   return Verdict{std::nullopt, movement};
 }
@@ -68,14 +75,22 @@ void StateGuard::clear(SimBuffers& buffers) {
 }
 
 State StateGuard::download(const SimBuffers& buffers) const {
-  return {buffers.download_vectors(good_.displacement), buffers.download_vectors(good_.velocity), good_.time};
+  State state{buffers.download_vectors(good_.displacement), buffers.download_vectors(good_.velocity),
+              good_.moment.time};
+  if (good_.moment.earlier_step > 0)
+    state.earlier = {buffers.download_vectors(good_.earlier_displacement),
+                     buffers.download_vectors(good_.earlier_velocity), good_.moment.earlier_step};
+  return state;
 }
 
-double StateGuard::restore(SimBuffers& buffers) {
+StateGuard::Moment StateGuard::restore(SimBuffers& buffers) {
   buffers.displacement.copy(good_.displacement, good_.displacement.bytes());
   buffers.velocity.copy(good_.velocity, good_.velocity.bytes());
   clear(buffers);
-  return good_.time;
+  if (!buffers.earlier_displacement || good_.moment.earlier_step == 0) return {good_.moment.time};
+  buffers.earlier_displacement.copy(good_.earlier_displacement, good_.earlier_displacement.bytes());
+  buffers.earlier_velocity.copy(good_.earlier_velocity, good_.earlier_velocity.bytes());
+  return good_.moment;
 }
 
 }  // namespace fascia

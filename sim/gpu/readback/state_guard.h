@@ -15,6 +15,10 @@ namespace fascia {
 
 class StateGuard {
  public:
+  struct Moment {
+    double time = 0;          // of the state [s]
+    double earlier_step = 0;  // State::Earlier::step
+  };
   struct Verdict {
     std::optional<std::uint32_t>
         diverged;       // the place of a vertex that diverged; none: the state is kept as the last valid one
@@ -26,26 +30,27 @@ class StateGuard {
   StateGuard& operator=(const StateGuard&) = delete;
 
   /// Keeps the state without a check: it was set from outside and is valid.
-  void keep(SimBuffers& buffers, double time);
+  void keep(SimBuffers& buffers, const Moment& moment);
   /// The kept state is still the current one: time has passed and nothing moved.
-  void pass_time(double seconds) { good_.time += seconds; }
+  void pass_time(double seconds) { good_.moment = {good_.moment.time + seconds}; }
   /// Queues the measurement and the copies, unless earlier ones are still pending. Needs a current context, as do the
   /// other functions.
-  void request(const SimBuffers& buffers, double time);
+  void request(const SimBuffers& buffers, const Moment& moment);
   /// The result, once per request, when the copies are complete; with `wait`, waits for them.
   std::optional<Verdict> take(bool wait);
-  /// Restores the last valid state. Returns its time [s].
-  double restore(SimBuffers& buffers);
+  /// Restores the last valid state.
+  Moment restore(SimBuffers& buffers);
   State download(const SimBuffers& buffers) const;  // of the kept state; waits for the GPU
 
  private:
   void clear(SimBuffers& buffers);
 
   struct Copy {
-    gl::Buffer displacement, velocity;  // vec4 [vertex_count]
-    double time = 0;
+    gl::Buffer displacement, velocity;                  // vec4 [vertex_count]
+    gl::Buffer earlier_displacement, earlier_velocity;  // where SimBuffers has them
+    Moment moment;
   };
-  static void copy(const SimBuffers& buffers, double time, Copy& to);
+  static void copy(const SimBuffers& buffers, const Moment& moment, Copy& to);
 
   Copy good_, candidate_;
   gl::ProgramCache& programs_;

@@ -1,5 +1,5 @@
-// The start of a substep and the solver's result, copied on the GPU and read when the copies are complete, so that no
-// frame waits: for comparisons with the exact step.
+// The start of a stage (sim/integrators/stage.h) and the solver's result, copied on the GPU and read when the copies
+// are complete, so that no frame waits: for comparisons with the exact step.
 #pragma once
 #include <optional>
 
@@ -9,9 +9,10 @@
 namespace fascia {
 
 struct SolvedStep {
-  std::vector<Eigen::Vector3d> previous;   // [vertex_count] u_n [m]
+  std::vector<Eigen::Vector3d> previous;   // [vertex_count] u at the start of the stage [m]
+  std::vector<Eigen::Vector3d> from;       // [vertex_count] u* [m]
   std::vector<Eigen::Vector3d> predicted;  // [vertex_count] u~, by inertia, gravity and motions alone [m]
-  std::vector<Eigen::Vector3d> solution;   // [vertex_count] u_n+1 [m]
+  std::vector<Eigen::Vector3d> solution;   // [vertex_count] u at the end of the stage [m]
 };
 
 class StepSnapshot {
@@ -20,14 +21,14 @@ class StepSnapshot {
   StepSnapshot(const StepSnapshot&) = delete;
   StepSnapshot& operator=(const StepSnapshot&) = delete;
 
-  /// Queues copies of the last substep's data. Needs a current context, as does take().
+  /// Queues copies of the last stage's data. Needs a current context, as does take().
   void request(const SimBuffers& buffers);
   /// The result, once per request, when the copies are complete; with `wait`, waits for them. `buffers`: those of the
   /// request.
   std::optional<SolvedStep> take(const SimBuffers& buffers, bool wait);
 
  private:
-  gl::Buffer previous_, predicted_, solution_;
+  gl::Buffer previous_, from_, predicted_, solution_;
   gl::Fence fence_;
 };
 

@@ -1,5 +1,6 @@
 // Solver settings: every number that a user can change, listed once with unit, range and help.
 #pragma once
+#include "sim/integrators/integrator.h"
 #include "sim/scene/settings/solver_choice.h"
 
 namespace fascia {
@@ -9,7 +10,8 @@ constexpr int kLargestWindow = 10;  // of Anderson acceleration
 struct SolverSettings {
   Method method = Method::two_level;
   Acceleration acceleration = Acceleration::subspace;
-  int iterations = 10;            // per substep, at most
+  Integrator integrator = Integrator::implicit_euler;
+  int iterations = 10;            // per stage of a substep, at most
   double tolerance = 0;           // relative residual at which a step's iterations stop; 0: all are run
   double time_step = 1.0 / 60.0;  // dt [s] of a frame step
   int substeps = 1;               // [ms] time limit of a step, which gets the iterations that fit; 0: no limit
@@ -22,11 +24,14 @@ struct SolverSettings {
   bool operator==(const SolverSettings&) const = default;
 
   double substep() const { return time_step / substeps; }  // h [s]
+  /// l [s] of the stages of a substep after another one like it (sim/integrators/stage.h).
+  double stage_length() const { return stages_of(integrator, substep(), substep()).front().length; }
+  int stages_per_step() const { return substeps * info_of(integrator).stages; }
   SolverChoice choice() const { return {method, acceleration}; }
 };
 
-/// f(field, name, unit, min, max, logarithmic, help) for the numeric fields; method and acceleration are named choices
-/// (solver_choice.h).
+/// f(field, name, unit, min, max, logarithmic, help) for the numeric fields; method and acceleration
+/// (solver_choice.h) and integrator are named choices.
 template <class S, class F>
 void visit_settings(S& s, F&& f) {
   f(s.iterations, "iterations", "", 1, 10000, true, "sweeps over all tets per substep: more is stiffer and slower");

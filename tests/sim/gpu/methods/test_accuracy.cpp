@@ -232,6 +232,22 @@ TEST_CASE("the dynamic reference case with the default settings", "[gpu]") {
   }
 }
 
+TEST_CASE("the dynamic reference case with BDF2", "[gpu]") {
+  Gpu gpu;
+  const std::filesystem::path folder = source_dir() / "tests/reference/10_dynamic_cantilever";
+  const Model model = build_model(open_scene(folder / "scene.json"));
+  SolverSettings settings;
+  settings.integrator = Integrator::bdf2;
+  GpuSolver solver(gpu.programs, model, settings);
+  for (int step = 0; step < 60; ++step) solver.step();
+  std::vector<Vector3d> exact =
+      read_complete_vertex_csv(folder / "reference_bdf2_h60_step60.csv", model.rest_positions.size());
+  for (std::size_t i = 0; i < exact.size(); ++i) exact[i] -= model.rest_positions[i];
+  const double error = relative_rms(solver.download().displacement, exact);
+  CAPTURE(error);
+  CHECK(error < 3e-5);
+}
+
 TEST_CASE("static equilibria of the reference cases on the GPU with the default settings", "[gpu]") {
   Gpu gpu;
   const std::string name =

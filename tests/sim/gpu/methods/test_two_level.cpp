@@ -61,7 +61,7 @@ struct Step {
                 MaterialModel stiff = kPlain, double noise = 0)
       : gpu(loads), model(beam(soft, stiff)) {
     settings.acceleration = acceleration;
-    buffers.upload_step(model, settings);
+    buffers.upload_step(model, settings, IntegratorStage{settings.substep()});
     State state = bent(model);
     const State more = random_state(model, noise, 9);
     for (std::size_t v = 0; v < state.displacement.size(); ++v) state.displacement[v] += more.displacement[v];

@@ -34,7 +34,7 @@ TEST_CASE("deferred vertices move as they do in place", "[gpu]") {
              vertices = static_cast<std::uint32_t>(coloring.order.size());
   const auto descend = [&](DeferredTets* deferred) {
     SimBuffers buffers(model);
-    buffers.upload_step(model, settings);
+    buffers.upload_step(model, settings, IntegratorStage{settings.substep()});
     buffers.upload_state(model, state);
     prediction(gpu.programs, buffers, nullptr, {false}).run();
     const Features features = features_of(model);

@@ -58,7 +58,7 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
   const bool split = GENERATE(false, true);
   settings.method = split ? Method::mass_splitting : Method::jacobi;
   SimBuffers buffers(model);
-  buffers.upload_step(model, settings);
+  buffers.upload_step(model, settings, IntegratorStage{settings.substep()});
   const State state = random_state(model, amplitude, 3);
   buffers.upload_state(model, state);
   const Features features = features_of(model);

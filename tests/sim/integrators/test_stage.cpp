@@ -1,13 +1,13 @@
-// Implicit Euler in closed form, on one vertex.
+// A stage alone, which without extrapolation is implicit Euler, in closed form, on one vertex.
 #include <catch2/catch.hpp>
 
-#include "sim/integrators/implicit_euler.h"
+#include "sim/integrators/stage.h"
 
 using namespace fascia;
 using Eigen::Vector3d;
 
 TEST_CASE("implicit Euler falls n (n + 1) / 2 h^2 g in n steps") {
-  const ImplicitEuler euler{0.01};
+  const IntegratorStage euler{0.01};
   const Eigen::VectorXd gravity = Vector3d(0, -9.81, 0.5);
   Eigen::VectorXd u = Vector3d(0.1, 0.2, 0.3), v = Vector3d(1, 0, -2);
   const Eigen::VectorXd start = u, speed = v;
@@ -18,14 +18,14 @@ TEST_CASE("implicit Euler falls n (n + 1) / 2 h^2 g in n steps") {
     u = next;
   }
   const Eigen::VectorXd expected =
-      start + steps * euler.h * speed + 0.5 * steps * (steps + 1) * euler.h * euler.h * gravity;
+      start + steps * euler.length * speed + 0.5 * steps * (steps + 1) * euler.length * euler.length * gravity;
   CAPTURE(u.transpose(), expected.transpose());
   CHECK((u - expected).norm() < 1e-14);
-  CHECK((v - (speed + steps * euler.h * gravity)).norm() < 1e-12);
+  CHECK((v - (speed + steps * euler.length * gravity)).norm() < 1e-12);
 }
 
 TEST_CASE("a step of implicit Euler minimizes its objective for a spring: 1 / (1 + h^2 k / m) of the prediction") {
-  const ImplicitEuler euler{0.1};
+  const IntegratorStage euler{0.1};
   const Eigen::VectorXd mass = Eigen::VectorXd::Constant(3, 2.0), zero = Eigen::VectorXd::Zero(3);
   const Eigen::VectorXd u_n = Vector3d(0.3, 0, 0), v_n = Vector3d(-1, 0, 0);
   constexpr double kStiffness = 50;
@@ -33,5 +33,5 @@ TEST_CASE("a step of implicit Euler minimizes its objective for a spring: 1 / (1
   // inertia (u - target) + k u = 0
   const double u = inertia[0] * target[0] / (inertia[0] + kStiffness);
   CAPTURE(u, inertia[0]);
-  CHECK(u == Approx(target[0] / (1 + euler.h * euler.h * kStiffness / mass[0])).epsilon(1e-14));
+  CHECK(u == Approx(target[0] / (1 + euler.length * euler.length * kStiffness / mass[0])).epsilon(1e-14));
 }

@@ -1,4 +1,4 @@
-#include "sim/gpu/integrators/implicit_euler.h"
+#include "sim/gpu/integrators/stage.h"
 
 namespace fascia {
 
@@ -21,12 +21,34 @@ gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers
     defines.emplace_back("LISTED", "1");
     bindings.emplace_back("item_list", &active->vertices);
   }
+  if (buffers.earlier_displacement) {
+    defines.emplace_back("EXTRAPOLATES", "1");
+    bindings.emplace_back("earlier_displacement", &buffers.earlier_displacement);
+    bindings.emplace_back("earlier_velocity", &buffers.earlier_velocity);
+  }
   gl::ComputePass pass(programs.compute("sim/step/predict.comp", defines), std::move(bindings), buffers.vertex_count);
   pass.loops(0);
   if (active) {
     pass.follow("invocations", active->vertex_count);
     pass.follow("moving_count", active->moving_count);
   }
+  return pass;
+}
+
+gl::ComputePass strains_at_start(const Recording& r) {
+  gl::Defines defines;
+  gl::ComputePass::Bindings bindings{{"previous_displacement", &r.buffers.previous_displacement},
+                                     {"previous_strain", &r.previous_strain}};
+  if (r.buffers.earlier_displacement) {
+    defines.emplace_back("EXTRAPOLATES", "1");
+    bindings = {{"step", &r.buffers.step},
+                {"previous_displacement", &r.buffers.displacement},
+                {"earlier_displacement", &r.buffers.earlier_displacement},
+                {"previous_strain", &r.previous_strain}};
+  }
+  gl::ComputePass pass =
+      r.over_pairs("sim/step/previous_strain.comp", defines, with_pairs(std::move(bindings), r.buffers));
+  pass.loops(0);
   return pass;
 }
 

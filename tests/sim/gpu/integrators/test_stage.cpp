@@ -1,8 +1,8 @@
-// The two passes of implicit Euler, alone, against double precision on random states. Tolerances: one or a few float32
+// The passes of a stage, alone, against double precision on random states. Tolerances: one or a few float32
 // operations per output, 6e-8 each.
 #include <catch2/catch.hpp>
 
-#include "sim/gpu/integrators/implicit_euler.h"
+#include "sim/gpu/integrators/stage.h"
 #include "tests/support/gpu/bars.h"
 #include "tests/support/gpu/gpu_fixture.h"
 #include "tests/support/gpu/unpack.h"
@@ -21,7 +21,7 @@ TEST_CASE("predict adds velocity and gravity to free vertices only", "[gpu]") {
   SolverSettings settings;
   settings.time_step = 1.0 / 90;
   const double h = settings.substep();
-  buffers.upload_step(model, settings);
+  buffers.upload_step(model, settings, IntegratorStage{h});
   const State state = random_state(model, 0.01, 1);
   buffers.upload_state(model, state);
   prediction(gpu.programs, buffers, split ? &buffers.tet_begin : nullptr).run();
@@ -50,7 +50,7 @@ TEST_CASE("velocity is the change of displacement over the substep", "[gpu]") {
   SimBuffers buffers(model);
   const SolverSettings settings;
   const double h = settings.substep();
-  buffers.upload_step(model, settings);
+  buffers.upload_step(model, settings, IntegratorStage{h});
   const State now = random_state(model, 0.01, 1), before = random_state(model, 0.01, 2);
   buffers.upload_state(model, before);
   const std::vector<vec4> previous = buffers.displacement.read<vec4>();
