@@ -122,7 +122,8 @@ MaterialModel model_for(Method method, const std::string& model) {
   return carries(method, kTissueLaw) ? kTissueLaw : Material().model;
 }
 
-int run_stress(const BenchOptions& options, const std::string& only, const std::string& chosen) {
+int run_stress(const BenchOptions& options, const std::string& only, const std::string& chosen,
+               const std::string& integrator) {
   std::vector<Row> rows;
   bool stopped = false;
   Bench bench(options, "stress");
@@ -131,7 +132,7 @@ int run_stress(const BenchOptions& options, const std::string& only, const std::
     for (const SolverChoice& pair : solver_choices()) {
       const MaterialModel model = model_for(pair.method, chosen);
       if (!carries(pair.method, model)) continue;
-      for (StressCase& made : stress_cases(pair, model, bench.folder, options.quick)) {
+      for (StressCase& made : stress_cases(pair, model, *find_integrator(integrator), bench.folder, options.quick)) {
         const std::string name = full_name(made, pair);
         if (!matches(name, only)) continue;
         bench.stop_if_interrupted();
@@ -164,7 +165,7 @@ int run_stress(const BenchOptions& options, const std::string& only, const std::
 
 void add_stress(CLI::App& program, Invocation& invocation) {
   struct Options : BenchOptions {
-    std::string only, model;
+    std::string only, model, integrator = name_of(SolverSettings().integrator);
   };
   const auto options = std::make_shared<Options>();
   options->width = 640;
@@ -185,12 +186,15 @@ void add_stress(CLI::App& program, Invocation& invocation) {
   add_choice(command, "--model", options->model, models,
              std::string("material model of all bodies (default: ") + name_of(kTissueLaw) + ", or " +
                  name_of(Material().model) + " with methods that do not carry it)");
+  std::vector<std::string> names;
+  for (const IntegratorInfo& info : integrators()) names.emplace_back(info.name);
+  add_choice(command, "--integrator", options->integrator, names, "time integrator of all cases");
   add_size(command, options->width, options->height);
   add_graphics(command, *options);
   add_examples(command, {"fascia stress --quick --out stress", "fascia stress --only 'start/*two_level' --out stress"},
                "a case fails");
   command.callback([&invocation, options] {
-    invocation.run = [options] { return run_stress(*options, options->only, options->model); };
+    invocation.run = [options] { return run_stress(*options, options->only, options->model, options->integrator); };
   });
 }
 

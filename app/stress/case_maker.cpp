@@ -62,6 +62,7 @@ SolverSettings StressCases::solver() const {
   SolverSettings settings;
   settings.method = pair.method;
   settings.acceleration = pair.acceleration;
+  settings.integrator = integrator;
   return settings;
 }
 

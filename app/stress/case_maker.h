@@ -21,6 +21,7 @@ inline constexpr double kNearFace = 1e-6;                                       
 struct StressCases {
   SolverChoice pair;
   MaterialModel model;
+  Integrator integrator;
   std::filesystem::path folder;
   bool quick;
   std::vector<StressCase> cases = {};

@@ -31,8 +31,8 @@ struct StressCase {
 };
 
 /// All cases for one solver choice. Writes their meshes into `folder`. `quick`: meshes with a sixth of the tets.
-std::vector<StressCase> stress_cases(const SolverChoice& pair, MaterialModel model, const std::filesystem::path& folder,
-                                     bool quick);
+std::vector<StressCase> stress_cases(const SolverChoice& pair, MaterialModel model, Integrator integrator,
+                                     const std::filesystem::path& folder, bool quick);
 
 struct StressResult {
   std::vector<std::string> failures;  // "not finite after 12 steps"; empty: passed

@@ -22,7 +22,8 @@ struct Suite {
   test::TemporaryFolder folder;
   std::vector<StressCase> cases;
   explicit Suite(const SolverChoice& pair = solver_choices().front())
-      : cases(stress_cases(pair, MaterialModel::signed_st_venant_kirchhoff, folder.path(), true)) {}
+      : cases(stress_cases(pair, MaterialModel::signed_st_venant_kirchhoff, Integrator::implicit_euler, folder.path(),
+                           true)) {}
   const StressCase& find(const std::string& group, const std::string& name) const {
     const auto found = std::find_if(cases.begin(), cases.end(),
                                     [&](const StressCase& c) { return c.group == group && c.name == name; });
