@@ -82,6 +82,7 @@ TEST_CASE("an unknown key is named with the nearest known one, at every level") 
         "bodies, grabs, solver, camera, display, duration, files");
   CHECK(top_error(R"("solver": {"iters": 3})") ==
         "s.json: solver.iters: unknown key \"iters\", perhaps \"iterations\"; expected one of method, acceleration, "
+        "integrator, "
         "iterations, tolerance, time_step, substeps, frame_budget, colors, spectral_radius, window, rest_speed");
   CHECK(top_error(R"("camera": {"eye": [0, 0, 1], "fov": 40})") ==
         "s.json: camera.fov: unknown key \"fov\"; expected one of eye, target, up, fov_deg, keys, smooth");
@@ -142,7 +143,8 @@ TEST_CASE("a wrong type reports the value found and the one expected") {
   CHECK(top_error(R"("gravity": [0, "down", 0])") ==
         "s.json: gravity[1]: is \"down\"; expected a number, -1e+06 to 1e+06 m/s^2");
   CHECK(top_error(R"("solver": [])") ==
-        "s.json: solver: is []; expected an object with method, acceleration, iterations, tolerance, time_step, "
+        "s.json: solver: is []; expected an object with method, acceleration, integrator, iterations, tolerance, "
+        "time_step, "
         "substeps, frame_budget, colors, spectral_radius, window, rest_speed");
   CHECK(top_error(R"("solver": {"iterations": 2.5})") ==
         "s.json: solver.iterations: is 2.5; expected a whole number, 1 to 10000");
@@ -284,7 +286,7 @@ TEST_CASE("keys of a camera that cannot be followed") {
         "s.json: camera.smooth: has no keys to go through; expected camera.keys beside it");
 }
 
-TEST_CASE("methods, accelerations and material models that do not exist list those that do") {
+TEST_CASE("methods, accelerations, integrators and material models that do not exist list those that do") {
   const std::string pairs = "; expected a method and acceleration that exist: " + list_of_choices();
   CHECK(top_error(R"("solver": {"method": "multigrid"})") == "s.json: solver.method: is \"multigrid\"" + pairs);
   CHECK(top_error(R"("solver": {"method": "jacoby"})") ==
@@ -292,6 +294,8 @@ TEST_CASE("methods, accelerations and material models that do not exist list tho
   CHECK(top_error(R"("solver": {"method": 1})") == "s.json: solver.method: is 1" + pairs);
   CHECK(top_error(R"("solver": {"acceleration": "quadratic_cg"})") ==
         "s.json: solver.acceleration: is \"quadratic_cg\"" + pairs);
+  CHECK(top_error(R"("solver": {"integrator": "bdf"})") ==
+        "s.json: solver.integrator: is \"bdf\", perhaps \"bdf2\"; expected implicit_euler, bdf2, sdirk2");
   CHECK(top_error(R"("solver": {"method": "jacobi", "acceleration": "chebychev"})") ==
         "s.json: solver.acceleration: is \"chebychev\", perhaps \"chebyshev\"" + pairs);
   const std::string models =

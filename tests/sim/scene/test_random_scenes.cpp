@@ -132,6 +132,7 @@ Scene scene(Dice& dice, const std::filesystem::path& file) {
   const SolverChoice pair = dice.one_of(solver_choices());
   scene.solver.method = pair.method;
   scene.solver.acceleration = pair.acceleration;
+  scene.solver.integrator = dice.one_of(integrators()).integrator;
   visit_settings(scene.solver, [&](auto& value, const char*, const char*, auto least, auto most, auto&&...) {
     value = static_cast<std::decay_t<decltype(value)>>(dice.number(double(least), double(most)));
   });

@@ -266,6 +266,7 @@ TEST_CASE("a written scene is readable: lists of numbers on one line, no needles
   "solver": {
     "method": "jacobi",
     "acceleration": "none",
+    "integrator": "implicit_euler",
     "iterations": 10,
     "tolerance": 0,
     "time_step": 0.016666666666666666,

@@ -104,7 +104,8 @@ TEST_CASE("overrides apply to a mesh opened on its own") {
 TEST_CASE("an error of an override names the override, one of the file the file") {
   CHECK(error_with({"solver.iteration=3"}) ==
         "--set solver.iteration: unknown key \"iteration\", perhaps \"iterations\"; expected one of method, "
-        "acceleration, iterations, tolerance, time_step, substeps, frame_budget, colors, spectral_radius, window, "
+        "acceleration, integrator, iterations, tolerance, time_step, substeps, frame_budget, colors, spectral_radius, "
+        "window, "
         "rest_speed");
   CHECK(error_with({"bodies.0.material.young_modulus=3"}) ==
         "--set bodies.0.material.young_modulus: bodies[0].material: unknown key \"material\", perhaps \"materials\"; "

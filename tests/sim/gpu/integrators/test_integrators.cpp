@@ -1,6 +1,5 @@
 // Whole steps of the integrators that extrapolate, against the reference solver in double precision, and what they
 // remember across steps, states and settings.
-// Covers: state_guard step_snapshot
 #include <catch2/catch.hpp>
 #include <cstring>
 
