@@ -27,6 +27,9 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       guard_(programs, buffers_),
       surface_(buffers_, drawn) {
   require_carried(settings_.method, model.materials, "solver.method");
+  if (model.has_quadratic())
+    throw Error("bodies.elements", "is quadratic, which the GPU solver does not carry",
+                "expected linear, or the reference solver (run --reference)");
   require_computing(programs);
   upload_step(next_stages().front());
   reset();

@@ -1,6 +1,7 @@
 #include "sim/material/invariants.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <cmath>
 
 namespace fascia {
@@ -33,6 +34,17 @@ OfVolume volume_term(double j, double k) {
   if (k >= 0 || j <= 1) return {0.5 * k * (j - 1) * (j - 1), k * (j - 1), k};
   const double logarithm = std::log(j);
   return {0.5 * k * logarithm * logarithm, k * logarithm / j, k * (1 - logarithm) / (j * j)};
+}
+
+Dilatation volume_change(const Matrix3d& f, bool with_second) {
+  Dilatation change{f.determinant() - 1, cofactor(f)};
+  if (!with_second) return change;
+  for (int k = 0; k < 9; ++k) {
+    Matrix3d e = Matrix3d::Zero();
+    e(k % 3, k / 3) = 1;
+    change.second.col(k) = flat(tensor_cross(f, e));
+  }
+  return change;
 }
 
 }  // namespace fascia

@@ -5,6 +5,8 @@
 
 namespace fascia {
 
+using Matrix9d = Eigen::Matrix<double, 9, 9>;
+
 Eigen::Matrix3d cofactor(const Eigen::Matrix3d& f);  // dJ/dF
 
 /// The components of a matrix, in column-major order.
@@ -29,5 +31,14 @@ OfVolume extended_log(double j);
 /// k v(J): v = (J - 1)^2 / 2, and (log J)^2 / 2 where k < 0 and J > 1, since a negative multiple of a parabola has no
 /// lower bound.
 OfVolume volume_term(double j, double k);
+
+/// A measure of the change of volume that is 0 at rest, and its derivatives by the components of F, in column-major
+/// order.
+struct Dilatation {
+  double value = 0;
+  Eigen::Matrix3d first = Eigen::Matrix3d::Zero();
+  Matrix9d second = Matrix9d::Zero();  // only where requested
+};
+Dilatation volume_change(const Eigen::Matrix3d& f, bool with_second);  // J - 1
 
 }  // namespace fascia

@@ -15,6 +15,15 @@ const MaterialLaw& law_of(MaterialModel model) {
                         [&](const MaterialLaw* law) { return law->model == model; });
 }
 
+VolumeSplit volume_split(const Material& material) {
+  VolumeSplit split{material, law_of(material.model).averaged_bulk(material)};
+  if (split.bulk <= 0) return {material, 0};
+  const double lambda = material.lame_lambda() - split.bulk, mu = material.lame_mu();
+  split.pointwise.poisson_ratio = lambda / (2 * (lambda + mu));
+  split.pointwise.young_modulus = 2 * mu * (1 + split.pointwise.poisson_ratio);
+  return split;
+}
+
 double damping_share(MaterialModel model, const Eigen::Matrix3d& previous_strain) {
   return law_of(model).fades_damping ? 1 / std::max(1.0, 1 + 2.0 / 3 * previous_strain.trace()) : 1;
 }

@@ -45,6 +45,8 @@ const MaterialLaw kMooneyRivlin{
     "mooney_ratio",
     false,
     nullptr,
-    mooney_rivlin_density};
+    mooney_rivlin_density,
+    [](const Material& m) { return m.lame_lambda() - 2 * m.mooney_ratio * m.lame_mu(); },
+    volume_change};
 
 }  // namespace fascia

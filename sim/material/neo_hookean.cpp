@@ -39,6 +39,8 @@ const MaterialLaw kNeoHookean{MaterialModel::neo_hookean,
                               nullptr,
                               false,
                               nullptr,
-                              neo_hookean_density};
+                              neo_hookean_density,
+                              [](const Material& m) { return m.lame_lambda(); },
+                              volume_change};
 
 }  // namespace fascia

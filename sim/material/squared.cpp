@@ -43,6 +43,8 @@ const MaterialLaw kSquared{MaterialModel::squared,
                            false,
                            nullptr,
                            squared_density,
+                           [](const Material& m) { return m.lame_lambda() - 2 * m.lame_mu() / 3; },
+                           volume_change,
                            true};
 
 }  // namespace fascia

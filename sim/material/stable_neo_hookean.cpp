@@ -52,6 +52,8 @@ const MaterialLaw kStableNeoHookean{MaterialModel::stable_neo_hookean,
                                     nullptr,
                                     false,
                                     nullptr,
-                                    stable_neo_hookean_density};
+                                    stable_neo_hookean_density,
+                                    [](const Material& m) { return m.lame_lambda(); },
+                                    volume_change};
 
 }  // namespace fascia

@@ -13,9 +13,18 @@ namespace fascia {
 using Tet = std::array<std::uint32_t, 4>;
 using Triangle = std::array<std::uint32_t, 3>;
 
+/// A quadratic tet has a vertex in the middle of each edge, in this order of edges between corners: that of VTK's cell
+/// 24 and of Abaqus' C3D10.
+inline constexpr std::array<std::array<std::size_t, 2>, 6> kMidEdgeCorners = {
+    {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
+using MidEdges = std::array<std::uint32_t, 6>;
+inline constexpr std::uint32_t kNoVertex = ~0u;
+inline constexpr MidEdges kNoMidEdges = {kNoVertex, kNoVertex, kNoVertex, kNoVertex, kNoVertex, kNoVertex};
+
 struct TetMesh {
   std::vector<Eigen::Vector3d> positions;   // [vertex_count] rest positions [m], unreferenced vertices included
   std::vector<Tet> tets;                    // [tet_count] in the file's order and winding
+  std::vector<MidEdges> mid_edges;          // [tet_count] kNoMidEdges in linear tets; empty if all tets are linear
   std::vector<int> regions;                 // [tet_count] region number (Gmsh physical tag, TetGen attribute); 0: none
   std::map<int, std::string> region_names;  // names of region numbers, where the file has them
   /// Vertex sets that scenes select by name: every physical group of the file, of any dimension, under its name (under

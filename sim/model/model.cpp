@@ -7,8 +7,10 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "sim/elements/quadratic_tet.h"
 #include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/mesh_check.h"
+#include "sim/mesh/mid_edges.h"
 #include "sim/mesh/vertex_check.h"
 #include "sim/model/file_reader.h"
 #include "sim/model/prescribed_motion.h"
@@ -36,6 +38,8 @@ struct LoadedBody {
   SurfaceMesh surface;  // drawn instead of the boundary, if it has triangles
   MeshRepair repaired;
   std::vector<char> used;  // [vertex_count] 1 if a usable tet has the vertex
+
+  bool is_quadratic() const { return body.elements == ElementOrder::quadratic; }
 };
 
 LoadedBody begin_body(const Scene& scene, std::size_t index, FileReader& files) {
@@ -122,7 +126,7 @@ void add_materials(const LoadedBody& loaded, Model& model, BodyPart& part) {
   }
   for (std::size_t m = 0; m < resolved.materials.size(); ++m) {
     const double ratio = resolved.materials[m].poisson_ratio;
-    if (!in_use[m] || ratio <= kLockingPoissonRatio) continue;
+    if (!in_use[m] || ratio <= kLockingPoissonRatio || loaded.is_quadratic()) continue;
     std::string text = std::to_string(ratio);
     text.erase(text.find_last_not_of('0') + 1);
     model.notes.push_back(resolved.names[m] + ": Poisson's ratio " + text +
@@ -180,9 +184,45 @@ void add_velocity(const LoadedBody& loaded, const std::vector<char>& held, Model
   model.initial_velocity.insert(model.initial_velocity.end(), velocity.begin(), velocity.end());
 }
 
-Tet shifted(Tet tet, std::uint32_t by) {
-  for (std::uint32_t& vertex : tet) vertex += by;
-  return tet;
+/// Makes the usable tets of the body quadratic, whose constraints and velocities the model already has: those of a
+/// mid-edge vertex follow from the two ends of its edge.
+void add_middles(LoadedBody& loaded, std::uint32_t vertex_begin, Model& model) {
+  constexpr int kFree = -2, kFixed = -1;  // else an index into Model::motions
+  TetMesh& mesh = loaded.file.mesh;
+  add_mid_edges(mesh, loaded.repaired.source);
+  std::vector<int> holder(mesh.positions.size(), kFree);
+  std::vector<std::size_t> place(mesh.positions.size(), 0);  // in the motion
+  for (const std::uint32_t v : model.fixed)
+    if (v >= vertex_begin) holder[v - vertex_begin] = kFixed;
+  for (std::size_t m = 0; m < model.motions.size(); ++m)
+    for (std::size_t k = 0; k < model.motions[m].vertices.size(); ++k) {
+      const std::uint32_t v = model.motions[m].vertices[k];
+      if (v < vertex_begin) continue;
+      holder[v - vertex_begin] = static_cast<int>(m);
+      place[v - vertex_begin] = k;
+    }
+  model.initial_velocity.resize(vertex_begin + mesh.positions.size(), Vector3d::Zero());
+  const auto velocity = model.initial_velocity.begin() + vertex_begin;
+  for (const MidEdge& edge : mid_edges_of(mesh)) {
+    if (holder[edge.a] == kFree || holder[edge.a] != holder[edge.b]) {
+      velocity[edge.vertex] = 0.5 * (velocity[edge.a] + velocity[edge.b]);
+    } else if (holder[edge.a] == kFixed) {
+      model.fixed.push_back(vertex_begin + edge.vertex);
+    } else {
+      Motion& motion = model.motions[static_cast<std::size_t>(holder[edge.a])];
+      motion.vertices.push_back(vertex_begin + edge.vertex);
+      if (!motion.targets.empty())
+        motion.targets.push_back(0.5 * (motion.targets[place[edge.a]] + motion.targets[place[edge.b]]));
+    }
+  }
+  std::sort(model.fixed.begin(), model.fixed.end());
+}
+
+template <std::size_t n>
+std::array<std::uint32_t, n> shifted(std::array<std::uint32_t, n> vertices, std::uint32_t by) {
+  for (std::uint32_t& vertex : vertices)
+    if (vertex != kNoVertex) vertex += by;
+  return vertices;
 }
 
 /// Appends the placed mesh to the arrays of the model and of its file_mesh.
@@ -200,6 +240,21 @@ void add_mesh(const LoadedBody& loaded, const BodyPart& part, Model& model) {
   }
   for (const Tet& tet : loaded.repaired.tets) model.tets.push_back(shifted(tet, part.vertex_begin));
   for (const std::uint32_t source : loaded.repaired.source) model.tet_source.push_back(first_tet + source);
+  if (mesh.mid_edges.empty()) return;
+  all.mid_edges.resize(first_tet, kNoMidEdges);  // of the linear bodies before this one
+  for (const MidEdges& middles : mesh.mid_edges) all.mid_edges.push_back(shifted(middles, part.vertex_begin));
+  model.mid_edges.resize(part.tet_begin, kNoMidEdges);
+  for (std::size_t t = part.tet_begin; t < model.tets.size(); ++t) {
+    const std::uint32_t source = model.tet_source[t];
+    model.mid_edges.push_back(reordered(all.mid_edges[source], all.tets[source], model.tets[t]));
+  }
+}
+
+/// Gives the linear tets after the last quadratic one their entries.
+void complete_mid_edges(Model& model) {
+  if (!model.has_quadratic()) return;
+  model.mid_edges.resize(model.tets.size(), kNoMidEdges);
+  model.file_mesh.mid_edges.resize(model.file_mesh.tets.size(), kNoMidEdges);
 }
 
 /// Embeds the body's surface in its tets, which are the last ones of the model.
@@ -231,12 +286,13 @@ void add_body(LoadedBody loaded, Model& model) {
   BodyPart part;
   part.name = loaded.body.name;
   part.vertex_begin = static_cast<std::uint32_t>(model.file_mesh.positions.size());
-  part.vertex_count = static_cast<std::uint32_t>(loaded.file.mesh.positions.size());
   part.tet_begin = static_cast<std::uint32_t>(model.tets.size());
   part.tet_count = static_cast<std::uint32_t>(loaded.repaired.tets.size());
   add_notes(loaded, model.notes);
   add_materials(loaded, model, part);
   add_velocity(loaded, add_constraints(loaded, part.vertex_begin, model), model);
+  if (loaded.is_quadratic()) add_middles(loaded, part.vertex_begin, model);
+  part.vertex_count = static_cast<std::uint32_t>(loaded.file.mesh.positions.size());
   add_mesh(loaded, part, model);
   add_surface(std::move(loaded), part, model);
   model.bodies.push_back(std::move(part));
@@ -259,6 +315,7 @@ Model build_bodies(const Scene& scene, const Progress& progress, const BodyRead&
   }
   model.notes.insert(model.notes.end(), files.notes.begin(), files.notes.end());
   model.files = std::move(files.files);
+  complete_mid_edges(model);
   model.rest_positions = model.file_mesh.positions;
   return model;
 }
@@ -276,6 +333,7 @@ Model build_bodies(const Scene& scene, std::vector<TetMesh> meshes) {
     repair_body(loaded, loaded.where);
     add_body(std::move(loaded), model);
   }
+  complete_mid_edges(model);
   model.rest_positions = model.file_mesh.positions;
   return model;
 }
@@ -307,8 +365,12 @@ std::vector<double> lumped_masses(const Model& model) {
     const Tet& tet = model.tets[t];
     const auto& x = model.rest_positions;
     const double volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6;
-    const double quarter = model.materials[model.tet_material[t]].density * volume / 4;
-    for (const std::uint32_t vertex : tet) masses[vertex] += quarter;
+    const double mass = model.materials[model.tet_material[t]].density * volume;
+    const bool quadratic = model.is_quadratic(t);
+    const double corner = quadratic ? QuadraticTet::kCornerMass * mass : mass / 4;
+    for (const std::uint32_t vertex : tet) masses[vertex] += corner;
+    if (!quadratic) continue;
+    for (const std::uint32_t vertex : model.mid_edges[t]) masses[vertex] += QuadraticTet::kMidEdgeMass * mass;
   }
   return masses;
 }
@@ -325,6 +387,9 @@ std::uint64_t mesh_hash(const TetMesh& mesh) {
   }
   for (const Tet& tet : mesh.tets) {
     for (const std::uint32_t vertex : tet) add(vertex);
+  }
+  for (const MidEdges& mid_edges : mesh.mid_edges) {
+    for (const std::uint32_t vertex : mid_edges) add(vertex);
   }
   return hash;
 }

@@ -2,6 +2,8 @@
 // resolved. The reference solver and the GPU solver start from the same Model.
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -41,13 +43,34 @@ struct BodyPart {
   std::map<int, std::string> regions;  // of its mesh: number, and name if there is one
 };
 
+/// The vertices of one element: four corners, and then the six mid-edge vertices of a quadratic tet.
+class ElementVertices {
+ public:
+  explicit ElementVertices(const Tet& corners) : count_(4) { std::copy(corners.begin(), corners.end(), all_.begin()); }
+  ElementVertices(const Tet& corners, const MidEdges& mid_edges) : ElementVertices(corners) {
+    std::copy(mid_edges.begin(), mid_edges.end(), all_.begin() + 4);
+    count_ = 10;
+  }
+  const std::uint32_t* begin() const { return all_.data(); }
+  const std::uint32_t* end() const { return all_.data() + count_; }
+  std::size_t size() const { return count_; }
+  std::uint32_t operator[](std::size_t n) const { return all_[n]; }
+
+ private:
+  std::array<std::uint32_t, 10> all_{};
+  std::size_t count_;
+};
+
 struct Model {
-  std::vector<Eigen::Vector3d> rest_positions;  // [vertex_count] X [m], in file order, transforms applied
-  std::vector<Tet> tets;                        // [tet_count] usable tets, positive volume
+  std::vector<Eigen::Vector3d> rest_positions;  // [vertex_count] X [m], transforms applied: body by body the vertices
+                                                // of the file in its order, and then added mid-edge vertices
+  std::vector<Tet> tets;                        // [tet_count] corners of the usable tets, positive volume
+  std::vector<MidEdges> mid_edges;              // [tet_count] kNoMidEdges in linear tets; empty if all are linear
   std::vector<std::uint32_t> tet_material;      // [tet_count] index into materials
   std::vector<Material> materials;              // one per body and region that has its own values
   std::vector<std::string> material_names;      // "beam: default", "liver: tumour"
-  std::vector<std::uint32_t> fixed;             // ascending, unique; prescribed vertices not included
+  std::vector<std::uint32_t> fixed;  // ascending, unique; prescribed vertices not included. A mid-edge vertex
+                                     // is fixed, or in a motion, if both ends of its edge are
   std::vector<Motion> motions;
   std::vector<ResolvedGrab> grabs;
   std::vector<Eigen::Vector3d> initial_velocity;  // [vertex_count] v [m/s]; zero where fixed or prescribed
@@ -64,6 +87,11 @@ struct Model {
   std::optional<BareMeshPlan> plan;       // of a mesh opened on its own
   std::vector<ReadFile> files;            // files that were read for the model
 
+  bool has_quadratic() const { return !mid_edges.empty(); }
+  bool is_quadratic(std::size_t t) const { return has_quadratic() && mid_edges[t][0] != kNoVertex; }
+  ElementVertices element(std::size_t t) const {
+    return is_quadratic(t) ? ElementVertices(tets[t], mid_edges[t]) : ElementVertices(tets[t]);
+  }
   std::vector<char> held() const;  // [vertex_count] 1 where fixed or prescribed
   double end_of_motions() const;   // [s] end of the last prescribed motion; 0 without any
   double end_of_grabs() const;     // [s] when the last scripted grab ends its path or is released; 0 without any
@@ -80,11 +108,12 @@ Model build_bodies(const Scene& scene, const Progress& progress = {}, const Body
 /// positions are not checked.
 Model build_bodies(const Scene& scene, std::vector<TetMesh> meshes);
 
-/// Lumped masses [vertex_count] [kg]: a quarter of density * volume of each tet per vertex. Zero for unreferenced
-/// vertices.
+/// Lumped masses [vertex_count] [kg]: a quarter of density * volume of each linear tet per vertex, and the shares of
+/// sim/elements/quadratic_tet.h of each quadratic one. Zero for unreferenced vertices.
 std::vector<double> lumped_masses(const Model& model);
 
-/// FNV-1a 64 over vertex positions and tet indices: identifies the mesh in provenance stamps.
+/// FNV-1a 64 over vertex positions, tet indices and those of mid-edge vertices: identifies the mesh in provenance
+/// stamps.
 std::uint64_t mesh_hash(const TetMesh& mesh);
 
 }  // namespace fascia

@@ -14,9 +14,10 @@ UnconstrainedParts unconstrained_parts(const Model& model, const std::vector<cha
     return v;
   };
   std::vector<char> used(parent.size(), 0), supported(parent.size(), 0);
-  for (const Tet& tet : model.tets) {
-    for (const std::uint32_t v : tet) {
-      parent[root_of(v)] = root_of(tet[0]);
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const ElementVertices element = model.element(t);
+    for (const std::uint32_t v : element) {
+      parent[root_of(v)] = root_of(element[0]);
       used[v] = 1;
     }
   }

@@ -58,6 +58,9 @@ Model placed(const Model& model, const MeshOrder& placement) {
   result.rest_positions = by_place(model.rest_positions);
   result.tets = model.tets;
   for (Tet& tet : result.tets) to_places(tet);
+  result.mid_edges = model.mid_edges;
+  for (MidEdges& mid_edges : result.mid_edges)
+    if (mid_edges != kNoMidEdges) to_places(mid_edges);
   result.tet_material = model.tet_material;
   result.materials = model.materials;
   result.fixed = model.fixed;

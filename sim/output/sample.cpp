@@ -160,8 +160,8 @@ std::uint32_t tip_vertex(const Model& model) {
     if (held[v]) supports.push_back(model.rest_positions[v]);
   const std::size_t stride = supports.size() / kMostSupports + 1;
   std::vector<char> used(held.size(), 0);
-  for (const Tet& tet : model.tets)
-    for (const std::uint32_t v : tet) used[v] = 1;
+  for (std::size_t t = 0; t < model.tets.size(); ++t)
+    for (const std::uint32_t v : model.element(t)) used[v] = 1;
   std::uint32_t tip = 0;
   double farthest = -1;
   for (std::size_t v = 0; v < held.size(); ++v) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/reference/quadratic_elasticity.h"
+
 namespace fascia::reference {
 namespace {
 
@@ -22,16 +24,16 @@ FreeVertices free_vertices(const Model& model) {
   std::vector<int>& place = result.place;  // at first their numbers
   place.assign(model.rest_positions.size(), -1);
   std::vector<Vector3d> positions;
-  for (const Tet& tet : model.tets)
-    for (const std::uint32_t v : tet)
+  for (std::size_t t = 0; t < model.tets.size(); ++t)
+    for (const std::uint32_t v : model.element(t))
       if (!held[v] && place[v] < 0) {
         place[v] = static_cast<int>(positions.size());
         positions.push_back(model.rest_positions[v]);
       }
   std::vector<std::vector<int>> neighbors(positions.size());
-  for (const Tet& tet : model.tets)
-    for (const std::uint32_t v : tet)
-      for (const std::uint32_t w : tet)
+  for (std::size_t t = 0; t < model.tets.size(); ++t)
+    for (const std::uint32_t v : model.element(t))
+      for (const std::uint32_t w : model.element(t))
         if (v != w && place[v] >= 0 && place[w] >= 0) neighbors[place[v]].push_back(place[w]);
   for (std::vector<int>& list : neighbors) {
     std::sort(list.begin(), list.end());
@@ -43,6 +45,18 @@ FreeVertices free_vertices(const Model& model) {
   return result;
 }
 
+Corners gather(const VectorXd& u, const Tet& tet) {
+  return {u.segment<3>(3 * tet[0]), u.segment<3>(3 * tet[1]), u.segment<3>(3 * tet[2]), u.segment<3>(3 * tet[3])};
+}
+
+QuadraticTet::Nodes gather(const VectorXd& u, const ElementVertices& element) {
+  QuadraticTet::Nodes nodes;
+  for (std::size_t n = 0; n < nodes.size(); ++n) nodes[n] = u.segment<3>(3 * element[n]);
+  return nodes;
+}
+
+constexpr auto kEvery = [](const ElementVertices&) { return true; };
+
 }  // namespace
 
 ElasticSystem::ElasticSystem(const Model& model) : model_(model) {
@@ -50,6 +64,12 @@ ElasticSystem::ElasticSystem(const Model& model) : model_(model) {
   for (const Tet& tet : model.tets) {
     const auto& x = model.rest_positions;
     rest_.emplace_back(Corners{x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]});
+  }
+  for (std::size_t t = 0, points = 0, blocks = 0; t < model.tets.size(); ++t) {
+    first_point_.push_back(points);
+    first_block_.push_back(blocks);
+    points += model.is_quadratic(t) ? QuadraticTet::kPoints : 1;
+    blocks += model.element(t).size() * model.element(t).size();
   }
   FreeVertices free = free_vertices(model);
   const std::vector<int>& order = free.place;
@@ -61,9 +81,9 @@ ElasticSystem::ElasticSystem(const Model& model) : model_(model) {
 
   // Ascending row blocks of the upper triangle, per block column.
   std::vector<std::vector<int>> rows(free_count);
-  for (const Tet& tet : model.tets)
-    for (const std::uint32_t v : tet)
-      for (const std::uint32_t w : tet)
+  for (std::size_t t = 0; t < model.tets.size(); ++t)
+    for (const std::uint32_t v : model.element(t))
+      for (const std::uint32_t w : model.element(t))
         if (order[v] >= 0 && order[v] <= order[w]) rows[order[w]].push_back(order[v]);
   for (std::vector<int>& column : rows) {
     std::sort(column.begin(), column.end());
@@ -71,13 +91,11 @@ ElasticSystem::ElasticSystem(const Model& model) : model_(model) {
   }
   if (dof_count_ > 0) make_pattern(rows);
 
-  block_rank_.resize(model.tets.size());
   for (std::size_t t = 0; t < model.tets.size(); ++t)
-    for (int a = 0; a < 4; ++a)
-      for (int b = 0; b < 4; ++b) {
-        const int i = order[model.tets[t][a]], j = order[model.tets[t][b]];
-        int& rank = block_rank_[t][4 * a + b];
-        rank = -1;
+    for (const std::uint32_t v : model.element(t))
+      for (const std::uint32_t w : model.element(t)) {
+        const int i = order[v], j = order[w];
+        int& rank = block_rank_.emplace_back(-1);
         if (i < 0 || i > j) continue;
         rank = static_cast<int>(std::lower_bound(rows[j].begin(), rows[j].end(), i) - rows[j].begin());
       }
@@ -109,27 +127,37 @@ void ElasticSystem::add_to_free(const VectorXd& free, double factor, VectorXd& a
     if (first_dof_[v] >= 0) all.segment<3>(3 * v) += factor * free.segment<3>(first_dof_[v]);
 }
 
-Corners ElasticSystem::corners(const VectorXd& u, const Tet& tet) const {
-  return {u.segment<3>(3 * tet[0]), u.segment<3>(3 * tet[1]), u.segment<3>(3 * tet[2]), u.segment<3>(3 * tet[3])};
-}
-
-Derivatives ElasticSystem::derivatives(std::size_t t, const VectorXd& u, const ViscousStep& viscous, bool with_hessian,
-                                       bool project) const {
-  const Material& material = model_.materials[model_.tet_material[t]];
+template <class Wanted, class F>
+void ElasticSystem::visit(const VectorXd& u, const ViscousStep& viscous, bool with_hessian, bool project,
+                          Wanted&& wanted, F&& f) const {
   const bool damped = !viscous.previous_strain.empty();
-  const Matrix3d previous = damped ? viscous.previous_strain[t] : Matrix3d::Zero();
-  return elastic(rest_[t], corners(u, model_.tets[t]), material, damped ? material.damping / viscous.h : 0, previous,
-                 with_hessian, project);
+  for (std::size_t t = 0; t < rest_.size(); ++t) {
+    const Material& material = model_.materials[model_.tet_material[t]];
+    const double damping_over_h = damped ? material.damping / viscous.h : 0;
+    const ElementVertices element = model_.element(t);
+    if (!wanted(element)) continue;
+    if (model_.is_quadratic(t)) {
+      PointStrains previous;
+      for (std::size_t q = 0; q < previous.size(); ++q)
+        previous[q] = damped ? viscous.previous_strain[first_point_[t] + q] : Matrix3d::Zero();
+      f(t, element,
+        elastic(QuadraticTet(rest_[t]), gather(u, element), material, damping_over_h, previous, with_hessian, project));
+    } else {
+      const Matrix3d previous = damped ? viscous.previous_strain[first_point_[t]] : Matrix3d::Zero();
+      f(t, element,
+        elastic(rest_[t], gather(u, model_.tets[t]), material, damping_over_h, previous, with_hessian, project));
+    }
+  }
 }
 
 double ElasticSystem::evaluate(const VectorXd& u, const ViscousStep& viscous, VectorXd& gradient) const {
   double energy = 0;
   gradient.setZero(u.size());
-  for (std::size_t t = 0; t < rest_.size(); ++t) {
-    const Derivatives d = derivatives(t, u, viscous, false, false);
-    energy += d.energy;
-    for (int a = 0; a < 4; ++a) gradient.segment<3>(3 * model_.tets[t][a]) += d.gradient.segment<3>(3 * a);
-  }
+  visit(u, viscous, false, false, kEvery,
+        [&]<int n>(std::size_t, const ElementVertices& element, const ElementDerivatives<n>& d) {
+          energy += d.energy;
+          for (int a = 0; a < n; ++a) gradient.segment<3>(3 * element[a]) += d.gradient.template segment<3>(3 * a);
+        });
   return energy;
 }
 
@@ -139,37 +167,39 @@ void ElasticSystem::assemble(const VectorXd& u, const ViscousStep& viscous, bool
   const int* column_begin = hessian.outerIndexPtr();
   std::fill(values, values + hessian.nonZeros(), 0.0);
   scale.setZero(u.size());
-  for (std::size_t t = 0; t < rest_.size(); ++t) {
-    const Tet& tet = model_.tets[t];
-    const Derivatives d = derivatives(t, u, viscous, true, project);
-    Vector12d size;
-    for (int a = 0; a < 4; ++a) size.segment<3>(3 * a) = u.segment<3>(3 * tet[a]).cwiseAbs();
-    const Vector12d tet_scale = d.hessian.cwiseAbs() * size;
-    for (int a = 0; a < 4; ++a) {
-      scale.segment<3>(3 * tet[a]) += tet_scale.segment<3>(3 * a);
-      for (int b = 0; b < 4; ++b) {
-        const int rank = block_rank_[t][4 * a + b];
-        if (rank < 0) continue;
-        const int column = first_dof_[tet[b]];
-        for (int c = 0; c < 3; ++c) {
-          double* target = values + column_begin[column + c] + 3 * rank;
-          for (int r = 0; r < (a == b ? c + 1 : 3); ++r) target[r] += d.hessian(3 * a + r, 3 * b + c);
-        }
-      }
-    }
-  }
+  visit(u, viscous, true, project, kEvery,
+        [&]<int n>(std::size_t t, const ElementVertices& element, const ElementDerivatives<n>& d) {
+          Eigen::Matrix<double, 3 * n, 1> size;
+          for (int a = 0; a < n; ++a) size.template segment<3>(3 * a) = u.segment<3>(3 * element[a]).cwiseAbs();
+          const Eigen::Matrix<double, 3 * n, 1> tet_scale = d.hessian.cwiseAbs() * size;
+          for (int a = 0; a < n; ++a) {
+            scale.segment<3>(3 * element[a]) += tet_scale.template segment<3>(3 * a);
+            for (int b = 0; b < n; ++b) {
+              const int rank = block_rank_[first_block_[t] + static_cast<std::size_t>(n * a + b)];
+              if (rank < 0) continue;
+              const int column = first_dof_[element[b]];
+              for (int c = 0; c < 3; ++c) {
+                double* target = values + column_begin[column + c] + 3 * rank;
+                for (int r = 0; r < (a == b ? c + 1 : 3); ++r) target[r] += d.hessian(3 * a + r, 3 * b + c);
+              }
+            }
+          }
+        });
 }
 
 VectorXd ElasticSystem::hessian_times(const VectorXd& u, const ViscousStep& viscous, const VectorXd& direction) const {
   VectorXd product = VectorXd::Zero(u.size());
-  for (std::size_t t = 0; t < rest_.size(); ++t) {
-    const Tet& tet = model_.tets[t];
-    Vector12d tet_direction;
-    for (int a = 0; a < 4; ++a) tet_direction.segment<3>(3 * a) = direction.segment<3>(3 * tet[a]);
-    if (tet_direction.isZero(0)) continue;
-    const Vector12d tet_product = derivatives(t, u, viscous, true, false).hessian * tet_direction;
-    for (int a = 0; a < 4; ++a) product.segment<3>(3 * tet[a]) += tet_product.segment<3>(3 * a);
-  }
+  const auto moves = [&](const ElementVertices& element) {
+    return std::any_of(element.begin(), element.end(),
+                       [&](std::uint32_t v) { return !direction.segment<3>(3 * v).isZero(0); });
+  };
+  visit(u, viscous, true, false, moves,
+        [&]<int n>(std::size_t, const ElementVertices& element, const ElementDerivatives<n>& d) {
+          Eigen::Matrix<double, 3 * n, 1> tet_direction;
+          for (int a = 0; a < n; ++a) tet_direction.template segment<3>(3 * a) = direction.segment<3>(3 * element[a]);
+          const Eigen::Matrix<double, 3 * n, 1> tet_product = d.hessian * tet_direction;
+          for (int a = 0; a < n; ++a) product.segment<3>(3 * element[a]) += tet_product.template segment<3>(3 * a);
+        });
   return product;
 }
 
@@ -178,15 +208,24 @@ bool ElasticSystem::viscous() const {
 }
 
 std::vector<Matrix3d> ElasticSystem::strains(const VectorXd& u) const {
-  std::vector<Matrix3d> result(rest_.size());
-  for (std::size_t t = 0; t < rest_.size(); ++t) result[t] = green_strain_matrix(rest_[t], corners(u, model_.tets[t]));
+  std::vector<Matrix3d> result;
+  for (std::size_t t = 0; t < rest_.size(); ++t) {
+    if (model_.is_quadratic(t)) {
+      const PointStrains strains = green_strains(QuadraticTet(rest_[t]), gather(u, model_.element(t)));
+      result.insert(result.end(), strains.begin(), strains.end());
+    } else {
+      result.push_back(green_strain_matrix(rest_[t], gather(u, model_.tets[t])));
+    }
+  }
   return result;
 }
 
 double ElasticSystem::min_det_f(const VectorXd& u) const {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t t = 0; t < rest_.size(); ++t)
-    smallest = std::min(smallest, rest_[t].deformation_gradient(corners(u, model_.tets[t])).determinant());
+    smallest = std::min(smallest, model_.is_quadratic(t)
+                                      ? volume_ratios(QuadraticTet(rest_[t]), gather(u, model_.element(t)), false).min
+                                      : rest_[t].deformation_gradient(gather(u, model_.tets[t])).determinant());
   return smallest;
 }
 

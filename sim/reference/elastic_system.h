@@ -16,7 +16,7 @@ namespace fascia::reference {
 
 /// Viscous part of a stage (elasticity.h, sim/integrators/stage.h). Empty: purely elastic.
 struct ViscousStep {
-  std::vector<Eigen::Matrix3d> previous_strain;  // [tet_count] eps*
+  std::vector<Eigen::Matrix3d> previous_strain;  // eps*, from ElasticSystem::strains()
   double h = 1;                                  // l [s]
 };
 
@@ -45,24 +45,29 @@ class ElasticSystem {
   const EliminationTree& elimination_tree() const { return tree_; }  // of the free vertices, three unknowns each
 
   bool viscous() const;                                                  // whether any material has damping
-  std::vector<Eigen::Matrix3d> strains(const Eigen::VectorXd& u) const;  // [tet_count] Green strain
-  double min_det_f(const Eigen::VectorXd& u) const;
+  std::vector<Eigen::Matrix3d> strains(const Eigen::VectorXd& u) const;  // Green strain: one per linear tet, four per
+                                                                         // quadratic one, at its points
+  double min_det_f(const Eigen::VectorXd& u) const;                      // at the points
 
  private:
   void make_pattern(const std::vector<std::vector<int>>& rows);  // ascending row blocks of every block column
-  Corners corners(const Eigen::VectorXd& u, const Tet& tet) const;
-  Derivatives derivatives(std::size_t t, const Eigen::VectorXd& u, const ViscousStep& viscous, bool with_hessian,
-                          bool project) const;
+  /// Calls f(number of the tet, its vertices, its derivatives) for every tet whose vertices `wanted` accepts.
+  template <class Wanted, class F>
+  void visit(const Eigen::VectorXd& u, const ViscousStep& viscous, bool with_hessian, bool project, Wanted&& wanted,
+             F&& f) const;
 
   const Model& model_;
-  std::vector<LinearTet> rest_;
+  std::vector<LinearTet> rest_;           // of quadratic tets that of the corners
+  std::vector<std::size_t> first_point_;  // [tet_count] into ViscousStep::previous_strain
   std::vector<int> first_dof_;
   int dof_count_ = 0;
   EliminationTree tree_;
   SparseMatrix pattern_;  // zeros
-  // Where tets add, [tet_count] [4 * row corner + column corner]: the three columns of a block column store their
-  // blocks in the same order, so one rank gives the start of the 3x3 block in each of them. -1: not stored.
-  std::vector<std::array<int, 16>> block_rank_;
+  // Where tets add: for n vertices of a tet, [n * row vertex + column vertex] from its first_block_. The three columns
+  // of a block column store their blocks in the same order, so one rank gives the start of the 3x3 block in each of
+  // them. -1: not stored.
+  std::vector<int> block_rank_;
+  std::vector<std::size_t> first_block_;  // [tet_count]
 };
 
 }  // namespace fascia::reference

@@ -15,8 +15,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Matrix3d strain_of(const Matrix3d& h) { return 0.5 * (h + h.transpose() + h.transpose() * h); }
-
 double energy_density(const Matrix3d& strain, const Material& material) {
   const double trace = strain.trace();
   return 0.5 * material.lame_lambda() * trace * trace + material.lame_mu() * strain.squaredNorm();
@@ -27,15 +25,9 @@ bool is_st_venant_kirchhoff(const Matrix3d& f, const Material& material) {
   return law.is_st_venant_kirchhoff && law.is_st_venant_kirchhoff(f);
 }
 
-// The eigenvectors have run-time size: unrolled at 12 x 12 they take minutes to compile with sanitizers.
-void clamp_negative_eigenvalues(Matrix12d& hessian) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(hessian);
-  if (eigen.eigenvalues()[0] >= 0) return;
-  const Eigen::VectorXd clamped = eigen.eigenvalues().cwiseMax(0.0);
-  hessian = eigen.eigenvectors() * clamped.asDiagonal() * eigen.eigenvectors().transpose();
-}
-
 }  // namespace
+
+Matrix3d strain_of(const Matrix3d& h) { return 0.5 * (h + h.transpose() + h.transpose() * h); }
 
 Vector6d green_strain(const Matrix3d& f) {
   const Matrix3d strain = strain_of(f - Matrix3d::Identity());
@@ -57,12 +49,22 @@ Matrix3d first_piola_stress(const Matrix3d& f, const Material& material) {
   return f * second_piola_stress(strain_of(f - Matrix3d::Identity()), material);
 }
 
-double von_mises(const Matrix3d& f, const Material& material) {
+double von_mises(const Matrix3d& f, const Material& material) { return von_mises(f, first_piola_stress(f, material)); }
+
+double von_mises(const Matrix3d& f, const Matrix3d& first_piola) {
   // The Cauchy stress of a flattened tet is infinite; the bound keeps it a number that a file can hold.
   const double volume_ratio = std::max(std::abs(f.determinant()), 1e-12);
-  const Matrix3d cauchy = first_piola_stress(f, material) * f.transpose() / volume_ratio;
+  const Matrix3d cauchy = first_piola * f.transpose() / volume_ratio;
   const Matrix3d deviator = cauchy - cauchy.trace() / 3 * Matrix3d::Identity();
   return std::sqrt(1.5 * deviator.squaredNorm());
+}
+
+// The eigenvectors have run-time size: unrolled at 12 x 12 they take minutes to compile with sanitizers.
+void clamp_negative_eigenvalues(Eigen::Ref<Eigen::MatrixXd> hessian) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(hessian);
+  if (eigen.eigenvalues()[0] >= 0) return;
+  const Eigen::VectorXd clamped = eigen.eigenvalues().cwiseMax(0.0);
+  hessian = eigen.eigenvectors() * clamped.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
 // The viscous part always acts on the Green strain itself, which is smooth for any shape of the tet.

@@ -4,16 +4,70 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/reference/elasticity.h"
 #include "sim/reference/newton.h"
+#include "sim/reference/quadratic_elasticity.h"
 
 namespace fascia::reference {
 namespace {
 
+using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 Corners gather(const std::vector<Vector3d>& vectors, const Tet& tet) {
   return {vectors[tet[0]], vectors[tet[1]], vectors[tet[2]], vectors[tet[3]]};
+}
+
+QuadraticTet::Nodes gather(const std::vector<Vector3d>& vectors, const ElementVertices& element) {
+  QuadraticTet::Nodes nodes;
+  for (std::size_t n = 0; n < nodes.size(); ++n) nodes[n] = vectors[element[n]];
+  return nodes;
+}
+
+LinearTet corners_at_rest(const Model& model, std::size_t t) {
+  return LinearTet(gather(model.rest_positions, model.tets[t]));
+}
+
+/// Energy [J] of one tet and its gradient [N] at each of its vertices.
+struct TetForces {
+  double energy = 0;
+  std::array<Vector3d, QuadraticTet::kNodes> gradient;
+};
+
+TetForces forces_of(const Model& model, const LinearTet& rest, const State& state, std::size_t t) {
+  const Material& material = model.materials[model.tet_material[t]];
+  TetForces forces;
+  const auto take = [&]<int n>(const ElementDerivatives<n>& d) {
+    forces.energy = d.energy;
+    for (int a = 0; a < n; ++a) forces.gradient[static_cast<std::size_t>(a)] = d.gradient.template segment<3>(3 * a);
+  };
+  if (model.is_quadratic(t))
+    take(elastic(QuadraticTet(rest), gather(state.displacement, model.element(t)), material, 0, no_strains(), false,
+                 false));
+  else
+    take(elastic(rest, gather(state.displacement, model.tets[t]), material, 0, Matrix3d::Zero(), false, false));
+  return forces;
+}
+
+/// Volume of a tet times its mean squared strain, and its J.
+struct TetShape {
+  double squared_strain, growth;
+  VolumeRatios det_f;
+};
+
+TetShape shape_of(const Model& model, const LinearTet& rest, const State& state, std::size_t t) {
+  if (!model.is_quadratic(t)) {
+    const Corners u = gather(state.displacement, model.tets[t]);
+    const double det_f = rest.deformation_gradient(u).determinant();
+    return {rest.volume * green_strain_matrix(rest, u).squaredNorm(), rest.volume * (det_f - 1), {det_f, det_f}};
+  }
+  const QuadraticTet tet(rest);
+  const QuadraticTet::Nodes u = gather(state.displacement, model.element(t));
+  TetShape shape{0, 0, volume_ratios(tet, u, true)};
+  for (const Matrix3d& h : tet.at_points(u)) {
+    shape.squared_strain += 0.25 * tet.volume * strain_of(h).squaredNorm();
+    shape.growth += 0.25 * tet.volume * ((Matrix3d::Identity() + h).determinant() - 1);
+  }
+  return shape;
 }
 
 }  // namespace
@@ -33,20 +87,19 @@ Measures measure(const Model& model, const State& state) {
     if (held[v]) result.fixed_reaction -= mass[v] * model.gravity;
   }
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
-    const LinearTet rest(gather(model.rest_positions, model.tets[t]));
-    const Corners u = gather(state.displacement, model.tets[t]);
-    const Derivatives d =
-        elastic(rest, u, model.materials[model.tet_material[t]], 0, Eigen::Matrix3d::Zero(), false, false);
-    result.elastic += d.energy;
-    for (int a = 0; a < 4; ++a)
-      if (held[model.tets[t][a]]) result.fixed_reaction += d.gradient.segment<3>(3 * a);
-    strain2 += rest.volume * green_strain_matrix(rest, u).squaredNorm();
+    const LinearTet rest = corners_at_rest(model, t);
+    const TetForces forces = forces_of(model, rest, state, t);
+    result.elastic += forces.energy;
+    const ElementVertices element = model.element(t);
+    for (std::size_t a = 0; a < element.size(); ++a)
+      if (held[element[a]]) result.fixed_reaction += forces.gradient[a];
+    const TetShape shape = shape_of(model, rest, state, t);
+    strain2 += shape.squared_strain;
     volume += rest.volume;
-    const double det_f = rest.deformation_gradient(u).determinant();
-    result.min_det_f = t == 0 ? det_f : std::min(result.min_det_f, det_f);
-    result.max_det_f = t == 0 ? det_f : std::max(result.max_det_f, det_f);
-    growth += rest.volume * (det_f - 1);
-    result.inverted += det_f <= 0;
+    result.min_det_f = t == 0 ? shape.det_f.min : std::min(result.min_det_f, shape.det_f.min);
+    result.max_det_f = t == 0 ? shape.det_f.max : std::max(result.max_det_f, shape.det_f.max);
+    growth += shape.growth;
+    result.inverted += shape.det_f.min <= 0;
   }
   if (volume > 0) {
     result.rms_strain = std::sqrt(strain2 / volume);
@@ -79,13 +132,11 @@ std::vector<Support> support_forces(const Model& model, const State& state) {
   for (std::size_t v = 0; v < mass.size(); ++v)
     if (support_of[v] != kFree) supports[support_of[v]].force -= mass[v] * model.gravity;
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
-    const Tet& tet = model.tets[t];
-    if (std::all_of(tet.begin(), tet.end(), [&](std::uint32_t v) { return support_of[v] == kFree; })) continue;
-    const LinearTet rest(gather(model.rest_positions, tet));
-    const Derivatives d = elastic(rest, gather(state.displacement, tet), model.materials[model.tet_material[t]], 0,
-                                  Eigen::Matrix3d::Zero(), false, false);
-    for (int a = 0; a < 4; ++a)
-      if (support_of[tet[a]] != kFree) supports[support_of[tet[a]]].force += d.gradient.segment<3>(3 * a);
+    const ElementVertices element = model.element(t);
+    if (std::all_of(element.begin(), element.end(), [&](std::uint32_t v) { return support_of[v] == kFree; })) continue;
+    const TetForces forces = forces_of(model, corners_at_rest(model, t), state, t);
+    for (std::size_t a = 0; a < element.size(); ++a)
+      if (support_of[element[a]] != kFree) supports[support_of[element[a]]].force += forces.gradient[a];
   }
   return supports;
 }
@@ -99,11 +150,20 @@ StateFields export_fields(const Model& model, const State& state) {
   fields.von_mises.assign(tet_count, 0);
   fields.det_f.assign(tet_count, 1);
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
-    const LinearTet rest(gather(model.rest_positions, model.tets[t]));
-    const Eigen::Matrix3d f = rest.deformation_gradient(gather(state.displacement, model.tets[t]));
+    const LinearTet rest = corners_at_rest(model, t);
+    const Material& material = model.materials[model.tet_material[t]];
     const std::uint32_t source = model.tet_source[t];
+    Matrix3d f;
+    if (model.is_quadratic(t)) {
+      const QuadraticTet tet(rest);
+      const QuadraticTet::Nodes u = gather(state.displacement, model.element(t));
+      f = Matrix3d::Identity() + tet.at_centroid(u);
+      fields.von_mises[source] = von_mises(f, first_piola_stress(tet, u, material));
+    } else {
+      f = rest.deformation_gradient(gather(state.displacement, model.tets[t]));
+      fields.von_mises[source] = von_mises(f, material);
+    }
     fields.green_strain[source] = green_strain(f);
-    fields.von_mises[source] = von_mises(f, model.materials[model.tet_material[t]]);
     fields.det_f[source] = f.determinant();
   }
   return fields;

@@ -31,9 +31,9 @@ struct Measures {
   /// Force of the supports on the body [N]: sum over constrained vertices, fixed or prescribed, of the elastic energy's
   /// gradient minus the weight. Inertia and viscous forces are not included.
   Eigen::Vector3d fixed_reaction{0, 0, 0};
-  double min_det_f = 1, max_det_f = 1;  // range of J over tets
+  double min_det_f = 1, max_det_f = 1;  // range of J over tets: of quadratic ones at their points and corners
   double rms_strain = 0;                // root of the mean of |Green strain|^2 (Frobenius) over the volume
-  int inverted = 0;                     // tets with J <= 0
+  int inverted = 0;                     // tets with J <= 0 somewhere there
 };
 Measures measure(const Model& model, const State& state);
 
@@ -46,7 +46,8 @@ struct Support {
 /// Body by body, the fixed vertices first; supports without vertices are left out.
 std::vector<Support> support_forces(const Model& model, const State& state);
 
-/// In file_mesh order; tets excluded from the simulation have zeros and J = 1.
+/// In file_mesh order; tets excluded from the simulation have zeros and J = 1. Values of quadratic tets are those at
+/// the centroid, their stress has the averaged change of volume.
 StateFields export_fields(const Model& model, const State& state);
 
 struct NewtonReport {

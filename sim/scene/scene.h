@@ -4,6 +4,7 @@
 // "file:line:column: ...".
 #pragma once
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -52,10 +53,17 @@ struct MaterialOverride {
   bool operator==(const MaterialOverride&) const = default;
 };
 
+/// Of the displacements in a body's tets: linear between four corners, or quadratic with a vertex in the middle of
+/// every edge, too (sim/elements).
+enum class ElementOrder { linear, quadratic };
+inline constexpr std::array kElementOrders = {ElementOrder::linear, ElementOrder::quadratic};
+inline const char* name_of(ElementOrder order) { return order == ElementOrder::linear ? "linear" : "quadratic"; }
+
 struct Body {
   std::string name;
-  std::string mesh;                 // as written (Scene::resolve); tets, or a closed surface to be filled with tets
-  std::optional<int> resolution;    // cells along the longest side for the filling; absent: several thousand tets
+  std::string mesh;               // as written (Scene::resolve); tets, or a closed surface to be filled with tets
+  std::optional<int> resolution;  // cells along the longest side for the filling; absent: several thousand tets
+  ElementOrder elements = ElementOrder::linear;
   LengthUnit unit = LengthUnit::m;  // of the mesh's coordinates
   UpAxis up = UpAxis::y;            // of the mesh's axes, turned to y before the transform
   Transform transform;

@@ -42,6 +42,7 @@ const json& template_document() {
     body.material.color = {0, 0, 0};
     scene.grabs.emplace_back().radius = 0.01;
     body.resolution = kFewestCells;
+    body.elements = ElementOrder::quadratic;
     body.unit = LengthUnit::mm;
     body.up = UpAxis::z;
     return parse_json(scene_to_json(scene, ""), "template");

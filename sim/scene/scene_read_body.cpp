@@ -214,14 +214,15 @@ Material read_material(const Node& node) {
 }
 
 Body read_body(const Node& node) {
-  node.expect_object({"name", "mesh", "resolution", "unit", "up", "transform", "materials", "fixed", "prescribed",
-                      "initial_velocity", "surface"});
+  node.expect_object({"name", "mesh", "resolution", "elements", "unit", "up", "transform", "materials", "fixed",
+                      "prescribed", "initial_velocity", "surface"});
   Body body;
   const std::string expected = "the path of a tet mesh or of a closed surface";
   const Node mesh = node.at("mesh", expected);
   body.mesh = mesh.text(expected);
   if (body.mesh.empty()) mesh.refuse(expected);
   if (const auto resolution = node.find("resolution")) body.resolution = resolution->integer(kFewestCells, kMostCells);
+  if (const auto elements = node.find("elements")) body.elements = read_choice(*elements, kElementOrders);
   const auto name = node.find("name");
   body.name = name ? name->text("a text") : std::filesystem::path(body.mesh).stem().string();
   if (const auto unit = node.find("unit")) body.unit = read_choice(*unit, kLengthUnits);

@@ -141,6 +141,7 @@ class SceneWriter {
   OrderedJson body(const Body& body) const {
     OrderedJson object = {{"name", body.name}, {"mesh", path(body.mesh)}};
     if (body.resolution) object["resolution"] = *body.resolution;
+    if (body.elements != ElementOrder::linear) object["elements"] = name_of(body.elements);
     if (body.unit != LengthUnit::m) object["unit"] = name_of(body.unit);
     if (body.up != UpAxis::y) object["up"] = name_of(body.up);
     object["transform"] = {{"scale", number(body.transform.scale)},

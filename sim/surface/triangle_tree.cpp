@@ -16,7 +16,6 @@ constexpr std::uint32_t kLeaf = 4;      // triangles
 constexpr double kDipoleRadii = 2.5;    // radii from which a group of triangles counts as one dipole
 constexpr double kSameCrossing = 1e-9;  // shares of a segment
 constexpr std::size_t kDeepest = 64;    // halving 2^32 triangles
-constexpr std::uint32_t kNoVertex = ~0u;
 
 bool has(const Triangle& t, std::uint32_t v) { return t[0] == v || t[1] == v || t[2] == v; }
 

@@ -25,7 +25,7 @@ DirectedEdges directed_edges(const std::vector<Triangle>& triangles) {
 }  // namespace
 
 TEST_CASE("the boundary of a single tet is its four faces, wound outward") {
-  const TetMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}, {0}, {}, {}};
+  const TetMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}, {}, {0}, {}, {}};
   const std::vector<Triangle> triangles = boundary_triangles(mesh.tets);
   REQUIRE(triangles.size() == 4);
   const Eigen::Vector3d center(0.25, 0.25, 0.25);

@@ -91,7 +91,7 @@ TEST_CASE("an unknown key is named with the nearest known one, at every level") 
         "wireframe, section, tets, shadow, ground, ambient_occlusion, depth_cue, background, marks, legend");
   CHECK(body_error(R"("fixd": [])") ==
         "s.json: bodies[0].fixd: unknown key \"fixd\", perhaps \"fixed\"; expected one of name, mesh, resolution, "
-        "unit, up, transform, materials, fixed, prescribed, initial_velocity, surface");
+        "elements, unit, up, transform, materials, fixed, prescribed, initial_velocity, surface");
   CHECK(body_error(R"("transform": {"rotate": [0, 0, 0]})") ==
         "s.json: bodies[0].transform.rotate: unknown key \"rotate\", perhaps \"rotate_deg\"; expected one of scale, "
         "rotate_deg, translate");
@@ -189,9 +189,8 @@ TEST_CASE("a wrong type reports the value found and the one expected") {
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": {}})") ==
         "s.json: bodies: is {}; expected a list of at least one body");
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": ["m.msh"]})") ==
-        "s.json: bodies[0]: is \"m.msh\"; expected an object with name, mesh, resolution, unit, up, transform, "
-        "materials, fixed, "
-        "prescribed, initial_velocity, surface");
+        "s.json: bodies[0]: is \"m.msh\"; expected an object with name, mesh, resolution, elements, unit, up, "
+        "transform, materials, fixed, prescribed, initial_velocity, surface");
   CHECK(body_error(R"("name": 1)") == "s.json: bodies[0].name: is 1; expected a text");
   CHECK(body_error(R"("surface": 1)") == "s.json: bodies[0].surface: is 1; expected the path of a surface");
   CHECK(body_error(R"("initial_velocity": 1)") ==
