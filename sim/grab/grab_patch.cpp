@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+
+#include "sim/mesh/mid_edges.h"
 
 namespace fascia {
 namespace {
@@ -15,12 +19,40 @@ constexpr double kRoundedWeight = 1e-6;  // barycentric: smaller is rounding
 std::vector<double> local_modulus(const Model& model, const BodyPart& body) {
   std::vector<double> sum(body.vertex_count, 0.0), count(body.vertex_count, 0.0);
   for (std::uint32_t t = body.tet_begin; t < body.tet_begin + body.tet_count; ++t)
-    for (const std::uint32_t v : model.tets[t]) {
+    for (const std::uint32_t v : model.element(t)) {
       sum[v - body.vertex_begin] += model.materials[model.tet_material[t]].young_modulus;
       count[v - body.vertex_begin] += 1;
     }
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = count[i] > 0 ? sum[i] / count[i] : 0;
   return sum;
+}
+
+/// The least weight of the vertices around a point in a tet, by their shape functions there.
+std::map<std::uint32_t, double> weights_at(const EmbeddedPoint& place, const std::vector<MidEdge>& middles) {
+  std::map<std::uint32_t, double> weights;
+  const auto raise = [&](std::uint32_t v, double weight) {
+    if (weight > kRoundedWeight) weights[v] = std::max(weights[v], kCorner * std::min(weight, 1.0));
+  };
+  std::map<std::uint32_t, double> corners;
+  for (std::size_t a = 0; a < 4; ++a) corners[place.vertices[a]] += place.weights[a];
+  for (std::size_t a = 0; a < 4; ++a) raise(place.vertices[a], place.weights[a]);
+  for (const MidEdge& edge : middles) {
+    const auto a = corners.find(edge.a), b = corners.find(edge.b);
+    if (a != corners.end() && b != corners.end()) raise(edge.vertex, 4 * a->second * b->second);
+  }
+  return weights;
+}
+
+/// An even load on a face of a quadratic tet acts on the middles of its edges alone: corners keep a share only where no
+/// middle has one.
+void leave_to_middles(const std::vector<MidEdge>& middles, std::vector<PatchVertex>& patch) {
+  std::set<std::uint32_t> among, ends;
+  for (const MidEdge& edge : middles) {
+    among.insert(edge.vertex);
+    ends.insert({edge.a, edge.b});
+  }
+  if (std::any_of(patch.begin(), patch.end(), [&](const PatchVertex& p) { return among.contains(p.vertex); }))
+    std::erase_if(patch, [&](const PatchVertex& p) { return ends.contains(p.vertex); });
 }
 
 void make_shares_of_weights(std::vector<PatchVertex>& patch) {
@@ -73,16 +105,17 @@ std::vector<PatchVertex> grab_patch(const Model& model, std::span<const Vector3d
   const BodyPart& body = model.bodies[body_of(model, place.vertices[0])];
   const std::vector<char> held = model.held();
   const std::vector<double> modulus = local_modulus(model, body);
+  const std::vector<MidEdge> middles = mid_edges_of(model.file_mesh);
+  const std::map<std::uint32_t, double> least = weights_at(place, middles);
   std::vector<PatchVertex> patch;
   for (std::uint32_t v = body.vertex_begin; v < body.vertex_begin + body.vertex_count; ++v) {
     if (held[v] || modulus[v - body.vertex_begin] == 0) continue;
     const double inside = 1 - (positions[v] - point).squaredNorm() / (radius * radius);
     double weight = inside > 0 ? inside * inside : 0;
-    for (std::size_t a = 0; a < 4; ++a)
-      if (place.vertices[a] == v && place.weights[a] > kRoundedWeight)
-        weight = std::max(weight, kCorner * std::min(place.weights[a], 1.0));
+    if (const auto own = least.find(v); own != least.end()) weight = std::max(weight, own->second);
     if (weight > 0) patch.push_back({v, weight, modulus[v - body.vertex_begin]});
   }
+  leave_to_middles(middles, patch);
   make_shares_of_weights(patch);
   return patch;
 }
@@ -91,12 +124,18 @@ std::vector<PatchVertex> even_patch(const Model& model, const std::vector<std::u
   const std::vector<char> held = model.held();
   std::vector<std::vector<double>> modulus;
   for (const BodyPart& body : model.bodies) modulus.push_back(local_modulus(model, body));
+  const std::vector<MidEdge> middles = mid_edges_of(model.file_mesh);
+  std::vector<std::uint32_t> all = vertices;
+  const std::set<std::uint32_t> given(vertices.begin(), vertices.end());
+  for (const MidEdge& edge : middles)
+    if (given.contains(edge.a) && given.contains(edge.b) && !given.contains(edge.vertex)) all.push_back(edge.vertex);
   std::vector<PatchVertex> patch;
-  for (const std::uint32_t v : vertices) {
+  for (const std::uint32_t v : all) {
     const std::size_t b = body_of(model, v);
     const double there = modulus[b][v - model.bodies[b].vertex_begin];
     if (!held[v] && there > 0) patch.push_back({v, 1, there});
   }
+  leave_to_middles(middles, patch);
   make_shares_of_weights(patch);
   return patch;
 }

@@ -1,10 +1,13 @@
 // The grabs of a scene: valid input, its meaning, and positions over time.
 // Covers: build_model, grab_patch, sim/scene/scene_read_grab
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "sim/grab/build_model.h"
 #include "sim/grab/grab_patch.h"
 #include "sim/grab/resolve_grab.h"
+#include "sim/mesh/mid_edges.h"
 #include "sim/model/model.h"
 #include "tests/sim/scene/scene_test.h"
 
@@ -167,4 +170,51 @@ TEST_CASE("shares of a patch add up to one, also if it is smaller than a tet") {
     CHECK((middle - at).norm() < std::max(radius, 1e-9));
     CHECK(patch_stiffness(patch, radius) == Approx(kGrip * model.materials[0].young_modulus * radius));
   }
+}
+
+// An even pressure on a face of a quadratic tet acts on the middles of its edges, a third each.
+TEST_CASE("grabs of quadratic tets pull the middles of edges, or a single corner") {
+  const Vector3d top = top_of_cube();
+  const SceneFile file(with_grabs("[{\"at\": [" + text_of(top) + "], \"translate\": [0, 0.01, 0], \"radius\": 0.04}]"));
+  const auto middles_of = [](const Model& model) {
+    std::set<std::uint32_t> middles;
+    for (const MidEdge& edge : mid_edges_of(model.file_mesh)) middles.insert(edge.vertex);
+    return middles;
+  };
+  const Model model = build_model(file.open({"elements=quadratic"}));
+  REQUIRE(model.grabs.size() == 1);
+  REQUIRE(!model.grabs[0].grip.empty());
+  const std::set<std::uint32_t> middles = middles_of(model);
+  double stiffness = 0;
+  Vector3d place(0, 0, 0);
+  for (const GrabSpring& spring : model.grabs[0].grip) {
+    CHECK(middles.count(spring.vertex) == 1);
+    stiffness += spring.stiffness;
+    place += spring.stiffness * model.rest_positions[spring.vertex];
+  }
+  CAPTURE(model.grabs[0].grip.size(), stiffness, (place / stiffness).transpose(), top.transpose());
+  CHECK((place / stiffness - top).norm() < 0.04);
+  double linear = 0;
+  const Model of_corners = build_model(file.open());
+  for (const GrabSpring& spring : of_corners.grabs[0].grip) linear += spring.stiffness;
+  CHECK(stiffness == Approx(linear).epsilon(1e-12));
+
+  // Selected corners bring the middles between them.
+  const std::vector<char> held = model.held();
+  const Tet& tet = *std::find_if(model.tets.begin(), model.tets.end(), [&](const Tet& t) {
+    return std::none_of(t.begin(), t.end(), [&](std::uint32_t v) { return held[v]; });
+  });
+  const std::vector<PatchVertex> even = even_patch(model, {tet.begin(), tet.end()});
+  double share = 0;
+  for (const PatchVertex& p : even) {
+    CHECK(middles.count(p.vertex) == 1);
+    share += p.share;
+  }
+  CHECK(even.size() == 6);
+  CHECK(share == Approx(1).epsilon(1e-12));
+  const std::uint32_t corner = tet[0];
+  const std::vector<PatchVertex> one =
+      grab_patch(model, model.rest_positions, model.rest_positions[corner], 1e-6, {tet, {1, 0, 0, 0}});
+  REQUIRE(one.size() == 1);
+  CHECK(one[0].vertex == corner);
 }
