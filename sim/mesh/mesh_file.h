@@ -27,7 +27,8 @@ struct MeshFile {
   struct {
     std::size_t hexahedra = 0, wedges = 0, pyramids = 0, tets = 0;  // cells, and the tets they became
   } split;
-  std::vector<std::string> notes;  // about other skipped or changed content, one sentence each
+  std::vector<MidEdges> mid_edges;  // [tet_count] of tets of ten nodes, kNoMidEdges of others; or empty
+  std::vector<std::string> notes;   // about other skipped or changed content, one sentence each
 
   bool is_surface() const { return mesh.tets.empty() && !faces.ends.empty(); }
 };

@@ -12,18 +12,41 @@ std::uint64_t key_of(std::uint32_t a, std::uint32_t b) {
 
 }  // namespace
 
-void add_mid_edges(TetMesh& mesh, const std::vector<std::uint32_t>& tets) {
-  mesh.mid_edges.resize(mesh.tets.size(), kNoMidEdges);
+void add_mid_edges(TetMesh& mesh, const std::vector<std::uint32_t>& tets, const std::vector<MidEdges>& given) {
+  mesh.mid_edges.assign(mesh.tets.size(), kNoMidEdges);
   std::unordered_map<std::uint64_t, std::uint32_t> vertex_of;
   vertex_of.reserve(2 * mesh.tets.size());
+  std::vector<char> taken(given.empty() ? 0 : mesh.positions.size(), 0);
   for (const std::uint32_t t : tets)
-    for (std::size_t m = 0; m < kMidEdgeCorners.size(); ++m) {
-      const std::uint32_t a = mesh.tets[t][kMidEdgeCorners[m][0]], b = mesh.tets[t][kMidEdgeCorners[m][1]];
-      const auto next = static_cast<std::uint32_t>(mesh.positions.size());
-      const auto [edge, is_new] = vertex_of.try_emplace(key_of(a, b), next);
-      if (is_new) mesh.positions.emplace_back(0.5 * (mesh.positions[a] + mesh.positions[b]));
-      mesh.mid_edges[t][m] = edge->second;
-    }
+    if (!given.empty())
+      for (const std::uint32_t v : mesh.tets[t]) taken[v] = 1;
+  const auto for_edges = [&](auto&& use) {
+    for (const std::uint32_t t : tets)
+      for (std::size_t m = 0; m < kMidEdgeCorners.size(); ++m)
+        use(t, m, mesh.tets[t][kMidEdgeCorners[m][0]], mesh.tets[t][kMidEdgeCorners[m][1]]);
+  };
+  if (!given.empty())
+    for_edges([&](std::uint32_t t, std::size_t m, std::uint32_t a, std::uint32_t b) {
+      const std::uint32_t vertex = t < given.size() ? given[t][m] : kNoVertex;
+      if (vertex != kNoVertex && !taken[vertex]) taken[vertex] = vertex_of.try_emplace(key_of(a, b), vertex).second;
+    });
+  for_edges([&](std::uint32_t t, std::size_t m, std::uint32_t a, std::uint32_t b) {
+    const auto next = static_cast<std::uint32_t>(mesh.positions.size());
+    const auto [edge, is_new] = vertex_of.try_emplace(key_of(a, b), next);
+    if (is_new) mesh.positions.emplace_back(0.5 * (mesh.positions[a] + mesh.positions[b]));
+    mesh.mid_edges[t][m] = edge->second;
+  });
+}
+
+std::size_t straighten(TetMesh& mesh) {
+  std::size_t curved = 0;
+  for (const MidEdge& edge : mid_edges_of(mesh)) {
+    Eigen::Vector3d& x = mesh.positions[edge.vertex];
+    const Eigen::Vector3d &a = mesh.positions[edge.a], &b = mesh.positions[edge.b], middle = 0.5 * (a + b);
+    curved += (x - middle).norm() > 1e-6 * (b - a).norm();
+    x = middle;
+  }
+  return curved;
 }
 
 std::vector<MidEdge> mid_edges_of(const TetMesh& mesh) {

@@ -1,5 +1,6 @@
 // The vertices in the middle of the edges of quadratic tets.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -12,9 +13,15 @@ struct MidEdge {
   std::uint32_t vertex, a, b;
 };
 
-/// Makes the given tets of a mesh quadratic: appends a vertex in the middle of each of their edges, in the order of the
-/// tets. Tets that share an edge share its vertex.
-void add_mid_edges(TetMesh& mesh, const std::vector<std::uint32_t>& tets);
+/// Makes the given tets of a mesh quadratic, and no others. Those that have mid-edge vertices in `given` ([tet_count]
+/// or less) keep them; a vertex is appended, in the order of the tets, to every other edge. Tets that share an edge
+/// share its vertex, the first one if they are given different ones. A given vertex that is also a corner or that of
+/// another edge is left out.
+void add_mid_edges(TetMesh& mesh, const std::vector<std::uint32_t>& tets, const std::vector<MidEdges>& given = {});
+
+/// Moves mid-edge vertices to the middles of their edges. The number of those that were off by more than 1e-6 of the
+/// edge.
+std::size_t straighten(TetMesh& mesh);
 
 /// Every mid-edge vertex of the mesh once, in the order of the tets.
 std::vector<MidEdge> mid_edges_of(const TetMesh& mesh);

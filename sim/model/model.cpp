@@ -2,12 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <bit>
+#include <set>
 #include <utility>
 
 #include "base/error.h"
 #include "base/text.h"
-#include "sim/elements/quadratic_tet.h"
+#include "sim/mesh/io/formats.h"
 #include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/mesh_check.h"
 #include "sim/mesh/mid_edges.h"
@@ -47,6 +47,20 @@ LoadedBody begin_body(const Scene& scene, std::size_t index, FileReader& files) 
   return {files, scene.bodies[index], key, scene.file.string() + ": " + key, {}, {}, {}, {}};
 }
 
+/// The edges of quadratic tets of the file become straight. Vertices in their middles are in use.
+void straighten_file(LoadedBody& loaded) {
+  MeshFile& file = loaded.file;
+  if (file.mid_edges.empty()) return;
+  std::erase(file.notes, kHigherOrderNote);
+  TetMesh whole = file.mesh;
+  add_mid_edges(whole, loaded.repaired.source, file.mid_edges);
+  if (const std::size_t curved = straighten(whole); curved > 0)
+    file.notes.push_back(plural(curved, "curved edge") + " straightened");
+  for (const MidEdge& edge : mid_edges_of(whole))
+    if (edge.vertex < loaded.used.size()) loaded.used[edge.vertex] = 1;
+  std::copy_n(whole.positions.begin(), file.mesh.positions.size(), file.mesh.positions.begin());
+}
+
 /// `mesh_name`: the name of the mesh in errors.
 void repair_body(LoadedBody& loaded, const std::string& mesh_name) {
   loaded.repaired = repair(loaded.file.mesh);
@@ -57,6 +71,7 @@ void repair_body(LoadedBody& loaded, const std::string& mesh_name) {
                 "expected at least one");
   }
   loaded.used = used_vertices(loaded.repaired.tets, loaded.file.mesh.positions.size());
+  if (loaded.is_quadratic()) straighten_file(loaded);
 }
 
 LoadedBody load(const Scene& scene, std::size_t index, FileReader& files, const Progress& progress) {
@@ -185,11 +200,17 @@ void add_velocity(const LoadedBody& loaded, const std::vector<char>& held, Model
 }
 
 /// Makes the usable tets of the body quadratic, whose constraints and velocities the model already has: those of a
-/// mid-edge vertex follow from the two ends of its edge.
+/// mid-edge vertex follow from the two ends of its edge, and its velocity is that of the file where it has one.
 void add_middles(LoadedBody& loaded, std::uint32_t vertex_begin, Model& model) {
   constexpr int kFree = -2, kFixed = -1;  // else an index into Model::motions
   TetMesh& mesh = loaded.file.mesh;
-  add_mid_edges(mesh, loaded.repaired.source);
+  const std::size_t in_file = mesh.positions.size();
+  add_mid_edges(mesh, loaded.repaired.source, loaded.file.mid_edges);
+  const std::vector<MidEdge> middles = mid_edges_of(mesh);
+  std::set<std::uint32_t> selected;  // by the file's vertices, where it has those in the middles
+  for (const MidEdge& edge : middles) selected.insert(vertex_begin + edge.vertex);
+  std::erase_if(model.fixed, [&](std::uint32_t v) { return selected.contains(v); });
+  for (Motion& motion : model.motions) leave_out(selected, motion);
   std::vector<int> holder(mesh.positions.size(), kFree);
   std::vector<std::size_t> place(mesh.positions.size(), 0);  // in the motion
   for (const std::uint32_t v : model.fixed)
@@ -203,9 +224,11 @@ void add_middles(LoadedBody& loaded, std::uint32_t vertex_begin, Model& model) {
     }
   model.initial_velocity.resize(vertex_begin + mesh.positions.size(), Vector3d::Zero());
   const auto velocity = model.initial_velocity.begin() + vertex_begin;
-  for (const MidEdge& edge : mid_edges_of(mesh)) {
-    if (holder[edge.a] == kFree || holder[edge.a] != holder[edge.b]) {
-      velocity[edge.vertex] = 0.5 * (velocity[edge.a] + velocity[edge.b]);
+  for (const MidEdge& edge : middles) {
+    const bool free = holder[edge.a] == kFree || holder[edge.a] != holder[edge.b];
+    if (!free) velocity[edge.vertex].setZero();
+    if (free) {
+      if (edge.vertex >= in_file) velocity[edge.vertex] = 0.5 * (velocity[edge.a] + velocity[edge.b]);
     } else if (holder[edge.a] == kFixed) {
       model.fixed.push_back(vertex_begin + edge.vertex);
     } else {
@@ -357,41 +380,6 @@ double Model::end_of_grabs() const {
   double end = 0;
   for (const ResolvedGrab& grab : grabs) end = std::max(end, grab.end());
   return end;
-}
-
-std::vector<double> lumped_masses(const Model& model) {
-  std::vector<double> masses(model.rest_positions.size(), 0.0);
-  for (std::size_t t = 0; t < model.tets.size(); ++t) {
-    const Tet& tet = model.tets[t];
-    const auto& x = model.rest_positions;
-    const double volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6;
-    const double mass = model.materials[model.tet_material[t]].density * volume;
-    const bool quadratic = model.is_quadratic(t);
-    const double corner = quadratic ? QuadraticTet::kCornerMass * mass : mass / 4;
-    for (const std::uint32_t vertex : tet) masses[vertex] += corner;
-    if (!quadratic) continue;
-    for (const std::uint32_t vertex : model.mid_edges[t]) masses[vertex] += QuadraticTet::kMidEdgeMass * mass;
-  }
-  return masses;
-}
-
-std::uint64_t mesh_hash(const TetMesh& mesh) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  const auto add = [&](auto value) {  // least significant byte first on every machine
-    for (std::size_t byte = 0; byte < sizeof value; ++byte) {
-      hash = (hash ^ ((value >> (8 * byte)) & 0xff)) * 0x100000001b3;
-    }
-  };
-  for (const Vector3d& position : mesh.positions) {
-    for (const double coordinate : position) add(std::bit_cast<std::uint64_t>(coordinate));
-  }
-  for (const Tet& tet : mesh.tets) {
-    for (const std::uint32_t vertex : tet) add(vertex);
-  }
-  for (const MidEdges& mid_edges : mesh.mid_edges) {
-    for (const std::uint32_t vertex : mid_edges) add(vertex);
-  }
-  return hash;
 }
 
 }  // namespace fascia

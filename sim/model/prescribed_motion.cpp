@@ -20,6 +20,20 @@ Vector3d Motion::position(std::size_t k, const Vector3d& rest, double t) const {
   return center + (1 + share * (scale - 1)) * (rotation * (rest - center)) + share * translate;
 }
 
+void leave_out(const std::set<std::uint32_t>& others, Motion& motion) {
+  std::vector<std::uint32_t>& vertices = motion.vertices;
+  std::vector<Vector3d>& targets = motion.targets;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (others.contains(vertices[k])) continue;
+    vertices[kept] = vertices[k];
+    if (!targets.empty()) targets[kept] = targets[k];
+    ++kept;
+  }
+  vertices.resize(kept);
+  if (!targets.empty()) targets.resize(kept);
+}
+
 Motion resolve_motion(const PrescribedMotion& motion, FileReader& files, const SelectableMesh& body,
                       const std::string& where, const std::string& key) {
   Motion result;

@@ -1,5 +1,7 @@
 // Resolves a scene's prescribed motion to the vertices of a mesh.
 #pragma once
+#include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,5 +15,8 @@ namespace fascia {
 /// Error as select_vertices and read_vertex_csv do, and if the CSV file of targets misses selected vertices.
 Motion resolve_motion(const PrescribedMotion& motion, FileReader& files, const SelectableMesh& body,
                       const std::string& where, const std::string& key);
+
+/// Takes the other vertices out of the motion, with their targets.
+void leave_out(const std::set<std::uint32_t>& others, Motion& motion);
 
 }  // namespace fascia

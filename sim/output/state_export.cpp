@@ -28,7 +28,7 @@ std::string vtu(const TetMesh& rest, const StateFields& fields) {
   const std::vector<Eigen::Vector3d> points = deformed(rest, fields);
   std::vector<std::int32_t> regions(rest.regions.begin(), rest.regions.end());
   regions.resize(rest.tets.size(), 0);
-  VtuGrid grid{points, rest.tets, {}, {}, {}};
+  VtuGrid grid{points, rest.tets, rest.mid_edges, {}, {}, {}};
   const auto add = [](std::vector<VtuArray>& to, const char* name, const auto& components, const auto& values) {
     if (!values.empty()) to.push_back({name, "Float64", components, bytes_of(values)});
   };

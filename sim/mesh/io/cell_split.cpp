@@ -79,6 +79,11 @@ std::size_t add_solid(MeshFile& file, std::span<const std::uint32_t> corners) {
   return added;
 }
 
+void set_mid_edges(MeshFile& file, const MidEdges& mid_edges) {
+  file.mid_edges.resize(file.mesh.tets.size(), kNoMidEdges);
+  file.mid_edges.back() = mid_edges;
+}
+
 void add_face(MeshFile& file, std::span<const std::uint32_t> corners) {
   const auto count = static_cast<int>(std::min<std::size_t>(corners.size(), 4));
   count_ignored(file, std::max(0, std::min(count, 3) - 1), count);

@@ -13,6 +13,9 @@ namespace fascia {
 /// to the caller.
 std::size_t add_solid(MeshFile& file, std::span<const std::uint32_t> corners);
 
+/// Gives the last tet of the file its mid-edge vertices, in the order of kMidEdgeCorners.
+void set_mid_edges(MeshFile& file, const MidEdges& mid_edges);
+
 /// Adds a polygon; one with fewer than three corners is counted as a point or a line.
 void add_face(MeshFile& file, std::span<const std::uint32_t> corners);
 

@@ -1,4 +1,6 @@
 // TetGen: vertices in NAME.node, tets in NAME.ele, numbered from 0 or 1 as the first vertex is.
+#include <array>
+
 #include "base/error.h"
 #include "base/file.h"
 #include "base/number_text.h"
@@ -52,13 +54,16 @@ void read_ele(Scanner& in, const TagMap& vertex_of_tag, MeshFile& file) {
   for (std::size_t t = 0; t < count; ++t) {
     const auto number = in.number<std::int64_t>("a tet number");
     Tet tet{};
+    MidEdges mid_edges = kNoMidEdges;
     for (unsigned i = 0; i < nodes; ++i) {
       const auto tag = in.number_on_line<std::int64_t>("a vertex of a tet");
       const auto vertex = vertex_of_tag.find(tag);
       if (!vertex)
         in.fail("tet " + std::to_string(number) + " names vertex " + std::to_string(tag),
                 "expected a vertex of the .node file");
-      if (i < 4) tet[i] = *vertex;
+      // The middles of the edges 23, 03, 01, 12, 13, 02.
+      constexpr std::array<std::size_t, 6> kPlaces = {5, 3, 0, 1, 4, 2};
+      (i < 4 ? tet[i] : mid_edges[kPlaces[i - 4]]) = *vertex;
     }
     int region = 0;
     for (unsigned i = 0; i < attributes; ++i) {
@@ -70,6 +75,7 @@ void read_ele(Scanner& in, const TagMap& vertex_of_tag, MeshFile& file) {
     }
     in.end_line("the tet");
     mesh.tets.push_back(tet);
+    if (nodes == 10) file.mid_edges.push_back(mid_edges);
     mesh.regions.push_back(region);
   }
   if (!in.at_end())

@@ -1,9 +1,10 @@
 // Bodies of quadratic tets: their mid-edge vertices, constraints and velocities, beside linear bodies.
-// Covers: unconstrained_parts
+// Covers: unconstrained_parts, model_sums
 #include <algorithm>
 #include <set>
 
 #include "sim/grab/build_model.h"
+#include "sim/mesh/io/formats.h"
 #include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/mid_edges.h"
 #include "sim/model/model.h"
@@ -151,4 +152,39 @@ TEST_CASE("elements are read strictly, saved, and spared the note on locking", "
   CHECK(notes({}) == 0);
   CHECK(notes({"bodies.1.elements=linear"}) == 1);
   CHECK_THROWS_WITH(scene.open({"elements=cubic"}), "--set elements: is \"cubic\"; expected one of linear, quadratic");
+}
+
+TEST_CASE("the ten nodes of a file are used, its curved edges straightened", "[quadratic]") {
+  TetMesh mesh = tets();
+  mesh.tets.resize(1);
+  mesh.regions.resize(1);
+  mesh.positions.resize(5);
+  add_mid_edges(mesh, {0});
+  const std::uint32_t curved = mesh.mid_edges[0][1];  // between corners 1 and 2
+  const Vector3d middle = mesh.positions[curved];
+  mesh.positions[curved] += Vector3d(0.02, 0.02, 0);
+  const TwoBodies scene(R"("elements": "quadratic", "fixed": [{"box": [[-1, -1, -1], [2, 2, 0.4]]}])");
+  write_mesh(scene / "m.msh", mesh);
+  const Model model = scene.build();
+  const std::size_t linear = 11, b = model.bodies[1].vertex_begin;
+  CHECK(b == linear);
+  CHECK(model.rest_positions.size() == 2 * linear);  // none was added
+  CHECK(model.mid_edges[1][1] == b + curved);
+  CHECK((model.rest_positions[b + curved] - Vector3d(middle + Vector3d(0, 5, 0))).norm() < 1e-14);
+  CHECK((model.rest_positions[curved] - mesh.positions[curved]).norm() <
+        1e-14);  // the linear body has what the file has
+  const auto has = [&](const std::string& note) {
+    return std::find(model.notes.begin(), model.notes.end(), note) != model.notes.end();
+  };
+  CAPTURE(model.notes);
+  CHECK(has("a: " + std::string(kHigherOrderNote)));
+  CHECK(!has("b: " + std::string(kHigherOrderNote)));
+  CHECK(has("b: 1 curved edge straightened"));
+  CHECK(has("b: 1 vertex in no tet, kept in exports"));
+  // The box holds corners 0, 1 and 2: also the middles between them, not those towards corner 3.
+  std::vector<std::uint32_t> expected;
+  for (const std::uint32_t v : {0u, 1u, 2u, mesh.mid_edges[0][0], mesh.mid_edges[0][1], mesh.mid_edges[0][2]})
+    expected.push_back(static_cast<std::uint32_t>(b) + v);
+  std::sort(expected.begin(), expected.end());
+  CHECK(model.fixed == expected);
 }

@@ -30,7 +30,7 @@ void FemMesh::add_element(const Scanner& in, const FemElement& kind, std::int64_
   if (elements_.empty()) first_element_ = place_of(in);
   element_numbers_.push_back(number);
   elements_.push_back({kind, region, nodes_.size(), place_of(in)});
-  nodes_.insert(nodes_.end(), nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(kind.corners));
+  nodes_.insert(nodes_.end(), nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(kind.read()));
   higher_order_ |= kind.dimension >= 2 && kind.nodes > kind.corners;
 }
 
@@ -81,21 +81,24 @@ void FemMesh::apply_regions(const TagMap& element_of) {
 }
 
 void FemMesh::add_cells(const TagMap& node_of) {
-  std::vector<std::uint32_t> corners;
+  std::vector<std::uint32_t> vertices;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
-    corners.clear();
-    for (std::size_t i = 0; i < element.kind.corners; ++i) {
+    vertices.clear();
+    for (std::size_t i = 0; i < element.kind.read(); ++i) {
       const std::int64_t node = nodes_[element.begin + i];
       const auto vertex = node_of.find(node);
       if (!vertex) {
         element.place.fail("element " + std::to_string(element_numbers_[e]) + " names node " + std::to_string(node),
                            "expected a node of the file");
       }
-      corners.push_back(*vertex);
+      vertices.push_back(*vertex);
     }
+    const std::span<const std::uint32_t> corners(vertices.data(), element.kind.corners);
     if (element.kind.corners > 0 && element.kind.dimension == 3) {
       add_solid(file_, corners);
+      const auto& v = vertices;
+      if (element.kind.is_quadratic_tet()) set_mid_edges(file_, {v[4], v[5], v[6], v[7], v[8], v[9]});
       file_.mesh.regions.resize(file_.mesh.tets.size(), element.region);
     } else if (element.kind.corners > 0 && element.kind.dimension == 2) {
       add_face(file_, corners);

@@ -18,6 +18,9 @@ namespace fascia {
 struct FemElement {
   int dimension = 3;
   std::size_t corners = 0, nodes = 0;  // 0: a kind that is counted, not read
+
+  bool is_quadratic_tet() const { return dimension == 3 && corners == 4 && nodes == 10; }
+  std::size_t read() const { return is_quadratic_tet() ? nodes : corners; }  // of its nodes
 };
 
 /// The numbers `first`, `first + step`, ... up to `last`; one number if both are equal.

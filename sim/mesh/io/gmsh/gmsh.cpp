@@ -157,21 +157,25 @@ int GmshReader::physical_tag(std::int64_t tag) const {
 
 void GmshReader::add_element(const GmshElementType& type, std::int64_t element, std::span<const int> physicals,
                              std::span<const std::int64_t> nodes) {
-  std::array<std::uint32_t, 8> corners{};
+  std::array<std::uint32_t, 10> vertices{};
   const auto corner_count = static_cast<std::size_t>(type.corners);
-  for (std::size_t i = 0; i < corner_count; ++i) {
+  const bool quadratic = type.dimension == 3 && type.corners == 4 && type.nodes == 10;
+  for (std::size_t i = 0; i < (quadratic ? 10 : corner_count); ++i) {
     const auto vertex = node_of_tag_.find(nodes[i]);
     if (!vertex) {
       in_.fail("element " + std::to_string(element) + " names node " + std::to_string(nodes[i]),
                "expected a node of $Nodes");
     }
-    corners[i] = *vertex;
+    vertices[i] = *vertex;
   }
   second_order_ |= type.dimension >= 2 && type.nodes > type.corners;
-  const std::span<const std::uint32_t> cell(corners.data(), corner_count);
+  const std::span<const std::uint32_t> cell(vertices.data(), corner_count);
   const bool solid = type.dimension == 3;
   if (solid) {
     add_solid(file_, cell);
+    // Gmsh has the middle of edge 23 before that of 13.
+    const auto& v = vertices;
+    if (quadratic) set_mid_edges(file_, {v[4], v[5], v[6], v[7], v[9], v[8]});
     file_.mesh.regions.resize(file_.mesh.tets.size(), physicals.empty() ? 0 : physicals[0]);
   } else if (type.dimension == 2) {
     add_face(file_, cell);
@@ -186,7 +190,7 @@ void GmshReader::add_element(const GmshElementType& type, std::int64_t element, 
       last_group_ = group;
       last_vertices_ = &group_vertices_[group];
     }
-    last_vertices_->insert(last_vertices_->end(), corners.begin(), corners.begin() + type.corners);
+    last_vertices_->insert(last_vertices_->end(), vertices.begin(), vertices.begin() + type.corners);
   }
 }
 

@@ -75,6 +75,19 @@ Groups groups_of(const std::string& where, const TetMesh& mesh) {
 
 void add_point(NumberText& out, const Eigen::Vector3d& x) { out.add(x[0]).add(' ').add(x[1]).add(' ').add(x[2]); }
 
+/// Tets have type 4, and those with mid-edge vertices type 11.
+int type_of(const TetMesh& mesh, std::size_t t) {
+  return mesh.mid_edges.empty() || mesh.mid_edges[t] == kNoMidEdges ? 4 : 11;
+}
+
+/// Nodes are numbered from 1; Gmsh has the middle of edge 23 before that of 13.
+void add_nodes(NumberText& out, const TetMesh& mesh, std::size_t t) {
+  for (const std::uint32_t v : mesh.tets[t]) out.add(' ').add(v + std::size_t{1});
+  if (type_of(mesh, t) == 11)
+    for (const std::size_t m : {0, 1, 2, 3, 5, 4}) out.add(' ').add(mesh.mid_edges[t][m] + std::size_t{1});
+  out.add('\n');
+}
+
 std::size_t element_count(const TetMesh& mesh, const Groups& groups) {
   std::size_t count = mesh.tets.size();
   for (const PointGroup& group : groups.points) count += group.vertices->size();
@@ -126,10 +139,11 @@ std::string gmsh41_text(const std::string& where, const TetMesh& mesh) {
   }
   out.add("$EndNodes\n");
 
-  // A block holds tets of one region; several blocks of the same region keep the order of the tets.
+  // A block holds tets of one region and type; several blocks of the same region keep the order of the tets.
   std::vector<std::size_t> begins;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    if (t == 0 || region_of(mesh, t) != region_of(mesh, t - 1)) begins.push_back(t);
+    if (t == 0 || region_of(mesh, t) != region_of(mesh, t - 1) || type_of(mesh, t) != type_of(mesh, t - 1))
+      begins.push_back(t);
   }
   const std::size_t elements = element_count(mesh, groups);
   out.add("$Elements\n")
@@ -142,11 +156,11 @@ std::string gmsh41_text(const std::string& where, const TetMesh& mesh) {
   std::size_t element = 0;
   for (std::size_t b = 0; b < begins.size(); ++b) {
     const std::size_t end = b + 1 < begins.size() ? begins[b + 1] : mesh.tets.size();
-    out.add("3 ").add(entity_of(groups, region_of(mesh, begins[b]))).add(" 4 ").add(end - begins[b]).add('\n');
+    out.add("3 ").add(entity_of(groups, region_of(mesh, begins[b]))).add(' ').add(type_of(mesh, begins[b]));
+    out.add(' ').add(end - begins[b]).add('\n');
     for (std::size_t t = begins[b]; t < end; ++t) {
       out.add(++element);
-      for (const std::uint32_t v : mesh.tets[t]) out.add(' ').add(v + std::size_t{1});
-      out.add('\n');
+      add_nodes(out, mesh, t);
     }
   }
   for (std::size_t g = 0; g < groups.points.size(); ++g) {
@@ -171,9 +185,8 @@ std::string gmsh22_text(const std::string& where, const TetMesh& mesh) {
   std::size_t element = 0;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     const int region = region_of(mesh, t);
-    out.add(++element).add(" 4 2 ").add(region).add(' ').add(entity_of(groups, region));
-    for (const std::uint32_t v : mesh.tets[t]) out.add(' ').add(v + std::size_t{1});
-    out.add('\n');
+    out.add(++element).add(' ').add(type_of(mesh, t)).add(" 2 ").add(region).add(' ').add(entity_of(groups, region));
+    add_nodes(out, mesh, t);
   }
   for (std::size_t g = 0; g < groups.points.size(); ++g) {
     for (const std::uint32_t v : *groups.points[g].vertices) {

@@ -87,6 +87,8 @@ bool is_linear(std::int64_t type) {
 
 /// The corners of voxels and pixels go along the axes, not around.
 constexpr std::int64_t kPixel = 8, kVoxel = 11, kStrip = 6;
+/// With ten points they have the same order.
+constexpr std::int64_t kQuadraticTet = 24, kLagrangeTet = 71;
 
 /// Best first. Compared case-insensitively.
 constexpr std::array<std::string_view, 14> region_names = {
@@ -219,6 +221,10 @@ void VtkGrid::add_cells(const Scanner& in, const VtkCells& cells) {
       const std::size_t tets =
           add_solid(file_, vertices(cells.types[c], {points, static_cast<std::size_t>(type.corners)}));
       tet_cells_.insert(tet_cells_.end(), tets, c);
+      if ((cells.types[c] == kQuadraticTet || cells.types[c] == kLagrangeTet) && nodes == 10) {
+        const std::vector<std::uint32_t>& v = vertices(cells.types[c], {points + 4, 6});
+        set_mid_edges(file_, {v[0], v[1], v[2], v[3], v[4], v[5]});
+      }
     } else {
       count_ignored(file_, type.dimension, type.corners);
     }

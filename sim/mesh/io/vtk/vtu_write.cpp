@@ -29,6 +29,27 @@ void add_data(std::string& out, const std::string& element, const std::vector<Vt
   out += "</" + element + ">\n";
 }
 
+struct Cells {
+  std::vector<std::uint32_t> connectivity;
+  std::vector<std::int64_t> offsets;
+  std::vector<std::uint8_t> types;
+};
+
+Cells cells_of(const VtuGrid& grid) {
+  constexpr std::uint8_t kFourNodes = 10, kTenNodes = 24;
+  Cells cells;
+  cells.connectivity.reserve(4 * grid.tets.size() + 6 * grid.mid_edges.size());
+  for (std::size_t t = 0; t < grid.tets.size(); ++t) {
+    cells.connectivity.insert(cells.connectivity.end(), grid.tets[t].begin(), grid.tets[t].end());
+    const bool quadratic = !grid.mid_edges.empty() && grid.mid_edges[t] != kNoMidEdges;
+    if (quadratic)
+      cells.connectivity.insert(cells.connectivity.end(), grid.mid_edges[t].begin(), grid.mid_edges[t].end());
+    cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
+    cells.types.push_back(quadratic ? kTenNodes : kFourNodes);
+  }
+  return cells;
+}
+
 }  // namespace
 
 std::string xml_escaped(std::string_view text) {
@@ -56,9 +77,7 @@ std::string xml_escaped(std::string_view text) {
 
 std::string vtu_text(const VtuGrid& grid) {
   static const std::vector<std::string_view> scalar = {""}, xyz = {"x", "y", "z"};
-  std::vector<std::int64_t> offsets(grid.tets.size());
-  for (std::size_t t = 0; t < offsets.size(); ++t) offsets[t] = static_cast<std::int64_t>(4 * (t + 1));
-  const std::vector<std::uint8_t> types(grid.tets.size(), 10);
+  const Cells cells = cells_of(grid);
 
   const bool little = std::endian::native == std::endian::little;
   std::string out = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"";
@@ -79,9 +98,9 @@ std::string vtu_text(const VtuGrid& grid) {
   add_data(out, "CellData", grid.cell_arrays);
   add_data(out, "Points", {{"Points", "Float64", xyz, bytes_of(grid.points)}});
   add_data(out, "Cells",
-           {{"connectivity", "UInt32", scalar, bytes_of(grid.tets)},
-            {"offsets", "Int64", scalar, bytes_of(offsets)},
-            {"types", "UInt8", scalar, bytes_of(types)}});
+           {{"connectivity", "UInt32", scalar, bytes_of(cells.connectivity)},
+            {"offsets", "Int64", scalar, bytes_of(cells.offsets)},
+            {"types", "UInt8", scalar, bytes_of(cells.types)}});
   return out + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
@@ -104,7 +123,7 @@ void VtuNames::add_to(VtuGrid& grid) const {
 
 std::string vtu_text(const TetMesh& mesh) {
   static const std::vector<std::string_view> scalar = {""};
-  VtuGrid grid{mesh.positions, mesh.tets, {}, {}, {}};
+  VtuGrid grid{mesh.positions, mesh.tets, mesh.mid_edges, {}, {}, {}};
   std::vector<std::int32_t> regions(mesh.regions.begin(), mesh.regions.end());
   regions.resize(mesh.tets.size(), 0);
   grid.cell_arrays.push_back({"region", "Int32", scalar, bytes_of(regions)});

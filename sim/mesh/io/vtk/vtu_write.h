@@ -27,6 +27,7 @@ std::string_view bytes_of(const std::vector<T>& values) {
 struct VtuGrid {
   const std::vector<Eigen::Vector3d>& points;
   const std::vector<Tet>& tets;
+  const std::vector<MidEdges>& mid_edges;  // as of TetMesh
   std::vector<VtuArray> field_arrays, point_arrays, cell_arrays;
 };
 std::string vtu_text(const VtuGrid& grid);

@@ -1,0 +1,44 @@
+// What is added up over a model or a mesh: masses of vertices, and the hash that identifies a mesh.
+#include <bit>
+
+#include "sim/elements/quadratic_tet.h"
+#include "sim/model/model.h"
+
+namespace fascia {
+
+std::vector<double> lumped_masses(const Model& model) {
+  std::vector<double> masses(model.rest_positions.size(), 0.0);
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const Tet& tet = model.tets[t];
+    const auto& x = model.rest_positions;
+    const double volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6;
+    const double mass = model.materials[model.tet_material[t]].density * volume;
+    const bool quadratic = model.is_quadratic(t);
+    const double corner = quadratic ? QuadraticTet::kCornerMass * mass : mass / 4;
+    for (const std::uint32_t vertex : tet) masses[vertex] += corner;
+    if (!quadratic) continue;
+    for (const std::uint32_t vertex : model.mid_edges[t]) masses[vertex] += QuadraticTet::kMidEdgeMass * mass;
+  }
+  return masses;
+}
+
+std::uint64_t mesh_hash(const TetMesh& mesh) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  const auto add = [&](auto value) {  // least significant byte first on every machine
+    for (std::size_t byte = 0; byte < sizeof value; ++byte) {
+      hash = (hash ^ ((value >> (8 * byte)) & 0xff)) * 0x100000001b3;
+    }
+  };
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    for (const double coordinate : position) add(std::bit_cast<std::uint64_t>(coordinate));
+  }
+  for (const Tet& tet : mesh.tets) {
+    for (const std::uint32_t vertex : tet) add(vertex);
+  }
+  for (const MidEdges& mid_edges : mesh.mid_edges) {
+    for (const std::uint32_t vertex : mid_edges) add(vertex);
+  }
+  return hash;
+}
+
+}  // namespace fascia
