@@ -24,12 +24,16 @@ std::size_t count_below(const Model& model, const State& state, double ratio) {
   }));
 }
 
-bool is_squared(const Material& material) { return material.model == MaterialModel::squared; }
+// Whether the law has a logarithm of the volume ratio (sim/material/invariants.h).
+bool has_logarithm(const Material& material) {
+  return material.model == MaterialModel::squared || material.model == MaterialModel::neo_hookean ||
+         material.model == MaterialModel::mooney_rivlin;
+}
 
 }  // namespace
 
 bool needs_unfolding(const Model& model, const State& state) {
-  if (std::none_of(model.materials.begin(), model.materials.end(), is_squared)) return false;
+  if (std::none_of(model.materials.begin(), model.materials.end(), has_logarithm)) return false;
   return static_cast<double>(count_below(model, state, 0)) > kInsideOut * static_cast<double>(model.tets.size());
 }
 
@@ -37,7 +41,7 @@ bool is_unfolded(const Model& model, const State& state) { return count_below(mo
 
 void take_unfolding_law(std::vector<Material>& materials) {
   for (Material& material : materials)
-    if (is_squared(material)) material.model = MaterialModel::signed_st_venant_kirchhoff;
+    if (has_logarithm(material)) material.model = MaterialModel::signed_st_venant_kirchhoff;
 }
 
 }  // namespace fascia

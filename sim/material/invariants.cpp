@@ -23,11 +23,24 @@ Matrix3d tensor_cross(const Matrix3d& a, const Matrix3d& b) {
   return c;
 }
 
-OfVolume extended_log(double j) {
+FromRest from_rest(const Matrix3d& f) {
+  FromRest r;
+  r.h = f - Matrix3d::Identity();
+  const Matrix3d of_h = cofactor(r.h);
+  const double trace = r.h.trace();
+  r.cofactor = trace * Matrix3d::Identity() - r.h.transpose() + of_h;
+  r.stretch = 2 * trace + r.h.squaredNorm();
+  r.higher = of_h.trace() + r.h.determinant();
+  r.volume = trace + r.higher;
+  return r;
+}
+
+OfVolume above_extended_log(double volume) {
   constexpr double least = kLeastVolumeRatio;
-  if (j >= least) return {std::log(j), 1 / j, -1 / (j * j)};
+  const double j = 1 + volume;
+  if (j >= least) return {volume - std::log1p(volume), volume / j, 1 / (j * j)};
   const double y = (j - least) / least;
-  return {std::log(least) + y - 0.5 * y * y, (1 - y) / least, -1 / (least * least)};
+  return {volume - (std::log(least) + y - 0.5 * y * y), 1 - (1 - y) / least, 1 / (least * least)};
 }
 
 OfVolume volume_term(double j, double k) {

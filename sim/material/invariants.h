@@ -18,15 +18,24 @@ inline Eigen::Map<const Eigen::Matrix<double, 9, 1>> flat(const Eigen::Matrix3d&
 /// derivative of cof F along A is F x A, the second derivative of J along A and B is F : (A x B).
 Eigen::Matrix3d tensor_cross(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b);
 
+/// Measures of F = I + H without their values at rest, so that small strains lose no digits to terms that cancel there.
+struct FromRest {
+  Eigen::Matrix3d h, cofactor;  // F - I, cof F - I
+  double stretch, volume;       // |F|^2 - 3, J - 1
+  double higher;                // J - 1 - tr H
+};
+FromRest from_rest(const Eigen::Matrix3d& f);
+
 /// A function of J with its first and second derivative.
 struct OfVolume {
   double value, first, second;
 };
 
-/// log J, continued below kLeastVolumeRatio by its parabola: finite and ever steeper through J = 0, so that an inverted
-/// tet recovers.
+/// J - 1 - l(J) of J - 1, where l is log J, continued below kLeastVolumeRatio by its parabola: finite and ever steeper
+/// through J = 0, so that an inverted tet recovers. A smaller ratio keeps tets at the edges of supports upright under
+/// larger pressures, but also in tangles: tissue that was pulled through itself returns through J = 0.
 inline constexpr double kLeastVolumeRatio = 0.2;
-OfVolume extended_log(double j);
+OfVolume above_extended_log(double volume);
 
 /// k v(J): v = (J - 1)^2 / 2, and (log J)^2 / 2 where k < 0 and J > 1, since a negative multiple of a parabola has no
 /// lower bound.

@@ -14,14 +14,21 @@ namespace {
 using Eigen::Matrix3d;
 
 Density mooney_rivlin_density(const Matrix3d& f, const Material& material, bool with_second) {
-  const double mu = material.lame_mu(), r = material.mooney_ratio, j = f.determinant();
-  const double c1 = 0.5 * (1 - r) * mu, c2 = 0.5 * r * mu, d = 2 * (c1 + 2 * c2);
-  const Matrix3d c = cofactor(f);
-  const OfVolume log = extended_log(j), volume = volume_term(j, material.lame_lambda() - 2 * r * mu);
-  const double g1 = -d * log.first + volume.first, g2 = -d * log.second + volume.second;
+  const double mu = material.lame_mu(), ratio = material.mooney_ratio;
+  const double c1 = 0.5 * (1 - ratio) * mu, c2 = 0.5 * ratio * mu, d = 2 * (c1 + 2 * c2);
+  const FromRest r = from_rest(f);
+  const Matrix3d identity = Matrix3d::Identity(), c = identity + r.cofactor;
+  const OfVolume above = above_extended_log(r.volume),
+                 volume = volume_term(1 + r.volume, material.lame_lambda() - 2 * ratio * mu);
+  const double g1 = d * above.first + volume.first, g2 = d * above.second + volume.second;
   Density density;
-  density.energy = c1 * (f.squaredNorm() - 3) + c2 * (c.squaredNorm() - 3) - d * log.value + volume.value;
-  density.first = 2 * c1 * f + 2 * c2 * tensor_cross(f, c) + g1 * c;
+  density.energy = 2 * c1 * (0.5 * r.h.squaredNorm() - r.higher) +
+                   2 * c2 * (0.5 * r.cofactor.squaredNorm() - r.higher - r.h.determinant()) + d * above.value +
+                   volume.value;
+  // F x C - 2 C: the identities cancel.
+  const Matrix3d second = (r.h.trace() + r.cofactor.trace()) * identity - r.h.transpose() - r.cofactor.transpose() +
+                          tensor_cross(r.h, r.cofactor) - 2 * r.cofactor;
+  density.first = 2 * c1 * (r.h - r.cofactor) + 2 * c2 * second + g1 * c;
   if (!with_second) return density;
   for (int k = 0; k < 9; ++k) {
     Matrix3d e = Matrix3d::Zero();
@@ -29,7 +36,7 @@ Density mooney_rivlin_density(const Matrix3d& f, const Material& material, bool 
     const Matrix3d change = tensor_cross(f, e);  // of the cofactors
     Eigen::Map<Matrix3d>(density.second.col(k).data()) = 2 * c1 * e +
                                                          2 * c2 * (tensor_cross(e, c) + tensor_cross(f, change)) +
-                                                         g2 * c.cwiseProduct(e).sum() * c + g1 * change;
+                                                         g2 * c(k % 3, k / 3) * c + (g1 - d) * change;
   }
   return density;
 }

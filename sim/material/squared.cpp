@@ -4,8 +4,6 @@
 // with Lame's parameters of small strains. The force of the first term vanishes with F itself and grows with its cube:
 // neither a tet of no size nor one drawn out has a minimum of the energy. invariants.h defines how log J and the last
 // term are continued.
-#include <Eigen/LU>
-
 #include "sim/material/invariants.h"
 #include "sim/material/law.h"
 
@@ -15,19 +13,22 @@ namespace {
 using Eigen::Matrix3d;
 
 Density squared_density(const Matrix3d& f, const Material& material, bool with_second) {
-  const double mu = material.lame_mu(), i = f.squaredNorm(), j = f.determinant();
-  const Matrix3d c = cofactor(f);
-  const OfVolume log = extended_log(j), volume = volume_term(j, material.lame_lambda() - 2 * mu / 3);
-  const double g1 = -mu * log.first + volume.first, g2 = -mu * log.second + volume.second;
+  const double mu = material.lame_mu();
+  const FromRest r = from_rest(f);
+  const Matrix3d c = Matrix3d::Identity() + r.cofactor;
+  const OfVolume above = above_extended_log(r.volume),
+                 volume = volume_term(1 + r.volume, material.lame_lambda() - 2 * mu / 3);
+  const double g1 = mu * above.first + volume.first, g2 = mu * above.second + volume.second;
   Density density;
-  density.energy = mu / 12 * (i * i - 9) - mu * log.value + volume.value;
-  density.first = mu * i / 3 * f + g1 * c;
+  density.energy = mu * (0.5 * r.h.squaredNorm() - r.higher + above.value + r.stretch * r.stretch / 12) + volume.value;
+  density.first = mu * (r.h - r.cofactor) + mu * r.stretch / 3 * f + g1 * c;
   if (!with_second) return density;
   for (int k = 0; k < 9; ++k) {
     Matrix3d e = Matrix3d::Zero();
     e(k % 3, k / 3) = 1;
-    Eigen::Map<Matrix3d>(density.second.col(k).data()) =
-        mu * i / 3 * e + 2 * mu / 3 * f(k % 3, k / 3) * f + g2 * c(k % 3, k / 3) * c + g1 * tensor_cross(f, e);
+    Eigen::Map<Matrix3d>(density.second.col(k).data()) = mu * (1 + r.stretch / 3) * e +
+                                                         2 * mu / 3 * f(k % 3, k / 3) * f + g2 * c(k % 3, k / 3) * c +
+                                                         (g1 - mu) * tensor_cross(f, e);
   }
   return density;
 }

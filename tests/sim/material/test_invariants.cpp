@@ -63,27 +63,48 @@ TEST_CASE("components stand column by column") {
   for (int k = 0; k < 9; ++k) CHECK(flat(m)[k] == k + 1);
 }
 
+TEST_CASE("differences from rest are those of the measures, and keep the digits of small strains") {
+  Matrix3d f;
+  f << 1.1, 0.35, -0.2, 0.1, 0.7, 0.25, -0.3, 0.15, 0.95;
+  const FromRest large = from_rest(f);
+  CHECK((large.cofactor + Matrix3d::Identity() - cofactor(f)).norm() < 1e-15);
+  CHECK(large.stretch == Approx(f.squaredNorm() - 3));
+  CHECK(large.volume == Approx(f.determinant() - 1));
+  CHECK(large.higher == Approx(f.determinant() - 1 - (f - Matrix3d::Identity()).trace()));
+  // A shear by a power of two: F has all digits, and the exact values are known.
+  const double shear = std::ldexp(1, -30);
+  f = Matrix3d::Identity();
+  f(0, 1) = shear;
+  const FromRest small = from_rest(f);
+  CHECK(small.stretch == shear * shear);
+  CHECK(small.volume == 0);
+  f(1, 0) = shear;
+  CHECK(from_rest(f).higher == -shear * shear);
+}
+
 TEST_CASE("the extended logarithm is log J above the least ratio, and its parabola below it") {
   for (const double j : {0.2, 0.5, 1.0, 3.0}) {
-    const OfVolume at = extended_log(j);
+    const OfVolume at = above_extended_log(j - 1);
     CAPTURE(j);
-    CHECK(at.value == Approx(std::log(j)).margin(1e-15));
-    CHECK(at.first == Approx(1 / j));
-    CHECK(at.second == Approx(-1 / (j * j)));
+    CHECK(at.value == Approx(j - 1 - std::log(j)).margin(1e-15));
+    CHECK(at.first == Approx(1 - 1 / j));
+    CHECK(at.second == Approx(1 / (j * j)));
   }
+  CHECK(above_extended_log(1e-8).value == Approx(0.5e-16).epsilon(1e-7));
   // The parabola that has the logarithm's value, slope and curvature at the least ratio.
   const double r = kLeastVolumeRatio;
   for (const double j : {0.19, 0.0, -1.0, -10.0}) {
-    const OfVolume at = extended_log(j);
+    const OfVolume at = above_extended_log(j - 1);
     CAPTURE(j, at.value);
-    CHECK(at.value == Approx(std::log(r) + (j - r) / r - (j - r) * (j - r) / (2 * r * r)));
-    CHECK(at.first == Approx(1 / r - (j - r) / (r * r)));
-    CHECK(at.second == Approx(-1 / (r * r)));
+    CHECK(at.value == Approx(j - 1 - (std::log(r) + (j - r) / r - (j - r) * (j - r) / (2 * r * r))));
+    CHECK(at.first == Approx(1 - (1 / r - (j - r) / (r * r))));
+    CHECK(at.second == Approx(1 / (r * r)));
   }
 }
 
 TEST_CASE("first and second derivatives are those of the values, and all three go on where the formula changes") {
-  const auto functions = {+[](double j) { return extended_log(j); }, +[](double j) { return volume_term(j, 2.5); },
+  const auto functions = {+[](double j) { return above_extended_log(j - 1); },
+                          +[](double j) { return volume_term(j, 2.5); },
                           +[](double j) { return volume_term(j, -1.5); }};
   int number = 0;
   for (const auto& of : functions) {

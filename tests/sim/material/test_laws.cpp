@@ -213,6 +213,23 @@ TEST_CASE("derivatives of every law are those of its energy", "[laws]") {
       }
 }
 
+TEST_CASE("energy and stress of tiny strains keep their digits", "[laws]") {
+  Matrix3d h;
+  h << 3, 1, -2, 4, -1, 2, -3, 1, 2;
+  h *= std::ldexp(1, -26);  // F = I + H has all of its digits
+  const Matrix3d f = Matrix3d::Identity() + h, strain = 0.5 * (h + h.transpose());
+  for (const MaterialLaw* law : material_laws()) {
+    const Material material = of(law->model, 0.3, 0.6);
+    const double lambda = material.lame_lambda(), mu = material.lame_mu();
+    const double linear = 0.5 * lambda * strain.trace() * strain.trace() + mu * strain.squaredNorm();
+    const Density density = law->density(f, material, false);
+    CAPTURE(law->name, density.energy, linear);
+    if (!law->of_strain) CHECK(density.energy == Approx(linear).epsilon(1e-6));  // the others have formulas of strains
+    CHECK((density.first - lambda * strain.trace() * Matrix3d::Identity() - 2 * mu * strain).norm() <
+          1e-6 * density.first.norm());
+  }
+}
+
 TEST_CASE("energies with a logarithm stay finite, and grow through J = 0", "[laws]") {
   for (const MaterialModel model : {MaterialModel::neo_hookean, MaterialModel::mooney_rivlin, MaterialModel::squared})
     for (const double nu : {-0.5, 0.0, 0.3, 0.49}) {
