@@ -62,7 +62,7 @@ std::string perhaps(std::string_view word, const std::vector<std::string>& candi
 }
 
 std::string join(const std::vector<std::string>& words) {
-  constexpr std::size_t kMost = 20;
+  constexpr std::size_t kMost = 24;
   std::string text;
   for (std::size_t w = 0; w < std::min(words.size(), kMost); ++w) text += (w ? ", " : "") + words[w];
   if (words.size() > kMost) text += " and " + std::to_string(words.size() - kMost) + " more";

@@ -17,7 +17,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 /// ", perhaps \"iterations\"" or "".
 std::string perhaps(std::string_view word, const std::vector<std::string>& candidates);
 
-/// "a, b, c"; of more than twenty words the first twenty, "... and 980 more".
+/// "a, b, c"; of more than 24 words, which the keys of a scene are not, the first 24 "... and 976 more".
 std::string join(const std::vector<std::string>& words);
 
 }  // namespace fascia

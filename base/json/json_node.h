@@ -48,6 +48,7 @@ class Node {
   // Values. Ranges are closed.
   bool is_boolean() const { return value_->is_boolean(); }
   bool is_string() const { return value_->is_string(); }
+  bool is_array() const { return value_->is_array(); }
   bool is_object() const { return value_->is_object(); }
   double number(double min, double max, const std::string& unit) const;
   int integer(int min, int max) const;

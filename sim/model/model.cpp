@@ -128,8 +128,15 @@ void add_notes(const LoadedBody& loaded, std::vector<std::string>& notes) {
                     " at the place of an earlier one, not joined: fascia convert --weld makes them one");
 }
 
-void add_materials(const LoadedBody& loaded, Model& model, BodyPart& part) {
+// A region whose tets all belong to another one by the scene stays known: its material remains a valid entry.
+void add_regions(const Model& model, LoadedBody& loaded, BodyPart& part) {
   part.regions = regions_of(loaded.file.mesh);
+  assign_regions(loaded.body, model.file_mesh.region_names, loaded.where, loaded.file.mesh);
+  for (const auto& region : regions_of(loaded.file.mesh))
+    if (part.regions.insert(region).second) part.added_regions.insert(region.first);
+}
+
+void add_materials(const LoadedBody& loaded, Model& model, BodyPart& part) {
   const BodyMaterials resolved = resolve_materials(loaded.body, part.regions, loaded.where);
   part.material_begin = static_cast<std::uint32_t>(model.materials.size());
   part.material_count = static_cast<std::uint32_t>(resolved.materials.size());
@@ -312,6 +319,7 @@ void add_body(LoadedBody loaded, Model& model) {
   part.tet_begin = static_cast<std::uint32_t>(model.tets.size());
   part.tet_count = static_cast<std::uint32_t>(loaded.repaired.tets.size());
   add_notes(loaded, model.notes);
+  add_regions(model, loaded, part);
   add_materials(loaded, model, part);
   add_velocity(loaded, add_constraints(loaded, part.vertex_begin, model), model);
   if (loaded.is_quadratic()) add_middles(loaded, part.vertex_begin, model);

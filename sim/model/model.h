@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,8 @@ struct BodyPart {
   std::uint32_t vertex_begin = 0, vertex_count = 0;  // in rest_positions
   std::uint32_t tet_begin = 0, tet_count = 0;        // in Model::tets
   std::uint32_t material_begin = 0, material_count = 0;
-  std::map<int, std::string> regions;  // of its mesh: number, and name if there is one
+  std::map<int, std::string> regions;  // of its mesh and of Body::regions: number, and name if there is one
+  std::set<int> added_regions{};       // those that the mesh file does not have
 };
 
 /// The vertices of one element: four corners, and then the six mid-edge vertices of a quadratic tet.
@@ -102,7 +104,7 @@ using BodyRead = std::function<void(std::size_t body, const TetMesh& mesh, const
 
 /// Reads the meshes, surfaces and CSV files of the scene's bodies, without the grabs (sim/grab/build_model.h). `read`
 /// may change the scene. Throws Error for an unreadable file, an empty selection, a material key that names no region,
-/// or prescribed targets that miss vertices.
+/// tets of regions that do not exist, or prescribed targets that miss vertices.
 Model build_bodies(const Scene& scene, const Progress& progress = {}, const BodyRead& read = {});
 /// The same from meshes in memory, [body], instead of the files that the bodies name. Their vertex indices and
 /// positions are not checked.

@@ -81,6 +81,44 @@ std::string key_of_region(const std::map<int, std::string>& regions, int number)
   return named(found->second, regions).size() == 1 ? found->second : std::to_string(number);
 }
 
+void assign_regions(const Body& body, const std::map<int, std::string>& taken, const std::string& where,
+                    TetMesh& mesh) {
+  std::map<int, std::string> regions = mesh.region_names;
+  regions.merge(regions_of(mesh));
+  const auto number_for = [&](const std::string& name) {
+    if (const std::vector<int> known = named(name, regions); !known.empty()) return known.front();
+    int number = 1;
+    if (const auto given = number_of(name)) {
+      number = *given;
+      regions.emplace(number, "");
+    } else {
+      const auto of_other = [&] { return taken.contains(number) && taken.at(number) != name; };
+      while (regions.contains(number) || of_other()) ++number;
+      regions.emplace(number, name);
+      mesh.region_names[number] = name;
+    }
+    return number;
+  };
+  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> entry_of(body.regions.empty() ? 0 : mesh.tets.size(), kNone);
+  for (std::size_t r = 0; r < body.regions.size(); ++r) {
+    const TetRegion& region = body.regions[r];
+    const std::string path = where + ".regions[" + std::to_string(r) + "].tets";
+    if (const std::uint32_t last = region.tets.back().last; last >= mesh.tets.size())
+      throw Error(path, "tet " + std::to_string(last) + " does not exist",
+                  "expected 0 to " + std::to_string(mesh.tets.size() - 1));
+    const int number = number_for(region.name);
+    for (const TetRange& range : region.tets)
+      for (std::uint32_t t = range.first; t <= range.last; ++t) {
+        if (entry_of[t] != kNone)
+          throw Error(path, "has tet " + std::to_string(t) + ", as regions[" + std::to_string(entry_of[t]) + "] does",
+                      "expected each tet in one region");
+        entry_of[t] = r;
+        mesh.regions[t] = number;
+      }
+  }
+}
+
 BodyMaterials resolve_materials(const Body& body, const std::map<int, std::string>& present, const std::string& where) {
   BodyMaterials result;
   result.materials.push_back(body.material);

@@ -1,4 +1,4 @@
-// Assigns materials to the regions of a body's mesh.
+// The regions of a body's mesh, as its file or the scene has them, and their materials.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -26,6 +26,11 @@ MaterialOverride override_with(const Material& material);  // all values given
 
 /// The regions of a mesh's tets: number, and name if the file has one.
 std::map<int, std::string> regions_of(const TetMesh& mesh);
+
+/// Gives the tets of Body::regions their region. A name that the mesh does not have becomes a new number: itself if it
+/// is one, else the smallest that is free here and in the names `taken` by other bodies. Throws Error for a tet that
+/// the mesh does not have, and for one in two regions.
+void assign_regions(const Body& body, const std::map<int, std::string>& taken, const std::string& where, TetMesh& mesh);
 
 /// Throws Error for a key that is neither a name nor a number of a region, and for two keys of one region.
 BodyMaterials resolve_materials(const Body& body, const std::map<int, std::string>& regions, const std::string& where);

@@ -69,6 +69,7 @@ struct Body {
   Transform transform;
   Material material;                                                       // "default"
   std::vector<std::pair<std::string, MaterialOverride>> region_materials;  // region number or group name
+  std::vector<TetRegion> regions;                                          // over those of the mesh file
   std::vector<Selection> fixed;
   std::vector<PrescribedMotion> prescribed;
   std::variant<Eigen::Vector3d, std::string> initial_velocity = Eigen::Vector3d(0, 0, 0);  // [m/s] or CSV path

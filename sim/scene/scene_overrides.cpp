@@ -35,6 +35,7 @@ const json& template_document() {
     scene.display.section.emplace();
     scene.display.tets.emplace();
     Body& body = scene.bodies.emplace_back();
+    body.regions = {{"region", {{0, 1}}}};
     body.fixed.emplace_back(LowestSelection{0.02});
     body.prescribed.emplace_back().select = LowestSelection{0.02};
     body.surface = "surface.obj";

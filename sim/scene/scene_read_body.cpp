@@ -122,6 +122,46 @@ Selection read_vertices(const Node& node) {
   return selection;
 }
 
+/// An index, or the first and the last one of a range.
+TetRange read_tets(const Node& node) {
+  constexpr int kLast = std::numeric_limits<int>::max();
+  if (!node.is_array()) {
+    const auto index = static_cast<std::uint32_t>(node.integer(0, kLast));
+    return {index, index};
+  }
+  const std::string expected = "a tet, or the first and the last tet of a range";
+  const std::vector<Node> ends = node.elements(expected);
+  if (ends.size() != 2) node.refuse(expected);
+  const TetRange range{static_cast<std::uint32_t>(ends[0].integer(0, kLast)),
+                       static_cast<std::uint32_t>(ends[1].integer(0, kLast))};
+  if (range.first > range.last) node.fail("ends before it begins", expected);
+  return range;
+}
+
+TetRegion read_region(const Node& node) {
+  node.expect_object({"name", "tets"});
+  const Node name = node.at("name", "the name of a region"),
+             tets = node.at("tets", "a list of tets and of ranges [first, last], the first tet is 0");
+  TetRegion region{name.text("the name of a region"), {}};
+  if (region.name.empty() || region.name == "default") name.refuse("the name of a region, not empty or \"default\"");
+  for (const Node& element : tets.elements("a list of tets and of ranges [first, last], the first tet is 0"))
+    region.tets.push_back(read_tets(element));
+  if (region.tets.empty()) tets.refuse("at least one tet");
+  region.tets = joined(std::move(region.tets));
+  return region;
+}
+
+std::vector<TetRegion> read_regions(const Node& node) {
+  std::vector<TetRegion> regions;
+  for (const Node& element : node.elements("a list of regions such as {\"name\": \"tumor\", \"tets\": [3, [8, 20]]}")) {
+    TetRegion region = read_region(element);
+    if (std::any_of(regions.begin(), regions.end(), [&](const TetRegion& r) { return r.name == region.name; }))
+      element.fail("has the name " + excerpt(region.name) + " of an earlier one", "one entry per region");
+    regions.push_back(std::move(region));
+  }
+  return regions;
+}
+
 PrescribedMotion read_motion(const Node& node) {
   node.expect_object({"select", "translate", "rotate_deg", "scale", "targets", "start", "duration"});
   PrescribedMotion motion;
@@ -214,7 +254,7 @@ Material read_material(const Node& node) {
 }
 
 Body read_body(const Node& node) {
-  node.expect_object({"name", "mesh", "resolution", "elements", "unit", "up", "transform", "materials", "fixed",
+  node.expect_object({"name", "mesh", "resolution", "elements", "unit", "up", "transform", "materials", "regions", "fixed",
                       "prescribed", "initial_velocity", "surface"});
   Body body;
   const std::string expected = "the path of a tet mesh or of a closed surface";
@@ -229,6 +269,7 @@ Body read_body(const Node& node) {
   if (const auto up = node.find("up")) body.up = read_choice(*up, kUpAxes);
   if (const auto transform = node.find("transform")) body.transform = read_transform(*transform);
   if (const auto materials = node.find("materials")) read_materials(*materials, body);
+  if (const auto regions = node.find("regions")) body.regions = read_regions(*regions);
   if (const auto fixed = node.find("fixed")) {
     for (const Node& selection : fixed->elements("a list of selections")) {
       body.fixed.push_back(read_selection(selection));

@@ -46,6 +46,13 @@ OrderedJson selection(const Selection& selection) {
   return object;
 }
 
+OrderedJson region(const TetRegion& region) {
+  OrderedJson tets = OrderedJson::array();
+  for (const auto& [first, last] : region.tets)
+    tets.push_back(first == last ? OrderedJson(first) : OrderedJson::array({first, last}));
+  return {{"name", region.name}, {"tets", std::move(tets)}};
+}
+
 /// The values of a Material or a MaterialOverride. A default that the law of a Material does not read is left out.
 template <class M>
 OrderedJson material(const M& material) {
@@ -149,6 +156,7 @@ class SceneWriter {
                            {"translate", vector(body.transform.translate)}};
     object["materials"]["default"] = material(body.material);
     for (const auto& [region, values] : body.region_materials) object["materials"][region] = material(values);
+    for (const TetRegion& r : body.regions) object["regions"].push_back(region(r));
     object["fixed"] = OrderedJson::array();
     for (const Selection& s : body.fixed) object["fixed"].push_back(selection(s));
     object["prescribed"] = OrderedJson::array();

@@ -167,6 +167,22 @@ TEST_CASE("regions take their materials by number or by name, over the default")
   }
 }
 
+TEST_CASE("regions of the scene replace those of the mesh file, in the solvers and in exports") {
+  const Model model = TwoTets(R"("regions": [{"name": "core", "tets": [1]}],
+                                 "materials": {"core": {"density": 7}, "tumour": {"density": 8}})")
+                          .build();
+  CHECK(model.file_mesh.regions == std::vector<int>{1, 3});
+  CHECK(model.file_mesh.region_names.at(3) == "core");
+  CHECK(model.materials.at(model.tet_material[1]).density == 7);
+  CHECK(model.materials.at(model.tet_material[0]).density == Material().density);
+  INFO("the region of the file that lost its last tet keeps its material");
+  CHECK(model.bodies[0].regions == std::map<int, std::string>{{1, ""}, {2, "tumour"}, {3, "core"}});
+  CHECK(model.bodies[0].added_regions == std::set<int>{3});
+  CHECK(TwoTets(R"("regions": [{"name": "core", "tets": [[1, 2]]}])")
+            .build_error()
+            .ends_with("bodies[0].regions[0].tets: tet 2 does not exist; expected 0 to 1"));
+}
+
 TEST_CASE("material keys that name no region, or one region twice") {
   CHECK(TwoTets(R"("materials": {"tumor": {}})").build_error() ==
         "s.json: bodies[0].materials.tumor: the mesh has no region \"tumor\", perhaps \"tumour\"; expected default or "

@@ -101,6 +101,32 @@ TEST_CASE("the key of a region finds that region alone") {
   CHECK(key_of_region(regions, 42) == "42");
 }
 
+TEST_CASE("tets get the regions of the scene by name, by number, or as new ones") {
+  TetMesh mesh;
+  mesh.tets.resize(8);
+  mesh.regions = {0, 0, 1, 1, 1, 7, 7, 7};
+  mesh.region_names = {{1, "cortex"}, {4, "nowhere"}};
+  Body body;
+  body.regions = {{"cortex", {{0, 0}, {5, 5}}}, {"7", {{2, 2}}}, {"tumour", {{3, 4}}}, {"9", {{6, 6}}}};
+  assign_regions(body, {{2, "fat"}, {3, "tumour"}}, "s.json: bodies[1]", mesh);
+  CHECK(mesh.regions == std::vector<int>{1, 0, 7, 3, 3, 1, 9, 7});  // 2 means fat in another body
+  CHECK(mesh.region_names == std::map<int, std::string>{{1, "cortex"}, {3, "tumour"}, {4, "nowhere"}});
+
+  const auto refused = [&](std::vector<TetRegion> regions) {
+    body.regions = std::move(regions);
+    try {
+      assign_regions(body, {}, "s.json: bodies[1]", mesh);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(refused({{"a", {{0, 1}}}, {"b", {{3, 8}}}}) ==
+        "s.json: bodies[1].regions[1].tets: tet 8 does not exist; expected 0 to 7");
+  CHECK(refused({{"a", {{0, 3}}}, {"b", {{3, 4}}}}) ==
+        "s.json: bodies[1].regions[1].tets: has tet 3, as regions[0] does; expected each tet in one region");
+}
+
 TEST_CASE("added and removed materials of a model are assigned to its tets, or nothing changes") {
   Scene scene;
   scene.file = "s.json";

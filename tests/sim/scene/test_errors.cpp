@@ -91,7 +91,7 @@ TEST_CASE("an unknown key is named with the nearest known one, at every level") 
         "wireframe, section, tets, shadow, ground, ambient_occlusion, depth_cue, background, marks, legend");
   CHECK(body_error(R"("fixd": [])") ==
         "s.json: bodies[0].fixd: unknown key \"fixd\", perhaps \"fixed\"; expected one of name, mesh, resolution, "
-        "elements, unit, up, transform, materials, fixed, prescribed, initial_velocity, surface");
+        "elements, unit, up, transform, materials, regions, fixed, prescribed, initial_velocity, surface");
   CHECK(body_error(R"("transform": {"rotate": [0, 0, 0]})") ==
         "s.json: bodies[0].transform.rotate: unknown key \"rotate\", perhaps \"rotate_deg\"; expected one of scale, "
         "rotate_deg, translate");
@@ -190,7 +190,7 @@ TEST_CASE("a wrong type reports the value found and the one expected") {
         "s.json: bodies: is {}; expected a list of at least one body");
   CHECK(error_of(R"({"fascia_scene": 1, "bodies": ["m.msh"]})") ==
         "s.json: bodies[0]: is \"m.msh\"; expected an object with name, mesh, resolution, elements, unit, up, "
-        "transform, materials, fixed, prescribed, initial_velocity, surface");
+        "transform, materials, regions, fixed, prescribed, initial_velocity, surface");
   CHECK(body_error(R"("name": 1)") == "s.json: bodies[0].name: is 1; expected a text");
   CHECK(body_error(R"("surface": 1)") == "s.json: bodies[0].surface: is 1; expected the path of a surface");
   CHECK(body_error(R"("initial_velocity": 1)") ==
@@ -216,6 +216,29 @@ TEST_CASE("a value that does not fit on one line is abbreviated") {
 
 TEST_CASE("selections") {
   const std::string corners = "; expected a list of two corners, [[xmin, ymin, zmin], [xmax, ymax, zmax]] [m]";
+  const std::string tets = "; expected a tet, or the first and the last tet of a range",
+                    name = "; expected the name of a region, not empty or \"default\"";
+  CHECK(body_error(R"("regions": [{"name": "a", "tets": [[2, 3, 4]]}])") ==
+        "s.json: bodies[0].regions[0].tets[0]: is [2,3,4]" + tets);
+  CHECK(body_error(R"("regions": [{"name": "a", "tets": [5, [3, 2]]}])") ==
+        "s.json: bodies[0].regions[0].tets[1]: ends before it begins" + tets);
+  CHECK(body_error(R"("regions": [{"name": "a", "tets": [-1]}])") ==
+        "s.json: bodies[0].regions[0].tets[0]: is -1; expected a whole number, 0 to 2.14748e+09");
+  CHECK(body_error(R"("regions": [{"name": "a", "tets": []}])") ==
+        "s.json: bodies[0].regions[0].tets: is []; expected at least one tet");
+  CHECK(body_error(R"("regions": [{"name": "a"}])") ==
+        "s.json: bodies[0].regions[0].tets: is missing; expected a list of tets and of ranges [first, last], the first "
+        "tet is 0");
+  CHECK(body_error(R"("regions": [{"name": "", "tets": [1]}])") == "s.json: bodies[0].regions[0].name: is \"\"" + name);
+  CHECK(body_error(R"("regions": [{"name": "default", "tets": [1]}])") ==
+        "s.json: bodies[0].regions[0].name: is \"default\"" + name);
+  CHECK(body_error(R"("regions": [{"name": "a", "tets": [1]}, {"name": "a", "tets": [2]}])") ==
+        "s.json: bodies[0].regions[1]: has the name \"a\" of an earlier one; expected one entry per region");
+  CHECK(body_error(R"("regions": {"a": [1]})") ==
+        "s.json: bodies[0].regions: is {\"a\":[1]}; expected a list of regions such as {\"name\": \"tumor\", \"tets\": "
+        "[3, [8, 20]]}");
+  CHECK(body_error(R"("regions": [{"name": "a", "tet": [1]}])") ==
+        "s.json: bodies[0].regions[0].tet: unknown key \"tet\", perhaps \"tets\"; expected one of name, tets");
   CHECK(body_error(R"("fixed": [{}])") ==
         "s.json: bodies[0].fixed[0]: selects nothing; expected one of box, sphere, vertices, group, lowest, highest");
   CHECK(body_error(R"("fixed": [{"group": "a", "lowest": 0.1}])") ==

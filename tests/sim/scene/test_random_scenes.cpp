@@ -101,6 +101,14 @@ Body body(Dice& dice, Method method) {
     if (dice.chance()) values.look = look();
     if (dice.chance()) values.color = color();
   }
+  for (const char* name : {"core", "3"}) {
+    if (dice.chance()) continue;
+    TetRegion& region = body.regions.emplace_back(TetRegion{name, {}});
+    for (std::uint32_t next = 0; region.tets.size() < 4; next = region.tets.back().last + 2) {
+      const auto first = next + static_cast<std::uint32_t>(dice.whole(0, 1000));
+      region.tets.push_back({first, first + static_cast<std::uint32_t>(dice.whole(0, 2))});
+    }
+  }
   for (int n = dice.whole(0, 3); n > 0; --n) body.fixed.push_back(selection(dice));
   for (int n = dice.whole(0, 2); n > 0; --n) {
     PrescribedMotion& motion = body.prescribed.emplace_back();

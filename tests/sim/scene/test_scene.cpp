@@ -23,6 +23,7 @@ const char* const kFullScene = R"({
      "materials": {"default": {"young_modulus": 1e6, "poisson_ratio": 0.45, "density": 1060, "damping": 0.02,
                                "model": "st_venant_kirchhoff"},
                    "2": {"young_modulus": 1e7}, "tumour": {"poisson_ratio": 0.1, "model": "st_venant_kirchhoff"}},
+     "regions": [{"name": "tumour", "tets": [7, [2, 5], 6, 11, [12, 12]]}, {"name": "9", "tets": [0]}],
      "fixed": [{"box": [[-1e-5, -1, -1], [1e-5, 1, 1]]}, {"sphere": {"center": [1, 2, 3], "radius": 0.25}},
                {"vertices": [0, 4, 9]}, {"group": "clamp"}, {"lowest": 0.05}],
      "prescribed": [{"select": {"box": [[0.39, -1, -1], [0.41, 1, 1]]}, "translate": [0.1, 0, 0],
@@ -97,6 +98,8 @@ TEST_CASE("every key of a scene is read") {
   CHECK(body.region_materials[0].second == MaterialOverride{1e7, {}, {}, {}, {}});
   CHECK(body.region_materials[1].first == "tumour");
   CHECK(body.region_materials[1].second == MaterialOverride{{}, 0.1, {}, {}, MaterialModel::st_venant_kirchhoff});
+
+  CHECK(body.regions == std::vector<TetRegion>{{"tumour", {{2, 7}, {11, 12}}}, {"9", {{0, 0}}}});
 
   REQUIRE(body.fixed.size() == 5);
   CHECK(body.fixed[0] == Selection(BoxSelection{{-1e-5, -1, -1}, {1e-5, 1, 1}}));

@@ -109,7 +109,7 @@ TEST_CASE("an error of an override names the override, one of the file the file"
         "rest_speed");
   CHECK(error_with({"bodies.0.material.young_modulus=3"}) ==
         "--set bodies.0.material.young_modulus: bodies[0].material: unknown key \"material\", perhaps \"materials\"; "
-        "expected one of name, mesh, resolution, elements, unit, up, transform, materials, fixed, prescribed, "
+        "expected one of name, mesh, resolution, elements, unit, up, transform, materials, regions, fixed, prescribed, "
         "initial_velocity, surface");
   CHECK(error_with({"solver.iterations=0"}) == "--set solver.iterations: is 0; expected a whole number, 1 to 10000");
   CHECK(error_with({"solver={\"iterations\": 0}"}) ==
@@ -135,8 +135,7 @@ TEST_CASE("an error of an override names the override, one of the file the file"
 TEST_CASE("an unknown key at the beginning of an override suggests keys of scenes, of bodies, and of objects in them") {
   const std::string known =
       "; expected one of bodies, camera, display, duration, fascia_scene, grabs, gravity, solver, title, elements, "
-      "fixed, "
-      "initial_velocity, materials, mesh, name, prescribed, resolution, surface, transform, unit and 1 more";
+      "fixed, initial_velocity, materials, mesh, name, prescribed, regions, resolution, surface, transform and 2 more";
   const auto unknown = [&](const std::string& key, const std::string& word, const std::string& near) {
     CHECK(error_with({key + "=1"}) == "--set " + key + ": unknown key \"" + word + "\"" +
                                           (near.empty() ? "" : ", perhaps \"" + near + "\"") + known);
