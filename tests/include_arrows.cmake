@@ -67,7 +67,8 @@ set(arrows
   "app/system: base"
   "app/ui: sim/output"
   "app/video: base sim/output sim/replay sim/scene render/target app/cli app/system"
-  "app/window: base gl sim/grab sim/output sim/scene sim/simulation sim/visual render app/cli app/compare app/dialogs app/overlay app/panels app/session app/state app/system app/ui app/video app/window/parts"
+  "app/window: base gl sim/grab sim/output sim/scene sim/simulation sim/visual render app/cli app/compare app/dialogs app/overlay app/panels app/session app/state app/system app/ui app/video app/window/brush app/window/parts"
+  "app/window/brush: sim/mesh sim/visual app/session app/state"
   "app/window/parts: base gl sim/grab sim/replay sim/scene sim/simulation sim/visual render/target render/view app/kernels app/overlay app/panels app/session app/state app/ui"
 )
 

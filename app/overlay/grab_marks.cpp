@@ -124,13 +124,27 @@ void draw_patch_ring(const MarkArea& area, const Session& session, const Vector3
   list.PopClipRect();
 }
 
-void draw_brush_marks(const MarkArea& area, const Session& session, const std::vector<Vector3d>& places, bool fix) {
-  for (const Vector3d& place : places) {
-    const auto middle = place_of(area, session, place);
+void draw_brush_marks(const MarkArea& area, const Session& session, const std::vector<Vector3d>& places,
+                      const ImVec4& color) {
+  constexpr std::size_t kMost = 3000;
+  const bool bright = color.x + color.y + color.z > 1.5f;
+  const std::size_t step = places.size() / kMost + 1;
+  for (std::size_t i = 0; i < places.size(); i += step) {
+    const auto middle = place_of(area, session, places[i]);
     if (!middle) continue;
-    area.list.AddCircleFilled(*middle, ui::px(3), fix ? IM_COL32(0, 0, 0, 255) : IM_COL32(255, 255, 255, 255));
-    area.list.AddCircle(*middle, ui::px(3), fix ? IM_COL32(255, 255, 255, 200) : IM_COL32(0, 0, 0, 200));
+    area.list.AddCircleFilled(*middle, ui::px(3), ImGui::GetColorU32(color));
+    area.list.AddCircle(*middle, ui::px(3), bright ? IM_COL32(0, 0, 0, 200) : IM_COL32(255, 255, 255, 200));
   }
+}
+
+void draw_lasso(const MarkArea& area, const std::vector<Vector2d>& curve) {
+  if (curve.size() < 2) return;
+  std::vector<ImVec2> points;
+  for (const Vector2d& place : curve)
+    points.push_back({area.x + static_cast<float>(place.x()), static_cast<float>(place.y())});
+  const auto count = static_cast<int>(points.size());
+  area.list.AddPolyline(points.data(), count, IM_COL32(0, 0, 0, 120), ImDrawFlags_Closed, ui::px(3.5f));
+  area.list.AddPolyline(points.data(), count, IM_COL32(255, 255, 255, 230), ImDrawFlags_Closed, ui::px(1.6f));
 }
 
 void draw_probe(const MarkArea& area, const Session& session, const Vector3d& place) {

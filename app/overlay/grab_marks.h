@@ -9,6 +9,7 @@
 #include "sim/grab/grab_set.h"
 
 struct ImDrawList;
+struct ImVec4;
 
 namespace fascia {
 
@@ -46,9 +47,11 @@ void draw_grab_marks(const MarkArea& area, const Session& session, const std::ve
 void draw_patch_ring(const MarkArea& area, const Session& session, const Eigen::Vector3d& place,
                      const Eigen::Vector3d& normal, double radius);
 
-/// Draws a dot at each place [m]: vertices under the brush, which fixes or releases them.
+/// Draws a dot at each place [m], or at a sample of very many: what is under the brush.
 void draw_brush_marks(const MarkArea& area, const Session& session, const std::vector<Eigen::Vector3d>& places,
-                      bool fix);
+                      const ImVec4& color);
+/// Draws a curve, in pixels of the area, whose ends are joined.
+void draw_lasso(const MarkArea& area, const std::vector<Eigen::Vector2d>& curve);
 
 /// Draws a dot at `place` [m], the position of the plotted vertex.
 void draw_probe(const MarkArea& area, const Session& session, const Eigen::Vector3d& place);

@@ -39,7 +39,7 @@ void convergence_panel(const PanelContext& context);
 void display_panel(const PanelContext& context);
 void statistics_panel(const PanelContext& context);
 void grab_panel(const PanelContext& context);
-void fixed_panel(const PanelContext& context);
+void brush_panel(const PanelContext& context);
 void history_panel(const PanelContext& context);
 
 void draw_plots(const Simulation& simulation, WindowState& state, Requests& requests);  // a window of its own, movable

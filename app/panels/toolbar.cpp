@@ -50,10 +50,12 @@ void toolbar(const PanelContext& context) {
                 state.show_recording))
     state.show_recording = !state.show_recording;
   clock.gap();
-  const bool brushes = state.brush != Brush::off;
-  if (clock.add(Icon::brush, "Fix vertices", "A brush over the tissue; the tab Tissue has more", brushes,
-                !state.comparing && !context.session.simulation.uses_reference()))
-    state.brush = brushes ? Brush::off : Brush::fix;
+  const bool brushes = state.brush.in_hand();
+  if (clock.add(Icon::brush, "Fix vertices", "A brush over the tissue; Brush on the tab Tissue paints regions, too",
+                brushes, !state.comparing && !context.session.simulation.uses_reference())) {
+    state.brush.brush = brushes ? Brush::off : Brush::fix;
+    state.brush.reveal = true;
+  }
   if (clock.add(Icon::plots, "Plots (F3)", "Curves over time", state.plots.shown))
     state.plots.shown = !state.plots.shown;
 }

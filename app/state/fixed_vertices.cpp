@@ -38,22 +38,4 @@ FixedSets with_fixed(const Scene& scene, const Model& model, std::span<const std
   return sets;
 }
 
-std::unique_ptr<Session> session_with_fixed(Graphics& graphics, Session& old, Scene scene) {
-  State state = old.simulation.state();
-  Model model = build_model(scene);
-  for (const std::uint32_t v : model.fixed) {
-    state.displacement[v].setZero();
-    state.velocity[v].setZero();
-  }
-  scene.camera = old.simulation.scene.camera;
-  auto session =
-      std::make_unique<Session>(graphics, std::move(scene), std::move(model), old.simulation.uses_reference());
-  session->simulation.go_on_from(state);
-  session->camera = old.camera;
-  session->extent = old.extent;
-  session->look.ground_height = old.look.ground_height;
-  session->follow_true_error = old.follow_true_error;
-  return session;
-}
-
 }  // namespace fascia

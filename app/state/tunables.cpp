@@ -1,12 +1,16 @@
 #include "app/state/tunables.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <optional>
+#include <set>
 #include <type_traits>
 
 #include "app/ui/field_labels.h"
 #include "app/ui/units.h"
+#include "sim/material/tissue_looks.h"
 #include "sim/material/tissues.h"
 #include "sim/model/region_materials.h"
 #include "sim/scene/scene_write.h"
@@ -56,7 +60,10 @@ void compare_materials(const Material& from, const Material& to, const std::stri
   Material like = to;
   like.damping = from.damping;
   like.model = from.model;
-  if (tissue && like != from) {
+  like.look = from.look;
+  like.color = from.color;
+  const bool other_tissue = tissue && like != from;
+  if (other_tissue) {
     list.add("Tissue" + where, tissue_of(from) ? tissue_of(from)->label : "own values", tissue->label);
   } else {
     visit_both([&](bool second, auto f) { visit_material(second ? to : from, f); },
@@ -66,6 +73,21 @@ void compare_materials(const Material& from, const Material& to, const std::stri
   }
   list.number(label_of_field("damping") + where, from.damping, to.damping, "s");
   if (from.model != to.model) list.add("Model" + where, name_of(from.model), name_of(to.model));
+  if (from.look != to.look && !other_tissue) {
+    const auto label = [](const TissueLook* look) { return (look ? look : &tissue_looks().front())->label; };
+    list.add("Look" + where, label(from.look), label(to.look));
+  }
+  if (from.color != to.color) {
+    const auto text = [](const Material& material) {
+      if (!material.color) return std::string("that of the look");
+      char hex[8];
+      const auto& [red, green, blue] = *material.color;
+      const auto byte = [](double share) { return static_cast<int>(std::lround(255 * share)); };
+      std::snprintf(hex, sizeof hex, "#%02x%02x%02x", byte(red), byte(green), byte(blue));
+      return std::string(hex);
+    };
+    list.add("Color" + where, text(from), text(to));
+  }
 }
 
 void compare_entries(const MaterialEntries& from, const MaterialEntries& to, bool only_body, const std::string& body,
@@ -102,6 +124,25 @@ std::string fixed_text(const FixedSets& sets) {
   return std::to_string(others) + (others == 1 ? " selection" : " selections") + (vertices > 0 ? ", " + listed : "");
 }
 
+std::size_t tets_in(const RegionSets& sets, const std::string& name) {
+  std::size_t tets = 0;
+  for (const auto& body : sets)
+    for (const TetRegion& region : body)
+      if (region.name == name)
+        for (const TetRange& range : region.tets) tets += range.last - range.first + 1;
+  return tets;
+}
+
+void compare_regions(const RegionSets& from, const RegionSets& to, ChangeList& list) {
+  std::set<std::string> names;
+  for (const RegionSets* sets : {&from, &to})
+    for (const auto& body : *sets)
+      for (const TetRegion& region : body) names.insert(region.name);
+  for (const std::string& name : names)
+    if (const std::size_t before = tets_in(from, name), after = tets_in(to, name); before != after)
+      list.add("Painted, " + name, std::to_string(before), std::to_string(after) + (after == 1 ? " tet" : " tets"));
+}
+
 /// Compares every display key in its scene-file form, so that new keys are included automatically.
 void compare_display(const DisplaySettings& from, const DisplaySettings& to, ChangeList& list) {
   const auto document = [](const DisplaySettings& display) {
@@ -126,9 +167,13 @@ void compare_display(const DisplaySettings& from, const DisplaySettings& to, Cha
 
 Tunables tunables_of(const Session& session, const GrabSettings& grab) {
   const Simulation& simulation = session.simulation;
-  return {simulation.scene.solver,    material_entries(simulation.scene, simulation.model, simulation.model.materials),
-          fixed_of(simulation.scene), simulation.scene.gravity,
-          simulation.scene.display,   grab};
+  return {simulation.scene.solver,
+          material_entries(simulation.scene, simulation.model, simulation.model.materials),
+          fixed_of(simulation.scene),
+          painted_of(simulation.scene),
+          simulation.scene.gravity,
+          simulation.scene.display,
+          grab};
 }
 
 void set_tunables(Session& session, GrabSettings& grab, const Tunables& tunables) {
@@ -148,6 +193,7 @@ void set_tunables(Session& session, GrabSettings& grab, const Tunables& tunables
 std::vector<std::string> changes(const Tunables& from, const Tunables& to) {
   ChangeList list;
   compare_settings(from.solver, to.solver, list);
+  compare_regions(from.regions, to.regions, list);
   for (std::size_t b = 0; b < std::min(from.materials.size(), to.materials.size()); ++b)
     compare_entries(from.materials[b], to.materials[b], to.materials.size() == 1, "body " + std::to_string(b), list);
   if (from.fixed != to.fixed) list.add("Fixed", fixed_text(from.fixed), fixed_text(to.fixed));
@@ -156,7 +202,8 @@ std::vector<std::string> changes(const Tunables& from, const Tunables& to) {
   compare_display(from.display, to.display, list);
   list.number("Grab radius", 100 * from.grab.radius, 100 * to.grab.radius, "%");
   list.number("Grip", from.grab.grip, to.grab.grip, "");
-  if (list.lines.empty() && from != to) list.lines.push_back("A value of the display or the grab");
+  if (list.lines.empty() && from != to)
+    list.lines.push_back(from.regions != to.regions ? "Painted other tets" : "A value of the display or the grab");
   return list.lines;
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/session/session.h"
 #include "app/state/fixed_vertices.h"
+#include "app/state/painted_regions.h"
 #include "sim/grab/interactive_grab.h"
 #include "sim/simulation/scene_edits.h"
 
@@ -14,7 +15,8 @@ namespace fascia {
 struct Tunables {
   SolverSettings solver;
   std::vector<MaterialEntries> materials;  // [bodies]
-  FixedSets fixed;                         // set_tunables() does not set it: it takes another session
+  FixedSets fixed;                         // set_tunables() sets neither this
+  RegionSets regions;                      // nor this: they take another session
   Eigen::Vector3d gravity{0, 0, 0};        // [m/s^2]
   DisplaySettings display;
   GrabSettings grab;
@@ -23,8 +25,8 @@ struct Tunables {
 
 Tunables tunables_of(const Session& session, const GrabSettings& grab);
 
-/// Sets the parameters that differ, except `fixed`, through the session's own setters, so that replays record them.
-/// Throws Error as they do.
+/// Sets the parameters that differ, except `fixed` and `regions`, through the session's own setters, so that replays
+/// record them. Throws Error as they do.
 void set_tunables(Session& session, GrabSettings& grab, const Tunables& tunables);
 
 /// The changes from one to the other as text: "Young's modulus, tumour: 10 kPa to 12 kPa". One line per change.

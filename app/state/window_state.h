@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "app/session/advice.h"
+#include "app/state/brush_settings.h"
 #include "app/state/convergence.h"
 #include "app/state/fixed_vertices.h"
+#include "app/state/painted_regions.h"
 #include "app/state/plots.h"
 #include "app/state/undo_history.h"
 #include "app/ui/recent_values.h"
@@ -61,16 +63,13 @@ struct SceneFacts {
 /// A request to a comparison of two settings side by side.
 enum class CompareAsk { nothing, open_or_close, edit_a, edit_b, copy_a, swap, keep_b };
 
-/// The brush in the hand of the mouse: it fixes vertices, or releases them.
-enum class Brush { off, fix, release };
-
 struct WindowState {
   bool paused = false, show_panels = true, show_help = false, recording = false;
   bool show_convergence = false;  // measured only while shown
   Convergence convergence;
   Plots plots;
   GrabSettings grab;
-  Brush brush = Brush::off;
+  BrushSettings brush;
   std::size_t grabs = 0;  // number of the user's grabs
   SceneFacts facts;
   std::size_t chosen_material = 0;  // the one whose sliders are shown
@@ -97,6 +96,7 @@ struct Requests {
   std::optional<std::size_t> history;                     // number of entries that shall be in effect
   std::optional<std::vector<MaterialEntries>> materials;  // for regions: a material of their own, or the default
   std::optional<FixedSets> fixed;                         // after a stroke of the brush
+  std::optional<Painting> painting;                       // as well
   std::optional<double> rescale;                          // factor for all bodies: the file has another unit
   std::optional<std::vector<std::string>> open_again;     // a mesh on its own, with these --set texts
   /// Some requests are executed with the steps and the picture of a frame.

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "base/error.h"
+
 namespace fascia {
 namespace {
 
@@ -45,11 +47,12 @@ void Controls::handle(Requests& requests) {
         if (!io.WantCaptureMouse && event.code <= GLFW_MOUSE_BUTTON_MIDDLE) press_button(event, picture);
         break;
       case Kind::release:
-        if (stage_.brush.painting() && event.code == GLFW_MOUSE_BUTTON_LEFT) end_stroke(requests);
+        if (event.code == GLFW_MOUSE_BUTTON_LEFT) end_brush({picture.width, picture.height}, requests);
         stage_.mouse.release(button_of(event.code), keys_of(event.mods), held, stage_.state.grab);
         break;
       case Kind::move:
-        stage_.brush.move(event.at, {picture.width, picture.height}, held, brush_radius());
+        stage_.stroke.move(event.at, {picture.width, picture.height}, held, brush_radius());
+        stage_.lasso.move(event.at);
         stage_.mouse.move(event.at, picture, held);
         break;
       case Kind::scroll:
@@ -73,20 +76,46 @@ void Controls::handle(Requests& requests) {
 
 double Controls::brush_radius() const { return stage_.state.grab.radius * stage_.session->look.radius; }
 
-void Controls::end_stroke(Requests& requests) {
-  const Simulation& simulation = stage_.simulation();
-  const std::vector<std::uint32_t> marked = stage_.brush.finish();
-  const FixedSets now = fixed_of(simulation.scene),
-                  wanted = with_fixed(simulation.scene, simulation.model, marked, stage_.state.brush == Brush::fix);
-  if (wanted != now) requests.fixed = wanted;
+// With Shift or Alt the mouse grabs, pushes or orbits with a brush in hand, too.
+bool Controls::begin_brush(const InputEvent& event, BrushedPicture picture) {
+  const BrushSettings& brush = stage_.state.brush;
+  if (!brush.in_hand() || sides_.split() || event.mods & (GLFW_MOD_SHIFT | GLFW_MOD_ALT)) return false;
+  if (!brush.lasso)
+    return stage_.stroke.begin(event.at, picture, *stage_.session,
+                               brush.of_tets() ? Stroke::Marks::tets : Stroke::Marks::vertices, brush_radius());
+  stage_.lasso.begin(event.at);
+  return true;
+}
+
+void Controls::end_brush(BrushedPicture picture, Requests& requests) {
+  if (!stage_.stroke.under_way() && !stage_.lasso.drawing()) return;
+  BrushSettings& brush = stage_.state.brush;
+  Session& session = *stage_.session;
+  std::vector<std::uint32_t> marked = stage_.stroke.finish();
+  if (const std::vector<Eigen::Vector2d> curve = stage_.lasso.finish(); !curve.empty()) {
+    const auto depth = brush.through ? std::nullopt : std::optional(brush.depth * session.look.radius);
+    marked = brush.of_tets() ? tets_within(curve, picture, session, depth) : vertices_within(curve, picture, session);
+  }
+  const Scene& scene = session.simulation.scene;
+  const Model& model = session.simulation.model;
+  if (brush.of_tets()) {
+    const std::string region = brush.brush == Brush::paint ? brush.painted_region() : "";
+    if (region == "default" || (region.empty() && brush.brush == Brush::paint))
+      throw Error("The new region", "has no name", "type one that is not default");
+    const Painting wanted = with_painted(scene, model, marked, region, brush.fresh_material());
+    if (wanted == painting_of(scene, model)) return;
+    requests.painting = wanted;
+    if (brush.brush == Brush::paint) brush.region = region;  // the next stroke continues it
+  } else {
+    const FixedSets wanted = with_fixed(scene, model, marked, brush.brush == Brush::fix);
+    if (wanted != fixed_of(scene)) requests.fixed = wanted;
+  }
 }
 
 void Controls::press_button(const InputEvent& event, MouseTool::Picture picture) {
   const bool left = event.code == GLFW_MOUSE_BUTTON_LEFT;
   if (left && !sides_.split() && observer_.choose_probe(event.at)) return;
-  if (left && stage_.state.brush != Brush::off && !sides_.split() && !(event.mods & GLFW_MOD_SHIFT) &&
-      stage_.brush.begin(event.at, {picture.width, picture.height}, *stage_.session, brush_radius()))
-    return;
+  if (left && begin_brush(event, {picture.width, picture.height})) return;
   if (left && event.mods & GLFW_MOD_CONTROL && stage_.session->display().section)
     stage_.mouse.press_section(button_of(event.code), event.at);
   else
@@ -190,8 +219,10 @@ void Controls::press_key(int key, int mods, Requests& requests) {
     case GLFW_KEY_ESCAPE:
       if (state.show_help || state.show_recording || state.show_gallery)
         state.show_help = state.show_recording = state.show_gallery = false;
-      else if (state.brush != Brush::off)
-        state.brush = Brush::off;
+      else if (stage_.stroke.under_way() || stage_.lasso.drawing())
+        stage_.give_up_brush();
+      else if (state.brush.in_hand())
+        state.brush.brush = Brush::off;
       else
         mouse.let_go_staying(held);
       break;

@@ -17,7 +17,8 @@ class Controls {
  private:
   void press_button(const InputEvent& event, MouseTool::Picture picture);
   double brush_radius() const;  // [m]
-  void end_stroke(Requests& requests);
+  bool begin_brush(const InputEvent& event, BrushedPicture picture);
+  void end_brush(BrushedPicture picture, Requests& requests);
   bool takes_key(int key) const;
   void press_key(int key, int mods, Requests& requests);
   void press_with_control(int key, bool shift, Requests& requests);

@@ -14,6 +14,15 @@
 #include "render/supersampler.h"
 
 namespace fascia {
+namespace {
+
+// Of what the brush marks.
+ImVec4 color_of(Brush brush) {
+  if (brush == Brush::fix) return {0, 0, 0, 1};
+  return brush == Brush::paint ? ui::kAccent : ImVec4(1, 1, 1, 1);
+}
+
+}  // namespace
 
 ScenePicture::ScenePicture(Graphics& graphics, Overlay& overlay, Stage& stage, Sides& sides, const Observer& observer,
                            int samples)
@@ -133,7 +142,8 @@ void ScenePicture::draw_scene(const Canvas& canvas) {
     if (const auto legend = legend_box(free.box(), session, left)) places.keep_clear(*legend);
     draw_grab_marks(area, session, grabs, places);
     draw_ring(area, session);
-    draw_brush_marks(area, session, stage_.brush.places(), stage_.state.brush == Brush::fix);
+    draw_brush_marks(area, session, stage_.stroke.places(), color_of(stage_.state.brush.brush));
+    if (&picture == stage_.framebuffer.get()) draw_lasso(area, stage_.lasso.curve());
     const Plots& plots = stage_.state.plots;
     if (plots.shown && d && d->probe)
       draw_probe(area, session, session.simulation.model.rest_positions[*plots.probe] + *d->probe);
@@ -168,6 +178,8 @@ void ScenePicture::draw_comparison(SplitView& split, const Canvas& canvas,
 void ScenePicture::draw_ring(const MarkArea& area, const Session& session) const {
   if (const Grab* grab = stage_.mouse.grabs().following())
     draw_patch_ring(area, session, grab->anchor(), session.camera.forward(), grab->patch_radius());
+  else if (stage_.state.brush.in_hand() && stage_.state.brush.lasso)
+    return;
   else if (const auto& spot = hover_.spot(); spot && !stage_.mouse.dragging() && !ImGui::GetIO().WantCaptureMouse)
     draw_patch_ring(area, session, spot->point, spot->normal, stage_.state.grab.radius * session.look.radius);
 }

@@ -26,6 +26,11 @@ Provenance Stage::provenance() const {
                        simulation().time());
 }
 
+void Stage::give_up_brush() {
+  stroke.finish();
+  lasso.finish();
+}
+
 int Stage::panels_cover() const { return state.show_panels ? static_cast<int>(panel_space()) : 0; }
 
 Margins Stage::margins() const {

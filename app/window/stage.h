@@ -8,7 +8,8 @@
 #include "app/session/framing.h"
 #include "app/session/session.h"
 #include "app/state/window_state.h"
-#include "app/window/parts/fix_brush.h"
+#include "app/window/brush/lasso.h"
+#include "app/window/brush/stroke.h"
 #include "app/window/parts/messages.h"
 #include "app/window/parts/mouse_tool.h"
 #include "app/window/parts/real_time_clock.h"
@@ -23,13 +24,15 @@ struct Stage {
   WindowState state = {};
   Messages messages = {};
   MouseTool mouse = {};
-  FixBrush brush = {};
+  Stroke stroke = {};
+  Lasso lasso = {};
   Pacing pacing = {};
   bool diagnose = true;  // the state has changed since the last diagnostics
 
   Simulation& simulation() const { return session->simulation; }
   Scene scene_now() const;  // with the current materials and camera
   Provenance provenance() const;
+  void give_up_brush();      // an action of the brush that is under way does nothing
   int panels_cover() const;  // of the picture's width [pixels]
   Margins margins() const;   // of the window's picture
 

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "app/session/reproduce.h"
+#include "app/state/continued_session.h"
 #include "base/error.h"
 #include "sim/grab/build_model.h"
 #include "sim/scene/scene_scale.h"
@@ -32,7 +33,7 @@ void TuningHistory::go_to(std::size_t entries) {
   while (history.done() < entries && history.can_redo()) wanted = history.redo();
   if (!wanted) return;
   try {
-    set_fixed(wanted->fixed);  // first: it takes another session
+    rebuild(*wanted);  // first: it takes another session
   } catch (...) {
     while (history.done() < before) history.redo();
     while (history.done() > before) history.undo();
@@ -46,13 +47,37 @@ void TuningHistory::go_to(std::size_t entries) {
 }
 
 void TuningHistory::set_fixed(const FixedSets& fixed) {
-  if (fixed == fixed_of(sides_.tuned().simulation.scene)) return;
+  Tunables wanted = tunables_of(*stage_.session, stage_.state.grab);
+  wanted.fixed = fixed;
+  rebuild(wanted);
+}
+
+void TuningHistory::set_painting(const Painting& painting) {
+  Tunables wanted = tunables_of(*stage_.session, stage_.state.grab);
+  wanted.regions = painting.regions;
+  wanted.materials = painting.materials;
+  rebuild(wanted);
+  stage_.state.brush.reveal = true;  // below the list of regions, which grew
+}
+
+// Another session for other fixed vertices or regions, with the materials of the regions and a method that carries
+// them.
+void TuningHistory::rebuild(const Tunables& wanted) {
+  const Scene& now = sides_.tuned().simulation.scene;
+  if (wanted.fixed == fixed_of(now) && wanted.regions == painted_of(now)) return;
   if (sides_.split())
-    throw Error("Fixed vertices", "cannot change during a comparison", "close the comparison first (B)");
+    throw Error("Fixed vertices and regions", "cannot change during a comparison", "close the comparison first (B)");
   Scene scene = stage_.scene_now();
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) scene.bodies[b].fixed = fixed[b];
+  scene.solver = wanted.solver;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    Body& body = scene.bodies[b];
+    body.fixed = wanted.fixed[b];
+    body.regions = wanted.regions[b];
+    body.material = wanted.materials[b].material;
+    body.region_materials = wanted.materials[b].region_materials;
+  }
   sides_.let_go();
-  std::unique_ptr<Session> session = session_with_fixed(graphics_, *stage_.session, std::move(scene));
+  std::unique_ptr<Session> session = continued_session(graphics_, *stage_.session, std::move(scene));
   recording_.begin_anew_around([&] { stage_.session = std::move(session); });
   model_changed();
 }

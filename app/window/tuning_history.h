@@ -1,5 +1,5 @@
-// Changes to the open scene beyond a single slider: undo, materials of single regions, fixed vertices, other units of
-// length, and the command line that reproduces all changes.
+// Changes to the open scene beyond a single slider: undo, materials of single regions, fixed vertices, painted regions,
+// other units of length, and the command line that reproduces all changes.
 #pragma once
 #include <optional>
 #include <vector>
@@ -21,11 +21,13 @@ class TuningHistory {
   void set_materials(const std::vector<MaterialEntries>& entries);
   /// Throws Error, and changes nothing, during a comparison and if the scene cannot be built.
   void set_fixed(const FixedSets& fixed);
+  void set_painting(const Painting& painting);  // as set_fixed
   /// The current scene with all lengths times `factor`, to be opened as a new session.
   Opened rescaled(double factor) const;
   void copy_command() const;  // to the clipboard
 
  private:
+  void rebuild(const Tunables& wanted);
   void materials_changed();
   void model_changed();
   Scene scene_to_reproduce() const;

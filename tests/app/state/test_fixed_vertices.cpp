@@ -1,8 +1,9 @@
 // Vertices that are fixed and released in an open scene.
-// Covers: deformed_positions
+// Covers: deformed_positions, continued_session
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "app/state/continued_session.h"
 #include "app/state/deformed_positions.h"
 #include "app/state/fixed_vertices.h"
 #include "base/file.h"
@@ -80,7 +81,7 @@ TEST_CASE("a session with other fixed vertices continues from the state and read
   REQUIRE(before.displacement[v].norm() > 0);
   Scene scene = cube.scene();
   scene.bodies[0].fixed = with_fixed(scene, cube.model(), std::vector{v}, true)[0];
-  const auto session = session_with_fixed(cube.graphics, cube.session, scene);
+  const auto session = continued_session(cube.graphics, cube.session, scene);
   const Model& model = session->simulation.model;
   CHECK(std::count(model.fixed.begin(), model.fixed.end(), v) == 1);
   CHECK(model.fixed.size() == cube.model().fixed.size() + 1);

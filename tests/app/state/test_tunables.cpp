@@ -6,6 +6,8 @@
 #include "app/state/undo_history.h"
 #include "base/file.h"
 #include "sim/grab/build_model.h"
+#include "sim/material/tissue_looks.h"
+#include "sim/material/tissues.h"
 #include "tests/support/headless.h"
 #include "tests/support/support.h"
 
@@ -55,6 +57,24 @@ TEST_CASE("changes are described with their values, as displayed") {
   after = before;
   after.materials[0].region_materials[0].second.young_modulus = 100001;
   CHECK(changes(before, after) == std::vector<std::string>{"Young's modulus, core: 100 kPa to 100.001 kPa"});
+  INFO("looks, beside a tissue or on their own");
+  after = before;
+  after.materials[0].material.look = &tissue_looks()[1];
+  after.materials[0].region_materials[0].second.color = {1, 0, 0.5};
+  CHECK(changes(before, after) == std::vector<std::string>{"Look, default: Flesh to Liver",
+                                                           "Look, core: Flesh to Liver",
+                                                           "Color, core: that of the look to #ff0080"});
+  after = before;
+  apply(*find_tissue("liver"), after.materials[0].material);
+  CHECK(changes(before, after) ==
+        std::vector<std::string>{"Tissue, default: own values to Liver", "Tissue, core: own values to Liver"});
+  INFO("painted regions");
+  after = before;
+  after.regions = {{{"tumour", {{3, 5}, {9, 9}}}}};
+  CHECK(changes(before, after) == std::vector<std::string>{"Painted, tumour: 0 to 4 tets"});
+  Tunables other = after;
+  other.regions = {{{"tumour", {{3, 6}}}}};
+  CHECK(changes(after, other) == std::vector<std::string>{"Painted other tets"});
   INFO("a region with a material of its own");
   after = before;
   after.materials[0].region_materials.clear();

@@ -18,8 +18,6 @@ namespace {
 constexpr int kWidth = 1280, kHeight = 720, kPanels = 340,
               kMiddle = (kPanels + kWidth) / 2;  // of the area beside the panels
 
-constexpr std::pair kBrush{230, 91};  // the icon in the second row
-
 std::string cube_scene() {
   return nlohmann::json{{"fascia_scene", 1},
                         {"title", "Test cube"},
@@ -243,42 +241,4 @@ TEST_CASE("Escape closes the panel Recording") {
   CHECK(eventually(shown));
   window.key("Escape");
   CHECK(eventually([&] { return !shown(); }));
-}
-
-TEST_CASE("vertices are fixed with the brush in the window, taken back and saved") {
-  const TemporaryFolder folder;
-  const VirtualDisplay display(kWidth, kHeight);
-  write_file(folder / "cube.json", cube_scene());
-  FasciaWindow window(
-      {(folder / "cube.json").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)},
-      folder.path());
-  window.screenshot();
-  const auto saved = [&] {  // the fixed vertices of the file
-    std::filesystem::remove(folder / "cube.json");
-    window.key("ctrl+s");
-    window.key("Return");
-    if (!eventually([&] { return std::filesystem::exists(folder / "cube.json"); })) return std::size_t{0};
-    return build_model(open_scene(folder / "cube.json")).fixed.size();
-  };
-  const std::size_t before = saved();
-  REQUIRE(before > 0);
-  const auto [x, y] = kBrush;
-  window.move(x, y);
-  window.press();
-  window.release();
-  window.move((338 + kWidth) / 2, kHeight / 2);
-  window.press();
-  window.move((338 + kWidth) / 2 + 40, kHeight / 2);
-  window.release();
-  window.screenshot();
-  const std::size_t after = saved();
-  CHECK(after > before);
-  window.key("ctrl+z");
-  window.screenshot();
-  CHECK(saved() == before);
-  window.key("ctrl+y");
-  window.screenshot();
-  CHECK(saved() == after);
-  window.key("ctrl+q");
-  CHECK(window.wait() == 0);
 }

@@ -1,0 +1,25 @@
+#include "app/state/continued_session.h"
+
+#include <utility>
+
+namespace fascia {
+
+std::unique_ptr<Session> continued_session(Graphics& graphics, Session& old, Scene scene) {
+  State state = old.simulation.state();
+  Model model = build_model(scene);
+  for (const std::uint32_t v : model.fixed) {
+    state.displacement[v].setZero();
+    state.velocity[v].setZero();
+  }
+  scene.camera = old.simulation.scene.camera;
+  auto session =
+      std::make_unique<Session>(graphics, std::move(scene), std::move(model), old.simulation.uses_reference());
+  session->simulation.go_on_from(state);
+  session->camera = old.camera;
+  session->extent = old.extent;
+  session->look.ground_height = old.look.ground_height;
+  session->follow_true_error = old.follow_true_error;
+  return session;
+}
+
+}  // namespace fascia
