@@ -3,6 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 
@@ -14,6 +17,7 @@
 #include "app/ui/widgets.h"
 #include "render/view/color_map.h"
 #include "sim/material/law.h"
+#include "sim/material/tissue_looks.h"
 #include "sim/material/tissues.h"
 
 namespace fascia {
@@ -28,7 +32,7 @@ struct Extra {
   const char* cost;
 };
 constexpr Extra kExtras[] = {
-    {"young_modulus", 1e3, 1e10, 1, true,
+    {"young_modulus", 100, 1e9, 1, true,
      "Fat and brain about 1 to 10 kPa, muscle 10 to 100 kPa, ligament 0.1 to 1 GPa. Costs nothing, but stiffer tissue "
      "needs more iterations to reach its stiffness."},
     {"poisson_ratio", -0.9, 0.499, -1, false,
@@ -101,6 +105,46 @@ bool tissue_combo(Material& material, Method method) {
   return true;
 }
 
+const char* label_of_look(const TissueLook* look) { return look->label; }
+std::string help_of_look(const TissueLook*) {
+  return "How the tissue looks in pictures: its colors, vessels, bumps and wetness. A tissue of the list above sets "
+         "it. Costs nothing";
+}
+
+// The color of the look, until another one is chosen.
+bool color_row(const TissueLook& look, Material& material) {
+  const char* const help =
+      "Color of the tissue in pictures, instead of that of its look. Heat maps and the colors of regions stay";
+  ui::label("Color", help);
+  bool own = material.color.has_value();
+  bool changed = ImGui::Checkbox("##own color", &own);
+  ui::tooltip(help);
+  std::array<float, 3> shown = look.color;
+  for (std::size_t i = 0; own && material.color && i < 3; ++i) shown[i] = static_cast<float>((*material.color)[i]);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const bool picked = ImGui::ColorEdit3("##color", shown.data(), ImGuiColorEditFlags_NoInputs);
+  ui::tooltip(help);
+  if (picked) changed = own = true;
+  if (!changed) return false;
+  material.color.reset();
+  if (own) {
+    // Distinguishes all colors of a picture, in short numbers of a scene file
+    const auto rounded = [](float share) { return std::round(1e4 * share) / 1e4; };
+    material.color = {rounded(shown[0]), rounded(shown[1]), rounded(shown[2])};
+  }
+  return true;
+}
+
+bool look_rows(Material& material) {
+  std::vector<const TissueLook*> looks;
+  for (const TissueLook& look : tissue_looks()) looks.push_back(&look);
+  const TissueLook* look = material.look ? material.look : looks.front();
+  const bool chosen = ui::choice("Look", looks, look, label_of_look, help_of_look);
+  if (chosen) material.look = look;
+  return color_row(*look, material) || chosen;
+}
+
 void material_sliders(Simulation& simulation, std::size_t index, HintBoard& hints) {
   Material material = simulation.model.materials[index];
   bool changed = tissue_combo(material, simulation.scene.solver.method);
@@ -125,6 +169,7 @@ void material_sliders(Simulation& simulation, std::size_t index, HintBoard& hint
   for (const MaterialModel model : material_models())
     if (carries(simulation.scene.solver.method, model)) able.push_back(model);
   changed |= ui::choice("Model", able, material.model, label_of_model, help_of_model);
+  changed |= look_rows(material);
   if (changed) simulation.set_material(index, material);
 }
 

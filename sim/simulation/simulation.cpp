@@ -166,10 +166,15 @@ void Simulation::set_settings(const SolverSettings& settings) {
 
 void Simulation::set_material(std::size_t index, const Material& material) {
   require_carried(scene.solver.method, {material}, "material.model");
-  wake();
+  Material repainted = model.materials[index];
+  repainted.look = material.look;
+  repainted.color = material.color;
+  const bool only_looks = repainted == material;  // differently: nothing moves
+  if (!only_looks) wake();
   log_.add({steps_, MaterialInput{index, material}});
   model.materials[index] = material;
   tell(MaterialInput{index, material});
+  if (only_looks) return;
   if (gpu_) gpu_->materials_changed();
   if (reference_) renew_reference();
 }

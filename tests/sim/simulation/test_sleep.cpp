@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/session/graphics.h"
+#include "sim/material/tissue_looks.h"
 #include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/mesh_generate.h"
 #include "sim/simulation/simulation.h"
@@ -142,6 +143,12 @@ TEST_CASE("every change that affects a sleeping body wakes it, and no other", "[
   step_until_asleep(*simulation);
   simulation->set_grab(springs);
   CHECK(simulation->asleep());
+  Material painted = simulation->model.materials[0];
+  painted.look = &tissue_looks().back();
+  painted.color = {0.1, 0.2, 0.3};
+  simulation->set_material(0, painted);
+  CHECK(simulation->asleep());
+  CHECK(simulation->model.materials[0] == painted);
   const State held = simulation->state();
 
   const auto moves = [&] {
