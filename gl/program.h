@@ -82,9 +82,13 @@ class ProgramCache {
   ProgramCache(std::filesystem::path folder, LoadPath load_path);
   LoadPath load_path() const { return load_path_; }
   /// Whether callers that record many passes should fuse them (fused_pass.h): compiling then takes two to three times
-  /// as long. Initially off.
-  void set_fusing(bool on) { fusing_ = on; }
+  /// as long. Initially off. `rare`: also passes that are not part of every step.
+  void set_fusing(bool on, bool rare = true) {
+    fusing_ = on;
+    fusing_rare_ = on && rare;
+  }
   bool fusing() const { return fusing_; }
+  bool fusing_rare() const { return fusing_rare_; }
 
   /// Compiled at the first call, then kept at the same address. Throws Error with the variant and the log mapped to
   /// file:line.
@@ -140,7 +144,7 @@ class ProgramCache {
 
   std::filesystem::path folder_;
   LoadPath load_path_;
-  bool fusing_ = false;
+  bool fusing_ = false, fusing_rare_ = false;
   int postponed_ = 0;
   std::function<void()> tell_first_run_;
   std::map<std::string, Entry> programs_;

@@ -22,56 +22,67 @@ KernelWarmup::KernelWarmup(const fs::path& program, const Scene& scene, const fs
     const fs::path folder = fs::temp_directory_path();
     copy_ = folder / ("fascia-kernels-" + std::to_string(getpid()) + ".json");
     write_file(copy_, scene_to_json(timeless, folder));
-    command_ = {"nice", "-n",      "5",          program.string(),  "kernels",   copy_.string(), "--context",
-                "egl",  "--quiet", "--data-dir", data_dir.string(), "--kernels", "single"};
-    begin();
+    command_ = {"nice",      "-n",  "5",       program.string(), "kernels",        copy_.string(),
+                "--context", "egl", "--quiet", "--data-dir",     data_dir.string()};
+    begin(Run::single);
   } catch (const std::exception&) {  // the program continues with its current kernels
-    state_ = State::failed;
-    remove_file();
+    end(State::failed);
   }
 }
 
-KernelWarmup::~KernelWarmup() { remove_file(); }
+KernelWarmup::~KernelWarmup() { end(state_); }
 
-void KernelWarmup::remove_file() {
+void KernelWarmup::end(State state) {
+  state_ = state;
   std::error_code ignored;
   if (!copy_.empty()) fs::remove(copy_, ignored);
 }
 
 // Without worker threads: beside a window that keeps all cores busy, threads of low priority mostly wait for each
 // other.
-void KernelWarmup::begin() { program_.emplace(command_, std::map<std::string, std::string>{{"LP_NUM_THREADS", "0"}}); }
+void KernelWarmup::begin(Run run) {
+  run_ = run;
+  std::vector<std::string> command = command_;
+  command.insert(command.end(), {"--kernels", run == Run::single ? "single" : "auto"});
+  if (run == Run::whole || run == Run::whole_again) command.push_back("--whole-steps");
+  program_.emplace(command, std::map<std::string, std::string>{{"LP_NUM_THREADS", "0"}});
+}
 
 KernelWarmup::State KernelWarmup::look() {
-  if (state_ != State::running) return state_;
-  const auto end = program_->ended();
-  if (!end) return state_;
-  if (single_) {  // its kernels are few and small: what matters is whether those that follow are kept
-    single_ = false;
-    command_.back() = "auto";
-    begin_again();
-    return state_;
+  if (state_ != State::running && state_ != State::whole_steps) return state_;
+  const auto ended = program_->ended();
+  if (!ended) return state_;
+  try {
+    if (ended->succeeded || run_ == Run::single)
+      follow(ended->cpu_seconds);
+    else
+      end(State::failed);
+  } catch (const Error&) {  // no process can begin
+    end(State::failed);
   }
-  const double seconds = end->cpu_seconds;
-  if (end->succeeded && (seconds < kCompiles || (first_seconds_ > 0 && seconds < 0.5 * first_seconds_)))
-    state_ = State::cached;
-  else if (!end->succeeded || first_seconds_ > 0)
-    state_ = State::failed;
-  if (state_ != State::running) {
-    remove_file();
-    return state_;
-  }
-  first_seconds_ = seconds;  // the first run compiled; a second run shows whether the driver caches kernels
-  begin_again();
   return state_;
 }
 
-void KernelWarmup::begin_again() {
-  try {
-    begin();
-  } catch (const Error&) {
-    state_ = State::failed;
-    remove_file();
+void KernelWarmup::follow(double seconds) {
+  switch (run_) {
+    case Run::single:
+      begin(Run::whole);
+      break;
+    case Run::whole:
+    case Run::whole_again:
+      if (seconds < kCompiles || (run_ == Run::whole_again && seconds < 0.5 * compile_seconds_)) {
+        state_ = State::whole_steps;
+        begin(Run::all);
+      } else if (run_ == Run::whole_again) {
+        end(State::failed);
+      } else {
+        compile_seconds_ = seconds;
+        begin(Run::whole_again);
+      }
+      break;
+    case Run::all:
+      end(State::cached);
+      break;
   }
 }
 

@@ -1,7 +1,8 @@
 // Fills the cache of a software renderer with the kernels of a scene, while the program continues. Compiling fused
 // kernels (gl/fused_pass.h) takes the CPU seconds, once per driver and kind of scene, and would freeze the program.
 // Another process with the same driver compiles them here: `fascia kernels` steps the scene, first free and then
-// grabbed, and leaves the kernels in the driver's cache on disk.
+// grabbed, and leaves the kernels in the driver's cache on disk. Those of whole steps come first: the program can use
+// them before those of steps in which a part of the tissue rests are compiled.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -15,7 +16,9 @@ namespace fascia {
 
 class KernelWarmup {
  public:
-  enum class State { running, cached, failed };  // failed: also if the driver keeps no cache
+  /// whole_steps: those of whole steps are cached, the others are being compiled. failed: also if the driver keeps no
+  /// cache.
+  enum class State { running, whole_steps, cached, failed };
 
   /// Begins at low priority. `program` is the path of fascia, `data_dir` the folder of the shaders.
   KernelWarmup(const std::filesystem::path& program, const Scene& scene, const std::filesystem::path& data_dir);
@@ -27,16 +30,20 @@ class KernelWarmup {
   const Scene& scene() const { return scene_; }
 
  private:
-  void begin();
-  void begin_again();
-  void remove_file();
+  /// What another process compiles, in this order. Single kernels come first: they are few, small and needed first. A
+  /// second run of the fused ones shows whether the driver keeps them.
+  enum class Run { single, whole, whole_again, all };
+
+  void begin(Run run);
+  void end(State state);
+  void follow(double seconds);
 
   Scene scene_;                 // as it was at the beginning
   std::filesystem::path copy_;  // its file for the other process
   std::vector<std::string> command_;
   std::optional<SpawnedProgram> program_;
-  bool single_ = true;        // the single kernels of a grab come first: they are needed first
-  double first_seconds_ = 0;  // CPU time of the first run; 0 while it runs
+  Run run_ = Run::single;
+  double compile_seconds_ = 0;  // CPU time of Run::whole
   State state_ = State::running;
 };
 

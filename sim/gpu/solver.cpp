@@ -159,7 +159,7 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
     before_every_ = stop_->interval();
   }
   passes.end.push_back(velocity_update(r));
-  if (!fuses_)
+  if (!fuses_ || (active && !programs_.fusing_rare()))
     for (const Passes* list : passes.lists())
       for (const gl::ComputePass& pass : *list) pass.program().begin_link();
   return passes;

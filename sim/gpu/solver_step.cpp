@@ -121,7 +121,7 @@ void GpuSolver::choose_passes() {
 void GpuSolver::record_partial() {
   if (!partial_.begin.empty()) return;
   partial_ = record_step(&regions_->active());
-  partial_fused_ = fuse(partial_);
+  if (programs_.fusing_rare()) partial_fused_ = fuse(partial_);
 }
 
 void GpuSolver::run_partial_kernels() {

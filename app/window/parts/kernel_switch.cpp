@@ -25,10 +25,13 @@ void KernelSwitch::session_began(const Simulation& simulation) {
 // Where the other process fails or the driver keeps no cache, the fused kernels are compiled here: the window waits
 // once and shows a notice, but it does not stay slow.
 void KernelSwitch::follow(const std::function<void()>& renew) {
-  if (!warmup_ || warmup_->look() == KernelWarmup::State::running) return;
-  if (warmup_->look() == KernelWarmup::State::cached) record_.add(warmup_->scene());
-  warmup_.reset();
-  graphics_.programs->set_fusing(true);
+  if (!warmup_) return;
+  const KernelWarmup::State state = warmup_->look();
+  const bool of_whole_steps = state == KernelWarmup::State::whole_steps;
+  if (state == KernelWarmup::State::running || (of_whole_steps && graphics_.programs->fusing())) return;
+  if (state == KernelWarmup::State::cached) record_.add(warmup_->scene());
+  if (!of_whole_steps) warmup_.reset();
+  graphics_.programs->set_fusing(true, !of_whole_steps);
   renew();
 }
 

@@ -1,6 +1,7 @@
 // On software renderers a session starts with single kernels, which compile in a second, and switches to fused kernels,
-// which are twice as fast, as soon as another process has compiled them. Where the driver's cache is known to have them
-// it starts with them. Both give bitwise equal results. GPUs have no fused kernels, so nothing switches there.
+// which are twice as fast, as soon as another process has compiled them: first in whole steps, later in those in which
+// a part of the tissue rests. Where the driver's cache is known to have them it starts with them. Both give bitwise
+// equal results. GPUs have no fused kernels, so nothing switches there.
 #pragma once
 #include <functional>
 #include <optional>

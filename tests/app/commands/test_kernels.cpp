@@ -1,4 +1,5 @@
 // fascia kernels fills a driver's cache.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -26,4 +27,22 @@ TEST_CASE("kernels of a scene that does not exist") {
   const CommandResult result = run_fascia({"kernels", "missing.json"});
   CHECK(result.exit_code == 1);
   CHECK_THAT(result.err, Catch::Contains("missing.json"));
+}
+
+TEST_CASE("kernels of whole steps are fewer than those with steps of a part") {
+  const TemporaryFolder folder;
+  setenv("MESA_SHADER_CACHE_DIR", folder.path().c_str(), 1);
+  const std::string scene = (source_dir() / "assets/scenes/beam.json").string();
+  const auto kept = [&](const std::vector<std::string>& options) {  // in the cache, after another run
+    std::vector<std::string> arguments{"kernels", scene, "--context", "egl", "--quiet", "--kernels", "single"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const CommandResult result = run_fascia(arguments, folder.path());
+    CHECK(result.exit_code == 0);
+    const std::filesystem::recursive_directory_iterator entries(folder.path());
+    return std::count_if(begin(entries), end(entries), [](const auto& entry) { return entry.is_regular_file(); });
+  };
+  const auto whole = kept({"--whole-steps"}), again = kept({"--whole-steps"}), all = kept({});
+  unsetenv("MESA_SHADER_CACHE_DIR");
+  CHECK(again == whole);
+  CHECK(all > whole);
 }
