@@ -59,10 +59,20 @@ std::string KernelRecord::key_of(const Scene& scene) const {
   Scene solved = scene;  // without what kernels do not depend on
   solved.duration = 0;
   solved.display = {};
+  solved.title.clear();
+  solved.camera.reset();
+  solved.camera_motion = {};
+  for (Body& body : solved.bodies)
+    for (TetRegion& region : body.regions) region.tets = {{0, 0}};  // any
   const std::string text = driver_ + "\n" + cache + "\n" + scene_to_json(solved, fs::temp_directory_path());
   ByteHash hash;
   hash.add({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
   return hash_text(hash.value());
+}
+
+bool KernelRecord::same(const Scene& a, const Scene& b) const {
+  const std::string key = key_of(a);
+  return !key.empty() && key == key_of(b);
 }
 
 bool KernelRecord::has(const Scene& scene) const {

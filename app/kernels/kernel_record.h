@@ -15,6 +15,8 @@ class KernelRecord {
   KernelRecord(std::filesystem::path file, std::string driver);
 
   bool has(const Scene& scene) const;
+  /// Whether both have the same kernels, as far as this can be known.
+  bool same(const Scene& a, const Scene& b) const;
   /// A record that cannot be written is not kept.
   void add(const Scene& scene) const;
 

@@ -77,8 +77,11 @@ void TuningHistory::rebuild(const Tunables& wanted) {
     body.region_materials = wanted.materials[b].region_materials;
   }
   sides_.let_go();
-  std::unique_ptr<Session> session = continued_session(graphics_, *stage_.session, std::move(scene));
+  // With the first region there are several materials, which take other kernels
+  std::unique_ptr<Session> session =
+      kernels_.make(scene, [&] { return continued_session(graphics_, *stage_.session, scene); });
   recording_.begin_anew_around([&] { stage_.session = std::move(session); });
+  kernels_.session_began(stage_.simulation());
   model_changed();
 }
 

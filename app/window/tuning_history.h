@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "app/session/open_input.h"
+#include "app/window/parts/kernel_switch.h"
 #include "app/window/recording_control.h"
 
 namespace fascia {
 
 class TuningHistory {
  public:
-  TuningHistory(Graphics& graphics, Stage& stage, Sides& sides, RecordingControl& recording)
-      : graphics_(graphics), stage_(stage), sides_(sides), recording_(recording) {}
+  TuningHistory(Graphics& graphics, Stage& stage, Sides& sides, RecordingControl& recording, KernelSwitch& kernels)
+      : graphics_(graphics), stage_(stage), sides_(sides), recording_(recording), kernels_(kernels) {}
 
   void session_began();
   void follow();                    // once a frame, after the panels: a changed value becomes an entry
@@ -36,6 +37,7 @@ class TuningHistory {
   Stage& stage_;
   Sides& sides_;
   RecordingControl& recording_;
+  KernelSwitch& kernels_;
   std::optional<CameraSettings> opened_camera_;  // at the start of the session
 };
 

@@ -36,7 +36,7 @@ Window::Window(Graphics& graphics, const ViewOptions& options, Opened opened)
       stage_{options.command_line},
       sides_(graphics, stage_),
       recording_(stage_, sides_, recorded(options)),
-      tuning_(graphics, stage_, sides_, recording_),
+      tuning_(graphics, stage_, sides_, recording_, kernels_),
       observer_(stage_, sides_),
       picture_(graphics, overlay_, stage_, sides_, observer_, options.samples),
       capture_(stage_, picture_),

@@ -9,11 +9,23 @@ KernelSwitch::KernelSwitch(Graphics& graphics, bool wanted, const std::filesyste
       switches_(wanted && gl::fuses(*graphics.programs)),
       record_(folder.empty() ? folder : folder / "kernels", describe(graphics)) {}
 
-void KernelSwitch::prepare(const Scene& scene) const {
-  if (switches_) graphics_.programs->set_fusing(record_.has(scene));
+bool KernelSwitch::compiles(const Scene& scene) const { return warmup_ && record_.same(warmup_->scene(), scene); }
+
+std::unique_ptr<Session> KernelSwitch::make(const Scene& scene,
+                                            const std::function<std::unique_ptr<Session>()>& make) const {
+  gl::ProgramCache& programs = *graphics_.programs;
+  const bool fusing = programs.fusing(), rare = programs.fusing_rare();
+  if (switches_ && !compiles(scene)) programs.set_fusing(record_.has(scene));
+  try {
+    return make();
+  } catch (...) {
+    programs.set_fusing(fusing, rare);
+    throw;
+  }
 }
 
 void KernelSwitch::session_began(const Simulation& simulation) {
+  if (compiles(simulation.scene)) return;
   warmup_.reset();
   if (!switches_ || graphics_.programs->fusing()) return;
   if (simulation.uses_reference() || simulation.scene.solver.tolerance > 0)  // no step of it is fused at first

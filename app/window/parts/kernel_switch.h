@@ -4,12 +4,12 @@
 // equal results. GPUs have no fused kernels, so nothing switches there.
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "app/kernels/kernel_record.h"
 #include "app/kernels/kernel_warmup.h"
-#include "app/session/graphics.h"
-#include "sim/simulation/simulation.h"
+#include "app/session/session.h"
 
 namespace fascia {
 
@@ -18,13 +18,16 @@ class KernelSwitch {
   /// With `wanted` false sessions have fused kernels from the start. `folder` keeps the record of cached kernels;
   /// empty: none.
   KernelSwitch(Graphics& graphics, bool wanted, const std::filesystem::path& folder);
-  /// Chooses the kernels of a session that is made of this scene.
-  void prepare(const Scene& scene) const;
+  /// Calls `make`, which makes a session of this scene, with the kernels chosen for it. If it throws, those of the open
+  /// session stay.
+  std::unique_ptr<Session> make(const Scene& scene, const std::function<std::unique_ptr<Session>()>& make) const;
   void session_began(const Simulation& simulation);
   /// Between two steps. `renew` is called when solvers must record their passes again, with fused kernels.
   void follow(const std::function<void()>& renew);
 
  private:
+  bool compiles(const Scene& scene) const;  // its kernels already
+
   Graphics& graphics_;
   bool switches_;
   KernelRecord record_;

@@ -81,16 +81,9 @@ std::unique_ptr<Session> SceneOpener::make(Opened& opened, OpeningScreen& screen
   const Progress progress = [&](double share, const char* what) {
     screen.show(share_done + (1 - share_done) * share, what);
   };
-  const bool fusing = graphics_.programs->fusing(), rare = graphics_.programs->fusing_rare();
-  kernels_.prepare(opened.scene);
-  std::unique_ptr<Session> session;
-  try {
-    session =
-        std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model), reference_, progress);
-  } catch (...) {
-    graphics_.programs->set_fusing(fusing, rare);  // of the session that stays open
-    throw;
-  }
+  std::unique_ptr<Session> session = kernels_.make(opened.scene, [&] {
+    return std::make_unique<Session>(graphics_, std::move(opened.scene), std::move(opened.model), reference_, progress);
+  });
   if (opened.replay) session->simulation.play(std::move(*opened.replay));
   return session;
 }

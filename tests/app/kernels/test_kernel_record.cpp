@@ -46,6 +46,16 @@ TEST_CASE("the kernels of a scene are known until the scene, the driver or its c
   CHECK(KernelRecord(file, "llvmpipe").has(cube));
   CHECK_FALSE(KernelRecord(file, "another").has(cube));
   CHECK_FALSE(record.has(shipped("beam.json")));
+  INFO("painting needs new kernels with its first region only, and the camera none");
+  Scene painted = cube;
+  painted.camera.emplace();
+  CHECK(record.same(cube, painted));
+  painted.bodies[0].regions = {{"tumour", {{3, 5}}}};
+  CHECK_FALSE(record.same(cube, painted));
+  CHECK_FALSE(record.has(painted));
+  Scene more = painted;
+  more.bodies[0].regions = {{"tumour", {{3, 5}, {8, 9}}}};
+  CHECK(record.same(painted, more));
   cube.solver.method = Method::jacobi;
   CHECK_FALSE(record.has(cube));
   record.add(cube);

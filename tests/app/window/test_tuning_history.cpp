@@ -14,7 +14,8 @@ namespace {
 struct Desk : HeadlessStage {
   using HeadlessStage::HeadlessStage;
   RecordingControl recording{stage, sides, false};
-  TuningHistory tuning{graphics, stage, sides, recording};
+  KernelSwitch kernels{graphics, false, {}};
+  TuningHistory tuning{graphics, stage, sides, recording, kernels};
   const UndoHistory& history() const { return stage.state.history; }
   std::size_t materials() { return sides.tuned().simulation.model.materials.size(); }
 };
@@ -112,4 +113,45 @@ TEST_CASE("a stroke of the brush is an entry, and is undone and redone") {
   CHECK_THROWS_AS(desk.tuning.go_to(0), Error);
   CHECK(desk.history().done() == 1);
   CHECK(fixed().size() == before.size() + 1);
+}
+
+TEST_CASE(
+    "painting is an entry, and several are undone and redone at once, also beside a method that carries its law") {
+  Desk desk;
+  desk.tuning.session_began();
+  const auto paint = [&](std::uint32_t tet, const std::string& name, MaterialModel law) {
+    MaterialOverride fresh;
+    fresh.model = law;
+    const Simulation& now = desk.stage.simulation();
+    desk.tuning.set_painting(with_painted(now.scene, now.model, std::vector{tet}, name, fresh));
+    desk.tuning.follow();
+  };
+  paint(3, "tumour", MaterialModel::st_venant_kirchhoff);
+  CHECK(desk.materials() == 2);
+  CHECK(desk.stage.state.facts.regions.size() == 2);
+  CHECK(desk.history().entries().back().text == "Painted, tumour: 0 to 1 tet and 2 more");
+  Session& session = desk.sides.tuned();
+  SolverSettings settings = session.simulation.scene.solver;
+  const Method before = settings.method;
+  settings.method = Method::vertex_descent;
+  settings.acceleration = Acceleration::none;
+  session.simulation.set_settings(settings);
+  desk.tuning.follow();
+  paint(4, "cyst", MaterialModel::stable_neo_hookean);
+  CHECK(desk.materials() == 3);
+  REQUIRE(desk.history().entries().size() == 3);
+
+  desk.tuning.go_to(0);
+  CHECK(desk.materials() == 1);
+  CHECK(desk.stage.simulation().scene.bodies[0].regions.empty());
+  CHECK(desk.stage.simulation().scene.solver.method == before);
+  desk.tuning.go_to(3);
+  CHECK(desk.materials() == 3);
+  CHECK(desk.stage.simulation().scene.solver.method == Method::vertex_descent);
+  CHECK(desk.history().done() == 3);
+
+  desk.compare(CompareAsk::open_or_close);
+  desk.compare(CompareAsk::edit_a);
+  CHECK_THROWS_WITH(desk.tuning.go_to(1), Catch::StartsWith("Fixed vertices and regions"));
+  CHECK(desk.history().done() == 3);
 }
