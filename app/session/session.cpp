@@ -144,7 +144,7 @@ void Session::set_display(const DisplaySettings& display) {
   if (needs_regions() != renderer_->has_regions())
     renderer_->set_regions(needs_regions() ? regions_->of_triangle : std::vector<std::uint32_t>());
   if (display.section || display.tets)
-    renderer_->set_tets({simulation.model.tets, regions_->of_tet, closed_around_tets(simulation.model)});
+    renderer_->set_tets({regions_->tets, regions_->of_tet, closed_around_tets(simulation.model)});
   if (display.color == ColorBy::error && true_error.result()) show_error();
 }
 

@@ -8,10 +8,26 @@
 #include "sim/gpu/unfolding.h"
 
 namespace fascia {
+namespace {
+
+// The model. Throws Error if the method has no kernels for its elements.
+const Model& with_elements_of(Method method, const Model& model) {
+  if (!model.has_quadratic()) return model;
+  for (std::size_t t = 0; t < model.tets.size(); ++t)
+    if (!model.is_quadratic(t))
+      throw Error("bodies.elements", "is quadratic for some bodies and linear for others",
+                  "expected the same for all, or the reference solver (run --reference)");
+  if (!info_of(method).carries_quadratic)
+    throw Error("solver.method", std::string(name_of(method)) + " does not carry quadratic elements",
+                "expected two_level, or bodies with linear elements");
+  return model;
+}
+
+}  // namespace
 
 GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
                      const EmbeddedPoints& drawn, const Progress& progress)
-    : GpuSolver(programs, model, settings, drawn, progress, mesh_order_of(model)) {}
+    : GpuSolver(programs, model, settings, drawn, progress, mesh_order_of(with_elements_of(settings.method, model))) {}
 
 GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const SolverSettings& settings,
                      const EmbeddedPoints& drawn, const Progress& progress, MeshOrder placement)
@@ -27,9 +43,6 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       guard_(programs, buffers_),
       surface_(buffers_, drawn) {
   require_carried(settings_.method, model.materials, "solver.method");
-  if (model.has_quadratic())
-    throw Error("bodies.elements", "is quadratic, which the GPU solver does not carry",
-                "expected linear, or the reference solver (run --reference)");
   require_computing(programs);
   upload_step(next_stages().front());
   reset();
@@ -79,18 +92,19 @@ void GpuSolver::record() {
   buffers_.keep_earlier(extrapolates);
   if (!features_.damping) previous_strain_ = {};
   if (features_.damping && !previous_strain_)
-    previous_strain_ = gl::Buffer("previous_strain", 2 * sizeof(shared::vec4) * buffers_.tet_count);
+    previous_strain_ =
+        gl::Buffer("previous_strain", (features_.quadratic ? 8 : 2) * sizeof(shared::vec4) * buffers_.tet_count);
   const bool may_rest = method_->may_rest_in_regions() && !stop_ && settings_.rest_speed > 0 &&
-                        !buffers_.displacement_low && buffers_.tet_count >= RestingRegions::kLeastTets &&
-                        !always_whole_;
+                        !buffers_.displacement_low && !features_.quadratic &&
+                        buffers_.tet_count >= RestingRegions::kLeastTets && !always_whole_;
   if (!may_rest) regions_.reset();
   if (may_rest && !regions_) regions_.emplace(programs_, buffers_);
   fuses_ = !stop_ && gl::fuses(programs_);
   // A GPU skips a branch that no neighboring invocation takes; a second dispatch and its copies would only add cost.
   const bool branches_skip = programs_.load_path() == gl::LoadPath::storage;
   const Deferral most_deferred = method_->most_deferred(buffers_, fuses_);
-  const bool may_defer =
-      features_.models.contains(MaterialModel::signed_st_venant_kirchhoff) && most_deferred.items > 0 && !branches_skip;
+  const bool may_defer = features_.models.contains(MaterialModel::signed_st_venant_kirchhoff) &&
+                         most_deferred.items > 0 && !branches_skip && !features_.quadratic;
   if (!may_defer) deferred_.reset();
   if (may_defer && (!deferred_ || deferred_->most != most_deferred)) deferred_.emplace(most_deferred);
   method_->prepare(recording(nullptr));
@@ -244,6 +258,7 @@ void GpuSolver::solve_everything() {
 
 void GpuSolver::set_settings(const SolverSettings& settings) {
   require_carried(settings.method, given_.materials, "solver.method");
+  with_elements_of(settings.method, given_);
   const auto needs = [](const SolverSettings& s) {
     return std::tuple(s.method, s.acceleration, s.integrator, s.colors, s.window, s.tolerance > 0, s.rest_speed > 0);
   };

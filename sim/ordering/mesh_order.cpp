@@ -19,7 +19,7 @@ MeshOrder mesh_order_of(const Model& model) {
   };
   const TetPairing& tets_by_pair = placement.tets;
   for (std::size_t i = 0; i < tets_by_pair.second_begin(); ++i) {
-    for (const std::uint32_t v : model.tets[tets_by_pair.order[i]]) meet(v);
+    for (const std::uint32_t v : model.element(tets_by_pair.order[i])) meet(v);
     if (i >= tets_by_pair.pair_count) continue;
     for (const std::uint32_t v : model.tets[tets_by_pair.order[tets_by_pair.second_begin() + i]]) meet(v);
   }
@@ -29,7 +29,7 @@ MeshOrder mesh_order_of(const Model& model) {
   constexpr std::size_t kNeighbors = 128;
   std::vector<std::uint32_t> tets(count, 0);
   for (const std::uint32_t t : placement.tets.order)
-    for (const std::uint32_t v : model.tets[t]) ++tets[v];
+    for (const std::uint32_t v : model.element(t)) ++tets[v];
   for (std::size_t begin = 0; begin < count; begin += kNeighbors)
     std::stable_sort(placement.vertex.begin() + static_cast<std::ptrdiff_t>(begin),
                      placement.vertex.begin() + static_cast<std::ptrdiff_t>(std::min(begin + kNeighbors, count)),

@@ -52,6 +52,7 @@ std::vector<std::uint32_t> solved_tets(const Model& model) {
 }
 
 TetPairing paired_tets(const Model& model) {
+  if (model.has_quadratic()) return {solved_tets(model), 0};
   TetPairing pairing = pair_tets(model.tets, solved_tets(model));
   const auto volume = [&](std::uint32_t t) {
     const auto edge = [&](int k) -> Eigen::Vector3d {

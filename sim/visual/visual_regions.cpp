@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "sim/model/linear_parts.h"
+
 namespace fascia {
 namespace {
 
@@ -23,7 +25,8 @@ std::vector<std::pair<std::uint32_t, int>> keys_of(const Model& model) {
   return keys;
 }
 
-void number_triangles(const Model& model, const VisualSurface& surface, VisualRegions& regions) {
+void number_triangles(const Model& model, const std::vector<std::uint32_t>& of_model_tet, const VisualSurface& surface,
+                      VisualRegions& regions) {
   const auto vertex_count = static_cast<std::uint32_t>(model.rest_positions.size());
   std::map<Triangle, std::vector<std::size_t>> faces;
   std::map<Tet, std::vector<std::size_t>> holders;
@@ -35,20 +38,21 @@ void number_triangles(const Model& model, const VisualSurface& surface, VisualRe
       holders[ascending(model.embedded.ties[triangle[0] - vertex_count].vertices)].push_back(i);
   }
   regions.of_triangle.assign(surface.triangles.size(), 0);
-  for (std::size_t t = 0; t < model.tets.size(); ++t) {
-    const Tet tet = ascending(model.tets[t]);
-    const auto take = [&](const auto& table, const auto& key) {
-      if (const auto found = table.find(key); found != table.end())
-        for (const std::size_t i : found->second) regions.of_triangle[i] = regions.of_tet[t];
-    };
+  const auto take = [&](const auto& table, const auto& key, std::uint32_t region) {
+    if (const auto found = table.find(key); found != table.end())
+      for (const std::size_t i : found->second) regions.of_triangle[i] = region;
+  };
+  for (std::size_t t = 0; t < regions.tets.size(); ++t) {
+    const Tet tet = ascending(regions.tets[t]);
     for (std::size_t out = 0; out < 4; ++out) {
       Triangle face;
       for (std::size_t k = 0, n = 0; k < 4; ++k)
         if (k != out) face[n++] = tet[k];
-      take(faces, face);
+      take(faces, face, regions.of_tet[t]);
     }
-    if (!holders.empty()) take(holders, tet);
   }
+  if (holders.empty()) return;
+  for (std::size_t t = 0; t < model.tets.size(); ++t) take(holders, ascending(model.tets[t]), of_model_tet[t]);
 }
 
 }  // namespace
@@ -66,10 +70,14 @@ VisualRegions drawn_regions(const Scene& scene, const Model& model, const Visual
         name != known.end() && !name->second.empty() ? name->second : "region " + std::to_string(key.second);
     regions.names.push_back(scene.bodies.size() > 1 ? model.bodies[key.first].name + ": " + own : own);
   }
-  for (const auto& key : keys) regions.of_tet.push_back(numbers[key]);
+  std::vector<std::uint32_t> of_model_tet;
+  for (const auto& key : keys) of_model_tet.push_back(numbers[key]);
   regions.first_tet.resize(regions.names.size());
-  for (std::size_t t = keys.size(); t-- > 0;) regions.first_tet[regions.of_tet[t]] = static_cast<std::uint32_t>(t);
-  number_triangles(model, surface, regions);
+  for (std::size_t t = keys.size(); t-- > 0;) regions.first_tet[of_model_tet[t]] = static_cast<std::uint32_t>(t);
+  LinearTets linear = linear_tets(model, 0, model.tets.size());
+  for (const std::uint32_t t : linear.source) regions.of_tet.push_back(of_model_tet[t]);
+  regions.tets = std::move(linear.tets);
+  number_triangles(model, of_model_tet, surface, regions);
   return regions;
 }
 

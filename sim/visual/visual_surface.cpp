@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/mesh/tet_faces.h"
+#include "sim/model/linear_parts.h"
 
 namespace fascia {
 
@@ -14,8 +15,9 @@ VisualSurface drawn_surface(const Model& model) {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const SurfaceMesh& surface = model.surfaces[b];
     if (surface.triangles.empty()) {
-      const auto first = model.tets.begin() + model.bodies[b].tet_begin;
-      const std::vector<Triangle> boundary = boundary_triangles({first, first + model.bodies[b].tet_count});
+      const BodyPart& body = model.bodies[b];
+      const std::vector<Triangle> boundary =
+          boundary_triangles(linear_tets(model, body.tet_begin, body.tet_count).tets);
       drawn.triangles.insert(drawn.triangles.end(), boundary.begin(), boundary.end());
     } else {
       const auto offset = static_cast<std::uint32_t>(drawn.rest_positions.size());

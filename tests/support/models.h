@@ -5,6 +5,7 @@
 #include <random>
 
 #include "sim/mesh/mesh_generate.h"
+#include "sim/mesh/mid_edges.h"
 #include "sim/model/model.h"
 #include "sim/reference/newton.h"
 
@@ -27,6 +28,19 @@ inline Model make_model(const TetMesh& mesh, const Material& material,
   const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
   const auto tets = static_cast<std::uint32_t>(mesh.tets.size());
   model.bodies = {{"body", 0, vertices, 0, tets, 0, 1, {}}};
+  return model;
+}
+
+/// Makes all tets of a box model quadratic; a mid-edge vertex is fixed if both ends of its edge are.
+inline Model quadratic(Model model) {
+  add_mid_edges(model.file_mesh, model.tet_source);
+  model.rest_positions = model.file_mesh.positions;
+  model.mid_edges = model.file_mesh.mid_edges;
+  const std::vector<char> held = model.held();
+  for (const MidEdge& edge : mid_edges_of(model.file_mesh))
+    if (held[edge.a] && held[edge.b]) model.fixed.push_back(edge.vertex);
+  std::sort(model.fixed.begin(), model.fixed.end());
+  model.initial_velocity.resize(model.rest_positions.size(), Eigen::Vector3d::Zero());
   return model;
 }
 

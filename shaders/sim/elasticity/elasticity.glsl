@@ -61,7 +61,7 @@ struct Tangent {
   float stiff;
 };
 
-Tangent tangent_of(uint t, mat3 h, vec4 material) {
+Tangent elastic_tangent_of(mat3 h, vec4 material) {
 #if BEYOND_STRAIN
   Tangent r = Tangent(mat3(1.0) + h, Sym3(vec3(0.0), vec3(0.0)), 0.0);
   if (!IS_BEYOND_STRAIN(material)) {
@@ -72,6 +72,12 @@ Tangent tangent_of(uint t, mat3 h, vec4 material) {
   Deformation d = deformation_of(h, material);
   Tangent r = Tangent(d.f, second_piola_stress(d.e, material), 1.0);
 #endif
+  return r;
+}
+
+// Includes the damping over the substep.
+Tangent tangent_of(uint t, mat3 h, vec4 material) {
+  Tangent r = elastic_tangent_of(h, material);
 #if DAMPING
   Sym3 viscous = viscous_stress(t, green_strain(h), material);
   r.s = Sym3(r.s.d + viscous.d, r.s.s + viscous.s);
@@ -100,13 +106,17 @@ float curvature(Tangent tangent, mat3 h, vec4 material, mat3 a, mat3 b) {
 // Second derivative by the position of one corner, whose shape function has the gradient b, without its negative part,
 // which can only come from b.Sb:
 //   max(0, b.Sb) I + stiff ((lambda + mu) (F b)(F b)^T + mu |b|^2 F F^T).
-Sym3 corner_block(Tangent tangent, mat3 h, vec4 material, vec3 b) {
+Sym3 strain_block(Tangent tangent, vec4 material, vec3 b) {
   mat3 f = tangent.f;
   vec3 fb = f * b;
   vec3 r0 = vec3(f[0].x, f[1].x, f[2].x), r1 = vec3(f[0].y, f[1].y, f[2].y), r2 = vec3(f[0].z, f[1].z, f[2].z);
   float mu = lame_mu(material), outer = tangent.stiff * (lame_lambda(material) + mu), inner = tangent.stiff * mu * dot(b, b);
-  Sym3 block = Sym3(outer * fb * fb + inner * vec3(dot(r0, r0), dot(r1, r1), dot(r2, r2)) + max(0.0, dot(b, times(tangent.s, b))),
-                    outer * fb.yxx * fb.zzy + inner * vec3(dot(r1, r2), dot(r0, r2), dot(r0, r1)));
+  return Sym3(outer * fb * fb + inner * vec3(dot(r0, r0), dot(r1, r1), dot(r2, r2)) + max(0.0, dot(b, times(tangent.s, b))),
+              outer * fb.yxx * fb.zzy + inner * vec3(dot(r1, r2), dot(r0, r2), dot(r0, r1)));
+}
+
+Sym3 corner_block(Tangent tangent, mat3 h, vec4 material, vec3 b) {
+  Sym3 block = strain_block(tangent, material, b);
 #if BEYOND_STRAIN
   if (IS_BEYOND_STRAIN(material)) {
     Sym3 more = LAW_BLOCK(h, material, b);

@@ -44,3 +44,6 @@ Sym3 mooney_rivlin_block(mat3 h, vec4 material, vec3 b) {
   return Sym3(m.two_c1 * dot(b, b) + m.two_c2 * (squares.x + squares.y + squares.z - squares) + outer * cb * cb,
               outer * cb.yxx * cb.zzy - m.two_c2 * mixed);
 }
+
+// lambda - K of volume_split() (sim/material/law.h).
+float mooney_rivlin_pointwise_lambda(vec4 material) { return 2.0 * mooney_ratio(material) * lame_mu(material); }

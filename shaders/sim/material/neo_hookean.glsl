@@ -26,3 +26,6 @@ Sym3 neo_hookean_block(mat3 h, vec4 material, vec3 b) {
   vec3 cb = b + cofactor_minus_one(h) * b;
   return Sym3(mu * dot(b, b) + outer * cb * cb, outer * cb.yxx * cb.zzy);
 }
+
+// lambda - K of volume_split() (sim/material/law.h).
+float neo_hookean_pointwise_lambda(vec4 material) { return 0.0; }

@@ -28,3 +28,6 @@ Sym3 squared_block(mat3 h, vec4 material, vec3 b) {
   return Sym3(mu * max(0.25, 1.0 + stretch_invariant(h) / 3.0) * dot(b, b) + by_stretch * fb * fb + by_volume * cb * cb,
               by_stretch * fb.yxx * fb.zzy + by_volume * cb.yxx * cb.zzy);
 }
+
+// lambda - K of volume_split() (sim/material/law.h).
+float squared_pointwise_lambda(vec4 material) { return 2.0 / 3.0 * lame_mu(material); }

@@ -37,3 +37,6 @@ Sym3 stable_neo_hookean_block(mat3 h, vec4 material, vec3 b) {
   return Sym3(mu * (1.0 - 1.0 / i1) * dot(b, b) + outer * fb * fb + lambda * cb * cb,
               outer * fb.yxx * fb.zzy + lambda * cb.yxx * cb.zzy);
 }
+
+// lambda - K of volume_split() (sim/material/law.h).
+float stable_neo_hookean_pointwise_lambda(vec4 material) { return 0.0; }

@@ -6,6 +6,7 @@
 COMPUTE_1D
 INPUT_VEC4_IN_PLACE(Neighbor, neighbor)  // [vertex_count] displacement u [m]
 #include "sim/elasticity/vertex_block.glsl"
+#include "sim/elasticity/symmetric_inverse.glsl"
 #include "sim/energy/terms.glsl"
 INPUT_VEC4(Predicted, predicted)         // [vertex_count] u~ [m]
 INPUT_FLOAT(Mass, mass)                  // [vertex_count] [kg]

@@ -47,7 +47,8 @@ gl::ComputePass strains_at_start(const Recording& r) {
                 {"previous_strain", &r.previous_strain}};
   }
   gl::ComputePass pass =
-      r.over_pairs("sim/step/previous_strain.comp", defines, with_pairs(std::move(bindings), r.buffers));
+      r.over_pairs(r.features.quadratic ? "sim/quadratic/quadratic_strain.comp" : "sim/step/previous_strain.comp",
+                   defines, with_pairs(std::move(bindings), r.buffers));
   pass.loops(0);
   return pass;
 }

@@ -81,10 +81,13 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
                                      {"tet_shape", &r.buffers.tet_shape}, {"displacement", &r.buffers.displacement},
                                      {"mass", &r.buffers.mass},           {"tet_begin", &r.buffers.tet_begin},
                                      {"vertex_tets", &vertex_tets_},      {"block_inverse", &block_inverse_}};
+  if (r.features.quadratic) bindings.emplace_back("mid_edges", &r.buffers.mid_edges);
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
   const gl::Defines defines = with_energy_terms(defines_of(r.features), bindings, r.terms);
   Passes passes;
-  passes.push_back(r.over_vertices("sim/two_level/block_inverse.comp", defines, std::move(bindings)));
+  passes.push_back(r.over_vertices(
+      r.features.quadratic ? "sim/quadratic/quadratic_block_inverse.comp" : "sim/two_level/block_inverse.comp", defines,
+      std::move(bindings)));
   passes.back().loops(r.loops_of_vertex());
   return passes;
 }
@@ -178,8 +181,9 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
       sums.emplace_back("guarded_terms", &guarded_curvature_);
       sum_defines.emplace_back("GUARDED_ELSEWHERE", "1");
     }
-    passes.push_back(r.sum_over_pairs("sim/two_level/subspace_curvature.comp", sum_defines, std::move(sums), pairs_,
-                                      {{"first_partial", 3 * vertices_.partials}}));
+    passes.push_back(r.sum_over_pairs(
+        r.features.quadratic ? "sim/quadratic/quadratic_curvature.comp" : "sim/two_level/subspace_curvature.comp",
+        sum_defines, std::move(sums), pairs_, {{"first_partial", 3 * vertices_.partials}}));
     if (r.deferred) {
       passes.push_back(r.over_deferred("sim/two_level/guarded_curvature_clear.comp", {},
                                        {{"guarded_curvature", &guarded_curvature_}}));

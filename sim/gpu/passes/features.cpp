@@ -41,6 +41,7 @@ std::string test_of_law(const std::vector<const MaterialLaw*>& among, const std:
 
 Features features_of(const Model& model) {
   Features features;
+  features.quadratic = model.has_quadratic();
   features.material_per_tet = model.materials.size() > 1;
   for (const Material& material : model.materials) {
     features.damping |= material.damping > 0;
@@ -69,6 +70,8 @@ gl::Defines defines_of(const Features& features) {
   defines.emplace_back("LAW_RESPONSE(h, material)", call_of_law(beyond, "_response(h, material)"));
   defines.emplace_back("LAW_CURVATURE(h, material, a, b)", call_of_law(beyond, "_curvature(h, material, a, b)"));
   defines.emplace_back("LAW_BLOCK(h, material, b)", call_of_law(beyond, "_block(h, material, b)"));
+  if (features.quadratic)
+    defines.emplace_back("LAW_POINTWISE_LAMBDA(material)", call_of_law(beyond, "_pointwise_lambda(material)"));
   return defines;
 }
 
@@ -88,18 +91,25 @@ gl::ComputePass::Bindings with_damping(gl::ComputePass::Bindings bindings, const
 }
 
 gl::ComputePass::Bindings with_pairs(gl::ComputePass::Bindings bindings, const SimBuffers& buffers) {
-  bindings.insert(bindings.end(), {{"tet_vertices", &buffers.tet_vertices},
-                                   {"tet_shape", &buffers.tet_shape},
-                                   {"pair_fifth", &buffers.pair_fifth}});
+  bindings.insert(bindings.end(), {{"tet_vertices", &buffers.tet_vertices}, {"tet_shape", &buffers.tet_shape}});
+  if (buffers.quadratic())
+    bindings.emplace_back("mid_edges", &buffers.mid_edges);
+  else
+    bindings.emplace_back("pair_fifth", &buffers.pair_fifth);
   return bindings;
 }
 
 gl::ComputePass::Constants constants_of_pairs(const SimBuffers& buffers) {
+  if (buffers.quadratic()) return {};
   return {{"pair_count", buffers.pair_count}, {"second_begin", buffers.pair_and_single_count()}};
 }
 
 gl::ComputePass::Bindings with_slots(gl::ComputePass::Bindings bindings, const SimBuffers& buffers) {
-  bindings.insert(bindings.end(), {{"pair_slots", &buffers.pair_slots}, {"correction", &buffers.correction}});
+  if (buffers.quadratic())
+    bindings.emplace_back("element_slots", &buffers.element_slots);
+  else
+    bindings.emplace_back("pair_slots", &buffers.pair_slots);
+  bindings.emplace_back("correction", &buffers.correction);
   return with_pairs(std::move(bindings), buffers);
 }
 

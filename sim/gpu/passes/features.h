@@ -11,6 +11,7 @@ namespace fascia {
 struct Features {
   bool material_per_tet = false;
   bool damping = false;
+  bool quadratic = false;          // all tets (sim/elements/quadratic_tet.h)
   std::set<MaterialModel> models;  // of the materials
   bool operator==(const Features&) const = default;
 };

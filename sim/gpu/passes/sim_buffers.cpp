@@ -26,10 +26,13 @@ vec4 to_vec4(const Material& m) {
           model};
 }
 
-std::vector<std::uint32_t> tets_before(const std::vector<Tet>& tets, std::size_t vertex_count) {
+std::vector<std::uint32_t> tets_before(const std::vector<Tet>& tets, const std::vector<MidEdges>& mid_edges,
+                                       std::size_t vertex_count) {
   std::vector<std::uint32_t> begin(vertex_count + 1, 0);
   for (const Tet& tet : tets)
     for (const std::uint32_t v : tet) ++begin[v + 1];
+  for (const MidEdges& vertices : mid_edges)
+    for (const std::uint32_t v : vertices) ++begin[v + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   return begin;
 }
@@ -103,6 +106,31 @@ struct Slots {
   }
 };
 
+// The same of quadratic tets: every vertex of every tet has a slot.
+struct ElementSlots {
+  gl::Buffer correction, elements, begin;
+  std::uint32_t most = 0;
+
+  ElementSlots(const std::vector<Tet>& tets, const std::vector<MidEdges>& mid_edges,
+               std::vector<std::uint32_t> begins) {
+    for (std::size_t v = 0; v + 1 < begins.size(); ++v) most = std::max(most, begins[v + 1] - begins[v]);
+    begin = gl::Buffer("slot_begin", begins);
+    correction = gl::Buffer("correction", begins.back() * sizeof(vec4));
+    std::vector<Tet> slots;
+    for (std::size_t t = 0; t < tets.size(); ++t) {
+      const Tet& c = tets[t];
+      const MidEdges& m = mid_edges[t];
+      for (const Tet& vertices : {c, Tet{m[0], m[1], m[2], m[3]}}) {
+        Tet& four = slots.emplace_back();
+        for (std::size_t k = 0; k < 4; ++k) four[k] = begins[vertices[k]]++;
+      }
+      const std::uint32_t fifth = begins[m[4]]++, sixth = begins[m[5]]++;
+      slots.push_back({fifth, sixth, 0, 0});
+    }
+    elements = gl::Buffer("element_slots", slots);
+  }
+};
+
 }  // namespace
 
 SimBuffers::SimBuffers(const Model& model, MeshOrder places)
@@ -138,31 +166,44 @@ SimBuffers::SimBuffers(const Model& model, MeshOrder places)
 void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
   const std::vector<std::uint32_t>& order = pairing.order;
   std::vector<Tet> ordered;
+  std::vector<MidEdges> middles;
   std::vector<std::uint32_t> material;
   ordered.reserve(order.size());
   for (const std::uint32_t t : order) {
     ordered.push_back(model.tets[t]);
+    if (model.has_quadratic()) middles.push_back(model.mid_edges[t]);
     if (model.materials.size() > 1) material.push_back(model.tet_material[t]);
   }
   for (std::size_t i = 0; i < pairing.pair_count; ++i) align_at_face(ordered[i], ordered[pairing.second_begin() + i]);
-  std::vector<std::uint32_t> before = tets_before(ordered, vertex_count);
+  std::vector<std::uint32_t> before = tets_before(ordered, middles, vertex_count);
   Shapes shapes(model, ordered, pairing.pair_count);
-  Slots slots(ordered, pairing.pair_count, vertex_count, shapes.fifth);
-  gl::Buffer vertices("tet_vertices", ordered), rows("tet_shape", shapes.rows), fifth("pair_fifth", shapes.fifth),
-      begins("tet_begin", before);
+  gl::Buffer vertices("tet_vertices", ordered), rows("tet_shape", shapes.rows), begins("tet_begin", before);
+  if (middles.empty()) {
+    Slots slots(ordered, pairing.pair_count, vertex_count, shapes.fifth);
+    pair_fifth = gl::Buffer("pair_fifth", shapes.fifth);
+    correction = std::move(slots.correction);
+    pair_slots = std::move(slots.pair);
+    slot_begin = std::move(slots.begin);
+    most_slots = slots.most;
+  } else {
+    ElementSlots slots(ordered, middles, before);
+    std::vector<Tet> packed;
+    for (const MidEdges& m : middles) packed.insert(packed.end(), {{m[0], m[1], m[2], m[3]}, {m[4], m[5], 0, 0}});
+    mid_edges = gl::Buffer("mid_edges", packed);
+    correction = std::move(slots.correction);
+    element_slots = std::move(slots.elements);
+    slot_begin = std::move(slots.begin);
+    most_slots = slots.most;
+  }
   if (!material.empty()) tet_material = gl::Buffer("tet_material", material);
   tet_vertices = std::move(vertices);
   tet_shape = std::move(rows);
-  pair_fifth = std::move(fifth);
   tet_begin = std::move(begins);
-  correction = std::move(slots.correction);
-  pair_slots = std::move(slots.pair);
-  slot_begin = std::move(slots.begin);
   pair_count = pairing.pair_count;
-  most_slots = slots.most;
   most_tets = 0;
   for (std::uint32_t v = 0; v < vertex_count; ++v) most_tets = std::max(most_tets, before[v + 1] - before[v]);
   tets = std::move(ordered);
+  mid_edge_vertices = std::move(middles);
   tet_offsets = std::move(before);
 }
 

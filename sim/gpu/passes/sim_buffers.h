@@ -49,19 +49,23 @@ struct SimBuffers {
                              // first tet also d1, d2
   gl::Buffer pair_fifth;     // uvec4 [pairs and single tets] data of a second tet relative to the first one, without d1
                              // and d2 (shaders/common/tet_pair.glsl)
-  gl::Buffer tet_begin;      // uint [vertex_count + 1] differences are the numbers of tets around each vertex
-  gl::Buffer tet_material;   // uint [tet_count]; absent for a single material
-  gl::Buffer materials;      // vec4 [material_count]; absent for a single material
+  gl::Buffer mid_edges;  // uvec4 [2 * tet_count] of quadratic tets (shaders/common/quadratic_tet.glsl), for which there
+                         // is no pair_fifth; absent for linear ones
+  gl::Buffer tet_begin;  // uint [vertex_count + 1] differences are the numbers of tets around each vertex
+  gl::Buffer tet_material;  // uint [tet_count]; absent for a single material
+  gl::Buffer materials;     // vec4 [material_count]; absent for a single material
 
   // Scratch, vec4 [slots]: the contribution of each corner of a pair of tets, or of a single tet, to its vertex
   // (shaders/common/pair_slots.glsl).
   gl::Buffer correction;
   gl::Buffer pair_slots;  // uvec4 [pairs and single tets] slots of all corners but the pair's fifth, sorted by vertex
-  gl::Buffer slot_begin;  // uint [vertex_count + 1] first slot of each vertex
+  gl::Buffer element_slots;  // uvec4 [3 * tet_count] the same of quadratic tets, instead of pair_slots
+  gl::Buffer slot_begin;     // uint [vertex_count + 1] first slot of each vertex
 
   // The same on the CPU: data read back from a device that fails must never be an index or a size.
-  std::vector<Tet> tets;                   // [tet_count] tet_vertices
-  std::vector<std::uint32_t> tet_offsets;  // [vertex_count + 1] tet_begin
+  std::vector<Tet> tets;                    // [tet_count] tet_vertices
+  std::vector<MidEdges> mid_edge_vertices;  // [tet_count] of quadratic tets, else empty
+  std::vector<std::uint32_t> tet_offsets;   // [vertex_count + 1] tet_begin
 
   gl::Buffer diverged;  // uint [1] smallest index of a diverged vertex (shaders/sim/step/velocity.comp), ~0 for none
 
@@ -89,6 +93,7 @@ struct SimBuffers {
   /// Also updates the masses, which follow density; call after any material change.
   void upload_materials(const Model& model);
   void upload_step(const Model& model, const SolverSettings& settings, const IntegratorStage& stage);
+  bool quadratic() const { return static_cast<bool>(mid_edges); }
   bool material_per_tet() const { return static_cast<bool>(tet_material); }
 };
 

@@ -18,7 +18,10 @@ Passes StepGradient::passes(const Recording& r) const {
       {"gradient", &gradient_}};
   const gl::Defines vertex_defines = with_energy_terms({}, vertex, r.terms);
   Passes passes;
-  append(passes, r.over_pairs_deferring("sim/elasticity/elastic_force.comp", tet_defines, tet));
+  if (r.features.quadratic)
+    passes.push_back(r.over_pairs("sim/quadratic/quadratic_force.comp", tet_defines, tet));
+  else
+    append(passes, r.over_pairs_deferring("sim/elasticity/elastic_force.comp", tet_defines, tet));
   passes.push_back(r.over_vertices("sim/elasticity/gradient.comp", vertex_defines, std::move(vertex)));
   passes.back().loops(r.loops_of_slots());
   return passes;
@@ -27,9 +30,12 @@ Passes StepGradient::passes(const Recording& r) const {
 gl::Buffer make_vertex_tets(const SimBuffers& buffers) {
   const std::vector<Tet>& tets = buffers.tets;
   std::vector<std::uint32_t> next = buffers.tet_offsets;  // next free entry of each vertex
-  std::vector<std::uint32_t> entries(4 * tets.size());
-  for (std::uint32_t t = 0; t < tets.size(); ++t)
-    for (std::uint32_t a = 0; a < 4; ++a) entries[next[tets[t][a]]++] = 4 * t + a;
+  const std::uint32_t nodes = buffers.quadratic() ? 10 : 4;
+  std::vector<std::uint32_t> entries(nodes * tets.size());
+  for (std::uint32_t t = 0; t < tets.size(); ++t) {
+    for (std::uint32_t a = 0; a < 4; ++a) entries[next[tets[t][a]]++] = nodes * t + a;
+    for (std::uint32_t a = 4; a < nodes; ++a) entries[next[buffers.mid_edge_vertices[t][a - 4]]++] = nodes * t + a;
+  }
   return {"vertex_tets", entries};
 }
 

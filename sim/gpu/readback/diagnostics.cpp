@@ -35,8 +35,10 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
   tet = with_damping(with_material(with_slots(std::move(tet), buffers), features, buffers), features, previous_strain);
   gl::ComputePass::Constants tet_constants = constants_of_pairs(buffers);
   tet_constants.emplace_back("pair_and_single_count", buffers.pair_and_single_count());
-  passes_.emplace_back(programs.compute("sim/readback/diagnose_tet.comp", defines_of(features)), std::move(tet),
-                       tet_partial_count_, std::move(tet_constants));
+  passes_.emplace_back(
+      programs.compute(features.quadratic ? "sim/quadratic/quadratic_diagnose.comp" : "sim/readback/diagnose_tet.comp",
+                       defines_of(features)),
+      std::move(tet), tet_partial_count_, std::move(tet_constants));
   for (const EnergyTerm* term : terms)
     if (term->acts())
       for (gl::ComputePass& pass : term->impulses(programs, buffers)) passes_.push_back(std::move(pass));

@@ -49,9 +49,11 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
     defines.emplace_back("HEAT_LARGEST_STRESS", flag(color == ColorBy::largest_stress));
     defines.emplace_back("HEAT_SMALLEST_STRESS", flag(color == ColorBy::smallest_stress));
     gl::ComputePass::Bindings tet{{"step", &buffers.step}, {"displacement", &buffers.displacement}};
-    passes_.emplace_back(programs.compute("sim/readback/heat_tet.comp", defines),
-                         with_material(with_slots(std::move(tet), buffers), features, buffers),
-                         buffers.pair_and_single_count(), constants_of_pairs(buffers));
+    passes_.emplace_back(
+        programs.compute(features.quadratic ? "sim/quadratic/quadratic_heat.comp" : "sim/readback/heat_tet.comp",
+                         defines),
+        with_material(with_slots(std::move(tet), buffers), features, buffers), buffers.pair_and_single_count(),
+        constants_of_pairs(buffers));
     publish.emplace_back("slot_begin", &buffers.slot_begin);
     publish.emplace_back("correction", &buffers.correction);
   }

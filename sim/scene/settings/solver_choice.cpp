@@ -19,6 +19,7 @@ const std::vector<MethodInfo>& methods() {
                "date. Reaches the exact step in few iterations, however fine the mesh and however stiff the tissue.",
        .accelerations = {A::subspace, A::nonlinear_cg, A::anderson, A::none},
        .carries_every_law = true,
+       .carries_quadratic = true,
        .dispatches = 8},
       {.method = M::vertex_descent,
        .name = "vertex_descent",

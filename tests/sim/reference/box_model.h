@@ -1,14 +1,13 @@
 // Models built in code, without files: a box of one material, and random states of it.
 #pragma once
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <functional>
 #include <random>
 
 #include "sim/mesh/mesh_generate.h"
-#include "sim/mesh/mid_edges.h"
 #include "sim/model/model.h"
 #include "sim/reference/newton.h"
+#include "tests/support/models.h"
 
 namespace fascia::test {
 
@@ -27,19 +26,6 @@ inline Model box_model(
     if (fixed(model.rest_positions[v])) model.fixed.push_back(v);
   model.initial_velocity.assign(model.rest_positions.size(), Eigen::Vector3d::Zero());
   model.gravity.setZero();
-  return model;
-}
-
-/// Makes all tets of a box model quadratic; a mid-edge vertex is fixed if both ends of its edge are.
-inline Model quadratic(Model model) {
-  add_mid_edges(model.file_mesh, model.tet_source);
-  model.rest_positions = model.file_mesh.positions;
-  model.mid_edges = model.file_mesh.mid_edges;
-  const std::vector<char> held = model.held();
-  for (const MidEdge& edge : mid_edges_of(model.file_mesh))
-    if (held[edge.a] && held[edge.b]) model.fixed.push_back(edge.vertex);
-  std::sort(model.fixed.begin(), model.fixed.end());
-  model.initial_velocity.resize(model.rest_positions.size(), Eigen::Vector3d::Zero());
   return model;
 }
 

@@ -1,0 +1,39 @@
+// A quadratic tet (sim/elements/quadratic_tet.h): its ten vertices, and the displacement gradients H at its four points,
+// from those at its corners, of which H is a mean everywhere.
+#include "common/tet.glsl"
+INPUT_UVEC4(MidEdges, mid_edges)  // [2 * tet_count] vertices in the middle of the edges 01, 12, 02, 03 and 13, 23
+
+// Barycentric coordinates of a point: of the corner nearest to it, and of the others.
+#define POINT_NEAR 0.58541019662
+#define POINT_FAR 0.13819660113
+
+struct PointGradients {
+  mat3 at[4];
+};
+
+PointGradients corner_gradients(Tet tet, vec3 u0, vec3 u1, vec3 u2, vec3 u3, vec3 m01, vec3 m12, vec3 m02, vec3 m03, vec3 m13, vec3 m23) {
+  vec3 b0 = -(tet.b1 + tet.b2 + tet.b3);
+  vec3 d01 = u1 - u0, d02 = u2 - u0, d03 = u3 - u0, d12 = u2 - u1, d13 = u3 - u1, d23 = u3 - u2;
+  PointGradients h;
+  h.at[0] = outerProduct(4.0 * (m01 - u0) - d01, tet.b1) + outerProduct(4.0 * (m02 - u0) - d02, tet.b2) + outerProduct(4.0 * (m03 - u0) - d03, tet.b3);
+  h.at[1] = outerProduct(4.0 * (m01 - u1) + d01, b0) + outerProduct(4.0 * (m12 - u1) - d12, tet.b2) + outerProduct(4.0 * (m13 - u1) - d13, tet.b3);
+  h.at[2] = outerProduct(4.0 * (m02 - u2) + d02, b0) + outerProduct(4.0 * (m12 - u2) + d12, tet.b1) + outerProduct(4.0 * (m23 - u2) - d23, tet.b3);
+  h.at[3] = outerProduct(4.0 * (m03 - u3) + d03, b0) + outerProduct(4.0 * (m13 - u3) + d13, tet.b1) + outerProduct(4.0 * (m23 - u3) + d23, tet.b2);
+  return h;
+}
+
+PointGradients at_points(PointGradients corners) {
+  mat3 far = POINT_FAR * (corners.at[0] + corners.at[1] + corners.at[2] + corners.at[3]);
+  PointGradients h;
+  for (int q = 0; q < 4; ++q) h.at[q] = far + (POINT_NEAR - POINT_FAR) * corners.at[q];
+  return h;
+}
+
+// Of a vertex field in tet t.
+#define CORNER_GRADIENTS(t, tet, field)                                                                                     \
+  corner_gradients(tet, FETCH(field, tet.v.x).xyz, FETCH(field, tet.v.y).xyz, FETCH(field, tet.v.z).xyz,                    \
+                   FETCH(field, tet.v.w).xyz, FETCH(field, FETCH(mid_edges, 2u * t).x).xyz,                                 \
+                   FETCH(field, FETCH(mid_edges, 2u * t).y).xyz, FETCH(field, FETCH(mid_edges, 2u * t).z).xyz,              \
+                   FETCH(field, FETCH(mid_edges, 2u * t).w).xyz, FETCH(field, FETCH(mid_edges, 2u * t + 1u).x).xyz,         \
+                   FETCH(field, FETCH(mid_edges, 2u * t + 1u).y).xyz)
+#define POINT_GRADIENTS(t, tet, field) at_points(CORNER_GRADIENTS(t, tet, field))

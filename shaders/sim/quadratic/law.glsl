@@ -1,0 +1,143 @@
+// The law of a quadratic tet, split into a part at its points and one of its mean dilatation (volume_split() in
+// sim/material/law.h):
+//   E = V [mean Psi(F_q; lambda - K) + K/2 (mean theta(F_q))^2],  P_q = dPsi/dF_q + K (mean theta) dtheta/dF_q
+// and the same for viscosity, with tr(E - E*) as theta.
+#include "sim/material/invariants.glsl"
+#include "sim/elasticity/elasticity.glsl"
+#include "common/quadratic_tet.glsl"
+
+struct VolumeSplit {
+  vec4 pointwise;  // the material with lambda - K
+  float bulk;      // K [Pa]
+};
+
+float pointwise_lambda(vec4 material) {
+#if BEYOND_STRAIN
+  if (IS_BEYOND_STRAIN(material)) return LAW_POINTWISE_LAMBDA(material);
+#endif
+  return 0.0;
+}
+
+VolumeSplit volume_split(vec4 material) {
+  float mu = lame_mu(material), lambda = pointwise_lambda(material), bulk = lame_lambda(material) - lambda;
+  float nu = lambda / (2.0 * (lambda + mu));
+  if (bulk <= 0.0) return VolumeSplit(material, 0.0);
+  return VolumeSplit(vec4(2.0 * mu * (1.0 + nu), nu, material.zw), bulk);
+}
+
+struct Dilatation {
+  float value;  // theta
+  mat3 first;   // dtheta/dF
+};
+
+Dilatation dilatation_of(mat3 h, vec4 material) {
+#if BEYOND_STRAIN
+  if (IS_BEYOND_STRAIN(material)) return Dilatation(det_f_minus_one(h), mat3(1.0) + cofactor_minus_one(h));
+#endif
+  Deformation d = deformation_of(h, material);
+  return Dilatation(d.e.d.x + d.e.d.y + d.e.d.z, d.f);
+}
+
+// Second derivative of theta along a and b.
+float dilatation_curvature(mat3 h, vec4 material, mat3 a, mat3 b) {
+#if BEYOND_STRAIN
+  if (IS_BEYOND_STRAIN(material)) return inner(mat3(1.0) + h, tensor_cross(a, b));
+#endif
+  return inner(a, b);
+}
+
+float mean_dilatation(PointGradients h, vec4 material) {
+  float sum = 0.0;
+  for (int q = 0; q < 4; ++q) sum += dilatation_of(h.at[q], material).value;
+  return 0.25 * sum;
+}
+
+#if DAMPING
+struct Viscosity {
+  float over_h;  // damping / h, faded
+  float bulk;    // what multiplies the mean of tr(E - E*) [Pa]
+  float mean;
+};
+
+Sym3 strain_since_start(uint t, int q, mat3 h) {
+  Sym3 e = green_strain(h), before = previous_strain_of(4u * t + uint(q));
+  return Sym3(e.d - before.d, e.s - before.s);
+}
+
+Viscosity viscosity_of(uint t, PointGradients h, vec4 material) {
+  Sym3 before = Sym3(vec3(0.0), vec3(0.0));
+  float mean = 0.0;
+  for (int q = 0; q < 4; ++q) {
+    before.d += 0.25 * previous_strain_of(4u * t + uint(q)).d;
+    vec3 change = strain_since_start(t, q, h.at[q]).d;
+    mean += 0.25 * (change.x + change.y + change.z);
+  }
+  float over_h = damping_over_h(before, material);
+  return Viscosity(over_h, over_h * max(lame_lambda(material), 0.0), mean);
+}
+
+// Second Piola stress at a point, without the mean.
+Sym3 viscous_stress_at_point(Viscosity viscosity, Sym3 change, vec4 material) {
+  float mu2 = 2.0 * lame_mu(material);
+  return Sym3(viscosity.over_h * (mu2 * change.d + min(lame_lambda(material), 0.0) * (change.d.x + change.d.y + change.d.z)),
+              viscosity.over_h * mu2 * change.s);
+}
+#endif
+
+struct QuadraticElastic {
+  mat3 p[4];     // first Piola stress at the points [Pa]
+  float energy;  // mean density [J/m^3]
+};
+
+// Without viscosity.
+QuadraticElastic quadratic_elastic(PointGradients h, vec4 material) {
+  VolumeSplit split = volume_split(material);
+  float mean = mean_dilatation(h, material);
+  QuadraticElastic r;
+  r.energy = 0.5 * split.bulk * mean * mean;
+  for (int q = 0; q < 4; ++q) {
+    Elastic point = elastic_of(h.at[q], split.pointwise);
+    r.p[q] = point.p + split.bulk * mean * dilatation_of(h.at[q], material).first;
+    r.energy += 0.25 * point.energy;
+  }
+  return r;
+}
+
+QuadraticElastic quadratic_response(uint t, PointGradients h, vec4 material) {
+  QuadraticElastic r = quadratic_elastic(h, material);
+#if DAMPING
+  Viscosity viscosity = viscosity_of(t, h, material);
+  float pressure = viscosity.bulk * viscosity.mean;
+  r.energy += 0.5 * pressure * viscosity.mean;
+  for (int q = 0; q < 4; ++q) {
+    Sym3 change = strain_since_start(t, q, h.at[q]), s = viscous_stress_at_point(viscosity, change, material);
+    r.energy += 0.125 * contract(s, change);
+    s.d += pressure;
+    r.p[q] += times(mat3(1.0) + h.at[q], s);
+  }
+#endif
+  return r;
+}
+
+// The forces on the vertices: derivatives of V mean Psi by their displacements, from the stresses at the points.
+struct QuadraticForces {
+  vec3 corner[4], middle[6];  // of the edges 01, 12, 02, 03, 13, 23
+};
+
+QuadraticForces forces_of(Tet tet, mat3 p[4]) {
+  mat3 sum = p[0] + p[1] + p[2] + p[3];
+  vec3 b[4] = vec3[4](-(tet.b1 + tet.b2 + tet.b3), tet.b1, tet.b2, tet.b3);
+  mat3 at[4];  // sum_q L_c(q) P_q
+  QuadraticForces f;
+  for (int c = 0; c < 4; ++c) {
+    at[c] = POINT_FAR * sum + (POINT_NEAR - POINT_FAR) * p[c];
+    f.corner[c] = 0.25 * ((4.0 * at[c] - sum) * b[c]);
+  }
+  f.middle[0] = at[0] * b[1] + at[1] * b[0];
+  f.middle[1] = at[1] * b[2] + at[2] * b[1];
+  f.middle[2] = at[0] * b[2] + at[2] * b[0];
+  f.middle[3] = at[0] * b[3] + at[3] * b[0];
+  f.middle[4] = at[1] * b[3] + at[3] * b[1];
+  f.middle[5] = at[2] * b[3] + at[3] * b[2];
+  return f;
+}

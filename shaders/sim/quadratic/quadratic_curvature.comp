@@ -1,0 +1,70 @@
+// Curvature of the elastic energy of quadratic tets along z_f and z_c, as subspace_curvature computes it for linear
+// ones: sums over the tets of l^2 times
+//   V [mean dF_i : d^2 Psi/dF^2 : dF_j + K (mean theta) mean d^2 theta(dF_i, dF_j) + K (mean dtheta(dF_i)) (mean dtheta(dF_j))]
+// and with damping the viscous part.
+#include "common/io.glsl"
+#include "common/reduce.glsl"
+#include "common/step.glsl"
+#include "sim/quadratic/law.glsl"
+COMPUTE_1D
+INPUT_VEC4(Displacement, displacement)     // [vertex_count] u [m]
+INPUT_VEC4(FineDirection, fine_direction)  // [vertex_count] z_f [m]
+#if SPLIT
+INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]
+#endif
+OUTPUT(vec4, CurvaturePartials, curvature_partials)  // from first_partial on: x z_f H z_f, y z_f H z_c, z z_c H z_c
+uniform uint pair_and_single_count, first_partial;
+
+vec3 terms_of(uint t) {
+  Tet tet = load_tet(t);
+  PointGradients h = POINT_GRADIENTS(t, tet, displacement), fine = POINT_GRADIENTS(t, tet, fine_direction);
+#if SPLIT
+  PointGradients coarse = POINT_GRADIENTS(t, tet, coarse_direction);
+#else
+  PointGradients coarse = fine;
+#endif
+  vec4 material = material_of(t);
+  VolumeSplit split = volume_split(material);
+  float pressure = split.bulk * mean_dilatation(h, material);
+#if DAMPING
+  Viscosity viscosity = viscosity_of(t, h, material);
+  vec2 viscous_growth = vec2(0.0);
+#endif
+  vec3 terms = vec3(0.0);
+  vec2 growth = vec2(0.0);  // mean dtheta along z_f and z_c
+  for (int q = 0; q < 4; ++q) {
+    mat3 at = h.at[q], f = fine.at[q], c = coarse.at[q];
+    Tangent tangent = elastic_tangent_of(at, split.pointwise);
+    mat3 first = dilatation_of(at, material).first;
+    growth += 0.25 * vec2(inner(first, f), inner(first, c));
+    terms.x += curvature(tangent, at, split.pointwise, f, f) + pressure * dilatation_curvature(at, material, f, f);
+#if SPLIT
+    terms.y += curvature(tangent, at, split.pointwise, f, c) + pressure * dilatation_curvature(at, material, f, c);
+    terms.z += curvature(tangent, at, split.pointwise, c, c) + pressure * dilatation_curvature(at, material, c, c);
+#endif
+#if DAMPING
+    mat3 deformed = mat3(1.0) + at;
+    Sym3 s = viscous_stress_at_point(viscosity, strain_since_start(t, q, at), material);
+    s.d += viscosity.bulk * viscosity.mean;
+    viscous_growth += 0.25 * vec2(inner(deformed, f), inner(deformed, c));
+    Sym3 by_f = strain_change(deformed, f), by_c = strain_change(deformed, c);
+    terms.x += contract(viscous_stress_at_point(viscosity, by_f, material), by_f) + geometric(f, s, f);
+#if SPLIT
+    terms.y += contract(viscous_stress_at_point(viscosity, by_f, material), by_c) + geometric(f, s, c);
+    terms.z += contract(viscous_stress_at_point(viscosity, by_c, material), by_c) + geometric(c, s, c);
+#endif
+#endif
+  }
+  terms = 0.25 * terms + split.bulk * vec3(growth.x * growth.x, growth.x * growth.y, growth.y * growth.y);
+#if DAMPING
+  terms += viscosity.bulk * vec3(viscous_growth.x * viscous_growth.x, viscous_growth.x * viscous_growth.y, viscous_growth.y * viscous_growth.y);
+#endif
+  return SUBSTEP * SUBSTEP * tet.volume * terms;
+}
+
+void main() {
+  LANE_OR_RETURN(i)
+  vec3 sum = vec3(0.0);
+  FOR_ITEMS_OF_LANE(k, i, invocations, pair_and_single_count) sum += terms_of(LISTED_ITEM(k));
+  STORE_PARTIAL(curvature_partials, i + first_partial * PARTIAL_STRIDE, vec4(sum, 0.0))
+}

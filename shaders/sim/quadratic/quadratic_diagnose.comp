@@ -1,0 +1,51 @@
+// Elastic (and viscous) force, energy, J, volume, strain and stress of every quadratic tet after a step, as diagnose_tet
+// computes them for linear ones. J is taken at the points and at the corners, which turn inside out first.
+#include "common/io.glsl"
+#include "common/step.glsl"
+#include "common/quadratic_slots.glsl"
+#include "sim/quadratic/law.glsl"
+#include "sim/elasticity/tet_scalars.glsl"
+COMPUTE_1D
+INPUT_VEC4(Displacement, displacement)         // [vertex_count] u [m]
+OUTPUT(TetPartial, TetPartials, tet_partials)  // [invocations]
+uniform uint pair_and_single_count;
+
+void main() {
+  ITEM_OR_RETURN(lane)
+  TetPartial partial = TetPartial(vec4(3.4e38, -3.4e38, 0.0, 0.0), vec4(0.0));
+  FOR_ITEMS_OF_LANE(t, lane, invocations, pair_and_single_count) {
+    Tet tet = load_tet(t);
+    vec4 material = material_of(t);
+    PointGradients corners = CORNER_GRADIENTS(t, tet, displacement), h = at_points(corners);
+    QuadraticElastic elastic = quadratic_elastic(h, material);
+    float smallest = 3.4e38, largest = -3.4e38, growth = 0.0, squares = 0.0;
+    for (int q = 0; q < 4; ++q) {
+      float at_point = det_f_minus_one(h.at[q]), at_corner = det_f_minus_one(corners.at[q]);
+      smallest = min(smallest, 1.0 + min(at_point, at_corner));
+      largest = max(largest, 1.0 + max(at_point, at_corner));
+      growth += 0.25 * at_point;
+      float strain = strain_norm(green_strain(h.at[q]));
+      squares += 0.25 * strain * strain;
+      partial.range.z = max(partial.range.z, strain);
+      partial.range.w = max(partial.range.w, von_mises_stress(mat3(1.0) + h.at[q], 1.0 + at_point, elastic.p[q]));
+    }
+    partial.range.x = min(partial.range.x, smallest);
+    partial.range.y = max(partial.range.y, largest);
+    partial.sums += tet.volume * vec4(elastic.energy, 0.0, growth, squares);
+    partial.sums.y += smallest <= 0.0 ? 1.0 : 0.0;
+    QuadraticForces f = forces_of(tet, quadratic_response(t, h, material).p);
+    float scale = -SUBSTEP * SUBSTEP * tet.volume;
+    uvec4 slot = FETCH(element_slots, 3u * t), slot_1 = FETCH(element_slots, 3u * t + 1u), slot_2 = FETCH(element_slots, 3u * t + 2u);
+    correction[slot.x] = vec4(scale * f.corner[0], 0.0);
+    correction[slot.y] = vec4(scale * f.corner[1], 0.0);
+    correction[slot.z] = vec4(scale * f.corner[2], 0.0);
+    correction[slot.w] = vec4(scale * f.corner[3], 0.0);
+    correction[slot_1.x] = vec4(scale * f.middle[0], 0.0);
+    correction[slot_1.y] = vec4(scale * f.middle[1], 0.0);
+    correction[slot_1.z] = vec4(scale * f.middle[2], 0.0);
+    correction[slot_1.w] = vec4(scale * f.middle[3], 0.0);
+    correction[slot_2.x] = vec4(scale * f.middle[4], 0.0);
+    correction[slot_2.y] = vec4(scale * f.middle[5], 0.0);
+  }
+  tet_partials[lane] = partial;
+}

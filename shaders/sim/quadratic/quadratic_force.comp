@@ -1,0 +1,37 @@
+// Elastic (and viscous) force of every quadratic tet on its vertices, and its energy, as elastic_force does for linear
+// ones. Writes the slots that gradient gathers: xyz l^2 dE/du [kg m], w of the first corner: l^2 E [kg m^2].
+#include "common/io.glsl"
+#include "common/step.glsl"
+#include "common/quadratic_slots.glsl"
+#include "sim/quadratic/law.glsl"
+COMPUTE_1D
+INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
+#if COMPENSATED
+INPUT_VEC4(DisplacementLow, displacement_low)  // [vertex_count] the part of u that float32 cannot represent [m]
+#endif
+
+void main() {
+  ITEM_OR_RETURN(t)
+  Tet tet = load_tet(t);
+  PointGradients h = POINT_GRADIENTS(t, tet, displacement);
+#if COMPENSATED
+  PointGradients low = POINT_GRADIENTS(t, tet, displacement_low);
+  for (int q = 0; q < 4; ++q) h.at[q] += low.at[q];
+#endif
+  QuadraticElastic r = quadratic_response(t, h, material_of(t));
+  QuadraticForces f = forces_of(tet, r.p);
+  float scale = SUBSTEP * SUBSTEP * tet.volume;
+  uvec4 slot = FETCH(element_slots, 3u * t);
+  correction[slot.x] = vec4(scale * f.corner[0], scale * r.energy);
+  STORE3(correction[slot.y], scale * f.corner[1])
+  STORE3(correction[slot.z], scale * f.corner[2])
+  STORE3(correction[slot.w], scale * f.corner[3])
+  slot = FETCH(element_slots, 3u * t + 1u);
+  STORE3(correction[slot.x], scale * f.middle[0])
+  STORE3(correction[slot.y], scale * f.middle[1])
+  STORE3(correction[slot.z], scale * f.middle[2])
+  STORE3(correction[slot.w], scale * f.middle[3])
+  slot = FETCH(element_slots, 3u * t + 2u);
+  STORE3(correction[slot.x], scale * f.middle[4])
+  STORE3(correction[slot.y], scale * f.middle[5])
+}
