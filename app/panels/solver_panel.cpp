@@ -140,7 +140,10 @@ void solver_panel(const PanelContext& context) {
     value = static_cast<Value>(std::clamp(number, field.min, field.max));
     changed = true;
   });
-  if (changed) simulation.set_settings(settings);
+  if (changed) {
+    simulation.set_settings(settings);
+    session.true_error.forget();  // it was that of other settings
+  }
   if (const Coloring* coloring = simulation.gpu() ? simulation.gpu()->coloring() : nullptr)
     ui::fact("In use",
              plural(coloring->color_count(), "color") + ", " + plural(coloring->phantom_vertex.size(), "phantom"),

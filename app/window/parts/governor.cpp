@@ -32,7 +32,7 @@ void Governor::follow(double frame, double picture, bool moves, bool compiled) {
 
 Quality lowered(Quality quality, int level) {
   if (level >= 1) quality.shadow_taps = 1;
-  if (level >= 2) quality.shadow_every = level == 2 ? 2 : 4;
+  if (level >= 2) quality.shadow_every = 2;  // an older map would throw shadows of tissue that has moved on
   return quality;
 }
 

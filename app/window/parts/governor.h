@@ -10,7 +10,7 @@ namespace fascia {
 
 class Governor {
  public:
-  static constexpr int kLevels = 3;  // below the full quality
+  static constexpr int kLevels = 2;  // below the full quality
 
   /// `acts` false: always full quality.
   explicit Governor(bool acts) : acts_(acts) {}
@@ -36,6 +36,6 @@ Quality lowered(Quality quality, int level);
 
 /// What a level saves, for the panels; the first is the full quality.
 inline constexpr std::array<const char*, Governor::kLevels + 1> kLevelNames{
-    "full", "hard edges of shadows", "shadows of every 2nd picture", "shadows of every 4th picture"};
+    "full", "hard edges of shadows", "shadows of every 2nd picture"};
 
 }  // namespace fascia

@@ -18,6 +18,7 @@ constexpr double kMemory = 1.0;   // [s] over which the speed is averaged
 }  // namespace
 
 int Pacing::advance(double elapsed, double time_step, double step_cost) {
+  const double whole = std::min(std::max(elapsed, 0.0), kLongestFrame + steps_ * step_cost);  // slow steps are no gap
   elapsed = std::clamp(elapsed, 0.0, kLongestFrame);
   owed_ += elapsed / time_step;
   picture_ += kNewest * (std::max(0.0, elapsed - steps_ * step_cost) - picture_);
@@ -29,9 +30,9 @@ int Pacing::advance(double elapsed, double time_step, double step_cost) {
   steps_ = steps;
   if (owed_ >= 1) owed_ = kHead;
 
-  const double fade = std::exp(-elapsed / kMemory);
+  const double fade = std::exp(-whole / kMemory);
   simulated_ = fade * simulated_ + steps * time_step;
-  real_ = fade * real_ + elapsed;
+  real_ = fade * real_ + whole;
   return steps;
 }
 

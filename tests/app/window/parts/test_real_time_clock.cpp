@@ -92,6 +92,14 @@ TEST_CASE("steps of a frame are limited where nothing keeps pace, so that frames
   CHECK_FALSE(pacing.keeps_pace());
 }
 
+TEST_CASE("the speed counts all of the time that slow steps take") {
+  Pacing pacing;
+  const double dt = 1.0 / 60, cost = 2.0;
+  for (int frame = 0; frame < 10; ++frame) pacing.advance(cost, dt, cost);
+  CAPTURE(pacing.speed());
+  CHECK(pacing.speed() == Approx(dt / cost).epsilon(0.1));
+}
+
 TEST_CASE("a long gap is not made up for") {
   Pacing pacing;
   const double dt = 1.0 / 60;
