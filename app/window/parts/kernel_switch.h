@@ -10,6 +10,7 @@
 #include "app/kernels/kernel_record.h"
 #include "app/kernels/kernel_warmup.h"
 #include "app/session/session.h"
+#include "sim/simulation/simulation.h"
 
 namespace fascia {
 
