@@ -8,7 +8,8 @@ namespace fascia {
 
 /// One end of the mesh along an axis.
 struct FlatSide {
-  double area = 0;        // of the flat part at the very end, seen along the axis
+  double area = 0;        // of the flat part at the end, seen along the axis
+  double depth = 0;       // of that part below the very end, as a share of the extent: fills of surfaces have a rim
   double share = 0;       // of the rectangle that the whole mesh takes up, seen along the axis
   double stability = -1;  // of the mesh standing on it (foot.h)
 };

@@ -60,6 +60,7 @@ struct Stance {
   UpAxis up;
   enum class Hold { foot, top, underside } hold;
   std::string reason;
+  double depth = 0;  // FlatSide::depth
 };
 using Hold = Stance::Hold;
 
@@ -104,12 +105,16 @@ class StanceChoice {
     return found;
   }
 
-  Stance standing(std::size_t axis) const { return {kUpAxes[axis], Hold::foot, "stands on its flat side"}; }
-  Stance hanging(std::size_t axis) const { return {kUpAxes[axis], Hold::top, "flat at its top"}; }
+  Stance standing(std::size_t axis) const {
+    return {kUpAxes[axis], Hold::foot, "stands on its flat side", sides_.low[axis].depth};
+  }
+  Stance hanging(std::size_t axis) const {
+    return {kUpAxes[axis], Hold::top, "flat at its top", sides_.high[axis].depth};
+  }
   /// y and z often point up, so that a flat side at their upper end is the top.
   Stance turned_over(std::size_t axis) const {
     if (kUpAxes[axis] != UpAxis::x) return hanging(axis);
-    return {UpAxis::minus_x, Hold::foot, "stands on its flat side"};
+    return {UpAxis::minus_x, Hold::foot, "stands on its flat side", sides_.high[axis].depth};
   }
   Stance resting() const {
     const Vector3d& size = sides_.size;
@@ -155,7 +160,8 @@ class SupportChoice {
     for (const Vector3d& p : mesh.positions) positions_.push_back(place * p);
   }
 
-  void choose(Hold hold, BareMeshPlan& plan) const {
+  /// `depth`: FlatSide::depth of the side that is held.
+  void choose(Hold hold, double depth, BareMeshPlan& plan) const {
     for (const auto& [name, vertices] : mesh_.groups)
       if (means_support(name) && 2 * vertices.size() < mesh_.positions.size())
         plan.fixed.emplace_back(GroupSelection{name});
@@ -168,7 +174,7 @@ class SupportChoice {
     const std::vector<std::uint32_t> piece = pieces_of(tets_, positions_.size());
     std::map<std::uint32_t, std::vector<Tet>> pieces;
     for (const Tet& t : tets_) pieces[piece[t[0]]].push_back(t);
-    const double share = hold == Hold::underside ? share_of(pieces) : kShares.front();
+    const double share = hold == Hold::underside ? share_of(pieces) : kShares.front() + depth;
     const bool hangs = hold == Hold::top;
     plan.fixed.emplace_back(LowestSelection{share, hangs, pieces.size() > 1});
     plan.support_reason = std::string("held at ") + (hangs ? "the highest " : "the lowest ") + percent(share) +
@@ -207,6 +213,16 @@ std::vector<std::uint32_t> held_vertices(const TetMesh& mesh, const std::vector<
   return held;
 }
 
+/// Whether three of the vertices are not on a line.
+bool keep_from_turning(const std::vector<Vector3d>& x, const std::vector<std::uint32_t>& held) {
+  const auto away = [&](std::uint32_t v) { return (x[v] - x[held[0]]).norm(); };
+  const std::uint32_t far =
+      *std::max_element(held.begin(), held.end(), [&](auto a, auto b) { return away(a) < away(b); });
+  const Vector3d line = x[far] - x[held[0]];
+  return std::any_of(held.begin(), held.end(),
+                     [&](std::uint32_t v) { return line.cross(x[v] - x[held[0]]).norm() > 1e-6 * line.squaredNorm(); });
+}
+
 std::string pascals(double value) {
   constexpr std::array<std::pair<double, const char*>, 4> units = {
       {{1e9, " GPa"}, {1e6, " MPa"}, {1e3, " kPa"}, {1, " Pa"}}};
@@ -229,11 +245,13 @@ BareMeshPlan plan_bare_mesh(const std::filesystem::path& file, const TetMesh& me
   const FlatSides sides = flat_sides(mesh.positions, tets);
   choose_unit(sides.size.maxCoeff() * body.transform.scale, open.unit, plan);
   Hold hold = Hold::underside;
+  double depth = 0;
   if (open.up) {
     const Stance stance = StanceChoice(sides, usual_up(file, plan.unit)).choose();
     plan.up = stance.up;
     plan.up_reason = stance.reason;
     hold = stance.hold;
+    depth = stance.depth;
   } else {
     plan.up_reason = "as given";
   }
@@ -242,7 +260,7 @@ BareMeshPlan plan_bare_mesh(const std::filesystem::path& file, const TetMesh& me
   placed.up = plan.up;
   const SupportChoice support(mesh, tets, placed);
   if (open.supports)
-    support.choose(hold, plan);
+    support.choose(hold, depth, plan);
   else
     plan.support_reason = "held as given";
   placed.fixed = plan.fixed;
@@ -250,8 +268,13 @@ BareMeshPlan plan_bare_mesh(const std::filesystem::path& file, const TetMesh& me
     plan.stiffness_reason = "as given";
     return plan;
   }
-  const WeightResponse response = weight_response({support.positions(), tets, held_vertices(mesh, tets, placed)},
-                                                  body.material, gravity > 0 ? gravity : kEarth);
+  std::vector<std::uint32_t> held = held_vertices(mesh, tets, placed);
+  if (!held.empty() && !keep_from_turning(support.positions(), held)) {
+    plan.stiffness_reason = "not guessed: held at " + plural(held.size(), "point") + ", it can turn";
+    return plan;
+  }
+  const WeightResponse response =
+      weight_response({support.positions(), tets, std::move(held)}, body.material, gravity > 0 ? gravity : kEarth);
   plan.young_modulus = modulus_for(response);
   plan.stiffness_reason = "its weight strains it by " + percent(response.strain / plan.young_modulus);
   return plan;

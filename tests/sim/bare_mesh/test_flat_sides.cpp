@@ -1,5 +1,6 @@
 #include "sim/bare_mesh/flat_sides.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <numbers>
 
@@ -33,6 +34,20 @@ TEST_CASE("a ball has no flat side, a cone one") {
   CHECK(sides.low[1].share == Approx(std::numbers::pi / 4).epsilon(0.05));
   CHECK(sides.low[1].stability == Approx(2).epsilon(0.1));  // 0.05 beside its center, 0.025 above the ground
   CHECK(sides.high[1].share < 0.01);
+}
+
+TEST_CASE("a flat side may have a rim that stands out, as fills of surfaces have") {
+  const double rim = GENERATE(0.0, 0.012, 0.03);
+  TetMesh box = make_box(8, 8, 8, {0.4, 0.4, 0.4});
+  for (Eigen::Vector3d& p : box.positions) {
+    const bool outer = std::min({p.x(), p.z(), 0.4 - p.x(), 0.4 - p.z()}) < 1e-9;
+    if (outer && p.y() < 1e-9) p.y() -= rim;
+  }
+  const FlatSides sides = flat_sides(box.positions, box.tets);
+  CAPTURE(rim, sides.low[1].share, sides.low[1].depth);
+  CHECK(sides.low[1].share > 0.5);
+  CHECK(sides.low[1].depth == Approx(rim == 0 ? 0 : rim / (0.4 + rim)).margin(1e-9));
+  CHECK(sides.high[1].depth == 0);
 }
 
 TEST_CASE("center, volume and box are those of the tets") {

@@ -1,5 +1,6 @@
 #include "sim/bare_mesh/plan.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/support/bare_shapes.h"
@@ -165,4 +166,28 @@ TEST_CASE("given values stay, and the others follow from them") {
 TEST_CASE("the same mesh has the same plan") {
   const TetMesh mesh = make_cone(50, 100);
   CHECK(text_of(plan_of(mesh)) == text_of(plan_of(mesh)));
+}
+
+TEST_CASE("what stands on a flat side behind a rim is held up to that side") {
+  TetMesh box = make_box(8, 8, 8, {0.4, 0.4, 0.4});
+  for (Eigen::Vector3d& p : box.positions)
+    if (std::min({p.x(), p.z(), 0.4 - p.x(), 0.4 - p.z()}) < 1e-9 && p.y() < 1e-9) p.y() -= 0.03;
+  const BareMeshPlan plan = plan_of(box);
+  CHECK(plan.up_reason == "stands on its flat side");
+  CHECK(support_of(plan).share == Approx(0.02 + 0.03 / 0.43).epsilon(1e-9));
+}
+
+TEST_CASE("no stiffness is guessed for a body that turns about what holds it") {
+  const TetMesh box = make_box(3, 3, 3, {0.1, 0.1, 0.1});
+  Unsettled open;
+  open.supports = false;
+  Body body;
+  body.fixed.push_back(BoxSelection{{-1, -1, -1}, {1e-6, 1e-6, 1e-6}});
+  const BareMeshPlan corner = plan_of(box, "mesh.vtk", open, body);
+  CHECK(corner.young_modulus == body.material.young_modulus);
+  CHECK(corner.stiffness_reason == "not guessed: held at 1 point, it can turn");
+  body.fixed = {BoxSelection{{-1, -1, -1}, {1, 1e-6, 1e-6}}};
+  CHECK(plan_of(box, "mesh.vtk", open, body).stiffness_reason == "not guessed: held at 4 points, it can turn");
+  body.fixed = {BoxSelection{{-1, -1, -1}, {1, 1e-6, 1}}};
+  CHECK(plan_of(box, "mesh.vtk", open, body).young_modulus != body.material.young_modulus);
 }

@@ -135,7 +135,8 @@ TEST_CASE("an error of an override names the override, one of the file the file"
 TEST_CASE("an unknown key at the beginning of an override suggests keys of scenes, of bodies, and of objects in them") {
   const std::string known =
       "; expected one of bodies, camera, display, duration, fascia_scene, grabs, gravity, solver, title, elements, "
-      "fixed, initial_velocity, materials, mesh, name, prescribed, regions, resolution, surface, transform and 2 more";
+      "fixed, initial_velocity, materials, mesh, name, prescribed, regions, resolution, surface, transform, "
+      "unit, up";
   const auto unknown = [&](const std::string& key, const std::string& word, const std::string& near) {
     CHECK(error_with({key + "=1"}) == "--set " + key + ": unknown key \"" + word + "\"" +
                                           (near.empty() ? "" : ", perhaps \"" + near + "\"") + known);
