@@ -23,6 +23,7 @@ class Material:
 class Settings:
     method: str
     acceleration: str
+    integrator: str  # "implicit_euler", "bdf2" or "sdirk2"
     iterations: int  # per substep, at most
     tolerance: float  # relative residual at which iterations stop; 0: all iterations run
     time_step: float  # [s]

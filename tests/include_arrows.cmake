@@ -8,7 +8,7 @@ set(arrows
   "gl: base"
   "gl/context: base gl"
   "sim/bare_mesh: base sim/elements sim/grab sim/material sim/mesh sim/model sim/reference sim/surface"
-  "sim/coarse: sim/model"
+  "sim/coarse: sim/mesh sim/model"
   "sim/elements: sim/mesh"
   "sim/gpu: base gl sim/coarse sim/gpu/acceleration sim/gpu/integrators sim/gpu/methods sim/gpu/passes sim/gpu/readback sim/model sim/reference"
   "sim/gpu/acceleration: gl sim/gpu/passes sim/scene/settings"

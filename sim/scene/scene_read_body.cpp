@@ -254,8 +254,8 @@ Material read_material(const Node& node) {
 }
 
 Body read_body(const Node& node) {
-  node.expect_object({"name", "mesh", "resolution", "elements", "unit", "up", "transform", "materials", "regions", "fixed",
-                      "prescribed", "initial_velocity", "surface"});
+  node.expect_object({"name", "mesh", "resolution", "elements", "unit", "up", "transform", "materials", "regions",
+                      "fixed", "prescribed", "initial_velocity", "surface"});
   Body body;
   const std::string expected = "the path of a tet mesh or of a closed surface";
   const Node mesh = node.at("mesh", expected);

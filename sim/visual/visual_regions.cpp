@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "sim/model/linear_parts.h"
+#include "sim/mesh/linear_tets.h"
 
 namespace fascia {
 namespace {
@@ -74,7 +74,7 @@ VisualRegions drawn_regions(const Scene& scene, const Model& model, const Visual
   for (const auto& key : keys) of_model_tet.push_back(numbers[key]);
   regions.first_tet.resize(regions.names.size());
   for (std::size_t t = keys.size(); t-- > 0;) regions.first_tet[of_model_tet[t]] = static_cast<std::uint32_t>(t);
-  LinearTets linear = linear_tets(model, 0, model.tets.size());
+  LinearTets linear = linear_tets(model.tets, model.mid_edges, model.rest_positions, 0, model.tets.size());
   for (const std::uint32_t t : linear.source) regions.of_tet.push_back(of_model_tet[t]);
   regions.tets = std::move(linear.tets);
   number_triangles(model, of_model_tet, surface, regions);

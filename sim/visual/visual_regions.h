@@ -11,7 +11,7 @@ namespace fascia {
 struct VisualRegions {
   std::vector<std::string> names;          // "tumour", "region 2"; with several bodies "liver: tumour"
   std::vector<std::uint32_t> first_tet;    // [names] one of its tets, in Model::tets
-  std::vector<Tet> tets;                   // of pictures (sim/model/linear_parts.h)
+  std::vector<Tet> tets;                   // of pictures (sim/mesh/linear_tets.h)
   std::vector<std::uint32_t> of_tet;       // [tets] index into names
   std::vector<std::uint32_t> of_triangle;  // [VisualSurface::triangles]
 };

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/mesh/linear_tets.h"
 #include "sim/mesh/tet_faces.h"
-#include "sim/model/linear_parts.h"
 
 namespace fascia {
 
@@ -16,8 +16,8 @@ VisualSurface drawn_surface(const Model& model) {
     const SurfaceMesh& surface = model.surfaces[b];
     if (surface.triangles.empty()) {
       const BodyPart& body = model.bodies[b];
-      const std::vector<Triangle> boundary =
-          boundary_triangles(linear_tets(model, body.tet_begin, body.tet_count).tets);
+      const std::vector<Triangle> boundary = boundary_triangles(
+          linear_tets(model.tets, model.mid_edges, model.rest_positions, body.tet_begin, body.tet_count).tets);
       drawn.triangles.insert(drawn.triangles.end(), boundary.begin(), boundary.end());
     } else {
       const auto offset = static_cast<std::uint32_t>(drawn.rest_positions.size());

@@ -29,6 +29,8 @@ std::vector<Variant> variants_of(Bench& bench, const std::string& name) {
   const auto add = [&](const std::string& settings_name, const SolverSettings& settings) {
     Scene with_settings = scene;
     with_settings.solver = settings;
+    for (Body& body : with_settings.bodies)  // the method's own law, where it does not carry the scene's
+      if (!carries(settings.method, body.material.model)) body.material.model = Material().model;
     variants.push_back(
         {settings_name, std::make_unique<Session>(bench.graphics, std::move(with_settings), false), {}, {}, {}});
   };

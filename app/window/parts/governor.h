@@ -35,7 +35,7 @@ class Governor {
 Quality lowered(Quality quality, int level);
 
 /// What a level saves, for the panels; the first is the full quality.
-inline constexpr std::array<const char*, Governor::kLevels + 1> kLevelNames{
-    "full", "hard edges of shadows", "shadows of every 2nd picture"};
+inline constexpr std::array<const char*, Governor::kLevels + 1> kLevelNames{"full", "hard edges of shadows",
+                                                                            "shadows of every 2nd picture"};
 
 }  // namespace fascia

@@ -7,8 +7,8 @@
 
 #include "sim/coarse/coarse_gather.h"
 #include "sim/coarse/coarse_matrix.h"
+#include "sim/coarse/linear_model.h"
 #include "sim/gpu/passes/reduction.h"
-#include "sim/model/linear_parts.h"
 
 namespace fascia {
 namespace {
@@ -35,10 +35,9 @@ PackedRows pack_rows(const std::vector<std::uint32_t>& begin, const std::vector<
   return rows;
 }
 
-/// The part of the model that determines the coarse matrix, without arrays for files and drawing only. Quadratic tets
-/// are cut into linear ones: the coarse functions are much wider, and see the same tissue.
+/// The part of the model that determines the coarse matrix, without arrays for files and drawing only.
 Model material_part(const Model& model) {
-  if (model.has_quadratic()) return linear_parts(model);
+  if (model.has_quadratic()) return linear_model(model);
   Model part;
   part.rest_positions = model.rest_positions;
   part.tets = model.tets;
@@ -49,7 +48,7 @@ Model material_part(const Model& model) {
 
 CoarseSpace space_of(const Model& model) {
   if (!model.has_quadratic()) return make_coarse_space(model, coarse_node_target(model.tets.size()));
-  const Model linear = linear_parts(model);
+  const Model linear = linear_model(model);
   return make_coarse_space(linear, coarse_node_target(linear.tets.size()));
 }
 
@@ -58,7 +57,7 @@ CoarseSpace space_of(const Model& model) {
 CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, const SolverSettings& settings)
     : space_(space_of(model)), materials_(model.materials), h_(settings.stage_length()) {
   if (empty()) return;
-  const CoarseGather gather = make_coarse_gather(model.has_quadratic() ? linear_parts(model) : model, space_);
+  const CoarseGather gather = make_coarse_gather(model.has_quadratic() ? linear_model(model) : model, space_);
   std::vector<Tet> entries;  // of c_ja [1/m] (float bits) and the vertex
   for (std::size_t k = 0; k < gather.vertex.size(); ++k) {
     const Eigen::Vector3f c = gather.gradient[k].cast<float>();

@@ -1,6 +1,8 @@
 // fascia run with quadratic tets: exports that have their cells, and the refusal of the GPU solver.
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
+#include "base/file.h"
 #include "sim/mesh/io/mesh_io.h"
 #include "tests/support/support.h"
 
@@ -37,10 +39,21 @@ TEST_CASE("run exports quadratic tets as cells of ten nodes", "[run]") {
   CHECK(farthest < 0.05);
 }
 
-TEST_CASE("the GPU solver refuses quadratic tets in one line", "[run]") {
-  const CommandResult run = run_fascia({"run", kCube, "--steps", "1", "--quiet", "--set", "elements=quadratic"});
-  CHECK(run.exit_code == 1);
-  CHECK(run.err ==
-        "bodies.elements: is quadratic, which the GPU solver does not carry; expected linear, or the reference "
-        "solver (run --reference)\n");
+TEST_CASE("quadratic tets run on the GPU as exactly as linear ones, and other methods refuse them in one line",
+          "[run]") {
+  const TemporaryFolder folder;
+  const std::filesystem::path stats = folder / "stats.json";
+  const CommandResult run = run_fascia(
+      {"run", kCube, "--steps", "5", "--quiet", "--set", "elements=quadratic", "--error", "--stats", stats.string()});
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  const nlohmann::json numbers = nlohmann::json::parse(read_file(stats));
+  CHECK(numbers.at("error").get<double>() < 2e-3);
+  CHECK(numbers.at("inverted") == 0);
+  const CommandResult refused = run_fascia({"run", kCube, "--steps", "1", "--quiet", "--set", "elements=quadratic",
+                                            "--set", "solver.method=vertex_descent"});
+  CHECK(refused.exit_code == 1);
+  CHECK(refused.err ==
+        "solver.method: vertex_descent does not carry quadratic elements; expected two_level, or bodies with linear "
+        "elements\n");
 }

@@ -1,8 +1,8 @@
 // Quadratic tets cut into linear ones.
 #include <catch2/catch.hpp>
 
+#include "sim/mesh/linear_tets.h"
 #include "sim/mesh/tet_faces.h"
-#include "sim/model/linear_parts.h"
 #include "tests/support/models.h"
 
 using namespace fascia;
@@ -33,13 +33,13 @@ TEST_CASE("the parts of a quadratic tet fill it, whatever its shortest diagonal"
 }
 
 TEST_CASE("a cut mesh has the boundary of the quadratic one, in four triangles a face") {
-  const Model linear = make_model(make_box(3, 2, 2, {0.3, 0.2, 0.2}), Material(), [](const Vector3d&) { return false; });
+  const Model linear =
+      make_model(make_box(3, 2, 2, {0.3, 0.2, 0.2}), Material(), [](const Vector3d&) { return false; });
   const Model model = quadratic(linear);
-  const LinearTets parts = linear_tets(model, 0, model.tets.size());
+  const auto cut = [](const Model& m) { return linear_tets(m.tets, m.mid_edges, m.rest_positions, 0, m.tets.size()); };
+  const LinearTets parts = cut(model);
   REQUIRE(parts.tets.size() == 8 * model.tets.size());
   CHECK(parts.source[9] == 1);
   CHECK(boundary_triangles(parts.tets).size() == 4 * boundary_triangles(model.tets).size());
-  CHECK(linear_tets(linear, 0, linear.tets.size()).tets == linear.tets);
-  const Model cut = linear_parts(model);
-  CHECK(cut.tet_material.size() == cut.tets.size());
+  CHECK(cut(linear).tets == linear.tets);
 }

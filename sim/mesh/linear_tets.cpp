@@ -1,4 +1,4 @@
-#include "sim/model/linear_parts.h"
+#include "sim/mesh/linear_tets.h"
 
 #include <Eigen/Geometry>
 
@@ -28,32 +28,21 @@ std::array<Tet, 8> cut_in_eight(const Tet& c, const MidEdges& m, const std::vect
   return parts;
 }
 
-LinearTets linear_tets(const Model& model, std::size_t begin, std::size_t count) {
+LinearTets linear_tets(const std::vector<Tet>& tets, const std::vector<MidEdges>& mid_edges,
+                       const std::vector<Eigen::Vector3d>& positions, std::size_t begin, std::size_t count) {
   LinearTets linear;
   const auto add = [&](const Tet& tet, std::size_t t) {
     linear.tets.push_back(tet);
     linear.source.push_back(static_cast<std::uint32_t>(t));
   };
   for (std::size_t t = begin; t < begin + count; ++t) {
-    if (!model.is_quadratic(t)) {
-      add(model.tets[t], t);
+    if (mid_edges.empty() || mid_edges[t] == kNoMidEdges) {
+      add(tets[t], t);
       continue;
     }
-    for (const Tet& tet : cut_in_eight(model.tets[t], model.mid_edges[t], model.rest_positions)) add(tet, t);
+    for (const Tet& tet : cut_in_eight(tets[t], mid_edges[t], positions)) add(tet, t);
   }
   return linear;
-}
-
-Model linear_parts(const Model& model) {
-  Model parts;
-  parts.rest_positions = model.rest_positions;
-  parts.materials = model.materials;
-  parts.fixed = model.fixed;
-  parts.motions = model.motions;
-  LinearTets linear = linear_tets(model, 0, model.tets.size());
-  for (const std::uint32_t t : linear.source) parts.tet_material.push_back(model.tet_material[t]);
-  parts.tets = std::move(linear.tets);
-  return parts;
 }
 
 }  // namespace fascia

@@ -1,0 +1,11 @@
+// The model that the coarse space sees: quadratic tets cut into linear ones, since coarse functions are much wider than
+// a tet and see the same tissue.
+#pragma once
+#include "sim/model/model.h"
+
+namespace fascia {
+
+/// The part of the model that determines coarse space and matrix, with linear tets over all of its vertices.
+Model linear_model(const Model& model);
+
+}  // namespace fascia
