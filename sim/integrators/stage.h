@@ -15,7 +15,6 @@ struct IntegratorStage {
   double length;             // l [s]
   double extrapolation = 0;  // p [-]; 0: nothing earlier is read
   double duration = length;  // by which time advances [s]
-  double end = duration;     // from the start of the substep [s]
 
   using Vector = Eigen::VectorXd;
   /// X*. `earlier` is not read without extrapolation.

@@ -35,29 +35,14 @@ PackedRows pack_rows(const std::vector<std::uint32_t>& begin, const std::vector<
   return rows;
 }
 
-/// The part of the model that determines the coarse matrix, without arrays for files and drawing only.
-Model material_part(const Model& model) {
-  if (model.has_quadratic()) return linear_model(model);
-  Model part;
-  part.rest_positions = model.rest_positions;
-  part.tets = model.tets;
-  part.tet_material = model.tet_material;
-  part.materials = model.materials;
-  return part;
-}
-
-CoarseSpace space_of(const Model& model) {
-  if (!model.has_quadratic()) return make_coarse_space(model, coarse_node_target(model.tets.size()));
-  const Model linear = linear_model(model);
-  return make_coarse_space(linear, coarse_node_target(linear.tets.size()));
-}
-
 }  // namespace
 
 CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, const SolverSettings& settings)
-    : space_(space_of(model)), materials_(model.materials), h_(settings.stage_length()) {
+    : materials_(model.materials), h_(settings.stage_length()) {
+  Model linear = linear_model(model);
+  space_ = make_coarse_space(linear, coarse_node_target(linear.tets.size()));
   if (empty()) return;
-  const CoarseGather gather = make_coarse_gather(model.has_quadratic() ? linear_model(model) : model, space_);
+  const CoarseGather gather = make_coarse_gather(linear, space_);
   std::vector<Tet> entries;  // of c_ja [1/m] (float bits) and the vertex
   for (std::size_t k = 0; k < gather.vertex.size(); ++k) {
     const Eigen::Vector3f c = gather.gradient[k].cast<float>();
@@ -85,7 +70,7 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
   inverse_rows_ = gl::Buffer("coarse_inverse", sizeof(Tet) * row_octets_ * 3 * n);
   scale_ = gl::Buffer("coarse_scale", sizeof(vec4) * n);
   correction_ = gl::Buffer("coarse_correction", sizeof(vec4) * n);
-  start({material_part(model), settings.stage_length()});
+  start({std::move(linear), settings.stage_length()});
 }
 
 Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const {
@@ -153,7 +138,7 @@ void CoarseLevel::values_changed(const Model& model, const SolverSettings& setti
   if (empty() || (model.materials == materials_ && settings.stage_length() == h_)) return;
   materials_ = model.materials;
   h_ = settings.stage_length();
-  Job job{material_part(model), settings.stage_length()};
+  Job job{linear_model(model), settings.stage_length()};
   if (inverse_.valid())
     next_ = std::move(job);
   else

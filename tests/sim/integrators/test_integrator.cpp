@@ -106,7 +106,7 @@ TEST_CASE("BDF2 is implicit Euler without an earlier step, and after one that is
   const IntegratorStage equal = stages_of(Integrator::bdf2, 0.01, 0.01)[0];
   CHECK(equal.length == Approx(0.02 / 3).epsilon(1e-14));
   CHECK(equal.extrapolation == Approx(1.0 / 3).epsilon(1e-14));
-  CHECK(equal.end == 0.01);
+  CHECK(equal.duration == 0.01);
 }
 
 TEST_CASE("the stages of a substep fill it") {
@@ -117,7 +117,6 @@ TEST_CASE("the stages of a substep fill it") {
     double t = 0;
     for (const IntegratorStage& stage : stages) {
       t += stage.duration;
-      CHECK(stage.end == Approx(t).epsilon(1e-14));
       CHECK((stage.extrapolation == 0 || info.extrapolates));
     }
     CHECK(t == Approx(0.03).epsilon(1e-14));

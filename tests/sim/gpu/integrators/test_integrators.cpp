@@ -71,8 +71,8 @@ TEST_CASE("steps of every integrator follow the reference solver", "[gpu]") {
                speed_error = relative_rms(state.velocity, exact.velocity);
   CAPTURE(name_of(integrator), damping, turned, error, speed_error);
   CHECK(state.time == Approx(exact.time).epsilon(1e-12));
-  CHECK(error < 1e-4);
-  CHECK(speed_error < 1e-3);
+  CHECK(error < 1e-5);
+  CHECK(speed_error < 2e-4);  // differences of displacements over a stage
 }
 
 TEST_CASE("methods of the paper take any integrator", "[gpu]") {
