@@ -10,14 +10,15 @@
 namespace fascia {
 
 struct CommonOptions {
-  std::string input;               // scene or mesh; empty: the default scene
-  std::vector<std::string> sets;   // --set KEY=VALUE
-  std::string unit, up;            // --unit, --up: scene keys of body 0; empty: those of the scene, or guessed
-  std::vector<std::string> grabs;  // --grab TEXT (sim/scene/grab_text.h)
-  std::string replay;              // recorded inputs, with their scene
-  std::string context = "auto";    // auto, window, egl, osmesa
-  std::string loads = "auto";      // how kernels read buffers: auto, ssbo, texel
-  std::string kernels = "auto";    // of a step: auto (fused on llvmpipe), single
+  std::string input;                     // scene or mesh; empty: the default scene
+  std::vector<std::string> sets;         // --set KEY=VALUE
+  std::string unit, up;                  // --unit, --up: scene keys of body 0; empty: those of the scene, or guessed
+  std::vector<std::string> grabs;        // --grab TEXT (sim/scene/grab_text.h)
+  std::vector<std::string> instruments;  // --instrument TEXT (sim/scene/tools/instrument_text.h)
+  std::string replay;                    // recorded inputs, with their scene
+  std::string context = "auto";          // auto, window, egl, osmesa
+  std::string loads = "auto";            // how kernels read buffers: auto, ssbo, texel
+  std::string kernels = "auto";          // of a step: auto (fused on llvmpipe), single
   std::string quality = "auto";  // of pictures: auto (in a window on software renderers draft, else full), full, draft
   std::string data_dir;          // shaders and assets; empty: beside the program or in the source tree
   std::optional<long> steps;     // --steps

@@ -117,6 +117,12 @@ void add_common(CLI::App& command, CommonOptions& options) {
                   "\"at=0.1,0.05,0;translate=0,0.1,0;start=0.2;duration=0.5;release=1.5;radius=0.02\"")
       ->type_name("KEY=VALUE;...")
       ->allow_extra_args(false);
+  command
+      .add_option("--instrument", options.instruments,
+                  "one more instrument, as in the scene's instruments: "
+                  "\"name=probe;shape=sphere;radius=0.01;from=0,0.1,0;to=0,0.02,0;duration=1\"")
+      ->type_name("KEY=VALUE;...")
+      ->allow_extra_args(false);
   command.add_option("--replay", options.replay, "recorded inputs, with the scene they were made on")
       ->type_name("FILE.fascia");
   auto* steps = command.add_option("--steps", options.steps, "steps to simulate")->check(at_least(0));

@@ -73,6 +73,7 @@ Opened open_input(const CommonOptions& options, const std::vector<std::string>& 
   std::vector<std::string> overrides = sets;
   for (const std::string& set : mesh_frame_sets(options.unit, options.up)) overrides.push_back(set);
   for (const std::string& grab : options.grabs) overrides.push_back("--grab " + grab);
+  for (const std::string& instrument : options.instruments) overrides.push_back("--instrument " + instrument);
   if (!options.replay.empty() && !options.input.empty())
     throw UsageError("--replay", "has a scene of its own", "leave out " + options.input);
   return blaming_options([&] {

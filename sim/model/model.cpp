@@ -329,12 +329,19 @@ void add_body(LoadedBody loaded, Model& model) {
   model.bodies.push_back(std::move(part));
 }
 
+Model begin_model(const Scene& scene) {
+  Model model;
+  model.gravity = scene.gravity;
+  model.tools = tools_of(scene.tools);
+  model.contact = scene.tools.contact;
+  model.notes = scene.notes;
+  return model;
+}
+
 }  // namespace
 
 Model build_bodies(const Scene& scene, const Progress& progress, const BodyRead& read) {
-  Model model;
-  model.gravity = scene.gravity;
-  model.notes = scene.notes;
+  Model model = begin_model(scene);
   FileReader files(scene);
   const auto share = [&](std::size_t bodies) {
     return static_cast<double>(bodies) / static_cast<double>(scene.bodies.size());
@@ -354,9 +361,7 @@ Model build_bodies(const Scene& scene, const Progress& progress, const BodyRead&
 Model build_bodies(const Scene& scene, std::vector<TetMesh> meshes) {
   if (meshes.size() != scene.bodies.size())
     throw Error(scene.file.string(), "has " + std::to_string(meshes.size()) + " meshes", "expected one a body");
-  Model model;
-  model.gravity = scene.gravity;
-  model.notes = scene.notes;
+  Model model = begin_model(scene);
   FileReader files(scene);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     LoadedBody loaded = begin_body(scene, b, files);
@@ -381,6 +386,12 @@ std::vector<char> Model::held() const {
 double Model::end_of_motions() const {
   double end = 0;
   for (const Motion& motion : motions) end = std::max(end, motion.start + motion.duration);
+  return end;
+}
+
+double Model::end_of_tools() const {
+  double end = 0;
+  for (const Tool& tool : tools) end = std::max(end, tool.end());
   return end;
 }
 

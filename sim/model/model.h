@@ -21,6 +21,7 @@
 #include "sim/scene/scene.h"
 #include "sim/surface/embedding.h"
 #include "sim/surface/surface_mesh.h"
+#include "sim/tool/tool.h"
 
 namespace fascia {
 
@@ -75,6 +76,8 @@ struct Model {
                                      // is fixed, or in a motion, if both ends of its edge are
   std::vector<Motion> motions;
   std::vector<ResolvedGrab> grabs;
+  std::vector<Tool> tools;  // that the bodies may touch
+  ContactSettings contact;
   std::vector<Eigen::Vector3d> initial_velocity;  // [vertex_count] v [m/s]; zero where fixed or prescribed
   Eigen::Vector3d gravity{0, -9.81, 0};           // [m/s^2]
   std::vector<BodyPart> bodies;
@@ -97,6 +100,7 @@ struct Model {
   std::vector<char> held() const;  // [vertex_count] 1 where fixed or prescribed
   double end_of_motions() const;   // [s] end of the last prescribed motion; 0 without any
   double end_of_grabs() const;     // [s] when the last scripted grab ends its path or is released; 0 without any
+  double end_of_tools() const;     // [s] end of the last instrument's path; 0 without any
 };
 
 /// Called with the mesh of a body and its usable tets, before anything else of the body is looked at.

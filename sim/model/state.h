@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "sim/tool/contact_memory.h"
+
 namespace fascia {
 
 struct Model;
@@ -20,6 +22,7 @@ struct State {
     double step = 0;  // length of that substep [s]; 0: unknown
   };
   Earlier earlier = {};
+  ContactMemory contact = {};  // forces that the step before left
 };
 /// The rest shape of the scene, with its initial velocities, at time 0.
 State initial_state(const Model& model);

@@ -187,6 +187,18 @@ void ElasticSystem::assemble(const VectorXd& u, const ViscousStep& viscous, bool
         });
 }
 
+void ElasticSystem::add_block(std::uint32_t row_vertex, std::uint32_t column_vertex, const Matrix3d& block,
+                              SparseMatrix& hessian) const {
+  const int row = first_dof_[row_vertex], column = first_dof_[column_vertex];
+  if (row < 0 || row > column) return;
+  for (int c = 0; c < 3; ++c) {
+    const int* begin = hessian.innerIndexPtr() + hessian.outerIndexPtr()[column + c];
+    const int* end = hessian.innerIndexPtr() + hessian.outerIndexPtr()[column + c + 1];
+    double* target = hessian.valuePtr() + (std::lower_bound(begin, end, row) - hessian.innerIndexPtr());
+    for (int r = 0; r < (row == column ? c + 1 : 3); ++r) target[r] += block(r, c);
+  }
+}
+
 VectorXd ElasticSystem::hessian_times(const VectorXd& u, const ViscousStep& viscous, const VectorXd& direction) const {
   VectorXd product = VectorXd::Zero(u.size());
   const auto moves = [&](const ElementVertices& element) {

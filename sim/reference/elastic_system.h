@@ -38,6 +38,10 @@ class ElasticSystem {
   /// vertex_count] receives sum_e |H_e| |u|: times the machine epsilon it bounds the rounding of the gradient.
   void assemble(const Eigen::VectorXd& u, const ViscousStep& viscous, bool project, SparseMatrix& hessian,
                 Eigen::VectorXd& scale) const;
+  /// Adds a block to the Hessian's rows of one vertex and columns of another, both of one tet, unless it lies below the
+  /// diagonal or at a constrained vertex.
+  void add_block(std::uint32_t row_vertex, std::uint32_t column_vertex, const Eigen::Matrix3d& block,
+                 SparseMatrix& hessian) const;
   /// Hessian over all vertices times `direction` [3 * vertex_count].
   Eigen::VectorXd hessian_times(const Eigen::VectorXd& u, const ViscousStep& viscous,
                                 const Eigen::VectorXd& direction) const;

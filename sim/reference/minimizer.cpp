@@ -38,8 +38,17 @@ Minimizer::Value Minimizer::evaluate(const Potential& potential, const VectorXd&
       motion[i] = potential.inertia[i] * (u[i] - potential.start[i]);
     }
   }
+  double contact = 0;  // [N]
+  if (potential.contact) {
+    VectorXd forces = VectorXd::Zero(u.size());
+    const double energy = potential.contact->evaluate(u, forces);
+    value.energy += energy;
+    value.magnitude += std::abs(energy);
+    gradient += forces;
+    contact = forces.norm();
+  }
   value.gradient = system_.free_part(gradient);
-  value.force_scale = std::max({internal.norm(), applied.norm(), motion.norm()});
+  value.force_scale = std::max({internal.norm(), applied.norm(), motion.norm(), contact});
   return value;
 }
 
@@ -49,6 +58,7 @@ void Minimizer::factorize(const Potential& potential, const VectorXd& u) {
   for (const bool project : {false, true}) {
     system_.assemble(u, potential.viscous, project, hessian_, scale);
     hessian_.diagonal() += inertia;
+    if (potential.contact) add_contact(*potential.contact, u, project, scale);
     if (!project) {
       scale += potential.inertia.cwiseProduct(u.cwiseAbs() + potential.target.cwiseAbs()) + potential.force.cwiseAbs();
       rounding_ = epsilon * system_.free_part(scale).norm();
@@ -59,6 +69,14 @@ void Minimizer::factorize(const Potential& potential, const VectorXd& u) {
   const double largest = hessian_.diagonal().maxCoeff();
   double shift = 1e-10 * std::max(largest, std::numeric_limits<double>::min());
   while (!cholesky_.factorize(hessian_, shift)) shift *= 100;
+}
+
+void Minimizer::add_contact(const ContactEnergy& contact, const VectorXd& u, bool project, VectorXd& scale) {
+  for (const ContactEnergy::Block& block : contact.blocks(u, project)) {
+    system_.add_block(block.row_vertex, block.column_vertex, block.hessian, hessian_);
+    scale.segment<3>(3 * static_cast<Eigen::Index>(block.row_vertex)).array() +=
+        block.reach * block.hessian.cwiseAbs().rowwise().sum().array();
+  }
 }
 
 bool Minimizer::line_search(const Potential& potential, const VectorXd& direction, VectorXd& u, Value& value,

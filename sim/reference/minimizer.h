@@ -1,10 +1,13 @@
 // Newton's method with backtracking for the problem that a time step and a static equilibrium have in common:
 //
-//   minimize over the free u:  sum_e V_e Psi_e(u) + 1/2 (u - target)^T diag(inertia) (u - target) - force . u
+//   minimize over the free u:  sum_e V_e Psi_e(u) + contact(u) + 1/2 (u - target)^T diag(inertia) (u - target)
+//                              - force . u
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 #include <stop_token>
 
+#include "sim/contact/contact_energy.h"
 #include "sim/reference/elastic_system.h"
 #include "sim/reference/newton.h"
 
@@ -17,6 +20,7 @@ struct Potential {
   Eigen::VectorXd target;   // u~ [m]
   Eigen::VectorXd start;    // u_n [m]; inertia * (u - start) is the force that would stop the motion
   Eigen::VectorXd force;    // [N]
+  std::shared_ptr<const ContactEnergy> contact = nullptr;
 };
 
 class Minimizer {
@@ -45,6 +49,7 @@ class Minimizer {
   };
   Value evaluate(const Potential& potential, const Eigen::VectorXd& u) const;
   void factorize(const Potential& potential, const Eigen::VectorXd& u);
+  void add_contact(const ContactEnergy& contact, const Eigen::VectorXd& u, bool project, Eigen::VectorXd& scale);
   bool line_search(const Potential& potential, const Eigen::VectorXd& direction, Eigen::VectorXd& u, Value& value,
                    double& step) const;
 

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "sim/contact/contact_energy.h"
+#include "sim/model/unconstrained_parts.h"
 #include "sim/reference/held_path.h"
 #include "sim/reference/minimizer.h"
 
@@ -20,6 +22,12 @@ constexpr double increment_tolerance = 1e-6;  // of intermediate equilibria, whi
 constexpr double smallest_increment = 1.0 / 128;
 constexpr int patience = 40;        // Newton iterations after which a smaller increment is tried
 constexpr int last_patience = 400;  // if no smaller one can be tried
+
+// In statics, where nothing bounces: a stiffer penalty takes fewer passes over the multipliers.
+constexpr double static_penalty = 100;
+constexpr int most_passes = 60;
+constexpr double first_fall = 1e-2;     // [s]
+constexpr double steady_forces = 1e-9;  // change of the forces of contact in a pass, relative to the largest one
 
 VectorXd flat(const std::vector<Vector3d>& vectors) {
   return Eigen::Map<const VectorXd>(vectors.empty() ? nullptr : vectors[0].data(), 3 * vectors.size());
@@ -56,9 +64,15 @@ struct NewtonSolver::Impl {
         system(model),
         minimizer(system),
         mass(per_component(lumped_masses(model))),
-        gravity(model.gravity.replicate(model.rest_positions.size(), 1)) {}
+        gravity(model.gravity.replicate(model.rest_positions.size(), 1)),
+        contact(make_contact_surface(model)),
+        penalty(contact_stiffness(model, contact)),
+        loads(model.tools.size()) {}
 
-  NewtonReport solve(const IntegratorStage& stage, State& state);
+  NewtonReport solve(const IntegratorStage& stage, const ToolMotion& motion, State& state);
+  ToolMotion motion_within(double from, double to) const {
+    return tools ? *tools : motion_on_paths(model.tools, from, to);
+  }
   NewtonReport solve_static(State& state, double tolerance);
   /// eps* [tet_count].
   std::vector<Eigen::Matrix3d> strains(const IntegratorStage& stage, const VectorXd& now,
@@ -70,6 +84,11 @@ struct NewtonSolver::Impl {
   NewtonReport follow(const HeldPath& path, const std::function<Potential(double s)>& potential, bool divisible,
                       double tolerance, VectorXd& u);
 
+  /// Repeats the update of the multipliers in `memory` from the equilibrium `u` until the forces stay. A body that only
+  /// contact supports `lands` first: it falls without speed, for longer in every pass, so that its inertia vanishes.
+  void settle_forces(Potential potential, const std::vector<double>& stiffness, const ToolMotion& motion, bool lands,
+                     double tolerance, NewtonReport& report, ContactMemory& memory, VectorXd& u);
+
   const Model& model;
   const SolverSettings settings;
   const std::stop_token stop;
@@ -78,6 +97,10 @@ struct NewtonSolver::Impl {
   Minimizer minimizer;
   const VectorXd mass;     // [3 * vertex_count] [kg]
   const VectorXd gravity;  // [3 * vertex_count] [m/s^2]
+  const ContactSurface contact;
+  const std::vector<double> penalty;  // [contact.points] [N/m]
+  std::optional<ToolMotion> tools;    // none: on their paths
+  std::vector<ToolLoad> loads;
 };
 
 NewtonReport NewtonSolver::Impl::follow(const HeldPath& path, const std::function<Potential(double)>& potential,
@@ -121,7 +144,7 @@ std::vector<Eigen::Matrix3d> NewtonSolver::Impl::strains(const IntegratorStage& 
   return strains;
 }
 
-NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, State& state) {
+NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolMotion& motion, State& state) {
   if (stage.extrapolation != 0 && state.earlier.displacement.size() != state.displacement.size())
     throw Error("reference solver", "has no earlier state", "expected one for a stage that extrapolates");
   const VectorXd old = flat(state.displacement), velocity = flat(state.velocity);
@@ -134,6 +157,8 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, State& stat
   potential.force = VectorXd::Zero(old.size());
   for (const GrabSpring& spring : springs) add(spring, potential);
   if (system.viscous()) potential.viscous = {strains(stage, old, earlier), stage.length};
+  if (!contact.empty())
+    potential.contact = std::make_shared<ContactEnergy>(model, contact, penalty, state.contact, old, motion);
 
   // The inertial prediction is the better start, but not if it inverts tets.
   VectorXd u = old;
@@ -146,13 +171,44 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, State& stat
   state.earlier.displacement = std::exchange(state.displacement, vectors_of(u));
   state.earlier.velocity = std::exchange(state.velocity, vectors_of(stage.velocity(u, start)));
   state.time += stage.duration;
+  if (potential.contact) {
+    loads = potential.contact->loads(u);
+    state.contact = potential.contact->memory_after(u);
+  }
   return report;
 }
 
+void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<double>& stiffness,
+                                       const ToolMotion& motion, bool lands, double tolerance, NewtonReport& report,
+                                       ContactMemory& memory, VectorXd& u) {
+  const VectorXd start = potential.start;
+  for (int pass = 0; pass < most_passes && report.converged; ++pass) {
+    if (lands) {
+      potential.target = u;
+      potential.inertia = mass / std::pow(first_fall * std::pow(2.0, pass), 2);
+    }
+    if (lands && pass == 0) report = minimizer.minimize(potential, tolerance, {last_patience, false, stop}, u);
+    const ContactMemory before = std::exchange(memory, potential.contact->memory_after(u));
+    loads = potential.contact->loads(u);
+    double change = 0, largest = 0;
+    for (std::size_t row = 0; row < memory.size(); ++row) {
+      const ContactForce old = before.empty() ? ContactForce{} : before[row];
+      change =
+          std::max({change, std::abs(memory[row].normal - old.normal), (memory[row].friction - old.friction).norm()});
+      largest = std::max(largest, memory[row].normal);
+    }
+    if (change <= steady_forces * largest && largest > 0) return;
+    potential.contact = std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion);
+    const NewtonReport pass_report = minimizer.minimize(potential, tolerance, {last_patience, false, stop}, u);
+    report.iterations += pass_report.iterations;
+    report.relative_residual = pass_report.relative_residual;
+    report.converged = pass_report.converged;
+  }
+}
+
 NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance) {
-  require_supports(model);
-  double end = state.time;
-  for (const Motion& motion : model.motions) end = std::max(end, motion.start + motion.duration);
+  if (contact.empty()) require_supports(model);
+  const double end = std::max({state.time, model.end_of_motions(), model.end_of_tools()});
   VectorXd u = flat(state.displacement), internal;
   const HeldPath path(model, u, state.time, std::max(end, state.time + 1e-3));
 
@@ -160,8 +216,14 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance) {
   const VectorXd weight = mass.cwiseProduct(gravity);
   system.evaluate(u, {}, internal);
   const VectorXd missing = weight - internal, start = u, zero = VectorXd::Zero(u.size());
+  const ToolMotion motion = motion_within(state.time, end);
+  std::vector<double> stiffer = penalty;
+  for (double& k : stiffer) k *= static_penalty;
   const auto potential = [&](double s) {
     Potential result{{}, zero, start, start, weight - (1 - s) * missing};
+    if (!contact.empty())
+      result.contact =
+          std::make_shared<ContactEnergy>(model, contact, stiffer, state.contact, start, motion.part(0, s));
     for (const GrabSpring& spring : springs) {  // their displacement is also applied gradually
       const Vector3d from = start.segment<3>(3 * static_cast<Eigen::Index>(spring.vertex));
       GrabSpring now = spring;
@@ -170,7 +232,12 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance) {
     }
     return result;
   };
-  const NewtonReport report = follow(path, potential, true, tolerance > 0 ? tolerance : static_tolerance, u);
+  if (tolerance <= 0) tolerance = static_tolerance;
+  const bool supported = contact.empty() || unconstrained_parts(model, model.held()).parts == 0;
+  NewtonReport report;
+  report.converged = true;
+  if (supported) report = follow(path, potential, true, tolerance, u);
+  if (!contact.empty()) settle_forces(potential(1), stiffer, motion, !supported, tolerance, report, state.contact, u);
   state.displacement = vectors_of(u);
   state.velocity.assign(state.displacement.size(), Vector3d::Zero());
   state.earlier = {};
@@ -186,9 +253,12 @@ NewtonReport NewtonSolver::step(State& state) {
   NewtonReport report;
   report.converged = true;
   const SolverSettings& settings = impl_->settings;
+  const double start = state.time, whole = settings.time_step;
+  const ToolMotion motion = impl_->motion_within(start, start + whole);
   for (int k = 0; k < settings.substeps; ++k) {
     for (const IntegratorStage& stage : stages_of(settings.integrator, settings.substep(), state.earlier.step)) {
-      const NewtonReport part = impl_->solve(stage, state);
+      const double from = (state.time - start) / whole;
+      const NewtonReport part = impl_->solve(stage, motion.part(from, from + stage.duration / whole), state);
       report.iterations += part.iterations;
       report.relative_residual = std::max(report.relative_residual, part.relative_residual);
       report.converged = report.converged && part.converged;
@@ -199,7 +269,13 @@ NewtonReport NewtonSolver::step(State& state) {
   return report;
 }
 
-NewtonReport NewtonSolver::solve(const IntegratorStage& stage, State& state) { return impl_->solve(stage, state); }
+NewtonReport NewtonSolver::solve(const IntegratorStage& stage, State& state) {
+  return impl_->solve(stage, impl_->motion_within(state.time, state.time + stage.duration), state);
+}
+
+void NewtonSolver::set_tools(const ToolMotion& motion) { impl_->tools = motion; }
+
+const std::vector<ToolLoad>& NewtonSolver::tool_loads() const { return impl_->loads; }
 
 void NewtonSolver::set_springs(const std::vector<GrabSpring>& springs) { impl_->springs = springs; }
 

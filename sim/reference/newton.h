@@ -5,6 +5,9 @@
 //           with l and u~ of the settings' integrator (sim/integrators/stage.h)
 //   static: minimize sum_e V_e Psi_e - f_ext.u, and half the stiffness of every spring times its squared length
 //           with loads and prescribed motions applied in increments where Newton's method cannot apply them at once
+//
+// Both with the energy of contact (sim/contact/contact_energy.h) where the model has tools. A step updates its
+// multipliers once at the end, statics until the forces no longer change.
 #pragma once
 #include <Eigen/Core>
 #include <memory>
@@ -12,12 +15,14 @@
 #include <stop_token>
 #include <vector>
 
+#include "sim/contact/tool_load.h"
 #include "sim/integrators/stage.h"
 #include "sim/model/grab_spring.h"
 #include "sim/model/model.h"
 #include "sim/model/state.h"
 #include "sim/model/state_fields.h"
 #include "sim/scene/settings/solver_settings.h"
+#include "sim/tool/tool_motion.h"
 
 namespace fascia::reference {
 
@@ -74,8 +79,14 @@ class NewtonSolver {
   NewtonReport solve(const IntegratorStage& stage, State& state);
   /// Sets the springs; several at a vertex are possible, and initially there are none.
   void set_springs(const std::vector<GrabSpring>& springs);
+  /// Sets the motion of the tools in the steps and solves that follow, each of which begins and ends with it. Initially
+  /// tools follow their paths.
+  void set_tools(const ToolMotion& motion);
+  /// [tool] at the end of the last step or solve.
+  const std::vector<ToolLoad>& tool_loads() const;
   /// Static equilibrium from `state` (its velocity is set to zero, its time to the end of all motions).
-  /// `tolerance` 0 means 1e-10. Throws Error if gravity acts on an unconstrained component.
+  /// `tolerance` 0 means 1e-10. Tools go to the end of their motion. Throws Error if gravity acts on an unconstrained
+  /// component and there is no tool to support it.
   NewtonReport solve_static(State& state, double tolerance = 0);
 
  private:

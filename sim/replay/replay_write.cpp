@@ -1,5 +1,6 @@
 // Writes replays as text: a line per input, each number with the digits that read back to it.
 #include "base/file.h"
+#include "base/json/json_write.h"
 #include "sim/replay/replay.h"
 #include "sim/scene/scene_write.h"
 

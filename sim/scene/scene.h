@@ -21,6 +21,7 @@
 #include "sim/scene/scene_selection.h"
 #include "sim/scene/settings/display.h"
 #include "sim/scene/settings/solver_settings.h"
+#include "sim/scene/tools/scene_tools.h"
 
 namespace fascia {
 
@@ -121,6 +122,7 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<ScriptedGrab> grabs;
   std::size_t option_grabs = 0;  // number of those, at the end, that --grab added: messages name the option
+  SceneTools tools;
   SolverSettings solver;
   std::optional<CameraSettings> camera;  // absent: framed on the bodies
   CameraMotion camera_motion;
@@ -139,7 +141,7 @@ struct Scene {
 };
 
 /// Opens a scene (JSON) or a mesh on its own, which leaves `unsettled` values. `overrides` are --set texts
-/// "KEY=VALUE", or "--grab TEXT" (sim/scene/grab_text.h); a KEY that starts with a key of bodies (materials., fixed.,
+/// "KEY=VALUE", or "--grab TEXT" or "--instrument TEXT" (sim/scene/grab_text.h); a KEY that starts with a key of bodies (materials., fixed.,
 /// transform., ...) means body 0. An override's error names "--set KEY".
 Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 /// As open_scene of a scene file with this content.

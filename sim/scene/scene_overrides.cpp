@@ -11,6 +11,7 @@
 #include "sim/material/tissue_looks.h"
 #include "sim/scene/grab_text.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/tools/instrument_text.h"
 #include "sim/surface/surface_fill.h"
 
 namespace fascia {
@@ -42,6 +43,11 @@ const json& template_document() {
     body.material.look = &tissue_looks().front();
     body.material.color = {0, 0, 0};
     scene.grabs.emplace_back().radius = 0.01;
+    scene.tools.ground.emplace().friction = 0.5;
+    scene.tools.obstacles.emplace_back().friction = 0.5;
+    Instrument& instrument = scene.tools.instruments.emplace_back();
+    instrument.friction = 0.5;
+    instrument.path.emplace_back();
     body.resolution = kFewestCells;
     body.elements = ElementOrder::quadratic;
     body.unit = LengthUnit::mm;
@@ -169,10 +175,10 @@ void clear_preset_values(json& document, const std::vector<std::string>& segment
   }
 }
 
-/// "--grab TEXT": appends a grab to those of the scene.
-void append_grab(json& document, std::string_view text, DocumentOrigin& origin) {
-  const std::size_t count = document.is_object() && document.contains("grabs") ? document["grabs"].size() : 0;
-  apply(document, "--grab", {"grabs", std::to_string(count)}, grab_document(text), origin);
+/// "--grab TEXT", "--instrument TEXT": appends an element to a list of the scene.
+void append_to(json& document, const char* list, const char* option, json element, DocumentOrigin& origin) {
+  const std::size_t count = document.is_object() && document.contains(list) ? document[list].size() : 0;
+  apply(document, option, {list, std::to_string(count)}, std::move(element), origin);
 }
 
 json value_of(const std::string& text) {
@@ -186,10 +192,15 @@ json value_of(const std::string& text) {
 }  // namespace
 
 void apply_overrides(json& document, const std::vector<std::string>& overrides, DocumentOrigin& origin) {
-  constexpr std::string_view kGrab = "--grab ";
+  constexpr std::string_view kGrab = "--grab ", kInstrument = "--instrument ";
   for (const std::string& text : overrides) {
     if (text.starts_with(kGrab)) {
-      append_grab(document, std::string_view(text).substr(kGrab.size()), origin);
+      append_to(document, "grabs", "--grab", grab_document(std::string_view(text).substr(kGrab.size())), origin);
+      continue;
+    }
+    if (text.starts_with(kInstrument)) {
+      append_to(document, "instruments", "--instrument",
+                instrument_document(std::string_view(text).substr(kInstrument.size())), origin);
       continue;
     }
     const std::size_t equals = std::min(text.find('='), text.size());

@@ -5,6 +5,7 @@
 
 #include "base/json/json_document.h"
 #include "base/suggest.h"
+#include "sim/scene/tools/read_tools.h"
 
 namespace fascia {
 namespace {
@@ -142,8 +143,8 @@ SolverSettings read_solver(const Node& node) {
 }
 
 Scene read_scene(const Node& root) {
-  root.expect_object(
-      {"fascia_scene", "title", "gravity", "bodies", "grabs", "solver", "camera", "display", "duration", "files"});
+  root.expect_object({"fascia_scene", "title", "gravity", "bodies", "grabs", "contact", "ground", "obstacles",
+                      "instruments", "solver", "camera", "display", "duration", "files"});
   root.at("fascia_scene", "1, the version of the format").number(1, 1, "");
   Scene scene;
   if (const auto title = root.find("title")) scene.title = title->text("a text");
@@ -157,6 +158,7 @@ Scene read_scene(const Node& root) {
       scene.grabs.push_back(read_grab(grab));
       scene.option_grabs += grab.where("at").starts_with("--grab");
     }
+  scene.tools = read_tools(root);
   const auto solver = root.find("solver");
   if (solver) {
     scene.solver = read_solver(*solver);

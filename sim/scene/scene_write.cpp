@@ -1,14 +1,13 @@
 // Every setting is written, with the fewest digits that read back to the same number.
 #include "sim/scene/scene_write.h"
 
-#include <cmath>
-#include <cstdint>
-
 #include "base/byte_hash.h"
 #include "base/byte_text.h"
+#include "base/json/json_write.h"
 #include "sim/material/law.h"
 #include "sim/material/tissue_looks.h"
 #include "sim/scene/scene_paths.h"
+#include "sim/scene/tools/read_tools.h"
 
 namespace fascia {
 namespace {
@@ -16,16 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
 
-/// Whole numbers without ".0".
-OrderedJson number(double value) {
-  const bool is_whole = std::abs(value) < 1e9 && value == std::floor(value) && !(value == 0 && std::signbit(value));
-  if (is_whole) return static_cast<std::int64_t>(value);
-  return value;
-}
-
-OrderedJson vector(const Eigen::Vector3d& v) {
-  return OrderedJson::array({number(v.x()), number(v.y()), number(v.z())});
-}
+OrderedJson number(double value) { return number_document(value); }
+OrderedJson vector(const Eigen::Vector3d& v) { return vector_document(v); }
 
 OrderedJson selection(const Selection& selection) {
   struct Writer {
@@ -124,6 +115,7 @@ class SceneWriter {
     OrderedJson object = {{"fascia_scene", 1}, {"title", scene_.title}, {"gravity", vector(scene_.gravity)}};
     for (const Body& b : scene_.bodies) object["bodies"].push_back(body(b));
     for (const ScriptedGrab& g : scene_.grabs) object["grabs"].push_back(grab(g));
+    write_tools(scene_.tools, object);
     object["solver"] = solver_document(scene_.solver);
     if (scene_.camera) object["camera"] = camera_document(*scene_.camera);
     if (const CameraMotion& motion = scene_.camera_motion; !motion.keys.empty()) {
@@ -296,8 +288,6 @@ OrderedJson camera_document(const CameraSettings& camera) {
 }
 
 OrderedJson display_document(const DisplaySettings& settings) { return display(settings); }
-
-OrderedJson vector_document(const Eigen::Vector3d& v) { return vector(v); }
 
 std::string text_of(const OrderedJson& document) { return text_of(document, "", false) + "\n"; }
 

@@ -14,7 +14,6 @@ nlohmann::ordered_json solver_document(const SolverSettings& settings);
 nlohmann::ordered_json material_document(const Material& material);
 nlohmann::ordered_json camera_document(const CameraSettings& camera);
 nlohmann::ordered_json display_document(const DisplaySettings& display);
-nlohmann::ordered_json vector_document(const Eigen::Vector3d& v);
 
 /// Sets the scene's file to `file` and updates its paths, so that they lead to the same files.
 void move_scene(Scene& scene, const std::filesystem::path& file);

@@ -1,0 +1,55 @@
+#include "base/json/json_option.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/json/json_document.h"
+
+namespace fascia {
+
+using nlohmann::json;
+
+std::vector<std::string> parts_of(std::string_view text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text)
+    if (c == separator)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+std::vector<std::pair<std::string, std::string>> option_parts(std::string_view text, const std::string& option,
+                                                              const std::string& example) {
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const std::string& part : parts_of(text, ';')) {
+    const std::size_t begin = part.find_first_not_of(' '), equals = part.find('=');
+    if (begin == std::string::npos) continue;
+    if (equals == std::string::npos || equals == begin)
+      throw Error(option, on_one_line(part) + " is no KEY=VALUE", "expected such as " + example);
+    const std::string key = part.substr(begin, equals - begin);
+    if (std::any_of(result.begin(), result.end(), [&](const auto& other) { return other.first == key; }))
+      throw Error(option, on_one_line(key) + " is given twice", "expected each key once");
+    result.emplace_back(key, part.substr(equals + 1));
+  }
+  return result;
+}
+
+json scalar_of(const std::string& text) {
+  try {
+    const json value = parse_json(text, "");
+    if (value.is_primitive()) return value;
+  } catch (const Error&) {
+  }
+  return text;
+}
+
+json value_of(const std::string& text, const std::string& option) {
+  if (text.starts_with('{') || text.starts_with('[')) return parse_json(text, option);
+  if (text.find(',') == std::string::npos) return scalar_of(text);
+  json values = json::array();
+  for (const std::string& part : parts_of(text, ',')) values.push_back(scalar_of(part));
+  return values;
+}
+
+}  // namespace fascia

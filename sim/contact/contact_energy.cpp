@@ -1,0 +1,160 @@
+#include "sim/contact/contact_energy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/tool/shape_distance.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+Vector3d within(const Vector3d& q, double bound) {
+  const double length = q.norm();
+  return length > bound ? Vector3d(q * (bound / length)) : q;
+}
+
+}  // namespace
+
+ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
+                             const ContactMemory& memory, const VectorXd& start, const ToolMotion& motion)
+    : model_(model), surface_(surface), rows_(surface.row_count) {
+  for (const ContactPiece& piece : surface.pieces) {
+    const Tool& tool = model.tools[piece.tool];
+    const Pose before = tool.pose_of_piece(piece.piece, motion.from[piece.tool]);
+    pieces_.push_back({&tool.shape, tool.pose_of_piece(piece.piece, motion.to[piece.tool]),
+                       motion.to[piece.tool].pose.origin, tool.friction, 1.0 / (1 << (2 * piece.level))});
+    const Pose& after = pieces_.back().pose;
+    for (std::size_t p = 0; p < piece.points; ++p) {
+      Row& row = rows_[piece.first_row + p];
+      const Vector3d local = before.to_local(position(surface.points[p], start));
+      row.stiffness = pieces_.back().share * stiffness[p];
+      row.anchor = after.to_scene(local);
+      row.normal = after.axes * distance_to(tool.shape, local).normal;
+      row.pressing = 0;
+      row.friction.setZero();
+      if (memory.empty()) continue;
+      const ContactForce& force = memory[piece.first_row + p];
+      row.pressing = force.normal;
+      row.friction = after.axes * force.friction;
+      row.friction -= row.friction.dot(row.normal) * row.normal;
+    }
+  }
+}
+
+Vector3d ContactEnergy::position(const ContactPoint& point, const VectorXd& u) const {
+  Vector3d x(0, 0, 0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t v = point.vertices[k];
+    x += point.weights[k] * (model_.rest_positions[v] + u.segment<3>(3 * static_cast<Eigen::Index>(v)));
+  }
+  return x;
+}
+
+ContactEnergy::Contact ContactEnergy::contact_of(const ContactPiece& piece, std::size_t p, const VectorXd& u) const {
+  const Piece& placed = pieces_[static_cast<std::size_t>(&piece - surface_.pieces.data())];
+  const Row& row = rows_[piece.first_row + p];
+  Contact contact;
+  contact.x = position(surface_.points[p], u);
+  const ShapeDistance distance = distance_to(*placed.shape, placed.pose.to_local(contact.x));
+  contact.normal = placed.pose.axes * distance.normal;
+  contact.curvature = placed.pose.axes * distance.curvature * placed.pose.axes.transpose();
+  contact.depth = 0.5 * model_.contact.thickness - distance.distance;
+  contact.pressing = std::max(0.0, row.pressing + row.stiffness * contact.depth);
+  const Vector3d way = contact.x - row.anchor;
+  contact.tangential = row.friction - row.stiffness * (way - way.dot(row.normal) * row.normal);
+  return contact;
+}
+
+template <class F>
+void ContactEnergy::for_rows(F&& f) const {
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    for (std::size_t p = 0; p < surface_.pieces[i].points; ++p)
+      f(surface_.pieces[i], pieces_[i], p, rows_[surface_.pieces[i].first_row + p]);
+}
+
+double ContactEnergy::evaluate(const VectorXd& u, VectorXd& gradient) const {
+  double energy = 0;
+  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
+    const Contact contact = contact_of(piece, p, u);
+    const double bound = placed.friction * row.pressing;
+    if (contact.pressing == 0 && row.pressing == 0) return;
+    energy += 0.5 * (contact.pressing * contact.pressing - row.pressing * row.pressing) / row.stiffness;
+    Vector3d force = contact.pressing * contact.normal;
+    if (bound > 0) {
+      const double q = contact.tangential.norm();
+      energy += q <= bound ? 0.5 * q * q / row.stiffness : (bound * q - 0.5 * bound * bound) / row.stiffness;
+      force += within(contact.tangential, bound);
+    }
+    const ContactPoint& point = surface_.points[p];
+    for (std::size_t k = 0; k < 3; ++k)
+      gradient.segment<3>(3 * static_cast<Eigen::Index>(point.vertices[k])) -= point.weights[k] * force;
+  });
+  return energy;
+}
+
+std::vector<ContactEnergy::Block> ContactEnergy::blocks(const VectorXd& u, bool semidefinite) const {
+  std::vector<Block> blocks;
+  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
+    const Contact contact = contact_of(piece, p, u);
+    const double bound = placed.friction * row.pressing;
+    // A point that just touches counts: a body that is set down would else have no stiffness against its weight.
+    const bool touches = row.pressing + row.stiffness * contact.depth >= 0;
+    if (!touches && bound == 0) return;
+    Matrix3d hessian = Matrix3d::Zero();
+    if (touches) {
+      hessian += row.stiffness * contact.normal * contact.normal.transpose();
+      if (!semidefinite) hessian -= contact.pressing * contact.curvature;
+    }
+    if (bound > 0) {
+      const Matrix3d across = Matrix3d::Identity() - row.normal * row.normal.transpose();
+      const double q = contact.tangential.norm();
+      if (q <= bound) {
+        hessian += row.stiffness * across;
+      } else {
+        const Vector3d along = contact.tangential / q;
+        hessian += row.stiffness * (bound / q) * (across - along * along.transpose());
+      }
+    }
+    const ContactPoint& point = surface_.points[p];
+    const double reach = std::max(contact.x.cwiseAbs().maxCoeff(), placed.pose.origin.cwiseAbs().maxCoeff());
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t b = 0; b < 3; ++b)
+        if (const double weight = point.weights[a] * point.weights[b]; weight > 0)
+          blocks.push_back({point.vertices[a], point.vertices[b], weight * hessian, reach});
+  });
+  return blocks;
+}
+
+ContactMemory ContactEnergy::memory_after(const VectorXd& u) const {
+  ContactMemory memory(surface_.row_count);
+  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row&) {
+    const Contact contact = contact_of(piece, p, u);
+    ContactForce& force = memory[piece.first_row + p];
+    force.normal = contact.pressing;
+    force.friction = placed.pose.axes.transpose() * within(contact.tangential, placed.friction * contact.pressing);
+  });
+  return memory;
+}
+
+std::vector<ToolLoad> ContactEnergy::loads(const VectorXd& u) const {
+  std::vector<ToolLoad> loads(model_.tools.size());
+  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
+    const Contact contact = contact_of(piece, p, u);
+    const double bound = placed.friction * row.pressing;
+    if (contact.pressing == 0 && bound == 0) return;
+    ToolLoad& load = loads[piece.tool];
+    const Vector3d force = contact.pressing * contact.normal + within(contact.tangential, bound);
+    load.force += force;
+    load.torque += (contact.x - placed.origin).cross(force);
+    if (contact.pressing == 0) return;
+    ++load.points;
+    load.deepest = std::max(load.deepest, contact.depth);
+  });
+  return loads;
+}
+
+}  // namespace fascia

@@ -1,0 +1,75 @@
+// The energy of contact in a step, in double precision: a penalty with multipliers that stay from step to step
+// (Hestenes 1969, Powell 1969), and Coulomb friction by return mapping (Simo, Laursen 1992).
+//
+// For every row, a contact point x at a piece of a tool, with d the signed distance of the piece minus half of the
+// skin's thickness, n its normal, k the penalty, and lambda and t the forces that the step before left:
+//
+//   normal    (max(0, lambda - k d)^2 - lambda^2) / (2 k)
+//   friction  with s the way of x against the piece across its normal n0 at the start, q = t - k s, b = mu lambda:
+//             |q| <= b: |q|^2 / (2 k), else (b |q| - b^2 / 2) / k
+//   force on the tissue  max(0, lambda - k d) n + q min(1, b / |q|)
+//
+// lambda, t, b and n0 are constants of the step, so this is one smooth energy.
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "sim/contact/contact_surface.h"
+#include "sim/contact/tool_load.h"
+#include "sim/tool/contact_memory.h"
+#include "sim/tool/tool_motion.h"
+
+namespace fascia {
+
+class ContactEnergy {
+ public:
+  /// `start`: displacements [3 * vertex_count] at the start of the step. `stiffness`: contact_stiffness(). An empty
+  /// memory means no forces. The first two outlive this object.
+  ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
+                const ContactMemory& memory, const Eigen::VectorXd& start, const ToolMotion& motion);
+
+  /// Energy [J] at displacements `u`; adds its derivatives to `gradient` [3 * vertex_count].
+  double evaluate(const Eigen::VectorXd& u, Eigen::VectorXd& gradient) const;
+  struct Block {
+    std::uint32_t row_vertex, column_vertex;
+    Eigen::Matrix3d hessian;  // [N/m]
+    double reach;             // [m] largest coordinate that the force is computed from
+  };
+  /// The Hessian as a sum of blocks. `semidefinite`: without the curvature of the tools' surfaces.
+  std::vector<Block> blocks(const Eigen::VectorXd& u, bool semidefinite) const;
+
+  ContactMemory memory_after(const Eigen::VectorXd& u) const;
+  std::vector<ToolLoad> loads(const Eigen::VectorXd& u) const;  // [tool]
+
+ private:
+  struct Piece {
+    const ToolShape* shape;
+    Pose pose;               // at the end
+    Eigen::Vector3d origin;  // of the tool, at the end
+    double friction, share;  // of the penalty and the area at level 0
+  };
+  struct Row {
+    double stiffness;
+    Eigen::Vector3d friction;  // t, across `normal`
+    Eigen::Vector3d anchor;    // where the piece takes the point to that was at the start [m]
+    Eigen::Vector3d normal;    // n0
+    double pressing;           // lambda
+  };
+  struct Contact {
+    Eigen::Vector3d x, normal, tangential;  // tangential: q
+    Eigen::Matrix3d curvature;              // of the distance
+    double pressing, depth;                 // N, and -d
+  };
+  Contact contact_of(const ContactPiece& piece, std::size_t p, const Eigen::VectorXd& u) const;
+  Eigen::Vector3d position(const ContactPoint& point, const Eigen::VectorXd& u) const;
+  template <class F>
+  void for_rows(F&& f) const;
+
+  const Model& model_;
+  const ContactSurface& surface_;
+  std::vector<Piece> pieces_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace fascia

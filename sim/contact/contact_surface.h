@@ -1,0 +1,51 @@
+// The contact points of a model: fixed material points of its surface at which tools press on it.
+//
+// Faces of the boundary are split into 4^L equal triangles, whose corners are the points of level L: level 0 has the
+// vertices, and every level contains the ones below. A tool uses the level at which points are at most half of its
+// finest radius apart, since a thin tool would pass between vertices.
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/model/model.h"
+
+namespace fascia {
+
+struct ContactPoint {
+  /// x = sum_a weights[a] (X + u)[vertices[a]]. Unused corners have weight 0 and repeat the first vertex, which is a
+  /// free one.
+  std::array<std::uint32_t, 3> vertices;
+  std::array<double, 3> weights;
+  double area;  // [m^2] that the point stands for at level 0; at level L a 4^L-th of that
+};
+
+/// A rigid piece of a tool, and the rows that it has: one for each point of its level.
+struct ContactPiece {
+  std::uint32_t tool, piece;  // in Model::tools, and in that tool
+  int level;
+  std::uint32_t points;     // the first ones of ContactSurface::points
+  std::uint32_t first_row;  // in ContactMemory of a state
+};
+
+struct ContactSurface {
+  static constexpr int kFinestLevel = 3;
+
+  std::vector<ContactPoint> points;  // level by level; none where all corners are held
+  std::vector<ContactPiece> pieces;
+  std::uint32_t row_count = 0;
+  std::vector<std::string> notes;  // tools that are too thin for the surface, one line each
+
+  bool empty() const { return row_count == 0; }
+};
+
+/// Without points if the model has no tools.
+ContactSurface make_contact_surface(const Model& model);
+
+/// Penalty stiffness [N/m] of every point at level 0, [points]: s (lambda + 2 mu) A / l with l = 2 V / A of the
+/// vertices (l: the height of a cell), s = 10 times the factor of the scene. At level L a 4^L-th.
+std::vector<double> contact_stiffness(const Model& model, const ContactSurface& surface);
+
+}  // namespace fascia

@@ -1,0 +1,95 @@
+// Rigid things that tissue touches, as a scene states them (keys "contact", "ground", "obstacles", "instruments"):
+// shapes, where they are, and how they move. All lengths in m, in the axes of the scene.
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace fascia {
+
+struct SphereShape {
+  Eigen::Vector3d center{0, 0, 0};
+  double radius = 0;
+  bool operator==(const SphereShape&) const = default;
+};
+struct CapsuleShape {  // all points within `radius` of the segment
+  Eigen::Vector3d from{0, 0, 0}, to{0, 0, 0};
+  double radius = 0;
+  bool operator==(const CapsuleShape&) const = default;
+};
+struct BoxShape {
+  Eigen::Vector3d center{0, 0, 0}, half_size{0, 0, 0};
+  double round = 0;  // radius of its edges, within half_size
+  bool operator==(const BoxShape&) const = default;
+};
+struct PlaneShape {  // the half space behind it is solid
+  Eigen::Vector3d point{0, 0, 0}, normal{0, 1, 0};
+  bool operator==(const PlaneShape&) const = default;
+};
+struct CylinderShape {  // with flat ends
+  Eigen::Vector3d from{0, 0, 0}, to{0, 0, 0};
+  double radius = 0;
+  bool operator==(const CylinderShape&) const = default;
+};
+using ToolShape = std::variant<SphereShape, CapsuleShape, BoxShape, PlaneShape, CylinderShape>;
+
+/// Two mirrored copies of a shape that turn about a hinge through the origin of the instrument. They point along the
+/// instrument's axis nearest to the middle of the shape and close on the plane through that axis and the hinge.
+struct JawsShape {
+  ToolShape shape;
+  Eigen::Vector3d axis{0, 0, 1};  // of the hinge
+  double open_deg = 30;           // between the jaws, fully open
+  bool operator==(const JawsShape&) const = default;
+};
+
+struct ContactSettings {
+  double friction = 0.3;  // Coulomb's coefficient of tools that state none
+  double thickness = 0;   // [m] of the tissue's skin: tools touch it at half of that from the surface
+  double stiffness = 1;   // factor of the penalty that the solver chooses
+  bool operator==(const ContactSettings&) const = default;
+};
+
+struct Ground {
+  double height = 0;  // [m] along y
+  std::optional<double> friction;
+  bool operator==(const Ground&) const = default;
+};
+
+struct Obstacle {
+  std::string name;
+  ToolShape shape;
+  Eigen::Vector3d position{0, 0, 0}, rotate_deg{0, 0, 0};  // rotated about x, then y, then z; then moved
+  std::optional<double> friction;
+  bool operator==(const Obstacle&) const = default;
+};
+
+struct Instrument {
+  std::string name;
+  std::variant<ToolShape, JawsShape> shape;
+  std::optional<double> friction;
+
+  struct Key {
+    double time = 0;  // [s]
+    Eigen::Vector3d position{0, 0, 0}, rotate_deg{0, 0, 0};
+    double grip = 0;  // of jaws: 0 open to 1 closed
+    bool operator==(const Key&) const = default;
+  };
+  std::vector<Key> path;  // times ascending, one at least; angles change along with the positions
+  bool smooth = false;    // "interpolate": ease in and out at every key
+  bool operator==(const Instrument&) const = default;
+};
+
+/// Everything that the bodies of a scene may touch.
+struct SceneTools {
+  ContactSettings contact;
+  std::optional<Ground> ground;
+  std::vector<Obstacle> obstacles;
+  std::vector<Instrument> instruments;
+  std::size_t option_instruments = 0;  // number of those, at the end, that --instrument added: messages name the option
+  bool empty() const { return !ground && obstacles.empty() && instruments.empty(); }
+  bool operator==(const SceneTools&) const = default;
+};
+
+}  // namespace fascia

@@ -1,0 +1,27 @@
+// Where a rigid thing is: from its own axes to those of the scene. The axes may be mirrored.
+#pragma once
+#include <Eigen/Core>
+
+namespace fascia {
+
+struct Pose {
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // orthogonal
+  Eigen::Vector3d origin{0, 0, 0};                     // [m]
+
+  Eigen::Vector3d to_scene(const Eigen::Vector3d& local) const { return axes * local + origin; }
+  Eigen::Vector3d to_local(const Eigen::Vector3d& point) const { return axes.transpose() * (point - origin); }
+  bool operator==(const Pose&) const = default;
+};
+
+/// The pose of a thing that has the pose `inner` in the axes of `outer`.
+inline Pose composed(const Pose& outer, const Pose& inner) {
+  return {outer.axes * inner.axes, outer.to_scene(inner.origin)};
+}
+
+/// Rotated about x, then y, then z, by degrees.
+Eigen::Matrix3d rotation_of(const Eigen::Vector3d& angles_deg);
+
+/// On the way from one pose to another of the same thing: straight, with one rotation about one axis.
+Pose between(const Pose& from, const Pose& to, double share);
+
+}  // namespace fascia

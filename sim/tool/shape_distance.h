@@ -1,0 +1,23 @@
+// Signed distances of rigid shapes, exact outside, and inside up to the nearest face.
+#pragma once
+#include <Eigen/Core>
+
+#include "sim/scene/tools/scene_tools.h"
+
+namespace fascia {
+
+struct ShapeDistance {
+  double distance = 0;              // [m] negative inside
+  Eigen::Vector3d normal{0, 0, 0};  // its gradient, a unit vector
+  Eigen::Matrix3d curvature;        // its Hessian [1/m]
+};
+/// At a point in the axes of the shape [m].
+ShapeDistance distance_to(const ToolShape& shape, const Eigen::Vector3d& point);
+
+/// The radius [m] of the finest part of a shape that may press into tissue; infinite for a plane.
+double finest_radius(const ToolShape& shape);
+/// Middle of the shape, and the radius [m] of a ball around it that contains the shape; infinite for a plane.
+Eigen::Vector3d middle_of(const ToolShape& shape);
+double bounding_radius(const ToolShape& shape);
+
+}  // namespace fascia

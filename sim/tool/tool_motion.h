@@ -1,0 +1,19 @@
+// The motion of a scene's tools within a step.
+#pragma once
+#include <vector>
+
+#include "sim/tool/tool.h"
+
+namespace fascia {
+
+struct ToolMotion {
+  std::vector<ToolPlace> from, to;  // [tool] at the start and at the end
+  /// The motion between two shares of this one.
+  ToolMotion part(double from_share, double to_share) const;
+  bool operator==(const ToolMotion&) const = default;
+};
+
+/// As the paths of the tools state it [s].
+ToolMotion motion_on_paths(const std::vector<Tool>& tools, double from, double to);
+
+}  // namespace fascia

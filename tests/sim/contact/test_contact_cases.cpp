@@ -1,0 +1,172 @@
+// Contact in the reference solver against closed forms: weights, the patch test, inclines, stopping distances, a grasp,
+// falls.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "sim/contact/contact_surface.h"
+#include "sim/reference/newton.h"
+#include "tests/sim/reference/box_model.h"
+
+namespace fascia::reference {
+namespace {
+
+using Eigen::Vector3d;
+using test::box_model;
+using test::soft;
+
+constexpr double kGravity = 9.81;
+
+SolverSettings frames() {
+  SolverSettings settings;
+  settings.time_step = 1.0 / 60;
+  return settings;
+}
+
+Tool ground_of(double friction, const Vector3d& normal = {0, 1, 0}) {
+  Tool tool;
+  tool.name = "ground";
+  tool.shape = PlaneShape{{0, 0, 0}, normal};
+  tool.friction = friction;
+  tool.path.emplace_back();
+  return tool;
+}
+
+Model cube_on_ground(double size, int cells, const Material& material, double friction) {
+  Model model = box_model(cells, cells, cells, {size, size, size}, material);
+  model.gravity = {0, -kGravity, 0};
+  model.tools = {ground_of(friction)};
+  return model;
+}
+
+Vector3d mean(const std::vector<Vector3d>& values) {
+  Vector3d sum(0, 0, 0);
+  for (const Vector3d& v : values) sum += v;
+  return sum / static_cast<double>(values.size());
+}
+
+double lowest(const Model& model, const State& state) {
+  double low = 1e9;
+  for (std::size_t v = 0; v < state.displacement.size(); ++v)
+    low = std::min(low, model.rest_positions[v].y() + state.displacement[v].y());
+  return low;
+}
+
+TEST_CASE("the ground carries the weight of a cube", "[contact]") {
+  for (const double young_modulus : {1e5, 1e6}) {
+    const Model model = cube_on_ground(0.2, 4, soft(young_modulus, 0.3, 0.05), 0.5);
+    NewtonSolver solver(model, frames());
+    State state = initial_state(model);
+    for (int i = 0; i < 240; ++i) {
+      const NewtonReport report = solver.step(state);
+      CAPTURE(i, report.iterations, report.relative_residual);
+      CHECK(report.converged);
+    }
+    const ToolLoad load = solver.tool_loads().front();
+    CAPTURE(young_modulus, load.force.transpose(), load.points, load.deepest, lowest(model, state));
+    CHECK(load.force.y() == Approx(78.48).epsilon(1e-6));
+    CHECK(load.force.head<1>().norm() < 1e-6);
+    CHECK(load.deepest < 5e-5 * 0.05);
+    CHECK(load.points == 25);
+  }
+}
+
+TEST_CASE("a cube above or on the ground has a static equilibrium without fixed vertices", "[contact]") {
+  for (const double height : {0.0, 0.05}) {
+    Model model = cube_on_ground(0.2, 4, soft(1e5), 0.5);
+    for (Vector3d& x : model.rest_positions) x.y() += height;
+    NewtonSolver solver(model, frames());
+    State state = initial_state(model);
+    const NewtonReport report = solver.solve_static(state);
+    const ToolLoad load = solver.tool_loads().front();
+    CAPTURE(height, report.iterations, report.relative_residual, load.force.transpose(), load.deepest);
+    CHECK(report.converged);
+    CHECK(load.force.y() == Approx(78.48).epsilon(1e-8));
+    CHECK(load.deepest < 1e-8 * 0.05);
+  }
+}
+
+// F = A0 E a (1 - a^2) / 2 with a the stretch, for St. Venant-Kirchhoff under uniaxial compression between plates
+// without friction.
+TEST_CASE("a block between two plates passes the patch test", "[contact]") {
+  for (const double stretch : {0.9, 0.95}) {
+    Material material = soft(1e5);
+    material.model = MaterialModel::st_venant_kirchhoff;
+    Model model = box_model(4, 4, 4, {0.2, 0.2, 0.2}, material);
+    Tool top = ground_of(0, {0, -1, 0});
+    top.name = "plate";
+    top.path = {{0, {0, 0.2, 0}, {0, 0, 0}}, {1, {0, 0.2 * stretch, 0}, {0, 0, 0}}};
+    model.tools = {ground_of(0), top};
+    NewtonSolver solver(model, frames());
+    State state = initial_state(model);
+    const NewtonReport report = solver.solve_static(state);
+    const double exact = 0.04 * 1e5 * stretch * (1 - stretch * stretch) / 2;
+    const ToolLoad plate = solver.tool_loads()[1], ground = solver.tool_loads()[0];
+    double bump = 0;  // of the faces
+    for (std::size_t v = 0; v < state.displacement.size(); ++v) {
+      const double y = model.rest_positions[v].y();
+      bump = std::max(bump, std::abs(state.displacement[v].y() - y * (stretch - 1)));
+    }
+    CAPTURE(stretch, report.iterations, report.relative_residual, plate.force.transpose(), exact, bump);
+    CHECK(report.converged);
+    CHECK(-plate.force.y() == Approx(exact).epsilon(1e-6));
+    CHECK(ground.force.y() == Approx(exact).epsilon(1e-6));
+    CHECK(bump < 1e-7 * 0.05);
+  }
+}
+
+TEST_CASE("friction holds a cube on an incline below the limit and brakes it above", "[contact]") {
+  for (const double share : {0.9, 0.98, 1.02, 1.2}) {
+    const double mu = 0.5, slope = std::atan(share * mu);
+    Model model = cube_on_ground(0.1, 2, soft(1e5, 0.3, 0.05), mu);
+    model.gravity = kGravity * Vector3d(std::sin(slope), -std::cos(slope), 0);
+    NewtonSolver solver(model, frames());
+    State state = initial_state(model);
+    for (int i = 0; i < 60; ++i) solver.step(state);
+    const Vector3d before = mean(state.displacement), speed = mean(state.velocity);
+    for (int i = 0; i < 60; ++i) solver.step(state);
+    const double way = (mean(state.displacement) - before).x();
+    const double acceleration = (mean(state.velocity) - speed).x();
+    const double exact = kGravity * (std::sin(slope) - mu * std::cos(slope));
+    CAPTURE(share, way, acceleration, exact);
+    if (share < 1) {
+      CHECK(std::abs(way) < 5e-6);  // its elastic wobble included
+    } else {
+      CHECK(acceleration == Approx(exact).epsilon(1e-3));
+    }
+  }
+}
+
+// From v on level ground it stops in v^2 / (2 mu g), of which implicit Euler's last step is uncertain.
+TEST_CASE("a sliding cube stops", "[contact]") {
+  Model model = cube_on_ground(0.1, 2, soft(2e5, 0.3, 0.05), 0.5);
+  NewtonSolver solver(model, frames());
+  State state = initial_state(model);
+  for (int i = 0; i < 120; ++i) solver.step(state);
+  for (Vector3d& v : state.velocity) v.x() += 1;
+  const Vector3d before = mean(state.displacement);
+  for (int i = 0; i < 60; ++i) solver.step(state);
+  const double way = (mean(state.displacement) - before).x();
+  CAPTURE(way);
+  CHECK(way == Approx(0.1019).epsilon(0.1));
+}
+
+TEST_CASE("a dropped cube never gains energy", "[contact]") {
+  Model model = cube_on_ground(0.1, 2, soft(1e5), 0.5);
+  for (Vector3d& x : model.rest_positions) x.y() += 0.02;
+  NewtonSolver solver(model, frames());
+  State state = initial_state(model);
+  double last = measure(model, state).gravitational, worst = 0;
+  for (int i = 0; i < 120; ++i) {
+    solver.step(state);
+    const Measures m = measure(model, state);
+    const double energy = m.kinetic + m.elastic + m.gravitational;
+    worst = std::max(worst, energy - last);
+    INFO("step " << i << ": " << energy << " J");
+    CHECK(energy < 1e-6);
+  }
+  CAPTURE(worst);
+}
+
+}  // namespace
+}  // namespace fascia::reference
