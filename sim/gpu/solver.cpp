@@ -10,8 +10,11 @@
 namespace fascia {
 namespace {
 
-// The model. Throws Error if the method has no kernels for its elements.
+// The model. Throws Error if the method has no kernels for its elements or for contact.
 const Model& with_elements_of(Method method, const Model& model) {
+  if (!model.tools.empty() && !info_of(method).carries_contact)
+    throw Error("solver.method", std::string(name_of(method)) + " does not carry contact",
+                "expected two_level, or a scene without ground, obstacles and instruments");
   if (!model.has_quadratic()) return model;
   for (std::size_t t = 0; t < model.tets.size(); ++t)
     if (!model.is_quadratic(t))
@@ -39,6 +42,7 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       features_(features_of(model)),
       buffers_(model_, std::move(placement)),
       motions_(model_),
+      contact_(given_, buffers_),
       diagnostics_(buffers_),
       guard_(programs, buffers_),
       surface_(buffers_, drawn) {
@@ -95,7 +99,7 @@ void GpuSolver::record() {
     previous_strain_ =
         gl::Buffer("previous_strain", (features_.quadratic ? 8 : 2) * sizeof(shared::vec4) * buffers_.tet_count);
   const bool may_rest = method_->may_rest_in_regions() && !stop_ && settings_.rest_speed > 0 &&
-                        !buffers_.displacement_low && !features_.quadratic &&
+                        !buffers_.displacement_low && !features_.quadratic && !contact_.acts() &&
                         buffers_.tet_count >= RestingRegions::kLeastTets && !always_whole_;
   if (!may_rest) regions_.reset();
   if (may_rest && !regions_) regions_.emplace(programs_, buffers_);
@@ -151,6 +155,7 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
   passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), start(), active));
   if (!motions_.empty()) passes.begin.push_back(motions_.pass(programs_, buffers_));
   if (features_.damping && !strains_first) passes.begin.push_back(strains_at_start(r));
+  append(passes.begin, r.beginnings());
   append(passes.begin, method_->begin(r));
   if (const StepGradient* gradient = method_->gradient()) passes.before_first = passes.before = gradient->passes(r);
   passes.refresh = method_->refresh(r);
@@ -172,6 +177,7 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
                   {&passes.refresh, &passes.first_iteration, &passes.iteration, &passes.end});
     before_every_ = stop_->interval();
   }
+  append(passes.end, r.endings());
   passes.end.push_back(velocity_update(r));
   if (!fuses_ || (active && !programs_.fusing_rare()))
     for (const Passes* list : passes.lists())
@@ -300,6 +306,7 @@ void GpuSolver::materials_changed() {
   if (unfolding_) take_unfolding_law(model_.materials);
   model_.gravity = given_.gravity;
   buffers_.upload_materials(model_);
+  contact_.materials_changed(given_);
   settings_changed();
   if (const Features features = features_of(model_); features != features_) {
     features_ = features;
@@ -344,6 +351,9 @@ void GpuSolver::follow(const GpuSolver& leader) {
   set_grab(leader.springs_);
   buffers_.displacement.copy(leader.buffers_.displacement, buffers_.vertex_count * sizeof(shared::vec4));
   buffers_.velocity.copy(leader.buffers_.velocity, buffers_.velocity.bytes());
+  if (buffers_.contact_memory)
+    buffers_.contact_memory.copy(leader.buffers_.contact_memory, buffers_.contact_memory.bytes());
+  tools_ = leader.tools_;
   time_ = leader.time_;
   state_changed();
   if (leader.earlier_step_ == 0 || !buffers_.earlier_displacement) return;
@@ -353,7 +363,7 @@ void GpuSolver::follow(const GpuSolver& leader) {
 }
 
 void GpuSolver::request_diagnostics() {
-  diagnostics_.request(grab_, stage_.length, time_, stop_ ? &stop_->state() : nullptr);
+  diagnostics_.request(grab_, contact_, stage_.length, time_, stop_ ? &stop_->state() : nullptr);
 }
 
 void GpuSolver::set_compensated(bool compensated) {

@@ -14,6 +14,7 @@
 #include "gl/stopwatch.h"
 #include "sim/gpu/acceleration/acceleration.h"
 #include "sim/gpu/acceleration/stop_rule.h"
+#include "sim/gpu/contact/contact_term.h"
 #include "sim/gpu/integrators/stage.h"
 #include "sim/gpu/methods/method.h"
 #include "sim/gpu/passes/motion_targets.h"
@@ -49,6 +50,11 @@ class GpuSolver {
   void set_settings(const SolverSettings& settings);
   void materials_changed();  // also for gravity; acts on the next step; no state buffer is rebuilt
   void set_grab(const std::vector<GrabSpring>& springs);  // empty: releases all grabs
+  /// Sets the motion of the tools in the steps that follow, each of which begins and ends with it; none: they follow
+  /// their paths.
+  void set_tools(std::optional<ToolMotion> motion) { tools_ = std::move(motion); }
+  /// The motion of the tools in the last step.
+  const ToolMotion& tool_motion() const { return last_motion_; }
   void set_color(ColorBy color);
   ColorBy color() const { return color_; }
   /// The values of the heat map of ColorBy::error: float [vertex_count] [m]. Zero at first.
@@ -144,6 +150,8 @@ class GpuSolver {
   std::vector<IntegratorStage> next_stages() const;  // of the next substep
   void upload_step(const IntegratorStage& stage);
   void begin_stage(const IntegratorStage& stage);
+  void place_tools(double duration);
+  void begin_step();                           // of time_step
   void iterate(int iteration, int count = 1);  // `count` iterations, if fused and alike_from() permits
   void end_stage();
   void solve_stage(const IntegratorStage& stage);
@@ -193,7 +201,11 @@ class GpuSolver {
   MotionTargets motions_;
   std::vector<GrabSpring> springs_;  // at vertices of given_
   GrabSprings grab_;
-  const EnergyTerms terms_{&grab_};  // external energies
+  ContactTerm contact_;
+  const EnergyTerms terms_{&grab_, &contact_};  // external energies
+  std::optional<ToolMotion> tools_;             // none: on their paths
+  ToolMotion last_motion_;                      // of the step
+  double step_begin_ = 0;                       // [s]
   DiagnosticsReader diagnostics_;
   StateGuard guard_;
   bool published_ = false;  // positions() are those of the state

@@ -45,6 +45,7 @@ void GpuSolver::upload_step(const IntegratorStage& stage) {
 
 void GpuSolver::begin_stage(const IntegratorStage& stage) {
   if (stage != stage_) upload_step(stage);
+  place_tools(stage.duration);
   time_ += stage.duration;
   ++stages_solved_;
   published_ = false;
@@ -53,6 +54,17 @@ void GpuSolver::begin_stage(const IntegratorStage& stage) {
     fused->begin.run();
   else
     run(passes_->begin);
+}
+
+void GpuSolver::begin_step() {
+  step_begin_ = time_;
+  last_motion_ = tools_ ? *tools_ : motion_on_paths(given_.tools, time_, time_ + settings_.time_step);
+}
+
+void GpuSolver::place_tools(double duration) {
+  if (!contact_.acts()) return;
+  const double from = (time_ - step_begin_) / settings_.time_step;
+  contact_.begin_stage(last_motion_.part(from, from + duration / settings_.time_step));
 }
 
 void GpuSolver::iterate(int iteration, int count) {
@@ -156,6 +168,7 @@ void GpuSolver::step() {
   if (starts_inside_out_ || unfolding_) unfold();
   look_beside();
   choose_passes();
+  begin_step();
   for (int s = 0; s < settings_.substeps; ++s) solve_substep();
   if (regions_) regions_->end_step();
   has_step_ = true;
@@ -188,6 +201,7 @@ std::vector<Diagnostics> GpuSolver::traced_substep() {
   passes_ = &whole_;
   if (regions_) regions_->restart();
   look_beside();
+  begin_step();
   const std::vector<IntegratorStage> stages = next_stages();
   for (std::size_t k = 0; k + 1 < stages.size(); ++k) solve_stage(stages[k]);
   begin_stage(stages.back());

@@ -97,5 +97,6 @@ void main() {
   ITEM_OR_RETURN(i)
   Sym3 a = tets_around(i);
   a.d += FETCH1(mass, i) + external_stiffness(i, SUBSTEP * SUBSTEP);
+  ADD_EXTERNAL_BLOCK(a, i, SUBSTEP * SUBSTEP)
   store_inverse(i, a);
 }

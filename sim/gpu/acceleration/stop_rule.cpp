@@ -19,7 +19,7 @@ Passes StopRule::check(const Recording& r, bool first, std::uint32_t pass_count)
                                      {"velocity", &r.buffers.velocity},
                                      {"mass", &r.buffers.mass},
                                      {"residual_partials", &residual_partials_}};
-  const gl::Defines defines = with_energy_terms({}, bindings, r.terms);
+  const gl::Defines defines = with_energy_terms({}, bindings, r.terms, TermUse::gradient);
   passes.emplace_back(
       r.programs.compute("sim/acceleration/stop_residual.comp", defines), std::move(bindings), sums_.lanes,
       gl::ComputePass::Constants{{"vertex_count", r.buffers.vertex_count}, {"partials", sums_.partials}});

@@ -37,7 +37,7 @@ Passes ExactXpbdMethod::iteration(const Recording& r, bool) const {
                                    {"displacement", &r.buffers.displacement},
                                    {"primal_step", &primal_step_},
                                    {"raised_mass", &raised_mass_}};
-  const gl::Defines vertex_defines = with_energy_terms({}, vertex, r.terms);
+  const gl::Defines vertex_defines = with_energy_terms({}, vertex, r.terms, TermUse::all);
   passes
       .emplace_back(r.programs.compute("sim/xpbd/exact_vertex.comp", vertex_defines), std::move(vertex),
                     r.buffers.vertex_count)

@@ -21,7 +21,6 @@ TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& mo
       fine_direction_("fine_direction", gradient_.gradient().bytes()),
       last_step_("last_step", gradient_.gradient().bytes()),
       previous_gradient_("previous_gradient", gradient_.gradient().bytes()),
-      partials_("subspace_partials", sizeof(vec4) * (3 * vertices_.partials + pairs_.partials)),
       state_("subspace_state", kSubspaceFloats * sizeof(float)) {
   set_acceleration(programs, buffers, settings);
 }
@@ -43,7 +42,16 @@ void TwoLevelMethod::set_acceleration(const gl::ProgramCache& programs, const Si
                       settings.window);
 }
 
+std::uint32_t TwoLevelMethod::term_partials(const Recording& r) const {
+  std::uint32_t count = 0;
+  for (const EnergyTerm* term : r.terms)
+    if (term->acts()) count += term->curvature_partials(r.programs);
+  return count;
+}
+
 void TwoLevelMethod::prepare(const Recording& r) {
+  const std::size_t bytes = sizeof(vec4) * (3 * vertices_.partials + pairs_.partials + term_partials(r));
+  if (partials_.bytes() != bytes) partials_ = gl::Buffer("subspace_partials", bytes);
   if (!r.deferred) guarded_curvature_ = {};
   if (!r.deferred || guarded_curvature_) return;
   guarded_curvature_ = gl::Buffer("guarded_curvature", sizeof(shared::vec4) * r.buffers.pair_and_single_count());
@@ -83,7 +91,7 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
                                      {"vertex_tets", &vertex_tets_},      {"block_inverse", &block_inverse_}};
   if (r.features.quadratic) bindings.emplace_back("mid_edges", &r.buffers.mid_edges);
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
-  const gl::Defines defines = with_energy_terms(defines_of(r.features), bindings, r.terms);
+  const gl::Defines defines = with_energy_terms(defines_of(r.features), bindings, r.terms, TermUse::block);
   Passes passes;
   passes.push_back(r.over_vertices(
       r.features.quadratic ? "sim/quadratic/quadratic_block_inverse.comp" : "sim/two_level/block_inverse.comp", defines,
@@ -150,7 +158,7 @@ gl::ComputePass TwoLevelMethod::sum_for_step(const Recording& r, const char* ker
                                    {"last_step", &last_step_},
                                    {"previous_gradient", &previous_gradient_},
                                    {"dot_partials", &partials_}});
-  defines = with_energy_terms(std::move(defines), bindings, r.terms);
+  defines = with_energy_terms(std::move(defines), bindings, r.terms, TermUse::stiffness);
   return r.sum_over_vertices(kernel, std::move(defines), std::move(bindings), vertices_,
                              {{"partials", vertices_.partials}});
 }
@@ -190,16 +198,25 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
       passes.back().loops(0);
     }
   }
+  if (!last) {
+    std::uint32_t next = 3 * vertices_.partials + pairs_.partials;
+    for (const EnergyTerm* term : r.terms) {
+      if (!term->acts()) continue;
+      append(passes, term->curvature(r.programs, r.buffers,
+                                     {fine_direction_, splits_ ? &coarse_direction_ : nullptr, partials_, next}));
+      next += term->curvature_partials(r.programs);
+    }
+  }
   gl::ComputePass::Bindings solve{{"dot_partials", &partials_}, {"subspace_state", &state_}};
   gl::ComputePass::Constants constants{{"partials", vertices_.partials}};
   if (!last) {
-    constants.emplace_back("curvature_count", pairs_.partials);
+    constants.emplace_back("curvature_count", pairs_.partials + term_partials(r));
     constants.emplace_back("remembers", remembers_ && !first);
   }
   passes
       .emplace_back(r.programs.compute("sim/two_level/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}}),
                     std::move(solve), 1, std::move(constants))
-      .loops(vertices_.partials + pairs_.partials + 2 * Reduction::kGroup);
+      .loops(vertices_.partials + pairs_.partials + term_partials(r) + 2 * Reduction::kGroup);
   gl::ComputePass::Bindings update{{"subspace_state", &state_},
                                    {"step_before", &last_step_},
                                    {"iterate", &r.buffers.displacement},

@@ -53,6 +53,7 @@ class TwoLevelMethod : public StepMethod {
   gl::ComputePass sum_for_step(const Recording& recording, const char* kernel, gl::Defines defines,
                                gl::ComputePass::Bindings bindings) const;
   Passes subspace_step(const Recording& recording, bool first, bool last) const;
+  std::uint32_t term_partials(const Recording& recording) const;  // of the curvatures of external energies
 
   bool remembers_ = false,
        splits_ = false;  // with p, except in the first iteration; with two directions besides p

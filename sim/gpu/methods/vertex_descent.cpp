@@ -40,7 +40,7 @@ Passes VertexDescentMethod::iteration(const Recording& r, bool) const {
                                      {"vertex_tets", &vertex_tets_},
                                      {"color_vertex", &color_vertex_}};
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
-  const gl::Defines defines = with_energy_terms(defines_of(r.features), bindings, r.terms);
+  const gl::Defines defines = with_energy_terms(defines_of(r.features), bindings, r.terms, TermUse::all);
   return r.over_ranges_deferring("sim/vertex_descent/vertex_descent.comp", defines, bindings, coloring_.begin,
                                  r.loops_of_vertex(), r.buffers.most_tets);
 }

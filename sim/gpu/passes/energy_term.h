@@ -1,7 +1,7 @@
-// An external energy E(u) of the step's objective, besides inertia and the tets. The springs of grabs are one;
-// docs/developers/adding.md adds another. On the GPU its functions are NAME_gradient and NAME_stiffness
-// (shaders/sim/energy/terms.glsl).
+// An external energy E(u) of the step's objective, besides inertia and the tets. The springs of grabs are one, contact
+// is another; docs/developers/adding.md adds one more. On the GPU its functions are in shaders/sim/energy/terms.glsl.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +11,21 @@
 
 namespace fascia {
 
+/// What a kernel that includes terms.glsl takes from the terms.
+enum class TermUse {
+  gradient,   // NAME_gradient
+  stiffness,  // NAME_stiffness, for sums over the vertices
+  block,      // NAME_stiffness and NAME_block_of
+  all         // NAME_gradient and NAME_stiffness: sweeps over the vertices
+};
+
+/// Where and how a method that descends the objective adds curvatures along its directions.
+struct TermCurvature {
+  const gl::Buffer &fine_direction, *coarse_direction;  // vec4 [vertex_count]; null: one direction
+  const gl::Buffer& partials;                           // vec4
+  std::uint32_t first_partial;
+};
+
 class EnergyTerm {
  public:
   virtual ~EnergyTerm() = default;
@@ -19,8 +34,12 @@ class EnergyTerm {
   /// Whether the term acts anywhere. While it does not, none of its code is compiled, and nothing is bound, allocated
   /// or dispatched. Passes are recorded again when the result changes.
   virtual bool acts() const = 0;
+  /// Whether its stiffness depends on the direction: it then has blocks and passes of its own instead of a factor.
+  virtual bool has_blocks() const { return false; }
+  /// The value of its define for a use; none: that use needs nothing from this term.
+  virtual std::optional<std::string> define(TermUse) const { return "1"; }
   /// Adds the buffers that its functions read.
-  virtual void bind(gl::ComputePass::Bindings& bindings) const = 0;
+  virtual void bind(TermUse use, gl::ComputePass::Bindings& bindings) const = 0;
   /// The stiffness that the term adds to vertices, for the coarse matrix.
   virtual std::vector<VertexStiffness> stiffness() const = 0;
   /// Passes for methods that do not descend the objective: they project the term as constraints after an iteration.
@@ -29,12 +48,21 @@ class EnergyTerm {
   /// Adds its impulses, h^2 times its forces on the tissue, to those of the tets (SimBuffers::correction), so that
   /// diagnostics include them.
   virtual std::vector<gl::ComputePass> impulses(gl::ProgramCache& programs, const SimBuffers& buffers) const = 0;
+
+  // Passes of terms whose forces are not functions of one vertex alone.
+  using Passes = std::vector<gl::ComputePass>;
+  virtual Passes begin(gl::ProgramCache&, const SimBuffers&) const { return {}; }  // of a stage, after the prediction
+  virtual Passes evaluate(gl::ProgramCache&, const SimBuffers&) const { return {}; }  // before every gradient
+  virtual Passes finish(gl::ProgramCache&, const SimBuffers&) const { return {}; }    // of a stage
+  virtual Passes curvature(gl::ProgramCache&, const SimBuffers&, const TermCurvature&) const { return {}; }
+  virtual std::uint32_t curvature_partials(const gl::ProgramCache&) const { return 0; }
 };
 
 using EnergyTerms = std::vector<const EnergyTerm*>;
 
 /// Adds the defines of a kernel that includes terms.glsl, and the buffers of the terms that act.
-gl::Defines with_energy_terms(gl::Defines defines, gl::ComputePass::Bindings& bindings, const EnergyTerms& terms);
+gl::Defines with_energy_terms(gl::Defines defines, gl::ComputePass::Bindings& bindings, const EnergyTerms& terms,
+                              TermUse use);
 /// The stiffness of all terms that act.
 std::vector<VertexStiffness> stiffness_of(const EnergyTerms& terms);
 

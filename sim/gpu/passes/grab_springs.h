@@ -21,7 +21,7 @@ class GrabSprings : public EnergyTerm {
 
   std::string name() const override { return "grab"; }
   bool acts() const override { return !vertices_.empty(); }
-  void bind(gl::ComputePass::Bindings& bindings) const override {
+  void bind(TermUse, gl::ComputePass::Bindings& bindings) const override {
     bindings.emplace_back("vertex_spring", &vertex_spring_);
   }
   std::vector<VertexStiffness> stiffness() const override;

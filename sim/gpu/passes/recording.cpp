@@ -19,6 +19,27 @@ void append_pairs(gl::ComputePass::Constants& constants, const SimBuffers& buffe
 
 }  // namespace
 
+Passes Recording::beginnings() const {
+  Passes passes;
+  for (const EnergyTerm* term : terms)
+    if (term->acts()) append(passes, term->begin(programs, buffers));
+  return passes;
+}
+
+Passes Recording::evaluations() const {
+  Passes passes;
+  for (const EnergyTerm* term : terms)
+    if (term->acts()) append(passes, term->evaluate(programs, buffers));
+  return passes;
+}
+
+Passes Recording::endings() const {
+  Passes passes;
+  for (const EnergyTerm* term : terms)
+    if (term->acts()) append(passes, term->finish(programs, buffers));
+  return passes;
+}
+
 Passes Recording::projections(bool first) const {
   Passes passes;
   for (const EnergyTerm* term : terms)

@@ -229,6 +229,12 @@ void SimBuffers::upload_state(const Model& model, const State& state) {
   for (std::size_t i = 0; i < vertex_count; ++i)
     values[i] = to_vec4(held[i] ? Eigen::Vector3d(0, 0, 0) : state.velocity[placement.vertex[i]], 0);
   velocity.upload(0, values.size() * sizeof(vec4), values.data());
+  if (contact_memory) {
+    std::vector<vec4> forces(contact_memory.bytes() / sizeof(vec4));
+    for (std::size_t row = 0; row < std::min(forces.size(), state.contact.size()); ++row)
+      forces[row] = to_vec4(state.contact[row].friction, state.contact[row].normal);
+    contact_memory.upload(0, contact_memory.bytes(), forces.data());
+  }
   if (!earlier_displacement || state.earlier.step == 0) return;
   for (const auto& [buffer, vectors] : {std::pair(&earlier_displacement, &state.earlier.displacement),
                                         std::pair(&earlier_velocity, &state.earlier.velocity)}) {
@@ -255,7 +261,14 @@ State SimBuffers::download_state(double time, double earlier_step) const {
     const std::vector<Eigen::Vector3d> low = download_vectors(displacement_low);
     for (std::size_t i = 0; i < vertex_count; ++i) state.displacement[i] += low[i];
   }
+  if (contact_memory) state.contact = contact_forces(contact_memory);
   return state;
+}
+
+ContactMemory SimBuffers::contact_forces(const gl::Buffer& buffer) const {
+  ContactMemory memory;
+  for (const vec4& force : buffer.read<vec4>()) memory.push_back({{force.x, force.y, force.z}, force.w});
+  return memory;
 }
 
 std::vector<Eigen::Vector3d> SimBuffers::download_vectors(const gl::Buffer& buffer) const {

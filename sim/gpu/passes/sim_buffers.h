@@ -67,6 +67,9 @@ struct SimBuffers {
   std::vector<MidEdges> mid_edge_vertices;  // [tet_count] of quadratic tets, else empty
   std::vector<std::uint32_t> tet_offsets;   // [vertex_count + 1] tet_begin
 
+  gl::Buffer contact_memory;  // vec4 [rows of the contact surface] State::contact: xyz friction, w normal [N]; absent
+                              // without tools
+
   gl::Buffer diverged;  // uint [1] smallest index of a diverged vertex (shaders/sim/step/velocity.comp), ~0 for none
 
   gl::Buffer step;  // uniform block Step (shared::StepValues)
@@ -90,6 +93,7 @@ struct SimBuffers {
   State download_state(double time, double earlier_step = 0) const;
   /// The xyz of a buffer, vec4 [vertex_count or more], in the model's vertex order. Waits for the GPU.
   std::vector<Eigen::Vector3d> download_vectors(const gl::Buffer& buffer) const;
+  ContactMemory contact_forces(const gl::Buffer& buffer) const;  // of a copy of contact_memory
   /// Also updates the masses, which follow density; call after any material change.
   void upload_materials(const Model& model);
   void upload_step(const Model& model, const SolverSettings& settings, const IntegratorStage& stage);

@@ -16,8 +16,8 @@ Passes StepGradient::passes(const Recording& r) const {
       {"step", &r.buffers.step}, {"displacement", &r.buffers.displacement}, {"predicted", &r.buffers.predicted},
       {"mass", &r.buffers.mass}, {"slot_begin", &r.buffers.slot_begin},     {"correction", &r.buffers.correction},
       {"gradient", &gradient_}};
-  const gl::Defines vertex_defines = with_energy_terms({}, vertex, r.terms);
-  Passes passes;
+  const gl::Defines vertex_defines = with_energy_terms({}, vertex, r.terms, TermUse::gradient);
+  Passes passes = r.evaluations();
   if (r.features.quadratic)
     passes.push_back(r.over_pairs("sim/quadratic/quadratic_force.comp", tet_defines, tet));
   else

@@ -55,7 +55,8 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
                        vertex_partial_count_, gl::ComputePass::Constants{{"vertex_count", buffers.vertex_count}});
 }
 
-void DiagnosticsReader::request(const GrabSprings& grab, double substep, double time, const gl::Buffer* stop_state) {
+void DiagnosticsReader::request(const GrabSprings& grab, const ContactTerm& contact, double substep, double time,
+                                const gl::Buffer* stop_state) {
   for (const gl::ComputePass& pass : passes_) pass.run();
 
   newest_ ^= 1u;
@@ -63,7 +64,7 @@ void DiagnosticsReader::request(const GrabSprings& grab, double substep, double 
   const std::size_t grab_bytes = grab.count() * sizeof(shared::vec4);
   const std::size_t probe_bytes = probe_ ? sizeof(shared::vec4) : 0;
   const std::size_t bytes = tet_partials_.bytes() + vertex_partials_.bytes() + grab_bytes + probe_bytes +
-                            (stop_state ? stop_state->bytes() : 0);
+                            (stop_state ? stop_state->bytes() : 0) + contact.loads().bytes();
   if (p.staging.bytes() != bytes) p.staging = gl::Buffer::staging("diagnostics_staging", bytes);
   gl::BindBuffer(GL_COPY_WRITE_BUFFER, p.staging.id());
   std::size_t offset = 0;
@@ -79,12 +80,14 @@ void DiagnosticsReader::request(const GrabSprings& grab, double substep, double 
   if (grab_bytes) copy(grab.multiplier());
   if (probe_) copy_part(displacement_, *probe_ * probe_bytes, probe_bytes);
   if (stop_state) copy(*stop_state);
+  if (contact.acts()) copy(contact.loads());
   p.owners = grab.owners();
   p.has_probe = probe_.has_value();
   p.substep = substep;
   p.time = time;
   p.mean_mass = mean_mass_;
   p.counts_iterations = stop_state != nullptr;
+  p.contact = contact.acts() ? &contact : nullptr;
   p.fence.set();
 }
 
@@ -121,6 +124,12 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
     std::uint32_t iterations = 0;
     pending.staging.download(next, sizeof iterations, &iterations);
     d.iterations = static_cast<int>(iterations);
+  }
+  if (pending.contact) {
+    std::vector<shared::vec4> loads(pending.contact->loads().bytes() / sizeof(shared::vec4));
+    const std::size_t bytes = loads.size() * sizeof(shared::vec4);
+    pending.staging.download(pending.staging.bytes() - bytes, bytes, loads.data());
+    d.tool_loads = pending.contact->sum_of(loads);
   }
   double inverted = 0, growth = 0, residual = 0, inertia = 0, load = 0, motion = 0, grab = 0, speed2 = 0, strain2 = 0;
   d.min_det_f = leaves_out_ ? 1 : 3.4e38;

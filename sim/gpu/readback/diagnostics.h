@@ -9,6 +9,7 @@
 
 #include "gl/compute_pass.h"
 #include "gl/fence.h"
+#include "sim/gpu/contact/contact_term.h"
 #include "sim/gpu/passes/features.h"
 #include "sim/gpu/passes/grab_springs.h"
 
@@ -35,6 +36,7 @@ struct Diagnostics {
   int inverted = 0;
   std::optional<int> iterations;         // of the last substep, where solver.tolerance ends them
   std::optional<Eigen::Vector3d> probe;  // displacement of the vertex of set_probe [m]
+  std::vector<ToolLoad> tool_loads;      // of each tool of the model
   bool finite = true;
 };
 
@@ -46,8 +48,9 @@ class DiagnosticsReader {
   /// A vertex whose displacement is read together with the sums; none: no vertex.
   void set_probe(std::optional<std::uint32_t> vertex) { probe_ = vertex; }
   /// Dispatches the sums over the current state, of `time` [s], and queues their copy. `substep` h [s]. `stop_state`:
-  /// of a StopRule, or null.
-  void request(const GrabSprings& grab, double substep, double time, const gl::Buffer* stop_state);
+  /// of a StopRule, or null. `contact` outlives the request.
+  void request(const GrabSprings& grab, const ContactTerm& contact, double substep, double time,
+               const gl::Buffer* stop_state);
   bool pending() const {
     return pending_[0].fence.is_set() || pending_[1].fence.is_set();
   }  // a request whose result was not taken yet
@@ -61,6 +64,7 @@ class DiagnosticsReader {
     GrabSprings::Owners owners;
     double substep = 0, time = 0, mean_mass = 0;
     bool counts_iterations = false, has_probe = false;
+    const ContactTerm* contact = nullptr;  // null: nothing is touched
   };
   Diagnostics sum_up(const Pending& pending) const;
 

@@ -23,6 +23,10 @@ void StateGuard::copy(const SimBuffers& buffers, const Moment& moment, Copy& to)
   to.displacement.copy(buffers.displacement, bytes);
   to.velocity.copy(buffers.velocity, bytes);
   to.moment = moment;
+  if (buffers.contact_memory) {
+    if (!to.contact_memory) to.contact_memory = gl::Buffer("guard_contact_memory", buffers.contact_memory.bytes());
+    to.contact_memory.copy(buffers.contact_memory, buffers.contact_memory.bytes());
+  }
   if (moment.earlier_step == 0) return;
   if (!to.earlier_displacement) {
     to.earlier_displacement = gl::Buffer("guard_earlier_displacement", bytes);
@@ -77,6 +81,7 @@ void StateGuard::clear(SimBuffers& buffers) {
 State StateGuard::download(const SimBuffers& buffers) const {
   State state{buffers.download_vectors(good_.displacement), buffers.download_vectors(good_.velocity),
               good_.moment.time};
+  if (good_.contact_memory) state.contact = buffers.contact_forces(good_.contact_memory);
   if (good_.moment.earlier_step > 0)
     state.earlier = {buffers.download_vectors(good_.earlier_displacement),
                      buffers.download_vectors(good_.earlier_velocity), good_.moment.earlier_step};
@@ -86,6 +91,7 @@ State StateGuard::download(const SimBuffers& buffers) const {
 StateGuard::Moment StateGuard::restore(SimBuffers& buffers) {
   buffers.displacement.copy(good_.displacement, good_.displacement.bytes());
   buffers.velocity.copy(good_.velocity, good_.velocity.bytes());
+  if (good_.contact_memory) buffers.contact_memory.copy(good_.contact_memory, good_.contact_memory.bytes());
   clear(buffers);
   if (!buffers.earlier_displacement || good_.moment.earlier_step == 0) return {good_.moment.time};
   buffers.earlier_displacement.copy(good_.earlier_displacement, good_.earlier_displacement.bytes());

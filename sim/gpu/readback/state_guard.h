@@ -46,8 +46,8 @@ class StateGuard {
   void clear(SimBuffers& buffers);
 
   struct Copy {
-    gl::Buffer displacement, velocity;                  // vec4 [vertex_count]
-    gl::Buffer earlier_displacement, earlier_velocity;  // where SimBuffers has them
+    gl::Buffer displacement, velocity;                                  // vec4 [vertex_count]
+    gl::Buffer earlier_displacement, earlier_velocity, contact_memory;  // where SimBuffers has them
     Moment moment;
   };
   static void copy(const SimBuffers& buffers, const Moment& moment, Copy& to);

@@ -20,6 +20,7 @@ const std::vector<MethodInfo>& methods() {
        .accelerations = {A::subspace, A::nonlinear_cg, A::anderson, A::none},
        .carries_every_law = true,
        .carries_quadratic = true,
+       .carries_contact = true,
        .dispatches = 8},
       {.method = M::vertex_descent,
        .name = "vertex_descent",

@@ -21,6 +21,7 @@ struct MethodInfo {
   std::vector<std::string_view> settings = {};  // solver settings that have no effect with other methods
   bool carries_every_law = false;  // else only laws quadratic in the Green strain, which is the constraint of XPBD
   bool carries_quadratic = false;  // quadratic elements, too
+  bool carries_contact = false;    // scenes with ground, obstacles or instruments, too
   bool in_i3d2019 = false;     // the methods of the I3D 2019 paper (Boukadida, Andrews, Paquette), and mass splitting
   std::size_t dispatches = 1;  // approximate number of expensive dispatches per iteration
 };

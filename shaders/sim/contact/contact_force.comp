@@ -1,0 +1,29 @@
+// Force, energy and stiffness of contact at every listed point, summed over the pieces that are near. Before gradient.
+#include "common/io.glsl"
+COMPUTE_1D
+#include "sim/contact/point.glsl"
+INPUT_VEC4(ContactRest, contact_rest)  // [points] xyz position at rest [m]
+#include "sim/contact/row.glsl"
+INPUT_VEC4(Displacement, displacement)     // [vertex_count] u [m]
+INPUT_VEC4(ContactMemory, contact_memory)  // [rows]
+INPUT_VEC4(ContactAnchor, contact_anchor)  // [rows]
+INPUT_UINT(ContactNear, contact_near)      // [points]
+OUTPUT(vec4, ContactForce, contact_force)  // [points] xyz on the tissue [N], w energy [J]
+OUTPUT(vec4, ContactBlock, contact_block)  // [2 * points] xyz of xx, yy, zz then of yz, xz, xy [N/m]
+
+void main() {
+  ITEM_OR_RETURN(i)
+  uvec4 vertices = FETCH(contact_vertices, i);
+  vec4 weights = FETCH(contact_weights, i), force = vec4(0.0);
+  vec3 x = FETCH(contact_rest, i).xyz + AT_POINT(displacement, vertices, weights);
+  Sym3 block = Sym3(vec3(0.0), vec3(0.0));
+  for (uint near = FETCH1(contact_near, i); near != 0u; near &= near - 1u) {
+    uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
+    Row r = row_at(piece, row, x, weights.w, FETCH(contact_memory, row), FETCH(contact_anchor, row).xyz);
+    force += vec4(force_of(r), energy_of(r));
+    add_stiffness(block, r, row);
+  }
+  contact_force[i] = force;
+  contact_block[2u * i] = vec4(block.d, 0.0);
+  contact_block[2u * i + 1u] = vec4(block.s, 0.0);
+}

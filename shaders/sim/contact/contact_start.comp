@@ -1,0 +1,42 @@
+// Begins a stage at every contact point: finds the pieces that it may touch within the stage, and for these the anchor
+// of friction and the normal. A point is near a piece that it pressed before, or if its distance at the start is less
+// than twice its way to the inertial start of the iterations plus the way of the piece and a margin. After predict.
+#include "common/io.glsl"
+COMPUTE_1D
+#include "sim/contact/piece.glsl"
+#include "sim/contact/point.glsl"
+INPUT_VEC4(ContactRest, contact_rest)  // [points] xyz position at rest [m]
+INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start [m]
+INPUT_VEC4(Displacement, displacement)             // [vertex_count] u where the iterations start [m]
+INPUT_VEC4(ContactMemory, contact_memory)          // [rows] xyz t in the axes of the piece, w lambda [N]
+OUTPUT(uint, ContactNear, contact_near)            // [points] a bit for every piece that is near
+OUTPUT(vec4, ContactAnchor, contact_anchor)        // [rows] 0 where not near
+OUTPUT(vec4, ContactNormalNow, contact_normal_now)  // [rows] of near rows
+OUTPUT(vec4, ContactForce, contact_force)          // [points]
+OUTPUT(vec4, ContactBlock, contact_block)          // [2 * points]
+uniform uint pieces;
+
+void main() {
+  ITEM_OR_RETURN(i)
+  uvec4 vertices = FETCH(contact_vertices, i);
+  vec4 weights = FETCH(contact_weights, i);
+  vec3 start = AT_POINT(start_displacement, vertices, weights), way = AT_POINT(displacement, vertices, weights) - start;
+  vec3 x = FETCH(contact_rest, i).xyz + start;
+  uint near = 0u;
+  for (uint piece = 0u; piece < pieces; ++piece) {
+    if (i >= points_of(piece)) continue;
+    uint row = first_row_of(piece) + i;
+    vec3 local = to_local(pose_at_start(piece), x);
+    vec4 d = distance_to(piece, local);
+    bool touches = FETCH(contact_memory, row).w > 0.0 || d.w - half_thickness(piece) < 2.0 * length(way) + reach_of(piece);
+    PiecePose end = pose_at_end(piece);
+    contact_anchor[row] = touches ? vec4(end.axes * local + end.origin, 0.0) : vec4(0.0);
+    if (!touches) continue;
+    near |= 1u << piece;
+    contact_normal_now[row] = vec4(end.axes * d.xyz, 0.0);
+  }
+  contact_near[i] = near;
+  contact_force[i] = vec4(0.0);
+  contact_block[2u * i] = vec4(0.0);
+  contact_block[2u * i + 1u] = vec4(0.0);
+}

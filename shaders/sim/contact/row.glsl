@@ -1,0 +1,54 @@
+// The force, the energy and the stiffness of a row, a contact point at a piece of a tool, as sim/contact/contact_energy.h
+// states them, without the curvature of the tool's surface.
+#include "common/symmetric.glsl"
+#include "sim/contact/piece.glsl"
+INPUT_VEC4(ContactNormal, contact_normal)  // [rows] xyz n0; valid where the row pressed before
+
+struct Row {
+  float pressing, before, depth, penalty;  // N [N], lambda [N], -d [m], k [N/m]
+  vec3 normal, across;                     // n, and q [N], 0 without friction
+  float bound;                             // b [N]
+};
+
+// `memory`: xyz t in the axes of the piece, w lambda; `anchor`: where the piece takes the point that was there at the
+// start [m].
+Row row_at(uint piece, uint row, vec3 x, float penalty, vec4 memory, vec3 anchor) {
+  PiecePose pose = pose_at_end(piece);
+  vec4 d = distance_to(piece, to_local(pose, x));
+  Row r;
+  r.before = memory.w;
+  r.penalty = share_of_penalty(piece) * penalty;
+  r.depth = half_thickness(piece) - d.w;
+  r.pressing = max(0.0, r.before + r.penalty * r.depth);
+  r.normal = pose.axes * d.xyz;
+  r.bound = friction_of(piece) * r.before;
+  vec3 n0 = FETCH(contact_normal, row).xyz, q = pose.axes * memory.xyz - r.penalty * (x - anchor);
+  r.across = r.bound > 0.0 ? q - dot(q, n0) * n0 : vec3(0.0);
+  return r;
+}
+
+vec3 within(vec3 q, float bound) {
+  float size = length(q);
+  return size > bound ? q * (bound / size) : q;
+}
+
+vec3 force_of(Row r) { return r.pressing * r.normal + within(r.across, r.bound); }
+
+float energy_of(Row r) {
+  float q = length(r.across);
+  return (0.5 * (r.pressing - r.before) * (r.pressing + r.before) + (q <= r.bound ? 0.5 * q * q : r.bound * (q - 0.5 * r.bound))) / r.penalty;
+}
+
+void add_outer(inout Sym3 sum, float weight, vec3 v) {
+  sum.d += weight * v * v;
+  sum.s += weight * v.yxx * v.zzy;
+}
+
+void add_stiffness(inout Sym3 sum, Row r, uint row) {
+  if (r.pressing > 0.0) add_outer(sum, r.penalty, r.normal);
+  if (r.bound <= 0.0) return;
+  float q = length(r.across), share = q <= r.bound ? 1.0 : r.bound / q;
+  sum.d += r.penalty * share;
+  add_outer(sum, -r.penalty * share, FETCH(contact_normal, row).xyz);
+  if (q > r.bound) add_outer(sum, -r.penalty * share / (q * q), r.across);
+}

@@ -1,0 +1,124 @@
+// Contact on the GPU against the double-precision reference, step by step from the same states, and against closed
+// forms.
+#include "sim/gpu/contact/contact_term.h"
+
+#include <catch2/catch.hpp>
+
+#include "sim/gpu/solver.h"
+#include "sim/reference/newton.h"
+#include "tests/support/gpu/gpu_fixture.h"
+#include "tests/support/models.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+
+SolverSettings two_level(int iterations = 10) {
+  SolverSettings settings;
+  settings.method = Method::two_level;
+  settings.acceleration = Acceleration::subspace;
+  settings.iterations = iterations;
+  settings.time_step = 1.0 / 60;
+  return settings;
+}
+
+Material soft(double young_modulus, double damping = 0) {
+  Material material;
+  material.young_modulus = young_modulus;
+  material.damping = damping;
+  return material;
+}
+
+Tool tool(const std::string& name, const ToolShape& shape, double friction, std::vector<Instrument::Key> path = {{}}) {
+  Tool tool;
+  tool.name = name;
+  tool.shape = shape;
+  tool.friction = friction;
+  tool.moves = path.size() > 1;
+  tool.path = std::move(path);
+  return tool;
+}
+
+Model cube(double size, int cells, const Material& material) {
+  Model model = test::make_model(make_box(cells, cells, cells, {size, size, size}), material,
+                                 [](const Vector3d&) { return false; });
+  model.gravity = {0, -9.81, 0};
+  return model;
+}
+
+double largest_difference(const State& a, const State& b) {
+  double largest = 0;
+  for (std::size_t v = 0; v < a.displacement.size(); ++v)
+    largest = std::max(largest, (a.displacement[v] - b.displacement[v]).norm());
+  return largest;
+}
+
+double largest_way(const State& a, const State& b) { return largest_difference(a, b); }
+
+TEST_CASE("the ground carries a cube on the GPU", "[gpu][contact]") {
+  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
+  test::Gpu gpu(loads);
+  Model model = cube(0.2, 4, soft(1e5, 0.05));
+  model.tools = {tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.5)};
+  GpuSolver solver(gpu.programs, model, two_level());
+  for (int i = 0; i < 240; ++i) solver.step();
+  solver.request_diagnostics();
+  const Diagnostics d = *solver.take_diagnostics(true);
+  const ToolLoad& load = d.tool_loads.at(0);
+  CAPTURE(load.force.transpose(), load.points, load.deepest, d.residual, d.imbalance({0, -78.48, 0}));
+  CHECK(load.force.y() == Approx(78.48).epsilon(1e-5));
+  CHECK(load.points == 25);
+  CHECK(load.deepest < 5e-5 * 0.05);
+}
+
+TEST_CASE("steps in contact follow the reference", "[gpu][contact]") {
+  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
+  test::Gpu gpu(loads);
+  struct Case {
+    std::string name;
+    ToolShape shape;
+    std::vector<Instrument::Key> path;
+  };
+  const std::vector<Case> cases = {
+      {"sphere", SphereShape{{0, 0, 0}, 0.06}, {{0, {0.1, 0.27, 0.1}, {0, 0, 0}}, {0.4, {0.12, 0.19, 0.1}, {0, 0, 0}}}},
+      {"capsule",
+       CapsuleShape{{-0.2, 0, 0}, {0.2, 0, 0}, 0.05},
+       {{0, {0.1, 0.26, 0.1}, {0, 0, 0}}, {0.4, {0.1, 0.2, 0.12}, {0, 20, 0}}}},
+      {"box",
+       BoxShape{{0, 0, 0}, {0.05, 0.03, 0.05}, 0.01},
+       {{0, {0.1, 0.24, 0.1}, {0, 0, 0}}, {0.4, {0.1, 0.19, 0.1}, {0, 30, 10}}}},
+      {"cylinder",
+       CylinderShape{{0, 0, 0}, {0, 0.1, 0}, 0.05},
+       {{0, {0.1, 0.22, 0.1}, {0, 0, 0}}, {0.4, {0.1, 0.17, 0.1}, {10, 0, 0}}}}};
+  for (const Case& c : cases) {
+    Model model = cube(0.2, 4, soft(2e4));
+    model.tools = {tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.5), tool(c.name, c.shape, 0.4, c.path)};
+    GpuSolver solver(gpu.programs, model, two_level(getenv("ITS") ? atoi(getenv("ITS")) : 40));
+    reference::NewtonSolver newton(model, two_level());
+    double worst = 0, worst_force = 0, pressed = 0;
+    for (int i = 0; i < 36; ++i) {
+      State exact = solver.download();
+      const State before = exact;
+      newton.step(exact);
+      solver.step();
+      solver.request_diagnostics();
+      const Diagnostics d = *solver.take_diagnostics(true);
+      if (getenv("TRACE")) printf("%s %d err %.2e way %.2e force %.3f %.3f vs %.3f %.3f points %u %u residual %.1e\n", c.name.c_str(), i, largest_difference(solver.download(), exact), largest_way(exact, before), d.tool_loads[0].force.norm(), d.tool_loads[1].force.norm(), newton.tool_loads()[0].force.norm(), newton.tool_loads()[1].force.norm(), d.tool_loads[1].points, newton.tool_loads()[1].points, d.residual);
+      const double way = std::max(largest_way(exact, before), 1e-4);
+      worst = std::max(worst, largest_difference(solver.download(), exact) / way);
+      for (std::size_t t = 0; t < 2; ++t) {
+        const double force = newton.tool_loads()[t].force.norm();
+        pressed = std::max(pressed, force);
+        worst_force = std::max(worst_force, (d.tool_loads[t].force - newton.tool_loads()[t].force).norm());
+      }
+    }
+    CAPTURE(c.name, worst, worst_force, pressed);
+    CHECK(pressed > 10);
+    CHECK(worst < 1e-3);
+    CHECK(worst_force < 1e-2 * pressed);
+  }
+}
+
+}  // namespace
+}  // namespace fascia
