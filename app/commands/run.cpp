@@ -181,7 +181,10 @@ int run_input(const RunOptions& options) {
   if (GpuSolver* gpu = simulation.gpu()) {
     gpu->request_diagnostics();
     const auto diagnostics = gpu->take_diagnostics(true);
-    if (diagnostics) inverted = diagnostics->inverted;
+    if (diagnostics) {
+      inverted = diagnostics->inverted;
+      stats.tool_loads = diagnostics->tool_loads;
+    }
     if (diagnostics && !options.static_equilibrium) {
       stats.residual = diagnostics->residual;
       double mass = 0;
@@ -192,6 +195,7 @@ int run_input(const RunOptions& options) {
   } else {
     if (!options.static_equilibrium) stats.residual = simulation.newton_report().relative_residual;
     inverted = reference::measure(simulation.model, last).inverted;
+    stats.tool_loads = simulation.tool_loads();
   }
   if (options.error) {
     TrueError measured;

@@ -8,7 +8,7 @@
 namespace fascia {
 
 bool Stepping::still() const {
-  return stage_.state.paused || (sides_.asleep() && left_ < 0 && !stage_.simulation().awaits_grabs());
+  return stage_.state.paused || (sides_.asleep() && left_ < 0 && !stage_.simulation().awaits_inputs());
 }
 
 int Stepping::due(double elapsed, bool one) {

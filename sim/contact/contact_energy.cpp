@@ -24,10 +24,10 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
     : model_(model), surface_(surface), rows_(surface.row_count) {
   for (const ContactPiece& piece : surface.pieces) {
     const Tool& tool = model.tools[piece.tool];
-    const Pose before = tool.pose_of_piece(piece.piece, motion.from[piece.tool]);
+    const RigidPose before = tool.pose_of_piece(piece.piece, motion.from[piece.tool]);
     pieces_.push_back({&tool.shape, tool.pose_of_piece(piece.piece, motion.to[piece.tool]),
                        motion.to[piece.tool].pose.origin, tool.friction, 1.0 / (1 << (2 * piece.level))});
-    const Pose& after = pieces_.back().pose;
+    const RigidPose& after = pieces_.back().pose;
     for (std::size_t p = 0; p < piece.points; ++p) {
       Row& row = rows_[piece.first_row + p];
       const Vector3d local = before.to_local(position(surface.points[p], start));
@@ -65,7 +65,7 @@ ContactEnergy::Contact ContactEnergy::contact_of(const ContactPiece& piece, std:
   contact.depth = 0.5 * model_.contact.thickness - distance.distance;
   contact.pressing = std::max(0.0, row.pressing + row.stiffness * contact.depth);
   const Vector3d way = contact.x - row.anchor;
-  contact.tangential = row.friction - row.stiffness * (way - way.dot(row.normal) * row.normal);
+  contact.tangential = row.friction - kStickingPenalty * row.stiffness * (way - way.dot(row.normal) * row.normal);
   return contact;
 }
 
@@ -82,11 +82,11 @@ double ContactEnergy::evaluate(const VectorXd& u, VectorXd& gradient) const {
     const Contact contact = contact_of(piece, p, u);
     const double bound = placed.friction * row.pressing;
     if (contact.pressing == 0 && row.pressing == 0) return;
-    energy += 0.5 * (contact.pressing * contact.pressing - row.pressing * row.pressing) / row.stiffness;
+    energy += 0.5 * (contact.pressing - row.pressing) * (contact.pressing + row.pressing) / row.stiffness;
     Vector3d force = contact.pressing * contact.normal;
     if (bound > 0) {
       const double q = contact.tangential.norm();
-      energy += q <= bound ? 0.5 * q * q / row.stiffness : (bound * q - 0.5 * bound * bound) / row.stiffness;
+      energy += (q <= bound ? 0.5 * q * q : bound * q - 0.5 * bound * bound) / (kStickingPenalty * row.stiffness);
       force += within(contact.tangential, bound);
     }
     const ContactPoint& point = surface_.points[p];
@@ -113,10 +113,10 @@ std::vector<ContactEnergy::Block> ContactEnergy::blocks(const VectorXd& u, bool 
       const Matrix3d across = Matrix3d::Identity() - row.normal * row.normal.transpose();
       const double q = contact.tangential.norm();
       if (q <= bound) {
-        hessian += row.stiffness * across;
+        hessian += kStickingPenalty * row.stiffness * across;
       } else {
         const Vector3d along = contact.tangential / q;
-        hessian += row.stiffness * (bound / q) * (across - along * along.transpose());
+        hessian += kStickingPenalty * row.stiffness * (bound / q) * (across - along * along.transpose());
       }
     }
     const ContactPoint& point = surface_.points[p];

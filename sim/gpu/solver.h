@@ -53,8 +53,8 @@ class GpuSolver {
   /// Sets the motion of the tools in the steps that follow, each of which begins and ends with it; none: they follow
   /// their paths.
   void set_tools(std::optional<ToolMotion> motion) { tools_ = std::move(motion); }
-  /// The motion of the tools in the last step.
-  const ToolMotion& tool_motion() const { return last_motion_; }
+  /// The motion of the tools in the last stage.
+  const ToolMotion& tool_motion() const { return stage_motion_; }
   void set_color(ColorBy color);
   ColorBy color() const { return color_; }
   /// The values of the heat map of ColorBy::error: float [vertex_count] [m]. Zero at first.
@@ -204,7 +204,7 @@ class GpuSolver {
   ContactTerm contact_;
   const EnergyTerms terms_{&grab_, &contact_};  // external energies
   std::optional<ToolMotion> tools_;             // none: on their paths
-  ToolMotion last_motion_;                      // of the step
+  ToolMotion step_motion_, stage_motion_;       // of the last step, of its last stage
   double step_begin_ = 0;                       // [s]
   DiagnosticsReader diagnostics_;
   StateGuard guard_;

@@ -58,16 +58,18 @@ void GpuSolver::begin_stage(const IntegratorStage& stage) {
 
 void GpuSolver::begin_step() {
   step_begin_ = time_;
-  last_motion_ = tools_ ? *tools_ : motion_on_paths(given_.tools, time_, time_ + settings_.time_step);
+  step_motion_ = tools_ ? *tools_ : motion_on_paths(given_.tools, time_, time_ + settings_.time_step);
 }
 
 void GpuSolver::place_tools(double duration) {
   if (!contact_.acts()) return;
   const double from = (time_ - step_begin_) / settings_.time_step;
-  contact_.begin_stage(last_motion_.part(from, from + duration / settings_.time_step));
+  stage_motion_ = step_motion_.part(from, from + duration / settings_.time_step);
+  contact_.begin_stage(stage_motion_);
 }
 
 void GpuSolver::iterate(int iteration, int count) {
+  if (iteration == 0 && contact_.acts()) method_->set_contact(contact_.stiffness_at_points());
   const bool refreshes = StepMethod::refreshes_before(iteration, settings_.iterations);
   if (const FusedStep* fused = fused_step()) {
     if (refreshes) fused->refresh.run();

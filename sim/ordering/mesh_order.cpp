@@ -70,6 +70,8 @@ Model placed(const Model& model, const MeshOrder& placement) {
   for (Motion& motion : result.motions) to_places(motion.vertices);
   result.initial_velocity = by_place(model.initial_velocity);
   result.gravity = model.gravity;
+  result.tools = model.tools;
+  result.contact = model.contact;
   return result;
 }
 

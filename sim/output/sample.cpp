@@ -49,6 +49,13 @@ std::string one_line(const std::string& text) {
   return line;
 }
 
+// A name of the scene without what would end a cell.
+std::string column_name(const std::string& name) {
+  std::string column = one_line(name);
+  std::replace(column.begin(), column.end(), ',', '_');
+  return column;
+}
+
 }  // namespace
 
 std::span<const Column> sample_columns() { return kColumns; }
@@ -66,13 +73,14 @@ Sample sample_of(const Diagnostics& d) {
   s.momentum = d.momentum;
   s.reaction = d.reaction;
   s.grab = d.grab_force;
+  s.tools = d.tool_loads;
   if (d.probe) s.probe = *d.probe;
   s.residual = d.residual;
   if (d.iterations) s.iterations = *d.iterations;
   return s;
 }
 
-Diagnostics diagnostics_by_reference(const Simulation& simulation) {
+Diagnostics diagnostics_by_reference(Simulation& simulation) {
   const State state = simulation.state();
   const reference::Measures m = reference::measure(simulation.model, state);
   Diagnostics d;
@@ -93,6 +101,7 @@ Diagnostics diagnostics_by_reference(const Simulation& simulation) {
   d.angular_momentum = m.angular_momentum;
   d.reaction = m.fixed_reaction;
   for (const GrabForce& grab : forces_of_grabs(simulation.springs(), state.displacement)) d.grab_force += grab.force;
+  d.tool_loads = simulation.tool_loads();
   d.residual = simulation.newton_report().relative_residual;
   d.iterations = simulation.newton_report().iterations;
   return d;
@@ -132,6 +141,9 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
   for (const Column& column : kColumns) out.add(&column == kColumns ? "" : ",").add(column.name);
   for (std::size_t k = 0; k < supports.size(); ++k)
     for (const char* axis : {"_x_N", "_y_N", "_z_N"}) out.add(",support_").add(k).add(axis);
+  for (const Tool& tool : model.tools)
+    for (const char* value : {"_x_N", "_y_N", "_z_N", "_deepest_m"})
+      out.add(",contact_").add(column_name(tool.name)).add(value);
   out.add('\n');
   const auto add_cell = [&](double value) {
     if (std::isfinite(value)) out.add(value);
@@ -145,6 +157,11 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
       for (const double force : support.force) {
         out.add(',');
         add_cell(force);
+      }
+    for (const ToolLoad& load : sample.tools)
+      for (const double value : {load.force.x(), load.force.y(), load.force.z(), load.deepest}) {
+        out.add(',');
+        add_cell(value);
       }
     out.add('\n');
   }

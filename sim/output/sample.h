@@ -24,6 +24,7 @@ struct Sample {
   double min_det_f = 1, max_strain = 0, max_von_mises = 0;              // [-], [-], [Pa]
   Eigen::Vector3d momentum{0, 0, 0}, reaction{0, 0, 0}, grab{0, 0, 0};  // [kg m/s], [N], [N]; forces on the body
   std::vector<reference::Support> supports;  // of scenes in which some are moved; the sum of their forces is `reaction`
+  std::vector<ToolLoad> tools;               // of each tool of the model
   Eigen::Vector3d probe{kUnknown, kUnknown, kUnknown};  // displacement of the tracked vertex [m]
   double residual = kUnknown, iterations = kUnknown;    // of the last step; iterations per substep
   double step_ms = kUnknown, frame_ms = kUnknown;       // of one step, of one frame
@@ -40,12 +41,12 @@ std::span<const Column> sample_columns();
 Sample sample_of(const Diagnostics& diagnostics);
 /// The current state, measured in double precision, for simulations with the reference solver. Without the values that
 /// only the GPU measures: the forces of single grabs, inertia, rounding and mean strain.
-Diagnostics diagnostics_by_reference(const Simulation& simulation);
+Diagnostics diagnostics_by_reference(Simulation& simulation);
 /// The current state with each support; waits for the GPU. Before the first step, residual and iterations are unknown.
 Sample sample_now(Simulation& simulation, std::uint32_t probe);
 
 /// Writes notes as lines "# keyword: text", the column names, and a row per sample: the shortest digits that read back
-/// to the same number, an empty cell for unknown values. All samples have the same supports. Throws Error.
+/// to the same number, an empty cell for unknown values. All samples have the same supports and tools. Throws Error.
 void write_samples(const std::filesystem::path& path, std::span<const Sample> samples, const Model& model,
                    const Provenance& provenance, std::uint32_t probe);
 

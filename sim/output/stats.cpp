@@ -15,6 +15,16 @@ Json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 Json to_json(const Percentiles& p) { return {{"median", p.median}, {"p95", p.p95}, {"max", p.max}}; }
 
+Json contact_forces(const Model& model, const std::vector<ToolLoad>& loads) {
+  Json contact = Json::object();
+  for (std::size_t t = 0; t < loads.size(); ++t)
+    contact[model.tools[t].name] = {{"force_N", to_json(loads[t].force)},
+                                    {"torque_Nm", to_json(loads[t].torque)},
+                                    {"points", loads[t].points},
+                                    {"deepest_m", loads[t].deepest}};
+  return contact;
+}
+
 // The grabs that pull at the end: those of a scene by their index in its "grabs", those of the mouse or a replay in the
 // order in which they began.
 Json grab_forces(const Simulation& simulation, const State& last) {
@@ -105,6 +115,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
     json["share_solved"] = gpu->share_solved();
     json["bytes_per_iteration"] = gpu->bytes_per_iteration();
   }
+  if (!stats.tool_loads.empty()) json["contact"] = contact_forces(simulation.model, stats.tool_loads);
   if (stats.imbalance) json["imbalance"] = *stats.imbalance;
   if (stats.error) json["error"] = *stats.error;
   for (const auto& [keyword, text] : stats.provenance) json["provenance"][keyword] = text;

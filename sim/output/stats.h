@@ -21,6 +21,7 @@ struct RunStats {
       solve_ms;         // [steps]; solve: without exports and other work between steps (docs/guide/command-line.md)
   double residual = 0;  // of the last step, relative
   std::optional<double> imbalance;        // of the forces in the last step of the GPU (Diagnostics::imbalance)
+  std::vector<ToolLoad> tool_loads;       // of the last step, [tool of the model]
   std::optional<double> error;            // of the last step, as in StepError; only on request
   std::uint64_t dispatches_per_step = 0;  // of a solved step
   std::size_t kernels = 0;                // variants compiled

@@ -37,6 +37,7 @@ void Simulation::step() {
 void Simulation::make_step() {
   const bool replaying_timed = replaying() && replay_->timed;  // uses the recorded number of iterations
   pull(with_grabs(other_springs_, model.grabs, time() + scene.solver.time_step));
+  if (asleep_ && tools_move()) wake();
   ++steps_;
   if (!reference_) {
     if (asleep_) {
@@ -56,6 +57,11 @@ void Simulation::make_step() {
   }
   newton_report_ = reference_->step(reference_state_);
   if (gpu_) gpu_->upload(reference_state_);
+}
+
+bool Simulation::tools_move() const {
+  const ToolMotion motion = motion_on_paths(model.tools, time(), time() + scene.solver.time_step);
+  return motion.from != motion.to;
 }
 
 void Simulation::wake() {
@@ -253,6 +259,13 @@ void Simulation::pull(std::vector<GrabSpring> springs) {
 
 State Simulation::state() const {
   return reference_ ? reference_state_ : equilibrium_ ? *equilibrium_ : gpu_->download();
+}
+
+std::vector<ToolLoad> Simulation::tool_loads() {
+  if (model.tools.empty()) return {};
+  if (reference_) return reference_->tool_loads();
+  gpu_->request_diagnostics();
+  return gpu_->take_diagnostics(true)->tool_loads;
 }
 
 double Simulation::mean_iterations() const {

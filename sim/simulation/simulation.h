@@ -75,8 +75,8 @@ class Simulation {
   const std::vector<GrabSpring>& asked_springs() const { return other_springs_; }  // of the last set_grab()
   /// All current springs, those of the scene's grabs after the others.
   const std::vector<GrabSpring>& springs() const { return springs_; }
-  /// Whether grabs of the scene will still begin, move or end.
-  bool awaits_grabs() const { return time() < model.end_of_grabs(); }
+  /// Whether grabs or instruments of the scene will still begin, move or end.
+  bool awaits_inputs() const { return time() < std::max(model.end_of_grabs(), model.end_of_tools()); }
 
   /// A vertex that diverged: it is not finite or left the scene. The GPU is queried every few steps without waiting, so
   /// the result may be some steps old. None while a replay will restore an earlier state.
@@ -109,6 +109,8 @@ class Simulation {
   int iterations_granted() const { return gpu_ && !reference_ ? gpu_->settings().iterations : scene.solver.iterations; }
 
   State state() const;
+  /// [tool of the model] at the end of the last step; waits for the GPU.
+  std::vector<ToolLoad> tool_loads();
   GpuSolver* gpu() { return gpu_.get(); }  // null without a GPU
   const GpuSolver* gpu() const { return gpu_.get(); }
   gl::ProgramCache* programs() { return programs_; }  // null without a GPU
@@ -132,6 +134,7 @@ class Simulation {
   bool settle();
   void judge_device(const StateGuard::Verdict& first);
   void wake();
+  bool tools_move() const;  // in the next step
   void pull(std::vector<GrabSpring> springs);
   void renew_reference();
   Tuning tuning() const;

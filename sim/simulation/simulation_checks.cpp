@@ -14,7 +14,7 @@ void Simulation::look() {
   if (diverged_) return;
   checked_step_ = steps_;
   gpu_->request_check();
-  if (!quiet_ || time() < model.end_of_motions()) return settling_.cancel();
+  if (!quiet_ || time() < model.end_of_motions() || tools_move()) return settling_.cancel();
   follow_check(true);  // a sleeping state must be known to be valid
   asleep_ = quiet_ && !diverged_ && settle();
 }
@@ -26,6 +26,8 @@ bool Simulation::settle() {
   constexpr double kFloat32 = 1e-3;            // of a static residual: rounding in soft slender bodies
   const bool descends = gpu_->descends();
   if (!descends) return rest_.quiet() >= kLong;  // such methods come to rest elsewhere
+  // Friction may hold a body at any of many places.
+  if (!model.tools.empty()) return rest_.quiet() >= kVeryLong;
   if (model.tets.size() > Settling::kMostTets)
     return rest_.quiet() >= kLong &&
            (rest_.quiet() >= kVeryLong || reference::StaticResidual(model)(gpu_->download(), springs_) <= kFloat32);

@@ -31,8 +31,10 @@ StepError TrueError::compare(const Problem& problem, const SolvedStep& step, std
       state.earlier.displacement[v] -= (step.from[v] - step.previous[v]) / stage.extrapolation;
   }
   state.earlier.velocity = state.velocity;
+  state.contact = step.contact;
   reference::NewtonSolver solver(problem.model, problem.settings, std::move(stop));
   solver.set_springs(problem.springs);
+  if (!problem.model.tools.empty()) solver.set_tools(problem.tools);
   StepError error;
   error.converged = solver.solve(stage, state).converged;
   error.step = problem.step;
@@ -51,8 +53,8 @@ StepError TrueError::compare(const Problem& problem, const SolvedStep& step, std
 
 void TrueError::begin(Simulation& simulation) {
   const GpuSolver& solver = *simulation.gpu();
-  waiting_ = Problem{simulation.model, simulation.scene.solver, solver.springs(),
-                     solver.stage(),   solver.time(),           solver.steps_solved()};
+  waiting_ = Problem{simulation.model,     simulation.scene.solver, solver.springs(),     solver.stage(),
+                     solver.tool_motion(), solver.time(),           solver.steps_solved()};
   snapshot_.request(solver.buffers());
 }
 

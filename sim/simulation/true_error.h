@@ -47,6 +47,7 @@ class TrueError {
     SolverSettings settings;
     std::vector<GrabSpring> springs;
     IntegratorStage stage;
+    ToolMotion tools;
     double end_time;
     long step;
   };

@@ -60,11 +60,11 @@ ToolPlace Tool::place(double t) const {
   return {{rotation_of(key.rotate_deg), key.position}, key.grip};
 }
 
-Pose Tool::pose_of_piece(std::size_t piece, const ToolPlace& place) const {
+RigidPose Tool::pose_of_piece(std::size_t piece, const ToolPlace& place) const {
   if (!has_jaws) return place.pose;
   const double angle = open * (1 - place.grip);
-  const auto turned = [&](double by) { return Pose{Eigen::AngleAxisd(by, hinge).toRotationMatrix(), {0, 0, 0}}; };
-  const Pose local = piece == 0 ? turned(angle) : composed(turned(-angle), mirror);
+  const auto turned = [&](double by) { return RigidPose{Eigen::AngleAxisd(by, hinge).toRotationMatrix(), {0, 0, 0}}; };
+  const RigidPose local = piece == 0 ? turned(angle) : composed(turned(-angle), mirror);
   return composed(place.pose, local);
 }
 

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "sim/scene/tools/scene_tools.h"
-#include "sim/tool/pose.h"
+#include "sim/tool/rigid_pose.h"
 
 namespace fascia {
 
 /// Where a tool is: its origin, its axes, and how far its jaws are closed.
 struct ToolPlace {
-  Pose pose;
+  RigidPose pose;
   double grip = 0;  // 0 open to 1 closed
   bool operator==(const ToolPlace&) const = default;
 };
@@ -22,14 +22,14 @@ struct Tool {
   bool moves = false, has_jaws = false;
   Eigen::Vector3d hinge{0, 0, 1};     // axis of the jaws in the tool's axes, a unit vector, through its origin
   double open = 0;                    // [rad] by which each jaw turns from closed to open
-  Pose mirror;                        // of the second jaw when closed
+  RigidPose mirror;                   // of the second jaw when closed
   std::vector<Instrument::Key> path;  // one key at least
   bool smooth = false;
 
   std::size_t piece_count() const { return has_jaws ? 2 : 1; }
   ToolPlace place(double t) const;                 // on the path at time t [s]
   double end() const { return path.back().time; }  // [s] nothing moves after this time
-  Pose pose_of_piece(std::size_t piece, const ToolPlace& place) const;
+  RigidPose pose_of_piece(std::size_t piece, const ToolPlace& place) const;
 };
 
 /// The tools of a scene: the ground, the obstacles and the instruments, each in their order.

@@ -9,6 +9,7 @@ INPUT_VEC4(ContactRest, contact_rest)  // [points] xyz position at rest [m]
 INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start [m]
 INPUT_VEC4(Displacement, displacement)             // [vertex_count] u where the iterations start [m]
 INPUT_VEC4(ContactMemory, contact_memory)          // [rows] xyz t in the axes of the piece, w lambda [N]
+OUTPUT(vec4, ContactBefore, contact_before)        // [rows] the memory at the start, for comparisons
 OUTPUT(uint, ContactNear, contact_near)            // [points] a bit for every piece that is near
 OUTPUT(vec4, ContactAnchor, contact_anchor)        // [rows] 0 where not near
 OUTPUT(vec4, ContactNormalNow, contact_normal_now)  // [rows] of near rows
@@ -28,7 +29,9 @@ void main() {
     uint row = first_row_of(piece) + i;
     vec3 local = to_local(pose_at_start(piece), x);
     vec4 d = distance_to(piece, local);
-    bool touches = FETCH(contact_memory, row).w > 0.0 || d.w - half_thickness(piece) < 2.0 * length(way) + reach_of(piece);
+    vec4 memory = FETCH(contact_memory, row);
+    contact_before[row] = memory;
+    bool touches = memory.w > 0.0 || d.w - half_thickness(piece) < 2.0 * length(way) + reach_of(piece);
     PiecePose end = pose_at_end(piece);
     contact_anchor[row] = touches ? vec4(end.axes * local + end.origin, 0.0) : vec4(0.0);
     if (!touches) continue;

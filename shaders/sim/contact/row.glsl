@@ -1,5 +1,5 @@
 // The force, the energy and the stiffness of a row, a contact point at a piece of a tool, as sim/contact/contact_energy.h
-// states them, without the curvature of the tool's surface.
+// states them, without the curvature of the tool's surface. STICKING: the penalty on sliding over that on depth.
 #include "common/symmetric.glsl"
 #include "sim/contact/piece.glsl"
 INPUT_VEC4(ContactNormal, contact_normal)  // [rows] xyz n0; valid where the row pressed before
@@ -22,7 +22,7 @@ Row row_at(uint piece, uint row, vec3 x, float penalty, vec4 memory, vec3 anchor
   r.pressing = max(0.0, r.before + r.penalty * r.depth);
   r.normal = pose.axes * d.xyz;
   r.bound = friction_of(piece) * r.before;
-  vec3 n0 = FETCH(contact_normal, row).xyz, q = pose.axes * memory.xyz - r.penalty * (x - anchor);
+  vec3 n0 = FETCH(contact_normal, row).xyz, q = pose.axes * memory.xyz - STICKING * r.penalty * (x - anchor);
   r.across = r.bound > 0.0 ? q - dot(q, n0) * n0 : vec3(0.0);
   return r;
 }
@@ -36,7 +36,7 @@ vec3 force_of(Row r) { return r.pressing * r.normal + within(r.across, r.bound);
 
 float energy_of(Row r) {
   float q = length(r.across);
-  return (0.5 * (r.pressing - r.before) * (r.pressing + r.before) + (q <= r.bound ? 0.5 * q * q : r.bound * (q - 0.5 * r.bound))) / r.penalty;
+  return (0.5 * (r.pressing - r.before) * (r.pressing + r.before) + (1.0 / STICKING) * (q <= r.bound ? 0.5 * q * q : r.bound * (q - 0.5 * r.bound))) / r.penalty;
 }
 
 void add_outer(inout Sym3 sum, float weight, vec3 v) {
@@ -47,7 +47,7 @@ void add_outer(inout Sym3 sum, float weight, vec3 v) {
 void add_stiffness(inout Sym3 sum, Row r, uint row) {
   if (r.pressing > 0.0) add_outer(sum, r.penalty, r.normal);
   if (r.bound <= 0.0) return;
-  float q = length(r.across), share = q <= r.bound ? 1.0 : r.bound / q;
+  float q = length(r.across), share = STICKING * (q <= r.bound ? 1.0 : r.bound / q);
   sum.d += r.penalty * share;
   add_outer(sum, -r.penalty * share, FETCH(contact_normal, row).xyz);
   if (q > r.bound) add_outer(sum, -r.penalty * share / (q * q), r.across);

@@ -46,7 +46,7 @@ ShapeRows rows_of(const ToolShape& shape) {
   return std::visit(Rows{}, shape);
 }
 
-void add(std::vector<vec4>& rows, const Pose& pose, double w0, double w1, double w2, double w3) {
+void add(std::vector<vec4>& rows, const RigidPose& pose, double w0, double w1, double w2, double w3) {
   rows.push_back(row(pose.axes.col(0), w0));
   rows.push_back(row(pose.axes.col(1), w1));
   rows.push_back(row(pose.axes.col(2), w2));
@@ -54,7 +54,7 @@ void add(std::vector<vec4>& rows, const Pose& pose, double w0, double w1, double
 }
 
 // The farthest that a point of a piece moves, at most [m].
-double way_of(const ToolShape& shape, const Pose& from, const Pose& to) {
+double way_of(const ToolShape& shape, const RigidPose& from, const RigidPose& to) {
   const double radius = bounding_radius(shape);
   const Vector3d middle = middle_of(shape);
   const double way = (to.to_scene(middle) - from.to_scene(middle)).norm();
@@ -84,6 +84,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
       if (point.weights[k] > 0) entries[placed[k]].push_back(4 * p + k);
     }
     rest.push_back(row(x));
+    places_.push_back({placed[0], placed[1], placed[2]});
   }
   std::vector<std::uint32_t> begin{0}, all;
   for (const std::vector<std::uint32_t>& list : entries) {
@@ -110,6 +111,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
   blocks_ = gl::Buffer("contact_block", std::vector<vec4>(2 * point_count()));
   loads_ = gl::Buffer("contact_loads", std::vector<vec4>(2 * kLoadLanes * surface_.pieces.size()));
   buffers.contact_memory = gl::Buffer("contact_memory", no_rows);
+  buffers.contact_before = gl::Buffer("contact_before", no_rows);
   materials_changed(model);
   begin_stage(motion_on_paths(tools_, 0, 0));
 }
@@ -131,7 +133,7 @@ void ContactTerm::begin_stage(const ToolMotion& motion) {
   for (const ContactPiece& piece : surface_.pieces) {
     const Tool& tool = tools_[piece.tool];
     const ToolPlace &from = motion.from[piece.tool], &to = motion.to[piece.tool];
-    const Pose before = tool.pose_of_piece(piece.piece, from), after = tool.pose_of_piece(piece.piece, to);
+    const RigidPose before = tool.pose_of_piece(piece.piece, from), after = tool.pose_of_piece(piece.piece, to);
     const ShapeRows shape = rows_of(tool.shape);
     const double share = 1.0 / (1 << (2 * piece.level)), reach = way_of(tool.shape, before, after) + margin_;
     add(rows, after, tool.friction, share, reach, half_thickness_);
@@ -195,6 +197,7 @@ gl::ComputePass ContactTerm::over_near(gl::ProgramCache& programs, const char* k
                            {"deferred_items", &list_}});
   gl::Defines listed = defines();
   listed.emplace_back("DEFERRED", "1");
+  listed.emplace_back("STICKING", std::to_string(kStickingPenalty));
   gl::ComputePass pass(programs.compute(kernel, listed), std::move(more), point_count(),
                        {{"deferred_list", 0}, {"deferred_begin", 4}});
   pass.loops(static_cast<std::uint32_t>(surface_.pieces.size()) + 1);
@@ -208,6 +211,7 @@ EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffe
                                {{"start_displacement", &buffers.start_of_stage()},
                                 {"displacement", &buffers.displacement},
                                 {"contact_memory", &buffers.contact_memory},
+                                {"contact_before", &buffers.contact_before},
                                 {"contact_near", &near_},
                                 {"contact_anchor", &rows_},
                                 {"contact_normal_now", &normals_},
@@ -294,6 +298,25 @@ EnergyTerm::Passes ContactTerm::impulses(gl::ProgramCache& programs, const SimBu
                                                 {"contact_loads", &loads_}},
                       kLoadLanes * static_cast<std::uint32_t>(surface_.pieces.size()));
   return passes;
+}
+
+std::vector<PointStiffness> ContactTerm::stiffness_at_points() const {
+  std::vector<PointStiffness> result;
+  std::uint32_t count = 0;
+  list_.download(3 * sizeof count, sizeof count, &count);
+  if (count == 0 || count > point_count()) return result;
+  std::vector<std::uint32_t> points(count);
+  list_.download(4 * sizeof count, count * sizeof count, points.data());
+  const std::vector<vec4> blocks = blocks_.read<vec4>();
+  for (const std::uint32_t p : points) {
+    if (p >= point_count()) return {};  // a device that fails
+    const vec4 &d = blocks[2 * p], &s = blocks[2 * p + 1];
+    if (!(d.x + d.y + d.z > 0)) continue;
+    Eigen::Matrix3d stiffness;
+    stiffness << d.x, s.z, s.y, s.z, d.y, s.x, s.y, s.x, d.z;
+    result.push_back({places_[p], surface_.points[p].weights, stiffness});
+  }
+  return result;
 }
 
 std::vector<ToolLoad> ContactTerm::sum_of(const std::vector<vec4>& loads) const {

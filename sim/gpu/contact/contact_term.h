@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/coarse/coarse_contact.h"
 #include "sim/contact/contact_surface.h"
 #include "sim/contact/tool_load.h"
 #include "sim/gpu/passes/energy_term.h"
@@ -38,6 +39,10 @@ class ContactTerm : public EnergyTerm {
   Passes curvature(gl::ProgramCache& programs, const SimBuffers& buffers, const TermCurvature& at) const override;
   std::uint32_t curvature_partials(const gl::ProgramCache& programs) const override;
 
+  /// The stiffness of the points that press or stick, as the last forces were computed, at places of the buffers'
+  /// vertices. Waits for the GPU.
+  std::vector<PointStiffness> stiffness_at_points() const;
+
   const gl::Buffer& loads() const { return loads_; }  // filled by the passes of impulses()
   /// From the content of loads(): [tool].
   std::vector<ToolLoad> sum_of(const std::vector<shared::vec4>& loads) const;
@@ -50,10 +55,11 @@ class ContactTerm : public EnergyTerm {
 
   std::vector<Tool> tools_;
   ContactSurface surface_;
-  double half_thickness_ = 0, margin_ = 0;  // [m]; margin: added to the reach of every piece
-  std::uint32_t most_entries_ = 0;          // of a vertex
-  gl::Buffer vertices_, weights_, rest_;    // of the points
-  gl::Buffer begin_, end_, entries_;        // the points of every vertex
+  double half_thickness_ = 0, margin_ = 0;            // [m]; margin: added to the reach of every piece
+  std::uint32_t most_entries_ = 0;                    // of a vertex
+  std::vector<std::array<std::uint32_t, 3>> places_;  // of the points' vertices
+  gl::Buffer vertices_, weights_, rest_;              // of the points
+  gl::Buffer begin_, end_, entries_;                  // the points of every vertex
   gl::Buffer pieces_, near_, list_;
   gl::Buffer rows_, normals_, forces_, blocks_, loads_;
   std::vector<shared::vec4> uploaded_;  // of pieces_

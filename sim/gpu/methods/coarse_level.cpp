@@ -70,11 +70,20 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
   inverse_rows_ = gl::Buffer("coarse_inverse", sizeof(Tet) * row_octets_ * 3 * n);
   scale_ = gl::Buffer("coarse_scale", sizeof(vec4) * n);
   correction_ = gl::Buffer("coarse_correction", sizeof(vec4) * n);
+  if (!model.tools.empty()) {
+    constexpr std::size_t kMost = CoarseContact::kMostNodes;
+    touched_ = gl::Buffer("coarse_touched", std::vector<std::uint32_t>(1 + kMost));
+    contact_matrix_ = gl::Buffer("coarse_contact", sizeof(vec4) * 3 * kMost * kMost);
+    free_ = gl::Buffer("coarse_free", sizeof(vec4) * n);
+    push_ = gl::Buffer("coarse_push", std::vector<vec4>(2 * row_octets_));
+    rotation_ = gl::Buffer("coarse_rotation", std::vector<vec4>(n, vec4{0, 0, 0, 1}));
+  }
   start({std::move(linear), settings.stage_length()});
 }
 
 Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const {
   const std::uint32_t n = space_.node_count;
+  const bool contact = static_cast<bool>(push_);
   Passes passes;
   passes
       .emplace_back(r.programs.compute("sim/two_level/coarse_restrict.comp"),
@@ -88,15 +97,29 @@ Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const
                                               {"coarse_gradient", &gradient_}},
                     n * lanes_)
       .loops(most_entries_ + 16);
+  const auto solve = [&](const char* step, const gl::Buffer& right, gl::ComputePass::Bindings more) {
+    more.insert(more.end(),
+                {{"coarse_inverse", &inverse_rows_}, {"coarse_scale", &scale_}, {"coarse_gradient", &right}});
+    passes
+        .emplace_back(r.programs.compute("sim/two_level/coarse_solve.comp", {{"CONTACT", step}}), std::move(more),
+                      n * lanes_, gl::ComputePass::Constants{{"row_octets", row_octets_}})
+        .loops(row_octets_ + 1);
+  };
+  if (!contact) {
+    solve("0", gradient_, {{"coarse_rotation", &rotation_}, {"coarse_correction", &correction_}});
+    return passes;
+  }
+  solve("1", gradient_, {{"coarse_free_now", &free_}});
   passes
-      .emplace_back(r.programs.compute("sim/two_level/coarse_solve.comp"),
-                    gl::ComputePass::Bindings{{"coarse_inverse", &inverse_rows_},
+      .emplace_back(r.programs.compute("sim/two_level/coarse_contact.comp"),
+                    gl::ComputePass::Bindings{{"coarse_touched", &touched_},
+                                              {"coarse_contact", &contact_matrix_},
                                               {"coarse_scale", &scale_},
-                                              {"coarse_gradient", &gradient_},
-                                              {"coarse_rotation", &rotation_},
-                                              {"coarse_correction", &correction_}},
-                    n * lanes_, gl::ComputePass::Constants{{"row_octets", row_octets_}})
-      .loops(row_octets_ + 1);
+                                              {"coarse_free", &free_},
+                                              {"coarse_push", &push_}},
+                    static_cast<std::uint32_t>(CoarseContact::kMostNodes) * lanes_)
+      .loops(CoarseContact::kMostNodes + 1);
+  solve("2", push_, {{"coarse_rotation", &rotation_}, {"coarse_correction", &correction_}, {"coarse_free", &free_}});
   return passes;
 }
 
@@ -119,6 +142,38 @@ void CoarseLevel::upload() {
   std::vector<vec4> scales;
   for (Eigen::Index i = 0; i < inverse.rows(); i += 3) scales.push_back({scale[i], scale[i + 1], scale[i + 2], 0});
   scale_.upload(0, scales.size() * sizeof(vec4), scales.data());
+  if (!push_) return;
+  quantized_ = std::move(rows);
+  scales_ = scale;
+  if (!contact_.nodes.empty()) upload_contact();
+}
+
+void CoarseLevel::set_contact(const std::vector<PointStiffness>& points) {
+  if (empty() || !push_ || (points.empty() && contact_.nodes.empty())) return;
+  std::vector<Eigen::Quaternionf> rotations;
+  if (!points.empty())
+    for (const vec4& q : rotation_.read<vec4>()) rotations.emplace_back(q.w, q.x, q.y, q.z);
+  CoarseContact now = coarse_contact(space_, points, rotations, h_);
+  if (alike(now, contact_)) return;
+  contact_ = std::move(now);
+  upload_contact();
+}
+
+void CoarseLevel::upload_contact() {
+  const std::size_t row_length = std::size_t{8} * row_octets_;
+  const Eigen::MatrixXf push = push_back(contact_, [&](Eigen::Index i, Eigen::Index k) {
+    return scales_[i] * scales_[k] *
+           static_cast<float>(quantized_[static_cast<std::size_t>(i) * row_length + static_cast<std::size_t>(k)]);
+  });
+  std::vector<std::uint32_t> touched{static_cast<std::uint32_t>(contact_.nodes.size())};
+  touched.insert(touched.end(), contact_.nodes.begin(), contact_.nodes.end());
+  std::vector<vec4> columns;
+  for (Eigen::Index i = 0; i < push.rows(); i += 3)
+    for (Eigen::Index k = 0; k < push.cols(); ++k) columns.push_back({push(i, k), push(i + 1, k), push(i + 2, k), 0});
+  touched_.upload(0, touched.size() * sizeof(std::uint32_t), touched.data());
+  if (!columns.empty()) contact_matrix_.upload(0, columns.size() * sizeof(vec4), columns.data());
+  const std::vector<vec4> zero(2 * row_octets_);
+  push_.upload(0, push_.bytes(), zero.data());
 }
 
 bool CoarseLevel::ready() const {

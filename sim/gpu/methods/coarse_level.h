@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <future>
 
+#include "sim/coarse/coarse_contact.h"
 #include "sim/coarse/coarse_space.h"
 #include "sim/gpu/methods/method.h"
 
@@ -16,7 +17,7 @@ class CoarseLevel {
   CoarseLevel(const gl::ProgramCache& programs, const Model& model, const SolverSettings& settings);
   bool empty() const { return space_.node_count == 0; }  // a mesh too small to need it
 
-  /// Two passes from `gradient` (vec4 [vertex_count]) to correction().
+  /// Two passes from `gradient` (vec4 [vertex_count]) to correction(), and two more in scenes with contact.
   Passes passes(const Recording& recording, const gl::Buffer& gradient) const;
   // P by rows of vertices (two_level_correct.comp): uint [vertex_count + 1], uvec4
   const gl::Buffer& row_begin() const { return row_begin_; }
@@ -30,6 +31,8 @@ class CoarseLevel {
   /// Starts to compute the inverse if materials or h have changed; discards a request that still waits with older
   /// values.
   void values_changed(const Model& model, const SolverSettings& settings);
+  /// Sets the stiffness of contact. Waits for the GPU, whose rotations of the nodes it reads.
+  void set_contact(const std::vector<PointStiffness>& points);
   /// Sets the stiffness that springs add to that of the tissue.
   void set_stiffness(const std::vector<VertexStiffness>& springs);
   /// Uploads a finished inverse for new values; with `wait`, waits for the newest one. Returns the number of inverses
@@ -47,6 +50,7 @@ class CoarseLevel {
   void start(Job job);
   void take_next();
   void upload();
+  void upload_contact();
 
   CoarseSpace space_;
   std::uint32_t lanes_ = 1;         // invocations that share a node (shaders/common/group_sum.glsl)
@@ -54,7 +58,11 @@ class CoarseLevel {
   std::uint32_t most_entries_ = 0;  // largest number of entries of a node in either list of coarse_restrict
   gl::Buffer node_begin_, gather_entry_, columns_, row_begin_, rows_;
   gl::Buffer rotation_, gradient_, inverse_rows_, scale_, correction_;
-  Eigen::MatrixXf free_inverse_;  // without springs; empty before the first upload
+  gl::Buffer touched_, contact_matrix_, free_, push_;  // with contact only
+  Eigen::MatrixXf free_inverse_;                       // without springs; empty before the first upload
+  std::vector<std::int16_t> quantized_;                // inverse_rows_
+  Eigen::VectorXf scales_;                             // of its rows
+  CoarseContact contact_;
   std::vector<VertexStiffness> springs_;
   std::vector<Material> materials_;  // of the newest inverse, ready or not
   double h_ = 0;                     // [s]

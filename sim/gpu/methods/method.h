@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "sim/coarse/coarse_contact.h"
 #include "sim/gpu/passes/recording.h"
 #include "sim/ordering/graph_coloring.h"
 
@@ -55,6 +56,8 @@ class StepMethod {
   /// Upper bounds on what the passes of an iteration may defer (deferred_tets.h). `fused`: whether the passes are fused
   /// (gl/fused_pass.h).
   virtual Deferral most_deferred(const SimBuffers&, bool fused) const { return static_cast<void>(fused), Deferral{}; }
+  /// Takes the stiffness of contact at the start of a stage, after begin(): later updates gain nothing.
+  virtual void set_contact(const std::vector<PointStiffness>&) {}
   /// Called before passes are recorded, with their recording.
   virtual void prepare(const Recording&) {}
   /// Called before the first of a series of steps that process only some of the tets.

@@ -68,7 +68,8 @@ struct SimBuffers {
   std::vector<std::uint32_t> tet_offsets;   // [vertex_count + 1] tet_begin
 
   gl::Buffer contact_memory;  // vec4 [rows of the contact surface] State::contact: xyz friction, w normal [N]; absent
-                              // without tools
+                              // without tools, as the next one
+  gl::Buffer contact_before;  // the same at the start of the stage
 
   gl::Buffer diverged;  // uint [1] smallest index of a diverged vertex (shaders/sim/step/velocity.comp), ~0 for none
 

@@ -13,8 +13,10 @@ constexpr std::uint32_t kMostPartials = 4096;
 }  // namespace
 
 double Diagnostics::imbalance(const Eigen::Vector3d& weight) const {
-  const double scale = std::max({reaction.norm(), grab_force.norm(), weight.norm(), inertia.norm()});
-  return scale > force_rounding ? (reaction + grab_force + weight - inertia).norm() / scale : 0;
+  Eigen::Vector3d contact(0, 0, 0);
+  for (const ToolLoad& load : tool_loads) contact += load.force;
+  const double scale = std::max({reaction.norm(), grab_force.norm(), contact.norm(), weight.norm(), inertia.norm()});
+  return scale > force_rounding ? (reaction + grab_force + contact + weight - inertia).norm() / scale : 0;
 }
 
 DiagnosticsReader::DiagnosticsReader(const SimBuffers& buffers)

@@ -13,6 +13,7 @@ struct SolvedStep {
   std::vector<Eigen::Vector3d> from;       // [vertex_count] u* [m]
   std::vector<Eigen::Vector3d> predicted;  // [vertex_count] u~, by inertia, gravity and motions alone [m]
   std::vector<Eigen::Vector3d> solution;   // [vertex_count] u at the end of the stage [m]
+  ContactMemory contact;                   // at the start of the stage
 };
 
 class StepSnapshot {
@@ -28,7 +29,7 @@ class StepSnapshot {
   std::optional<SolvedStep> take(const SimBuffers& buffers, bool wait);
 
  private:
-  gl::Buffer previous_, from_, predicted_, solution_;
+  gl::Buffer previous_, from_, predicted_, solution_, contact_;
   gl::Fence fence_;
 };
 

@@ -1,4 +1,4 @@
-#include "sim/tool/pose.h"
+#include "sim/tool/rigid_pose.h"
 
 #include <Eigen/Geometry>
 #include <numbers>
@@ -11,7 +11,7 @@ Eigen::Matrix3d rotation_of(const Eigen::Vector3d& angles_deg) {
   return (about(2) * about(1) * about(0)).toRotationMatrix();
 }
 
-Pose between(const Pose& from, const Pose& to, double share) {
+RigidPose between(const RigidPose& from, const RigidPose& to, double share) {
   if (share >= 1 || from == to) return to;
   const Eigen::AngleAxisd turn(to.axes * from.axes.transpose());
   const Eigen::Matrix3d part = Eigen::AngleAxisd(share * turn.angle(), turn.axis()).toRotationMatrix();

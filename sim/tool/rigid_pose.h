@@ -4,17 +4,17 @@
 
 namespace fascia {
 
-struct Pose {
+struct RigidPose {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // orthogonal
   Eigen::Vector3d origin{0, 0, 0};                     // [m]
 
   Eigen::Vector3d to_scene(const Eigen::Vector3d& local) const { return axes * local + origin; }
   Eigen::Vector3d to_local(const Eigen::Vector3d& point) const { return axes.transpose() * (point - origin); }
-  bool operator==(const Pose&) const = default;
+  bool operator==(const RigidPose&) const = default;
 };
 
 /// The pose of a thing that has the pose `inner` in the axes of `outer`.
-inline Pose composed(const Pose& outer, const Pose& inner) {
+inline RigidPose composed(const RigidPose& outer, const RigidPose& inner) {
   return {outer.axes * inner.axes, outer.to_scene(inner.origin)};
 }
 
@@ -22,6 +22,6 @@ inline Pose composed(const Pose& outer, const Pose& inner) {
 Eigen::Matrix3d rotation_of(const Eigen::Vector3d& angles_deg);
 
 /// On the way from one pose to another of the same thing: straight, with one rotation about one axis.
-Pose between(const Pose& from, const Pose& to, double share);
+RigidPose between(const RigidPose& from, const RigidPose& to, double share);
 
 }  // namespace fascia
