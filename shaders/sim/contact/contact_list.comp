@@ -1,28 +1,22 @@
-// Lists the contact points that are near a piece, in their order, one work group; with the number of work groups for
-// the kernels that process the list (common/io.glsl, DEFERRED). After contact_start.
+// Lists the contact points that are near a piece, in their order, with the number of work groups for the kernels that
+// process the list (common/io.glsl, DEFERRED). After contact_count.
 #include "common/io.glsl"
 COMPUTE_1D
-INPUT_UINT(ContactNear, contact_near)   // [points]
-OUTPUT(uint, ContactList, contact_list)  // work groups, 1, 1, number of points; then the points
-uniform uint points;
-shared uint counts[GROUP_SIZE];
+INPUT_UINT(ContactNear, contact_near)      // [points]
+INPUT_UINT(ContactCounts, contact_counts)  // [stretches]
+OUTPUT(uint, ContactList, contact_list)    // work groups, 1, 1, number of points; then the points
+uniform uint points, stretches;
 
 void main() {
-  uint lane = gl_LocalInvocationID.x, share = (points + uint(GROUP_SIZE) - 1u) / uint(GROUP_SIZE);
-  uint begin = lane * share, end = min(begin + share, points), count = 0u;
-  for (uint i = begin; i < end; ++i) count += FETCH1(contact_near, i) != 0u ? 1u : 0u;
-  counts[lane] = count;
-  barrier();
-  uint place = 4u, total = 0u;
-  for (uint k = 0u; k < uint(GROUP_SIZE); ++k) {
-    place += k < lane ? counts[k] : 0u;
-    total += counts[k];
-  }
-  for (uint i = begin; i < end; ++i)
-    if (FETCH1(contact_near, i) != 0u) contact_list[place++] = i;
-  if (lane != 0u) return;
-  contact_list[0] = (total + uint(GROUP_SIZE) - 1u) / uint(GROUP_SIZE);
+  ITEM_OR_RETURN(i)
+  uint place = 0u, end = min((i + 1u) * uint(STRETCH), points);
+  for (uint k = 0u; k < i; ++k) place += FETCH1(contact_counts, k);
+  if (FETCH1(contact_counts, i) != 0u)
+    for (uint k = i * uint(STRETCH); k < end; ++k)
+      if (FETCH1(contact_near, k) != 0u) contact_list[4u + place++] = k;
+  if (i + 1u < stretches) return;
+  contact_list[0] = (place + uint(GROUP_SIZE) - 1u) / uint(GROUP_SIZE);
   contact_list[1] = 1u;
   contact_list[2] = 1u;
-  contact_list[3] = total;
+  contact_list[3] = place;
 }

@@ -16,6 +16,7 @@ using shared::vec4;
 
 constexpr std::uint32_t kLoadLanes = 64;
 constexpr std::uint32_t kCorners = 3;
+constexpr std::uint32_t kStretch = 256;  // of points that one invocation lists
 
 vec4 row(const Vector3d& v, double w = 0) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), static_cast<float>(w)};
@@ -102,6 +103,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
   entries_ = gl::Buffer("contact_entries", all);
   pieces_ = gl::Buffer("contact_pieces", sizeof(vec4) * 11 * surface_.pieces.size());
   near_ = gl::Buffer("contact_near", std::vector<std::uint32_t>(point_count()));
+  counts_ = gl::Buffer("contact_counts", std::vector<std::uint32_t>(point_count() / kStretch + 1));
   std::vector<std::uint32_t> none(4 + point_count());
   none[1] = none[2] = 1;
   list_ = gl::Buffer("contact_list", none);
@@ -217,11 +219,19 @@ EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffe
                                 {"contact_normal_now", &normals_},
                                 {"contact_force", &forces_},
                                 {"contact_block", &blocks_}}));
+  const std::uint32_t stretches = (point_count() + kStretch - 1) / kStretch;
+  const gl::Defines stretched{{"STRETCH", std::to_string(kStretch)}};
   passes
-      .emplace_back(programs.compute("sim/contact/contact_list.comp"),
-                    gl::ComputePass::Bindings{{"contact_near", &near_}, {"contact_list", &list_}}, 1,
+      .emplace_back(programs.compute("sim/contact/contact_count.comp", stretched),
+                    gl::ComputePass::Bindings{{"contact_near", &near_}, {"contact_counts", &counts_}}, stretches,
                     gl::ComputePass::Constants{{"points", point_count()}})
-      .loops(2 * point_count() / 4 + 2 * Reduction::kGroup);
+      .loops(kStretch + 1);
+  passes
+      .emplace_back(programs.compute("sim/contact/contact_list.comp", stretched),
+                    gl::ComputePass::Bindings{
+                        {"contact_near", &near_}, {"contact_counts", &counts_}, {"contact_list", &list_}},
+                    stretches, gl::ComputePass::Constants{{"points", point_count()}, {"stretches", stretches}})
+      .loops(stretches + kStretch + 1);
   passes
       .emplace_back(programs.compute("sim/contact/contact_touched.comp"),
                     gl::ComputePass::Bindings{{"contact_begin", &begin_},

@@ -60,7 +60,7 @@ class ContactTerm : public EnergyTerm {
   std::vector<std::array<std::uint32_t, 3>> places_;  // of the points' vertices
   gl::Buffer vertices_, weights_, rest_;              // of the points
   gl::Buffer begin_, end_, entries_;                  // the points of every vertex
-  gl::Buffer pieces_, near_, list_;
+  gl::Buffer pieces_, near_, counts_, list_;
   gl::Buffer rows_, normals_, forces_, blocks_, loads_;
   std::vector<shared::vec4> uploaded_;  // of pieces_
 };
