@@ -33,7 +33,7 @@ set(arrows
   "sim/scene: base base/json sim/material sim/scene/settings sim/surface"
   "sim/scene/settings: base sim/integrators sim/material"
   "sim/simulation: base sim/gpu sim/gpu/passes sim/grab sim/model sim/reference sim/replay sim/scene"
-  "sim/surface: base sim/mesh sim/mesh/io"
+  "sim/surface: base sim/elements sim/mesh sim/mesh/io"
   "sim/visual: base sim/mesh sim/model"
   "render: gl render/passes render/target render/view"
   "include/fascia:"

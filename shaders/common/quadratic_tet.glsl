@@ -1,7 +1,14 @@
 // A quadratic tet (sim/elements/quadratic_tet.h): its ten vertices, and the displacement gradients H at its four points,
 // from those at its corners, of which H is a mean everywhere.
+// Quadratic tets are counted on their own: tet number FIRST_QUADRATIC + e is quadratic tet e.
 #include "common/tet.glsl"
-INPUT_UVEC4(MidEdges, mid_edges)  // [2 * tet_count] vertices in the middle of the edges 01, 12, 02, 03 and 13, 23
+INPUT_UVEC4(MidEdges, mid_edges)  // [2 * quadratic_count] vertices in the middle of the edges 01, 12, 02, 03 and 13, 23
+#ifdef MIXED
+uniform uint first_quadratic;  // the number of linear tets
+#define FIRST_QUADRATIC first_quadratic
+#else
+#define FIRST_QUADRATIC 0u
+#endif
 
 // Barycentric coordinates of a point: of the corner nearest to it, and of the others.
 #define POINT_NEAR 0.58541019662
@@ -29,11 +36,11 @@ PointGradients at_points(PointGradients corners) {
   return h;
 }
 
-// Of a vertex field in tet t.
-#define CORNER_GRADIENTS(t, tet, field)                                                                                     \
+// Of a vertex field in quadratic tet e.
+#define CORNER_GRADIENTS(e, tet, field)                                                                                     \
   corner_gradients(tet, FETCH(field, tet.v.x).xyz, FETCH(field, tet.v.y).xyz, FETCH(field, tet.v.z).xyz,                    \
-                   FETCH(field, tet.v.w).xyz, FETCH(field, FETCH(mid_edges, 2u * t).x).xyz,                                 \
-                   FETCH(field, FETCH(mid_edges, 2u * t).y).xyz, FETCH(field, FETCH(mid_edges, 2u * t).z).xyz,              \
-                   FETCH(field, FETCH(mid_edges, 2u * t).w).xyz, FETCH(field, FETCH(mid_edges, 2u * t + 1u).x).xyz,         \
-                   FETCH(field, FETCH(mid_edges, 2u * t + 1u).y).xyz)
-#define POINT_GRADIENTS(t, tet, field) at_points(CORNER_GRADIENTS(t, tet, field))
+                   FETCH(field, tet.v.w).xyz, FETCH(field, FETCH(mid_edges, 2u * e).x).xyz,                                 \
+                   FETCH(field, FETCH(mid_edges, 2u * e).y).xyz, FETCH(field, FETCH(mid_edges, 2u * e).z).xyz,              \
+                   FETCH(field, FETCH(mid_edges, 2u * e).w).xyz, FETCH(field, FETCH(mid_edges, 2u * e + 1u).x).xyz,         \
+                   FETCH(field, FETCH(mid_edges, 2u * e + 1u).y).xyz)
+#define POINT_GRADIENTS(e, tet, field) at_points(CORNER_GRADIENTS(e, tet, field))

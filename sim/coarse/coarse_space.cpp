@@ -16,6 +16,7 @@ constexpr double kLeastWeight = 1e-12;    // below it a lattice corner is ignore
 constexpr double kEnough = 0.85;          // of the requested nodes
 constexpr int kMostCoarseCells = 100;     // along an axis
 constexpr std::uint32_t kNeighbors = 64;  // nodes in each group that is sorted by number of entries
+constexpr double kCoarsened = 1.5;        // cells of a lattice that was too fine, in cells of the mesh
 constexpr std::size_t kFewVertices = 24;  // below it there would be more lattice nodes than vertices
 
 struct CoarseLattice {
@@ -162,6 +163,29 @@ CoarseLattice fit_lattice(const std::vector<Vector3d>& positions, const std::vec
   return best;
 }
 
+/// For each part of the mesh the lattice, made coarser along an axis where its cells would be smaller than those of the
+/// part's mesh: several lattice nodes would then see the same vertices, and their functions depend on each other.
+std::vector<CoarseLattice> part_lattices(const CoarseLattice& lattice, const Model& model, const Edges& edges,
+                                         const std::vector<std::uint32_t>& part, std::uint32_t part_count) {
+  std::vector<CoarseLattice> lattices(part_count, lattice);
+  if (part_count == 1) return lattices;
+  constexpr double kCellOfEdges = 1.75;  // in a cube of six tets, four of seven edges are as long as it along an axis
+  std::vector<Vector3d> sum(part_count, Vector3d::Zero());
+  std::vector<double> count(part_count, 0);
+  for (std::uint32_t v = 0; v + 1 < edges.begin.size(); ++v)
+    for (std::uint32_t e = edges.begin[v]; e < edges.begin[v + 1]; ++e) {
+      sum[part[v]] += (model.rest_positions[edges.other[e]] - model.rest_positions[v]).cwiseAbs();
+      ++count[part[v]];
+    }
+  for (std::uint32_t p = 0; p < part_count; ++p)
+    for (int k = 0; k < 3; ++k) {
+      const double cell = count[p] > 0 ? kCellOfEdges * sum[p][k] / count[p] : 0;
+      if (cell * lattice.cells[k] > lattice.extent[k])
+        lattices[p].cells[k] = std::max(1, static_cast<int>(lattice.extent[k] / (kCoarsened * cell)));
+    }
+  return lattices;
+}
+
 /// Numbers nodes in the order of the vertices in their reach, so that neighboring invocations read neighboring data.
 /// Then, among neighbors, nodes with equal numbers of vertices are adjacent: invocations in lockstep take as long as
 /// the longest of them.
@@ -198,17 +222,18 @@ CoarseSpace lattice_space(const Model& model, const std::vector<std::uint32_t>& 
     std::uint32_t vertex;
     double weight;
   };
-  std::vector<Reach> reaches;
-  for (const std::uint32_t v : free)
-    for (const CoarseLattice::Corner& c : lattice.corners(model.rest_positions[v]))
-      if (c.weight > kLeastWeight) reaches.push_back({c.node, v, c.weight});
-  std::stable_sort(reaches.begin(), reaches.end(), [](const Reach& a, const Reach& b) { return a.node < b.node; });
-
   std::vector<int> local(vertex_count, -1);
   std::uint32_t part_count = 0;
   const std::vector<std::uint32_t> free_part = pieces(free, edges, local, part_count);
   std::vector<std::uint32_t> part(vertex_count, 0);
   for (std::size_t i = 0; i < free.size(); ++i) part[free[i]] = free_part[i];
+  const std::vector<CoarseLattice> lattices = part_lattices(lattice, model, edges, part, part_count);
+
+  std::vector<Reach> reaches;
+  for (const std::uint32_t v : free)
+    for (const CoarseLattice::Corner& c : lattices[part[v]].corners(model.rest_positions[v]))
+      if (c.weight > kLeastWeight) reaches.push_back({c.node, v, c.weight});
+  std::stable_sort(reaches.begin(), reaches.end(), [](const Reach& a, const Reach& b) { return a.node < b.node; });
 
   // One node per lattice node and piece; weak ones are removed afterwards.
   std::vector<std::uint32_t> node_of(reaches.size()), node_part;

@@ -8,6 +8,20 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
+QuadraticTet::ShapeFunctions QuadraticTet::shape_functions(const Barycentric& l) {
+  return shape_functions(l, Barycentric::Zero());
+}
+
+QuadraticTet::ShapeFunctions QuadraticTet::shape_functions(const Barycentric& l, const Barycentric& d) {
+  ShapeFunctions n;
+  for (int a = 0; a < 4; ++a) n[a] = l[a] * (2 * l[a] - 1) + (4 * l[a] - 1) * d[a];
+  for (std::size_t m = 0; m < 6; ++m) {
+    const auto [a, b] = kMidEdgeCorners[m];
+    n[4 + m] = 4 * (l[a] * l[b] + l[a] * d[b] + d[a] * l[b]);
+  }
+  return n;
+}
+
 QuadraticTet::ShapeGradients QuadraticTet::shape_gradients(const Vector4d& l) const {
   ShapeGradients shape;
   for (int a = 0; a < 4; ++a) shape.col(a) = (4 * l[a] - 1) * gradients.col(a);

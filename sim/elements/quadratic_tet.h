@@ -36,6 +36,12 @@ struct QuadraticTet {
   using ShapeGradients = Eigen::Matrix<double, 3, kNodes>;      // columns grad N_n [1/m]
   using PointGradients = std::array<Eigen::Matrix3d, kPoints>;  // one matrix per point or per corner
 
+  using Barycentric = Eigen::Vector4d;
+  using ShapeFunctions = std::array<double, kNodes>;
+  /// N_n(L), and N_n(L) + dN_n/dL d, which continues the motion at L without its curvature.
+  static ShapeFunctions shape_functions(const Barycentric& barycentric);
+  static ShapeFunctions shape_functions(const Barycentric& barycentric, const Barycentric& displaced);
+
   /// Barycentric coordinates of point q: kNear for corner q, kFar for the three others. Every weight is V / 4.
   static constexpr double kNear = 0.58541019662496845446, kFar = 0.13819660112501051518;  // (5 + 3 sqrt 5) / 20, ...
   /// Shares of the mass of the element.

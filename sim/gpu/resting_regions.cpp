@@ -10,22 +10,22 @@ namespace fascia {
 namespace {
 
 constexpr std::uint32_t kRegionVertices = 64;  // about four tets in each direction
-constexpr double kMostShare = 0.75;            // of the tets: above it lists cost more than they save
+constexpr double kMostShare = 0.75;            // of the work: above it lists cost more than they save
 
 // For every vertex, the smallest vertex that tets connect with it.
-std::vector<std::uint32_t> component_of(std::size_t vertex_count, const std::vector<Tet>& tets) {
-  std::vector<std::uint32_t> parent(vertex_count);
+std::vector<std::uint32_t> component_of(const SimBuffers& buffers) {
+  std::vector<std::uint32_t> parent(buffers.vertex_count);
   std::iota(parent.begin(), parent.end(), 0u);
   const auto root = [&](std::uint32_t v) {
     while (parent[v] != v) v = parent[v] = parent[parent[v]];
     return v;
   };
-  for (const Tet& tet : tets)
-    for (int a = 1; a < 4; ++a) {
-      const std::uint32_t x = root(tet[0]), y = root(tet[a]);
+  for (std::uint32_t t = 0; t < buffers.tet_count; ++t)
+    for (const std::uint32_t v : buffers.element(t)) {
+      const std::uint32_t x = root(buffers.tets[t][0]), y = root(v);
       parent[std::max(x, y)] = std::min(x, y);
     }
-  for (std::uint32_t v = 0; v < vertex_count; ++v) parent[v] = root(v);
+  for (std::uint32_t v = 0; v < buffers.vertex_count; ++v) parent[v] = root(v);
   return parent;
 }
 
@@ -34,10 +34,10 @@ std::vector<std::uint32_t> component_of(std::size_t vertex_count, const std::vec
 RestingRegions::RestingRegions(gl::ProgramCache& programs, const SimBuffers& buffers)
     : buffers_(buffers), vertex_region_(buffers.vertex_count) {
   // Divides the vertices, in the order of the curve and body by body, into pieces.
-  const std::vector<std::uint32_t> component = component_of(buffers.vertex_count, buffers.tets);
+  const std::vector<std::uint32_t> component = component_of(buffers);
   std::vector<char> met(buffers.vertex_count, 0);
-  for (const Tet& tet : buffers.tets)
-    for (const std::uint32_t v : tet) {
+  for (std::uint32_t t = 0; t < buffers.tet_count; ++t)
+    for (const std::uint32_t v : buffers.element(t)) {
       if (met[v]) continue;
       met[v] = 1;
       region_vertices_.push_back(v);
@@ -52,16 +52,19 @@ RestingRegions::RestingRegions(gl::ProgramCache& programs, const SimBuffers& buf
   region_begin_.push_back(static_cast<std::uint32_t>(region_vertices_.size()));
 
   neighbors_.resize(region_count());
-  for (const Tet& tet : buffers.tets)
-    for (const std::uint32_t v : tet)
-      for (const std::uint32_t w : tet) neighbors_[vertex_region_[v]].push_back(vertex_region_[w]);
+  for (std::uint32_t t = 0; t < buffers.tet_count; ++t)
+    for (const std::uint32_t v : buffers.element(t))
+      for (const std::uint32_t w : buffers.element(t)) neighbors_[vertex_region_[v]].push_back(vertex_region_[w]);
   for (std::vector<std::uint32_t>& list : neighbors_) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
   }
 
   active_.vertices = gl::Buffer("active_vertices", sizeof(std::uint32_t) * buffers.vertex_count);
-  active_.pairs = gl::Buffer("active_pairs", sizeof(std::uint32_t) * buffers.pair_and_single_count());
+  if (buffers.has_linear())
+    active_.pairs = gl::Buffer("active_pairs", sizeof(std::uint32_t) * buffers.pair_and_single_count());
+  if (buffers.has_quadratic())
+    active_.quadratic = gl::Buffer("active_quadratic", sizeof(std::uint32_t) * buffers.quadratic_count);
   begin_ = gl::Buffer("region_begin", region_begin_);
   vertices_ = gl::Buffer("region_vertices", region_vertices_);
   motion_ = gl::Buffer("region_motion", 2 * sizeof(float) * region_count());
@@ -100,27 +103,35 @@ bool RestingRegions::list(const SolverSettings& settings, const std::vector<Vert
   for (const VertexStiffness& spring : springs) woken[vertex_region_[spring.vertex]] = 1;
   for (std::uint32_t r = 0; r < region_count(); ++r)
     for (const std::uint32_t n : neighbors_[r]) moving[r] |= woken[n];
-  if (moving == listed_) return active_.tet_count <= kMostShare * static_cast<double>(buffers_.tets.size());
+  if (moving == listed_) return active_.work <= kMostShare * buffers_.work();
   listed_ = moving;
 
-  std::vector<std::uint32_t> pairs, tets, vertices;
-  const auto moves = [&](const Tet& tet) {
-    return std::any_of(tet.begin(), tet.end(), [&](std::uint32_t v) { return moving[vertex_region_[v]] != 0; });
+  std::vector<std::uint32_t> pairs, quadratic, tets, vertices;
+  const auto moves = [&](std::uint32_t t) {
+    const ElementVertices element = buffers_.element(t);
+    return std::any_of(element.begin(), element.end(), [&](std::uint32_t v) { return moving[vertex_region_[v]] != 0; });
   };
   for (std::uint32_t i = 0; i < buffers_.pair_and_single_count(); ++i) {
     const bool two = i < buffers_.pair_count;
     const std::uint32_t second = buffers_.pair_and_single_count() + i;
-    if (!moves(buffers_.tets[i]) && !(two && moves(buffers_.tets[second]))) continue;
+    if (!moves(i) && !(two && moves(second))) continue;
     pairs.push_back(i);
     tets.push_back(i);
     if (two) tets.push_back(second);
   }
+  const auto linear = static_cast<std::uint32_t>(tets.size());
+  for (std::uint32_t e = 0; e < buffers_.quadratic_count; ++e) {
+    if (!moves(buffers_.linear_count() + e)) continue;
+    quadratic.push_back(e);
+    tets.push_back(buffers_.linear_count() + e);
+  }
   active_.pair_count = static_cast<std::uint32_t>(pairs.size());
-  active_.tet_count = static_cast<std::uint32_t>(tets.size());
-  if (active_.tet_count > kMostShare * static_cast<double>(buffers_.tets.size())) return false;
+  active_.quadratic_count = static_cast<std::uint32_t>(quadratic.size());
+  active_.work = SimBuffers::work_of(linear, active_.quadratic_count);
+  if (active_.work > kMostShare * buffers_.work()) return false;
   std::vector<char> beside(buffers_.vertex_count, 0);
   for (const std::uint32_t t : tets)
-    for (const std::uint32_t v : buffers_.tets[t]) beside[v] = !moving[vertex_region_[v]];
+    for (const std::uint32_t v : buffers_.element(t)) beside[v] = !moving[vertex_region_[v]];
   for (std::uint32_t r = 0; r < region_count(); ++r)
     if (moving[r])
       vertices.insert(vertices.end(), region_vertices_.begin() + region_begin_[r],
@@ -129,7 +140,8 @@ bool RestingRegions::list(const SolverSettings& settings, const std::vector<Vert
   for (const std::uint32_t v : region_vertices_)
     if (beside[v]) vertices.push_back(v);
   active_.vertex_count = static_cast<std::uint32_t>(vertices.size());
-  active_.pairs.upload(0, pairs.size() * sizeof(std::uint32_t), pairs.data());
+  if (!pairs.empty()) active_.pairs.upload(0, pairs.size() * sizeof(std::uint32_t), pairs.data());
+  if (!quadratic.empty()) active_.quadratic.upload(0, quadratic.size() * sizeof(std::uint32_t), quadratic.data());
   active_.vertices.upload(0, vertices.size() * sizeof(std::uint32_t), vertices.data());
   return true;
 }

@@ -15,7 +15,7 @@ namespace fascia {
 
 class RestingRegions {
  public:
-  static constexpr std::uint32_t kLeastTets = 2000;  // smallest mesh for which regions pay
+  static constexpr std::uint32_t kLeastTets = 2000;  // smallest SimBuffers::work() for which regions pay
 
   /// `buffers` must outlive this object and keep the order of the tets.
   RestingRegions(gl::ProgramCache& programs, const SimBuffers& buffers);

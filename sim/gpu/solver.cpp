@@ -15,12 +15,7 @@ const Model& with_elements_of(Method method, const Model& model) {
   if (!model.tools.empty() && !info_of(method).carries_contact)
     throw Error("solver.method", std::string(name_of(method)) + " does not carry contact",
                 "expected two_level, or a scene without ground, obstacles and instruments");
-  if (!model.has_quadratic()) return model;
-  for (std::size_t t = 0; t < model.tets.size(); ++t)
-    if (!model.is_quadratic(t))
-      throw Error("bodies.elements", "is quadratic for some bodies and linear for others",
-                  "expected the same for all, or the reference solver (run --reference)");
-  if (!info_of(method).carries_quadratic)
+  if (model.has_quadratic() && !info_of(method).carries_quadratic)
     throw Error("solver.method", std::string(name_of(method)) + " does not carry quadratic elements",
                 "expected two_level, or bodies with linear elements");
   return model;
@@ -97,18 +92,19 @@ void GpuSolver::record() {
   if (!features_.damping) previous_strain_ = {};
   if (features_.damping && !previous_strain_)
     previous_strain_ =
-        gl::Buffer("previous_strain", (features_.quadratic ? 8 : 2) * sizeof(shared::vec4) * buffers_.tet_count);
+        gl::Buffer("previous_strain",
+                   2 * sizeof(shared::vec4) * (buffers_.linear_count() + std::size_t{4} * buffers_.quadratic_count));
   const bool may_rest = method_->may_rest_in_regions() && !stop_ && settings_.rest_speed > 0 &&
-                        !buffers_.displacement_low && !features_.quadratic && !contact_.acts() &&
-                        buffers_.tet_count >= RestingRegions::kLeastTets && !always_whole_;
+                        !buffers_.displacement_low && !contact_.acts() &&
+                        buffers_.work() >= RestingRegions::kLeastTets && !always_whole_;
   if (!may_rest) regions_.reset();
   if (may_rest && !regions_) regions_.emplace(programs_, buffers_);
   fuses_ = !stop_ && gl::fuses(programs_);
   // A GPU skips a branch that no neighboring invocation takes; a second dispatch and its copies would only add cost.
   const bool branches_skip = programs_.load_path() == gl::LoadPath::storage;
   const Deferral most_deferred = method_->most_deferred(buffers_, fuses_);
-  const bool may_defer = features_.models.contains(MaterialModel::signed_st_venant_kirchhoff) &&
-                         most_deferred.items > 0 && !branches_skip && !features_.quadratic;
+  const bool may_defer =
+      features_.models.contains(MaterialModel::signed_st_venant_kirchhoff) && most_deferred.items > 0 && !branches_skip;
   if (!may_defer) deferred_.reset();
   if (may_defer && (!deferred_ || deferred_->most != most_deferred)) deferred_.emplace(most_deferred);
   method_->prepare(recording(nullptr));
@@ -151,10 +147,10 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
   const Recording r = recording(active);
   StepPasses passes;
   const bool strains_first = buffers_.earlier_displacement && features_.damping;
-  if (strains_first) passes.begin.push_back(strains_at_start(r));
+  if (strains_first) append(passes.begin, strains_at_start(r));
   passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), start(), active));
   if (!motions_.empty()) passes.begin.push_back(motions_.pass(programs_, buffers_));
-  if (features_.damping && !strains_first) passes.begin.push_back(strains_at_start(r));
+  if (features_.damping && !strains_first) append(passes.begin, strains_at_start(r));
   append(passes.begin, r.beginnings());
   append(passes.begin, method_->begin(r));
   if (const StepGradient* gradient = method_->gradient()) passes.before_first = passes.before = gradient->passes(r);

@@ -97,7 +97,7 @@ class GpuSolver {
   const std::vector<GrabSpring>& springs() const { return springs_; }
   /// The number of steps that were solved, without those at rest. A changed number means a changed state.
   long steps_solved() const { return steps_solved_; }
-  /// The share of the tets that a step solved, on average: less than 1 where regions rested (resting_regions.h).
+  /// The share of the work that a step did, on average: less than 1 where regions rested (resting_regions.h).
   double share_solved() const;
   /// Whether the last step solved all tets.
   bool last_was_whole() const { return passes_ == &whole_; }
@@ -190,7 +190,8 @@ class GpuSolver {
   Features features_;
   ColorBy color_ = ColorBy::none;
   SimBuffers buffers_;
-  gl::Buffer previous_strain_;  // vec4 [2 * tet_count]; created when a material is first damped
+  gl::Buffer previous_strain_;  // vec4 [2 * linear_count + 8 * quadratic_count]; created when a material is first
+                                // damped
   gl::Buffer unconstrained_;    // uint [vertex_count] 1 in unconstrained components; exists if other components are
                                 // constrained and the method needs it
   std::unique_ptr<StepMethod> method_;
@@ -226,7 +227,7 @@ class GpuSolver {
   double earlier_step_ = 0;   // State::Earlier::step
   IntegratorStage stage_{0};  // whose values the kernels read
   long steps_solved_ = 0;
-  std::uint64_t tets_stepped_ = 0;
+  std::uint64_t work_done_ = 0;      // SimBuffers::work() of all steps
   std::uint64_t stages_solved_ = 0;  // since stop_ was created
   bool starts_inside_out_ = false;   // until the first step
   struct Unfolding {

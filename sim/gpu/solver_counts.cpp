@@ -18,8 +18,8 @@ double GpuSolver::mean_iterations() const {
 }
 
 double GpuSolver::share_solved() const {
-  const double all = static_cast<double>(steps_solved_) * buffers_.tet_count;
-  return all > 0 ? static_cast<double>(tets_stepped_) / all : 1;
+  const double all = static_cast<double>(steps_solved_) * buffers_.work();
+  return all > 0 ? static_cast<double>(work_done_) / all : 1;
 }
 
 double GpuSolver::bytes_per_iteration() const {

@@ -129,7 +129,7 @@ void GpuSolver::choose_passes() {
     buffers_.correction.clear();
     method_->begin_partial();
   }
-  tets_stepped_ += passes_ == &partial_ ? regions_->active().tet_count : buffers_.tet_count;
+  work_done_ += passes_ == &partial_ ? regions_->active().work : buffers_.work();
 }
 
 void GpuSolver::record_partial() {

@@ -293,13 +293,11 @@ void add_surface(LoadedBody loaded, const BodyPart& part, Model& model) {
   if (surface.triangles.empty()) return;
   const Eigen::Affine3d place = placement(loaded.body);
   for (Vector3d& p : surface.positions) p = place * p;
-  EmbeddedPoints own =
-      embed(surface.positions, model.file_mesh.positions, {model.tets.begin() + part.tet_begin, model.tets.end()});
-  EmbeddedPoints& all = model.embedded;
-  all.points.insert(all.points.end(), own.points.begin(), own.points.end());
-  all.ties.insert(all.ties.end(), own.ties.begin(), own.ties.end());
-  all.outside += own.outside;
-  all.farthest = std::max(all.farthest, own.farthest);
+  std::vector<MidEdges> mid_edges;
+  if (loaded.is_quadratic()) mid_edges.assign(model.mid_edges.begin() + part.tet_begin, model.mid_edges.end());
+  const EmbeddedPoints own = embed(surface.positions, model.file_mesh.positions,
+                                   {model.tets.begin() + part.tet_begin, model.tets.end()}, mid_edges);
+  append(model.embedded, own);
   double volume = 0;
   for (auto tet = model.tets.begin() + part.tet_begin; tet != model.tets.end(); ++tet) {
     const auto& x = model.file_mesh.positions;

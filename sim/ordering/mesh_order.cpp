@@ -19,10 +19,12 @@ MeshOrder mesh_order_of(const Model& model) {
   };
   const TetPairing& tets_by_pair = placement.tets;
   for (std::size_t i = 0; i < tets_by_pair.second_begin(); ++i) {
-    for (const std::uint32_t v : model.element(tets_by_pair.order[i])) meet(v);
+    for (const std::uint32_t v : model.tets[tets_by_pair.order[i]]) meet(v);
     if (i >= tets_by_pair.pair_count) continue;
     for (const std::uint32_t v : model.tets[tets_by_pair.order[tets_by_pair.second_begin() + i]]) meet(v);
   }
+  for (std::size_t i = tets_by_pair.linear_count(); i < tets_by_pair.order.size(); ++i)
+    for (const std::uint32_t v : model.element(tets_by_pair.order[i])) meet(v);
   for (std::uint32_t v = 0; v < count; ++v) meet(v);
   // Neighboring invocations take as long as the one with the most tets: among neighbors, vertices with equal numbers of
   // tets are adjacent.

@@ -52,8 +52,12 @@ std::vector<std::uint32_t> solved_tets(const Model& model) {
 }
 
 TetPairing paired_tets(const Model& model) {
-  if (model.has_quadratic()) return {solved_tets(model), 0};
-  TetPairing pairing = pair_tets(model.tets, solved_tets(model));
+  std::vector<std::uint32_t> linear = solved_tets(model), quadratic;
+  const auto first_quadratic =
+      std::stable_partition(linear.begin(), linear.end(), [&](std::uint32_t t) { return !model.is_quadratic(t); });
+  quadratic.assign(first_quadratic, linear.end());
+  linear.erase(first_quadratic, linear.end());
+  TetPairing pairing = pair_tets(model.tets, linear);
   const auto volume = [&](std::uint32_t t) {
     const auto edge = [&](int k) -> Eigen::Vector3d {
       return model.rest_positions[model.tets[t][k]] - model.rest_positions[model.tets[t][0]];
@@ -64,6 +68,8 @@ TetPairing paired_tets(const Model& model) {
     std::uint32_t &first = pairing.order[i], &second = pairing.order[pairing.second_begin() + i];
     if (volume(first) < volume(second)) std::swap(first, second);
   }
+  pairing.order.insert(pairing.order.end(), quadratic.begin(), quadratic.end());
+  pairing.quadratic_count = static_cast<std::uint32_t>(quadratic.size());
   return pairing;
 }
 

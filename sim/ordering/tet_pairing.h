@@ -1,4 +1,4 @@
-// Tets in pairs that share a face: a pair references five vertices instead of eight.
+// Linear tets in pairs that share a face: a pair references five vertices instead of eight. Quadratic tets stay single.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,11 +8,12 @@
 namespace fascia {
 
 struct TetPairing {
-  // The tets: the first one of every pair, then the single ones, then the second one of every pair. A kernel that reads
-  // more data of the first ones (shaders/common/tet_pair.glsl) finds it contiguous.
+  // The tets: the first one of every pair, then the single ones, then the second one of every pair, then the quadratic
+  // ones. A kernel that reads more data of the first ones (shaders/common/tet_pair.glsl) finds it contiguous.
   std::vector<std::uint32_t> order;
-  std::uint32_t pair_count = 0;
-  std::size_t second_begin() const { return order.size() - pair_count; }
+  std::uint32_t pair_count = 0, quadratic_count = 0;
+  std::size_t linear_count() const { return order.size() - quadratic_count; }
+  std::size_t second_begin() const { return linear_count() - pair_count; }
 };
 
 /// Pairs as many of the tets `order` (indices into `tets`) as a greedy matching does that starts with the tets of

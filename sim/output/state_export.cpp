@@ -8,7 +8,9 @@
 #include "base/number_text.h"
 #include "sim/mesh/io/formats.h"
 #include "sim/mesh/io/vtk/vtu_write.h"
+#include "sim/mesh/linear_tets.h"
 #include "sim/mesh/mesh_check.h"
+#include "sim/mesh/mid_edges.h"
 #include "sim/mesh/tet_faces.h"
 
 namespace fascia {
@@ -53,10 +55,20 @@ std::string csv(const TetMesh& rest, const StateFields& fields) {
   return out.take();
 }
 
-/// The outward triangles of the usable tets and their vertices, in the mesh's order.
+std::vector<Tet> usable_linear_tets(const TetMesh& mesh) {
+  const MeshRepair usable = repair(mesh);
+  if (mesh.mid_edges.empty()) return usable.tets;
+  std::vector<MidEdges> middles;
+  for (std::size_t t = 0; t < usable.tets.size(); ++t)
+    middles.push_back(reordered(mesh.mid_edges[usable.source[t]], mesh.tets[usable.source[t]], usable.tets[t]));
+  return linear_tets(usable.tets, middles, mesh.positions, 0, usable.tets.size()).tets;
+}
+
+/// The outward triangles of the usable tets, four on a face of a quadratic one, and their vertices, in the mesh's
+/// order.
 std::string obj(const TetMesh& rest, const StateFields& fields) {
   const std::vector<Eigen::Vector3d> points = deformed(rest, fields);
-  const std::vector<Triangle> triangles = boundary_triangles(repair(rest).tets);
+  const std::vector<Triangle> triangles = boundary_triangles(usable_linear_tets(rest));
   std::vector<std::uint32_t> number(points.size(), 0);
   for (const Triangle& triangle : triangles) {
     for (const std::uint32_t v : triangle) number[v] = 1;

@@ -3,7 +3,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "sim/elements/quadratic_tet.h"
 #include "sim/mesh/tet_faces.h"
 #include "sim/surface/triangle_tree.h"
 
@@ -84,12 +86,18 @@ class Grid {
   std::vector<std::vector<std::uint32_t>> cells_;
 };
 
+QuadraticTie linear_tie(const EmbeddedPoint& tie) {
+  QuadraticTie same;
+  std::copy(tie.weights.begin(), tie.weights.end(), same.weights.begin());
+  return same;
+}
+
 std::array<double, 4> as_array(const Eigen::Vector4d& w) { return {w[0], w[1], w[2], w[3]}; }
 
 }  // namespace
 
-EmbeddedPoints embed(std::vector<Vector3d> points, const std::vector<Vector3d>& vertices,
-                     const std::vector<Tet>& tets) {
+EmbeddedPoints embed(std::vector<Vector3d> points, const std::vector<Vector3d>& vertices, const std::vector<Tet>& tets,
+                     const std::vector<MidEdges>& mid_edges) {
   EmbeddedPoints result;
   if (points.empty()) return result;
   Grid grid(vertices, tets);
@@ -109,19 +117,40 @@ EmbeddedPoints embed(std::vector<Vector3d> points, const std::vector<Vector3d>& 
       deepest = smallest;
       home = t;
     }
-    Eigen::Vector4d weights = frames[home].of(p);
+    Eigen::Vector4d weights = frames[home].of(p), foot = weights;
     if (deepest < 0) {
       const TriangleTree::Nearest nearest = boundary.nearest(p);
       home = behind[nearest.triangle];
-      const Eigen::Vector4d foot = frames[home].of(nearest.point), reach = frames[home].of(p) - foot;
+      foot = frames[home].of(nearest.point);
+      const Eigen::Vector4d reach = frames[home].of(p) - foot;
       weights = foot + reach * std::min(1.0, kLargestReach / reach.cwiseAbs().maxCoeff());
       ++result.outside;
       result.farthest = std::max(result.farthest, nearest.distance);
     }
     result.ties.push_back({tets[home], as_array(weights)});
+    if (mid_edges.empty()) continue;
+    if (mid_edges[home] == kNoMidEdges)
+      result.quadratic.push_back(linear_tie(result.ties.back()));
+    else
+      result.quadratic.push_back({mid_edges[home], QuadraticTet::shape_functions(foot, weights - foot)});
   }
   result.points = std::move(points);
   return result;
+}
+
+void append(EmbeddedPoints& points, const EmbeddedPoints& more) {
+  const auto add_ties = [&](const EmbeddedPoints& of) {
+    if (of.quadratic.empty())
+      std::transform(of.ties.begin(), of.ties.end(), std::back_inserter(points.quadratic), linear_tie);
+    else
+      points.quadratic.insert(points.quadratic.end(), of.quadratic.begin(), of.quadratic.end());
+  };
+  if (points.quadratic.empty() && !more.quadratic.empty()) add_ties(points);
+  if (!points.quadratic.empty() || !more.quadratic.empty()) add_ties(more);
+  points.points.insert(points.points.end(), more.points.begin(), more.points.end());
+  points.ties.insert(points.ties.end(), more.ties.begin(), more.ties.end());
+  points.outside += more.outside;
+  points.farthest = std::max(points.farthest, more.farthest);
 }
 
 }  // namespace fascia

@@ -31,9 +31,9 @@ inline Model make_model(const TetMesh& mesh, const Material& material,
   return model;
 }
 
-/// Makes all tets of a box model quadratic; a mid-edge vertex is fixed if both ends of its edge are.
-inline Model quadratic(Model model) {
-  add_mid_edges(model.file_mesh, model.tet_source);
+/// Makes the tets of a box model from `first` on quadratic; a mid-edge vertex is fixed if both ends of its edge are.
+inline Model quadratic(Model model, std::uint32_t first = 0) {
+  add_mid_edges(model.file_mesh, {model.tet_source.begin() + first, model.tet_source.end()});
   model.rest_positions = model.file_mesh.positions;
   model.mid_edges = model.file_mesh.mid_edges;
   const std::vector<char> held = model.held();

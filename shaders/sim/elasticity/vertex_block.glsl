@@ -1,4 +1,5 @@
-// The 3x3 block of a vertex in the Hessian of the step's objective, and the vertex's gradient, from the tets around it:
+// The 3x3 block of a vertex in the Hessian of the step's objective, and the vertex's gradient, from the linear tets
+// around it:
 //   H_ii = m I + h^2 sum V corner_block(b_i), positive definite.
 // The kernel declares its own access to `displacement` [vertex_count] (AT_VERTEX(v): vec3 u). GUARDED_ELSEWHERE: blocks
 // that are only a preconditioner omit the decomposition of guarded tets. The guard adds at most LEAST_STRETCH^2 I to F

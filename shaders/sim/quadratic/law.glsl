@@ -25,6 +25,13 @@ VolumeSplit volume_split(vec4 material) {
   return VolumeSplit(vec4(2.0 * mu * (1.0 + nu), nu, material.zw), bulk);
 }
 
+#if SIGNED_ST_VENANT_KIRCHHOFF
+bool needs_guard(PointGradients h, vec4 material) {
+  return needs_guard(h.at[0], material) || needs_guard(h.at[1], material) || needs_guard(h.at[2], material) ||
+         needs_guard(h.at[3], material);
+}
+#endif
+
 struct Dilatation {
   float value;  // theta
   mat3 first;   // dtheta/dF
@@ -53,23 +60,25 @@ float mean_dilatation(PointGradients h, vec4 material) {
 }
 
 #if DAMPING
+uint strain_of_point(uint e, int q) { return FIRST_QUADRATIC + 4u * e + uint(q); }
+
 struct Viscosity {
   float over_h;  // damping / h, faded
   float bulk;    // what multiplies the mean of tr(E - E*) [Pa]
   float mean;
 };
 
-Sym3 strain_since_start(uint t, int q, mat3 h) {
-  Sym3 e = green_strain(h), before = previous_strain_of(4u * t + uint(q));
-  return Sym3(e.d - before.d, e.s - before.s);
+Sym3 strain_since_start(uint e, int q, mat3 h) {
+  Sym3 strain = green_strain(h), before = previous_strain_of(strain_of_point(e, q));
+  return Sym3(strain.d - before.d, strain.s - before.s);
 }
 
-Viscosity viscosity_of(uint t, PointGradients h, vec4 material) {
+Viscosity viscosity_of(uint e, PointGradients h, vec4 material) {
   Sym3 before = Sym3(vec3(0.0), vec3(0.0));
   float mean = 0.0;
   for (int q = 0; q < 4; ++q) {
-    before.d += 0.25 * previous_strain_of(4u * t + uint(q)).d;
-    vec3 change = strain_since_start(t, q, h.at[q]).d;
+    before.d += 0.25 * previous_strain_of(strain_of_point(e, q)).d;
+    vec3 change = strain_since_start(e, q, h.at[q]).d;
     mean += 0.25 * (change.x + change.y + change.z);
   }
   float over_h = damping_over_h(before, material);
@@ -103,14 +112,14 @@ QuadraticElastic quadratic_elastic(PointGradients h, vec4 material) {
   return r;
 }
 
-QuadraticElastic quadratic_response(uint t, PointGradients h, vec4 material) {
+QuadraticElastic quadratic_response(uint e, PointGradients h, vec4 material) {
   QuadraticElastic r = quadratic_elastic(h, material);
 #if DAMPING
-  Viscosity viscosity = viscosity_of(t, h, material);
+  Viscosity viscosity = viscosity_of(e, h, material);
   float pressure = viscosity.bulk * viscosity.mean;
   r.energy += 0.5 * pressure * viscosity.mean;
   for (int q = 0; q < 4; ++q) {
-    Sym3 change = strain_since_start(t, q, h.at[q]), s = viscous_stress_at_point(viscosity, change, material);
+    Sym3 change = strain_since_start(e, q, h.at[q]), s = viscous_stress_at_point(viscosity, change, material);
     r.energy += 0.125 * contract(s, change);
     s.d += pressure;
     r.p[q] += times(mat3(1.0) + h.at[q], s);

@@ -7,16 +7,17 @@
 #include "sim/elasticity/tet_scalars.glsl"
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)         // [vertex_count] u [m]
-OUTPUT(TetPartial, TetPartials, tet_partials)  // [invocations]
-uniform uint pair_and_single_count;
+OUTPUT(TetPartial, TetPartials, tet_partials)  // [invocations] from first_partial on
+uniform uint quadratic_count, first_partial;
 
 void main() {
   ITEM_OR_RETURN(lane)
   TetPartial partial = TetPartial(vec4(3.4e38, -3.4e38, 0.0, 0.0), vec4(0.0));
-  FOR_ITEMS_OF_LANE(t, lane, invocations, pair_and_single_count) {
+  FOR_ITEMS_OF_LANE(e, lane, invocations, quadratic_count) {
+    uint t = FIRST_QUADRATIC + e;
     Tet tet = load_tet(t);
     vec4 material = material_of(t);
-    PointGradients corners = CORNER_GRADIENTS(t, tet, displacement), h = at_points(corners);
+    PointGradients corners = CORNER_GRADIENTS(e, tet, displacement), h = at_points(corners);
     QuadraticElastic elastic = quadratic_elastic(h, material);
     float smallest = 3.4e38, largest = -3.4e38, growth = 0.0, squares = 0.0;
     for (int q = 0; q < 4; ++q) {
@@ -33,9 +34,9 @@ void main() {
     partial.range.y = max(partial.range.y, largest);
     partial.sums += tet.volume * vec4(elastic.energy, 0.0, growth, squares);
     partial.sums.y += smallest <= 0.0 ? 1.0 : 0.0;
-    QuadraticForces f = forces_of(tet, quadratic_response(t, h, material).p);
+    QuadraticForces f = forces_of(tet, quadratic_response(e, h, material).p);
     float scale = -SUBSTEP * SUBSTEP * tet.volume;
-    uvec4 slot = FETCH(element_slots, 3u * t), slot_1 = FETCH(element_slots, 3u * t + 1u), slot_2 = FETCH(element_slots, 3u * t + 2u);
+    uvec4 slot = FETCH(quadratic_slots, 3u * e), slot_1 = FETCH(quadratic_slots, 3u * e + 1u), slot_2 = FETCH(quadratic_slots, 3u * e + 2u);
     correction[slot.x] = vec4(scale * f.corner[0], 0.0);
     correction[slot.y] = vec4(scale * f.corner[1], 0.0);
     correction[slot.z] = vec4(scale * f.corner[2], 0.0);
@@ -47,5 +48,5 @@ void main() {
     correction[slot_2.x] = vec4(scale * f.middle[4], 0.0);
     correction[slot_2.y] = vec4(scale * f.middle[5], 0.0);
   }
-  tet_partials[lane] = partial;
+  tet_partials[first_partial + lane] = partial;
 }

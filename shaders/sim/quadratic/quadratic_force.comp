@@ -11,27 +11,32 @@ INPUT_VEC4(DisplacementLow, displacement_low)  // [vertex_count] the part of u t
 #endif
 
 void main() {
-  ITEM_OR_RETURN(t)
+  ITEM_OR_RETURN(e)
+  uint t = FIRST_QUADRATIC + e;
   Tet tet = load_tet(t);
-  PointGradients h = POINT_GRADIENTS(t, tet, displacement);
+  PointGradients h = POINT_GRADIENTS(e, tet, displacement);
 #if COMPENSATED
-  PointGradients low = POINT_GRADIENTS(t, tet, displacement_low);
+  PointGradients low = POINT_GRADIENTS(e, tet, displacement_low);
   for (int q = 0; q < 4; ++q) h.at[q] += low.at[q];
 #endif
-  QuadraticElastic r = quadratic_response(t, h, material_of(t));
+  vec4 material = material_of(t);
+#ifdef DEFERS
+  if (needs_guard(h, material)) { defer(e); return; }
+#endif
+  QuadraticElastic r = quadratic_response(e, h, material);
   QuadraticForces f = forces_of(tet, r.p);
   float scale = SUBSTEP * SUBSTEP * tet.volume;
-  uvec4 slot = FETCH(element_slots, 3u * t);
+  uvec4 slot = FETCH(quadratic_slots, 3u * e);
   correction[slot.x] = vec4(scale * f.corner[0], scale * r.energy);
   STORE3(correction[slot.y], scale * f.corner[1])
   STORE3(correction[slot.z], scale * f.corner[2])
   STORE3(correction[slot.w], scale * f.corner[3])
-  slot = FETCH(element_slots, 3u * t + 1u);
+  slot = FETCH(quadratic_slots, 3u * e + 1u);
   STORE3(correction[slot.x], scale * f.middle[0])
   STORE3(correction[slot.y], scale * f.middle[1])
   STORE3(correction[slot.z], scale * f.middle[2])
   STORE3(correction[slot.w], scale * f.middle[3])
-  slot = FETCH(element_slots, 3u * t + 2u);
+  slot = FETCH(quadratic_slots, 3u * e + 2u);
   STORE3(correction[slot.x], scale * f.middle[4])
   STORE3(correction[slot.y], scale * f.middle[5])
 }

@@ -30,23 +30,24 @@ float scalar_of(mat3 h, mat3 p) {
 }
 
 void main() {
-  ITEM_OR_RETURN(t)
+  ITEM_OR_RETURN(e)
+  uint t = FIRST_QUADRATIC + e;
   Tet tet = load_tet(t);
-  PointGradients h = POINT_GRADIENTS(t, tet, displacement);
+  PointGradients h = POINT_GRADIENTS(e, tet, displacement);
   QuadraticElastic r = quadratic_elastic(h, material_of(t));
   vec4 at;
   for (int q = 0; q < 4; ++q) at[q] = tet.volume * scalar_of(h.at[q], r.p[q]);
-  uvec4 slot = FETCH(element_slots, 3u * t);
+  uvec4 slot = FETCH(quadratic_slots, 3u * e);
   correction[slot.x] = vec4(at.x, tet.volume, 0.0, 0.0);
   correction[slot.y] = vec4(at.y, tet.volume, 0.0, 0.0);
   correction[slot.z] = vec4(at.z, tet.volume, 0.0, 0.0);
   correction[slot.w] = vec4(at.w, tet.volume, 0.0, 0.0);
-  slot = FETCH(element_slots, 3u * t + 1u);
+  slot = FETCH(quadratic_slots, 3u * e + 1u);
   correction[slot.x] = vec4(0.5 * (at.x + at.y), tet.volume, 0.0, 0.0);
   correction[slot.y] = vec4(0.5 * (at.y + at.z), tet.volume, 0.0, 0.0);
   correction[slot.z] = vec4(0.5 * (at.x + at.z), tet.volume, 0.0, 0.0);
   correction[slot.w] = vec4(0.5 * (at.x + at.w), tet.volume, 0.0, 0.0);
-  slot = FETCH(element_slots, 3u * t + 2u);
+  slot = FETCH(quadratic_slots, 3u * e + 2u);
   correction[slot.x] = vec4(0.5 * (at.y + at.w), tet.volume, 0.0, 0.0);
   correction[slot.y] = vec4(0.5 * (at.z + at.w), tet.volume, 0.0, 0.0);
 }

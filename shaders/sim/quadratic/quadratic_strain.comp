@@ -8,22 +8,23 @@ INPUT_VEC4(PreviousDisplacement, previous_displacement)  // [vertex_count] u_n [
 #include "common/step.glsl"
 INPUT_VEC4(EarlierDisplacement, earlier_displacement)  // [vertex_count] [m]
 #endif
-OUTPUT(vec4, PreviousStrain, previous_strain)  // [8 * tet_count]
+OUTPUT(vec4, PreviousStrain, previous_strain)  // after those of linear tets: [8 * quadratic_count]
 
 void main() {
-  ITEM_OR_RETURN(t)
-  Tet tet = load_tet(t);
-  PointGradients h = POINT_GRADIENTS(t, tet, previous_displacement);
+  ITEM_OR_RETURN(e)
+  Tet tet = load_tet(FIRST_QUADRATIC + e);
+  PointGradients h = POINT_GRADIENTS(e, tet, previous_displacement);
 #ifdef EXTRAPOLATES
-  PointGradients before = POINT_GRADIENTS(t, tet, earlier_displacement);
+  PointGradients before = POINT_GRADIENTS(e, tet, earlier_displacement);
 #endif
   for (int q = 0; q < 4; ++q) {
-    Sym3 e = green_strain(h.at[q]);
+    Sym3 strain = green_strain(h.at[q]);
 #ifdef EXTRAPOLATES
     Sym3 earlier = green_strain(before.at[q]);
-    e = Sym3(e.d + EXTRAPOLATION * (e.d - earlier.d), e.s + EXTRAPOLATION * (e.s - earlier.s));
+    strain = Sym3(strain.d + EXTRAPOLATION * (strain.d - earlier.d), strain.s + EXTRAPOLATION * (strain.s - earlier.s));
 #endif
-    STORE3(previous_strain[8u * t + 2u * uint(q)], e.d)
-    STORE3(previous_strain[8u * t + 2u * uint(q) + 1u], e.s)
+    uint at = 2u * (FIRST_QUADRATIC + 4u * e + uint(q));
+    STORE3(previous_strain[at], strain.d)
+    STORE3(previous_strain[at + 1u], strain.s)
   }
 }

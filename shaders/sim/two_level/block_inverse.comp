@@ -5,14 +5,28 @@
 #define AT_VERTEX(v) FETCH(displacement, v).xyz
 COMPUTE_1D
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
+#include "sim/material/invariants.glsl"
+#include "sim/elasticity/elasticity.glsl"
+#if LINEAR_TETS
 #include "sim/elasticity/vertex_block.glsl"
+#endif
+#if QUADRATIC_TETS
+#include "sim/quadratic/vertex_block.glsl"
+#endif
 #include "sim/energy/terms.glsl"
 INPUT_FLOAT(Mass, mass)                     // [vertex_count] [kg]
 #include "sim/two_level/store_inverse.glsl"
 
 void main() {
   ITEM_OR_RETURN(i)
-  Sym3 a = add_tets(i).hessian;
+  Sym3 a = Sym3(vec3(0.0), vec3(0.0));
+#if LINEAR_TETS
+  a = add_tets(i).hessian;
+#endif
+#if QUADRATIC_TETS
+  Sym3 more = quadratic_block(i);
+  a = Sym3(a.d + more.d, a.s + more.s);
+#endif
   a.d += FETCH1(mass, i) + external_stiffness(i, SUBSTEP * SUBSTEP);
   ADD_EXTERNAL_BLOCK(a, i, SUBSTEP * SUBSTEP)
   store_inverse(i, a);

@@ -35,7 +35,7 @@ gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers
   return pass;
 }
 
-gl::ComputePass strains_at_start(const Recording& r) {
+Passes strains_at_start(const Recording& r) {
   gl::Defines defines;
   gl::ComputePass::Bindings bindings{{"previous_displacement", &r.buffers.previous_displacement},
                                      {"previous_strain", &r.previous_strain}};
@@ -46,11 +46,13 @@ gl::ComputePass strains_at_start(const Recording& r) {
                 {"earlier_displacement", &r.buffers.earlier_displacement},
                 {"previous_strain", &r.previous_strain}};
   }
-  gl::ComputePass pass =
-      r.over_pairs(r.features.quadratic ? "sim/quadratic/quadratic_strain.comp" : "sim/step/previous_strain.comp",
-                   defines, with_pairs(std::move(bindings), r.buffers));
-  pass.loops(0);
-  return pass;
+  Passes passes;
+  if (r.buffers.has_linear())
+    passes.push_back(r.over_pairs("sim/step/previous_strain.comp", defines, with_pairs(bindings, r.buffers)).loops(0));
+  if (r.buffers.has_quadratic())
+    passes.push_back(
+        r.over_quadratic("sim/quadratic/quadratic_strain.comp", defines, with_quadratic(bindings, r.buffers)));
+  return passes;
 }
 
 gl::ComputePass velocity_update(const Recording& r) {

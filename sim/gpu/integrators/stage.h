@@ -21,7 +21,7 @@ gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers
 
 /// eps* of damped materials (shaders/sim/step/previous_strain.comp). Before the prediction where the integrator
 /// extrapolates, else after it.
-gl::ComputePass strains_at_start(const Recording& recording);
+Passes strains_at_start(const Recording& recording);
 
 /// The last pass of every stage (shaders/sim/step/velocity.comp): velocities, and the index of a vertex that
 /// diverged.

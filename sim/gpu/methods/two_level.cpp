@@ -14,14 +14,16 @@ TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& mo
                                const SolverSettings& settings)
     : gradient_(buffers),
       coarse_(programs, model, settings),
-      vertex_tets_(make_vertex_tets(buffers)),
       block_inverse_("block_inverse", 2 * sizeof(vec4) * buffers.vertex_count),
       vertices_(programs, buffers.vertex_count, true),
       pairs_(programs, buffers.pair_and_single_count(), true),
+      quadratic_(programs, buffers.quadratic_count, true),
       fine_direction_("fine_direction", gradient_.gradient().bytes()),
       last_step_("last_step", gradient_.gradient().bytes()),
       previous_gradient_("previous_gradient", gradient_.gradient().bytes()),
       state_("subspace_state", kSubspaceFloats * sizeof(float)) {
+  if (buffers.has_linear()) vertex_tets_ = make_vertex_tets(buffers);
+  if (buffers.has_quadratic()) vertex_quadratic_ = make_vertex_quadratic(buffers);
   set_acceleration(programs, buffers, settings);
 }
 
@@ -50,12 +52,17 @@ std::uint32_t TwoLevelMethod::term_partials(const Recording& r) const {
 }
 
 void TwoLevelMethod::prepare(const Recording& r) {
-  const std::size_t bytes = sizeof(vec4) * (3 * vertices_.partials + pairs_.partials + term_partials(r));
+  const std::size_t bytes =
+      sizeof(vec4) * (3 * vertices_.partials + pairs_.partials + quadratic_.partials + term_partials(r));
   if (partials_.bytes() != bytes) partials_ = gl::Buffer("subspace_partials", bytes);
-  if (!r.deferred) guarded_curvature_ = {};
-  if (!r.deferred || guarded_curvature_) return;
-  guarded_curvature_ = gl::Buffer("guarded_curvature", sizeof(shared::vec4) * r.buffers.pair_and_single_count());
-  guarded_curvature_.clear();
+  const auto keep = [&](gl::Buffer& buffer, const char* name, std::uint32_t count) {
+    if (!r.deferred || count == 0) buffer = {};
+    if (!r.deferred || count == 0 || buffer) return;
+    buffer = gl::Buffer(name, sizeof(vec4) * count);
+    buffer.clear();
+  };
+  keep(guarded_curvature_, "guarded_curvature", r.buffers.pair_and_single_count());
+  keep(guarded_quadratic_, "guarded_quadratic", r.buffers.quadratic_count);
 }
 
 // The inertial start may have a much higher energy: it is treated as a step from u_n, which is kept only if it lowers
@@ -87,15 +94,22 @@ Passes TwoLevelMethod::begin(const Recording& r) const {
 Passes TwoLevelMethod::refresh(const Recording& r) const {
   gl::ComputePass::Bindings bindings{{"step", &r.buffers.step},           {"tet_vertices", &r.buffers.tet_vertices},
                                      {"tet_shape", &r.buffers.tet_shape}, {"displacement", &r.buffers.displacement},
-                                     {"mass", &r.buffers.mass},           {"tet_begin", &r.buffers.tet_begin},
-                                     {"vertex_tets", &vertex_tets_},      {"block_inverse", &block_inverse_}};
-  if (r.features.quadratic) bindings.emplace_back("mid_edges", &r.buffers.mid_edges);
+                                     {"mass", &r.buffers.mass},           {"block_inverse", &block_inverse_}};
+  if (vertex_tets_)
+    bindings.insert(bindings.end(), {{"tet_begin", &r.buffers.tet_begin}, {"vertex_tets", &vertex_tets_}});
+  if (vertex_quadratic_)
+    bindings.insert(bindings.end(), {{"mid_edges", &r.buffers.mid_edges},
+                                     {"quadratic_begin", &r.buffers.quadratic_begin},
+                                     {"vertex_quadratic", &vertex_quadratic_}});
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
-  const gl::Defines defines = with_energy_terms(defines_of(r.features), bindings, r.terms, TermUse::block);
+  gl::Defines defines = with_energy_terms(defines_of(r.features), bindings, r.terms, TermUse::block);
+  defines.emplace_back("LINEAR_TETS", vertex_tets_ ? "1" : "0");
+  defines.emplace_back("QUADRATIC_TETS", vertex_quadratic_ ? "1" : "0");
+  if (vertex_quadratic_) defines = defines_of_quadratic(std::move(defines), r.buffers);
   Passes passes;
-  passes.push_back(r.over_vertices(
-      r.features.quadratic ? "sim/quadratic/quadratic_block_inverse.comp" : "sim/two_level/block_inverse.comp", defines,
-      std::move(bindings)));
+  passes.push_back(
+      r.over_vertices("sim/two_level/block_inverse.comp", std::move(defines), std::move(bindings),
+                      vertex_quadratic_ ? constants_of_quadratic(r.buffers) : gl::ComputePass::Constants{}));
   passes.back().loops(r.loops_of_vertex());
   return passes;
 }
@@ -163,6 +177,38 @@ gl::ComputePass TwoLevelMethod::sum_for_step(const Recording& r, const char* ker
                              {{"partials", vertices_.partials}});
 }
 
+// Of pairs of linear tets, or of quadratic ones. `defines` and `bindings`: those that both have.
+Passes TwoLevelMethod::curvature(const Recording& r, bool quadratic, gl::Defines defines,
+                                 gl::ComputePass::Bindings bindings) const {
+  const char* const kernel =
+      quadratic ? "sim/quadratic/quadratic_curvature.comp" : "sim/two_level/subspace_curvature.comp";
+  const auto over_deferred = [&](const char* which, gl::Defines with, gl::ComputePass::Bindings more) {
+    return quadratic ? r.over_deferred_quadratic(which, std::move(with), std::move(more))
+                     : r.over_deferred(which, std::move(with), std::move(more));
+  };
+  const gl::Buffer& guarded = quadratic ? guarded_quadratic_ : guarded_curvature_;
+  bindings = quadratic ? with_quadratic(std::move(bindings), r.buffers) : with_pairs(std::move(bindings), r.buffers);
+  gl::ComputePass::Bindings sums = bindings;
+  gl::Defines sum_defines = defines;
+  sums.emplace_back("curvature_partials", &partials_);
+  Passes passes;
+  if (r.deferred) {
+    bindings.emplace_back("guarded_curvature", &guarded);
+    passes.push_back(over_deferred(kernel, std::move(defines), std::move(bindings)));
+    sums.emplace_back("guarded_terms", &guarded);
+    sum_defines.emplace_back("GUARDED_ELSEWHERE", "1");
+  }
+  const std::uint32_t first = 3 * vertices_.partials;
+  passes.push_back(quadratic ? r.sum_over_quadratic(kernel, std::move(sum_defines), std::move(sums), quadratic_,
+                                                    {{"first_partial", first + pairs_.partials}})
+                             : r.sum_over_pairs(kernel, std::move(sum_defines), std::move(sums), pairs_,
+                                                {{"first_partial", first}}));
+  if (!r.deferred) return passes;
+  passes.push_back(over_deferred("sim/two_level/guarded_curvature_clear.comp", {}, {{"guarded_curvature", &guarded}}));
+  passes.back().loops(0);
+  return passes;
+}
+
 Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) const {
   gl::Defines defines{{"FINAL", last ? "1" : "0"}, {"SPLIT", splits_ ? "1" : "0"}};
   Passes passes;
@@ -175,31 +221,15 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
   } else {
     gl::ComputePass::Bindings curvature = with_coarse(
         {{"step", &r.buffers.step}, {"displacement", &r.buffers.displacement}, {"fine_direction", &fine_direction_}});
-    curvature = with_damping(with_material(with_pairs(std::move(curvature), r.buffers), r.features, r.buffers),
-                             r.features, r.previous_strain);
+    curvature = with_damping(with_material(std::move(curvature), r.features, r.buffers), r.features, r.previous_strain);
     gl::Defines curvature_defines = defines_of(r.features);
     curvature_defines.emplace_back("SPLIT", splits_ ? "1" : "0");
-    gl::ComputePass::Bindings sums = curvature;
-    gl::Defines sum_defines = curvature_defines;
-    sums.emplace_back("curvature_partials", &partials_);
-    if (r.deferred) {
-      curvature.emplace_back("guarded_curvature", &guarded_curvature_);
-      passes.push_back(
-          r.over_deferred("sim/two_level/subspace_curvature.comp", curvature_defines, std::move(curvature)));
-      sums.emplace_back("guarded_terms", &guarded_curvature_);
-      sum_defines.emplace_back("GUARDED_ELSEWHERE", "1");
-    }
-    passes.push_back(r.sum_over_pairs(
-        r.features.quadratic ? "sim/quadratic/quadratic_curvature.comp" : "sim/two_level/subspace_curvature.comp",
-        sum_defines, std::move(sums), pairs_, {{"first_partial", 3 * vertices_.partials}}));
-    if (r.deferred) {
-      passes.push_back(r.over_deferred("sim/two_level/guarded_curvature_clear.comp", {},
-                                       {{"guarded_curvature", &guarded_curvature_}}));
-      passes.back().loops(0);
-    }
+    for (const bool quadratic : {false, true})
+      if (quadratic ? r.buffers.has_quadratic() : r.buffers.has_linear())
+        append(passes, this->curvature(r, quadratic, curvature_defines, curvature));
   }
   if (!last) {
-    std::uint32_t next = 3 * vertices_.partials + pairs_.partials;
+    std::uint32_t next = 3 * vertices_.partials + pairs_.partials + quadratic_.partials;
     for (const EnergyTerm* term : r.terms) {
       if (!term->acts()) continue;
       append(passes, term->curvature(r.programs, r.buffers,
@@ -210,13 +240,13 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
   gl::ComputePass::Bindings solve{{"dot_partials", &partials_}, {"subspace_state", &state_}};
   gl::ComputePass::Constants constants{{"partials", vertices_.partials}};
   if (!last) {
-    constants.emplace_back("curvature_count", pairs_.partials + term_partials(r));
+    constants.emplace_back("curvature_count", pairs_.partials + quadratic_.partials + term_partials(r));
     constants.emplace_back("remembers", remembers_ && !first);
   }
   passes
       .emplace_back(r.programs.compute("sim/two_level/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}}),
                     std::move(solve), 1, std::move(constants))
-      .loops(vertices_.partials + pairs_.partials + term_partials(r) + 2 * Reduction::kGroup);
+      .loops(vertices_.partials + pairs_.partials + quadratic_.partials + term_partials(r) + 2 * Reduction::kGroup);
   gl::ComputePass::Bindings update{{"subspace_state", &state_},
                                    {"step_before", &last_step_},
                                    {"iterate", &r.buffers.displacement},

@@ -32,7 +32,8 @@ class TwoLevelMethod : public StepMethod {
   Passes begin(const Recording& recording) const override;
   Passes refresh(const Recording& recording) const override;
   Deferral most_deferred(const SimBuffers& buffers, bool) const override {
-    return {1, buffers.pair_and_single_count()};
+    return {1u + (buffers.has_linear() && buffers.has_quadratic()),
+            buffers.pair_and_single_count() + buffers.quadratic_count};
   }
   Passes iteration(const Recording& recording, bool first) const override;
   Passes end(const Recording& recording) const override;
@@ -53,6 +54,8 @@ class TwoLevelMethod : public StepMethod {
   gl::ComputePass objective_sum(const Recording& recording) const;
   gl::ComputePass sum_for_step(const Recording& recording, const char* kernel, gl::Defines defines,
                                gl::ComputePass::Bindings bindings) const;
+  Passes curvature(const Recording& recording, bool quadratic, gl::Defines defines,
+                   gl::ComputePass::Bindings bindings) const;
   Passes subspace_step(const Recording& recording, bool first, bool last) const;
   std::uint32_t term_partials(const Recording& recording) const;  // of the curvatures of external energies
 
@@ -60,13 +63,14 @@ class TwoLevelMethod : public StepMethod {
        splits_ = false;  // with p, except in the first iteration; with two directions besides p
   StepGradient gradient_;
   CoarseLevel coarse_;
-  gl::Buffer vertex_tets_, block_inverse_;
-  Reduction vertices_, pairs_;
+  gl::Buffer vertex_tets_, vertex_quadratic_, block_inverse_;
+  Reduction vertices_, pairs_, quadratic_;
   gl::Buffer fine_direction_,
       coarse_direction_;                      // vec4 [vertex_count]; the two directions of the step
   gl::Buffer last_step_, previous_gradient_;  // vec4 [vertex_count]
-  gl::Buffer partials_, state_;               // partials_: vec4, three sums over the vertices and one over the pairs
+  gl::Buffer partials_, state_;               // partials_: vec4, three sums over the vertices and one over the tets
   gl::Buffer guarded_curvature_;      // vec4 [pairs and single tets], with deferred ones: their terms of the curvature
+  gl::Buffer guarded_quadratic_;      // vec4 [quadratic_count] the same
   std::optional<Anderson> anderson_;  // of the sweeps; its results are in fine_direction_
 };
 

@@ -91,26 +91,43 @@ gl::ComputePass::Bindings with_damping(gl::ComputePass::Bindings bindings, const
 }
 
 gl::ComputePass::Bindings with_pairs(gl::ComputePass::Bindings bindings, const SimBuffers& buffers) {
-  bindings.insert(bindings.end(), {{"tet_vertices", &buffers.tet_vertices}, {"tet_shape", &buffers.tet_shape}});
-  if (buffers.quadratic())
-    bindings.emplace_back("mid_edges", &buffers.mid_edges);
-  else
-    bindings.emplace_back("pair_fifth", &buffers.pair_fifth);
+  bindings.insert(bindings.end(), {{"tet_vertices", &buffers.tet_vertices},
+                                   {"tet_shape", &buffers.tet_shape},
+                                   {"pair_fifth", &buffers.pair_fifth}});
   return bindings;
 }
 
 gl::ComputePass::Constants constants_of_pairs(const SimBuffers& buffers) {
-  if (buffers.quadratic()) return {};
   return {{"pair_count", buffers.pair_count}, {"second_begin", buffers.pair_and_single_count()}};
 }
 
 gl::ComputePass::Bindings with_slots(gl::ComputePass::Bindings bindings, const SimBuffers& buffers) {
-  if (buffers.quadratic())
-    bindings.emplace_back("element_slots", &buffers.element_slots);
-  else
-    bindings.emplace_back("pair_slots", &buffers.pair_slots);
+  bindings.emplace_back("pair_slots", &buffers.pair_slots);
   bindings.emplace_back("correction", &buffers.correction);
   return with_pairs(std::move(bindings), buffers);
+}
+
+gl::ComputePass::Bindings with_quadratic(gl::ComputePass::Bindings bindings, const SimBuffers& buffers) {
+  bindings.insert(
+      bindings.end(),
+      {{"tet_vertices", &buffers.tet_vertices}, {"tet_shape", &buffers.tet_shape}, {"mid_edges", &buffers.mid_edges}});
+  return bindings;
+}
+
+gl::Defines defines_of_quadratic(gl::Defines defines, const SimBuffers& buffers) {
+  if (buffers.has_linear()) defines.emplace_back("MIXED", "1");
+  return defines;
+}
+
+gl::ComputePass::Constants constants_of_quadratic(const SimBuffers& buffers) {
+  if (!buffers.has_linear()) return {};
+  return {{"first_quadratic", buffers.linear_count()}};
+}
+
+gl::ComputePass::Bindings with_quadratic_slots(gl::ComputePass::Bindings bindings, const SimBuffers& buffers) {
+  bindings.emplace_back("quadratic_slots", &buffers.quadratic_slots);
+  bindings.emplace_back("correction", &buffers.correction);
+  return with_quadratic(std::move(bindings), buffers);
 }
 
 }  // namespace fascia

@@ -11,7 +11,7 @@ namespace fascia {
 struct Features {
   bool material_per_tet = false;
   bool damping = false;
-  bool quadratic = false;          // all tets (sim/elements/quadratic_tet.h)
+  bool quadratic = false;          // some tets (sim/elements/quadratic_tet.h)
   std::set<MaterialModel> models;  // of the materials
   bool operator==(const Features&) const = default;
 };
@@ -25,11 +25,17 @@ gl::ComputePass::Bindings with_material(gl::ComputePass::Bindings bindings, cons
 gl::ComputePass::Bindings with_damping(gl::ComputePass::Bindings bindings, const Features& features,
                                        const gl::Buffer& previous_strain);
 
-/// Adds the buffers of kernels that process pairs of tets (shaders/common/tet_pair.glsl).
+/// Adds the buffers of kernels that process pairs of linear tets (shaders/common/tet_pair.glsl).
 gl::ComputePass::Bindings with_pairs(gl::ComputePass::Bindings bindings, const SimBuffers& buffers);
 gl::ComputePass::Constants constants_of_pairs(const SimBuffers& buffers);
 /// Adds the same, and the buffers of kernels that write to the corners of pairs of tets
 /// (shaders/common/pair_slots.glsl).
 gl::ComputePass::Bindings with_slots(gl::ComputePass::Bindings bindings, const SimBuffers& buffers);
+
+/// The same of kernels that process quadratic tets (shaders/common/quadratic_tet.glsl, quadratic_slots.glsl).
+gl::ComputePass::Bindings with_quadratic(gl::ComputePass::Bindings bindings, const SimBuffers& buffers);
+gl::ComputePass::Constants constants_of_quadratic(const SimBuffers& buffers);
+gl::Defines defines_of_quadratic(gl::Defines defines, const SimBuffers& buffers);
+gl::ComputePass::Bindings with_quadratic_slots(gl::ComputePass::Bindings bindings, const SimBuffers& buffers);
 
 }  // namespace fascia

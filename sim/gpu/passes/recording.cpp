@@ -13,8 +13,8 @@ gl::ComputePass::Constants list_constants(const Deferral& most, std::uint32_t li
   return {{"deferred_list", 4 * list}, {"deferred_begin", 4 * most.lists + first_item}};
 }
 
-void append_pairs(gl::ComputePass::Constants& constants, const SimBuffers& buffers) {
-  for (auto& constant : constants_of_pairs(buffers)) constants.push_back(std::move(constant));
+void append(gl::ComputePass::Constants& constants, gl::ComputePass::Constants more) {
+  for (auto& constant : more) constants.push_back(std::move(constant));
 }
 
 }  // namespace
@@ -47,10 +47,11 @@ Passes Recording::projections(bool first) const {
   return passes;
 }
 
-gl::ComputePass Recording::over_vertices(const char* kernel, gl::Defines defines,
-                                         gl::ComputePass::Bindings bindings) const {
+gl::ComputePass Recording::over_vertices(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings,
+                                         gl::ComputePass::Constants constants) const {
   if (active) list(defines, bindings, active->vertices);
-  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.vertex_count);
+  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.vertex_count,
+                       std::move(constants));
   pass.loops(0);
   if (active) pass.follow("invocations", active->vertex_count);
   return pass;
@@ -66,11 +67,22 @@ gl::ComputePass Recording::over_tets(const char* kernel, gl::Defines defines,
 gl::ComputePass Recording::over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings,
                                       gl::ComputePass::Constants constants) const {
   if (active) list(defines, bindings, active->pairs);
-  append_pairs(constants, buffers);
+  append(constants, constants_of_pairs(buffers));
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.pair_and_single_count(),
                        std::move(constants));
   pass.loops(loops_of_pair());
   if (active) pass.follow("invocations", active->pair_count);
+  return pass;
+}
+
+gl::ComputePass Recording::over_quadratic(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings,
+                                          gl::ComputePass::Constants constants) const {
+  if (active) list(defines, bindings, active->quadratic);
+  append(constants, constants_of_quadratic(buffers));
+  gl::ComputePass pass(programs.compute(kernel, defines_of_quadratic(std::move(defines), buffers)), std::move(bindings),
+                       buffers.quadratic_count, std::move(constants));
+  pass.loops(loops_of_quadratic());
+  if (active) pass.follow("invocations", active->quadratic_count);
   return pass;
 }
 
@@ -89,7 +101,7 @@ Passes Recording::over_pairs_deferring(const char* kernel, const gl::Defines& de
 gl::ComputePass Recording::over_deferred(const char* kernel, gl::Defines defines,
                                          gl::ComputePass::Bindings bindings) const {
   gl::ComputePass::Constants constants = list_constants(deferred->most, 0, 0);
-  append_pairs(constants, buffers);
+  append(constants, constants_of_pairs(buffers));
   gl::ComputePass pass = over_deferred(kernel, std::move(defines), std::move(bindings), 0,
                                        buffers.pair_and_single_count(), std::move(constants));
   pass.loops(loops_of_pair());
@@ -118,6 +130,32 @@ Passes Recording::over_ranges_deferring(const char* kernel, const gl::Defines& d
     passes.back().loops(loops_decomposing);
   }
   return passes;
+}
+
+// Deferred quadratic tets have the list after that of pairs.
+gl::ComputePass::Constants Recording::list_of_quadratic() const {
+  return list_constants(deferred->most, buffers.has_linear(), buffers.pair_and_single_count());
+}
+
+Passes Recording::over_quadratic_deferring(const char* kernel, const gl::Defines& defines,
+                                           const gl::ComputePass::Bindings& bindings) const {
+  if (!deferred) return {over_quadratic(kernel, defines, bindings)};
+  auto [first_defines, first_bindings] = deferring(defines, bindings);
+  Passes passes{over_quadratic(kernel, std::move(first_defines), std::move(first_bindings), list_of_quadratic())};
+  passes.back().loops(kPoints);
+  if (!buffers.has_linear()) passes.back().copy_first(deferred->none, deferred->lists);  // else pairs have done it
+  passes.push_back(over_deferred_quadratic(kernel, defines, bindings));
+  return passes;
+}
+
+gl::ComputePass Recording::over_deferred_quadratic(const char* kernel, gl::Defines defines,
+                                                   gl::ComputePass::Bindings bindings) const {
+  gl::ComputePass::Constants constants = list_of_quadratic();
+  append(constants, constants_of_quadratic(buffers));
+  gl::ComputePass pass = over_deferred(kernel, defines_of_quadratic(std::move(defines), buffers), std::move(bindings),
+                                       buffers.has_linear(), buffers.quadratic_count, std::move(constants));
+  pass.loops(loops_of_quadratic());
+  return pass;
 }
 
 std::pair<gl::Defines, gl::ComputePass::Bindings> Recording::deferring(gl::Defines defines,
@@ -151,11 +189,24 @@ gl::ComputePass Recording::sum_over_vertices(const char* kernel, gl::Defines def
 gl::ComputePass Recording::sum_over_pairs(const char* kernel, gl::Defines defines, gl::ComputePass::Bindings bindings,
                                           const Reduction& sum, gl::ComputePass::Constants constants) const {
   if (active) list(defines, bindings, active->pairs);
-  append_pairs(constants, buffers);
+  append(constants, constants_of_pairs(buffers));
   constants.emplace_back("pair_and_single_count", buffers.pair_and_single_count());
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), sum.lanes, std::move(constants));
   pass.loops(loops_of_sum(buffers.pair_and_single_count(), sum, deferred ? 0 : loops_of_pair()));
   if (active) pass.follow("pair_and_single_count", active->pair_count);
+  return pass;
+}
+
+gl::ComputePass Recording::sum_over_quadratic(const char* kernel, gl::Defines defines,
+                                              gl::ComputePass::Bindings bindings, const Reduction& sum,
+                                              gl::ComputePass::Constants constants) const {
+  if (active) list(defines, bindings, active->quadratic);
+  append(constants, constants_of_quadratic(buffers));
+  constants.emplace_back("quadratic_count", buffers.quadratic_count);
+  gl::ComputePass pass(programs.compute(kernel, defines_of_quadratic(std::move(defines), buffers)), std::move(bindings),
+                       sum.lanes, std::move(constants));
+  pass.loops(loops_of_sum(buffers.quadratic_count, sum, deferred ? kPoints : loops_of_quadratic()));
+  if (active) pass.follow("quadratic_count", active->quadratic_count);
   return pass;
 }
 

@@ -15,8 +15,8 @@ struct Reduction {
 
   static constexpr std::uint32_t whole_groups(std::uint32_t lanes) { return (lanes + kGroup - 1) / kGroup * kGroup; }
 
-  /// `wide`: the kernel does more work per item than an addition and, on a GPU, needs as many invocations as any other
-  /// kernel.
+  /// Nothing without items. `wide`: the kernel does more work per item than an addition and, on a GPU, needs as many
+  /// invocations as any other kernel.
   Reduction(const gl::ProgramCache& programs, std::uint32_t items, bool wide = false) {
     // Software renderers get few lanes, whose sums one invocation adds; large meshes get enough lanes for many cores.
     // GPUs get many lanes, and a tree leaves one sum per group.
@@ -27,7 +27,7 @@ struct Reduction {
                         most = !tree  ? std::max(256u, items / 128)
                                : wide ? 32768
                                       : 4096;
-    lanes = whole_groups(std::clamp(items / share, kGroup, most));
+    lanes = items == 0 ? 0 : whole_groups(std::clamp(items / share, kGroup, most));
     partials = tree ? lanes / kGroup : lanes;
   }
 };
@@ -35,7 +35,7 @@ struct Reduction {
 /// Lanes of a sum whose partial sums, one per lane, the CPU adds: few enough to read back cheaply, enough to fill a
 /// GPU.
 inline std::uint32_t lanes_read_back(std::uint32_t items, std::uint32_t most) {
-  return Reduction::whole_groups(std::clamp(items / 16, Reduction::kGroup, most));
+  return items == 0 ? 0 : Reduction::whole_groups(std::clamp(items / 16, Reduction::kGroup, most));
 }
 
 }  // namespace fascia

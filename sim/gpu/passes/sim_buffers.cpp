@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <numeric>
+#include <span>
 
 namespace fascia {
 namespace {
@@ -26,15 +27,11 @@ vec4 to_vec4(const Material& m) {
           model};
 }
 
-std::vector<std::uint32_t> tets_before(const std::vector<Tet>& tets, const std::vector<MidEdges>& mid_edges,
-                                       std::size_t vertex_count) {
-  std::vector<std::uint32_t> begin(vertex_count + 1, 0);
-  for (const Tet& tet : tets)
-    for (const std::uint32_t v : tet) ++begin[v + 1];
-  for (const MidEdges& vertices : mid_edges)
-    for (const std::uint32_t v : vertices) ++begin[v + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  return begin;
+// Adds the elements at every vertex v to counts[v + 1].
+template <class Elements>
+void count_at(std::vector<std::uint32_t>& counts, const Elements& elements) {
+  for (const auto& vertices : elements)
+    for (const std::uint32_t v : vertices) ++counts[v + 1];
 }
 
 struct Shape {
@@ -55,8 +52,9 @@ struct Shapes {
   std::vector<vec4> rows;
   std::vector<Tet> fifth;
 
-  Shapes(const Model& model, const std::vector<Tet>& tets, std::uint32_t pair_count)
-      : rows(3 * tets.size()), fifth(tets.size() - pair_count) {
+  Shapes(const Model& model, const std::vector<Tet>& tets, const TetPairing& pairing)
+      : rows(3 * tets.size()), fifth(pairing.second_begin()) {
+    const std::uint32_t pair_count = pairing.pair_count;
     const auto bits = [](double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); };
     for (std::size_t t = 0; t < tets.size(); ++t) {
       const Shape a(model, tets[t]);
@@ -78,56 +76,59 @@ struct Shapes {
   }
 };
 
-// The slots in which the corners of pairs and single tets store their corrections: a counting sort of corners by
-// vertex.
-struct Slots {
-  gl::Buffer correction, pair, begin;  // as in SimBuffers
-  std::uint32_t most = 0;              // largest number per vertex
+// The numbers of linear and of quadratic tets at the vertices before each one.
+struct Offsets {
+  std::vector<std::uint32_t> linear, quadratic;  // [vertex_count + 1]
 
-  // The slots of the fifth corners are written next to the vertices.
-  Slots(const std::vector<Tet>& tets, std::uint32_t pair_count, std::uint32_t vertex_count, std::vector<Tet>& fifth) {
-    const std::uint32_t count = static_cast<std::uint32_t>(tets.size()) - pair_count;
-    std::vector<Tet> corners(tets.begin(), tets.begin() + count);
+  Offsets(const std::vector<Tet>& tets, const TetPairing& pairing, const std::vector<MidEdges>& middles,
+          std::uint32_t vertex_count)
+      : linear(vertex_count + 1, 0), quadratic(vertex_count + 1, 0) {
+    const std::span all(tets);
+    count_at(linear, all.first(pairing.linear_count()));
+    count_at(quadratic, all.subspan(pairing.linear_count()));
+    count_at(quadratic, middles);
+    for (std::vector<std::uint32_t>* counts : {&linear, &quadratic})
+      std::partial_sum(counts->begin(), counts->end(), counts->begin());
+  }
+};
+
+// The slots in which the corners of pairs and single tets, and the vertices of quadratic tets, store their corrections:
+// a counting sort by vertex.
+struct Slots {
+  gl::Buffer correction, pair, quadratic, begin;  // as in SimBuffers
+  std::uint32_t most = 0;                         // largest number per vertex
+
+  // `tets`: in the order of a TetPairing. The slots of the fifth corners are written next to the vertices.
+  Slots(const std::vector<Tet>& tets, const TetPairing& pairing, const std::vector<MidEdges>& middles,
+        std::uint32_t vertex_count, std::vector<Tet>& fifth) {
+    std::vector<Tet> corners(tets.begin(), tets.begin() + static_cast<std::ptrdiff_t>(pairing.second_begin()));
+    const std::vector<Tet> whole(tets.begin() + static_cast<std::ptrdiff_t>(pairing.linear_count()), tets.end());
     std::vector<std::uint32_t> begins(vertex_count + 1, 0);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      for (const std::uint32_t v : corners[i]) ++begins[v + 1];
-      if (i < pair_count) ++begins[fifth[i][0] + 1];
-    }
+    count_at(begins, corners);
+    count_at(begins, whole);
+    count_at(begins, middles);
+    for (std::uint32_t i = 0; i < pairing.pair_count; ++i) ++begins[fifth[i][0] + 1];
     std::partial_sum(begins.begin(), begins.end(), begins.begin());
     for (std::uint32_t v = 0; v < vertex_count; ++v) most = std::max(most, begins[v + 1] - begins[v]);
     begin = gl::Buffer("slot_begin", begins);
     correction = gl::Buffer("correction", begins.back() * sizeof(vec4));
     std::vector<std::uint32_t>& next = begins;  // next free slot of each vertex
-    for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::uint32_t i = 0; i < corners.size(); ++i) {
       for (std::uint32_t& v : corners[i]) v = next[v]++;
-      if (i < pair_count) fifth[i][1] = next[fifth[i][0]]++;
+      if (i < pairing.pair_count) fifth[i][1] = next[fifth[i][0]]++;
     }
-    pair = gl::Buffer("pair_slots", corners);
-  }
-};
-
-// The same of quadratic tets: every vertex of every tet has a slot.
-struct ElementSlots {
-  gl::Buffer correction, elements, begin;
-  std::uint32_t most = 0;
-
-  ElementSlots(const std::vector<Tet>& tets, const std::vector<MidEdges>& mid_edges,
-               std::vector<std::uint32_t> begins) {
-    for (std::size_t v = 0; v + 1 < begins.size(); ++v) most = std::max(most, begins[v + 1] - begins[v]);
-    begin = gl::Buffer("slot_begin", begins);
-    correction = gl::Buffer("correction", begins.back() * sizeof(vec4));
-    std::vector<Tet> slots;
-    for (std::size_t t = 0; t < tets.size(); ++t) {
-      const Tet& c = tets[t];
-      const MidEdges& m = mid_edges[t];
-      for (const Tet& vertices : {c, Tet{m[0], m[1], m[2], m[3]}}) {
-        Tet& four = slots.emplace_back();
-        for (std::size_t k = 0; k < 4; ++k) four[k] = begins[vertices[k]]++;
+    if (!corners.empty() || whole.empty()) pair = gl::Buffer("pair_slots", corners);
+    std::vector<Tet> of_quadratic;
+    for (std::size_t q = 0; q < whole.size(); ++q) {
+      const MidEdges& m = middles[q];
+      for (const Tet& vertices : {whole[q], Tet{m[0], m[1], m[2], m[3]}}) {
+        Tet& four = of_quadratic.emplace_back();
+        for (std::size_t k = 0; k < 4; ++k) four[k] = next[vertices[k]]++;
       }
-      const std::uint32_t fifth = begins[m[4]]++, sixth = begins[m[5]]++;
-      slots.push_back({fifth, sixth, 0, 0});
+      const std::uint32_t fifth_middle = next[m[4]]++, sixth_middle = next[m[5]]++;
+      of_quadratic.push_back({fifth_middle, sixth_middle, 0, 0});
     }
-    elements = gl::Buffer("element_slots", slots);
+    if (!whole.empty()) quadratic = gl::Buffer("quadratic_slots", of_quadratic);
   }
 };
 
@@ -171,40 +172,47 @@ void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
   ordered.reserve(order.size());
   for (const std::uint32_t t : order) {
     ordered.push_back(model.tets[t]);
-    if (model.has_quadratic()) middles.push_back(model.mid_edges[t]);
+    if (model.is_quadratic(t)) middles.push_back(model.mid_edges[t]);
     if (model.materials.size() > 1) material.push_back(model.tet_material[t]);
   }
   for (std::size_t i = 0; i < pairing.pair_count; ++i) align_at_face(ordered[i], ordered[pairing.second_begin() + i]);
-  std::vector<std::uint32_t> before = tets_before(ordered, middles, vertex_count);
-  Shapes shapes(model, ordered, pairing.pair_count);
-  gl::Buffer vertices("tet_vertices", ordered), rows("tet_shape", shapes.rows), begins("tet_begin", before);
-  if (middles.empty()) {
-    Slots slots(ordered, pairing.pair_count, vertex_count, shapes.fifth);
-    pair_fifth = gl::Buffer("pair_fifth", shapes.fifth);
-    correction = std::move(slots.correction);
-    pair_slots = std::move(slots.pair);
-    slot_begin = std::move(slots.begin);
-    most_slots = slots.most;
-  } else {
-    ElementSlots slots(ordered, middles, before);
+  Shapes shapes(model, ordered, pairing);
+  Slots slots(ordered, pairing, middles, vertex_count, shapes.fifth);
+  Offsets offsets(ordered, pairing, middles, vertex_count);
+  gl::Buffer vertices("tet_vertices", ordered), rows("tet_shape", shapes.rows), fifths, begins, packed_middles,
+      quadratic_begins;
+  if (!shapes.fifth.empty() || middles.empty()) {
+    fifths = gl::Buffer("pair_fifth", shapes.fifth);
+    begins = gl::Buffer("tet_begin", offsets.linear);
+  }
+  if (!middles.empty()) {
     std::vector<Tet> packed;
     for (const MidEdges& m : middles) packed.insert(packed.end(), {{m[0], m[1], m[2], m[3]}, {m[4], m[5], 0, 0}});
-    mid_edges = gl::Buffer("mid_edges", packed);
-    correction = std::move(slots.correction);
-    element_slots = std::move(slots.elements);
-    slot_begin = std::move(slots.begin);
-    most_slots = slots.most;
+    packed_middles = gl::Buffer("mid_edges", packed);
+    quadratic_begins = gl::Buffer("quadratic_begin", offsets.quadratic);
   }
   if (!material.empty()) tet_material = gl::Buffer("tet_material", material);
   tet_vertices = std::move(vertices);
   tet_shape = std::move(rows);
+  correction = std::move(slots.correction);
+  slot_begin = std::move(slots.begin);
+  pair_fifth = std::move(fifths);
+  pair_slots = std::move(slots.pair);
   tet_begin = std::move(begins);
+  mid_edges = std::move(packed_middles);
+  quadratic_slots = std::move(slots.quadratic);
+  quadratic_begin = std::move(quadratic_begins);
+  most_slots = slots.most;
   pair_count = pairing.pair_count;
+  quadratic_count = pairing.quadratic_count;
   most_tets = 0;
-  for (std::uint32_t v = 0; v < vertex_count; ++v) most_tets = std::max(most_tets, before[v + 1] - before[v]);
+  for (std::uint32_t v = 0; v < vertex_count; ++v)
+    most_tets = std::max(most_tets,
+                         offsets.linear[v + 1] - offsets.linear[v] + offsets.quadratic[v + 1] - offsets.quadratic[v]);
   tets = std::move(ordered);
   mid_edge_vertices = std::move(middles);
-  tet_offsets = std::move(before);
+  tet_offsets = std::move(offsets.linear);
+  quadratic_offsets = std::move(offsets.quadratic);
 }
 
 void SimBuffers::set_phantom_count(std::uint32_t count) {

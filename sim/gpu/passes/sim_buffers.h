@@ -21,7 +21,8 @@ struct SimBuffers {
 
   std::uint32_t vertex_count = 0;
   std::uint32_t tet_count = 0;                  // of solved_tets(), which these buffers hold
-  std::uint32_t pair_count = 0;                 // the tets are stored in the order of pair_tets()
+  std::uint32_t pair_count = 0;                 // the tets are stored in the order of TetPairing
+  std::uint32_t quadratic_count = 0;            // of tet_count
   bool leaves_out = false;                      // whether tets with only fixed vertices are left out
   std::uint32_t most_tets = 0, most_slots = 0;  // per vertex
   double volume = 0;                            // of all tets at rest [m^3]
@@ -47,25 +48,31 @@ struct SimBuffers {
   gl::Buffer tet_vertices;   // uvec4 [tet_count]
   gl::Buffer tet_shape;      // vec4 [3 * tet_count] rows of Dm^-1 [1/m], w of the first row: volume [m^3]; of a pair's
                              // first tet also d1, d2
-  gl::Buffer pair_fifth;     // uvec4 [pairs and single tets] data of a second tet relative to the first one, without d1
-                             // and d2 (shaders/common/tet_pair.glsl)
-  gl::Buffer mid_edges;  // uvec4 [2 * tet_count] of quadratic tets (shaders/common/quadratic_tet.glsl), for which there
-                         // is no pair_fifth; absent for linear ones
-  gl::Buffer tet_begin;  // uint [vertex_count + 1] differences are the numbers of tets around each vertex
-  gl::Buffer tet_material;  // uint [tet_count]; absent for a single material
-  gl::Buffer materials;     // vec4 [material_count]; absent for a single material
+  gl::Buffer tet_material;   // uint [tet_count]; absent for a single material
+  gl::Buffer materials;      // vec4 [material_count]; absent for a single material
 
-  // Scratch, vec4 [slots]: the contribution of each corner of a pair of tets, or of a single tet, to its vertex
-  // (shaders/common/pair_slots.glsl).
+  // Scratch, vec4 [slots]: the contribution of each corner of a pair of tets, of a single or of a quadratic tet to its
+  // vertex (shaders/common/pair_slots.glsl, quadratic_slots.glsl).
   gl::Buffer correction;
+  gl::Buffer slot_begin;  // uint [vertex_count + 1] first slot of each vertex
+
+  // Linear tets only; absent without them.
+  gl::Buffer pair_fifth;  // uvec4 [pairs and single tets] data of a second tet relative to the first one, without d1
+                          // and d2 (shaders/common/tet_pair.glsl)
   gl::Buffer pair_slots;  // uvec4 [pairs and single tets] slots of all corners but the pair's fifth, sorted by vertex
-  gl::Buffer element_slots;  // uvec4 [3 * tet_count] the same of quadratic tets, instead of pair_slots
-  gl::Buffer slot_begin;     // uint [vertex_count + 1] first slot of each vertex
+  gl::Buffer tet_begin;   // uint [vertex_count + 1] differences are the numbers of linear tets around each vertex
+
+  // Quadratic tets only (shaders/common/quadratic_tet.glsl); absent without them.
+  gl::Buffer mid_edges;        // uvec4 [2 * quadratic_count]
+  gl::Buffer quadratic_slots;  // uvec4 [3 * quadratic_count] slots of all ten vertices
+  gl::Buffer
+      quadratic_begin;  // uint [vertex_count + 1] differences are the numbers of quadratic tets around each vertex
 
   // The same on the CPU: data read back from a device that fails must never be an index or a size.
-  std::vector<Tet> tets;                    // [tet_count] tet_vertices
-  std::vector<MidEdges> mid_edge_vertices;  // [tet_count] of quadratic tets, else empty
-  std::vector<std::uint32_t> tet_offsets;   // [vertex_count + 1] tet_begin
+  std::vector<Tet> tets;                         // [tet_count] tet_vertices
+  std::vector<MidEdges> mid_edge_vertices;       // [quadratic_count]
+  std::vector<std::uint32_t> tet_offsets;        // [vertex_count + 1] tet_begin
+  std::vector<std::uint32_t> quadratic_offsets;  // [vertex_count + 1] quadratic_begin
 
   gl::Buffer contact_memory;  // vec4 [rows of the contact surface] State::contact: xyz friction, w normal [N]; absent
                               // without tools, as the next one
@@ -78,7 +85,18 @@ struct SimBuffers {
   /// Stores the tets, all of solved_tets(), in another order. Passes and lists that use the old order must be recorded
   /// again. Throws Error and changes nothing if there is not enough memory.
   void set_tet_order(const Model& model, const TetPairing& order);
-  std::uint32_t pair_and_single_count() const { return tet_count - pair_count; }
+  std::uint32_t linear_count() const { return tet_count - quadratic_count; }
+  bool has_linear() const { return quadratic_count == 0 || linear_count() > 0; }
+  bool has_quadratic() const { return quadratic_count > 0; }
+  std::uint32_t pair_and_single_count() const { return linear_count() - pair_count; }
+  /// Of an element [tet_count] in the order of tets.
+  ElementVertices element(std::size_t t) const {
+    return t < linear_count() ? ElementVertices(tets[t])
+                              : ElementVertices(tets[t], mid_edge_vertices[t - linear_count()]);
+  }
+  /// Of an iteration, in linear tets: a quadratic one has the vertices of eight.
+  std::uint32_t work() const { return work_of(linear_count(), quadratic_count); }
+  static std::uint32_t work_of(std::uint32_t linear, std::uint32_t quadratic) { return linear + 8 * quadratic; }
   /// Reserves `count` copies of vertices behind the displacements, which are preserved.
   void set_phantom_count(std::uint32_t count);
 
@@ -98,7 +116,6 @@ struct SimBuffers {
   /// Also updates the masses, which follow density; call after any material change.
   void upload_materials(const Model& model);
   void upload_step(const Model& model, const SolverSettings& settings, const IntegratorStage& stage);
-  bool quadratic() const { return static_cast<bool>(mid_edges); }
   bool material_per_tet() const { return static_cast<bool>(tet_material); }
 };
 

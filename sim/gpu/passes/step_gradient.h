@@ -17,8 +17,12 @@ class StepGradient {
   gl::Buffer gradient_;
 };
 
-/// The tets around every vertex for kernels that include vertex_block.glsl: uint [4 * tet_count], 4 * tet + corner,
-/// those of a vertex from its offset in tet_begin, in the current order of the tets.
+/// The linear tets around every vertex for kernels that include sim/elasticity/vertex_block.glsl: uint
+/// [4 * linear_count], 4 * tet + corner, those of a vertex from its offset in tet_begin, in the current order of the
+/// tets.
 gl::Buffer make_vertex_tets(const SimBuffers& buffers);
+/// The quadratic tets for sim/quadratic/vertex_block.glsl: uint [10 * quadratic_count], 10 * tet + node, by
+/// quadratic_begin.
+gl::Buffer make_vertex_quadratic(const SimBuffers& buffers);
 
 }  // namespace fascia

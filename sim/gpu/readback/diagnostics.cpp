@@ -20,13 +20,14 @@ double Diagnostics::imbalance(const Eigen::Vector3d& weight) const {
 }
 
 DiagnosticsReader::DiagnosticsReader(const SimBuffers& buffers)
-    : tet_partial_count_(lanes_read_back(buffers.pair_and_single_count(), kMostPartials)),
+    : pair_partial_count_(lanes_read_back(buffers.pair_and_single_count(), kMostPartials)),
+      quadratic_partial_count_(lanes_read_back(buffers.quadratic_count, kMostPartials)),
       vertex_partial_count_(lanes_read_back(buffers.vertex_count, kMostPartials)),
       leaves_out_(buffers.leaves_out),
       volume_(buffers.volume),
       mean_mass_(buffers.mean_mass),
       displacement_(buffers.displacement),
-      tet_partials_("tet_partials", tet_partial_count_ * sizeof(shared::TetPartial)),
+      tet_partials_("tet_partials", (pair_partial_count_ + quadratic_partial_count_) * sizeof(shared::TetPartial)),
       vertex_partials_("vertex_partials", vertex_partial_count_ * sizeof(shared::VertexPartial)) {}
 
 void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
@@ -34,13 +35,21 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
   passes_.clear();
   gl::ComputePass::Bindings tet{
       {"step", &buffers.step}, {"displacement", &buffers.displacement}, {"tet_partials", &tet_partials_}};
-  tet = with_damping(with_material(with_slots(std::move(tet), buffers), features, buffers), features, previous_strain);
-  gl::ComputePass::Constants tet_constants = constants_of_pairs(buffers);
-  tet_constants.emplace_back("pair_and_single_count", buffers.pair_and_single_count());
-  passes_.emplace_back(
-      programs.compute(features.quadratic ? "sim/quadratic/quadratic_diagnose.comp" : "sim/readback/diagnose_tet.comp",
-                       defines_of(features)),
-      std::move(tet), tet_partial_count_, std::move(tet_constants));
+  tet = with_damping(with_material(std::move(tet), features, buffers), features, previous_strain);
+  if (buffers.has_linear()) {
+    gl::ComputePass::Constants constants = constants_of_pairs(buffers);
+    constants.emplace_back("pair_and_single_count", buffers.pair_and_single_count());
+    passes_.emplace_back(programs.compute("sim/readback/diagnose_tet.comp", defines_of(features)),
+                         with_slots(tet, buffers), pair_partial_count_, std::move(constants));
+  }
+  if (buffers.has_quadratic()) {
+    gl::ComputePass::Constants constants = constants_of_quadratic(buffers);
+    constants.insert(constants.end(),
+                     {{"quadratic_count", buffers.quadratic_count}, {"first_partial", pair_partial_count_}});
+    passes_.emplace_back(
+        programs.compute("sim/quadratic/quadratic_diagnose.comp", defines_of_quadratic(defines_of(features), buffers)),
+        with_quadratic_slots(tet, buffers), quadratic_partial_count_, std::move(constants));
+  }
   for (const EnergyTerm* term : terms)
     if (term->acts())
       for (gl::ComputePass& pass : term->impulses(programs, buffers)) passes_.push_back(std::move(pass));
@@ -105,7 +114,7 @@ std::optional<Diagnostics> DiagnosticsReader::take(bool wait) {
 }
 
 Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
-  std::vector<shared::TetPartial> tets(tet_partial_count_);
+  std::vector<shared::TetPartial> tets(pair_partial_count_ + quadratic_partial_count_);
   std::vector<shared::VertexPartial> vertices(vertex_partial_count_);
   std::vector<shared::vec4> grabbed(pending.owners.joined.size());
   pending.staging.download(0, tet_partials_.bytes(), tets.data());

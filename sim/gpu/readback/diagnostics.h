@@ -69,7 +69,7 @@ class DiagnosticsReader {
   };
   Diagnostics sum_up(const Pending& pending) const;
 
-  std::uint32_t tet_partial_count_, vertex_partial_count_;
+  std::uint32_t pair_partial_count_, quadratic_partial_count_, vertex_partial_count_;
   bool leaves_out_;          // whether tets that stay at rest are left out
   double volume_;            // of all tets [m^3]
   const double& mean_mass_;  // [kg] follows the materials

@@ -1,5 +1,8 @@
 #include "sim/gpu/readback/surface_positions.h"
 
+#include <algorithm>
+#include <array>
+
 namespace fascia {
 
 SurfacePositions::SurfacePositions(const SimBuffers& buffers, const EmbeddedPoints& embedded)
@@ -20,6 +23,23 @@ SurfacePositions::SurfacePositions(const SimBuffers& buffers, const EmbeddedPoin
     vertices.push_back(corners);
   }
   embed_position_ = gl::Buffer("embed_position", rest);
+  if (!embedded.quadratic.empty()) {
+    weights.clear();
+    std::vector<shared::vec4> middle_weights;
+    std::vector<Tet> middles;
+    for (const QuadraticTie& tie : embedded.quadratic) {
+      std::array<std::uint32_t, 8> places{};  // of the middles; without any, weights of zero at vertex 0
+      std::array<float, 12> w{};
+      std::transform(tie.weights.begin(), tie.weights.end(), w.begin(), to_float);
+      for (std::size_t m = 0; m < 6; ++m)
+        if (tie.middles[m] != kNoVertex) places[m] = buffers.placement.place[tie.middles[m]];
+      weights.push_back({w[0], w[1], w[2], w[3]});
+      middles.insert(middles.end(), {{places[0], places[1], places[2], places[3]}, {places[4], places[5], 0, 0}});
+      middle_weights.insert(middle_weights.end(), {{w[4], w[5], w[6], w[7]}, {w[8], w[9], 0, 0}});
+    }
+    embed_middles_ = gl::Buffer("embed_middles", middles);
+    embed_middle_weights_ = gl::Buffer("embed_middle_weights", middle_weights);
+  }
   embed_vertices_ = gl::Buffer("embed_vertices", vertices);
   embed_weights_ = gl::Buffer("embed_weights", weights);
 }
@@ -49,11 +69,14 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
     defines.emplace_back("HEAT_LARGEST_STRESS", flag(color == ColorBy::largest_stress));
     defines.emplace_back("HEAT_SMALLEST_STRESS", flag(color == ColorBy::smallest_stress));
     gl::ComputePass::Bindings tet{{"step", &buffers.step}, {"displacement", &buffers.displacement}};
-    passes_.emplace_back(
-        programs.compute(features.quadratic ? "sim/quadratic/quadratic_heat.comp" : "sim/readback/heat_tet.comp",
-                         defines),
-        with_material(with_slots(std::move(tet), buffers), features, buffers), buffers.pair_and_single_count(),
-        constants_of_pairs(buffers));
+    tet = with_material(std::move(tet), features, buffers);
+    if (buffers.has_linear())
+      passes_.emplace_back(programs.compute("sim/readback/heat_tet.comp", defines), with_slots(tet, buffers),
+                           buffers.pair_and_single_count(), constants_of_pairs(buffers));
+    if (buffers.has_quadratic())
+      passes_.emplace_back(
+          programs.compute("sim/quadratic/quadratic_heat.comp", defines_of_quadratic(defines, buffers)),
+          with_quadratic_slots(tet, buffers), buffers.quadratic_count, constants_of_quadratic(buffers));
     publish.emplace_back("slot_begin", &buffers.slot_begin);
     publish.emplace_back("correction", &buffers.correction);
   }
@@ -74,8 +97,11 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
                                   {"displacement", &buffers.displacement},
                                   {"position", &positions_}};
   if (heat) embed.emplace_back("placed_vertex", &buffers.placed_vertex);
-  passes_.emplace_back(programs.compute("sim/readback/embed.comp", {{"HEAT", heat ? "1" : "0"}}), std::move(embed),
-                       embedded_count_, gl::ComputePass::Constants{{"vertex_count", vertex_count_}});
+  if (embed_middles_)
+    embed.insert(embed.end(), {{"embed_middles", &embed_middles_}, {"embed_middle_weights", &embed_middle_weights_}});
+  passes_.emplace_back(
+      programs.compute("sim/readback/embed.comp", {{"HEAT", flag(heat)}, {"QUADRATIC", flag(bool{embed_middles_})}}),
+      std::move(embed), embedded_count_, gl::ComputePass::Constants{{"vertex_count", vertex_count_}});
 }
 
 void SurfacePositions::set_vertex_errors(const std::vector<float>& errors) {

@@ -23,8 +23,9 @@ class SurfacePositions {
  private:
   std::uint32_t vertex_count_, embedded_count_;
   gl::Buffer positions_, embed_position_, embed_vertices_, embed_weights_;
-  gl::Buffer vertex_errors_;         // float [vertex_count]; created at first use
-  std::optional<ShownRange> range_;  // with a heat map
+  gl::Buffer embed_middles_, embed_middle_weights_;  // with points in quadratic tets
+  gl::Buffer vertex_errors_;                         // float [vertex_count]; created at first use
+  std::optional<ShownRange> range_;                  // with a heat map
   std::vector<gl::ComputePass> passes_;
 };
 

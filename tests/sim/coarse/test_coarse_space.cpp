@@ -259,3 +259,32 @@ TEST_CASE("very many bodies do not make the coarse problem large") {
     REQUIRE((sum == 0 || sum == Approx(1)));
   }
 }
+
+TEST_CASE("a coarse mesh beside a fine one has no more functions than it can carry") {
+  // As fine as the second bar, the lattice would have several nodes between two layers of vertices of the first one.
+  TetMesh mesh = make_box(6, 4, 4, {0.3, 0.1, 0.1});
+  const TetMesh fine = make_box(12, 8, 8, {0.3, 0.1, 0.1});
+  const auto offset = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const Vector3d& x : fine.positions) mesh.positions.push_back(x + Vector3d(0, 0.3, 0));
+  for (Tet tet : fine.tets) {
+    for (std::uint32_t& v : tet) v += offset;
+    mesh.tets.push_back(tet);
+  }
+  mesh.regions.assign(mesh.tets.size(), 0);
+  const Model model = make_model(mesh, kTissue, [](const Vector3d& x) { return x.x() < 1e-9; });
+  const CoarseSpace space = make_coarse_space(model, coarse_node_target(model.tets.size()));
+  // The functions of the first bar are linearly independent: their Gram matrix is well conditioned.
+  const std::set<std::uint32_t> nodes = nodes_where(model, space, [](const Vector3d& x) { return x.y() < 0.2; });
+  std::map<std::uint32_t, Eigen::Index> number;
+  for (const std::uint32_t node : nodes) number.emplace(node, static_cast<Eigen::Index>(number.size()));
+  const auto n = static_cast<Eigen::Index>(nodes.size());
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(n, n);
+  for (std::uint32_t v = 0; v < offset; ++v)
+    for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k)
+      for (std::uint32_t l = space.begin[v]; l < space.begin[v + 1]; ++l)
+        gram(number.at(space.node[k]), number.at(space.node[l])) += space.weight[k] * space.weight[l];
+  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram).eigenvalues();
+  CAPTURE(n, values.minCoeff(), values.maxCoeff());
+  CHECK(n > 20);
+  CHECK(values.minCoeff() > 1e-3 * values.maxCoeff());
+}

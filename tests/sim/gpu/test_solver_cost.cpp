@@ -2,6 +2,7 @@
 // Covers: sim/gpu/passes/features
 #include <catch2/catch.hpp>
 #include <cstring>
+#include <set>
 
 #include "sim/gpu/solver.h"
 #include "tests/support/gpu/bars.h"
@@ -132,4 +133,45 @@ TEST_CASE("neutral values equal the feature switched off, to the bit", "[gpu]") 
   for (int i = 0; i < 10; ++i) solver.step();
   const auto zero_damping = solver.buffers().displacement.read<vec4>();
   CHECK(std::memcmp(off.data(), zero_damping.data(), off.size() * sizeof(vec4)) == 0);
+}
+
+TEST_CASE("a scene with one kind of element pays nothing for the other", "[gpu]") {
+  Gpu gpu(gl::LoadPath::storage);
+  const Material material{4e4, 0.3, 1000, 0, MaterialModel::squared};
+  SolverSettings settings = with(SolverChoice{Method::two_level, Acceleration::subspace});
+  settings.iterations = 10;
+  settings.rest_speed = 0;
+  const std::vector<std::string> of_linear{"pair_fifth", "pair_slots", "tet_begin", "vertex_tets"},
+      of_quadratic{"mid_edges", "quadratic_slots", "quadratic_begin", "vertex_quadratic"};
+  struct Cost {
+    std::uint64_t dispatches;
+    std::set<std::string> buffers;
+  };
+  const auto cost = [&](const Model& model) {
+    GpuSolver solver(gpu.programs, model, settings);
+    Cost result{solver.dispatches_per_step(), {}};
+    for (const auto& [name, bytes] : gl::bytes_by_buffer())
+      if (bytes > 0) result.buffers.insert(name);
+    const std::uint64_t before = gl::dispatch_count();
+    solver.step();
+    CHECK(gl::dispatch_count() - before == result.dispatches);
+    return result;
+  };
+  const Cost linear = cost(two_bars(4, 0.2, material)), quadratic_only = cost(quadratic(two_bars(4, 0.2, material))),
+             both = cost(linear_and_quadratic_bar(4, 0.2, material));
+  for (const std::string& name : of_linear) {
+    CAPTURE(name);
+    CHECK(linear.buffers.contains(name));
+    CHECK_FALSE(quadratic_only.buffers.contains(name));
+    CHECK(both.buffers.contains(name));
+  }
+  for (const std::string& name : of_quadratic) {
+    CAPTURE(name);
+    CHECK_FALSE(linear.buffers.contains(name));
+    CHECK(quadratic_only.buffers.contains(name));
+    CHECK(both.buffers.contains(name));
+  }
+  CHECK(linear.dispatches == quadratic_only.dispatches);
+  // Forces at the prediction, in every iteration and at the end; curvatures in every iteration.
+  CHECK(both.dispatches == linear.dispatches + 10 + 2 + 10);
 }

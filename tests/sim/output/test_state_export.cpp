@@ -1,4 +1,5 @@
 // Exports of a state: read back, and compared value by value.
+#include <array>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <limits>
@@ -8,6 +9,7 @@
 #include "sim/mesh/io/formats.h"
 #include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/io/vtk/vtu_array.h"
+#include "sim/mesh/mid_edges.h"
 #include "sim/output/state_export.h"
 #include "tests/support/meshes/samples.h"
 
@@ -136,6 +138,39 @@ TEST_CASE("a state as .msh is Gmsh 2.2 with regions and groups", "[export]") {
   CHECK(back.mesh.regions == mesh.regions);
   CHECK(back.mesh.region_names == mesh.region_names);
   CHECK(back.mesh.groups == mesh.groups);
+}
+
+TEST_CASE("a state of quadratic tets as .obj has four triangles on each face, at the places of all ten nodes",
+          "[export]") {
+  const TemporaryFolder folder;
+  TetMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.tets = {{0, 2, 1, 3}};  // inside out
+  add_mid_edges(mesh, {0});
+  StateFields fields;
+  fields.displacement.assign(10, {0, 0, 0});
+  fields.displacement[mesh.mid_edges[0][0]] = {-0.1, 0, 0};
+  write_state(folder / "state.obj", mesh, fields, {});
+  std::ifstream in(folder / "state.obj");
+  std::vector<Eigen::Vector3d> points;
+  double volume = 0;
+  int triangles = 0;
+  for (std::string word; in >> word;) {
+    Eigen::Vector3d x;
+    std::array<std::size_t, 3> f{};
+    if (word == "v") {
+      in >> x[0] >> x[1] >> x[2];
+      points.push_back(x);
+    } else if (word == "f") {
+      in >> f[0] >> f[1] >> f[2];
+      volume += points[f[0] - 1].dot(points[f[1] - 1].cross(points[f[2] - 1])) / 6;
+      ++triangles;
+    }
+  }
+  CHECK(points.size() == 10);
+  CHECK(triangles == 16);
+  // The middle of the edge along y moved out of the body.
+  CHECK(volume > 1.0 / 6 + 1e-3);
 }
 
 TEST_CASE("a state as .obj is the outward surface, whatever the winding of the tets", "[export]") {

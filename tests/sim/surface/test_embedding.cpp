@@ -3,6 +3,7 @@
 #include <random>
 
 #include "sim/mesh/mesh_generate.h"
+#include "sim/mesh/mid_edges.h"
 #include "sim/surface/embedding.h"
 
 using namespace fascia;
@@ -48,4 +49,62 @@ TEST_CASE("points inside follow the tet around them, points outside the nearest 
   }
   CHECK(embedded.outside == outside);
   CHECK(embedded.farthest == Approx(farthest));
+}
+
+TEST_CASE("points in quadratic tets follow a quadratic motion exactly, and continue it straight outside") {
+  TetMesh mesh = make_box(3, 2, 2, {0.6, 0.4, 0.4});
+  std::vector<std::uint32_t> all(mesh.tets.size());
+  for (std::uint32_t t = 0; t < all.size(); ++t) all[t] = t;
+  add_mid_edges(mesh, all);
+  const auto motion = [](const Vector3d& x) {
+    return Vector3d(x.y() * x.y() - x.x() * x.z(), 0.3 * x.x() * x.x() + x.z(), x.x() * x.y() + 2 * x.z() * x.z());
+  };
+  const std::vector<Vector3d> points{{0.1, 0.05, 0.2}, {0.33, 0.31, 0.07}, {0.59, 0.39, 0.01}, {0.3, 0.42, 0.2}};
+  const EmbeddedPoints embedded = embed(points, mesh.positions, mesh.tets, mesh.mid_edges);
+  REQUIRE(embedded.quadratic.size() == points.size());
+  CHECK(embedded.outside == 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const QuadraticTie& tie = embedded.quadratic[i];
+    Vector3d u = Vector3d::Zero(), rest = Vector3d::Zero();
+    const auto add = [&](std::uint32_t v, double weight) {
+      u += weight * motion(mesh.positions[v]);
+      rest += weight * mesh.positions[v];
+    };
+    for (std::size_t a = 0; a < 4; ++a) add(embedded.ties[i].vertices[a], tie.weights[a]);
+    for (std::size_t m = 0; m < 6; ++m) add(tie.middles[m], tie.weights[4 + m]);
+    CAPTURE(points[i].transpose(), u.transpose(), motion(points[i]).transpose());
+    CHECK((rest - points[i]).norm() < 1e-12);
+    Vector3d expected = motion(points[i]);
+    if (i == 3) {  // from the foot (0.3, 0.4, 0.2) along y by 0.02
+      const Vector3d foot(0.3, 0.4, 0.2), along(2 * foot.y(), 0, foot.x());
+      expected = motion(foot) + 0.02 * along;
+    }
+    CHECK((u - expected).norm() < 1e-12);
+  }
+}
+
+TEST_CASE("bodies of both elements are embedded in one list") {
+  const TetMesh linear = make_box(2, 2, 2, {1, 1, 1});
+  TetMesh curved = linear;
+  std::vector<std::uint32_t> all(curved.tets.size());
+  for (std::uint32_t t = 0; t < all.size(); ++t) all[t] = t;
+  add_mid_edges(curved, all);
+  const EmbeddedPoints a = embed({{0.2, 0.3, 0.4}}, linear.positions, linear.tets),
+                       b = embed({{0.7, 0.3, 0.4}}, curved.positions, curved.tets, curved.mid_edges);
+  CHECK(a.quadratic.empty());
+  for (const bool quadratic_first : {false, true}) {
+    EmbeddedPoints points = quadratic_first ? b : a;
+    append(points, quadratic_first ? a : b);
+    append(points, a);
+    REQUIRE(points.quadratic.size() == 3);
+    const std::size_t of_linear = quadratic_first ? 1 : 0;
+    CHECK(points.quadratic[of_linear].middles == kNoMidEdges);
+    CHECK(points.quadratic[1 - of_linear].middles == b.quadratic[0].middles);
+    CHECK(points.quadratic[2].weights[0] == a.ties[0].weights[0]);
+    CHECK(points.quadratic[2].weights[9] == 0);
+  }
+  EmbeddedPoints points = a;
+  append(points, a);
+  CHECK(points.quadratic.empty());
+  CHECK(points.ties.size() == 2);
 }

@@ -42,6 +42,13 @@ inline Model two_bars(int cells_along, double length, const Material& material) 
   return make_model(mesh, material, [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
 }
 
+/// The same, the first one of linear tets and the second one of quadratic ones.
+inline Model linear_and_quadratic_bar(int cells_along, double length, const Material& material) {
+  Model model = two_bars(cells_along, length, material);
+  const auto half = static_cast<std::uint32_t>(model.tets.size() / 2);
+  return quadratic(std::move(model), half);
+}
+
 inline SolverSettings with(Method method) {
   SolverSettings settings;
   settings.method = method;

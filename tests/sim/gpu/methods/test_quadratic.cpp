@@ -1,7 +1,10 @@
 // Quadratic tets on the GPU, against the reference solver in double precision: one step of every law, motion, strain
-// rates, heat maps, and what the GPU refuses.
+// rates, heat maps, scenes with linear bodies beside quadratic ones, and what the GPU refuses.
+#include <array>
 #include <catch2/catch.hpp>
+#include <map>
 
+#include "sim/gpu/methods/two_level.h"
 #include "sim/gpu/solver.h"
 #include "sim/material/law.h"
 #include "tests/support/gpu/bars.h"
@@ -28,6 +31,10 @@ SolverSettings settings_with(int iterations) {
   settings.iterations = iterations;
   settings.rest_speed = 0;
   return settings;
+}
+
+void run(const Passes& passes) {
+  for (const gl::ComputePass& pass : passes) pass.run();
 }
 
 double error_after(Gpu& gpu, const Model& model, const SolverSettings& settings, int steps) {
@@ -105,9 +112,171 @@ TEST_CASE("diagnostics of quadratic tets are the reference solver's measures", "
   CHECK(d.inverted == exact.inverted);
 }
 
-TEST_CASE("the GPU refuses methods and scenes that have no kernels for quadratic tets", "[gpu]") {
+TEST_CASE("linear and quadratic bodies in one scene follow the reference solver", "[gpu]") {
+  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
+  const auto [law, damping, iterations, most] = GENERATE(
+      table<MaterialModel, double, int, double>({{MaterialModel::squared, 0.0, 12, 1e-4},
+                                                 {MaterialModel::squared, 0.0, 24, 1e-5},
+                                                 {MaterialModel::squared, 0.02, 40, 1e-6},
+                                                 {MaterialModel::signed_st_venant_kirchhoff, 0.02, 40, 1e-6}}));
+  Gpu gpu(loads);
+  const Model model = linear_and_quadratic_bar(6, 0.3, {4e4, 0.3, 1000, damping, law});
+  const SolverSettings settings = settings_with(iterations);
+  GpuSolver solver(gpu.programs, model, settings);
+  State exact = initial_state(model);
+  reference::NewtonSolver reference(model, settings);
+  for (int k = 0; k < 10; ++k) {
+    solver.step();
+    REQUIRE(reference.step(exact).converged);
+  }
+  const State state = solver.download();
+  std::array<std::vector<Vector3d>, 2> moved, expected;  // by body
+  for (std::size_t v = 0; v < model.rest_positions.size(); ++v) {
+    const bool second = model.rest_positions[v].y() > 0.2;
+    moved[second].push_back(state.displacement[v]);
+    expected[second].push_back(exact.displacement[v]);
+  }
+  const double of_linear = relative_rms(moved[0], expected[0]), of_quadratic = relative_rms(moved[1], expected[1]);
+  CAPTURE(gl::name_of(loads), name_of(law), damping, of_linear, of_quadratic);
+  CHECK(of_linear < most);
+  CHECK(of_quadratic < most);
+  CHECK(moved[1].size() > 4 * moved[0].size());
+
+  solver.request_diagnostics();
+  const Diagnostics d = *solver.take_diagnostics(true);
+  const reference::Measures measures = reference::measure(model, state);
+  CHECK(d.elastic == Approx(measures.elastic).epsilon(1e-4));
+  CHECK(d.kinetic == Approx(measures.kinetic).epsilon(1e-4));
+  CHECK(d.min_det_f == Approx(measures.min_det_f).epsilon(1e-4));
+  CHECK(d.max_det_f == Approx(measures.max_det_f).epsilon(1e-4));
+  CHECK(d.volume_ratio == Approx(measures.volume_ratio).epsilon(1e-5));
+}
+
+TEST_CASE("tets of both kinds may meet at a vertex", "[gpu]") {
   Gpu gpu;
-  Model model = quadratic_bar(MaterialModel::st_venant_kirchhoff);
+  const Material material{2e4, 0.3, 1000, 0.01, MaterialModel::squared};
+  Model model =
+      make_model(make_box(4, 2, 2, {0.2, 0.06, 0.06}), material, [](const Vector3d& x) { return x.x() < 1e-9; });
+  const auto half = static_cast<std::uint32_t>(model.tets.size() / 2);
+  const double error = error_after(gpu, quadratic(std::move(model), half), settings_with(300), 6);
+  CAPTURE(error);
+  CHECK(error < 1e-6);
+}
+
+TEST_CASE("deferred quadratic tets take part in a step like the others", "[gpu]") {
+  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
+  const bool mixed = GENERATE(false, true);
+  const Material material{2e4, 0.3, 1000, 0.01, MaterialModel::signed_st_venant_kirchhoff};
+  Gpu gpu(loads);
+  const Model model =
+      mixed ? linear_and_quadratic_bar(4, 0.2, material) : quadratic_bar(MaterialModel::signed_st_venant_kirchhoff);
+  const SolverSettings settings = settings_with(10);
+  const EnergyTerms terms;
+  const gl::Buffer no_strain;
+  std::array<std::vector<Vector3d>, 2> reached;
+  std::uint32_t deferred_count = 0;
+  for (const bool defers : {false, true}) {
+    SimBuffers buffers(model);
+    buffers.upload_step(model, settings, IntegratorStage{settings.substep()});
+    buffers.upload_state(model, random_state(model, 0.004, 9));
+    prediction(gpu.programs, buffers, nullptr, {false}).run();
+    Features features = features_of(model);
+    features.damping = false;
+    TwoLevelMethod method(gpu.programs, model, buffers, settings);
+    method.complete();
+    std::optional<DeferredTets> deferred;
+    Recording recording{gpu.programs, buffers, features, no_strain, terms};
+    const Passes blocks = method.refresh(recording);
+    if (defers) recording.deferred = &deferred.emplace(method.most_deferred(buffers, false));
+    method.prepare(recording);
+    run(method.begin(recording));
+    run(blocks);
+    for (const bool first : {true, false}) {
+      run(method.gradient()->passes(recording));
+      run(method.iteration(recording, first));
+    }
+    reached[defers] = buffers.download_vectors(buffers.displacement);
+    if (!defers) continue;
+    deferred_count = deferred->count();
+    const std::uint32_t items = buffers.pair_and_single_count() + buffers.quadratic_count;
+    CAPTURE(items, deferred_count);
+    CHECK(deferred_count > items / 20);
+    CHECK(deferred_count < items);
+  }
+  const double difference = relative_rms(reached[1], reached[0]);
+  CAPTURE(gl::name_of(loads), mixed, difference, deferred_count);
+  CHECK(difference < 1e-4);
+}
+
+TEST_CASE("heat maps of a scene with both kinds of tets are those of each alone", "[gpu]") {
+  const ColorBy color = GENERATE(ColorBy::von_mises, ColorBy::strain);
+  Gpu gpu;
+  const Material material{4e4, 0.3, 1000, 0, MaterialModel::squared};
+  const auto key = [](const Vector3d& x) { return std::array{x.x(), x.y(), x.z()}; };
+  using Places = std::map<std::array<double, 3>, std::size_t>;
+  const auto places = [&](const Model& model) {
+    Places at;
+    for (std::size_t v = 0; v < model.rest_positions.size(); ++v) at[key(model.rest_positions[v])] = v;
+    return at;
+  };
+  const Model both = linear_and_quadratic_bar(4, 0.2, material);
+  const State state = random_state(both, 1e-3, 3);
+  const Places at_both = places(both);
+  const auto values = [&](const Model& model) {
+    State same = initial_state(model);
+    for (std::size_t v = 0; v < model.rest_positions.size(); ++v)
+      if (const auto found = at_both.find(key(model.rest_positions[v])); found != at_both.end())
+        same.displacement[v] = state.displacement[found->second];
+    GpuSolver solver(gpu.programs, model, settings_with(5));
+    solver.upload(same);
+    solver.set_color(color);
+    solver.publish();
+    std::vector<float> scalars;
+    for (const shared::vec4& p : solver.positions().read<shared::vec4>()) scalars.push_back(p.w);
+    return scalars;
+  };
+  const Model linear = two_bars(4, 0.2, material), all_quadratic = quadratic(two_bars(4, 0.2, material));
+  const std::vector<float> mixed = values(both), of_linear = values(linear), of_quadratic = values(all_quadratic);
+  const Places at_linear = places(linear), at_quadratic = places(all_quadratic);
+  for (const auto& [x, v] : at_both) {
+    const bool second = x[1] > 0.2;
+    CAPTURE(v, second);
+    const float expected = second ? of_quadratic[at_quadratic.at(x)] : of_linear[at_linear.at(x)];
+    REQUIRE(mixed[v] == Approx(expected).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("surfaces in quadratic tets are drawn by their shape functions", "[gpu]") {
+  const bool mixed = GENERATE(false, true);
+  Gpu gpu;
+  const Model model = mixed ? linear_and_quadratic_bar(3, 0.2, {4e4, 0.3, 1000, 0, MaterialModel::squared})
+                            : quadratic_bar(MaterialModel::squared);
+  const State state = random_state(model, 1e-3, 5);
+  const std::vector<Vector3d> points{
+      {0.031, 0.017, 0.022}, {0.11, 0.029, 0.05}, {0.19, 0.034, 0.07}, {0.12, 0.33, 0.04}};
+  const EmbeddedPoints drawn = embed(points, model.rest_positions, model.tets, model.mid_edges);
+  GpuSolver solver(gpu.programs, model, settings_with(5), drawn);
+  solver.upload(state);
+  solver.publish();
+  const std::vector<shared::vec4> positions = solver.positions().read<shared::vec4>();
+  std::size_t in_quadratic = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Vector3d expected = points[i];
+    const QuadraticTie& tie = drawn.quadratic[i];
+    for (std::size_t a = 0; a < 4; ++a) expected += tie.weights[a] * state.displacement[drawn.ties[i].vertices[a]];
+    for (std::size_t m = 0; m < 6 && tie.middles != kNoMidEdges; ++m)
+      expected += tie.weights[4 + m] * state.displacement[tie.middles[m]];
+    in_quadratic += tie.middles != kNoMidEdges;
+    const shared::vec4& p = positions[model.rest_positions.size() + i];
+    CAPTURE(i, expected.transpose(), p.x, p.y, p.z);
+    CHECK((Vector3d(p.x, p.y, p.z) - expected).norm() < 1e-7);
+  }
+  CHECK(in_quadratic == (mixed ? 1 : 4));
+}
+
+TEST_CASE("the GPU refuses methods that have no kernels for quadratic tets", "[gpu]") {
+  Gpu gpu;
+  const Model model = quadratic_bar(MaterialModel::st_venant_kirchhoff);
   SolverSettings settings = settings_with(5);
   settings.method = Method::vertex_descent;
   settings.acceleration = Acceleration::none;
@@ -115,9 +284,4 @@ TEST_CASE("the GPU refuses methods and scenes that have no kernels for quadratic
       GpuSolver(gpu.programs, model, settings),
       "solver.method: vertex_descent does not carry quadratic elements; expected two_level, or bodies with "
       "linear elements");
-  model.mid_edges[3] = kNoMidEdges;
-  CHECK_THROWS_WITH(
-      GpuSolver(gpu.programs, model, settings_with(5)),
-      "bodies.elements: is quadratic for some bodies and linear for others; expected the same for all, or "
-      "the reference solver (run --reference)");
 }

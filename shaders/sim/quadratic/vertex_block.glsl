@@ -1,19 +1,12 @@
-// Inverse of every vertex's 3x3 block in a mesh of quadratic tets, as block_inverse computes it for linear ones. A
-// tet's share takes the deformation at its centroid for all of it. With that, the means over the points of the products
-// of shape gradients are, with g = grad L and b = grad N of the vertex:
+// The 3x3 block of a vertex from the quadratic tets around it, as vertex_block computes it for linear ones. A tet's share
+// takes the deformation at its centroid for all of it. With that, the means over the points of the products of shape
+// gradients are, with g = grad L and b = grad N of the vertex:
 //   corner a:     mean b b^T = 0.6 g_a g_a^T,  mean b = 0
 //   middle ab:    mean b b^T = 1.2 s s^T + 0.4 d d^T,  mean b = s;  s = g_a + g_b, d = g_a - g_b
-// and the averaged dilatation adds K (dtheta mean b)(dtheta mean b)^T.
-#include "common/io.glsl"
-#define GUARDED_ELSEWHERE 1
-COMPUTE_1D
-INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
+// and the averaged dilatation adds K (dtheta mean b)(dtheta mean b)^T. The kernel declares `displacement`.
 #include "sim/quadratic/law.glsl"
-#include "sim/energy/terms.glsl"
-INPUT_UINT(TetBegin, tet_begin)             // [vertex_count + 1]
-INPUT_UINT(VertexTets, vertex_tets)         // [10 * tet_count] 10 * tet + node, sorted by vertex
-INPUT_FLOAT(Mass, mass)                     // [vertex_count] [kg]
-#include "sim/two_level/store_inverse.glsl"
+INPUT_UINT(QuadraticBegin, quadratic_begin)    // [vertex_count + 1]
+INPUT_UINT(VertexQuadratic, vertex_quadratic)  // [10 * quadratic_count] 10 * e + node, sorted by vertex
 
 struct Centroid {
   mat3 h;
@@ -28,14 +21,14 @@ void add_block(inout Sym3 sum, Centroid at, float weight, vec3 b) {
   sum.s += weight * block.s;
 }
 
-Sym3 tets_around(uint v) {
+Sym3 quadratic_block(uint v) {
   Sym3 sum = Sym3(vec3(0.0), vec3(0.0));
-  uint end = FETCH1(tet_begin, v + 1u);
-  for (uint k = FETCH1(tet_begin, v); k < end; ++k) {
-    uint entry = FETCH1(vertex_tets, k), t = entry / 10u, node = entry % 10u;
+  uint end = FETCH1(quadratic_begin, v + 1u);
+  for (uint k = FETCH1(quadratic_begin, v); k < end; ++k) {
+    uint entry = FETCH1(vertex_quadratic, k), e = entry / 10u, node = entry % 10u, t = FIRST_QUADRATIC + e;
     Tet tet = load_tet(t);
     vec3 g[4] = vec3[4](-(tet.b1 + tet.b2 + tet.b3), tet.b1, tet.b2, tet.b3);
-    uvec4 m = FETCH(mid_edges, 2u * t), n = FETCH(mid_edges, 2u * t + 1u);
+    uvec4 m = FETCH(mid_edges, 2u * e), n = FETCH(mid_edges, 2u * e + 1u);
     // sum of u_ab (g_a + g_b)^T; the corners have a mean gradient of zero
     Centroid at;
     vec3 m01 = FETCH(displacement, m.x).xyz;  // differences, so that a translation costs no accuracy
@@ -57,7 +50,7 @@ Sym3 tets_around(uint v) {
 #endif
 #if DAMPING
     Sym3 before = Sym3(vec3(0.0), vec3(0.0));
-    for (uint q = 0u; q < 4u; ++q) before.d += 0.25 * previous_strain_of(4u * t + q).d;
+    for (int q = 0; q < 4; ++q) before.d += 0.25 * previous_strain_of(strain_of_point(e, q)).d;
     float damping = damping_over_h(before, material);
     // The viscous stiffness is that of the Green strain, of pointwise lambda 0, with its own averaged part.
     Tangent viscous = Tangent(mat3(1.0) + at.h, Sym3(vec3(0.0), vec3(0.0)), damping);
@@ -91,12 +84,4 @@ Sym3 tets_around(uint v) {
     sum.s += scale * block.s;
   }
   return sum;
-}
-
-void main() {
-  ITEM_OR_RETURN(i)
-  Sym3 a = tets_around(i);
-  a.d += FETCH1(mass, i) + external_stiffness(i, SUBSTEP * SUBSTEP);
-  ADD_EXTERNAL_BLOCK(a, i, SUBSTEP * SUBSTEP)
-  store_inverse(i, a);
 }
