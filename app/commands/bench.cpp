@@ -1,6 +1,6 @@
 // fascia bench figures: measures and draws the four figures of the I3D 2019 paper, and the cost of colorings.
-// fascia bench accuracy: error against iterations and time, every method and acceleration.
-// fascia bench speed, static and skip: the cost of steps, of equilibria, and of features that are off.
+// fascia bench accuracy: error against iterations and time, of every method and acceleration, and against the
+// continuum. fascia bench speed, static and skip: the cost of steps, of equilibria, and of features that are off.
 // fascia bench window: how the window feels.
 // fascia bench fill: the quality of tets that fill surfaces.
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "app/bench/accuracy/accuracy.h"
+#include "app/bench/accuracy/continuum.h"
 #include "app/bench/bench.h"
 #include "app/bench/fill/fill.h"
 #include "app/bench/skip.h"
@@ -62,9 +63,11 @@ int run_figures(const BenchOptions& options) {
   });
 }
 
-int run_accuracy(const BenchOptions& options, bool fresh) {
-  return run_bench_with_charts(options, "accuracy", "tables",
-                               [&](Bench& bench) { bench_accuracy(bench, accuracy_grid(options.quick), fresh); });
+int run_accuracy(const BenchOptions& options, bool fresh, const std::string& truth) {
+  return run_bench_with_charts(options, "accuracy", "tables", [&](Bench& bench) {
+    if (truth != "step") bench_continuum(bench, continuum_grid(options.quick));
+    if (truth != "continuum") bench_accuracy(bench, accuracy_grid(options.quick), fresh);
+  });
 }
 
 int run_speed(const BenchOptions& options, const std::string& against) {
@@ -134,10 +137,13 @@ void add_figures(CLI::App& bench, Invocation& invocation) {
 void add_accuracy(CLI::App& bench, Invocation& invocation) {
   struct Options : BenchOptions {
     bool fresh = false;
+    std::string truth = "both";
   };
   const auto options = std::make_shared<Options>();
   CLI::App& command =
-      *bench.add_subcommand("accuracy", "error against iterations and time, for every method and acceleration");
+      *bench.add_subcommand("accuracy",
+                            "error against iterations and time: of every method against exact steps, of "
+                            "elements, meshes and integrators against the continuum");
   command
       .add_option("--out", options->out, "folder for the files, made if missing; what it holds is not measured again")
       ->type_name("DIR")
@@ -146,9 +152,13 @@ void add_accuracy(CLI::App& bench, Invocation& invocation) {
   command.add_flag("--fresh", options->fresh, "measure again what the folder holds");
   add_charts(command, *options);
   add_graphics(command, *options);
-  add_examples(command, {"fascia bench accuracy --quick --out accuracy"});
-  command.callback(
-      [&invocation, options] { invocation.run = [options] { return run_accuracy(*options, options->fresh); }; });
+  add_choice(command, "--truth", options->truth, {"both", "step", "continuum"},
+             "what errors are measured against: exact steps of the same mesh, or the continuum");
+  add_examples(command, {"fascia bench accuracy --quick --out accuracy",
+                         "fascia bench accuracy --truth continuum --out accuracy"});
+  command.callback([&invocation, options] {
+    invocation.run = [options] { return run_accuracy(*options, options->fresh, options->truth); };
+  });
 }
 
 void add_speed(CLI::App& bench, Invocation& invocation) {

@@ -1,5 +1,6 @@
 // fascia run: simulates without drawing; exports and stats.json.
 #include <chrono>
+#include <cmath>
 #include <iostream>
 
 #include "app/cli/command_line.h"
@@ -13,12 +14,14 @@
 #include "base/interrupt.h"
 #include "base/provenance.h"
 #include "base/text.h"
+#include "sim/accuracy/mesh_error.h"
 #include "sim/output/sample.h"
 #include "sim/output/state_export.h"
 #include "sim/output/stats.h"
 #include "sim/reference/newton.h"
 #include "sim/simulation/divergence.h"
 #include "sim/simulation/simulation.h"
+#include "sim/simulation/time_error.h"
 #include "sim/simulation/true_error.h"
 
 namespace fascia {
@@ -82,6 +85,37 @@ class HistoryFile {
   std::vector<Sample> samples_;
 };
 
+// An equilibrium has no error in time, and neither it nor a step of the reference solver one of the solver.
+void measure_errors(const RunOptions& options, Simulation& simulation, const State& last, RunStats& stats) {
+  const auto say = [&](const std::string& line) {
+    if (!options.quiet) std::cerr << "fascia: " << line << '\n';
+  };
+  const auto percent = [](double share) { return number(100 * share) + " %"; };
+  Errors errors;
+  if (!options.static_equilibrium && !options.reference) {
+    TrueError measured;
+    const StepError& error = measured.measure(simulation);
+    stats.error = error.relative;
+    double distance = 0, whole = 0;
+    for (const float d : error.distance) distance += d * d;
+    for (const Eigen::Vector3d& u : last.displacement) whole += u.squaredNorm();
+    errors.solver = distance > 0 ? std::sqrt(distance / whole) : 0;
+    say("error of the last step " + percent(error.relative) + ", largest " + number(error.largest) + " m" +
+        (error.converged ? "" : " (the reference solver did not converge)"));
+  }
+  if (!options.static_equilibrium) {
+    const TimeError error = estimate_time_error(simulation, simulation.programs());
+    if (error.complete) errors.time = error.relative;
+  }
+  const MeshError mesh = estimate_mesh_error(simulation.model, last);
+  errors.mesh = mesh.displacement;
+  errors.peak_stress = mesh.peak_stress;
+  say("of the displacement: " + (errors.solver ? "solver " + percent(*errors.solver) + ", " : "") +
+      (errors.time ? "time " + percent(*errors.time) + ", " : "") + "mesh " + percent(errors.mesh) +
+      "; of the peak stress: mesh " + percent(errors.peak_stress) + " (estimates)");
+  stats.errors = errors;
+}
+
 std::vector<OutputFile> outputs_of(const RunOptions& options) {
   const bool has_file_beside = options.every == 0 && lower_ending(options.export_path) == ".csv";
   return {{"--export", options.export_path, state_endings},
@@ -100,9 +134,6 @@ void require_free_standard_output(const RunOptions& options) {
 }
 
 int run_input(const RunOptions& options) {
-  if (options.error && (options.static_equilibrium || options.reference))
-    throw UsageError("--error", "compares steps of the GPU with the reference solver",
-                     "leave out --static and --reference");
   if (options.every > 0 && (options.export_path.empty() || options.static_equilibrium))
     throw UsageError("--every",
                      options.export_path.empty() ? "exports nothing" : "has no steps to export with --static",
@@ -123,7 +154,7 @@ int run_input(const RunOptions& options) {
   Simulation simulation(std::move(opened.scene), std::move(opened.model), graphics.programs.get(), options.reference);
   opening.reset();
   if (opened.replay) simulation.play(std::move(*opened.replay));
-  if (options.error) simulation.gpu()->solve_everything();
+  if (options.error && !options.reference) simulation.gpu()->solve_everything();
   announce(options, graphics, simulation.model.notes);
 
   RunStats stats;
@@ -197,14 +228,7 @@ int run_input(const RunOptions& options) {
     inverted = reference::measure(simulation.model, last).inverted;
     stats.tool_loads = simulation.tool_loads();
   }
-  if (options.error) {
-    TrueError measured;
-    const StepError& error = measured.measure(simulation);
-    stats.error = error.relative;
-    if (!options.quiet)
-      std::cerr << "fascia: error of the last step " << 100 * error.relative << " %, largest " << error.largest << " m"
-                << (error.converged ? "" : " (the reference solver did not converge)") << '\n';
-  }
+  if (options.error && !interrupted()) measure_errors(options, simulation, last, stats);
   stats.provenance = made_by();
   if (!options.stats.empty()) write_stats(options.stats, stats, simulation, last);
   require_finite(last, simulation.scene);
@@ -259,7 +283,8 @@ void add_run(CLI::App& program, Invocation& invocation) {
       ->type_name("VERTEX")
       ->needs(history);
   command.add_option("--stats", options->stats, "numbers about the run")->type_name(std::string("FILE.json") + kOrDash);
-  command.add_flag("--error", options->error, "compare the last step with the exact one, by the reference solver");
+  command.add_flag("--error", options->error,
+                   "what the last state is off by: of the solver, of the time step, of the mesh");
   command.add_flag("--hash", options->hash, "print a fingerprint of the last state");
   add_examples(command,
                {"fascia run beam.json --export out.vtu --every 10",

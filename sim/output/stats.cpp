@@ -53,6 +53,15 @@ Json supports_of(const Model& model, const State& last) {
   return supports;
 }
 
+Json to_json(const Errors& errors) {
+  Json json = Json::object();
+  if (errors.solver) json["solver"] = *errors.solver;
+  if (errors.time) json["time"] = *errors.time;
+  json["mesh"] = errors.mesh;
+  json["peak_stress"] = {{"mesh", errors.peak_stress}};
+  return json;
+}
+
 }  // namespace
 
 Percentiles percentiles(std::vector<double> values) {
@@ -118,6 +127,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
   if (!stats.tool_loads.empty()) json["contact"] = contact_forces(simulation.model, stats.tool_loads);
   if (stats.imbalance) json["imbalance"] = *stats.imbalance;
   if (stats.error) json["error"] = *stats.error;
+  if (stats.errors) json["errors"] = to_json(*stats.errors);
   for (const auto& [keyword, text] : stats.provenance) json["provenance"][keyword] = text;
   write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

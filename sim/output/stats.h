@@ -12,6 +12,13 @@
 
 namespace fascia {
 
+/// What the last state is off by, told apart by cause. All are relative to the displacements, apart from the last one.
+struct Errors {
+  std::optional<double> solver;      // of the last step, RMS over RMS displacement
+  std::optional<double> time;        // TimeError
+  double mesh = 0, peak_stress = 0;  // MeshError
+};
+
 struct RunStats {
   std::string renderer;  // or "reference solver, double precision"
   Provenance provenance;
@@ -23,6 +30,7 @@ struct RunStats {
   std::optional<double> imbalance;        // of the forces in the last step of the GPU (Diagnostics::imbalance)
   std::vector<ToolLoad> tool_loads;       // of the last step, [tool of the model]
   std::optional<double> error;            // of the last step, as in StepError; only on request
+  std::optional<Errors> errors;           // only on request
   std::uint64_t dispatches_per_step = 0;  // of a solved step
   std::size_t kernels = 0;                // variants compiled
   std::size_t gpu_bytes = 0;

@@ -142,14 +142,25 @@ Result elastic(const QuadraticTet& rest, const QuadraticTet::Nodes& displacement
   return result;
 }
 
-Matrix3d first_piola_stress(const QuadraticTet& rest, const QuadraticTet::Nodes& displacements,
-                            const Material& material) {
+std::vector<Matrix3d> first_piola_stresses(const QuadraticTet& rest, const QuadraticTet::Nodes& displacements,
+                                           const Material& material, const std::vector<Eigen::Vector4d>& barycentric) {
   const VolumeSplit split = volume_split(material);
   AveragedTerm average{split.bulk, {}};
-  const QuadraticTet::PointGradients h = rest.at_points(displacements);
+  const QuadraticTet::PointGradients h = rest.at_points(displacements), at_corners = rest.at_corners(displacements);
   for (int q = 0; q < kPoints; ++q) average.points[q] = evaluate(h[q], split, false).dilatation;
-  const PointLaw center = evaluate(rest.at_centroid(displacements), split, false);
-  return center.density.first + split.bulk * average.mean() * center.dilatation.first;
+  const double pressure = split.bulk * average.mean();
+  std::vector<Matrix3d> stresses;
+  for (const Eigen::Vector4d& l : barycentric) {
+    const Matrix3d there = l[0] * at_corners[0] + l[1] * at_corners[1] + l[2] * at_corners[2] + l[3] * at_corners[3];
+    const PointLaw point = evaluate(there, split, false);
+    stresses.emplace_back(point.density.first + pressure * point.dilatation.first);
+  }
+  return stresses;
+}
+
+Matrix3d first_piola_stress(const QuadraticTet& rest, const QuadraticTet::Nodes& displacements,
+                            const Material& material) {
+  return first_piola_stresses(rest, displacements, material, {Eigen::Vector4d::Constant(0.25)}).front();
 }
 
 VolumeRatios volume_ratios(const QuadraticTet& rest, const QuadraticTet::Nodes& displacements, bool with_corners) {

@@ -11,6 +11,7 @@
 // where a negative lambda stays pointwise. damping_share() is that of the mean of eps_n over the element.
 #pragma once
 #include <array>
+#include <vector>
 
 #include "sim/elements/quadratic_tet.h"
 #include "sim/reference/elasticity.h"
@@ -27,8 +28,12 @@ ElementDerivatives<QuadraticTet::kNodes> elastic(const QuadraticTet& rest, const
                                                  const Material& material, double damping_over_h,
                                                  const PointStrains& previous_strains, bool with_hessian, bool project);
 
-/// First Piola stress [Pa] at the centroid, elastic part, with the averaged change of volume: the pointwise one is
-/// useless where Poisson's ratio is near 0.5.
+/// First Piola stresses [Pa] at barycentric coordinates, elastic part, with the averaged change of volume: the
+/// pointwise one is useless where Poisson's ratio is near 0.5.
+std::vector<Eigen::Matrix3d> first_piola_stresses(const QuadraticTet& rest, const QuadraticTet::Nodes& displacements,
+                                                  const Material& material,
+                                                  const std::vector<Eigen::Vector4d>& barycentric);
+/// The same at the centroid.
 Eigen::Matrix3d first_piola_stress(const QuadraticTet& rest, const QuadraticTet::Nodes& displacements,
                                    const Material& material);
 

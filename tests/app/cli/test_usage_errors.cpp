@@ -122,7 +122,7 @@ TEST_CASE("a usage error is one line without the usage text", "[usage]") {
                                                    {"soak", "--out", "x", "--steps", "1"},
                                                    {"run", "two\nlines.json", "three\nlines.json"},
                                                    {"run", "--color\n", "x"},
-                                                   {"run", "--static", "--error"},
+                                                   {"run", "--static", "--every", "2"},
                                                    {"run", "--set", "iterations"}})
     CHECK(!said(arguments).empty());
 }

@@ -1,12 +1,9 @@
 // Boxes of quadratic tets by the reference solver: the patch test, momentum, supports, exports, the continuum's
-// deflection of a beam at every Poisson's ratio, its frequencies, orders of convergence, and another program.
+// deflection of a beam at every Poisson's ratio, orders of convergence, and another program.
 // Covers: elastic_system, measures
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "sim/material/law.h"
 #include "sim/reference/elastic_system.h"
@@ -188,54 +185,6 @@ TEST_CASE("a beam of quadratic tets without lateral contraction is that of Calcu
     CAPTURE(row.place.transpose(), found.transpose(), row.displacement.transpose());
     CHECK((found - row.displacement).norm() < 1e-7);
   }
-}
-
-namespace {
-
-/// The lowest frequencies [Hz] of small vibrations about rest, by inverse iteration on a subspace.
-VectorXd frequencies(const Model& model, int count) {
-  const ElasticSystem system(model);
-  const VectorXd u = VectorXd::Zero(3 * static_cast<Eigen::Index>(model.rest_positions.size()));
-  SparseMatrix stiffness = system.empty_hessian();
-  VectorXd scale;
-  system.assemble(u, {}, false, stiffness, scale);
-  Cholesky cholesky(stiffness, system.elimination_tree());
-  REQUIRE(cholesky.factorize(stiffness));
-  VectorXd mass(u.size());
-  const std::vector<double> masses = lumped_masses(model);
-  for (std::size_t v = 0; v < masses.size(); ++v)
-    mass.segment<3>(3 * static_cast<Eigen::Index>(v)).setConstant(masses[v]);
-  const VectorXd m = system.free_part(mass);
-  const int columns = count + 6;
-  Random random(33);
-  Eigen::MatrixXd basis(m.size(), columns);
-  for (int c = 0; c < columns; ++c) basis.col(c) = random.vector(m.size());
-  VectorXd values;
-  for (int iteration = 0; iteration < 40; ++iteration) {
-    Eigen::MatrixXd next(m.size(), columns);
-    for (int c = 0; c < columns; ++c) next.col(c) = cholesky.solve(m.cwiseProduct(basis.col(c)));
-    const Eigen::MatrixXd k = next.transpose() * m.asDiagonal() * basis, n = next.transpose() * m.asDiagonal() * next;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (k + k.transpose()), n);
-    values = eigen.eigenvalues();
-    basis = next * eigen.eigenvectors();
-  }
-  return values.head(count).cwiseSqrt() / (2 * std::numbers::pi);
-}
-
-}  // namespace
-
-TEST_CASE("a beam of quadratic tets has the frequencies of the continuum", "[quadratic]") {
-  struct Row {
-    double nu;
-    std::vector<double> same, continuum;  // [Hz] of the same elements by another program; of finer consistent ones
-  };
-  const Row row = GENERATE(Row{0.3, {1.2223, 1.2293, 4.4229, 6.1690, 6.2043, 7.9584}, {1.2335, 1.2337}},
-                           Row{0.49, {1.2430, 1.2511, 4.1337, 6.1177, 6.1527, 8.0703}, {}});
-  const VectorXd found = frequencies(beam(row.nu), 6);
-  CAPTURE(row.nu, found.transpose());
-  for (int k = 0; k < 6; ++k) CHECK(found[k] == Approx(row.same[static_cast<std::size_t>(k)]).margin(6e-5));
-  for (std::size_t k = 0; k < row.continuum.size(); ++k)
-    CHECK(found[static_cast<int>(k)] == Approx(row.continuum[k]).epsilon(0.01));
 }
 
 namespace {

@@ -1,0 +1,99 @@
+#include "app/refine/trial_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/interrupt.h"
+#include "base/text.h"
+#include "sim/accuracy/mesh_error.h"
+#include "sim/accuracy/relative_distance.h"
+#include "sim/grab/build_model.h"
+#include "sim/output/stats.h"
+#include "sim/reference/newton.h"
+#include "sim/simulation/divergence.h"
+#include "sim/simulation/simulation.h"
+#include "sim/simulation/time_error.h"
+
+namespace fascia {
+namespace {
+
+// Iterations whose steps count as exact, in those of the trial: they reach float32.
+constexpr int kSolved = 3;
+
+/// A run of `steps` steps: the state with the most elastic energy, whose mesh error is the one that counts.
+struct Run {
+  Simulation simulation;
+  std::vector<double> ms;
+  State strained;
+
+  Run(const Scene& scene, const Model& model, gl::ProgramCache& programs, long steps)
+      : simulation(scene, model, &programs, false) {
+    simulation.gpu()->finish_background();
+    simulation.gpu()->solve_everything();
+    double most = -1;
+    const long interval = std::max(1L, steps / 10);
+    for (long step = 1; step <= steps && !interrupted(); ++step) {
+      const auto start = std::chrono::steady_clock::now();
+      simulation.step();
+      gl::Finish();
+      ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+      if (step % interval != 0) continue;
+      require_valid(simulation);
+      State state = simulation.state();
+      const double energy = reference::measure(simulation.model, state).elastic;
+      if (energy <= most) continue;
+      most = energy;
+      strained = std::move(state);
+    }
+  }
+};
+
+Trial trial_of(const Scene& scene, const Model& model, gl::ProgramCache& programs, long steps) {
+  Trial trial;
+  trial.elements = scene.bodies.front().elements;
+  trial.integrator = scene.solver.integrator;
+  trial.tets = model.tets.size();
+  trial.substeps = scene.solver.substeps;
+  const auto with = [&](int iterations) {
+    Scene chosen = scene;
+    chosen.solver.iterations = iterations;
+    return chosen;
+  };
+  const auto solved = Run(with(kSolved * trial.many), model, programs, steps).simulation.state().displacement;
+  trial.solver_few =
+      relative_distance(Run(with(trial.few), model, programs, steps).simulation.state().displacement, solved);
+  const Run run(with(trial.many), model, programs, steps);
+  trial.solver_many = relative_distance(run.simulation.state().displacement, solved);
+  trial.ms = percentiles(run.ms).median;
+  trial.time = estimate_time_error(run.simulation, &programs).relative;
+  trial.mesh = estimate_mesh_error(model, run.strained).displacement;
+  return trial;
+}
+
+}  // namespace
+
+std::vector<Trial> run_trials(const Scene& scene, gl::ProgramCache& programs, long steps,
+                              const std::function<void(const std::string&)>& say) {
+  std::vector<Trial> trials;
+  for (const ElementOrder elements : kElementOrders) {
+    if (elements == ElementOrder::quadratic && scene.solver.method != Method::two_level) continue;
+    Scene chosen = scene;
+    for (Body& body : chosen.bodies) body.elements = elements;
+    const Model model = build_model(chosen);
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::bdf2}) {
+      chosen.solver.integrator = integrator;
+      const Trial trial = trial_of(chosen, model, programs, steps);
+      if (interrupted()) return trials;
+      say(std::to_string(trial.tets) + ' ' + name_of(elements) + " tets, " + name_of(integrator) + ": mesh " +
+          number(100 * trial.mesh) + " %, time " + number(100 * trial.time) + " %, solver " +
+          number(100 * trial.solver_few) + " % with " + std::to_string(trial.few) + " iterations and " +
+          number(100 * trial.solver_many) + " % with " + std::to_string(trial.many) + "; " + number(trial.ms) +
+          " ms a step, " + number(trial.ns_per_tet_iteration()) + " ns per tet and iteration");
+      trials.push_back(trial);
+    }
+  }
+  return trials;
+}
+
+}  // namespace fascia

@@ -1,0 +1,102 @@
+// How good the estimate of the mesh's error is: effectivity, the estimate over the error against a finer solution.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "app/verify/solids.h"
+#include "app/verify/verification.h"
+#include "base/text.h"
+#include "sim/accuracy/mesh_error.h"
+#include "sim/mesh/mesh_generate.h"
+#include "sim/reference/newton.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+
+const Selection kLeftEnd = BoxSelection{{-1e-6, -1, -1}, {1e-6, 1, 1}},
+                kRightEnd = BoxSelection{{1 - 1e-6, -1, -1}, {1 + 1e-6, 1, 1}};
+
+/// A bar of 1 x 0.25 x 0.25 m in a state that loads bring it to, at any resolution.
+struct Loading {
+  const char* name;
+  Model (*model)(int cells, double nu, ElementOrder elements);
+  int fine;  // resolution of the truth, by quadratic tets
+};
+
+Model bar(int cells, double nu, ElementOrder elements, const std::vector<Selection>& fixed,
+          const std::vector<PrescribedMotion>& motions, const Vector3d& gravity) {
+  Model model = solid(make_box(cells, cells / 4, cells / 4, {1, 0.25, 0.25}),
+                      material_of(MaterialModel::st_venant_kirchhoff, 1e6, nu), elements, fixed, motions);
+  model.gravity = gravity;
+  return model;
+}
+
+const Loading kBent{"bent by its weight", hanging_beam, 16};
+const Loading kClamped{"clamped at both ends",
+                       [](int cells, double nu, ElementOrder elements) {
+                         return bar(cells, nu, elements, {kLeftEnd, kRightEnd}, {}, {0, -40, 0});
+                       },
+                       16};
+const Loading kTwisted{"twisted by 60 degrees",
+                       [](int cells, double nu, ElementOrder elements) {
+                         PrescribedMotion twist;
+                         twist.select = kRightEnd;
+                         twist.angle_deg = 60;
+                         twist.center = {0, 0.125, 0.125};
+                         return bar(cells, nu, elements, {kLeftEnd}, {twist}, {0, 0, 0});
+                       },
+                       16};
+const Loading kDrawn{"drawn out by its weight",
+                     [](int cells, double nu, ElementOrder elements) {
+                       return bar(cells, nu, elements, {kLeftEnd}, {}, {60, 0, 0});
+                     },
+                     16};
+
+/// What the load's work, or where ends are moved that of the ends, is off by: of the elastic energy.
+double energy_of(const Model& model, const State& state) { return reference::measure(model, state).elastic; }
+
+}  // namespace
+
+void verify_estimates(Verification& verification) {
+  const char* const kTest = "Estimated error of the mesh";
+  struct Row {
+    const Loading* loading;
+    int cells;
+    double nu;
+    ElementOrder elements;
+  };
+  constexpr ElementOrder kLinear = ElementOrder::linear, kQuadratic = ElementOrder::quadratic;
+  const Row rows[] = {{&kBent, 8, 0.3, kLinear},     {&kBent, 16, 0.3, kLinear},      {&kBent, 24, 0.3, kLinear},
+                      {&kBent, 16, 0.45, kLinear},   {&kBent, 24, 0.49, kLinear},     {&kBent, 8, 0.3, kQuadratic},
+                      {&kClamped, 16, 0.3, kLinear}, {&kClamped, 8, 0.3, kQuadratic}, {&kTwisted, 16, 0.3, kLinear},
+                      {&kDrawn, 16, 0.3, kLinear}};
+  std::vector<double> effectivities;
+  std::map<std::pair<const Loading*, double>, double> truths;
+  for (const Row& row : rows) {
+    const auto [truth, added] = truths.try_emplace({row.loading, row.nu}, 0);
+    if (added) {
+      const Model fine = row.loading->model(row.loading->fine, row.nu, kQuadratic);
+      truth->second = energy_of(fine, equilibrium(fine));
+    }
+    const Model model = row.loading->model(row.cells, row.nu, row.elements);
+    const State state = equilibrium(model);
+    const double error = std::abs(energy_of(model, state) / truth->second - 1);
+    const double effectivity = estimate_mesh_error(model, state).displacement / error;
+    effectivities.push_back(effectivity);
+    verification.add(
+        {kTest,
+         "bar " + std::string(row.loading->name) + ", " + count_of(model) + ", nu = " + number(row.nu) +
+             ": estimate over error",
+         "", effectivity, 0.7, 1.5,
+         "error " + number(100 * error) + " % of the elastic energy, against 1,536 quadratic tets; wanted 0.7 to 1.5",
+         false});
+  }
+  std::sort(effectivities.begin(), effectivities.end());
+  verification.add({kTest, "ten meshes: median of estimate over error", "",
+                    0.5 * (effectivities[effectivities.size() / 2 - 1] + effectivities[effectivities.size() / 2]), 0.7,
+                    1.5, "1; the single meshes are above"});
+}
+
+}  // namespace fascia

@@ -1,0 +1,100 @@
+#include "sim/accuracy/mesh_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/accuracy/recovered_stress.h"
+#include "sim/material/law.h"
+
+namespace fascia {
+namespace {
+
+using reference::Vector6d;
+
+double squared_norm(const Vector6d& s) { return s.head<3>().squaredNorm() + 2 * s.tail<3>().squaredNorm(); }
+
+/// D^-1 T, the small strain with stress T.
+Vector6d strain_of(const Vector6d& stress, const Material& material) {
+  const double lambda = material.lame_lambda(), mu = material.lame_mu();
+  Vector6d strain = stress / (2 * mu);
+  strain.head<3>().array() -= lambda / (3 * lambda + 2 * mu) * stress.head<3>().sum() / (2 * mu);
+  return strain;
+}
+
+double von_mises_of(const PointStress& at, const Vector6d& stress) {
+  return reference::von_mises(at.f, at.rotation * matrix_of(stress));
+}
+
+/// What adds up over the points of a tet, per volume.
+struct Densities {
+  double squares = 0, work = 0, whole = 0;  // [J/m^3] those of w that are never negative, w, T* : D^-1 T*
+};
+
+Densities densities_at(const PointStress& own, const Vector6d& recovered, const Material& material) {
+  const double mu = material.lame_mu(), lambda = material.lame_lambda(), gap = own.growth_gap;
+  Vector6d deviator = strain_of(recovered - own.stress, material);
+  const double trace = deviator.head<3>().sum();
+  deviator.head<3>().array() -= trace / 3;
+  const double growth = trace + 2 * mu * gap / (3 * lambda + 2 * mu);  // tr eps* - mean theta
+  Densities densities;
+  densities.squares =
+      2 * mu * (squared_norm(deviator) + (growth - gap) * (growth - gap) / 3) + lambda * growth * growth;
+  densities.work = densities.squares - 2 * lambda * growth * gap;
+  const Vector6d whole = strain_of(recovered, material);
+  densities.whole = recovered.head<3>().dot(whole.head<3>()) + 2 * recovered.tail<3>().dot(whole.tail<3>());
+  return densities;
+}
+
+struct Share {
+  double value, volume;
+};
+
+double percentile_99(std::vector<Share> shares) {
+  std::sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.value > b.value; });
+  double whole = 0, above = 0;
+  for (const Share& share : shares) whole += share.volume;
+  for (const Share& share : shares) {
+    above += share.volume;
+    if (above >= 0.01 * whole) return share.value;
+  }
+  return 0;
+}
+
+}  // namespace
+
+MeshError estimate_mesh_error(const Model& model, const State& state) {
+  const RecoveredStress recovered(model, state);
+  std::vector<Eigen::Vector4d> points;
+  for (const VolumePoint& point : volume_points()) points.push_back(point.barycentric);
+  std::vector<double> squares;  // [tet_count] mean [J/m^3]
+  std::vector<Share> own, better;
+  double work = 0, whole = 0, all = 0;
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const Material& material = model.materials[model.tet_material[t]];
+    const double volume = volume_of(model, t);
+    const std::vector<PointStress> stresses = stresses_of(model, state, t, points);
+    squares.push_back(0);
+    all += volume;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const double share = volume_points()[p].weight, weight = share * volume;
+      const Vector6d star = recovered.at(t, points[p]);
+      const Densities densities = densities_at(stresses[p], star, material);
+      squares.back() += share * densities.squares;
+      work += weight * densities.work;
+      whole += weight * densities.whole;
+      own.push_back({von_mises_of(stresses[p], stresses[p].stress), weight});
+      better.push_back({von_mises_of(stresses[p], star), weight});
+    }
+  }
+  MeshError result;
+  result.tets.assign(model.tets.size(), 0);
+  if (!(whole > 0)) return result;
+  result.displacement = std::abs(work) / whole;
+  std::transform(squares.begin(), squares.end(), result.tets.begin(),
+                 [&](double mean) { return static_cast<float>(std::sqrt(mean / (whole / all))); });
+  result.peak = percentile_99(std::move(better));
+  if (result.peak > 0) result.peak_stress = std::abs(1 - percentile_99(std::move(own)) / result.peak);
+  return result;
+}
+
+}  // namespace fascia

@@ -1,0 +1,36 @@
+// How far a state is from that of an infinitely fine mesh under the same forces, estimated from the state alone.
+//
+//   e^2 = int (T* - T) : D^-1 (T* - T) dV       T*: sim/accuracy/recovered_stress.h (Zienkiewicz, Zhu 1987, 1992)
+//
+// of linear tets is the squared error in the energy norm. By Galerkin's orthogonality it is also what the load's work
+// is short of: e^2 / (T* : D^-1 T*) is the relative error of the displacements, each weighted by the load that acts on
+// it. Where motions are prescribed and nothing pulls, it is that of the reactions.
+//
+// Quadratic tets take the change of volume theta of their energy on average, and are then too soft rather than too
+// stiff. The same derivation gives, with strains eps* = D^-1 T* and p* = lambda tr eps*,
+//
+//   w = int 2 mu |eps* - eps|^2 + lambda (tr eps* - mean theta)^2 - 2 (p* - p) (theta - mean theta) dV
+//
+// whose first two terms are squares and the last of either sign; linear tets have none of it. D is that of the law at
+// rest. The estimate of a moving body is that of the shape that its current forces would hold: it has nothing of the
+// error in the frequencies that has added up.
+#pragma once
+#include <vector>
+
+#include "sim/model/model.h"
+#include "sim/model/state.h"
+
+namespace fascia {
+
+struct MeshError {
+  double displacement = 0;  // |w| / int T* : D^-1 T*
+  double peak_stress = 0;   // of the von Mises stress that 99 % of the volume stay below, relative to the recovered one
+  double peak = 0;          // that recovered one [Pa]
+  /// [tet_count] of the squares: root of their mean in the tet over that of T* : D^-1 T* in the body.
+  std::vector<float> tets{};
+};
+
+/// Zeros at rest.
+MeshError estimate_mesh_error(const Model& model, const State& state);
+
+}  // namespace fascia

@@ -1,0 +1,73 @@
+#include "app/refine/plan.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace fascia;
+
+namespace {
+
+/// 5,000 tets at 100 ns per tet and iteration.
+Trial trial_of(ElementOrder elements, Integrator integrator, double mesh, double time) {
+  Trial trial;
+  trial.elements = elements;
+  trial.integrator = integrator;
+  trial.tets = 5000;
+  trial.mesh = mesh;
+  trial.time = time;
+  trial.solver_few = 1e-2;
+  trial.solver_many = 1e-4;
+  trial.ms = 5;
+  return trial;
+}
+
+}  // namespace
+
+TEST_CASE("a prediction for the measured choice is the measurement") {
+  const Trial trial = trial_of(ElementOrder::linear, Integrator::bdf2, 0.1, 0.02);
+  CHECK(trial.ns_per_tet_iteration() == Approx(100));
+  const Proposal same = predicted(trial, 1, 1, 10), few = predicted(trial, 1, 1, 5);
+  CHECK(same.mesh == Approx(0.1));
+  CHECK(same.time == Approx(0.02));
+  CHECK(same.ms == Approx(5));
+  CHECK(few.solver == Approx(1e-2));
+  CHECK(few.ms == Approx(2.5));
+}
+
+TEST_CASE("finer meshes, more substeps and more iterations cost what they save") {
+  const Trial euler = trial_of(ElementOrder::linear, Integrator::implicit_euler, 0.1, 0.2),
+              bdf2 = trial_of(ElementOrder::linear, Integrator::bdf2, 0.1, 0.02);
+  const Proposal fine = predicted(euler, 2, 1, 10);
+  CHECK(fine.tets == Approx(40000));
+  CHECK(fine.mesh == Approx(0.025));
+  CHECK(fine.ms == Approx(40));
+  CHECK(predicted(euler, 1, 2, 10).time == Approx(0.1));
+  CHECK(predicted(bdf2, 1, 2, 10).time == Approx(0.005));
+  CHECK(predicted(bdf2, 1, 2, 10).ms == Approx(10));
+  // 1e-2 to 1e-4 in five iterations is a rate of 0.4; beyond the measured ones no better rate than 0.6 counts.
+  CHECK(predicted(bdf2, 1, 1, 15).solver == Approx(1e-4 * std::pow(0.6, 5)));
+}
+
+TEST_CASE("the plan is the fastest choice within error and time, or says what each alone would take") {
+  const std::vector<Trial> trials{trial_of(ElementOrder::linear, Integrator::implicit_euler, 0.1, 0.2),
+                                  trial_of(ElementOrder::linear, Integrator::bdf2, 0.1, 0.02),
+                                  trial_of(ElementOrder::quadratic, Integrator::bdf2, 0.01, 0.02)};
+  const Plan plan = plan_for(trials, 0.03, 16);
+  REQUIRE(plan.within);
+  CAPTURE(plan.within->tets, plan.within->substeps, plan.within->iterations, plan.within->error(), plan.within->ms);
+  CHECK(plan.within->elements == ElementOrder::quadratic);
+  CHECK(plan.within->integrator == Integrator::bdf2);
+  CHECK(plan.within->error() <= 0.03);
+  CHECK(plan.within->ms <= 16);
+  CHECK(plan.within->ms <= plan.exact->ms + 1e-12);
+
+  const Plan none = plan_for(trials, 3e-3, 0.3);
+  CHECK_FALSE(none.within);
+  REQUIRE(none.exact);
+  REQUIRE(none.fast);
+  CHECK(none.exact->error() <= 3e-3);
+  CHECK(none.exact->ms > 0.3);
+  CHECK(none.fast->ms <= 0.3);
+  CHECK(none.fast->error() > 3e-3);
+  CHECK_FALSE(plan_for({}, 0.1, 10).fast);
+}
