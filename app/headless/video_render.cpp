@@ -75,12 +75,15 @@ void VideoRender::write_frame() {
   ++frame_;
 }
 
-void VideoRender::finish() {
+void VideoRender::finish(const Progress& progress) {
   const bool at_rest = frame_of_step_.empty();  // static equilibrium, around which the camera moves
   if (at_rest) interpolated_.reset();
   const double end = at_rest ? rate_ * headless_.camera_seconds() : frame_of_step_.back();
   const long frames = std::lround(end + kRounding);
-  while (frame_ < frames && !(at_rest && interrupted())) write_frame();
+  while (frame_ < frames && !(at_rest && interrupted())) {
+    write_frame();
+    if (at_rest) report(progress, static_cast<double>(frame_) / static_cast<double>(frames), "Writing frames");
+  }
   sink_->finish();
 }
 

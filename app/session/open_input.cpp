@@ -6,7 +6,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/usage_error.h"
 #include "app/session/advice.h"
-#include "app/session/opening_progress.h"
+#include "app/session/progress_lines.h"
 #include "app/system/paths.h"
 #include "base/error.h"
 #include "base/file.h"
