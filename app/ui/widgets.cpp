@@ -137,7 +137,8 @@ bool section(const char* title, bool open_at_first) {
 }
 
 void tooltip(const std::string& text) {
-  if (text.empty() || !ImGui::IsItemHovered() || ImGui::IsItemActive()) return;  // it would cover the changing value
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive())
+    return;  // it would cover the changing value
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(px(300));
   ImGui::TextUnformatted(text.c_str());

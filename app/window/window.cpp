@@ -294,6 +294,7 @@ void Window::session_began() {
   shown_ = false;
   recovery_.session_began();
   stage_.state.facts = SceneFacts(stage_.simulation().scene, stage_.simulation().model);
+  stage_.state.replaced_law.reset();
   stage_.state.statistics = {};
   stage_.state.statistics.measured = true;
   tuning_.session_began();

@@ -173,6 +173,15 @@ bool carries(Method method, MaterialModel model) {
   return law_of(model).of_strain || info_of(method).carries_every_law;
 }
 
+std::string refusal(Method method, const std::vector<Material>& materials, bool quadratic) {
+  for (const Material& material : materials)
+    if (!carries(method, material.model))
+      return std::string("Needs a material of the model St. Venant-Kirchhoff, and this scene has ") +
+             law_of(material.model).label + ".";
+  return quadratic && !info_of(method).carries_quadratic ? "Needs linear elements, and this scene has quadratic ones."
+                                                         : "";
+}
+
 void require_carried(Method method, const std::vector<Material>& materials, const std::string& where) {
   for (const Material& material : materials) {
     if (carries(method, material.model)) continue;
