@@ -65,7 +65,8 @@ void VideoRender::write_frame() {
   const double step = interpolated_ ? step_at(static_cast<double>(frame_)) : static_cast<double>(headless_.step());
   const double time = static_cast<double>(frame_) / rate_;
   headless_.draw(step, time, interpolated_ ? &interpolated_->at(step) : nullptr).read_into(pixels_.data());
-  if (const Session& session = headless_.session(); session.look.heat_map && !session.display().range) {
+  if (const Session& session = headless_.session();
+      session.look.heat_map && !session.display().range && session.has_range()) {
     last_range_ = session.look.range;
     if (!first_range_ || std::exchange(ranged_, session.display().color) != session.display().color)
       first_range_ = last_range_;

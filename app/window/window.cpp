@@ -152,7 +152,7 @@ void Window::wait_for_events() {
 void Window::settle() {
   stage_.messages.attempt([&] {
     stage_.session->settle_range(sides_.second());
-    stage_.session->settle_ground(sides_.second());
+    stage_.session->lift_ground(sides_.second());
   });
   frames_to_settle_ = kFramesToSettle;
   settled_ = true;
