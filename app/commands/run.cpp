@@ -60,7 +60,7 @@ class HistoryFile {
         probe_(options.probe ? *options.probe : tip_vertex(simulation.model)) {
     const std::size_t vertices = simulation.model.rest_positions.size();
     if (probe_ >= vertices)
-      throw Error("--probe " + std::to_string(probe_), "is no vertex of this scene",
+      throw Error("--probe " + std::to_string(probe_), "is not a vertex of this scene",
                   "expected an index below " + std::to_string(vertices));
   }
   void add(double step_ms = Sample::kUnknown) {
@@ -201,8 +201,8 @@ int run_input(const RunOptions& options) {
     const StepError& error = measured.measure(simulation);
     stats.error = error.relative;
     if (!options.quiet)
-      std::cerr << "fascia: error of the last step " << 100 * error.relative << " %, largest " << error.largest << " m"
-                << (error.converged ? "" : " (the reference solver did not converge)") << '\n';
+      std::cerr << "fascia: true error of the last step " << 100 * error.relative << " %, largest " << error.largest
+                << " m" << (error.converged ? "" : " (the reference solver did not converge)") << '\n';
   }
   stats.provenance = made_by();
   if (!options.stats.empty()) write_stats(options.stats, stats, simulation, last);
@@ -213,9 +213,9 @@ int run_input(const RunOptions& options) {
   if (const auto& replay = simulation.replay();
       replay && replay->hash && replay->steps == stats.steps && !options.quiet)
     std::cerr << "fascia: "
-              << (hash == *replay->hash ? "to the bit what was recorded\n"
+              << (hash == *replay->hash ? "the state is the recorded one to the bit\n"
                   : overridden          ? "the state differs from the recorded one: other values, grabs or solver\n"
-                                        : "not to the bit what was recorded: another device, program or mesh\n");
+                                        : "the state differs from the recorded one: another device, program or mesh\n");
   if (!series && !options.export_path.empty())
     write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last),
                 stats.provenance);

@@ -56,7 +56,8 @@ json grab_document(std::string_view text) {
     const std::size_t begin = part.find_first_not_of(' '), equals = part.find('=');
     if (begin == std::string::npos) continue;
     if (equals == std::string::npos || equals == begin)
-      throw Error("--grab", on_one_line(part) + " is no KEY=VALUE", "expected such as at=0.1,0.05,0;translate=0,0.1,0");
+      throw Error("--grab", on_one_line(part) + " is not KEY=VALUE",
+                  "expected such as at=0.1,0.05,0;translate=0,0.1,0");
     const std::string key = part.substr(begin, equals - begin);
     if (document.contains(key)) throw Error("--grab", on_one_line(key) + " is given twice", "expected each key once");
     document[key] = value_of(key, part.substr(equals + 1));

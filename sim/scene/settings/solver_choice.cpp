@@ -110,7 +110,7 @@ const std::vector<AccelerationInfo>& accelerations() {
        "subspace",
        "Subspace",
        "As conjugate gradients, but the fine and the coarse correction get a factor each: more robust for stiff, thin "
-       "and mixed tissue and more exact in motion, at a slightly dearer iteration.",
+       "and mixed tissue and more exact in motion, at a slightly higher cost per iteration.",
        {}},
   };
   return table;
@@ -188,7 +188,7 @@ void require_carried(Method method, const std::vector<Material>& materials, cons
     std::vector<std::string> able;
     for (const MethodInfo& info : methods())
       if (carries(info.method, material.model)) able.push_back(info.name);
-    throw Error(where, std::string(name_of(method)) + " does not carry the material model " + name_of(material.model),
+    throw Error(where, std::string(name_of(method)) + " does not support the material model " + name_of(material.model),
                 "expected one of the methods that do: " + join(able));
   }
 }
