@@ -189,6 +189,11 @@ void label(const char* text, const std::string& help) {
   ImGui::SetNextItemWidth(-FLT_MIN);
 }
 
+ImGuiComboFlags combo_flags(const std::string& chosen) {
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
+  return ImGui::CalcTextSize(chosen.c_str()).x > room ? ImGuiComboFlags_NoArrowButton : ImGuiComboFlags_None;
+}
+
 bool number(const NumberField& field, double& value) {
   ImGui::PushID(field.label.c_str());
   const float row = ImGui::GetContentRegionAvail().x;

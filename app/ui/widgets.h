@@ -36,6 +36,9 @@ bool number(const NumberField& field, double& value);
 /// Starts a row whose control is drawn next and fills the remaining width.
 void label(const char* text, const std::string& help = "");
 
+/// Of a list that fills the row: a chosen text that is too long for a place beside the arrow takes that of the arrow.
+ImGuiComboFlags combo_flags(const std::string& chosen);
+
 inline constexpr auto kNeverRefused = [](const auto&) { return std::string(); };
 
 /// A list of choices: `label_of` and `help_of` give the texts of each. One for which `refusal_of` gives a reason is
@@ -46,7 +49,8 @@ bool choice(const char* name, const std::vector<Choice>& choices, Choice& chosen
   bool changed = false;
   label(name, help_of(chosen));
   ImGui::PushID(name);
-  if (ImGui::BeginCombo("##choice", std::string(label_of(chosen)).c_str())) {
+  const std::string now = label_of(chosen);
+  if (ImGui::BeginCombo("##choice", now.c_str(), combo_flags(now))) {
     for (const Choice one : choices) {
       const std::string refusal = refusal_of(one);
       const ImGuiSelectableFlags flags = refusal.empty() ? 0 : ImGuiSelectableFlags_Disabled;
