@@ -30,6 +30,10 @@ std::string length(double meters) {
   return number(meters) + " m";
 }
 
+std::string length_in(const std::string& unit, double value) {
+  return unit == "m" ? length(value) : number(value) + " " + unit;
+}
+
 std::string point(const Eigen::Vector3d& p) {
   return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
 }

@@ -16,7 +16,6 @@ set(without_test
   "app/dialogs/folder_browser: as dialog"
   "app/dialogs/save_dialog: as dialog"
   "app/panels/*: tests/app/panels looks at all panels at once"
-  "app/session/opening_progress: speaks after three seconds of work at the earliest"
   "app/ui/icons: strokes in a panel, as app/panels"
   "app/ui/log_plot: draws in a panel, as app/panels"
   "app/ui/style: colors and sizes of the panels, as app/panels"

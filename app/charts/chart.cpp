@@ -167,9 +167,8 @@ void write_chart(const std::filesystem::path& path, const Chart& chart) {
   const std::string ending = lower_ending(path);
   const auto format =
       std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return f.ending == ending; });
-  if (format == kFormats.end())
-    throw Error(path.string(), "has an ending that no chart has", "expected .svg, .png or .pdf");
-  run_gnuplot(path, script_of(chart, *format));
+  if (format == kFormats.end()) throw Error(path.string(), "is not a chart format", "expected .svg, .png or .pdf");
+  run_gnuplot(path, script_of(chart, *format), chart.title);
 }
 
 }  // namespace fascia

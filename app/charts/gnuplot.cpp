@@ -68,6 +68,21 @@ int run(const fs::path& path, const WorkFiles& files) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+std::string xml_text(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+  return escaped;
+}
+
+// Browsers show the title of an SVG file, for which gnuplot has no setting.
+void set_title(const fs::path& picture, const std::string& title) {
+  std::string svg = read_file(picture);
+  const std::string theirs = "<title>Gnuplot</title>";
+  if (const std::size_t at = svg.find(theirs); at != std::string::npos)
+    svg.replace(at, theirs.size(), "<title>" + xml_text(title) + "</title>");
+  write_file(picture, svg);
+}
+
 }  // namespace
 
 bool gnuplot_installed() {
@@ -78,7 +93,7 @@ bool gnuplot_installed() {
   return false;
 }
 
-void run_gnuplot(const fs::path& path, const std::string& script) {
+void run_gnuplot(const fs::path& path, const std::string& script, const std::string& title) {
   const WorkFiles files(path);
   write_file(files.script, script);
   const int status = run(path, files);
@@ -87,6 +102,7 @@ void run_gnuplot(const fs::path& path, const std::string& script) {
     throw Error(path.string(),
                 "gnuplot ended with status " + std::to_string(status) + " (" + last_line(files.log) + ")",
                 "expected a working gnuplot and free disk space");
+  if (lower_ending(path) == ".svg") set_title(files.picture, title);
   replace_file(files.picture, path);
 }
 

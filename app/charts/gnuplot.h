@@ -10,7 +10,7 @@ inline constexpr const char* kGnuplotPackage = "expected the Debian package gnup
 bool gnuplot_installed();  // found in PATH
 
 /// Writes gnuplot's output for `script` to `path`, through a temporary name. Throws Error if gnuplot is not installed
-/// or fails; an old file is then kept.
-void run_gnuplot(const std::filesystem::path& path, const std::string& script);
+/// or fails; an old file is then kept. `title`: of an SVG file, which browsers show.
+void run_gnuplot(const std::filesystem::path& path, const std::string& script, const std::string& title = "fascia");
 
 }  // namespace fascia

@@ -56,7 +56,7 @@ void require_ending(const OutputFile& output) {
   const bool any = output.takes == OutputFile::Takes::all_but_foreign;
   if (any && !has_kind(ending)) return;
   throw UsageError(output.option + " " + output.path,
-                   any ? "has the ending of another kind of file" : "has an ending that the option does not write",
+                   ending.empty() ? "has no ending that names its format" : "cannot be written as " + ending,
                    "expected " + listed(endings));
 }
 

@@ -79,7 +79,7 @@ void add_graphics(CLI::App& command, CommonOptions& options) {
       "half as long to run; results are the same to the bit")
       ->capture_default_str();
   command.add_option("--data-dir", options.data_dir, "folder that holds shaders/ and assets/")->type_name("DIR");
-  command.add_flag("--quiet", options.quiet, "say nothing but errors");
+  command.add_flag("--quiet", options.quiet, "print errors only");
 }
 
 void add_mesh_frame(CLI::App& command, std::string& unit, std::string& up) {

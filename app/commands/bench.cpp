@@ -236,7 +236,7 @@ void add_fill(CLI::App& bench, Invocation& invocation) {
       "fill", "how well tets fill twenty closed surfaces: angles, volume, distance to the surface");
   command.add_option("--out", options->out, "folder for the table, made if missing")->type_name("DIR")->required();
   command.add_flag("--quick", options->quick, "a coarse resolution only");
-  command.add_flag("--quiet", options->quiet, "say nothing but errors");
+  command.add_flag("--quiet", options->quiet, "print errors only");
   add_examples(command, {"fascia bench fill --out fill"});
   command.callback([&invocation, options] { invocation.run = [options] { return run_fill(*options); }; });
 }

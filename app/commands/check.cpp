@@ -1,5 +1,7 @@
 // fascia check: compares a folder of scenes with their goldens, as a table and as JUnit XML for CI.
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -15,10 +17,12 @@
 #include "app/cli/name_pattern.h"
 #include "app/cli/output_files.h"
 #include "app/commands/command.h"
+#include "app/golden/golden.h"
 #include "app/golden/tolerance.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/interrupt.h"
+#include "base/text.h"
 
 namespace fascia {
 namespace {
@@ -127,6 +131,38 @@ std::vector<CheckCase> chosen_cases(const CheckOptions& options) {
   return cases;
 }
 
+// Before the scenes are simulated, which takes long.
+void say_missing_goldens(const std::vector<CheckCase>& cases) {
+  std::size_t count = 0;
+  std::string names;
+  for (const CheckCase& check : cases) {
+    if (missing_goldens(check.options.goldens()).empty()) continue;
+    names += (count++ > 0 ? ", " : "") + check.name;
+  }
+  if (count > 0)
+    std::cerr << "fascia: no golden yet for " << count << " of " << plural(cases.size(), "scene") << ": " << names
+              << "; --update makes them\n";
+}
+
+// Says on stderr what runs if no result has come for some time, so that a log shows that the work goes on.
+class Patience {
+ public:
+  void result() { last_ = Clock::now(); }
+  void wait(const std::vector<CheckCase>& cases, std::size_t first, std::size_t next) {
+    constexpr std::chrono::seconds kSilence(15);
+    if (Clock::now() - last_ < kSilence) return;
+    last_ = Clock::now();
+    std::cerr << "fascia: " << first << " of " << plural(cases.size(), "scene") << " done, now " << cases[first].name;
+    if (next > first + 1) std::cerr << " and " << next - first - 1 << " more";
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    std::cerr << ", " << std::lround(seconds) << " s\n" << std::flush;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
 // Scenes in separate processes, `jobs` at a time. `done` gets their results in the order of the folder, and returns
 // whether the check goes on.
 void run_checks(const std::vector<CheckCase>& cases, const CheckOptions& options,
@@ -134,13 +170,18 @@ void run_checks(const std::vector<CheckCase>& cases, const CheckOptions& options
   constexpr int kWait = 20;  // [ms]
   std::vector<std::unique_ptr<CheckRun>> runs(cases.size());
   std::size_t next = 0, first = 0;  // to begin, to report
+  Patience patience;
   while (first < cases.size()) {
     int running = 0;
     for (std::size_t i = first; i < next; ++i) running += !runs[i]->ended(0);
     for (; running < options.jobs && next < cases.size() && !interrupted(); ++running, ++next)
       runs[next] = std::make_unique<CheckRun>(cases[next], options);
     if (first == next) return;  // interrupted
-    if (!runs[first]->ended(kWait)) continue;
+    if (!runs[first]->ended(kWait)) {
+      if (!options.quiet) patience.wait(cases, first, next);
+      continue;
+    }
+    patience.result();
     if (!done(cases[first], runs[first]->result())) return;
     runs[first++].reset();
   }
@@ -164,6 +205,7 @@ int check_folder(const CheckOptions& options) {
   std::size_t name_width = 5;
   for (const CheckCase& check : cases) name_width = std::max(name_width, check.name.size());
   if (!options.quiet) std::cout << row({"scene", "result", "mean", "share", "state", "seconds"}, name_width) << '\n';
+  if (!options.quiet && !options.update) say_missing_goldens(cases);
   share_cores(options.jobs);
   std::vector<JunitCase> report;
   std::vector<ReportCase> pages;

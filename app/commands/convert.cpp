@@ -8,7 +8,7 @@
 #include "app/cli/usage_error.h"
 #include "app/commands/command.h"
 #include "app/session/open_input.h"
-#include "app/session/opening_progress.h"
+#include "app/session/progress_lines.h"
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/text.h"

@@ -9,10 +9,11 @@
 #include "app/commands/command.h"
 #include "app/session/file_provenance.h"
 #include "app/session/open_input.h"
-#include "app/session/opening_progress.h"
+#include "app/session/progress_lines.h"
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/text.h"
+#include "sim/bare_mesh/plan.h"
 #include "sim/bare_mesh/settled_model.h"
 #include "sim/material/tissues.h"
 #include "sim/mesh/mesh_check.h"
@@ -59,10 +60,11 @@ void print_colorings(const Model& model, int asked) {
 
 /// The tets of a surface, printed after the report about the surface. That comes first, so that a surface that cannot
 /// be filled is described, too.
-MeshFile filled_mesh(SurfaceMesh surface, const std::string& where, const Body& body, const Progress& progress) {
-  print_report(std::cout, surface, repair(surface, part_of(progress, 0.1, 0.3)), part_of(progress, 0.3, 0.5));
+MeshFile filled_mesh(SurfaceMesh surface, const std::string& where, const Body& body, const std::string& unit,
+                     const Progress& progress) {
+  print_report(std::cout, surface, repair(surface, part_of(progress, 0.1, 0.3)), unit, part_of(progress, 0.3, 0.5));
   FilledSurface filled = fill_surface(std::move(surface), where, body.resolution, part_of(progress, 0.5, 1));
-  std::cout << "\nfilled with tets, resolution " << filled.resolution << '\n';
+  std::cout << "\nfilled with tets, resolution " << filled.resolution << "; they reach a little beyond the surface\n";
   filled.file.notes.erase(filled.file.notes.begin(),
                           filled.file.notes.begin() + filled.notes_of_surface);  // already printed
   return std::move(filled.file);
@@ -70,13 +72,22 @@ MeshFile filled_mesh(SurfaceMesh surface, const std::string& where, const Body& 
 
 /// What the file does not state, and how fascia opens it.
 void print_plan(const BareMeshPlan& plan) {
-  std::cout << "\nopened on its own: what the file does not state is chosen as follows"
-            << (plan.unit == LengthUnit::m ? "" : std::string("; m above means ") + name_of(plan.unit)) << '\n';
+  std::cout << "\nopened on its own: what the file does not state is chosen as follows\n";
   std::cout << "  unit         " << name_of(plan.unit) << ": " << plan.unit_reason << "; another one: --unit\n";
   std::cout << "  up           " << name_of(plan.up) << ": " << plan.up_reason << "; another axis: --up\n";
   std::cout << "  supports     " << plan.support_reason << "; others: --set fixed=...\n";
   std::cout << "  stiffness    " << plan.young_modulus << " Pa: " << plan.stiffness_reason
             << "; another one: --set materials.default.young_modulus=...\n";
+}
+
+/// The unit of the file's coordinates: the body's, or the one that is guessed for a mesh on its own.
+std::string unit_of(const Scene& scene, const Body& body, const ShapeFile& shape) {
+  if (!scene.unsettled || !scene.unsettled->unit) return name_of(body.unit);
+  if (shape.surface) return name_of(likely_unit(box_of(*shape.surface).sizes().maxCoeff() * body.transform.scale));
+  Eigen::AlignedBox3d box;
+  for (const Tet& tet : shape.tets.mesh.tets)
+    for (const std::uint32_t v : tet) box.extend(shape.tets.mesh.positions[v]);
+  return name_of(likely_unit(box.isEmpty() ? 0 : box.sizes().maxCoeff() * body.transform.scale));
 }
 
 int inspect(const InfoOptions& options) {
@@ -105,12 +116,14 @@ int inspect(const InfoOptions& options) {
         files.read(body.mesh, "bodies[" + std::to_string(b) + "].mesh", part_of(progress, 0, 0.1));
     std::cout << found.place.string() << '\n';
     ShapeFile shape = files.shape(found);
-    const MeshFile file = shape.surface ? filled_mesh(std::move(*shape.surface), found.place.string(), body, progress)
-                                        : std::move(shape.tets);
+    const std::string unit = unit_of(scene, body, shape);
+    const MeshFile file = shape.surface
+                              ? filled_mesh(std::move(*shape.surface), found.place.string(), body, unit, progress)
+                              : std::move(shape.tets);
     const MeshRepair repaired = repair(file.mesh);
     MeshReport report = examine(file.mesh, repaired);
     if (scene.unsettled || body.unit != LengthUnit::m) report.unit_guess.clear();  // the unit is known, or in the plan
-    print_report(std::cout, file, repaired, report);
+    print_report(std::cout, file, repaired, report, unit);
   }
   const Model model = settled_model(scene, opening_progress(options.input));
   if (model.plan) print_plan(*model.plan);
@@ -129,7 +142,7 @@ int inspect(const InfoOptions& options) {
   print_colorings(model, scene.solver.colors);
   if (const EmbeddedPoints& drawn = model.embedded; !drawn.points.empty())
     std::cout << "  surface      " << plural(drawn.points.size(), "vertex") << ", " << drawn.outside
-              << " of them outside of the tets, at most " << drawn.farthest << " m\n";
+              << " of them outside of the tets, at most " << length(drawn.farthest) << '\n';
   for (std::size_t n = model.plan ? 1 : 0; n < model.notes.size(); ++n)  // the first one sums up the plan
     std::cout << "  note         " << model.notes[n] << '\n';
   return exit_done;

@@ -12,6 +12,7 @@
 #include "app/headless/video_render.h"
 #include "app/overlay/legend_file.h"
 #include "app/session/open_input.h"
+#include "app/session/progress_lines.h"
 #include "app/video/frame_sink.h"
 #include "base/error.h"
 #include "base/file.h"
@@ -86,12 +87,15 @@ int render_input(const RenderOptions& options) {
     throw UsageError("--legend-out", "has no colors to explain", "expected --color, or the scene key display.color");
   std::optional<VideoRender> video;
   if (!options.video.empty()) video.emplace(options, headless);
+  const Progress progress = options.quiet ? Progress() : stepping_progress(headless.session().simulation.scene.file);
   headless.run([&] {
     if (video) video->after_step();
+    if (headless.steps() > 0)
+      report(progress, static_cast<double>(headless.step()) / static_cast<double>(headless.steps()), "Simulating");
   });
   if (!options.static_equilibrium) require_valid(headless.session().simulation);
   if (video) {
-    video->finish();
+    video->finish(progress);
     if (!options.quiet) std::cerr << "fascia: " << options.video << ", " << video->frames() << " frames\n";
     if (const std::string note = video->note_of_range(); !note.empty() && !options.quiet)
       std::cerr << "fascia: " << note << '\n';

@@ -9,6 +9,7 @@
 #include "app/commands/command.h"
 #include "app/session/graphics.h"
 #include "app/session/open_input.h"
+#include "app/session/progress_lines.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/interrupt.h"
@@ -62,7 +63,7 @@ class HistoryFile {
         probe_(options.probe ? *options.probe : tip_vertex(simulation.model)) {
     const std::size_t vertices = simulation.model.rest_positions.size();
     if (probe_ >= vertices)
-      throw Error("--probe " + std::to_string(probe_), "is no vertex of this scene",
+      throw Error("--probe " + std::to_string(probe_), "is not a vertex of this scene",
                   "expected an index below " + std::to_string(vertices));
   }
   void add(double step_ms = Sample::kUnknown) {
@@ -186,6 +187,7 @@ int run_input(const RunOptions& options) {
     if (!options.quiet) std::cerr << "fascia: " << describe(report) << '\n';
   } else {
     const long steps = steps_to_run(options, simulation);
+    const Progress progress = options.quiet ? Progress() : stepping_progress(simulation.scene.file);
     if (series) export_frame();
     if (history) history->add();
     for (long i = 0; i < steps && !interrupted(); ++i) {
@@ -201,6 +203,7 @@ int run_input(const RunOptions& options) {
       if (history) history->add(stats.solve_ms.back());
       if (series && stats.steps % options.every == 0) export_frame();
       stats.step_ms.push_back(milliseconds_since(step_start));
+      report(progress, static_cast<double>(stats.steps) / static_cast<double>(steps), "Simulating");
     }
   }
   stats.wall_s = milliseconds_since(start) / 1000;
@@ -238,9 +241,9 @@ int run_input(const RunOptions& options) {
   if (const auto& replay = simulation.replay();
       replay && replay->hash && replay->steps == stats.steps && !options.quiet)
     std::cerr << "fascia: "
-              << (hash == *replay->hash ? "to the bit what was recorded\n"
-                  : overridden          ? "another state than was recorded, with other values, grabs or solver\n"
-                                        : "not to the bit what was recorded: another device, program or mesh\n");
+              << (hash == *replay->hash ? "the state is the recorded one to the bit\n"
+                  : overridden          ? "the state differs from the recorded one: other values, grabs or solver\n"
+                                        : "the state differs from the recorded one: another device, program or mesh\n");
   if (!series && !options.export_path.empty())
     write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last),
                 stats.provenance);

@@ -78,7 +78,7 @@ void FileDialogs::recent_files(Requests& requests) {
     if (ImGui::Selectable(file.filename().c_str(), false, there ? 0 : ImGuiSelectableFlags_Disabled))
       requests.open = file;
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-      ImGui::SetTooltip("%s%s", file.c_str(), there ? "" : " (is not there any more)");
+      ImGui::SetTooltip("%s%s", file.c_str(), there ? "" : " (no longer there)");
     ImGui::PopID();
   }
 }

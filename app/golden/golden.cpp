@@ -69,7 +69,7 @@ Finding compare_picture(const Outcome& outcome, const fs::path& path, const Gold
   comparison.share = d.share;
   comparison.picture = difference_picture(golden, outcome.picture, kPixelBound);
   const bool passed = d.mean <= limits.mean && d.share <= limits.share;
-  return {passed, path.string() + ": " + (passed ? "same picture" : "another picture") + ", mean difference " +
+  return {passed, path.string() + ": " + (passed ? "same picture" : "the picture differs") + ", mean difference " +
                       against(d.mean, limits.mean) + ", share of pixels off by more than 8/255 " +
                       against(d.share, limits.share)};
 }
@@ -80,7 +80,7 @@ Finding compare_state(const Outcome& outcome, const fs::path& path, const Golden
   const Deviation d = deviation(outcome, read_state(path, outcome.mesh.positions.size()));
   comparison.deviation = d.largest / outcome.size;
   const bool passed = *comparison.deviation <= limits.state;
-  return {passed, path.string() + ": " + (passed ? "same state" : "another state") + ", largest deviation " +
+  return {passed, path.string() + ": " + (passed ? "same state" : "the state differs") + ", largest deviation " +
                       against(*comparison.deviation, limits.state) + " of the scene's size, " +
                       three_digits(d.largest) + " m at vertex " + std::to_string(d.vertex)};
 }

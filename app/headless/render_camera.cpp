@@ -64,7 +64,7 @@ RenderCamera::RenderCamera(const std::string& choice, const Scene& scene, const 
     return;
   }
   if (lower_ending(choice) != ".json")
-    throw UsageError("--camera " + choice, "is no camera" + perhaps(choice, {"follow", "scene"}),
+    throw UsageError("--camera " + choice, "is not a camera" + perhaps(choice, {"follow", "scene"}),
                      "expected follow, scene, a scene or replay file, or EYE,TARGET as six numbers");
   const Scene other = open_scene(choice);
   if (!other.camera && other.camera_motion.keys.empty())

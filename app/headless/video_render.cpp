@@ -65,7 +65,8 @@ void VideoRender::write_frame() {
   const double step = interpolated_ ? step_at(static_cast<double>(frame_)) : static_cast<double>(headless_.step());
   const double time = static_cast<double>(frame_) / rate_;
   headless_.draw(step, time, interpolated_ ? &interpolated_->at(step) : nullptr).read_into(pixels_.data());
-  if (const Session& session = headless_.session(); session.look.heat_map && !session.display().range) {
+  if (const Session& session = headless_.session();
+      session.look.heat_map && !session.display().range && session.has_range()) {
     last_range_ = session.look.range;
     if (!first_range_ || std::exchange(ranged_, session.display().color) != session.display().color)
       first_range_ = last_range_;
@@ -75,12 +76,15 @@ void VideoRender::write_frame() {
   ++frame_;
 }
 
-void VideoRender::finish() {
+void VideoRender::finish(const Progress& progress) {
   const bool at_rest = frame_of_step_.empty();  // static equilibrium, around which the camera moves
   if (at_rest) interpolated_.reset();
   const double end = at_rest ? rate_ * headless_.camera_seconds() : frame_of_step_.back();
   const long frames = std::lround(end + kRounding);
-  while (frame_ < frames && !(at_rest && interrupted())) write_frame();
+  while (frame_ < frames && !(at_rest && interrupted())) {
+    write_frame();
+    if (at_rest) report(progress, static_cast<double>(frame_) / static_cast<double>(frames), "Writing frames");
+  }
   sink_->finish();
 }
 

@@ -10,6 +10,7 @@
 #include "app/headless/interpolated_frames.h"
 #include "app/video/frame_sink.h"
 #include "base/byte_hash.h"
+#include "base/progress.h"
 
 namespace fascia {
 
@@ -22,7 +23,7 @@ class VideoRender {
 
   void after_step();  // writes the frames that can be drawn so far. Throws Error
   /// Writes all remaining frames; without steps, those of the camera's own motion.
-  void finish();
+  void finish(const Progress& progress = {});
   /// How to give the whole video one range of colors, if its automatic range grew; empty otherwise.
   std::string note_of_range() const;
   long frames() const { return frame_; }

@@ -99,8 +99,11 @@ Bar bar_in(const Layout& layout, const ColorScale& scale, const Quantity& quanti
   return bar;
 }
 
+// A range that is not known yet has no numbers.
 ColorScale scale_of(const Session& session) {
-  return color_scale(session.look, quantity_of(session.display().color), session.beyond_range());
+  ColorScale scale = color_scale(session.look, quantity_of(session.display().color), session.beyond_range());
+  if (!session.has_range()) scale.ticks.clear();
+  return scale;
 }
 
 void draw_bar(const MarkArea& area, const Layout& layout, const Session& session) {

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -20,6 +21,19 @@ std::optional<ImVec2> place_of(const MarkArea& area, const Session& session, con
   const auto at = pixel_of(session, place, area.width, area.height);
   if (!at) return std::nullopt;
   return ImVec2{area.x + static_cast<float>(at->x()), static_cast<float>(at->y())};
+}
+
+// Keeps labels off the arrow of a grab.
+void keep_arrow_clear(const ImVec2& from, const ImVec2& to, LabelPlaces& places) {
+  const float step = ui::px(6), length = std::hypot(to.x - from.x, to.y - from.y);
+  const int parts = std::clamp(static_cast<int>(length / step), 1, 200);
+  for (int k = 0; k < parts; ++k) {
+    const float a = static_cast<float>(k) / static_cast<float>(parts),
+                b = static_cast<float>(k + 1) / static_cast<float>(parts);
+    const ImVec2 p{from.x + a * (to.x - from.x), from.y + a * (to.y - from.y)},
+        q{from.x + b * (to.x - from.x), from.y + b * (to.y - from.y)};
+    places.keep_clear({std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)});
+  }
 }
 
 }  // namespace
@@ -90,6 +104,8 @@ void draw_grab_marks(const MarkArea& area, const Session& session, const std::ve
     if (!shown) continue;
     const float reach = ui::px(8);
     places.keep_clear({place->x - reach, place->y - reach, place->x + reach, place->y + reach});
+    if (const auto from = place_of(area, session, mark.arrow.from.cast<double>()); from && shown_kinds.grabs)
+      keep_arrow_clear(*from, *place, places);
     if (mark.stays && shown_kinds.grabs) {
       const float radius = static_cast<float>(kMarkRadius) * area.height / 720;
       list.AddCircleFilled(*place, radius,

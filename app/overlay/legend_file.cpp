@@ -27,7 +27,7 @@ class Sheet {
     if (pdf)  // which draws letters a third larger than their points
       out_ << "pdfcairo size " << font * width / kInch << "in," << font * height / kInch << "in fontscale 0.75";
     else
-      out_ << "svg size " << font * width << ',' << font * height << " dynamic";
+      out_ << "svg size " << font * width << ',' << font * height << " fixed";
     out_ << " noenhanced font 'DejaVu Sans," << font << "'\n"
          << "unset tics\nunset border\nunset key\nset xrange [0:" << width << "]\nset yrange [0:" << height << "]\n"
          << "set lmargin at screen 0\nset rmargin at screen 1\nset bmargin at screen 0\nset tmargin at screen 1\n";
@@ -112,9 +112,9 @@ bool has_legend_file(const Session& session) { return session.look.heat_map || s
 void write_legend(const std::filesystem::path& path, const Session& session) {
   const double font = session.display().legend.font_size;
   if (const VisualRegions* regions = session.regions())
-    run_gnuplot(path, regions_script(path, regions->names, font));
+    run_gnuplot(path, regions_script(path, regions->names, font), "Regions");
   else
-    run_gnuplot(path, bar_script(path, session, font));
+    run_gnuplot(path, bar_script(path, session, font), quantity_of(session.display().color).title);
 }
 
 }  // namespace fascia

@@ -81,8 +81,9 @@ void draw_help(WindowState& state) {
       (kPlain & ~ImGuiWindowFlags_NoTitleBar) | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_HorizontalScrollbar;
   if (ImGui::Begin(name, &state.show_help, kFlags)) {
     const auto& columns = help_columns();
+    constexpr float kTwoColumns = 900;  // a narrower picture has them one below the other, and scrolls [points]
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      if (c > 0) ImGui::SameLine(0, ui::px(28));
+      if (c > 0 && size.x >= ui::px(kTwoColumns)) ImGui::SameLine(0, ui::px(28));
       ImGui::BeginGroup();
       for (const Theme& theme : columns[c]) {
         ImGui::PushFont(ui::bold_font());

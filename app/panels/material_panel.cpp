@@ -46,6 +46,12 @@ constexpr float kTissueList = 400;  // width of the list of tissues [points]
 
 const char* label_of_model(MaterialModel model) { return law_of(model).label; }
 const char* help_of_model(MaterialModel model) { return law_of(model).help; }
+std::string refusal_of_model(Method method, MaterialModel model) {
+  return carries(method, model)
+             ? ""
+             : std::string("The method ") + label_of(method) +
+                   " runs St. Venant-Kirchhoff alone: choose another method first, in the panel Solver.";
+}
 
 const Extra* extra_of(const char* name) {
   for (const Extra& extra : kExtras)
@@ -80,7 +86,7 @@ bool tissue_row(const Tissue& tissue, bool chosen) {
 
 // Of a scene whose method carries it, the law of tissues replaces the one of scene files that name none; another law
 // was chosen and stays.
-bool tissue_combo(Material& material, Method method) {
+bool tissue_combo(Material& material, Method method, std::optional<MaterialModel>& replaced) {
   const Tissue* const now = tissue_of(material);
   const Tissue* chosen = nullptr;
   ui::label("Tissue", help_of_tissue(now));
@@ -101,7 +107,25 @@ bool tissue_combo(Material& material, Method method) {
   ImGui::EndCombo();
   if (!chosen || chosen == now) return false;
   apply(*chosen, material);
-  if (material.model == Material().model && carries(method, kTissueLaw)) material.model = kTissueLaw;
+  if (material.model == Material().model && carries(method, kTissueLaw)) {
+    replaced = material.model;
+    material.model = kTissueLaw;
+  }
+  return true;
+}
+
+// Says that a tissue has replaced the law, with a button that takes it back.
+bool replaced_law_row(WindowState& state, Material& material) {
+  if (!state.replaced_law || state.replaced_law->material != state.chosen_material) return false;
+  const char* const before = law_of(state.replaced_law->before).label;
+  if (material.model != kTissueLaw) state.replaced_law.reset();
+  const Hint hint{"replaced law", std::string("The model is now ") + law_of(kTissueLaw).label + ".",
+                  std::string("Tissues come with it, since soft bodies of ") + before +
+                      " collapse under their own weight. XPBD methods run only the latter.",
+                  std::string("Back to ") + before, true};
+  if (!state.replaced_law || !hint_row(state.hints, hint)) return false;
+  material.model = state.replaced_law->before;
+  state.replaced_law.reset();
   return true;
 }
 
@@ -145,9 +169,13 @@ bool look_rows(Material& material) {
   return color_row(*look, material) || chosen;
 }
 
-void material_sliders(Simulation& simulation, std::size_t index, HintBoard& hints) {
+void material_sliders(Simulation& simulation, WindowState& state) {
+  const std::size_t index = state.chosen_material;
+  const Method method = simulation.scene.solver.method;
   Material material = simulation.model.materials[index];
-  bool changed = tissue_combo(material, simulation.scene.solver.method);
+  std::optional<MaterialModel> replaced;
+  bool changed = tissue_combo(material, method, replaced);
+  if (replaced) state.replaced_law = {index, *replaced};
   visit_material(material, [&](double& value, const char* name, const char* unit, double min, double max,
                                bool logarithmic, const char* help) {
     if (!reads(material.model, name)) return;
@@ -163,12 +191,12 @@ void material_sliders(Simulation& simulation, std::size_t index, HintBoard& hint
                                 std::string(help) + (extra ? std::string(". ") + extra->cost : ""),
                                 std::strcmp(name, "damping") == 0 ? "off" : ""};
     changed |= ui::number(field, value);
-    if (std::strcmp(name, "poisson_ratio") == 0) hint_row(hints, locking_hint(value));
+    if (std::strcmp(name, "poisson_ratio") == 0 && !simulation.model.has_quadratic())
+      hint_row(state.hints, locking_hint(value));
   });
-  std::vector<MaterialModel> able;
-  for (const MaterialModel model : material_models())
-    if (carries(simulation.scene.solver.method, model)) able.push_back(model);
-  changed |= ui::choice("Model", able, material.model, label_of_model, help_of_model);
+  changed |= ui::choice("Model", material_models(), material.model, label_of_model, help_of_model,
+                        [&](MaterialModel model) { return refusal_of_model(method, model); });
+  changed |= replaced_law_row(state, material);
   changed |= look_rows(material);
   if (changed) simulation.set_material(index, material);
 }
@@ -268,7 +296,7 @@ void material_panel(const PanelContext& context) {
             engineering(volume * simulation.model.materials[state.chosen_material].density, "kg"),
         "The material that the sliders below change: its share of the volume, and its mass at the current density");
   }
-  material_sliders(simulation, state.chosen_material, state.hints);
+  material_sliders(simulation, state);
 }
 
 }  // namespace fascia

@@ -100,7 +100,7 @@ void buttons(Plots& plots, Requests& requests, int count) {
   ImGui::SameLine();
   requests.plot_picture |= ui::button("PNG", width);
   if (!requests.plot_picture)
-    ui::tooltip("Writes a picture of the panel to the current folder");  // a tooltip now would be part of the picture
+    ui::tooltip("Writes a picture of the charts to the current folder");  // a tooltip now would be part of the picture
 }
 
 // The area of the plots until they are moved: beside the tissue, or below it where the picture is too narrow for both.
@@ -168,6 +168,7 @@ void draw_plots(const Simulation& simulation, WindowState& state, Requests& requ
     const bool flat = size.y < ui::px(kFlat);
     buttons(plots, requests, flat ? 6 : 5);
     choose_charts(plots, flat);
+    plots.charts_top = ImGui::GetCursorScreenPos().y - 0.5f * ImGui::GetStyle().ItemSpacing.y;
     draw_charts(plots, size.x > ui::px(kTwoColumns) ? 2 : 1);
     if (plots.chosen[kConvergence]) convergence_rows(simulation, state.convergence);
   }

@@ -17,17 +17,21 @@ std::string grouped(std::size_t number) {  // 12345 as 12 345
   return text;
 }
 
-// Tets that the motion has turned inside out, while there are any.
-void inverted_row(const Statistics& statistics) {
-  if (!statistics.inverted_since) return;
+// The counts of the mesh; while the motion has turned tets inside out, how many, at the same place: rows below stay.
+void mesh_row(const Model& model, const Statistics& statistics) {
+  if (!statistics.inverted_since)
+    return ui::fact("Mesh",
+                    grouped(model.rest_positions.size()) + " vertices, " + grouped(model.tets.size()) +
+                        (model.tets.size() == 1 ? " tet" : " tets"),
+                    "Counts of all bodies, as simulated: without degenerate tets");
   const int count = statistics.diagnostics ? statistics.diagnostics->inverted : 0;
   char text[96];
   std::snprintf(text, sizeof text, "%d %s inside out since %.2f s", count, count == 1 ? "tet" : "tets",
                 *statistics.inverted_since);
-  ImGui::TextColored(ui::kWarning, "%s", text);
-  ui::tooltip(
-      "Simulated time at which the first tet turned inside out (J below 0). This line goes when all tets are upright "
-      "again. Smaller steps, more iterations or a gentler grab avoid it");
+  ui::fact("Mesh", text,
+           "Simulated time at which the first tet turned inside out (J below 0). This goes when all tets are upright "
+           "again. Smaller steps, more iterations or a gentler grab avoid it",
+           &ui::kWarning);
 }
 
 // What the reader of the mesh has changed. It holds for the file, not for the motion, and a click hides it.
@@ -49,7 +53,8 @@ void mesh_frame_rows(const BareMeshPlan& plan, Requests& requests) {
   ui::ButtonRow units(static_cast<int>(kLengthUnits.size()));
   for (const LengthUnit unit : kLengthUnits) {
     const std::string help = std::string("Opens the mesh again in ") + name_of(unit);
-    if (units.add(name_of(unit), help, unit == plan.unit)) open_again(unit, plan.up);
+    const char* const label = unit == LengthUnit::um ? "\xc2\xb5m" : name_of(unit);
+    if (units.add(label, help, unit == plan.unit)) open_again(unit, plan.up);
   }
   ui::label("Up", "Axis of the mesh that points up: " + plan.up_reason + ". A saved scene has it as the key up");
   ui::ButtonRow axes(static_cast<int>(kUpAxes.size()));
@@ -74,13 +79,10 @@ void scene_panel(const PanelContext& context) {
 
   const Model& model = simulation.model;
   const Statistics& clock_now = state.statistics;
-  ui::fact("Mesh",
-           grouped(model.rest_positions.size()) + " vertices, " + grouped(model.tets.size()) +
-               (model.tets.size() == 1 ? " tet" : " tets"),
-           "Counts of all bodies, as simulated: without degenerate tets");
+  mesh_row(model, state.statistics);
   ui::fact("Mass", engineering(state.facts.mass(model), "kg"), "At the current densities; lumped to the vertices");
   char text[64];
-  if (clock_now.measured)
+  if (clock_now.measured && !state.recording)  // a video has a speed of its own
     std::snprintf(text, sizeof text, "%.2f s at %.0f %% of real time", simulation.time(),
                   state.paused ? 0 : 100 * clock_now.speed);
   else
@@ -89,7 +91,6 @@ void scene_panel(const PanelContext& context) {
   if (const auto& unit = state.facts.unit; unit && hint_row(state.hints, unit->hint))
     context.requests.rescale = unit->scale;
   if (model.plan) mesh_frame_rows(*model.plan, context.requests);
-  inverted_row(state.statistics);
   notes_rows(model, state.hints);
 }
 

@@ -36,19 +36,11 @@ constexpr SolverSlider kSolverSliders[] = {{"iterations", "Iterations", 1, 200, 
 constexpr auto kLabelOf = [](auto choice) { return label_of(choice); };
 constexpr auto kHelpOf = [](auto choice) { return help_of(choice); };
 
-bool pair_combos(SolverSettings& settings, const std::vector<Material>& materials) {
-  std::vector<Method> able;
-  bool refuses = false;
-  for (const SolverChoice& pair : solver_choices()) {
-    const bool carried = std::all_of(materials.begin(), materials.end(),
-                                     [&](const Material& m) { return carries(pair.method, m.model); });
-    refuses |= !carried;
-    if (carried && std::find(able.begin(), able.end(), pair.method) == able.end()) able.push_back(pair.method);
-  }
-  bool changed = ui::choice("Method", able, settings.method, kLabelOf, kHelpOf);
-  if (refuses)
-    ui::fact("XPBD methods", "need another model",
-             "They carry laws of the Green strain alone: choose St. Venant-Kirchhoff as the material's model first");
+bool pair_combos(SolverSettings& settings, const Model& model) {
+  std::vector<Method> all;
+  for (const MethodInfo& info : methods()) all.push_back(info.method);
+  bool changed = ui::choice("Method", all, settings.method, kLabelOf, kHelpOf,
+                            [&](Method method) { return refusal(method, model.materials, model.has_quadratic()); });
   // A new method keeps the current acceleration if it supports it; otherwise, and after none, it gets the best one.
   const bool none = changed && settings.acceleration == Acceleration::none;
   const auto pair = none ? std::nullopt : find_choice(name_of(settings.method), name_of(settings.acceleration));
@@ -112,10 +104,11 @@ void solver_panel(const PanelContext& context) {
   if (simulation.uses_reference())
     ui::fact("Method", "Newton, double precision", "The reference solver on the CPU: exact, slow, and without grabs");
   else
-    changed = pair_combos(settings, simulation.model.materials);
+    changed = pair_combos(settings, simulation.model);
   std::vector<Integrator> all;
   for (const IntegratorInfo& info : integrators()) all.push_back(info.integrator);
   changed |= ui::choice("Integrator", all, settings.integrator, kLabelOf, kHelpOf);
+  bool better = false;  // its remedy was asked for
   visit_settings(settings, [&](auto& value, const char* name, const char* unit, auto min, auto max, bool logarithmic,
                                const char* help) {
     if (!applies(name, settings.choice())) return;
@@ -134,12 +127,17 @@ void solver_panel(const PanelContext& context) {
     const bool turned = ui::number(field, number);
     // Without measured times a large residual cannot be recognised as temporary.
     if (field.label == "Iterations" && state.statistics.measured && !simulation.asleep())
-      hint_row(state.hints, iterations_hint(simulation.scene.solver, state.statistics.diagnostics));
+      better |= hint_row(state.hints, iterations_hint(simulation.scene.solver, state.statistics.diagnostics));
     if (field.label == "Time step") hint_row(state.hints, time_step_hint(simulation.scene.solver));
     if (!turned) return;
     value = static_cast<Value>(std::clamp(number, field.min, field.max));
     changed = true;
   });
+  if (better) {
+    settings.method = solver_choices().front().method;
+    settings.acceleration = solver_choices().front().acceleration;
+    changed = true;
+  }
   if (changed) {
     simulation.set_settings(settings);
     session.true_error.forget();  // it was that of other settings

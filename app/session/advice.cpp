@@ -44,24 +44,31 @@ std::optional<Hint> iterations_hint(const SolverSettings& settings, const std::o
   // A residual of a tenth of the step is where the error becomes visible.
   constexpr double kVisible = 0.1;
   if (!diagnostics || !std::isfinite(diagnostics->residual) || diagnostics->residual < kVisible) return std::nullopt;
+  const Method best = solver_choices().front().method;
+  const bool stays_soft = settings.method == Method::jacobi;
   char text[64];
-  std::snprintf(text, sizeof text, "Residual %.2g: too few iterations?", diagnostics->residual);
-  const bool default_pair = settings.choice() == solver_choices().front();
-  return Hint{"iterations", text,
-              std::string("The last step was left unsolved by this share, so the tissue acts softer or slower than its "
-                          "material is. More iterations, shorter steps or more substeps") +
-                  (default_pair ? "" : ", or the method two_level") +
-                  " help. At rest, and in the first steps of a grab, a large share of nearly nothing means little.",
-              ""};
+  std::snprintf(text, sizeof text,
+                stays_soft ? "Residual %.2g: this method stays too soft." : "Residual %.2g: too few iterations?",
+                diagnostics->residual);
+  std::string help =
+      "The last step was left unsolved by this share, so the tissue acts softer or slower than its material is. ";
+  if (stays_soft)
+    help += "More iterations of averaged Jacobi do not reach the material's stiffness; another method does.";
+  else
+    help += "More iterations, shorter steps or more substeps help.";
+  help += " At rest, and in the first steps of a grab, a large share of nearly nothing means little.";
+  const std::string remedy = settings.method == best ? "" : std::string("Use ") + label_of(best);
+  return Hint{"iterations", text, help, remedy};
 }
 
 std::optional<Hint> time_step_hint(const SolverSettings& settings) {
   constexpr double kLongest = 1.0 / 29;  // [s]
-  if (settings.substep() < kLongest) return std::nullopt;
-  return Hint{"time step", "Long steps damp motion strongly.",
-              "Implicit Euler takes energy out of every motion that is not much longer than a substep: tissue swings "
-              "less and settles sooner than it would. Shorter steps, or more substeps, keep the motion.",
-              ""};
+  if (settings.integrator != Integrator::implicit_euler || settings.substep() < kLongest) return std::nullopt;
+  return Hint{
+      "time step", "Long steps damp motion strongly.",
+      "Implicit Euler takes energy out of every motion that is not much longer than a substep: tissue swings "
+      "less and settles sooner than it would. Shorter steps, more substeps or another integrator keep the motion.",
+      ""};
 }
 
 bool hint_row(HintBoard& board, const std::optional<Hint>& hint) {

@@ -6,7 +6,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/usage_error.h"
 #include "app/session/advice.h"
-#include "app/session/opening_progress.h"
+#include "app/session/progress_lines.h"
 #include "app/system/paths.h"
 #include "base/error.h"
 #include "base/file.h"
@@ -33,9 +33,9 @@ Opened open_replay(const std::filesystem::path& path, const std::vector<std::str
   // Without a record of its files, this is the only check that a replay's file that was found by name elsewhere is the
   // same mesh.
   if (!read.scene.notes.empty())
-    throw Error(read.scene.notes.front(), "another mesh than that of the recording",
-                "expected that one beside the replay");
-  opened.model.notes.push_back(path.string() + ": recorded with another mesh than its file holds now");
+    throw Error(read.scene.notes.front(), "the mesh differs from the recorded one",
+                "expected the recorded mesh beside the replay");
+  opened.model.notes.push_back(path.string() + ": recorded with a mesh that its file no longer holds");
   return opened;
 }
 

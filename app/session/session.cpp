@@ -79,7 +79,9 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
 
 void Session::frame() { camera.frame(box_min_, box_max_); }
 
-void Session::lay_ground(double below) { look.ground_height = below - (stands_ ? 0 : 0.4 * look.radius); }
+void Session::lay_ground(double below) {
+  laid_ground_ = look.ground_height = below - (stands_ ? 0 : 0.4 * look.radius);
+}
 
 void Session::forget_ground() { lay_ground(lowest_of(surface_)); }
 
@@ -89,6 +91,17 @@ void Session::follow_ground(Session* beside, bool now) {
   if (!beside) return;
   beside->measure_lowest(now);
   look.ground_height = beside->look.ground_height = std::min(look.ground_height, beside->look.ground_height);
+}
+
+void Session::set_material_entries(const std::vector<MaterialEntries>& entries) {
+  simulation.set_material_entries(entries);
+  lowest_.reset();
+}
+
+void Session::lift_ground(Session* beside) {
+  for (Session* session : {this, beside})
+    if (session) session->look.ground_height = session->laid_ground_;
+  settle_ground(beside);
 }
 
 void Session::measure_lowest(bool now) {

@@ -48,6 +48,8 @@ class Session {
   void follow_range(Session* beside = nullptr) { follow_range(beside, false); }
   /// The same from the current state, for a single picture.
   void settle_range(Session* beside = nullptr) { follow_range(beside, true); }
+  /// False while an automatic range has met no value to follow, as at rest: the colors mean nothing then.
+  bool has_range() const { return display().range || range_; }
   void forget_range();            // makes the next range independent of earlier pictures
   bool range_only_grows = false;  // for a video, whose colors must keep their meaning
   /// Whether values lie below and above the range of the colors, as of the last call of follow_range or settle_range.
@@ -56,7 +58,12 @@ class Session {
   /// drawn ground it does nothing.
   void follow_ground(Session* beside = nullptr) { follow_ground(beside, false); }
   void settle_ground(Session* beside = nullptr) { follow_ground(beside, true); }
+  /// Simulation::set_material_entries(), after which nothing here reads the buffers of the replaced solver.
+  void set_material_entries(const std::vector<MaterialEntries>& entries);
   void forget_ground();  // puts the ground below the bodies at rest again
+  /// The same with settle_ground(), for a window whose tissue has come to rest: the ground that sank below a body
+  /// returns with it.
+  void lift_ground(Session* beside = nullptr);
   /// Call once per frame, after its steps: updates the comparison with the exact step, if requested, and its heat map.
   void follow_error();
   void measure_error();  // at once, for a single picture
@@ -93,6 +100,7 @@ class Session {
   std::optional<ShownValues> compared_;   // shown_ together with those of the session beside
   std::optional<Eigen::Vector2f> range_;  // follows compared_
   std::optional<LowestPoint> lowest_;     // created when the ground is first shown
+  double laid_ground_ = 0;                // [m] height of the ground before it followed the bodies
   bool stands_ = false;                   // on the ground, held at its lowest part; else it hangs above the ground
   std::vector<std::uint32_t> grabbed_;    // vertices that the renderer shows as grabbed
   std::vector<TissuePaint> paints_;       // that the renderer has

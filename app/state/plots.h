@@ -22,6 +22,7 @@ struct Plots {
   std::optional<std::uint32_t> probe;              // tracked vertex; none: the tip, once there are plots
   bool choosing = false;                           // the next click on the tissue selects the probe
   float left = 0, top = 0, width = 0, height = 0;  // of the panel in the picture [pixels]
+  float charts_top = 0;                            // of its part below the buttons [pixels]
   bool docked = true;  // until it is moved or resized, it fills the right or lower side of the picture, at any size
   std::array<float, 4> dock{};  // its area in the previous frame: left, top, width, height [pixels]
   bool at_bottom = false;       // the dock is below the tissue, since a narrow picture has no room beside it

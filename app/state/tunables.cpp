@@ -183,7 +183,7 @@ void set_tunables(Session& session, GrabSettings& grab, const Tunables& tunables
   const bool settings_first = std::all_of(simulation.model.materials.begin(), simulation.model.materials.end(),
                                           [&](const Material& m) { return carries(tunables.solver.method, m.model); });
   if (now.solver != tunables.solver && settings_first) simulation.set_settings(tunables.solver);
-  if (now.materials != tunables.materials) simulation.set_material_entries(tunables.materials);
+  if (now.materials != tunables.materials) session.set_material_entries(tunables.materials);
   if (now.solver != tunables.solver && !settings_first) simulation.set_settings(tunables.solver);
   if (now.gravity != tunables.gravity) simulation.set_gravity(tunables.gravity);
   if (now.display != tunables.display) session.set_display(tunables.display);

@@ -60,6 +60,12 @@ struct SceneFacts {
   std::vector<std::string> material_names;  // without the body's name if there is only one body
 };
 
+/// A material whose law was replaced with the values of a tissue.
+struct ReplacedLaw {
+  std::size_t material;
+  MaterialModel before;
+};
+
 /// A request to a comparison of two settings side by side.
 enum class CompareAsk { nothing, open_or_close, edit_a, edit_b, copy_a, swap, keep_b };
 
@@ -72,7 +78,8 @@ struct WindowState {
   BrushSettings brush;
   std::size_t grabs = 0;  // number of the user's grabs
   SceneFacts facts;
-  std::size_t chosen_material = 0;  // the one whose sliders are shown
+  std::size_t chosen_material = 0;          // the one whose sliders are shown
+  std::optional<ReplacedLaw> replaced_law;  // the last one, until another law is chosen or it is hidden
   HintBoard hints;
   UndoHistory history;
   bool comparing = false, editing_b = false;  // the panels show side B

@@ -44,7 +44,7 @@ UserSettings read_user_settings(const fs::path& file) {
   try {
     json = Json::parse(read_file(file));
   } catch (const nlohmann::json::exception& error) {
-    throw Error(file.string(), "is no JSON", "expected the settings that fascia wrote");
+    throw Error(file.string(), "is not JSON", "expected the settings that fascia wrote");
   }
   if (!json.is_object() || json.value("fascia_settings", Json()) != Json(1)) fail(file, "fascia_settings", "1");
   UserSettings settings;

@@ -17,8 +17,16 @@ Ticks linear_ticks(double low, double high, int most) {
                rounding = std::numeric_limits<float>::epsilon() * largest;
   for (const double factor : {5.0, 2.0, 1.0})
     if (factor * decade * most >= high - low - std::max(2 * rounding, 1e-6 * (high - low))) step = factor * decade;
-  const double slack = std::min(rounding / step + 1e-9, 0.25);  // [steps]
-  for (double i = std::ceil(low / step - slack); i <= high / step + slack; ++i) ticks.values.push_back(i * step);
+  const auto take = [&](double spacing) {
+    step = spacing;
+    ticks.values.clear();
+    const double slack = std::min(rounding / step + 1e-9, 0.25);  // [steps]
+    for (double i = std::ceil(low / step - slack); i <= high / step + slack; ++i) ticks.values.push_back(i * step);
+  };
+  take(step);
+  // One tick tells no scale. The next finer steps have two or three.
+  for (const double factor : {5.0, 2.0, 1.0, 0.5, 0.2})
+    if (ticks.values.size() < 2 && factor * decade < step) take(factor * decade);
   ticks.digits = std::clamp(static_cast<int>(std::floor(std::log10(largest)) - std::floor(std::log10(step))) + 1, 1, 9);
   return ticks;
 }

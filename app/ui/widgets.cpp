@@ -5,7 +5,9 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "app/ui/audit.h"
 #include "app/ui/style.h"
@@ -30,10 +32,12 @@ struct PressedSlider {
   double value = 0;
 } last_pressed;
 
-// Replaces ^3 and the like in units by superscripts.
+// Replaces ^3 and the like in units by superscripts, and +- by its sign.
 std::string pretty(std::string text) {
-  if (const std::size_t at = text.find("^3"); at != std::string::npos) text.replace(at, 2, "\xc2\xb3");
-  if (const std::size_t at = text.find("^2"); at != std::string::npos) text.replace(at, 2, "\xc2\xb2");
+  constexpr std::pair<const char*, const char*> kSigns[] = {{"^3", "\xc2\xb3"}, {"^2", "\xc2\xb2"}, {"+-", "\xc2\xb1"}};
+  for (const auto& [plain, sign] : kSigns)
+    for (std::size_t at = text.find(plain); at != std::string::npos; at = text.find(plain, at))
+      text.replace(at, 2, sign);
   return text;
 }
 
@@ -126,6 +130,14 @@ std::vector<Box>& pills_of_frame() {
   return pills;
 }
 
+// Help is also that of command lines, where it begins with a small letter. The name of a key keeps its letters.
+std::string capitalized(std::string text) {
+  const auto end = std::find_if(text.begin(), text.end(), [](unsigned char c) { return !std::islower(c); });
+  if (end != text.begin() && (end == text.end() || *end == ' ' || *end == ','))
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
 }  // namespace
 
 bool section(const char* title, bool open_at_first) {
@@ -137,10 +149,11 @@ bool section(const char* title, bool open_at_first) {
 }
 
 void tooltip(const std::string& text) {
-  if (text.empty() || !ImGui::IsItemHovered() || ImGui::IsItemActive()) return;  // it would cover the changing value
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive())
+    return;  // it would cover the changing value
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(px(300));
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextUnformatted(pretty(capitalized(text)).c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
@@ -174,6 +187,11 @@ void label(const char* text, const std::string& help) {
   tooltip(help);
   ImGui::SameLine(start + kLabelShare * width);
   ImGui::SetNextItemWidth(-FLT_MIN);
+}
+
+ImGuiComboFlags combo_flags(const std::string& chosen) {
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
+  return ImGui::CalcTextSize(chosen.c_str()).x > room ? ImGuiComboFlags_NoArrowButton : ImGuiComboFlags_None;
 }
 
 bool number(const NumberField& field, double& value) {
@@ -284,7 +302,10 @@ ButtonRow::ButtonRow(int count)
 bool ButtonRow::add(const char* text, const std::string& help, bool lit) {
   if (!first_) ImGui::SameLine();
   first_ = false;
-  return button(text, help, width_, lit);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(2), ImGui::GetStyle().FramePadding.y});  // for narrow buttons
+  const bool pressed = button(text, help, width_, lit);
+  ImGui::PopStyleVar();
+  return pressed;
 }
 
 void keep_inside() {

@@ -36,19 +36,29 @@ bool number(const NumberField& field, double& value);
 /// Starts a row whose control is drawn next and fills the remaining width.
 void label(const char* text, const std::string& help = "");
 
-/// A list of choices: `label_of` and `help_of` give the texts of each. True if another one was chosen.
-template <class Choice, class Label, class Help>
-bool choice(const char* name, const std::vector<Choice>& choices, Choice& chosen, Label label_of, Help help_of) {
+/// Of a list that fills the row: a chosen text that is too long for a place beside the arrow takes that of the arrow.
+ImGuiComboFlags combo_flags(const std::string& chosen);
+
+inline constexpr auto kNeverRefused = [](const auto&) { return std::string(); };
+
+/// A list of choices: `label_of` and `help_of` give the texts of each. One for which `refusal_of` gives a reason is
+/// gray, with the reason in its tooltip. True if another one was chosen.
+template <class Choice, class Label, class Help, class Refusal = decltype(kNeverRefused)>
+bool choice(const char* name, const std::vector<Choice>& choices, Choice& chosen, Label label_of, Help help_of,
+            Refusal refusal_of = kNeverRefused) {
   bool changed = false;
   label(name, help_of(chosen));
   ImGui::PushID(name);
-  if (ImGui::BeginCombo("##choice", std::string(label_of(chosen)).c_str())) {
+  const std::string now = label_of(chosen);
+  if (ImGui::BeginCombo("##choice", now.c_str(), combo_flags(now))) {
     for (const Choice one : choices) {
-      if (ImGui::Selectable(std::string(label_of(one)).c_str(), one == chosen) && one != chosen) {
+      const std::string refusal = refusal_of(one);
+      const ImGuiSelectableFlags flags = refusal.empty() ? 0 : ImGuiSelectableFlags_Disabled;
+      if (ImGui::Selectable(std::string(label_of(one)).c_str(), one == chosen, flags) && one != chosen) {
         chosen = one;
         changed = true;
       }
-      tooltip(help_of(one));
+      tooltip(refusal.empty() ? std::string(help_of(one)) : refusal);
     }
     ImGui::EndCombo();
   } else {

@@ -31,8 +31,7 @@ void require_frames(const std::string& option, const std::filesystem::path& path
   const std::string ending = lower_ending(path), where = option + " " + path.string();
   std::error_code ec;
   if (std::filesystem::exists(path, ec) && !std::filesystem::is_regular_file(path, ec))
-    throw UsageError(where, "is no regular file",
-                     "expected the name of one, which a video can be put under when it is complete");
+    throw UsageError(where, "is not a regular file", "expected a regular file or a new name");
   if (ending == ".png") {
     if (!picture_names(path))
       throw UsageError(where, "has no place for the number of a picture", "expected one as in frames/%05d.png");
@@ -40,7 +39,7 @@ void require_frames(const std::string& option, const std::filesystem::path& path
   }
   if (is_pattern(path)) throw UsageError(where, "is a pattern of other files than pictures", kPattern);
   if (std::find(kContainers.begin(), kContainers.end(), ending) == kContainers.end())
-    throw UsageError(where, "has an ending that it cannot write",
+    throw UsageError(where, "is not a video format",
                      "expected .mp4, .webm, .gif, .mkv, .mov, .avi, another video that ffmpeg writes, or pictures as "
                      "frames/%05d.png");
   require_writable(path);

@@ -148,7 +148,7 @@ void Recorder::remove_files() {
 
 void Recorder::write(const std::vector<std::uint8_t>& rgba) {
   if (rgba.size() != frame_bytes_)
-    throw Error(path_.string(), "a frame of another size", "expected the size it was opened with");
+    throw Error(path_.string(), "a frame has a different size", "expected the size it was opened with");
   std::size_t written = 0;
   while (written < rgba.size()) {
     const ssize_t n = ::write(pipe_, rgba.data() + written, rgba.size() - written);

@@ -149,8 +149,7 @@ bool SessionRecording::carry_files(std::vector<ReadFile>& read) {
 }
 
 void SessionRecording::save_as(const fs::path& path) {
-  if (failed_)
-    throw Error(path_.string(), "the session is recorded in part only", "expected free disk space all the time");
+  if (failed_) throw Error(path_.string(), "the session is recorded in part only", "expected enough free disk space");
   std::error_code ec;
   if (fs::equivalent(path, path_, ec))
     throw Error(path.string(), "is where the session is being recorded", "expected another file");

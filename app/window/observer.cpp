@@ -90,10 +90,9 @@ void Observer::write_plots(const Requests& requests) {
   if (!requests.plot_picture) return;
   const Image whole = stage_.framebuffer->read();
   const int left = std::clamp(static_cast<int>(plots.left), 0, whole.width - 1),
-            top = std::clamp(static_cast<int>(plots.top), 0, whole.height - 1);
-  Image part{std::min(static_cast<int>(plots.width), whole.width - left),
-             std::min(static_cast<int>(plots.height), whole.height - top),
-             {}};
+            top = std::clamp(static_cast<int>(plots.charts_top), 0, whole.height - 1),
+            bottom = std::clamp(static_cast<int>(plots.top + plots.height), top + 1, whole.height);
+  Image part{std::min(static_cast<int>(plots.width), whole.width - left), bottom - top, {}};
   for (int y = top; y < top + part.height; ++y) {
     const auto row = whole.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * whole.width + left);
     part.rgba.insert(part.rgba.end(), row, row + 4 * part.width);

@@ -102,7 +102,7 @@ void ScenePicture::draw_onto(Framebuffer& picture, bool panels) {
 
 Image ScenePicture::still() {
   const Framebuffer& shown = *stage_.framebuffer;
-  if (full()) return shown.read();
+  if (full() && !shows_pointer(shown)) return shown.read();
   constexpr int kSamples = 4;
   Framebuffer picture(shown.width(), shown.height(), std::min(kSamples, samples_of_renderer()));
   draw_onto(picture, stage_.state.show_panels);
@@ -141,7 +141,7 @@ void ScenePicture::draw_scene(const Canvas& canvas) {
     for (const Box& box : covered(canvas)) places.keep_clear(box);
     if (const auto legend = legend_box(free.box(), session, left)) places.keep_clear(*legend);
     draw_grab_marks(area, session, grabs, places);
-    draw_ring(area, session);
+    if (shows_pointer(picture)) draw_ring(area, session);
     draw_brush_marks(area, session, stage_.stroke.places(), color_of(stage_.state.brush.brush));
     if (&picture == stage_.framebuffer.get()) draw_lasso(area, stage_.lasso.curve());
     const Plots& plots = stage_.state.plots;
@@ -168,10 +168,16 @@ void ScenePicture::draw_comparison(SplitView& split, const Canvas& canvas,
                 a, static_cast<float>(canvas.left) / scale);
     split.draw_labels(list, a, picture.width(), picture.height(), edges, scale,
                       {of_a, true, stage_.state.editing_b, grabs, covered(canvas)});
+    if (!shows_pointer(picture)) return;
     const bool ring_in_b = stage_.mouse.grabs().following() ? sides_.grab_in_b() : sides_.points_at_b();
     const SplitView::Area area = SplitView::areas(picture.width(), edges)[ring_in_b ? 1 : 0];
     draw_ring(SplitView::area_of(list, area, picture.height(), scale), ring_in_b ? split.b() : a);
   });
+}
+
+// The ring at the mouse belongs to the window alone, and a video may take the window's picture.
+bool ScenePicture::shows_pointer(const Framebuffer& picture) const {
+  return &picture == stage_.framebuffer.get() && !(stage_.state.recording && full());
 }
 
 // The patch of a grab, or the patch that a grab at the mouse would hold.

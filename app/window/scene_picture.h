@@ -40,6 +40,7 @@ class ScenePicture {
   /// `drawn`: SplitView::draw.
   void draw_comparison(SplitView& split, const Canvas& canvas,
                        const std::function<void(std::size_t, const Framebuffer&)>& drawn = {});
+  bool shows_pointer(const Framebuffer& picture) const;
   void draw_ring(const MarkArea& area, const Session& session) const;
   Margins margins_of(const Canvas& canvas) const;
   MarkArea beside_docks(const MarkArea& area, const Canvas& canvas) const;

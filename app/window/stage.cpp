@@ -4,6 +4,7 @@
 #include "app/panels/panels.h"
 #include "app/session/file_provenance.h"
 #include "base/file.h"
+#include "base/text.h"
 #include "sim/output/state_export.h"
 #include "sim/scene/scene_carry.h"
 #include "sim/scene/scene_write.h"
@@ -44,9 +45,13 @@ Margins Stage::margins() const {
 
 void Stage::save(const std::filesystem::path& path, bool with_mesh) {
   std::vector<ReadFile>& files = simulation().model.files;
-  const Scene scene = with_mesh ? self_contained(scene_now(), files) : with_known_files(scene_now(), files);
+  Scene now = scene_now();
+  const std::vector<ScriptedGrab> staying = mouse.grabs().staying(simulation().model);
+  now.grabs.insert(now.grabs.end(), staying.begin(), staying.end());
+  const Scene scene = with_mesh ? self_contained(now, files) : with_known_files(now, files);
   write_file(path, scene_to_json(scene, path.parent_path()));
-  messages.say("Saved " + path.string());
+  messages.say("Saved " + path.string() +
+               (staying.empty() ? "" : ", with " + plural(staying.size(), "grab") + " that stays"));
 }
 
 void Stage::export_state(const std::filesystem::path& path) {

@@ -36,7 +36,7 @@ struct Stage {
   int panels_cover() const;  // of the picture's width [pixels]
   Margins margins() const;   // of the window's picture
 
-  /// `with_mesh`: the file carries its meshes and tables. Throws Error.
+  /// Grabs that stay become grabs of the scene. `with_mesh`: the file carries its meshes and tables. Throws Error.
   void save(const std::filesystem::path& path, bool with_mesh);
   void export_state(const std::filesystem::path& path);
 };

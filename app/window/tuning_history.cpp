@@ -9,6 +9,30 @@
 #include "sim/scene/scene_scale.h"
 
 namespace fascia {
+namespace {
+
+Scene with_materials(Scene scene, const std::vector<MaterialEntries>& entries) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    scene.bodies[b].material = entries[b].material;
+    scene.bodies[b].region_materials = entries[b].region_materials;
+  }
+  return scene;
+}
+
+// Whether other regions have materials of their own in the scene than in the session: they take other kernels.
+bool regions_differ(const Scene& scene, const Session& session) {
+  const auto regions = [](const Scene& s) {
+    std::vector<std::vector<std::string>> names;
+    for (const Body& body : s.bodies) {
+      names.emplace_back();
+      for (const auto& entry : body.region_materials) names.back().push_back(entry.first);
+    }
+    return names;
+  };
+  return regions(scene) != regions(session.simulation.scene);
+}
+
+}  // namespace
 
 void TuningHistory::session_began() {
   stage_.state.history.restart(tunables_of(*stage_.session, stage_.state.grab));
@@ -41,7 +65,11 @@ void TuningHistory::go_to(std::size_t entries) {
   }
   Session& session = sides_.tuned();
   const std::vector<std::string> names = session.simulation.model.material_names;
-  set_tunables(session, stage_.state.grab, *wanted);
+  const auto set = [&] { set_tunables(session, stage_.state.grab, *wanted); };
+  if (const Scene scene = with_materials(session.simulation.scene, wanted->materials); regions_differ(scene, session))
+    kernels_.change(scene, set);
+  else
+    set();
   history.accept(tunables_of(session, stage_.state.grab));
   if (session.simulation.model.material_names != names) materials_changed();
 }
@@ -69,12 +97,10 @@ void TuningHistory::rebuild(const Tunables& wanted) {
     throw Error("Fixed vertices and regions", "cannot change during a comparison", "close the comparison first (B)");
   Scene scene = stage_.scene_now();
   scene.solver = wanted.solver;
+  scene = with_materials(std::move(scene), wanted.materials);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    Body& body = scene.bodies[b];
-    body.fixed = wanted.fixed[b];
-    body.regions = wanted.regions[b];
-    body.material = wanted.materials[b].material;
-    body.region_materials = wanted.materials[b].region_materials;
+    scene.bodies[b].fixed = wanted.fixed[b];
+    scene.bodies[b].regions = wanted.regions[b];
   }
   sides_.let_go();
   // With the first region there are several materials, which take other kernels
@@ -86,7 +112,8 @@ void TuningHistory::rebuild(const Tunables& wanted) {
 }
 
 void TuningHistory::set_materials(const std::vector<MaterialEntries>& entries) {
-  sides_.tuned().simulation.set_material_entries(entries);
+  Session& session = sides_.tuned();
+  kernels_.change(with_materials(session.simulation.scene, entries), [&] { session.set_material_entries(entries); });
   materials_changed();
 }
 
@@ -94,6 +121,7 @@ void TuningHistory::set_materials(const std::vector<MaterialEntries>& entries) {
 void TuningHistory::materials_changed() {
   Session& session = sides_.tuned();
   session.true_error.forget();
+  kernels_.session_began(session.simulation);
   model_changed();
   // With other regions the open session has another scene, so a new recording begins.
   if (&session == stage_.session.get()) recording_.begin_anew_around([] {});

@@ -152,7 +152,7 @@ void Window::wait_for_events() {
 void Window::settle() {
   stage_.messages.attempt([&] {
     stage_.session->settle_range(sides_.second());
-    stage_.session->settle_ground(sides_.second());
+    stage_.session->lift_ground(sides_.second());
   });
   frames_to_settle_ = kFramesToSettle;
   settled_ = true;
@@ -294,6 +294,7 @@ void Window::session_began() {
   shown_ = false;
   recovery_.session_began();
   stage_.state.facts = SceneFacts(stage_.simulation().scene, stage_.simulation().model);
+  stage_.state.replaced_law.reset();
   stage_.state.statistics = {};
   stage_.state.statistics.measured = true;
   tuning_.session_began();

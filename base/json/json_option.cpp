@@ -26,7 +26,7 @@ std::vector<std::pair<std::string, std::string>> option_parts(std::string_view t
     const std::size_t begin = part.find_first_not_of(' '), equals = part.find('=');
     if (begin == std::string::npos) continue;
     if (equals == std::string::npos || equals == begin)
-      throw Error(option, on_one_line(part) + " is no KEY=VALUE", "expected such as " + example);
+      throw Error(option, on_one_line(part) + " is not KEY=VALUE", "expected such as " + example);
     const std::string key = part.substr(begin, equals - begin);
     if (std::any_of(result.begin(), result.end(), [&](const auto& other) { return other.first == key; }))
       throw Error(option, on_one_line(key) + " is given twice", "expected each key once");

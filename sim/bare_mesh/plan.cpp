@@ -39,11 +39,7 @@ std::string percent(double share) {
 
 /// The largest extent of the mesh in its own coordinates decides.
 void choose_unit(double extent, bool open, BareMeshPlan& plan) {
-  if (open) {
-    plan.unit = LengthUnit::m;
-    for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::um})
-      if (extent > kLargest && plan.unit == LengthUnit::m && extent * meters(unit) <= kLargest) plan.unit = unit;
-  }
+  if (open) plan.unit = likely_unit(extent);
   const std::string size =
       plan.unit == LengthUnit::m && extent < 0.01 ? length(extent) : number(extent) + " " + name_of(plan.unit);
   plan.unit_reason = size + " wide" + (open ? "" : ", as given");
@@ -233,8 +229,14 @@ std::string pascals(double value) {
 
 }  // namespace
 
+LengthUnit likely_unit(double extent) {
+  for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::um})
+    if (extent > kLargest && extent * meters(unit) <= kLargest) return unit;
+  return LengthUnit::m;
+}
+
 BareMeshPlan plan_bare_mesh(const std::filesystem::path& file, const TetMesh& mesh, const std::vector<Tet>& tets,
-                            const Unsettled& open, const Body& body, double gravity) {
+                            const Unsettled& open, const Body& body, double gravity, double extent) {
   BareMeshPlan plan;
   plan.overrides = open.overrides;
   plan.unit = body.unit;
@@ -243,7 +245,7 @@ BareMeshPlan plan_bare_mesh(const std::filesystem::path& file, const TetMesh& me
   plan.young_modulus = body.material.young_modulus;
   plan.law = open.law ? kTissueLaw : body.material.model;
   const FlatSides sides = flat_sides(mesh.positions, tets);
-  choose_unit(sides.size.maxCoeff() * body.transform.scale, open.unit, plan);
+  choose_unit((extent > 0 ? extent : sides.size.maxCoeff()) * body.transform.scale, open.unit, plan);
   Hold hold = Hold::underside;
   double depth = 0;
   if (open.up) {

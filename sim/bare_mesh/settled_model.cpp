@@ -9,10 +9,12 @@ Model settled_model(Scene& scene, const Progress& progress) {
   if (!scene.unsettled) return build_model(scene, progress);
   BareMeshPlan plan;
   std::string law_note;
-  const auto settle = [&](std::size_t index, const TetMesh& mesh, const std::vector<Tet>& tets) {
+  const auto settle = [&](std::size_t index, const TetMesh& mesh, const std::vector<Tet>& tets,
+                          const SurfaceMesh& surface) {
     if (index > 0) return;
     Body& body = scene.bodies[0];
-    plan = plan_bare_mesh(body.mesh, mesh, tets, *scene.unsettled, body, scene.gravity.norm());
+    plan = plan_bare_mesh(body.mesh, mesh, tets, *scene.unsettled, body, scene.gravity.norm(),
+                          surface.triangles.empty() ? 0 : box_of(surface).sizes().maxCoeff());
     body.unit = plan.unit;
     body.up = plan.up;
     body.fixed = plan.fixed;
@@ -20,7 +22,7 @@ Model settled_model(Scene& scene, const Progress& progress) {
     if (carries(scene.solver.method, plan.law)) body.material.model = plan.law;
     law_note = carries(scene.solver.method, plan.law)
                    ? ""
-                   : std::string(name_of(scene.solver.method)) + " does not carry the material model " +
+                   : std::string(name_of(scene.solver.method)) + " does not support the material model " +
                          name_of(plan.law) + ", so it is " + name_of(body.material.model);
   };
   Model model = build_model(scene, progress, settle);

@@ -45,4 +45,11 @@ void GrabSet::observe(const std::vector<GrabForce>& forces) {
       if (f.grab == entry.id) entry.grab.observe(f.force);
 }
 
+std::vector<ScriptedGrab> GrabSet::staying(const Model& model) const {
+  std::vector<ScriptedGrab> scripted;
+  for (std::size_t i = 0; i < grabs_.size(); ++i)
+    if (!follows(i)) scripted.push_back(grabs_[i].grab.as_scripted(model));
+  return scripted;
+}
+
 }  // namespace fascia

@@ -30,6 +30,7 @@ class GrabSet {
   bool follows(std::size_t index) const { return following_ == index; }
 
   std::vector<GrabSpring> springs(double time_step);
+  std::vector<ScriptedGrab> staying(const Model& model) const;  // those that do not follow the mouse
   void observe(const std::vector<GrabForce>& forces);
 
  private:

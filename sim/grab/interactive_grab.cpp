@@ -103,4 +103,19 @@ std::vector<std::uint32_t> Grab::vertices() const {
   return vertices;
 }
 
+ScriptedGrab Grab::as_scripted(const Model& model) const {
+  constexpr double kDuration = 0.5;  // [s], or longer where the tissue could not follow
+  ScriptedGrab scripted;
+  Vector3d at(0, 0, 0);
+  for (std::size_t k = 0; k < place_.vertices.size(); ++k)
+    at += place_.weights[k] * model.rest_positions[place_.vertices[k]];
+  scripted.where = at;
+  scripted.radius = radius_;
+  scripted.stiffness = stiffness_;
+  scripted.translate = target() - at;
+  scripted.duration = kDuration;
+  scripted.smooth = true;
+  return scripted;
+}
+
 }  // namespace fascia

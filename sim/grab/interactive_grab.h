@@ -53,6 +53,8 @@ class Grab {
   Eigen::Vector3d target() const { return start_ + offset_; }  // where the springs pull the grabbed point to [m]
   Eigen::Vector3d anchor() const { return target() - force_ / stiffness_; }  // where the grabbed point is [m]
   std::vector<std::uint32_t> vertices() const;
+  /// A grab of a scene that pulls the same point of the tissue to the same place, from the start on.
+  ScriptedGrab as_scripted(const Model& model) const;
 
  private:
   bool grip(const Model& model, const GrabSettings& settings);  // false, and nothing changes: no free vertex

@@ -62,7 +62,8 @@ std::string guess_unit(double extent, double scale = 1);
 /// there is none.
 double scale_to_meters(double extent);
 
-/// The text of `fascia info` for one mesh; names at most kNamedTets of each kind.
-void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired, const MeshReport& report);
+/// The text of `fascia info` for one mesh with coordinates in `unit`; names at most kNamedTets of each kind.
+void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired, const MeshReport& report,
+                  const std::string& unit = "m");
 
 }  // namespace fascia

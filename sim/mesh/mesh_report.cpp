@@ -46,12 +46,12 @@ void print_slivers(std::ostream& out, const MeshReport& report) {
   out << "\n";
 }
 
-void print_shape(std::ostream& out, const MeshReport& report) {
+void print_shape(std::ostream& out, const MeshReport& report, const std::string& unit) {
   const Eigen::Vector3d size = report.box_max - report.box_min;
-  line(out, "box") << number(size.x()) << " x " << number(size.y()) << " x " << number(size.z()) << " m, from "
-                   << point(report.box_min) << " to " << point(report.box_max) << "\n";
-  line(out, "volume") << number(report.volume) << " m^3\n";
-  line(out, "edges") << length(report.shortest_edge) << " to " << length(report.longest_edge) << "\n";
+  line(out, "box") << number(size.x()) << " x " << number(size.y()) << " x " << number(size.z()) << " " << unit
+                   << ", from " << point(report.box_min) << " to " << point(report.box_max) << "\n";
+  line(out, "volume") << number(report.volume) << " " << unit << "^3\n";
+  line(out, "edges") << length_in(unit, report.shortest_edge) << " to " << length_in(unit, report.longest_edge) << "\n";
   line(out, "dihedral") << number(report.smallest_dihedral_deg) << " to " << number(report.largest_dihedral_deg)
                         << " degrees between the faces of a tet\n";
   line(out, "components") << report.components
@@ -66,14 +66,15 @@ void print_shape(std::ostream& out, const MeshReport& report) {
   }
 }
 
-void print_regions(std::ostream& out, const std::vector<MeshReport::Region>& regions) {
+void print_regions(std::ostream& out, const std::vector<MeshReport::Region>& regions, const std::string& unit) {
   std::size_t name_width = 0;
   for (const MeshReport::Region& region : regions) name_width = std::max(name_width, region.name.size());
   for (std::size_t k = 0; k < regions.size(); ++k) {
     const MeshReport::Region& region = regions[k];
     line(out, k == 0 ? "regions" : "") << region.number << "  " << region.name
                                        << std::string(name_width - region.name.size() + (name_width ? 2 : 0), ' ')
-                                       << plural(region.tets, "tet") << ", " << number(region.volume) << " m^3\n";
+                                       << plural(region.tets, "tet") << ", " << number(region.volume) << " " << unit
+                                       << "^3\n";
   }
 }
 
@@ -137,7 +138,8 @@ double scale_to_meters(double extent) {
   return guesses.empty() ? 1 : guesses.front().scale;
 }
 
-void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired, const MeshReport& report) {
+void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& repaired, const MeshReport& report,
+                  const std::string& unit) {
   line(out, "format") << file.format << "\n";
   line(out, "vertices") << report.vertex_count;
   if (report.unused_vertices > 0) out << ", " << report.unused_vertices << " of them in no usable tet";
@@ -148,8 +150,8 @@ void print_report(std::ostream& out, const MeshFile& file, const MeshRepair& rep
   line(out, "tets") << report.tet_count;
   if (report.usable_tets != report.tet_count) out << ", " << report.usable_tets << " of them usable";
   out << "\n";
-  if (report.usable_tets > 0) print_shape(out, report);
-  print_regions(out, report.regions);
+  if (report.usable_tets > 0) print_shape(out, report, unit);
+  print_regions(out, report.regions, unit);
   print_groups(out, file.mesh);
   print_tets(out, "flipped", repaired.flipped, "wound inside out, reoriented");
   print_tets(out, "degenerate", repaired.degenerate, "lower than 1e-7 of the longest edge, left out");

@@ -346,7 +346,7 @@ Model build_bodies(const Scene& scene, const Progress& progress, const BodyRead&
   };
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     LoadedBody loaded = load(scene, b, files, part_of(progress, share(b), share(b + 1)));
-    if (read) read(b, loaded.file.mesh, loaded.repaired.tets);
+    if (read) read(b, loaded.file.mesh, loaded.repaired.tets, loaded.surface);
     add_body(std::move(loaded), model);
   }
   model.notes.insert(model.notes.end(), files.notes.begin(), files.notes.end());

@@ -104,7 +104,8 @@ struct Model {
 };
 
 /// Called with the mesh of a body and its usable tets, before anything else of the body is looked at.
-using BodyRead = std::function<void(std::size_t body, const TetMesh& mesh, const std::vector<Tet>& tets)>;
+using BodyRead = std::function<void(std::size_t body, const TetMesh& mesh, const std::vector<Tet>& tets,
+                                    const SurfaceMesh& surface)>;
 
 /// Reads the meshes, surfaces and CSV files of the scene's bodies, without the grabs (sim/grab/build_model.h). `read`
 /// may change the scene. Throws Error for an unreadable file, an empty selection, a material key that names no region,

@@ -59,7 +59,7 @@ struct Row {
 
 Row parse_row(const std::array<std::string_view, 4>& fields, const std::string& where, std::size_t vertex_count) {
   const auto index = parse<std::int64_t>(fields[0]);
-  if (!index) throw Error(where, quoted(fields[0]) + " is no vertex index", "expected index,x,y,z");
+  if (!index) throw Error(where, quoted(fields[0]) + " is not a vertex index", "expected index,x,y,z");
   if (*index < 0 || static_cast<std::size_t>(*index) >= vertex_count) {
     throw Error(where, "vertex " + std::to_string(*index) + " does not exist",
                 "expected 0 to " + std::to_string(vertex_count - 1));
@@ -94,7 +94,7 @@ VertexTable read_vertex_csv_content(const std::filesystem::path& path, std::stri
     if (line.empty()) continue;
     const std::string where = path.string() + ":" + std::to_string(line_number);
     const auto fields = split(line);
-    if (!fields) throw Error(where, quoted(line) + " has not 4 fields", "expected index,x,y,z");
+    if (!fields) throw Error(where, quoted(line) + " does not have 4 fields", "expected index,x,y,z");
     const bool is_header = may_be_header && std::none_of(fields->begin(), fields->end(),
                                                          [](std::string_view f) { return parse<double>(f); });
     may_be_header = false;

@@ -142,7 +142,7 @@ void apply(json& document, const std::string& key, const std::vector<std::string
       const auto index = index_of(segment);
       if (!index || *index > node->size()) {
         throw Error(where,
-                    excerpt(segment) + " is no element of " + path + ", which has " + std::to_string(node->size()),
+                    excerpt(segment) + " is not an element of " + path + ", which has " + std::to_string(node->size()),
                     "expected 0 to " + std::to_string(node->size()) + " (the end: a new element)");
       }
       path = path_of_element(path, *index);

@@ -70,7 +70,6 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
   if (fill.tets.empty())
     throw Error(where, "holds no tet at a resolution of " + std::to_string(filled.resolution), "expected a higher one");
   const std::size_t whole = fill.whole;
-  const double spacing = fill.spacing;
   filled.file = as_mesh(std::move(fill));
   filled.file.notes = notes_of(found);
   filled.file.notes.insert(filled.file.notes.begin(), surface.notes.begin(), surface.notes.end());
@@ -84,9 +83,10 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
     const double share = static_cast<double>(whole) / static_cast<double>(filled.file.mesh.tets.size());
     const bool notable = std::abs(volume / found.volume - 1) > kVolume || share > kShare;
     if (notable)
-      filled.file.notes.push_back("parts are thinner than the lattice's " + length(spacing) + ": " +
-                                  plural(whole, "tet") + " kept whole there, the tets have " +
-                                  number(volume / found.volume) + " times the volume of the surface; " +
+      filled.file.notes.push_back("parts are thinner than the lattice's cells, 1/" + std::to_string(filled.resolution) +
+                                  " of the longest side: " + plural(whole, "tet") +
+                                  " kept whole there, the tets have " + number(volume / found.volume) +
+                                  " times the volume of the surface; " +
                                   remedy_for_thin_parts(found, filled.resolution));
   }
   put_right(surface, filled.repaired);

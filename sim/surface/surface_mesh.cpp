@@ -182,4 +182,11 @@ SurfaceMesh read_obj_content(const std::filesystem::path& path, std::string_view
   return mesh;
 }
 
+Eigen::AlignedBox3d box_of(const SurfaceMesh& surface) {
+  Eigen::AlignedBox3d box;
+  for (const Triangle& t : surface.triangles)
+    for (const std::uint32_t v : t) box.extend(surface.positions[v]);
+  return box;
+}
+
 }  // namespace fascia

@@ -1,6 +1,7 @@
 // A surface: drawn instead of the boundary of a body's tets, or filled with tets. Read here from Wavefront .obj files,
 // by sim/mesh/io from others.
 #pragma once
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -31,6 +32,9 @@ struct SurfaceMesh {
   std::string format;              // as displayed: "STL binary"
   std::vector<std::string> notes;  // about skipped content, one sentence each
 };
+
+/// Of the vertices of its triangles.
+Eigen::AlignedBox3d box_of(const SurfaceMesh& surface);
 
 /// Wavefront .obj with its material libraries; normals and texture coordinates are skipped. Throws Error.
 SurfaceMesh read_obj(const std::filesystem::path& path, const Progress& progress = {});

@@ -74,8 +74,8 @@ void require_fillable(const SurfaceRepair& repaired, const std::string& where);
 /// Notes about repairs and holes that were closed, one sentence each.
 std::vector<std::string> notes_of(const SurfaceReport& report);
 
-/// Prints the text of `fascia info` for a surface.
+/// Prints the text of `fascia info` for a surface with coordinates in `unit`.
 void print_report(std::ostream& out, const SurfaceMesh& surface, const SurfaceRepair& repaired,
-                  const Progress& progress = {});
+                  const std::string& unit = "m", const Progress& progress = {});
 
 }  // namespace fascia

@@ -52,7 +52,7 @@ void require_fillable(const SurfaceRepair& repaired, const std::string& where) {
                     "that wall a thickness there");
   // The volume of a sheet with two sides is only rounding.
   if (!(std::abs(report.volume) > 1e-9 * std::pow(report.area, 1.5)))
-    throw Error(where, "encloses no volume (" + number(report.volume) + " m^3 in " + number(report.area) + " m^2)",
+    throw Error(where, "encloses no volume (" + number(report.volume) + " in an area of " + number(report.area) + ")",
                 kExpected);
 }
 
@@ -76,7 +76,7 @@ std::vector<std::string> notes_of(const SurfaceReport& report) {
   return notes;
 }
 
-void print_report(std::ostream& out, const SurfaceMesh& surface, const SurfaceRepair& repaired,
+void print_report(std::ostream& out, const SurfaceMesh& surface, const SurfaceRepair& repaired, const std::string& unit,
                   const Progress& progress) {
   const SurfaceReport& report = repaired.report;
   line(out, "format") << surface.format << " surface\n";
@@ -86,11 +86,11 @@ void print_report(std::ostream& out, const SurfaceMesh& surface, const SurfaceRe
   line(out, "triangles") << report.triangles << "\n";
   if (!report.box.isEmpty()) {
     const Eigen::Vector3d size = report.box.sizes();
-    line(out, "box") << number(size.x()) << " x " << number(size.y()) << " x " << number(size.z()) << " m, from "
-                     << point(report.box.min()) << " to " << point(report.box.max()) << "\n";
+    line(out, "box") << number(size.x()) << " x " << number(size.y()) << " x " << number(size.z()) << " " << unit
+                     << ", from " << point(report.box.min()) << " to " << point(report.box.max()) << "\n";
   }
-  line(out, "area") << number(report.area) << " m^2\n";
-  line(out, "volume") << number(report.volume) << " m^3\n";
+  line(out, "area") << number(report.area) << " " << unit << "^2\n";
+  line(out, "volume") << number(report.volume) << " " << unit << "^3\n";
   line(out, "closed") << (repaired.closed()
                               ? "yes"
                               : "no: " + found(report.open_edges, "open edge") + ", " + plural(report.holes, "hole"))
@@ -102,7 +102,7 @@ void print_report(std::ostream& out, const SurfaceMesh& surface, const SurfaceRe
   if (report.shells.size() > 1) {
     for (std::size_t s = 0; s < std::min(report.shells.size(), kNamedShells); ++s) {
       const SurfaceShell& shell = report.shells[s];
-      line(out, "") << plural(shell.triangles, "triangle") << ", " << number(shell.volume) << " m^3"
+      line(out, "") << plural(shell.triangles, "triangle") << ", " << number(shell.volume) << " " << unit << "^3"
                     << (shell.cavity ? ", a cavity" : "") << "\n";
     }
     if (report.shells.size() > kNamedShells)

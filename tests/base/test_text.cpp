@@ -31,6 +31,8 @@ TEST_CASE("a length has the largest unit of which it is one or more") {
   CHECK(length(0.00025) == "250 um");
   CHECK(length(2e-9) == "2e-09 m");
   CHECK(length(0) == "0 m");
+  CHECK(length_in("m", 0.25) == "250 mm");
+  CHECK(length_in("mm", 0.25) == "0.25 mm");  // the unit of the file
 }
 
 TEST_CASE("labels fill a column, and a longer label keeps a blank behind it") {

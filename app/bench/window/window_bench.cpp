@@ -79,7 +79,7 @@ void require_frame_log(const std::string& program) {
   SpawnedProgram asked({"sh", "-c", "\"$0\" view --help | grep -q -e --frame-log", program});
   const auto end = asked.wait_for_end(kMostToBegin);
   if (!end || !end->succeeded)
-    throw Error(program, "is no fascia with the option --frame-log", "expected a build that measures its frames");
+    throw Error(program, "is not a fascia with the option --frame-log", "expected a build that measures its frames");
 }
 
 // Fills the cache of a subject's driver with the kernels of the default scene. False if the build has no such command.

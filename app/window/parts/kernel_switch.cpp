@@ -13,11 +13,17 @@ bool KernelSwitch::compiles(const Scene& scene) const { return warmup_ && record
 
 std::unique_ptr<Session> KernelSwitch::make(const Scene& scene,
                                             const std::function<std::unique_ptr<Session>()>& make) const {
+  std::unique_ptr<Session> session;
+  change(scene, [&] { session = make(); });
+  return session;
+}
+
+void KernelSwitch::change(const Scene& scene, const std::function<void()>& change) const {
   gl::ProgramCache& programs = *graphics_.programs;
   const bool fusing = programs.fusing(), rare = programs.fusing_rare();
   if (switches_ && !compiles(scene)) programs.set_fusing(record_.has(scene));
   try {
-    return make();
+    change();
   } catch (...) {
     programs.set_fusing(fusing, rare);
     throw;

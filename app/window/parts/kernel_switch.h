@@ -22,6 +22,8 @@ class KernelSwitch {
   /// Calls `make`, which makes a session of this scene, with the kernels chosen for it. If it throws, those of the open
   /// session stay.
   std::unique_ptr<Session> make(const Scene& scene, const std::function<std::unique_ptr<Session>()>& make) const;
+  /// The same for a change of a session that gives it this scene; session_began() follows.
+  void change(const Scene& scene, const std::function<void()>& change) const;
   void session_began(const Simulation& simulation);
   /// Between two steps. `renew` is called when solvers must record their passes again, with fused kernels.
   void follow(const std::function<void()>& renew);

@@ -27,7 +27,8 @@ std::string known_formats() { return "expected one of " + listed_formats(); }
 [[noreturn]] void refuse(const fs::path& path, std::string_view content) {
   if (const auto foreign = foreign_format(content, full_ending(path)))
     throw Error(path.string(), std::string("is ") + foreign->name + ", which fascia does not read", foreign->way);
-  throw Error(path.string(), "is no mesh that is known here (begins with " + in_quotes(content) + ")", known_formats());
+  throw Error(path.string(), "is not a mesh format that fascia reads (begins with " + in_quotes(content) + ")",
+              known_formats());
 }
 
 /// A section; in Nastran and LS-DYNA files a blank follows the '$' of a comment.

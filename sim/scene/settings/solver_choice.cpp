@@ -111,7 +111,7 @@ const std::vector<AccelerationInfo>& accelerations() {
        "subspace",
        "Subspace",
        "As conjugate gradients, but the fine and the coarse correction get a factor each: more robust for stiff, thin "
-       "and mixed tissue and more exact in motion, at a slightly dearer iteration.",
+       "and mixed tissue and more exact in motion, at a slightly higher cost per iteration.",
        {}},
   };
   return table;
@@ -174,13 +174,22 @@ bool carries(Method method, MaterialModel model) {
   return law_of(model).of_strain || info_of(method).carries_every_law;
 }
 
+std::string refusal(Method method, const std::vector<Material>& materials, bool quadratic) {
+  for (const Material& material : materials)
+    if (!carries(method, material.model))
+      return std::string("Needs a material of the model St. Venant-Kirchhoff, and this scene has ") +
+             law_of(material.model).label + ".";
+  return quadratic && !info_of(method).carries_quadratic ? "Needs linear elements, and this scene has quadratic ones."
+                                                         : "";
+}
+
 void require_carried(Method method, const std::vector<Material>& materials, const std::string& where) {
   for (const Material& material : materials) {
     if (carries(method, material.model)) continue;
     std::vector<std::string> able;
     for (const MethodInfo& info : methods())
       if (carries(info.method, material.model)) able.push_back(info.name);
-    throw Error(where, std::string(name_of(method)) + " does not carry the material model " + name_of(material.model),
+    throw Error(where, std::string(name_of(method)) + " does not support the material model " + name_of(material.model),
                 "expected one of the methods that do: " + join(able));
   }
 }

@@ -67,6 +67,16 @@ TEST_CASE("check: one broken scene does not stop the others, and goldens make th
   CHECK(fs::exists(out / "cube.new.png"));
   CHECK(fs::exists(out / "cube.new.csv"));
 
+  CHECK(contains(none.err, "no golden yet for 3 of 3 scenes: broken, cube, soft <cube> & \"co\""));
+  write_file(folder / "endless.json", R"({"fascia_scene": 1, "duration": 1e6, "bodies": [{"mesh": "missing.msh"}]})");
+  const CommandResult early = check(folder.path(), {"--only", "endless"});  // the mesh is not even looked for
+  INFO(early.out << early.err);
+  CHECK(early.exit_code == 1);
+  CHECK(contains(early.err, "no golden yet for 1 of 1 scene: endless"));
+  CHECK(contains(early.out, "endless.golden.csv: no golden yet"));
+  CHECK_FALSE(contains(early.out, "missing.msh"));
+  fs::remove(folder / "endless.json");
+
   const CommandResult update = check(folder.path(), {"--update", "--only", "cube"});
   INFO(update.out << update.err);
   CHECK(update.exit_code == 0);

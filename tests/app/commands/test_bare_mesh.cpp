@@ -55,7 +55,8 @@ TEST_CASE("info prints the plan of a mesh on its own, and none for a scene") {
   CHECK_THAT(bare.out, Catch::Contains("\n  unit         mm: 100 mm wide; another one: --unit\n") &&
                            Catch::Contains("\n  up           z: stands on its flat side; another axis: --up\n") &&
                            Catch::Contains("\n  supports     held at the lowest 2 %") &&
-                           Catch::Contains("\n  stiffness    ") && !Catch::Contains("too large for tissue"));
+                           Catch::Contains("\n  stiffness    ") && Catch::Contains(" mm, from (") &&
+                           Catch::Contains(" mm^3\n") && !Catch::Contains("too large for tissue"));
   const CommandResult given = run_fascia({"info", "cone.msh", "--unit", "cm", "--up=-x"}, folder.path());
   CHECK_THAT(given.out,
              Catch::Contains("unit         cm: 100 cm wide, as given") && Catch::Contains("up           -x: as given"));

@@ -97,7 +97,7 @@ TEST_CASE("a recording's mesh that is found at another place must be the recorde
   const CommandResult refused = run_fascia(run, bar.folder.path());
   CHECK(refused.exit_code == 1);
   CHECK_THAT(refused.err,
-             Contains("bar.fascia: bodies[0].mesh: ") && Contains("another mesh than that of the recording"));
+             Contains("bar.fascia: bodies[0].mesh: ") && Contains("the mesh differs from the recorded one"));
 }
 
 TEST_CASE("a replay of a diverged state carries its mesh", "[self_contained]") {

@@ -79,7 +79,7 @@ TEST_CASE("render compares with goldens, and makes them", "[golden]") {
       with({"--set", "materials.default.young_modulus=500", "--diff", (folder / "diff.png").string()});
   INFO(other.err);
   CHECK(other.exit_code == 1);
-  CHECK(contains(other.err, "golden.csv: another state, largest deviation "));
+  CHECK(contains(other.err, "golden.csv: the state differs, largest deviation "));
   CHECK(contains(other.err, "(at most 1e-05) of the scene's size"));
   CHECK(contains(other.err, "materials.default.young_modulus: golden 5000, now 500"));
   CHECK(read_png(folder / "diff.png").width == 3 * 64 + 8);

@@ -168,7 +168,7 @@ TEST_CASE("the camera of a replay can be followed, ignored or replaced", "[sessi
       run_fascia({"render", "--replay", "pulled.fascia", "--context", "osmesa", "--out", "x.png", "--camera", "1,2,3"},
                  pulled.folder.path());
   CHECK(bad.exit_code == 2);
-  CHECK(bad.err.find("--camera 1,2,3: is no camera; expected follow, scene,") != std::string::npos);
+  CHECK(bad.err.find("--camera 1,2,3: is not a camera; expected follow, scene,") != std::string::npos);
 }
 
 TEST_CASE("more samples than the renderer provides are averaged from shifted pictures", "[session]") {

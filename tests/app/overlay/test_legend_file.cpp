@@ -45,6 +45,8 @@ TEST_CASE("the legend of a heat map is a file with the bar's numbers, and arrows
     CHECK(svg.find(tick.text) != std::string::npos);
   }
   CHECK(svg.find("Displacement") != std::string::npos);
+  CHECK(svg.find("<title>Displacement") != std::string::npos);
+  CHECK_THAT(svg.substr(0, 400), Catch::Contains("width=\"") && Catch::Contains("height=\""));
   CHECK(fills_of(svg).size() > 60);  // of the gradient
 
   const auto areas = [&](double low, double high) {

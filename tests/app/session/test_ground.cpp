@@ -54,6 +54,15 @@ TEST_CASE("the ground gives way to a body that sinks, and returns with the start
   session.follow_ground();
   CHECK(session.look.ground_height == Approx(lowest(session)).margin(1e-7));
 
+  // The body returns, and with it the ground, but only when asked to: it does not follow every swing.
+  State back = sunk;
+  for (Eigen::Vector3d& u : back.displacement) u.setZero();
+  session.simulation.go_on_from(back);
+  session.settle_ground();
+  CHECK(session.look.ground_height < begin);
+  session.lift_ground();
+  CHECK(session.look.ground_height == begin);
+
   session.forget_ground();
   CHECK(session.look.ground_height == begin);
   DisplaySettings display = session.display();

@@ -144,6 +144,22 @@ TEST_CASE("the first picture of a quantity already has its range", "[heat_range]
   }
 }
 
+TEST_CASE("a range is known once there are values to follow", "[heat_range]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Session session(graphics, cube(ColorBy::von_mises), false);
+  session.settle_range();
+  CHECK_FALSE(session.has_range());  // at rest nothing is strained
+  session.simulation.step();
+  session.settle_range();
+  CHECK(session.has_range());
+  session.forget_range();
+  CHECK_FALSE(session.has_range());
+  DisplaySettings display = session.display();
+  display.range = Eigen::Vector2d(0, 10);
+  session.set_display(display);
+  CHECK(session.has_range());
+}
+
 TEST_CASE("a final picture is the same after a video", "[heat_range]") {
   const TemporaryFolder folder;
   const std::string scene = (source_dir() / "assets/scenes/cube.json").string();

@@ -368,10 +368,10 @@ TEST_CASE("a copy of a session opens at another place", "[session]") {
 
   INFO("and is compared with what was recorded");
   const std::vector<std::string> run{"run", "--replay", (elsewhere / "copy.fascia").string(), "--context", "osmesa"};
-  CHECK_THAT(run_fascia(run).err, Catch::Contains("fascia: to the bit what was recorded"));
+  CHECK_THAT(run_fascia(run).err, Catch::Contains("fascia: the state is the recorded one to the bit"));
   std::vector<std::string> other = run;
   other.insert(other.end(), {"--set", "gravity=[0,1,0]"});
-  CHECK_THAT(run_fascia(other).err, Catch::Contains("another state than was recorded, with other values"));
+  CHECK_THAT(run_fascia(other).err, Catch::Contains("the state differs from the recorded one: other values"));
 }
 
 TEST_CASE("a recorded camera moves smoothly, passes the recorded keys, and rests where it rested", "[session]") {

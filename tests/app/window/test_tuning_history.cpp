@@ -53,13 +53,16 @@ TEST_CASE("a region loses its own material, and has it again after undo") {
   std::vector<MaterialEntries> entries = tunables_of(*desk.stage.session, {}).materials;
   entries[0].region_materials.clear();
   desk.stage.diagnose = false;
+  desk.stage.session->settle_ground();  // which reads positions of the solver that is replaced
   desk.tuning.set_materials(entries);
+  desk.stage.session->settle_ground();
   CHECK(desk.materials() == before - 1);
   CHECK(desk.stage.state.facts.material_volume.size() == before - 1);
   CHECK(desk.stage.diagnose);
   desk.tuning.follow();
   REQUIRE(desk.history().entries().size() == 1);
   desk.tuning.go_to(0);
+  desk.stage.session->settle_ground();
   CHECK(desk.materials() == before);
   CHECK(desk.stage.state.facts.material_volume.size() == before);
 }

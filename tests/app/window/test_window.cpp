@@ -392,7 +392,7 @@ TEST_CASE("a session in the window is replayed to the bit, also one that was kil
       run_fascia({"run", "--replay", only_session().string(), "--export", "again.csv"}, desk.folder.path());
   CAPTURE(again.err);
   CHECK(again.exit_code == 0);
-  CHECK(again.err.find("fascia: to the bit what was recorded") != std::string::npos);
+  CHECK(again.err.find("fascia: the state is the recorded one to the bit") != std::string::npos);
   CHECK((read_file(desk.folder / "again.csv") == read_file(desk.folder / "lived.csv")));
 
   // The next window is killed in the middle of a drag.

@@ -152,5 +152,5 @@ TEST_CASE("a region is painted in the window by strokes and a lasso, taken back,
   CHECK(tumour_in(build_model(read_replay(session).scene).file_mesh) == by_lasso);
   const CommandResult again = run_fascia({"run", "--replay", session.string()}, brush.folder());
   CAPTURE(again.err);
-  CHECK(again.err.find("fascia: to the bit what was recorded") != std::string::npos);
+  CHECK(again.err.find("fascia: the state is the recorded one to the bit") != std::string::npos);
 }

@@ -143,5 +143,5 @@ TEST_CASE(
   CHECK(window.wait() == 0);
   const CommandResult again = run_fascia({"run", "--replay", session.string()}, folder.path());
   CAPTURE(again.err);
-  CHECK(again.err.find("fascia: to the bit what was recorded") != std::string::npos);
+  CHECK(again.err.find("fascia: the state is the recorded one to the bit") != std::string::npos);
 }

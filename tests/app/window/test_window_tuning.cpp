@@ -154,7 +154,7 @@ TEST_CASE("a session with swapped sides is replayed to the bit, even if R return
   REQUIRE_FALSE(read_replay(session).inputs.empty());
   const CommandResult again = run_fascia({"run", "--replay", session.string()}, folder.path());
   CAPTURE(again.err);
-  CHECK(again.err.find("fascia: to the bit what was recorded") != std::string::npos);
+  CHECK(again.err.find("fascia: the state is the recorded one to the bit") != std::string::npos);
 }
 
 TEST_CASE(

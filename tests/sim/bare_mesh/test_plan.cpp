@@ -30,6 +30,8 @@ TEST_CASE("a size that is not that of tissue in meters is one in mm, then in um"
   CHECK(unit_of(1e9) == LengthUnit::m);
   const BareMeshPlan plan = plan_of(make_box(2, 2, 2, {120, 90, 60}));
   CHECK(plan.unit_reason == "120 mm wide");
+  const TetMesh fill = make_box(2, 2, 2, {64.6, 64.6, 64.6});  // whose tets stick out of the surface
+  CHECK(plan_bare_mesh("ball.stl", fill, fill.tets, {}, {}, 9.81, 60).unit_reason == "60 mm wide");
   Body in_inches;
   in_inches.unit = LengthUnit::in;
   CHECK(plan_of(make_box(1, 1, 1, {120, 90, 60}), "a.msh", {false, true, true, true, true, {}}, in_inches).unit ==

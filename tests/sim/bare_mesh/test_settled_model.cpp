@@ -79,7 +79,7 @@ TEST_CASE("a mesh opened alone has the tissue law if the method carries it, and 
   CHECK(opened({"materials.default.model=neo_hookean"}).first == "neo_hookean");
   const auto [law, note] = opened({"solver.method=jacobi"});
   CHECK(law == "signed_st_venant_kirchhoff");
-  CHECK(note == "jacobi does not carry the material model squared, so it is signed_st_venant_kirchhoff");
+  CHECK(note == "jacobi does not support the material model squared, so it is signed_st_venant_kirchhoff");
   Scene scene = open_scene(mesh.path);
   settled_model(scene);
   CHECK(scene_to_json(scene, mesh.folder.path()).find(R"("model": "squared")") != std::string::npos);

@@ -6,6 +6,7 @@
 #include "app/session/open_input.h"
 #include "base/file.h"
 #include "sim/grab/grab_set.h"
+#include "sim/grab/resolve_grab.h"
 #include "sim/mesh/tet_faces.h"
 #include "sim/simulation/simulation.h"
 #include "tests/support/gpu/gpu_fixture.h"
@@ -187,6 +188,39 @@ TEST_CASE("grabs stay, are taken up again and released one by one") {
   grabs.let_go_following();
   CHECK(grabs.empty());
   CHECK(grabs.springs(1e-3).empty());
+}
+
+TEST_CASE("grabs that stay become grabs of the scene with the same springs") {
+  const Model model = hanging_beam();
+  const Surface surface(model);
+  GrabSet grabs;
+  const Hit hit = surface.hit(model, from_front(0.05, 0.02));
+  REQUIRE(grabs.take(model, surface.drawn, model.rest_positions, hit, kRadius, {}));
+  CHECK(grabs.staying(model).empty());  // it follows the mouse
+  Grab& grab = *grabs.following();
+  grab.point_at({{0.09, 0.03, 1}, -Vector3d::UnitZ()}, -Vector3d::UnitZ());
+  std::vector<GrabSpring> springs;
+  for (int step = 0; step < 200; ++step) springs = grab.springs(1e-2);
+  grabs.stay();
+  const std::vector<ScriptedGrab> scripted = grabs.staying(model);
+  REQUIRE(scripted.size() == 1);
+  CHECK((std::get<Vector3d>(scripted[0].where) - hit.point).norm() < 1e-12);
+  CHECK((scripted[0].translate - (grab.target() - hit.point)).norm() < 1e-12);
+
+  Scene scene;
+  scene.grabs = scripted;
+  const ResolvedGrab resolved = resolve_grab(scene, 0, model);
+  std::vector<GrabSpring> again = with_grabs_at_last({}, std::array{resolved});
+  REQUIRE(again.size() == springs.size());
+  const auto by_vertex = [](const GrabSpring& a, const GrabSpring& b) { return a.vertex < b.vertex; };
+  std::sort(springs.begin(), springs.end(), by_vertex);
+  std::sort(again.begin(), again.end(), by_vertex);
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    CAPTURE(i);
+    CHECK(again[i].vertex == springs[i].vertex);
+    CHECK(again[i].stiffness == Approx(springs[i].stiffness));
+    CHECK((again[i].target - springs[i].target).norm() < 1e-12);
+  }
 }
 
 TEST_CASE("the size of a patch changes during a grab, depth follows the view, a push goes into the surface") {

@@ -108,7 +108,7 @@ TEST_CASE("a grab on the command line is added to the scene's") {
   CHECK(json.grabs[2].path == std::vector<ScriptedGrab::Key>{{0, {0, 0, 0}}, {1, {0, 0.1, 0}}});
 
   CHECK(file.open_error({"--grab at"}) ==
-        "--grab: at is no KEY=VALUE; expected such as at=0.1,0.05,0;translate=0,0.1,0");
+        "--grab: at is not KEY=VALUE; expected such as at=0.1,0.05,0;translate=0,0.1,0");
   CHECK(file.open_error({"--grab select={\"vertices\""}).starts_with("--grab select:1:12: "));
   CHECK(file.open_error({"--grab at=0,0,0;at=1,1,1"}) == "--grab: at is given twice; expected each key once");
   CHECK(file.open_error({"--grab at=0,zero,0"}) ==

@@ -32,17 +32,17 @@ TEST_CASE("numbers are read to the last bit") {
 }
 
 TEST_CASE("each error in a table has its line") {
-  CHECK(error_of("index,x,y,z\n0,1,2\n") == "t.csv:2: \"0,1,2\" has not 4 fields; expected index,x,y,z");
-  CHECK(error_of("0,1,2,3\n\n1,1,2,3,4\n") == "t.csv:3: \"1,1,2,3,4\" has not 4 fields; expected index,x,y,z");
-  CHECK(error_of("0 1 2 3\n") == "t.csv:1: \"0 1 2 3\" has not 4 fields; expected index,x,y,z");
+  CHECK(error_of("index,x,y,z\n0,1,2\n") == "t.csv:2: \"0,1,2\" does not have 4 fields; expected index,x,y,z");
+  CHECK(error_of("0,1,2,3\n\n1,1,2,3,4\n") == "t.csv:3: \"1,1,2,3,4\" does not have 4 fields; expected index,x,y,z");
+  CHECK(error_of("0 1 2 3\n") == "t.csv:1: \"0 1 2 3\" does not have 4 fields; expected index,x,y,z");
   CHECK(error_of("0,1,2,3\n8,1,2,3\n") == "t.csv:2: vertex 8 does not exist; expected 0 to 7");
   CHECK(error_of("0,1,2,3\n-1,1,2,3\n") == "t.csv:2: vertex -1 does not exist; expected 0 to 7");
   CHECK(error_of("4294967296,1,2,3\n") == "t.csv:1: vertex 4294967296 does not exist; expected 0 to 7");
-  CHECK(error_of("1.5,1,2,3\n") == "t.csv:1: \"1.5\" is no vertex index; expected index,x,y,z");
+  CHECK(error_of("1.5,1,2,3\n") == "t.csv:1: \"1.5\" is not a vertex index; expected index,x,y,z");
   CHECK(error_of("99999999999999999999,1,2,3\n") ==
-        "t.csv:1: \"99999999999999999999\" is no vertex index; expected index,x,y,z");
-  CHECK(error_of("0,1,2,3\nindex,x,y,z\n") == "t.csv:2: \"index\" is no vertex index; expected index,x,y,z");
-  CHECK(error_of("O,1,2,3\n") == "t.csv:1: \"O\" is no vertex index; expected index,x,y,z");
+        "t.csv:1: \"99999999999999999999\" is not a vertex index; expected index,x,y,z");
+  CHECK(error_of("0,1,2,3\nindex,x,y,z\n") == "t.csv:2: \"index\" is not a vertex index; expected index,x,y,z");
+  CHECK(error_of("O,1,2,3\n") == "t.csv:1: \"O\" is not a vertex index; expected index,x,y,z");
   CHECK(error_of("0,nan,2,3\n") == "t.csv:1: x is \"nan\"; expected a finite number");
   CHECK(error_of("0,1,-inf,3\n") == "t.csv:1: y is \"-inf\"; expected a finite number");
   CHECK(error_of("0,1,2,1e999\n") == "t.csv:1: z is \"1e999\"; expected a finite number");
@@ -52,9 +52,9 @@ TEST_CASE("each error in a table has its line") {
         "t.csv:4: vertex 3 stands on line 1 already; expected each vertex once");
   CHECK(error_of("") == "t.csv: has no rows; expected lines index,x,y,z");
   CHECK(error_of("index,x,y,z\n") == "t.csv: has no rows; expected lines index,x,y,z");
-  CHECK(error_of(std::string("\0\1\2\n", 4)) == "t.csv:1: \"???\" has not 4 fields; expected index,x,y,z");
+  CHECK(error_of(std::string("\0\1\2\n", 4)) == "t.csv:1: \"???\" does not have 4 fields; expected index,x,y,z");
   CHECK(error_of(std::string(1000, 'x')) ==
-        "t.csv:1: \"" + std::string(40, 'x') + "...\" has not 4 fields; expected index,x,y,z");
+        "t.csv:1: \"" + std::string(40, 'x') + "...\" does not have 4 fields; expected index,x,y,z");
 }
 
 TEST_CASE("a complete table has every vertex") {

@@ -190,7 +190,7 @@ TEST_CASE("contradictory history options are refused in one line") {
   const CommandResult far = run_fascia(
       {"run", scene, "--context", "osmesa", "--steps", "1", "--history", "h.csv", "--probe", "999999"}, folder.path());
   CHECK(far.exit_code == 1);
-  CHECK_THAT(far.err, Catch::Contains("--probe 999999: is no vertex of this scene; expected an index below 177"));
+  CHECK_THAT(far.err, Catch::Contains("--probe 999999: is not a vertex of this scene; expected an index below 177"));
   const CommandResult still = run_fascia({"run", scene, "--static", "--history", "h.csv"}, folder.path());
   CHECK(still.exit_code == 2);
   CHECK_THAT(still.err, Catch::Contains("--history: has no steps to follow with --static"));

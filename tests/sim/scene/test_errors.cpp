@@ -329,7 +329,7 @@ TEST_CASE("methods, accelerations, integrators and material models that do not e
         "s.json: bodies[0].materials.2.model: is \"st_venant_kirchoff\", perhaps \"st_venant_kirchhoff\"; " + models);
   CHECK(error_of(scene_text(R"("materials": {"2": {"model": "stable_neo_hookean"}})",
                             R"("solver": {"method": "jacobi"})")) ==
-        "s.json: solver.method: jacobi does not carry the material model stable_neo_hookean; expected one of the "
+        "s.json: solver.method: jacobi does not support the material model stable_neo_hookean; expected one of the "
         "methods that do: two_level, vertex_descent");
 }
 

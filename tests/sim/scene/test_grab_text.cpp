@@ -38,8 +38,8 @@ TEST_CASE("words within a list are texts, for the reader of scenes to refuse") {
 
 TEST_CASE("parts that are no KEY=VALUE, keys given twice and broken JSON are errors") {
   CHECK_THROWS_WITH(grab_document("at=1,2,3;oops"),
-                    "--grab: oops is no KEY=VALUE; expected such as at=0.1,0.05,0;translate=0,0.1,0");
-  CHECK_THROWS_WITH(grab_document("=3"), Catch::StartsWith("--grab: =3 is no KEY=VALUE"));
+                    "--grab: oops is not KEY=VALUE; expected such as at=0.1,0.05,0;translate=0,0.1,0");
+  CHECK_THROWS_WITH(grab_document("=3"), Catch::StartsWith("--grab: =3 is not KEY=VALUE"));
   CHECK_THROWS_WITH(grab_document("at=1;at=2"), "--grab: at is given twice; expected each key once");
   CHECK_THROWS_WITH(grab_document("select={\"group\""), Catch::StartsWith("--grab select:1:"));
 }

@@ -23,7 +23,7 @@ class VtuReader {
 
  private:
   const XmlElement& checked(const XmlElement& root) {
-    if (root.name != "VTKFile") fail_at(in_, root, "is no VTK file", "expected VTKFile");
+    if (root.name != "VTKFile") fail_at(in_, root, "is not a VTK file", "expected VTKFile");
     const std::string kind = root.attribute("type");
     polydata_ = kind == "PolyData";
     if (!polydata_ && kind != "UnstructuredGrid")

@@ -143,11 +143,13 @@ TEST_CASE("a file that is no mesh is refused in one line", "[mesh_io]") {
   CHECK(error_of("a.msh",
                  "\x7f"
                  "ELF\x02\x01\x01\n\n\xff") ==
-        "a.msh: is no mesh that is known here (begins with '\\x7fELF\\x02\\x01\\x01\\x0a\\x0a\\xff')" + formats);
-  CHECK(error_of("a.txt", "12 3 4\n") == "a.txt: is no mesh that is known here (begins with '12 3 4\\x0a')" + formats);
+        "a.msh: is not a mesh format that fascia reads (begins with '\\x7fELF\\x02\\x01\\x01\\x0a\\x0a\\xff')" +
+            formats);
+  CHECK(error_of("a.txt", "12 3 4\n") ==
+        "a.txt: is not a mesh format that fascia reads (begins with '12 3 4\\x0a')" + formats);
   CHECK(error_of("a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") ==
         "a.off: is a surface of 1 face without tets; expected a tetrahedral mesh");
-  CHECK(error_of("a.xml", "<svg/>") == "a.xml:1: svg: is no VTK file; expected VTKFile");
+  CHECK(error_of("a.xml", "<svg/>") == "a.xml:1: svg: is not a VTK file; expected VTKFile");
 
   const TemporaryFolder folder;
   CHECK_THROWS_WITH(read_mesh(folder / "none.msh"),

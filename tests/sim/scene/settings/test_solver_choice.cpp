@@ -107,7 +107,13 @@ TEST_CASE("methods of XPBD carry the laws of the Green strain alone, the others 
   other.model = MaterialModel::neo_hookean;
   CHECK_NOTHROW(require_carried(Method::jacobi, {plain, plain}, "s.json"));
   CHECK_NOTHROW(require_carried(Method::two_level, {plain, other}, "s.json"));
-  CHECK_THROWS_WITH(require_carried(Method::jacobi, {plain, other}, "s.json: solver.method"),
-                    "s.json: solver.method: jacobi does not carry the material model neo_hookean; expected one of the "
-                    "methods that do: two_level, vertex_descent");
+  CHECK_THROWS_WITH(
+      require_carried(Method::jacobi, {plain, other}, "s.json: solver.method"),
+      "s.json: solver.method: jacobi does not support the material model neo_hookean; expected one of the "
+      "methods that do: two_level, vertex_descent");
+  CHECK(refusal(Method::jacobi, {plain, plain}, false).empty());
+  CHECK(refusal(Method::jacobi, {plain, other}, false) ==
+        "Needs a material of the model St. Venant-Kirchhoff, and this scene has Neo-Hookean.");
+  CHECK(refusal(Method::jacobi, {plain}, true) == "Needs linear elements, and this scene has quadratic ones.");
+  CHECK(refusal(Method::two_level, {plain, other}, true).empty());
 }
