@@ -11,6 +11,7 @@
 #include "render/passes/ground.h"
 #include "render/passes/kept_stage.h"
 #include "render/passes/marks.h"
+#include "render/passes/rigid_renderer.h"
 #include "render/passes/shadow_map.h"
 #include "render/passes/surface_renderer.h"
 #include "render/passes/tet_renderer.h"
@@ -68,6 +69,7 @@ struct SceneRenderer::Impl {
       : programs(program_cache),
         vertex_count(vertices),
         surface(programs, make_surface_corners(triangles, vertices, rest_positions, colors)),
+        rigid(programs),
         shadow(programs),
         ground(programs),
         marks(programs, marked),
@@ -129,6 +131,7 @@ struct SceneRenderer::Impl {
   std::optional<TetRenderer> tets;            // while a look needs them
   std::optional<AmbientOcclusion> occlusion;  // while a look needs it
   SurfaceRenderer surface;
+  RigidRenderer rigid;
   ShadowMap shadow;
   std::array<float, 17> shadow_aim{};  // of the shadow map: with the ground, the light's projection
   int shadow_pictures = 0;             // drawn with the shadow map
@@ -152,6 +155,7 @@ SceneRenderer::~SceneRenderer() = default;
 
 void SceneRenderer::set_grabbed(std::span<const std::uint32_t> vertices) { impl_->marks.set_grabbed(vertices); }
 
+void SceneRenderer::set_rigid(const RigidSurface& surface) { impl_->rigid.set(surface); }
 void SceneRenderer::set_tets(const TetView& view) { impl_->tet_view = view; }
 void SceneRenderer::set_regions(std::span<const std::uint32_t> triangle_region) {
   impl_->surface.set_regions(triangle_region);
@@ -209,6 +213,7 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
       parts.tets->draw_depth(look, positions);
     else
       clipped([&] { parts.surface.draw_depth(look); });
+    parts.rigid.draw_depth(look);
   };
   if (look.shadow && parts.shadow_due(frame, look.quality.shadow_every, ground)) parts.shadow.draw(draw_depth, ground);
 
@@ -225,6 +230,7 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
     parts.tets->draw_tets(look, positions, paints);
   else
     clipped([&] { parts.surface.draw(look, parts.surface.has_regions() ? paints : 0); });
+  parts.rigid.draw(look);
   if (cut_surface && parts.tet_view.within_surface)
     parts.draw_cut_within_surface(look, positions, paints);
   else if (cut_surface)

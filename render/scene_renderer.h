@@ -8,6 +8,7 @@
 
 #include "gl/buffer.h"
 #include "gl/program.h"
+#include "render/passes/rigid_renderer.h"
 #include "render/passes/tet_renderer.h"
 #include "render/target/framebuffer.h"
 #include "render/view/camera.h"
@@ -35,6 +36,8 @@ class SceneRenderer {
   /// Sets the vertices of the grabbed patch, drawn as brighter dots; empty: none.
   void set_grabbed(std::span<const std::uint32_t> vertices);
 
+  /// Sets the rigid things beside the tissue, at their places.
+  void set_rigid(const RigidSurface& surface);
   /// Sets the tets for looks with a section plane or separate tets; the spans must outlive the renderer. Uploaded while
   /// a look needs them.
   void set_tets(const TetView& view);

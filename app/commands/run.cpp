@@ -101,7 +101,7 @@ void measure_errors(const RunOptions& options, Simulation& simulation, const Sta
     for (const float d : error.distance) distance += d * d;
     for (const Eigen::Vector3d& u : last.displacement) whole += u.squaredNorm();
     errors.solver = distance > 0 ? std::sqrt(distance / whole) : 0;
-    say("error of the last step " + percent(error.relative) + ", largest " + number(error.largest) + " m" +
+    say("true error of the last step " + percent(error.relative) + ", largest " + number(error.largest) + " m" +
         (error.converged ? "" : " (the reference solver did not converge)"));
   }
   if (!options.static_equilibrium) {

@@ -41,6 +41,19 @@ std::vector<Eigen::Vector3d> places_of(const Model& model, const std::vector<Eig
   return places;
 }
 
+void append_placed(const ShapeMesh& mesh, const RigidPose& pose, RigidSurface& surface) {
+  const auto first = static_cast<std::uint32_t>(surface.positions.size());
+  const Eigen::Matrix3f axes = pose.axes.cast<float>();
+  const Eigen::Vector3f origin = pose.origin.cast<float>();
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    surface.positions.emplace_back() << axes * mesh.positions[v] + origin, 0;
+    surface.normals.emplace_back() << axes * mesh.normals[v], 0;
+  }
+  const bool mirrored = axes.determinant() < 0;
+  for (const Triangle& t : mesh.triangles)
+    surface.triangles.push_back({first + t[0], first + t[mirrored ? 2 : 1], first + t[mirrored ? 1 : 2]});
+}
+
 ShownValues together(const ShownValues& a, const ShownValues& b) {
   return {std::min(a.smallest, b.smallest), std::max(a.largest, b.largest), std::max(a.usual, b.usual)};
 }
@@ -80,13 +93,17 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
 void Session::frame() { camera.frame(box_min_, box_max_); }
 
 void Session::lay_ground(double below) {
+  if (const std::optional<Ground>& ground = simulation.scene.tools.ground) {
+    laid_ground_ = look.ground_height = ground->height;
+    return;
+  }
   laid_ground_ = look.ground_height = below - (stands_ ? 0 : 0.4 * look.radius);
 }
 
 void Session::forget_ground() { lay_ground(lowest_of(surface_)); }
 
 void Session::follow_ground(Session* beside, bool now) {
-  if (!display().ground) return;
+  if (!display().ground || simulation.scene.tools.ground) return;
   measure_lowest(now);
   if (!beside) return;
   beside->measure_lowest(now);
@@ -242,11 +259,28 @@ void Session::show_paints() {
     renderer_->set_regions(needs_regions() ? regions_->of_triangle : std::vector<std::uint32_t>());
 }
 
+// The ground that tissue touches is the drawn one.
+void Session::show_tools() {
+  const std::vector<Tool>& tools = simulation.model.tools;
+  if (tools.empty()) return;
+  const std::vector<ToolPlace> places = places_at(tools, simulation.time());
+  if (places == shown_places_) return;
+  if (tool_meshes_.empty())
+    for (const Tool& tool : tools) tool_meshes_.push_back(shape_mesh(tool.shape, 2 * look.radius));
+  RigidSurface surface;
+  for (std::size_t t = simulation.scene.tools.ground ? 1 : 0; t < tools.size(); ++t)
+    for (std::size_t piece = 0; piece < tools[t].piece_count(); ++piece)
+      append_placed(tool_meshes_[t], tools[t].pose_of_piece(piece, places[t]), surface);
+  renderer_->set_rigid(surface);
+  shown_places_ = places;
+}
+
 void Session::draw(Framebuffer& framebuffer, std::span<const GrabArrow> grabs, const gl::Buffer* positions) {
   GpuSolver& solver = *simulation.gpu();
   solver.publish();
   show_grabbed();
   show_paints();
+  show_tools();
   framebuffer.bind();
   if (!display().marks.grabs) grabs = {};
   renderer_->draw(SurfaceView{positions ? positions : &solver.positions()}, camera, look, grabs, framebuffer);

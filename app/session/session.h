@@ -14,6 +14,7 @@
 #include "sim/grab/build_model.h"
 #include "sim/simulation/simulation.h"
 #include "sim/simulation/true_error.h"
+#include "sim/visual/shape_mesh.h"
 #include "sim/visual/visual_regions.h"
 #include "sim/visual/visual_surface.h"
 
@@ -88,6 +89,7 @@ class Session {
   void measure_lowest(bool now);  // lowers the ground
   void show_error();
   void show_grabbed();
+  void show_tools();
   void show_paints();
   bool needs_regions() const;  // of triangles
   void follow_range(Session* beside, bool now);
@@ -104,6 +106,8 @@ class Session {
   bool stands_ = false;                   // on the ground, held at its lowest part; else it hangs above the ground
   std::vector<std::uint32_t> grabbed_;    // vertices that the renderer shows as grabbed
   std::vector<TissuePaint> paints_;       // that the renderer has
+  std::vector<ShapeMesh> tool_meshes_;    // [tool]
+  std::vector<ToolPlace> shown_places_;   // at which the renderer shows them
   Eigen::Vector3d box_min_, box_max_;     // of the bodies at rest [m]
   std::string description_;
 };
