@@ -44,12 +44,15 @@ json scalar_of(const std::string& text) {
   return text;
 }
 
-json value_of(const std::string& text, const std::string& option) {
-  if (text.starts_with('{') || text.starts_with('[')) return parse_json(text, option);
-  if (text.find(',') == std::string::npos) return scalar_of(text);
+json list_of(const std::string& text) {
   json values = json::array();
   for (const std::string& part : parts_of(text, ',')) values.push_back(scalar_of(part));
   return values;
+}
+
+json value_of(const std::string& text, const std::string& option) {
+  if (text.starts_with('{') || text.starts_with('[')) return parse_json(text, option);
+  return text.find(',') == std::string::npos ? scalar_of(text) : list_of(text);
 }
 
 }  // namespace fascia

@@ -17,7 +17,9 @@ std::vector<std::pair<std::string, std::string>> option_parts(std::string_view t
 
 /// A number, true, false, or the text itself.
 nlohmann::json scalar_of(const std::string& text);
-/// The scalars between commas; without a comma one scalar, and a value that starts like JSON is JSON. Throws Error.
+/// The scalars between commas.
+nlohmann::json list_of(const std::string& text);
+/// The same; without a comma one scalar, and a value that starts like JSON is JSON. Throws Error.
 nlohmann::json value_of(const std::string& text, const std::string& option);
 
 }  // namespace fascia

@@ -11,7 +11,7 @@ json grab_value(const std::string& key, const std::string& text) {
   if (key == "body") return text;  // a body may be called 2
   if (key != "path" || text.starts_with('[')) return value_of(text, "--grab " + key);
   json keys = json::array();
-  for (const std::string& part : parts_of(text, '/')) keys.push_back(value_of(part, "--grab path"));
+  for (const std::string& part : parts_of(text, '/')) keys.push_back(list_of(part));
   return keys;
 }
 

@@ -97,6 +97,7 @@ struct Scene {
   std::vector<TissuePaint> paints{TissuePaint{}};
   std::vector<Eigen::Vector3d> rest;  // positions at rest; empty: those of the shape
   std::optional<GrabArrow> grab;
+  RigidSurface rigid;
   bool creases = true;
   int width = 320, height = 240, samples = 1;
 
@@ -118,6 +119,7 @@ struct Scene {
     renderer.set_grabbed(grabbed);
     renderer.set_tets({tets, tet_region, within_surface});
     renderer.set_regions(triangle_region);
+    renderer.set_rigid(rigid);
     const gl::Buffer positions = shape.upload();
     const Framebuffer target(width, height, samples);
     renderer.draw({&positions}, camera, look, {grab ? &*grab : nullptr, grab ? std::size_t{1} : 0}, target);

@@ -79,7 +79,7 @@ TEST_CASE("a repeated key is refused with its place") {
 TEST_CASE("an unknown key is named with the nearest known one, at every level") {
   CHECK(top_error(R"("gravty": [0, 0, 0])") ==
         "s.json: gravty: unknown key \"gravty\", perhaps \"gravity\"; expected one of fascia_scene, title, gravity, "
-        "bodies, grabs, solver, camera, display, duration, files");
+        "bodies, grabs, contact, ground, obstacles, instruments, solver, camera, display, duration, files");
   CHECK(top_error(R"("solver": {"iters": 3})") ==
         "s.json: solver.iters: unknown key \"iters\", perhaps \"iterations\"; expected one of method, acceleration, "
         "integrator, "

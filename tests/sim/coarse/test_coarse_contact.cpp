@@ -1,0 +1,78 @@
+#include "sim/coarse/coarse_contact.h"
+
+#include <Eigen/LU>
+#include <catch2/catch.hpp>
+
+#include "sim/coarse/coarse_matrix.h"
+#include "tests/sim/reference/box_model.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::MatrixXf;
+using Eigen::Vector3d;
+
+TEST_CASE("pushing back solves the coarse problem with the stiffness of contact", "[coarse]") {
+  const Model model = test::box_model(6, 6, 6, {0.2, 0.2, 0.2}, test::soft(1e5));
+  const CoarseSpace space = make_coarse_space(model, 40);
+  REQUIRE(space.node_count > 8);
+  constexpr double kStep = 1.0 / 60;
+  const MatrixXf matrix = coarse_matrix(model, space, kStep).cast<float>(), inverse = matrix.inverse();
+
+  // The bottom presses, and one point in a face sticks.
+  std::vector<PointStiffness> points;
+  for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
+    if (model.rest_positions[v].y() < 1e-9)
+      points.push_back({{v, v, v}, {1, 0, 0}, 2e4 * Vector3d::UnitY() * Vector3d::UnitY().transpose()});
+  points.push_back({{0, 1, 7}, {0.5, 0.25, 0.25}, 1e3 * Eigen::Matrix3d::Identity()});
+  test::Random random(2);
+  std::vector<Eigen::Quaternionf> rotations;
+  for (std::uint32_t j = 0; j < space.node_count; ++j)
+    rotations.emplace_back(Eigen::Quaterniond(random.rotation()).cast<float>());
+
+  const CoarseContact contact = coarse_contact(space, points, rotations, kStep);
+  const auto nodes = static_cast<Eigen::Index>(contact.nodes.size());
+  REQUIRE(nodes > 0);
+  REQUIRE(nodes < static_cast<Eigen::Index>(space.node_count));
+  MatrixXf whole = matrix, spread = MatrixXf::Zero(matrix.rows(), 3 * nodes);
+  for (Eigen::Index k = 0; k < nodes; ++k)
+    spread.block<3, 3>(3 * contact.nodes[static_cast<std::size_t>(k)], 3 * k).setIdentity();
+  whole += spread * contact.stiffness * spread.transpose();
+
+  const Eigen::VectorXf right = random.vector(matrix.rows()).cast<float>(), exact = whole.lu().solve(right);
+  const Eigen::VectorXf free = inverse * right;
+  const MatrixXf push = push_back(contact, [&](Eigen::Index i, Eigen::Index k) { return inverse(i, k); });
+  const Eigen::VectorXf found = free - inverse * (spread * (push * (spread.transpose() * free)));
+  CAPTURE(nodes, exact.norm(), free.norm(), (found - exact).norm());
+  CHECK((free - exact).norm() > 0.1 * exact.norm());
+  CHECK((found - exact).norm() < 2e-3 * exact.norm());  // of float32, with a condition of some thousands
+
+  // The same energy as that of the points themselves, for motions of the coarse space.
+  const Eigen::VectorXf z = random.vector(matrix.rows()).cast<float>();
+  double energy = 0;
+  for (const PointStiffness& point : points) {
+    Vector3d at(0, 0, 0);
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::uint32_t e = space.begin[point.vertices[a]]; e < space.begin[point.vertices[a] + 1]; ++e)
+        at += point.weights[a] * space.weight[e] *
+              (rotations[space.node[e]] * Eigen::Vector3f(z.segment<3>(3 * space.node[e]))).cast<double>();
+    energy += kStep * kStep * at.dot(point.stiffness * at);
+  }
+  const Eigen::VectorXf touched = spread.transpose() * z;
+  CHECK(touched.dot(contact.stiffness * touched) == Approx(energy).epsilon(1e-4));
+}
+
+TEST_CASE("contact that hardly changed serves again", "[coarse]") {
+  CoarseContact a{{1, 2}, MatrixXf::Identity(6, 6)}, b = a;
+  CHECK(alike(a, b));
+  b.stiffness *= 1.05f;
+  CHECK(alike(a, b));
+  b.stiffness *= 1.2f;
+  CHECK_FALSE(alike(a, b));
+  b = a;
+  b.nodes = {1, 3};
+  CHECK_FALSE(alike(a, b));
+}
+
+}  // namespace
+}  // namespace fascia

@@ -1,0 +1,101 @@
+#include "sim/contact/contact_energy.h"
+
+#include <catch2/catch.hpp>
+
+#include "tests/sim/reference/box_model.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+struct Pressed {
+  Model model = test::box_model(2, 2, 2, {0.2, 0.2, 0.2}, test::soft(1e5));
+  ContactSurface surface;
+  std::vector<double> stiffness;
+  ContactMemory memory;
+  VectorXd start;
+  ToolMotion motion;
+
+  explicit Pressed(double friction) {
+    SceneTools tools;
+    tools.ground = Ground{0, friction};
+    Instrument ball;
+    ball.name = "ball";
+    ball.shape = ToolShape(SphereShape{{0, 0, 0}, 0.05});
+    ball.friction = friction;
+    ball.path = {{0, {0.1, 0.23, 0.1}, {0, 0, 0}}, {1, {0.11, 0.22, 0.1}, {0, 0, 30}}};
+    tools.instruments.push_back(ball);
+    model.tools = tools_of(tools);
+    surface = make_contact_surface(model);
+    stiffness = contact_stiffness(model, surface);
+    test::Random random(7);
+    memory.resize(surface.row_count);
+    for (ContactForce& force : memory) {
+      force.normal = random() > 0.3 ? 5 * std::abs(random()) : 0;
+      force.friction = 0.4 * force.normal * random.vector();
+    }
+    start = 1e-3 * random.vector(3 * static_cast<Eigen::Index>(model.rest_positions.size()));
+    motion = motion_on_paths(model.tools, 0, 1);
+  }
+  ContactEnergy energy() const { return {model, surface, stiffness, memory, start, motion}; }
+};
+
+TEST_CASE("forces of contact are the gradient of its energy, and its blocks their derivative", "[contact]") {
+  for (const double friction : {0.0, 0.5}) {
+    const Pressed pressed(friction);
+    const ContactEnergy energy = pressed.energy();
+    test::Random random(8);
+    const VectorXd u = pressed.start + 2e-3 * random.vector(pressed.start.size());
+    const VectorXd direction = random.vector(u.size());
+    const auto gradient_at = [&](const VectorXd& at) {
+      VectorXd gradient = VectorXd::Zero(at.size());
+      energy.evaluate(at, gradient);
+      return gradient;
+    };
+    const auto energy_at = [&](const VectorXd& at) {
+      VectorXd unused = VectorXd::Zero(at.size());
+      return energy.evaluate(at, unused);
+    };
+    constexpr double kStep = 1e-7;
+    const double slope = (energy_at(u + kStep * direction) - energy_at(u - kStep * direction)) / (2 * kStep);
+    const VectorXd change = (gradient_at(u + kStep * direction) - gradient_at(u - kStep * direction)) / (2 * kStep);
+    VectorXd product = VectorXd::Zero(u.size());
+    for (const ContactEnergy::Block& block : energy.blocks(u, false))
+      product.segment<3>(3 * block.row_vertex) += block.hessian * direction.segment<3>(3 * block.column_vertex);
+    CAPTURE(friction, slope, gradient_at(u).dot(direction), change.norm(), (product - change).norm());
+    CHECK(gradient_at(u).norm() > 1);
+    CHECK(slope == Approx(gradient_at(u).dot(direction)).epsilon(1e-6));
+    CHECK((product - change).norm() < 1e-5 * change.norm());
+  }
+}
+
+TEST_CASE("forces read out are opposite to those on the tissue, and friction keeps within its bound", "[contact]") {
+  const Pressed pressed(0.5);
+  const ContactEnergy energy = pressed.energy();
+  const VectorXd u = 1.5 * pressed.start;
+  VectorXd gradient = VectorXd::Zero(u.size());
+  energy.evaluate(u, gradient);
+  Vector3d on_tissue(0, 0, 0), torque(0, 0, 0), of_tools(0, 0, 0), torque_of_tools(0, 0, 0);
+  for (std::size_t v = 0; v < pressed.model.rest_positions.size(); ++v) {
+    const Vector3d force = -gradient.segment<3>(3 * static_cast<Eigen::Index>(v));
+    on_tissue += force;
+    torque += (pressed.model.rest_positions[v] + u.segment<3>(3 * static_cast<Eigen::Index>(v))).cross(force);
+  }
+  const std::vector<ToolLoad> loads = energy.loads(u);
+  for (std::size_t t = 0; t < loads.size(); ++t) {
+    of_tools += loads[t].force;
+    torque_of_tools += loads[t].torque + pressed.motion.to[t].pose.origin.cross(loads[t].force);
+  }
+  CAPTURE(on_tissue.transpose(), of_tools.transpose(), torque.transpose(), torque_of_tools.transpose());
+  CHECK((on_tissue - of_tools).norm() < 1e-12 * of_tools.norm());
+  CHECK((torque - torque_of_tools).norm() < 1e-11 * of_tools.norm());
+  for (const ContactForce& force : energy.memory_after(u)) {
+    CHECK(force.normal >= 0);
+    CHECK(force.friction.norm() <= 0.5 * force.normal + 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace fascia
