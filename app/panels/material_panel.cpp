@@ -169,7 +169,25 @@ bool look_rows(Material& material) {
   return color_row(*look, material) || chosen;
 }
 
-void material_sliders(Simulation& simulation, WindowState& state) {
+// Nothing for a body of quadratic elements.
+void locking_row(const PanelContext& context, std::size_t index, double poisson_ratio) {
+  const Simulation& simulation = context.session.simulation;
+  const std::vector<BodyPart>& parts = simulation.model.bodies;
+  const auto body = static_cast<std::size_t>(
+      std::find_if(parts.begin(), parts.end(),
+                   [&](const BodyPart& part) { return index < part.material_begin + part.material_count; }) -
+      parts.begin());
+  ElementOrders elements = elements_of(simulation.scene);
+  if (body >= elements.size() || elements[body] == ElementOrder::quadratic) return;
+  const bool remedy = info_of(simulation.scene.solver.method).carries_quadratic;
+  if (!hint_row(context.state.hints, locking_hint(poisson_ratio, remedy))) return;
+  elements[body] = ElementOrder::quadratic;
+  context.requests.elements = std::move(elements);
+}
+
+void material_sliders(const PanelContext& context) {
+  Simulation& simulation = context.session.simulation;
+  WindowState& state = context.state;
   const std::size_t index = state.chosen_material;
   const Method method = simulation.scene.solver.method;
   Material material = simulation.model.materials[index];
@@ -191,8 +209,7 @@ void material_sliders(Simulation& simulation, WindowState& state) {
                                 std::string(help) + (extra ? std::string(". ") + extra->cost : ""),
                                 std::strcmp(name, "damping") == 0 ? "off" : ""};
     changed |= ui::number(field, value);
-    if (std::strcmp(name, "poisson_ratio") == 0 && !simulation.model.has_quadratic())
-      hint_row(state.hints, locking_hint(value));
+    if (std::strcmp(name, "poisson_ratio") == 0) locking_row(context, index, value);
   });
   changed |= ui::choice("Model", material_models(), material.model, label_of_model, help_of_model,
                         [&](MaterialModel model) { return refusal_of_model(method, model); });
@@ -296,7 +313,7 @@ void material_panel(const PanelContext& context) {
             engineering(volume * simulation.model.materials[state.chosen_material].density, "kg"),
         "The material that the sliders below change: its share of the volume, and its mass at the current density");
   }
-  material_sliders(simulation, state);
+  material_sliders(context);
 }
 
 }  // namespace fascia

@@ -23,7 +23,8 @@ struct HintBoard {
   std::set<std::string> dismissed;
 };
 
-std::optional<Hint> locking_hint(double poisson_ratio);
+/// Of a body of linear tets; `remedy`: whether quadratic elements can be offered.
+std::optional<Hint> locking_hint(double poisson_ratio, bool remedy);
 /// A hint for sizes that are not those of tissue [m], with the scale that would correct them.
 struct UnitHint {
   Hint hint;

@@ -2,11 +2,13 @@
 
 #include <utility>
 
+#include "app/state/element_orders.h"
+
 namespace fascia {
 
 std::unique_ptr<Session> continued_session(Graphics& graphics, Session& old, Scene scene) {
-  State state = old.simulation.state();
   Model model = build_model(scene);
+  State state = with_elements(old.simulation.state(), old.simulation.model, model);
   for (const std::uint32_t v : model.fixed) {
     state.displacement[v].setZero();
     state.velocity[v].setZero();

@@ -4,6 +4,8 @@
 #include <set>
 #include <utility>
 
+#include "sim/mesh/mid_edges.h"
+
 namespace fascia {
 
 FixedSets fixed_of(const Scene& scene) {
@@ -17,9 +19,11 @@ FixedSets with_fixed(const Scene& scene, const Model& model, std::span<const std
   std::vector<char> prescribed(model.rest_positions.size(), 0);
   for (const Motion& motion : model.motions)
     for (const std::uint32_t v : motion.vertices) prescribed[v] = 1;
+  std::vector<char> follows(model.rest_positions.size(), 0);  // the ends of its edge: it is never listed
+  for (const MidEdge& edge : mid_edges_of(model.file_mesh)) follows[edge.vertex] = 1;
   for (std::size_t b = 0; b < sets.size(); ++b) {
     const std::uint32_t begin = model.bodies[b].vertex_begin, end = begin + model.bodies[b].vertex_count;
-    const auto inside = [&](std::uint32_t v) { return v >= begin && v < end; };
+    const auto inside = [&](std::uint32_t v) { return v >= begin && v < end && !follows[v]; };
     std::set<std::uint32_t> held;
     for (const std::uint32_t v : model.fixed)
       if (inside(v)) held.insert(v - begin);

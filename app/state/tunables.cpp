@@ -167,13 +167,11 @@ void compare_display(const DisplaySettings& from, const DisplaySettings& to, Cha
 
 Tunables tunables_of(const Session& session, const GrabSettings& grab) {
   const Simulation& simulation = session.simulation;
-  return {simulation.scene.solver,
-          material_entries(simulation.scene, simulation.model, simulation.model.materials),
-          fixed_of(simulation.scene),
-          painted_of(simulation.scene),
-          simulation.scene.gravity,
-          simulation.scene.display,
-          grab};
+  return {
+      simulation.scene.solver,       material_entries(simulation.scene, simulation.model, simulation.model.materials),
+      fixed_of(simulation.scene),    painted_of(simulation.scene),
+      elements_of(simulation.scene), simulation.scene.gravity,
+      simulation.scene.display,      grab};
 }
 
 void set_tunables(Session& session, GrabSettings& grab, const Tunables& tunables) {
@@ -196,6 +194,10 @@ std::vector<std::string> changes(const Tunables& from, const Tunables& to) {
   compare_regions(from.regions, to.regions, list);
   for (std::size_t b = 0; b < std::min(from.materials.size(), to.materials.size()); ++b)
     compare_entries(from.materials[b], to.materials[b], to.materials.size() == 1, "body " + std::to_string(b), list);
+  for (std::size_t b = 0; b < std::min(from.elements.size(), to.elements.size()); ++b)
+    if (from.elements[b] != to.elements[b])
+      list.add(to.elements.size() == 1 ? "Elements" : "Elements, body " + std::to_string(b), name_of(from.elements[b]),
+               name_of(to.elements[b]));
   if (from.fixed != to.fixed) list.add("Fixed", fixed_text(from.fixed), fixed_text(to.fixed));
   for (int axis = 0; axis < 3; ++axis)
     list.number(std::string("Gravity ") + "xyz"[axis], from.gravity[axis], to.gravity[axis], "m/s^2");

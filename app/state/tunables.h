@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/session/session.h"
+#include "app/state/element_orders.h"
 #include "app/state/fixed_vertices.h"
 #include "app/state/painted_regions.h"
 #include "sim/grab/interactive_grab.h"
@@ -16,7 +17,8 @@ struct Tunables {
   SolverSettings solver;
   std::vector<MaterialEntries> materials;  // [bodies]
   FixedSets fixed;                         // set_tunables() sets neither this
-  RegionSets regions;                      // nor this: they take another session
+  RegionSets regions;                      // nor this
+  ElementOrders elements;                  // nor this: they take another session
   Eigen::Vector3d gravity{0, 0, 0};        // [m/s^2]
   DisplaySettings display;
   GrabSettings grab;
@@ -25,8 +27,8 @@ struct Tunables {
 
 Tunables tunables_of(const Session& session, const GrabSettings& grab);
 
-/// Sets the parameters that differ, except `fixed` and `regions`, through the session's own setters, so that replays
-/// record them. Throws Error as they do.
+/// Sets the parameters that differ, except `fixed`, `regions` and `elements`, through the session's own setters, so
+/// that replays record them. Throws Error as they do.
 void set_tunables(Session& session, GrabSettings& grab, const Tunables& tunables);
 
 /// The changes from one to the other as text: "Young's modulus, tumour: 10 kPa to 12 kPa". One line per change.

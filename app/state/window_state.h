@@ -9,6 +9,7 @@
 #include "app/session/advice.h"
 #include "app/state/brush_settings.h"
 #include "app/state/convergence.h"
+#include "app/state/element_orders.h"
 #include "app/state/fixed_vertices.h"
 #include "app/state/painted_regions.h"
 #include "app/state/plots.h"
@@ -104,6 +105,7 @@ struct Requests {
   std::optional<std::vector<MaterialEntries>> materials;  // for regions: a material of their own, or the default
   std::optional<FixedSets> fixed;                         // after a stroke of the brush
   std::optional<Painting> painting;                       // as well
+  std::optional<ElementOrders> elements;                  // of a remedy for locking
   std::optional<double> rescale;                          // factor for all bodies: the file has another unit
   std::optional<std::vector<std::string>> open_again;     // a mesh on its own, with these --set texts
   /// Some requests are executed with the steps and the picture of a frame.

@@ -88,19 +88,28 @@ void TuningHistory::set_painting(const Painting& painting) {
   stage_.state.brush.reveal = true;  // below the list of regions, which grew
 }
 
-// Another session for other fixed vertices or regions, with the materials of the regions and a method that carries
-// them.
+void TuningHistory::set_elements(const ElementOrders& elements) {
+  Tunables wanted = tunables_of(*stage_.session, stage_.state.grab);
+  wanted.elements = elements;
+  rebuild(wanted);
+}
+
+// Another session for other fixed vertices, regions or elements, with the materials of the regions and a method that
+// carries them.
 void TuningHistory::rebuild(const Tunables& wanted) {
   const Scene& now = sides_.tuned().simulation.scene;
-  if (wanted.fixed == fixed_of(now) && wanted.regions == painted_of(now)) return;
+  if (wanted.fixed == fixed_of(now) && wanted.regions == painted_of(now) && wanted.elements == elements_of(now)) return;
   if (sides_.split())
-    throw Error("Fixed vertices and regions", "cannot change during a comparison", "close the comparison first (B)");
+    throw Error("Fixed vertices, regions and elements", "cannot change during a comparison",
+                "close the comparison first (B)");
   Scene scene = stage_.scene_now();
   scene.solver = wanted.solver;
   scene = with_materials(std::move(scene), wanted.materials);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    scene.bodies[b].fixed = wanted.fixed[b];
-    scene.bodies[b].regions = wanted.regions[b];
+    Body& body = scene.bodies[b];
+    body.fixed = wanted.fixed[b];
+    body.regions = wanted.regions[b];
+    body.elements = wanted.elements[b];
   }
   sides_.let_go();
   // With the first region there are several materials, which take other kernels

@@ -1,5 +1,5 @@
 // Changes to the open scene beyond a single slider: undo, materials of single regions, fixed vertices, painted regions,
-// other units of length, and the command line that reproduces all changes.
+// elements, other units of length, and the command line that reproduces all changes.
 #pragma once
 #include <optional>
 #include <vector>
@@ -22,7 +22,8 @@ class TuningHistory {
   void set_materials(const std::vector<MaterialEntries>& entries);
   /// Throws Error, and changes nothing, during a comparison and if the scene cannot be built.
   void set_fixed(const FixedSets& fixed);
-  void set_painting(const Painting& painting);  // as set_fixed
+  void set_painting(const Painting& painting);       // as set_fixed
+  void set_elements(const ElementOrders& elements);  // as well
   /// The current scene with all lengths times `factor`, to be opened as a new session.
   Opened rescaled(double factor) const;
   void copy_command() const;  // to the clipboard

@@ -268,6 +268,7 @@ void Window::carry_out(const Requests& requests) {
   if (requests.materials) tuning_.set_materials(*requests.materials);
   if (requests.fixed) tuning_.set_fixed(*requests.fixed);
   if (requests.painting) tuning_.set_painting(*requests.painting);
+  if (requests.elements) tuning_.set_elements(*requests.elements);
   if (requests.rescale) rescale(*requests.rescale);
   if (requests.open_again) open_again(*requests.open_again);
   if (requests.copy_command) tuning_.copy_command();

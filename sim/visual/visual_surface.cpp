@@ -40,11 +40,17 @@ std::vector<std::uint32_t> drawn_marks(const Model& model, const std::vector<std
   };
   const auto count = static_cast<std::uint32_t>(model.rest_positions.size());
   std::vector<Nearest> nearest(count);
-  for (std::uint32_t i = 0; i < model.embedded.ties.size(); ++i)
-    for (std::size_t k = 0; k < 4; ++k) {
-      Nearest& now = nearest[model.embedded.ties[i].vertices[k]];
-      if (const double weight = model.embedded.ties[i].weights[k]; weight > now.weight) now = {weight, count + i};
-    }
+  const auto compare = [&](std::uint32_t vertex, double weight, std::uint32_t point) {
+    if (Nearest& now = nearest[vertex]; weight > now.weight) now = {weight, count + point};
+  };
+  for (std::uint32_t i = 0; i < model.embedded.ties.size(); ++i) {
+    const EmbeddedPoint& tie = model.embedded.ties[i];
+    for (std::size_t k = 0; k < 4; ++k) compare(tie.vertices[k], tie.weights[k], i);
+    if (model.embedded.quadratic.empty()) continue;
+    const QuadraticTie& curved = model.embedded.quadratic[i];
+    for (std::size_t m = 0; m < 6 && curved.middles != kNoMidEdges; ++m)
+      compare(curved.middles[m], curved.weights[4 + m], i);
+  }
   std::vector<std::uint32_t> marks;
   for (const std::uint32_t v : vertices) {
     const auto body = std::find_if(model.bodies.begin(), model.bodies.end(), [&](const BodyPart& part) {

@@ -225,7 +225,7 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
     gl::Defines curvature_defines = defines_of(r.features);
     curvature_defines.emplace_back("SPLIT", splits_ ? "1" : "0");
     for (const bool quadratic : {false, true})
-      if (quadratic ? r.buffers.has_quadratic() : r.buffers.has_linear())
+      if ((quadratic ? r.buffers.quadratic_count : r.buffers.pair_and_single_count()) > 0)
         append(passes, this->curvature(r, quadratic, curvature_defines, curvature));
   }
   if (!last) {

@@ -36,7 +36,7 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
   gl::ComputePass::Bindings tet{
       {"step", &buffers.step}, {"displacement", &buffers.displacement}, {"tet_partials", &tet_partials_}};
   tet = with_damping(with_material(std::move(tet), features, buffers), features, previous_strain);
-  if (buffers.has_linear()) {
+  if (buffers.pair_and_single_count() > 0) {
     gl::ComputePass::Constants constants = constants_of_pairs(buffers);
     constants.emplace_back("pair_and_single_count", buffers.pair_and_single_count());
     passes_.emplace_back(programs.compute("sim/readback/diagnose_tet.comp", defines_of(features)),

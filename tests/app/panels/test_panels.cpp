@@ -64,8 +64,8 @@ TEST_CASE("the help in the tables is shown for every field") {
 }
 
 TEST_CASE("hints appear where they should", "[panels]") {
-  CHECK_FALSE(locking_hint(0.45));
-  CHECK(locking_hint(0.46));
+  CHECK_FALSE(locking_hint(0.45, true));
+  CHECK(locking_hint(0.46, true));
 
   SolverSettings settings;
   Diagnostics diagnostics{};

@@ -33,10 +33,12 @@ std::optional<Hint> residual_hint(double residual, SolverChoice choice = solver_
 }  // namespace
 
 TEST_CASE("a Poisson's ratio at which linear tets lock gets advice") {
-  CHECK_FALSE(locking_hint(0.3));
-  CHECK_FALSE(locking_hint(kLockingPoissonRatio));
-  REQUIRE(locking_hint(0.451));
-  CHECK(locking_hint(0.451)->name == "locking");
+  CHECK_FALSE(locking_hint(0.3, true));
+  CHECK_FALSE(locking_hint(kLockingPoissonRatio, true));
+  REQUIRE(locking_hint(0.451, true));
+  CHECK(locking_hint(0.451, true)->name == "locking");
+  CHECK(locking_hint(0.451, true)->remedy == "Quadratic elements");
+  CHECK(locking_hint(0.451, false)->remedy.empty());
 }
 
 TEST_CASE("a body of implausible size gets advice with the unit that makes it plausible") {

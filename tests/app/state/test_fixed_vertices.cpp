@@ -2,6 +2,7 @@
 // Covers: deformed_positions, continued_session
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <numeric>
 
 #include "app/state/continued_session.h"
 #include "app/state/deformed_positions.h"
@@ -43,6 +44,20 @@ TEST_CASE("a fixed vertex joins those of the scene, and the last one that is rel
   CHECK(std::get<VertexSelection>(more[0][0]).vertices == expected);
 
   CHECK(with_fixed(cube.scene(), cube.model(), cube.model().fixed, false) == FixedSets{{}});
+}
+
+TEST_CASE("in a body of quadratic tets, middles of edges follow their ends and are not listed") {
+  Cube cube;
+  Scene scene = cube.scene();
+  scene.bodies[0].elements = ElementOrder::quadratic;
+  const Model model = build_model(scene);
+  std::vector<std::uint32_t> all(model.rest_positions.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const FixedSets sets = with_fixed(scene, model, all, true);
+  REQUIRE(sets[0].size() == 1);
+  CHECK(std::get<VertexSelection>(sets[0][0]).vertices.size() == cube.model().rest_positions.size());
+  scene.bodies[0].fixed = sets[0];
+  CHECK(build_model(scene).fixed.size() == all.size());
 }
 
 TEST_CASE("a vertex with a prescribed motion is neither fixed nor released") {

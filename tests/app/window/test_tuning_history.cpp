@@ -155,6 +155,51 @@ TEST_CASE(
 
   desk.compare(CompareAsk::open_or_close);
   desk.compare(CompareAsk::edit_a);
-  CHECK_THROWS_WITH(desk.tuning.go_to(1), Catch::StartsWith("Fixed vertices and regions"));
+  CHECK_THROWS_WITH(desk.tuning.go_to(1), Catch::StartsWith("Fixed vertices, regions and elements"));
   CHECK(desk.history().done() == 3);
+}
+
+TEST_CASE("other elements are an entry, and the tissue goes on where it was") {
+  Desk desk;
+  desk.tuning.session_began();
+  desk.tuning.follow();
+  for (int step = 0; step < 10; ++step) desk.stage.simulation().step();
+  const Model linear = desk.stage.simulation().model;
+  const State before = desk.stage.simulation().state();
+  const auto counted = [&] { return desk.stage.simulation().model.rest_positions.size(); };
+  desk.stage.session->camera.zoom(0.5);
+  const std::optional<CameraSettings> camera = desk.stage.scene_now().camera;
+
+  desk.tuning.set_elements({ElementOrder::quadratic});
+  desk.tuning.follow();
+  REQUIRE(desk.history().entries().size() == 1);
+  CHECK(desk.history().entries()[0].text == "Elements: linear to quadratic");
+  const Model& model = desk.stage.simulation().model;
+  CHECK(model.is_quadratic(0));
+  CHECK(desk.stage.scene_now().camera == camera);
+  const State after = desk.stage.simulation().state();
+  CHECK(after.time == before.time);
+  REQUIRE(after.displacement.size() == counted());
+  double farthest = 0, largest = 0;
+  for (std::size_t v = 0; v < linear.rest_positions.size(); ++v) {
+    farthest = std::max(farthest, (after.displacement[v] - before.displacement[v]).norm());
+    largest = std::max(largest, before.displacement[v].norm());
+  }
+  for (std::size_t t = 0; t < model.tets.size(); ++t)
+    for (std::size_t m = 0; m < 6; ++m) {
+      const auto [a, b] = kMidEdgeCorners[m];
+      const Eigen::Vector3d middle =
+          0.5 * (after.displacement[model.tets[t][a]] + after.displacement[model.tets[t][b]]);
+      farthest = std::max(farthest, (after.displacement[model.mid_edges[t][m]] - middle).norm());
+    }
+  CAPTURE(largest, farthest);
+  CHECK(largest > 0.001);
+  CHECK(farthest < 1e-6 * largest);
+  for (int step = 0; step < 5; ++step) desk.stage.simulation().step();
+
+  desk.tuning.go_to(0);
+  CHECK(counted() == linear.rest_positions.size());
+  CHECK_FALSE(desk.stage.simulation().model.has_quadratic());
+  desk.tuning.go_to(1);
+  CHECK(desk.stage.simulation().model.is_quadratic(0));
 }

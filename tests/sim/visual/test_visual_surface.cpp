@@ -82,4 +82,13 @@ TEST_CASE("marks lie on the drawn surface, and only where it is near the marked 
       {{4, 5, 6, 7}, {0.3, 0.5, 0.1, 0.1}}, {{4, 5, 6, 7}, {0.25, 0.25, 0.25, 0.25}}, {{4, 5, 6, 7}, {0.1, 0.9, 0, 0}}};
   CHECK(drawn_marks(model, {0, 2}) == std::vector<std::uint32_t>{0, 2});
   CHECK(drawn_marks(model, {2, 4, 5, 6}) == std::vector<std::uint32_t>{2, 10});
+  INFO("a vertex in the middle of an edge is near where its shape function is large");
+  for (int k = 0; k < 6; ++k) model.rest_positions.emplace_back(9, 9, k);
+  model.bodies[1].vertex_count += 6;
+  const MidEdges middles{8, 9, 10, 11, 12, 13};
+  model.embedded.quadratic = {{middles, {0, 0, 0, 0, 0.3, 0.6, 0, 0, 0, 0.1}},
+                              {middles, {0, 0, 0, 0, 0.2, 0.2, 0.2, 0.2, 0.1, 0.1}},
+                              {kNoMidEdges, {0.1, 0.9, 0, 0}}};
+  CHECK(drawn_marks(model, {8}).empty());
+  CHECK(drawn_marks(model, {9}) == std::vector<std::uint32_t>{14});
 }
