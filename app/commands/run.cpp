@@ -1,6 +1,5 @@
 // fascia run: simulates without drawing; exports and stats.json.
 #include <chrono>
-#include <cmath>
 #include <iostream>
 
 #include "app/cli/command_line.h"
@@ -97,10 +96,7 @@ void measure_errors(const RunOptions& options, Simulation& simulation, const Sta
     TrueError measured;
     const StepError& error = measured.measure(simulation);
     stats.error = error.relative;
-    double distance = 0, whole = 0;
-    for (const float d : error.distance) distance += d * d;
-    for (const Eigen::Vector3d& u : last.displacement) whole += u.squaredNorm();
-    errors.solver = distance > 0 ? std::sqrt(distance / whole) : 0;
+    errors.solver = error.of_displacement;
     say("true error of the last step " + percent(error.relative) + ", largest " + number(error.largest) + " m" +
         (error.converged ? "" : " (the reference solver did not converge)"));
   }

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <type_traits>
@@ -66,6 +67,36 @@ void gravity_row(Simulation& simulation) {
   ui::tooltip(kHelp);
 }
 
+// A share as a bar on a logarithmic scale, from 0.001 % to 100 %.
+void error_bar(const char* label, double share, const char* help) {
+  constexpr double kDecades = 5;
+  char percent[32];
+  std::snprintf(percent, sizeof percent, "%.2g %%", 100 * share);
+  ui::fact(label, percent, help);
+  const double length = share > 0 ? std::clamp(1 + std::log10(share) / kDecades, 0.0, 1.0) : 0;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = ui::px(4);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(corner, {corner.x + width, corner.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg));
+  draw.AddRectFilled(corner, {corner.x + static_cast<float>(length) * width, corner.y + height},
+                     ImGui::GetColorU32(ImGuiCol_PlotHistogram));
+  ImGui::Dummy({width, height});
+}
+
+// What the tissue is off by, told apart.
+void error_bars(const StepError& error) {
+  error_bar("Solver", error.of_displacement,
+            "Error of the last step relative to the displacement: more iterations make it smaller");
+  if (error.time)
+    error_bar(
+        "Time step", *error.time,
+        "Estimated error that the next six steps gather, relative to the displacement: BDF2 or more substeps make "
+        "it smaller");
+  error_bar(
+      "Mesh", error.mesh,
+      "Estimated error of this shape relative to the displacement: a finer mesh or quadratic tets make it smaller");
+}
+
 // The distance to the exact step: requested once or continuously.
 void error_row(Session& session) {
   if (session.simulation.uses_reference()) return;
@@ -85,12 +116,14 @@ void error_row(Session& session) {
                              : "no exact step found";
   }
   ui::fact("True error", text, kHelp);
-  if (ui::button("Measure", "Compares the next step with the exact one, on another thread",
+  if (ui::button("Measure",
+                 "Compares the next step with the exact one, and the next six with shorter ones, on another thread",
                  0.5f * ImGui::GetContentRegionAvail().x))
     error.request();
   ImGui::SameLine();
   ui::checkbox("continuously", session.follow_true_error,
                "One comparison after the other; the thread takes time from a solver that runs on the CPU");
+  if (const auto& result = error.result(); result && result->converged) error_bars(*result);
 }
 
 }  // namespace

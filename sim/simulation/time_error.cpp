@@ -28,6 +28,11 @@ Replay halved(Replay replay) {
 
 int order_of(Integrator integrator) { return integrator == Integrator::implicit_euler ? 1 : 2; }
 
+double richardson_factor(Integrator integrator) {
+  const double gain = std::pow(2, order_of(integrator));
+  return gain / (gain - 1);
+}
+
 TimeError estimate_time_error(const Simulation& done, gl::ProgramCache* programs, const std::stop_token& stop) {
   // The values of the scene and of the model follow the inputs of a replay, which starts with its own.
   Scene scene = done.replay() ? done.replay()->scene : done.scene;
@@ -40,8 +45,9 @@ TimeError estimate_time_error(const Simulation& done, gl::ProgramCache* programs
     if (stop.stop_requested()) return {0, false};
     finer.step();
   }
-  const double gain = std::pow(2, order_of(done.scene.solver.integrator));
-  return {gain / (gain - 1) * relative_distance(done.state().displacement, finer.state().displacement), true};
+  return {richardson_factor(done.scene.solver.integrator) *
+              relative_distance(done.state().displacement, finer.state().displacement),
+          true};
 }
 
 }  // namespace fascia

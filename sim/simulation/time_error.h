@@ -7,6 +7,9 @@ namespace fascia {
 
 /// The error of a motion falls with the length of its steps to this power.
 int order_of(Integrator integrator);
+/// The error of a motion over its distance to that with steps of half the length: 2^p / (2^p - 1) at order p
+/// (Richardson 1911).
+double richardson_factor(Integrator integrator);
 
 struct TimeError {
   double relative = 0;   // RMS error over RMS displacement, both over all vertices
@@ -14,8 +17,8 @@ struct TimeError {
 };
 
 /// Repeats all steps of `done`, a scene or a replay whose values nothing else has changed, from their start with twice
-/// the substeps, by the same solver. The error of a method of order p is 2^p / (2^p - 1) times the distance to that
-/// (Richardson 1911). What the solver leaves of each step is part of it. Takes twice the time of the run. Throws Error.
+/// the substeps, by the same solver, and takes the error from the distance. What the solver leaves of each step is part
+/// of it. Takes twice the time of the run. Throws Error.
 TimeError estimate_time_error(const Simulation& done, gl::ProgramCache* programs,
                               const std::stop_token& stop = interrupt_token());
 

@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "sim/accuracy/mesh_error.h"
+#include "sim/accuracy/relative_distance.h"
+#include "sim/simulation/time_error.h"
 
 namespace fascia {
 
@@ -32,29 +35,46 @@ StepError TrueError::compare(const Problem& problem, const SolvedStep& step, std
   }
   state.earlier.velocity = state.velocity;
   state.contact = step.contact;
-  reference::NewtonSolver solver(problem.model, problem.settings, std::move(stop));
+  reference::NewtonSolver solver(problem.model, problem.settings, stop);
   solver.set_springs(problem.springs);
   if (!problem.model.tools.empty()) solver.set_tools(problem.tools);
   StepError error;
   error.converged = solver.solve(stage, state).converged;
   error.step = problem.step;
   error.distance.reserve(n);
-  double squared = 0, scale = 0;
+  double squared = 0, scale = 0, whole = 0;
   for (std::size_t v = 0; v < n; ++v) {
     const double distance = (step.solution[v] - state.displacement[v]).norm();
     squared += distance * distance;
     scale += (state.displacement[v] - step.predicted[v]).squaredNorm();
+    whole += state.displacement[v].squaredNorm();
     error.largest = std::max(error.largest, distance);
     error.distance.push_back(static_cast<float>(distance));
   }
   error.relative = squared > 0 ? std::sqrt(squared / scale) : 0;
+  error.of_displacement = squared > 0 ? std::sqrt(squared / whole) : 0;
+  error.mesh = estimate_mesh_error(problem.model, {step.solution, {}, 0}).displacement;
+  if (problem.last) error.time = error_in_time(problem, stop);
   return error;
 }
 
-void TrueError::begin(Simulation& simulation) {
+double TrueError::error_in_time(const Problem& problem, const std::stop_token& stop) {
+  State coarse = *problem.last, fine = coarse;
+  SolverSettings halved = problem.settings;
+  halved.substeps *= 2;
+  for (const auto& [settings, state] : {std::pair(problem.settings, &coarse), std::pair(halved, &fine)}) {
+    reference::NewtonSolver solver(problem.model, settings, stop);
+    solver.set_springs(problem.springs);
+    for (int k = 0; k < kFollowedSteps && !stop.stop_requested(); ++k) solver.step(*state);
+  }
+  return richardson_factor(problem.settings.integrator) * relative_distance(coarse.displacement, fine.displacement);
+}
+
+void TrueError::begin(Simulation& simulation, bool with_time) {
   const GpuSolver& solver = *simulation.gpu();
   waiting_ = Problem{simulation.model,     simulation.scene.solver, solver.springs(),     solver.stage(),
                      solver.tool_motion(), solver.time(),           solver.steps_solved()};
+  if (with_time) waiting_->last = simulation.state();
   snapshot_.request(solver.buffers());
 }
 
@@ -63,8 +83,8 @@ bool TrueError::update(Simulation& simulation, bool continuously) {
   const bool due = (requested_ || (continuously && news)) && !waiting_ && !running_.valid();
   if (due && !simulation.uses_reference() && simulation.gpu()->has_step() && simulation.gpu()->last_was_whole() &&
       simulation.model.tets.size() <= kMostTets) {
+    begin(simulation, requested_);
     requested_ = false;
-    begin(simulation);
   }
   if (waiting_)
     if (std::optional<SolvedStep> step = snapshot_.take(simulation.gpu()->buffers(), false)) {
@@ -86,7 +106,7 @@ const StepError& TrueError::measure(Simulation& simulation) {
     result_.emplace();
     result_->distance.resize(simulation.model.rest_positions.size());
   } else {
-    begin(simulation);
+    begin(simulation, false);
     result_ = compare(*waiting_, *snapshot_.take(simulation.gpu()->buffers(), true), stop_.get_token());
     waiting_.reset();
   }

@@ -1,5 +1,6 @@
 // The distance between the solver's steps and exact ones: at intervals the reference solver repeats the last stage of
-// a substep from its start on another thread, while the frames continue.
+// a substep from its start on another thread, while the frames continue. Beside it the errors of the mesh and of the
+// time step, which no iteration makes smaller.
 #pragma once
 #include <future>
 #include <optional>
@@ -13,6 +14,9 @@ namespace fascia {
 /// Compares both shapes at the end of a stage, the last one of a substep.
 struct StepError {
   double relative = 0;          // RMS |u - u_exact| over RMS |u_exact - u~|: 1: as far away as the prediction
+  double of_displacement = 0;   // RMS |u - u_exact| over RMS |u_exact|
+  double mesh = 0;              // MeshError::displacement of the solver's shape
+  std::optional<double> time;   // what the next kFollowedSteps gather, relative to the displacement; if requested
   double largest = 0;           // [m]
   long step = 0;                // GpuSolver::steps_solved() at the end of the substep
   bool converged = true;        // the reference solver; if false, the error is unreliable
@@ -28,7 +32,10 @@ class TrueError {
   TrueError& operator=(const TrueError&) = delete;
   ~TrueError();  // stops the thread and waits for it
 
-  void request() { requested_ = true; }          // requests one measurement, of the next step
+  /// Requests one measurement, of the next step, with the error in time: the reference solver continues from that step
+  /// with the grabs as they are, kFollowedSteps steps of the length in use and twice as many of half of it.
+  void request() { requested_ = true; }
+  static constexpr int kFollowedSteps = 6;
   bool requested() const { return requested_; }  // and not yet begun
   bool busy() const { return waiting_ || running_.valid(); }
   const std::optional<StepError>& result() const { return result_; }
@@ -50,9 +57,11 @@ class TrueError {
     ToolMotion tools;
     double end_time;
     long step;
+    std::optional<State> last = {};  // after the substep, where the error in time is requested
   };
   static StepError compare(const Problem& problem, const SolvedStep& step, std::stop_token stop);
-  void begin(Simulation& simulation);
+  static double error_in_time(const Problem& problem, const std::stop_token& stop);
+  void begin(Simulation& simulation, bool with_time);
 
   bool requested_ = false;
   std::optional<Problem> waiting_;  // waits for its snapshot

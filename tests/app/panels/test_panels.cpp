@@ -30,6 +30,8 @@ TEST_CASE("every widget of every panel has a text that explains it", "[panels]")
     scene.display.color = ColorBy::von_mises;
     scene.display.range = Eigen::Vector2d(0, 1e4);
     Session session(graphics, scene, false);
+    session.simulation.step();
+    session.true_error.measure(session.simulation);  // for the bars of its errors
     session.simulation.gpu()->request_diagnostics();
     WindowState state;
     state.facts = SceneFacts(session.simulation.scene, session.simulation.model);

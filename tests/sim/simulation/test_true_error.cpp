@@ -3,6 +3,8 @@
 #include <chrono>
 #include <thread>
 
+#include "sim/accuracy/mesh_error.h"
+#include "sim/accuracy/relative_distance.h"
 #include "sim/simulation/true_error.h"
 #include "tests/support/gpu/gpu_fixture.h"
 
@@ -122,4 +124,39 @@ TEST_CASE("a pending measurement can be discarded") {
   error.forget();
   CHECK_FALSE(error.busy());
   CHECK_FALSE(error.result());
+}
+
+TEST_CASE("a requested measurement tells the errors of solver, time step and mesh apart") {
+  Gpu gpu;
+  Simulation simulation(cantilever({"solver.iterations=3"}), &gpu.programs, false);
+  for (int step = 0; step < 20; ++step) simulation.step();
+  TrueError error;
+  CHECK_FALSE(error.measure(simulation).time);  // only where requested
+  error.request();
+  bool fresh = error.update(simulation, false);
+  const State start = simulation.state();
+  for (int wait = 0; wait < 6000 && !fresh; ++wait) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    fresh = error.update(simulation, false);
+  }
+  REQUIRE(fresh);
+  const StepError& found = *error.result();
+  REQUIRE(found.time);
+  const MeshError mesh = estimate_mesh_error(simulation.model, start);
+
+  // The truth of the next six steps: 16 substeps each.
+  State coarse = start, exact = start;
+  SolverSettings finer = simulation.scene.solver;
+  finer.substeps = 16;
+  reference::NewtonSolver in_use(simulation.model, simulation.scene.solver), fine(simulation.model, finer);
+  for (int step = 0; step < TrueError::kFollowedSteps; ++step) {
+    in_use.step(coarse);
+    fine.step(exact);
+  }
+  const double in_time = relative_distance(coarse.displacement, exact.displacement);
+  CAPTURE(found.of_displacement, *found.time, in_time, found.mesh, mesh.displacement);
+  CHECK(found.of_displacement < 1e-3);
+  CHECK(*found.time > 0.7 * in_time);
+  CHECK(*found.time < 1.5 * in_time);
+  CHECK(found.mesh == Approx(mesh.displacement).epsilon(1e-6));
 }
