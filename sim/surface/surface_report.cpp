@@ -68,7 +68,10 @@ std::vector<std::string> notes_of(const SurfaceReport& report) {
     notes.push_back(count == report.shells.size() ? "normals pointed inward: turned"
                                                   : plural(count, "shell") + " of " +
                                                         std::to_string(report.shells.size()) + " inside out: turned");
-  if (report.open_edges.count > 0)
+  constexpr double kSeam = 1e-9;  // of the area: between sides whose vertices differ by rounding
+  if (report.open_edges.count > 0 && report.hole_area < kSeam * report.area)
+    notes.push_back(found(report.open_edges, "open edge") + ", along a seam without width: closed for the tets");
+  else if (report.open_edges.count > 0)
     notes.push_back(plural(report.holes, "hole") + " of " + percent(report.hole_area / report.area) + " of the area (" +
                     found(report.open_edges, "open edge") + "): closed for the tets");
   if (report.crowded_edges.count > 0)

@@ -248,3 +248,18 @@ TEST_CASE("a library of materials is read once for any number of references, and
   CHECK(mesh.notes.size() == 9);
   CHECK(mesh.notes.back() == "19992 more libraries of materials are missing");
 }
+
+TEST_CASE("a seam whose vertices differ by rounding is no hole in the notes", "[surface]") {
+  const auto notes_with = [](double gap) {
+    SurfaceMesh box = test::make_box_surface({0.1, 0.2, 0.3});
+    const std::uint32_t corner = box.triangles[0][0];
+    box.positions.push_back(box.positions[corner] + Eigen::Vector3d(gap, 0, 0));
+    box.triangles[0][0] = static_cast<std::uint32_t>(box.positions.size() - 1);
+    return notes_of(repair(box).report);
+  };
+  const std::vector<std::string> seam = notes_with(1e-15), hole = notes_with(0.02);
+  REQUIRE(seam.size() == 1);
+  CHECK_THAT(seam[0], Catch::Contains("along a seam without width"));
+  REQUIRE(hole.size() == 1);
+  CHECK_THAT(hole[0], Catch::Contains(" of the area ("));
+}
