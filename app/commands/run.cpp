@@ -232,7 +232,8 @@ int run_input(const RunOptions& options) {
   if (!options.stats.empty()) write_stats(options.stats, stats, simulation, last);
   require_finite(last, simulation.scene);
   const std::uint64_t hash = state_hash(last);
-  const bool overridden = !options.sets.empty() || !options.grabs.empty() || !options.instruments.empty() || options.reference;
+  const bool overridden =
+      !options.sets.empty() || !options.grabs.empty() || !options.instruments.empty() || options.reference;
   if (options.hash) std::cout << "state " << hash_text(hash) << '\n';
   if (const auto& replay = simulation.replay();
       replay && replay->hash && replay->steps == stats.steps && !options.quiet)

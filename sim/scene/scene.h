@@ -141,8 +141,8 @@ struct Scene {
 };
 
 /// Opens a scene (JSON) or a mesh on its own, which leaves `unsettled` values. `overrides` are --set texts
-/// "KEY=VALUE", or "--grab TEXT" or "--instrument TEXT" (sim/scene/grab_text.h); a KEY that starts with a key of bodies (materials., fixed.,
-/// transform., ...) means body 0. An override's error names "--set KEY".
+/// "KEY=VALUE", or "--grab TEXT" or "--instrument TEXT" (sim/scene/grab_text.h); a KEY that starts with a key of bodies
+/// (materials., fixed., transform., ...) means body 0. An override's error names "--set KEY".
 Scene open_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 /// As open_scene of a scene file with this content.
 Scene read_scene_content(const std::filesystem::path& path, std::string_view content,

@@ -227,10 +227,10 @@ EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffe
                     gl::ComputePass::Constants{{"points", point_count()}})
       .loops(kStretch + 1);
   passes
-      .emplace_back(programs.compute("sim/contact/contact_list.comp", stretched),
-                    gl::ComputePass::Bindings{
-                        {"contact_near", &near_}, {"contact_counts", &counts_}, {"contact_list", &list_}},
-                    stretches, gl::ComputePass::Constants{{"points", point_count()}, {"stretches", stretches}})
+      .emplace_back(
+          programs.compute("sim/contact/contact_list.comp", stretched),
+          gl::ComputePass::Bindings{{"contact_near", &near_}, {"contact_counts", &counts_}, {"contact_list", &list_}},
+          stretches, gl::ComputePass::Constants{{"points", point_count()}, {"stretches", stretches}})
       .loops(stretches + kStretch + 1);
   passes
       .emplace_back(programs.compute("sim/contact/contact_touched.comp"),

@@ -134,7 +134,8 @@ TEST_CASE("an error of an override names the override, one of the file the file"
 
 TEST_CASE("an unknown key at the beginning of an override suggests keys of scenes, of bodies, and of objects in them") {
   const std::string known =
-      "; expected one of bodies, camera, contact, display, duration, fascia_scene, grabs, gravity, ground, instruments, "
+      "; expected one of bodies, camera, contact, display, duration, fascia_scene, grabs, gravity, ground, "
+      "instruments, "
       "obstacles, solver, title, elements, fixed, initial_velocity, materials, mesh, name, prescribed, regions, "
       "resolution, surface, transform and 2 more";
   const auto unknown = [&](const std::string& key, const std::string& word, const std::string& near) {
@@ -160,12 +161,14 @@ TEST_CASE("texts that are no override, and paths that lead nowhere") {
   CHECK(error_with({""}) == "--set : has no =" + expected);
   CHECK(error_with({"=3"}) == "--set =3: has no key" + expected);
   CHECK(error_with({"solver..iterations=3"}) == "--set solver..iterations=3: has no key" + expected);
-  CHECK(error_with({"bodies.2.mesh=x"}) ==
-        "--set bodies.2.mesh: \"2\" is not an element of bodies, which has 1; expected 0 to 1 (the end: a new element)");
+  CHECK(
+      error_with({"bodies.2.mesh=x"}) ==
+      "--set bodies.2.mesh: \"2\" is not an element of bodies, which has 1; expected 0 to 1 (the end: a new element)");
   CHECK(error_with({"gravity.x=1"}) ==
         "--set gravity.x: \"x\" is not an element of gravity, which has 3; expected 0 to 3 (the end: a new element)");
   CHECK(error_with({"gravity.99999999999999999999=1"}) ==
-        "--set gravity.99999999999999999999: \"99999999999999999999\" is not an element of gravity, which has 3; expected "
+        "--set gravity.99999999999999999999: \"99999999999999999999\" is not an element of gravity, which has 3; "
+        "expected "
         "0 to 3 (the end: a new element)");
   CHECK(error_with({"gravity.3=1"}) ==
         "--set gravity.3: gravity: is [0,-9.81,0,1]; expected a list of 3 numbers [m/s^2]");

@@ -72,7 +72,8 @@ TEST_CASE("an instrument's text may stand still, and state a capsule by its leng
 TEST_CASE("mistakes in tools are errors of one line that say what was expected") {
   const auto error = [](const std::string& top) { return SceneFile(scene_text("", top)).open_error(); };
   const auto instrument = [&](const std::string& keys) { return error("\"instruments\": [{" + keys + "}]"); };
-  CHECK(error(R"("ground": {"hight": 0})").find("s.json: ground.hight: unknown key \"hight\", perhaps \"height\"") == 0);
+  CHECK(error(R"("ground": {"hight": 0})").find("s.json: ground.hight: unknown key \"hight\", perhaps \"height\"") ==
+        0);
   CHECK(error(R"("ground": {"friction": -1})").find("s.json: ground.friction: is -1; expected 0 to 10") == 0);
   CHECK(instrument(R"("name": "p")").find("s.json: instruments[0]: has no shape; expected one of shape and jaws") == 0);
   CHECK(instrument(R"("name": "p", "shape": {}) ").find("instruments[0].shape: is empty; expected one of sphere") !=
