@@ -36,7 +36,7 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
       row.normal = after.axes * distance_to(tool.shape, local).normal;
       row.pressing = 0;
       row.friction.setZero();
-      if (memory.empty()) continue;
+      if (memory.size() != rows_.size()) continue;
       const ContactForce& force = memory[piece.first_row + p];
       row.pressing = force.normal;
       row.friction = after.axes * force.friction;

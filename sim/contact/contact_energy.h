@@ -24,8 +24,8 @@ namespace fascia {
 
 class ContactEnergy {
  public:
-  /// `start`: displacements [3 * vertex_count] at the start of the step. `stiffness`: contact_stiffness(). An empty
-  /// memory means no forces. The first two outlive this object.
+  /// `start`: displacements [3 * vertex_count] at the start of the step. `stiffness`: contact_stiffness(). A memory
+  /// of another size means no forces. The first two outlive this object.
   ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
                 const ContactMemory& memory, const Eigen::VectorXd& start, const ToolMotion& motion);
 

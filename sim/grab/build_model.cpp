@@ -1,5 +1,6 @@
 #include "sim/grab/build_model.h"
 
+#include "sim/contact/contact_surface.h"
 #include "sim/grab/resolve_grab.h"
 #include "sim/model/unconstrained_parts.h"
 
@@ -8,7 +9,10 @@ namespace {
 
 Model with_grabs(const Scene& scene, Model model) {
   for (std::size_t g = 0; g < scene.grabs.size(); ++g) model.grabs.push_back(resolve_grab(scene, g, model));
-  if (std::string note = note_of_unconstrained_parts(model); !note.empty()) model.notes.push_back(std::move(note));
+  if (!model.tools.empty())
+    for (std::string& note : make_contact_surface(model).notes) model.notes.push_back(std::move(note));
+  else if (std::string note = note_of_unconstrained_parts(model); !note.empty())
+    model.notes.push_back(std::move(note));
   return model;
 }
 

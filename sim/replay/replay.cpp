@@ -15,6 +15,8 @@
 namespace fascia {
 namespace {
 
+constexpr int kMostRows = 10'000'000;  // of contact
+
 using Eigen::Vector3d;
 
 constexpr double kAnything = 1e30;
@@ -125,8 +127,24 @@ State::Earlier read_earlier(const Node& node, std::size_t vertex_count) {
   return earlier;
 }
 
+// Rows without a force are left out.
+ContactMemory read_contact(const Node& node) {
+  const std::string expected = "lists of a row, its normal force and three of friction [N]";
+  node.expect_object({"rows", "forces"});
+  ContactMemory memory(static_cast<std::size_t>(node.at("rows", "the number of rows").integer(0, kMostRows)));
+  for (const Node& force : node.at("forces", expected).elements(expected)) {
+    const std::vector<Node> values = force.elements(expected);
+    if (values.size() != 5) force.refuse(expected);
+    ContactForce& row = memory.at(static_cast<std::size_t>(values[0].integer(0, static_cast<int>(memory.size()) - 1)));
+    row.normal = values[1].number(0, kAnything, "N");
+    for (int k = 0; k < 3; ++k)
+      row.friction[k] = values[static_cast<std::size_t>(2 + k)].number(-kAnything, kAnything, "N");
+  }
+  return memory;
+}
+
 State read_start(const Node& start) {
-  start.expect_object({"time", "displacement", "velocity", "earlier"});
+  start.expect_object({"time", "displacement", "velocity", "earlier", "contact"});
   State state;
   state.time = start.at("time", "seconds").number(0, kAnything, "s");
   state.displacement = read_vectors(start.at("displacement", "a vector per vertex [m]"));
@@ -136,6 +154,7 @@ State read_start(const Node& start) {
                    " velocities",
                "one of each per vertex");
   if (const auto earlier = start.find("earlier")) state.earlier = read_earlier(*earlier, state.displacement.size());
+  if (const auto contact = start.find("contact")) state.contact = read_contact(*contact);
   return state;
 }
 

@@ -16,6 +16,14 @@ Json list_of(const std::vector<Vector3d>& vectors) {
   return list;
 }
 
+Json list_of(const ContactMemory& contact) {
+  Json list = Json::array();
+  for (std::size_t row = 0; row < contact.size(); ++row)
+    if (const ContactForce& force = contact[row]; force != ContactForce{})
+      list.push_back({row, force.normal, force.friction.x(), force.friction.y(), force.friction.z()});
+  return list;
+}
+
 Json document_of(const GrabInput& springs) {
   Json list = Json::array();
   for (const GrabSpring& s : springs) {
@@ -77,6 +85,8 @@ std::string replay_header(const Replay& replay, const std::filesystem::path& fol
       header["start"]["earlier"] = {{"step", earlier.step},
                                     {"displacement", list_of(earlier.displacement)},
                                     {"velocity", list_of(earlier.velocity)}};
+    if (const ContactMemory& contact = replay.start->contact; !contact.empty())
+      header["start"]["contact"] = {{"rows", contact.size()}, {"forces", list_of(contact)}};
   }
   header["timed"] = replay.timed;
   return line_of(header);

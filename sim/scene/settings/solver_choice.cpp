@@ -174,11 +174,12 @@ bool carries(Method method, MaterialModel model) {
   return law_of(model).of_strain || info_of(method).carries_every_law;
 }
 
-std::string refusal(Method method, const std::vector<Material>& materials, bool quadratic) {
+std::string refusal(Method method, const std::vector<Material>& materials, bool quadratic, bool contact) {
   for (const Material& material : materials)
     if (!carries(method, material.model))
       return std::string("Needs a material of the model St. Venant-Kirchhoff, and this scene has ") +
              law_of(material.model).label + ".";
+  if (contact && !info_of(method).carries_contact) return "Needs a scene without ground, obstacles and instruments.";
   return quadratic && !info_of(method).carries_quadratic ? "Needs linear elements, and this scene has quadratic ones."
                                                          : "";
 }

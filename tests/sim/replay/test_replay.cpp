@@ -61,6 +61,7 @@ TEST_CASE("a written replay reads back the same, to the last digit") {
                    {11, CameraSettings{{0.1, 2.0 / 3, 5}, {0, 1e-7, 0}, {0, 0, 1}, 33}},
                    {12, shown},
                    {40, GrabInput{}}};
+  if (with_start) replay.start->contact = {{}, {{0.1f, 0, -2}, 5}, {}};
   if (with_start) replay.start->earlier = {{{0.1f, 0, 3}, {1.0 / 7, 0, -2e8}}, {{1e-30, 4, 6}, {0, 2, 1}}, 1.0 / 60};
   replay.timed = with_start;
   replay.hash = 0x0123456789abcdef;
@@ -83,6 +84,7 @@ TEST_CASE("a written replay reads back the same, to the last digit") {
   CHECK(read.start->earlier.displacement == replay.start->earlier.displacement);
   CHECK(read.start->earlier.velocity == replay.start->earlier.velocity);
   CHECK(read.start->earlier.step == 1.0 / 60);
+  CHECK(read.start->contact == replay.start->contact);
 }
 
 TEST_CASE("--set changes the scene of a replay") {
