@@ -59,7 +59,7 @@ std::string list_of_choices();  // for error messages: "jacobi with none, ..."
 /// Whether a solver setting has an effect with this choice: "colors", for instance, only with gauss_seidel.
 bool applies(std::string_view setting, const SolverChoice& choice);
 bool carries(Method method, MaterialModel model);
-/// Why the method cannot run these materials or quadratic elements, as a sentence; empty if it can.
+/// Why the method cannot run these materials, quadratic elements or contact, as a sentence; empty if it can.
 std::string refusal(Method method, const std::vector<Material>& materials, bool quadratic, bool contact = false);
 /// Throws Error naming `where` if the method does not support the model of one of the materials.
 void require_carried(Method method, const std::vector<Material>& materials, const std::string& where);

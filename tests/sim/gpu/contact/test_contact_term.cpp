@@ -72,6 +72,41 @@ TEST_CASE("the ground carries a cube on the GPU", "[gpu][contact]") {
   CHECK(load.deepest < 5e-5 * 0.05);
 }
 
+TEST_CASE("a tool that is far away changes no bit", "[gpu][contact]") {
+  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
+  test::Gpu gpu(loads);
+  Model alone = test::make_model(make_box(4, 4, 4, {0.2, 0.2, 0.2}), soft(2e4),
+                                 [](const Vector3d& x) { return x.y() > 0.2 - 1e-9; });
+  alone.gravity = {0, -9.81, 0};
+  Model beside = alone;
+  beside.tools = {tool("ball", SphereShape{{0, 0, 0}, 0.05}, 0.4,
+                       {{0, {0.1, -0.5, 0.1}, {0, 0, 0}}, {1, {0.1, -0.3, 0.1}, {0, 0, 0}}})};
+  SolverSettings settings = two_level();
+  settings.rest_speed = 0;
+  GpuSolver without(gpu.programs, alone, settings), with(gpu.programs, beside, settings);
+  for (int i = 0; i < 20; ++i) {
+    without.step();
+    with.step();
+  }
+  const State a = without.download(), b = with.download();
+  CHECK(a.displacement == b.displacement);
+  CHECK(a.velocity == b.velocity);
+  CHECK_FALSE(without.buffers().contact_memory);
+}
+
+TEST_CASE("methods without contact refuse tools in one line", "[gpu][contact]") {
+  test::Gpu gpu;
+  Model model = cube(0.2, 2, soft(1e5));
+  model.materials[0].model = MaterialModel::st_venant_kirchhoff;
+  model.tools = {tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.5)};
+  SolverSettings settings = two_level();
+  settings.method = Method::jacobi;
+  settings.acceleration = Acceleration::none;
+  CHECK_THROWS_WITH(GpuSolver(gpu.programs, model, settings),
+                    "solver.method: jacobi does not carry contact; expected two_level, or a scene without ground, "
+                    "obstacles and instruments");
+}
+
 TEST_CASE("steps in contact follow the reference", "[gpu][contact]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   test::Gpu gpu(loads);
