@@ -113,13 +113,13 @@ TEST_CASE("tissue sleeps until a grab of its scene begins") {
   }
   CHECK(slept > 10);
   CHECK(simulation.asleep());
-  CHECK(simulation.awaits_grabs());  // so that a window continues
+  CHECK(simulation.awaits_inputs());  // so that a window continues
   for (int i = 0; i < 20; ++i) simulation.step();
   CHECK_FALSE(simulation.asleep());
   double largest = 0;
   for (const Vector3d& u : simulation.state().displacement) largest = std::max(largest, u.norm());
   CHECK(largest > 0.005);
-  CHECK_FALSE(simulation.awaits_grabs());
+  CHECK_FALSE(simulation.awaits_inputs());
 }
 
 TEST_CASE("run takes grabs on the command line and reports their forces") {

@@ -54,7 +54,7 @@ TEST_CASE("springs are stored at their vertices, however far apart these are, an
   const auto check = [&](const std::vector<GrabSpring>& springs) {
     grab.set(springs);
     gl::ComputePass::Bindings bindings;
-    grab.bind(bindings);
+    grab.bind(TermUse::gradient, bindings);
     REQUIRE(bindings.size() == 1);
     std::vector<vec4> expected(buffers.vertex_count, vec4{});
     for (const GrabSpring& s : springs)
