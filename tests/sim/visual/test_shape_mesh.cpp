@@ -8,15 +8,15 @@ namespace {
 
 TEST_CASE("the triangles of a shape enclose its volume, wound outward as their normals") {
   const auto volume = [](const ShapeMesh& mesh) {
-    double volume = 0;
+    double enclosed = 0;
     for (const Triangle& t : mesh.triangles) {
       const Eigen::Vector3f a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
-      volume += a.cross(b).dot(c) / 6;
+      enclosed += a.cross(b).dot(c) / 6;
       const Eigen::Vector3f normal = mesh.normals[t[0]] + mesh.normals[t[1]] + mesh.normals[t[2]],
                             wound = (b - a).cross(c - a);
       if (wound.norm() > 1e-8f) CHECK(wound.dot(normal) > 0);
     }
-    return volume;
+    return enclosed;
   };
   constexpr double kPi = 3.14159265358979;
   CHECK(volume(shape_mesh(SphereShape{{1, 2, 3}, 0.5}, 1)) == Approx(4 * kPi / 3 * 0.125).epsilon(0.02));
