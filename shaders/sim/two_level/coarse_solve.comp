@@ -11,10 +11,10 @@ INPUT_UVEC4(CoarseInverse, coarse_inverse)   // [3 * node_count * row_octets] ro
                                              // padded with zeros
 INPUT_VEC4(CoarseScale, coarse_scale)        // [node_count] xyz of S [1/sqrt(kg)]
 INPUT_VEC4(CoarseGradient, coarse_gradient)  // [2 * row_octets] S R^T r, padded with zeros [sqrt(kg) m]
-INPUT_VEC4(CoarseRotation, coarse_rotation)  // [node_count]
 #if CONTACT == 1
 OUTPUT(vec4, CoarseFreeNow, coarse_free_now)  // [node_count] not rotated [m]
 #else
+INPUT_VEC4(CoarseRotation, coarse_rotation)        // [node_count]
 OUTPUT(vec4, CoarseCorrection, coarse_correction)  // [node_count] [m]
 #endif
 #if CONTACT == 2

@@ -114,6 +114,7 @@ TEST_CASE("steps in contact follow the reference", "[gpu][contact]") {
     std::string name;
     ToolShape shape;
     std::vector<Instrument::Key> path;
+    int iterations = 40;
   };
   const std::vector<Case> cases = {
       {"sphere", SphereShape{{0, 0, 0}, 0.06}, {{0, {0.1, 0.27, 0.1}, {0, 0, 0}}, {0.4, {0.12, 0.19, 0.1}, {0, 0, 0}}}},
@@ -126,14 +127,15 @@ TEST_CASE("steps in contact follow the reference", "[gpu][contact]") {
       {"cylinder",
        CylinderShape{{0, 0, 0}, {0, 0.1, 0}, 0.05},
        {{0, {0.1, 0.22, 0.1}, {0, 0, 0}}, {0.4, {0.1, 0.17, 0.1}, {10, 0, 0}}}},
-      // Thinner than the mesh: contact points within the faces.
+      // Thinner than the mesh: contact points within the faces, many of which come and go in a step.
       {"probe",
        CapsuleShape{{0, 0, 0}, {0, 0.2, 0}, 0.012},
-       {{0, {0.09, 0.22, 0.11}, {0, 0, 0}}, {0.6, {0.09, 0.17, 0.11}, {0, 0, 10}}}}};
+       {{0, {0.09, 0.22, 0.11}, {0, 0, 0}}, {0.6, {0.09, 0.17, 0.11}, {0, 0, 10}}},
+       150}};
   for (const Case& c : cases) {
     Model model = cube(0.2, 6, soft(2e4));
     model.tools = {tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.5), tool(c.name, c.shape, 0.4, c.path)};
-    GpuSolver solver(gpu.programs, model, two_level(40));
+    GpuSolver solver(gpu.programs, model, two_level(c.iterations));
     reference::NewtonSolver newton(model, two_level());
     double worst = 0, worst_force = 0, pressed = 0;
     for (int i = 0; i < 36; ++i) {
