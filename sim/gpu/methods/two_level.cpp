@@ -21,6 +21,7 @@ TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& mo
       fine_direction_("fine_direction", gradient_.gradient().bytes()),
       last_step_("last_step", gradient_.gradient().bytes()),
       previous_gradient_("previous_gradient", gradient_.gradient().bytes()),
+      partials_("subspace_partials", sizeof(vec4) * (3 * vertices_.partials + pairs_.partials + quadratic_.partials)),
       state_("subspace_state", kSubspaceFloats * sizeof(float)) {
   if (buffers.has_linear()) vertex_tets_ = make_vertex_tets(buffers);
   if (buffers.has_quadratic()) vertex_quadratic_ = make_vertex_quadratic(buffers);
