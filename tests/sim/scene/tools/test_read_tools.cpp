@@ -76,7 +76,7 @@ TEST_CASE("mistakes in tools are errors of one line that say what was expected")
         0);
   CHECK(error(R"("ground": {"friction": -1})").find("s.json: ground.friction: is -1; expected 0 to 10") == 0);
   CHECK(instrument(R"("name": "p")").find("s.json: instruments[0]: has no shape; expected one of shape and jaws") == 0);
-  CHECK(instrument(R"("name": "p", "shape": {}) ").find("instruments[0].shape: is empty; expected one of sphere") !=
+  CHECK(instrument(R"("name": "p", "shape": {})").find("instruments[0].shape: is empty; expected one of sphere") !=
         std::string::npos);
   CHECK(instrument(R"("name": "p", "shape": {"sphere": {"radius": 0}})")
             .find("instruments[0].shape.sphere.radius: is 0") != std::string::npos);
