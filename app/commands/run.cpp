@@ -225,7 +225,7 @@ int run_input(const RunOptions& options) {
   } else {
     if (!options.static_equilibrium) stats.residual = simulation.newton_report().relative_residual;
     inverted = reference::measure(simulation.model, last).inverted;
-    stats.tool_loads = simulation.tool_loads();
+    stats.tool_loads = simulation.newton_tool_loads();
   }
   if (options.error && !interrupted()) measure_errors(options, simulation, last, stats);
   stats.provenance = made_by();

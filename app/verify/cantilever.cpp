@@ -33,12 +33,7 @@ void verify_cantilever(Verification& verification) {
     const auto [nu, tip, half_gap] = kTips[k];
     for (const ElementOrder elements : kElementOrders) {
       const bool quadratic = elements == ElementOrder::quadratic;
-      Series series{std::string(name_of(elements)) + ", nu = " + number(nu),
-                    {},
-                    static_cast<int>(k),
-                    quadratic ? 0 : 1,
-                    true,
-                    true};
+      Series series = series_of(elements, nu, static_cast<int>(k));
       std::vector<int> resolutions = quadratic ? std::vector{4, 8, 12} : std::vector{8, 16, 24};
       if (verification.full) resolutions.push_back(quadratic ? 20 : 36);
       for (const int cells : resolutions) {

@@ -69,12 +69,7 @@ void verify_cook(Verification& verification) {
     const auto [nu, tip] = truths[k];
     for (const ElementOrder elements : kElementOrders) {
       const bool quadratic = elements == ElementOrder::quadratic;
-      Series series{std::string(name_of(elements)) + ", nu = " + number(nu),
-                    {},
-                    static_cast<int>(k),
-                    quadratic ? 0 : 1,
-                    true,
-                    true};
+      Series series = series_of(elements, nu, static_cast<int>(k));
       std::vector<int> resolutions{4, 8};
       if (!quadratic || verification.full) resolutions.push_back(16);
       for (const int cells : resolutions) {

@@ -100,4 +100,9 @@ void Verification::write() const {
   write_file(bench.folder / "report.html", text + "</body></html>\n");
 }
 
+Series series_of(ElementOrder elements, double poisson_ratio, int color) {
+  const std::string name = std::string(name_of(elements)) + ", nu = " + number(poisson_ratio);
+  return {name, {}, color, elements == ElementOrder::quadratic ? 0 : 1, true, true};
+}
+
 }  // namespace fascia

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/bench/bench.h"
+#include "sim/scene/scene.h"
 
 namespace fascia {
 
@@ -47,6 +48,9 @@ class Verification {
   std::vector<VerifiedNumber> findings_;
   std::vector<Drawn> charts_;
 };
+
+/// An empty series of a chart over meshes: a color for each Poisson's ratio, solid for quadratic elements.
+Series series_of(ElementOrder elements, double poisson_ratio, int color);
 
 /// The tests, in the order of the report.
 void verify_patches(Verification& verification);

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "sim/mesh/linear_tets.h"
 #include "sim/mesh/tet_faces.h"
 #include "sim/tool/shape_distance.h"
 
@@ -19,30 +20,9 @@ using Eigen::Vector3d;
 // one makes every first touch an impact.
 constexpr double kStiffness = 10;
 
-// The boundary in triangles between vertices: four in a face of a quadratic tet.
+// In triangles between vertices: four in a face of a quadratic tet.
 std::vector<Triangle> boundary_of(const Model& model) {
-  std::vector<Triangle> corners = boundary_triangles(model.tets);
-  if (!model.has_quadratic()) return corners;
-  const std::vector<std::uint32_t> owner = tets_at_boundary(model.tets);
-  std::vector<Triangle> all;
-  for (std::size_t f = 0; f < corners.size(); ++f) {
-    const Triangle& face = corners[f];
-    if (!model.is_quadratic(owner[f])) {
-      all.push_back(face);
-      continue;
-    }
-    const Tet& tet = model.tets[owner[f]];
-    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      for (std::size_t e = 0; e < kMidEdgeCorners.size(); ++e) {
-        const std::uint32_t from = tet[kMidEdgeCorners[e][0]], to = tet[kMidEdgeCorners[e][1]];
-        if ((from == a && to == b) || (from == b && to == a)) return model.mid_edges[owner[f]][e];
-      }
-      return kNoVertex;
-    };
-    const std::uint32_t ab = middle(face[0], face[1]), bc = middle(face[1], face[2]), ca = middle(face[2], face[0]);
-    all.insert(all.end(), {{face[0], ab, ca}, {ab, face[1], bc}, {ca, bc, face[2]}, {ab, bc, ca}});
-  }
-  return all;
+  return boundary_triangles(linear_tets(model.tets, model.mid_edges, model.rest_positions, 0, model.tets.size()).tets);
 }
 
 double area_of(const Model& model, const Triangle& t) {

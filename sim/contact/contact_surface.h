@@ -44,10 +44,6 @@ struct ContactSurface {
 /// Without points if the model has no tools.
 ContactSurface make_contact_surface(const Model& model);
 
-/// The penalty on sliding, as a factor of that on depth. Anchors hold with any: a stiff one makes the bound of friction
-/// a sharp kink, at which iterations take back one step after another (20 % error after ten, instead of 1 %).
-inline constexpr double kStickingPenalty = 1.0 / 30;
-
 /// Penalty stiffness [N/m] of every point at level 0, [points]: s (lambda + 2 mu) A / l with l = 2 V / A of the
 /// vertices (l: the height of a cell), s = 10 times the factor of the scene. At level L a 4^L-th.
 std::vector<double> contact_stiffness(const Model& model, const ContactSurface& surface);

@@ -223,11 +223,14 @@ void GpuSolver::state_changed() {
   published_ = false;
   earlier_step_ = 0;
   if (regions_) regions_->restart();
+  if (method_) method_->forget_contact();
 }
 
 void GpuSolver::request_check() {
   guard_.request(buffers_, {time_, earlier_step_});
-  if (regions_) regions_->restart();  // so that steps from this state on are repeated to the bit
+  // So that steps from this state on are repeated to the bit
+  if (regions_) regions_->restart();
+  method_->forget_contact();
 }
 
 std::optional<StateGuard::Verdict> GpuSolver::take_check(bool wait) {
@@ -349,7 +352,6 @@ void GpuSolver::follow(const GpuSolver& leader) {
   buffers_.velocity.copy(leader.buffers_.velocity, buffers_.velocity.bytes());
   if (buffers_.contact_memory)
     buffers_.contact_memory.copy(leader.buffers_.contact_memory, buffers_.contact_memory.bytes());
-  tools_ = leader.tools_;
   time_ = leader.time_;
   state_changed();
   if (leader.earlier_step_ == 0 || !buffers_.earlier_displacement) return;

@@ -50,9 +50,6 @@ class GpuSolver {
   void set_settings(const SolverSettings& settings);
   void materials_changed();  // also for gravity; acts on the next step; no state buffer is rebuilt
   void set_grab(const std::vector<GrabSpring>& springs);  // empty: releases all grabs
-  /// Sets the motion of the tools in the steps that follow, each of which begins and ends with it; none: they follow
-  /// their paths.
-  void set_tools(std::optional<ToolMotion> motion) { tools_ = std::move(motion); }
   /// The motion of the tools in the last stage.
   const ToolMotion& tool_motion() const { return stage_motion_; }
   void set_color(ColorBy color);
@@ -204,7 +201,6 @@ class GpuSolver {
   GrabSprings grab_;
   ContactTerm contact_;
   const EnergyTerms terms_{&grab_, &contact_};  // external energies
-  std::optional<ToolMotion> tools_;             // none: on their paths
   ToolMotion step_motion_, stage_motion_;       // of the last step, of its last stage
   double step_begin_ = 0;                       // [s]
   DiagnosticsReader diagnostics_;

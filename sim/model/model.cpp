@@ -381,22 +381,4 @@ std::vector<char> Model::held() const {
   return held;
 }
 
-double Model::end_of_motions() const {
-  double end = 0;
-  for (const Motion& motion : motions) end = std::max(end, motion.start + motion.duration);
-  return end;
-}
-
-double Model::end_of_tools() const {
-  double end = 0;
-  for (const Tool& tool : tools) end = std::max(end, tool.end());
-  return end;
-}
-
-double Model::end_of_grabs() const {
-  double end = 0;
-  for (const ResolvedGrab& grab : grabs) end = std::max(end, grab.end());
-  return end;
-}
-
 }  // namespace fascia

@@ -1,4 +1,6 @@
-// What is added up over a model or a mesh: masses of vertices, and the hash that identifies a mesh.
+// What is gathered over a model or a mesh: masses of vertices, when all motion has ended, and the hash that identifies
+// a mesh.
+#include <algorithm>
 #include <bit>
 
 #include "sim/elements/quadratic_tet.h"
@@ -20,6 +22,24 @@ std::vector<double> lumped_masses(const Model& model) {
     for (const std::uint32_t vertex : model.mid_edges[t]) masses[vertex] += QuadraticTet::kMidEdgeMass * mass;
   }
   return masses;
+}
+
+double Model::end_of_motions() const {
+  double end = 0;
+  for (const Motion& motion : motions) end = std::max(end, motion.start + motion.duration);
+  return end;
+}
+
+double Model::end_of_tools() const {
+  double end = 0;
+  for (const Tool& tool : tools) end = std::max(end, tool.end());
+  return end;
+}
+
+double Model::end_of_grabs() const {
+  double end = 0;
+  for (const ResolvedGrab& grab : grabs) end = std::max(end, grab.end());
+  return end;
 }
 
 std::uint64_t mesh_hash(const TetMesh& mesh) {

@@ -4,11 +4,18 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "sim/tool/contact_memory.h"
-
 namespace fascia {
 
 struct Model;
+
+/// The force of one row of contact, a contact point at a piece of a tool (sim/contact/contact_surface.h).
+struct ContactForce {
+  Eigen::Vector3d friction{0, 0, 0};  // t [N] on the tissue, in the axes of the piece
+  double normal = 0;                  // lambda [N], at least 0
+  bool operator==(const ContactForce&) const = default;
+};
+/// [rows] what contact remembers from step to step; empty: no contact so far.
+using ContactMemory = std::vector<ContactForce>;
 
 struct State {
   std::vector<Eigen::Vector3d> displacement;  // [vertex_count] u = x - X [m]

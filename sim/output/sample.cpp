@@ -80,7 +80,7 @@ Sample sample_of(const Diagnostics& d) {
   return s;
 }
 
-Diagnostics diagnostics_by_reference(Simulation& simulation) {
+Diagnostics diagnostics_by_reference(const Simulation& simulation) {
   const State state = simulation.state();
   const reference::Measures m = reference::measure(simulation.model, state);
   Diagnostics d;
@@ -101,7 +101,7 @@ Diagnostics diagnostics_by_reference(Simulation& simulation) {
   d.angular_momentum = m.angular_momentum;
   d.reaction = m.fixed_reaction;
   for (const GrabForce& grab : forces_of_grabs(simulation.springs(), state.displacement)) d.grab_force += grab.force;
-  d.tool_loads = simulation.tool_loads();
+  d.tool_loads = simulation.newton_tool_loads();
   d.residual = simulation.newton_report().relative_residual;
   d.iterations = simulation.newton_report().iterations;
   return d;

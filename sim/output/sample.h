@@ -41,7 +41,7 @@ std::span<const Column> sample_columns();
 Sample sample_of(const Diagnostics& diagnostics);
 /// The current state, measured in double precision, for simulations with the reference solver. Without the values that
 /// only the GPU measures: the forces of single grabs, inertia, rounding and mean strain.
-Diagnostics diagnostics_by_reference(Simulation& simulation);
+Diagnostics diagnostics_by_reference(const Simulation& simulation);
 /// The current state with each support; waits for the GPU. Before the first step, residual and iterations are unknown.
 Sample sample_now(Simulation& simulation, std::uint32_t probe);
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <fstream>
-#include <numbers>
 #include <sstream>
 
 #include "base/data_folder.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/json/json_document.h"
+#include "base/rotation.h"
 #include "sim/material/tissues.h"
 #include "sim/scene/scene_overrides.h"
 #include "sim/scene/scene_paths.h"
@@ -104,11 +104,8 @@ Scene read_scene_content(const std::filesystem::path& path, std::string_view con
 }
 
 Eigen::Affine3d placement(const Body& body) {
-  using Eigen::Vector3d;
   const Transform& transform = body.transform;
-  const Vector3d angles = transform.rotate_deg * (std::numbers::pi / 180);
-  return Eigen::Translation3d(transform.translate) * Eigen::AngleAxisd(angles.z(), Vector3d::UnitZ()) *
-         Eigen::AngleAxisd(angles.y(), Vector3d::UnitY()) * Eigen::AngleAxisd(angles.x(), Vector3d::UnitX()) *
+  return Eigen::Translation3d(transform.translate) * Eigen::Affine3d(rotation_of(transform.rotate_deg)) *
          Eigen::Scaling(transform.scale * meters(body.unit)) * Eigen::Affine3d(turned_up(body.up));
 }
 

@@ -261,13 +261,6 @@ State Simulation::state() const {
   return reference_ ? reference_state_ : equilibrium_ ? *equilibrium_ : gpu_->download();
 }
 
-std::vector<ToolLoad> Simulation::tool_loads() {
-  if (model.tools.empty()) return {};
-  if (reference_) return reference_->tool_loads();
-  gpu_->request_diagnostics();
-  return gpu_->take_diagnostics(true)->tool_loads;
-}
-
 double Simulation::mean_iterations() const {
   return gpu_ && !reference_ ? gpu_->mean_iterations() : scene.solver.iterations;
 }

@@ -109,13 +109,13 @@ class Simulation {
   int iterations_granted() const { return gpu_ && !reference_ ? gpu_->settings().iterations : scene.solver.iterations; }
 
   State state() const;
-  /// [tool of the model] at the end of the last step; waits for the GPU.
-  std::vector<ToolLoad> tool_loads();
   GpuSolver* gpu() { return gpu_.get(); }  // null without a GPU
   const GpuSolver* gpu() const { return gpu_.get(); }
   gl::ProgramCache* programs() { return programs_; }  // null without a GPU
   bool uses_reference() const { return reference_ != nullptr; }
   const reference::NewtonReport& newton_report() const { return newton_report_; }
+  /// [tool of the model] of the reference solver at the end of its last step; the GPU's are in its Diagnostics.
+  const std::vector<ToolLoad>& newton_tool_loads() const { return reference_->tool_loads(); }
 
  private:
   void make_step();

@@ -24,6 +24,10 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
     return {0, newton_report_.iterations, newton_report_.relative_residual, newton_report_.converged};
   }
   if (!model.tools.empty()) {  // the march has no multipliers to repeat
+    if (model.tets.size() > reference::NewtonSolver::kMostTets)
+      throw Error(scene.file.string(), "has contact and " + std::to_string(model.tets.size()) + " tets",
+                  "expected at most " + std::to_string(reference::NewtonSolver::kMostTets) +
+                      " for a static equilibrium in contact");
     State exact = gpu_->download();
     const reference::NewtonReport newton = by_newton(exact, scene.solver.tolerance);
     if (newton.converged) gpu_->settle(exact);

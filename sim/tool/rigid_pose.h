@@ -18,9 +18,6 @@ inline RigidPose composed(const RigidPose& outer, const RigidPose& inner) {
   return {outer.axes * inner.axes, outer.to_scene(inner.origin)};
 }
 
-/// Rotated about x, then y, then z, by degrees.
-Eigen::Matrix3d rotation_of(const Eigen::Vector3d& angles_deg);
-
 /// On the way from one pose to another of the same thing: straight, with one rotation about one axis.
 RigidPose between(const RigidPose& from, const RigidPose& to, double share);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/rotation.h"
 #include "sim/tool/shape_distance.h"
 
 namespace fascia {
@@ -83,7 +84,6 @@ std::vector<Tool> tools_of(const SceneTools& tools) {
       add_jaws(*jaws, tool);
     else
       tool.shape = std::get<ToolShape>(instrument.shape);
-    tool.moves = true;
     tool.path = instrument.path;
     tool.smooth = instrument.smooth;
   }

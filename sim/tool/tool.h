@@ -19,7 +19,7 @@ struct Tool {
   std::string name;
   double friction = 0;
   ToolShape shape;  // of every piece
-  bool moves = false, has_jaws = false;
+  bool has_jaws = false;
   Eigen::Vector3d hinge{0, 0, 1};     // axis of the jaws in the tool's axes, a unit vector, through its origin
   double open = 0;                    // [rad] by which each jaw turns from closed to open
   RigidPose mirror;                   // of the second jaw when closed

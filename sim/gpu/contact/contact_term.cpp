@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "sim/contact/contact_energy.h"
 #include "sim/gpu/passes/reduction.h"
 #include "sim/tool/shape_distance.h"
 
@@ -16,6 +17,8 @@ using shared::vec4;
 
 constexpr std::uint32_t kLoadLanes = 64;
 constexpr std::uint32_t kCorners = 3;
+// Of the size of the tissue: points closer to a tool may touch it in a step in which they were expected to rest.
+constexpr double kMargin = 0.02;
 constexpr std::uint32_t kStretch = 256;  // of points that one invocation lists
 
 vec4 row(const Vector3d& v, double w = 0) {
@@ -60,7 +63,7 @@ double way_of(const ToolShape& shape, const RigidPose& from, const RigidPose& to
   const Vector3d middle = middle_of(shape);
   const double way = (to.to_scene(middle) - from.to_scene(middle)).norm();
   const double turn = (to.axes - from.axes).norm();
-  return turn > 0 && std::isfinite(radius) ? way + turn * radius : way;
+  return turn > 0 ? way + turn * radius : way;  // a plane that turns reaches everywhere
 }
 
 }  // namespace
@@ -71,7 +74,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
     throw Error("contact", "has " + std::to_string(surface_.pieces.size()) + " rigid pieces",
                 "expected at most " + std::to_string(kMostPieces) + ": ground, obstacles, instruments, jaws as two");
   if (!acts()) return;
-  margin_ = 1e-3 * buffers.size;
+  margin_ = kMargin * buffers.size;
   std::vector<Tet> vertices;
   std::vector<vec4> rest;
   std::vector<std::vector<std::uint32_t>> entries(buffers.vertex_count);

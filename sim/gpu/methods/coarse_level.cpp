@@ -76,27 +76,36 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
     contact_matrix_ = gl::Buffer("coarse_contact", sizeof(vec4) * 3 * kMost * kMost);
     free_ = gl::Buffer("coarse_free", sizeof(vec4) * n);
     push_ = gl::Buffer("coarse_push", std::vector<vec4>(2 * row_octets_));
-    rotation_ = gl::Buffer("coarse_rotation", std::vector<vec4>(n, vec4{0, 0, 0, 1}));
   }
   start({std::move(linear), settings.stage_length()});
+}
+
+gl::ComputePass CoarseLevel::restriction(const Recording& r, const gl::Buffer& gradient) const {
+  gl::ComputePass pass(r.programs.compute("sim/two_level/coarse_restrict.comp"),
+                       gl::ComputePass::Bindings{{"coarse_node_begin", &node_begin_},
+                                                 {"gather_entry", &gather_entry_},
+                                                 {"coarse_columns", &columns_},
+                                                 {"gradient", &gradient},
+                                                 {"displacement", &r.buffers.displacement},
+                                                 {"coarse_scale", &scale_},
+                                                 {"coarse_rotation", &rotation_},
+                                                 {"coarse_gradient", &gradient_}},
+                       space_.node_count * lanes_);
+  pass.loops(most_entries_ + 16);
+  return pass;
+}
+
+Passes CoarseLevel::begin(const Recording& r, const gl::Buffer& gradient) const {
+  Passes passes;
+  if (push_) passes.push_back(restriction(r, gradient));
+  return passes;
 }
 
 Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const {
   const std::uint32_t n = space_.node_count;
   const bool contact = static_cast<bool>(push_);
   Passes passes;
-  passes
-      .emplace_back(r.programs.compute("sim/two_level/coarse_restrict.comp"),
-                    gl::ComputePass::Bindings{{"coarse_node_begin", &node_begin_},
-                                              {"gather_entry", &gather_entry_},
-                                              {"coarse_columns", &columns_},
-                                              {"gradient", &gradient},
-                                              {"displacement", &r.buffers.displacement},
-                                              {"coarse_scale", &scale_},
-                                              {"coarse_rotation", &rotation_},
-                                              {"coarse_gradient", &gradient_}},
-                    n * lanes_)
-      .loops(most_entries_ + 16);
+  passes.push_back(restriction(r, gradient));
   const auto solve = [&](const char* step, const gl::Buffer& right, gl::ComputePass::Bindings more) {
     more.insert(more.end(),
                 {{"coarse_inverse", &inverse_rows_}, {"coarse_scale", &scale_}, {"coarse_gradient", &right}});
@@ -154,7 +163,8 @@ void CoarseLevel::set_contact(const std::vector<PointStiffness>& points) {
   if (!points.empty())
     for (const vec4& q : rotation_.read<vec4>()) rotations.emplace_back(q.w, q.x, q.y, q.z);
   CoarseContact now = coarse_contact(space_, points, rotations, h_);
-  if (alike(now, contact_)) return;
+  if (keeps_contact_ && alike(now, contact_)) return;
+  keeps_contact_ = true;
   contact_ = std::move(now);
   upload_contact();
 }

@@ -17,6 +17,8 @@ class CoarseLevel {
   CoarseLevel(const gl::ProgramCache& programs, const Model& model, const SolverSettings& settings);
   bool empty() const { return space_.node_count == 0; }  // a mesh too small to need it
 
+  /// In scenes with contact: computes the rotations for set_contact().
+  Passes begin(const Recording& recording, const gl::Buffer& gradient) const;
   /// Two passes from `gradient` (vec4 [vertex_count]) to correction(), and two more in scenes with contact.
   Passes passes(const Recording& recording, const gl::Buffer& gradient) const;
   // P by rows of vertices (two_level_correct.comp): uint [vertex_count + 1], uvec4
@@ -31,8 +33,10 @@ class CoarseLevel {
   /// Starts to compute the inverse if materials or h have changed; discards a request that still waits with older
   /// values.
   void values_changed(const Model& model, const SolverSettings& settings);
-  /// Sets the stiffness of contact. Waits for the GPU, whose rotations of the nodes it reads.
+  /// Sets the stiffness of contact, unless the last one serves again. Waits for the GPU, whose rotations of the nodes
+  /// it reads.
   void set_contact(const std::vector<PointStiffness>& points);
+  void forget_contact() { keeps_contact_ = false; }  // the last one does not serve again
   /// Sets the stiffness that springs add to that of the tissue.
   void set_stiffness(const std::vector<VertexStiffness>& springs);
   /// Uploads a finished inverse for new values; with `wait`, waits for the newest one. Returns the number of inverses
@@ -51,6 +55,7 @@ class CoarseLevel {
   void take_next();
   void upload();
   void upload_contact();
+  gl::ComputePass restriction(const Recording& recording, const gl::Buffer& gradient) const;
 
   CoarseSpace space_;
   std::uint32_t lanes_ = 1;         // invocations that share a node (shaders/common/group_sum.glsl)
@@ -63,6 +68,7 @@ class CoarseLevel {
   std::vector<std::int16_t> quantized_;                // inverse_rows_
   Eigen::VectorXf scales_;                             // of its rows
   CoarseContact contact_;
+  bool keeps_contact_ = false;
   std::vector<VertexStiffness> springs_;
   std::vector<Material> materials_;  // of the newest inverse, ready or not
   double h_ = 0;                     // [s]

@@ -58,6 +58,8 @@ class StepMethod {
   virtual Deferral most_deferred(const SimBuffers&, bool fused) const { return static_cast<void>(fused), Deferral{}; }
   /// Takes the stiffness of contact at the start of a stage, after begin(): later updates gain nothing.
   virtual void set_contact(const std::vector<PointStiffness>&) {}
+  /// The next set_contact() depends on its argument alone, so that steps from this state on repeat to the bit.
+  virtual void forget_contact() {}
   /// Called before passes are recorded, with their recording.
   virtual void prepare(const Recording&) {}
   /// Called before the first of a series of steps that process only some of the tets.

@@ -89,6 +89,7 @@ Passes TwoLevelMethod::begin(const Recording& r) const {
                                     {"previous_gradient", &previous_gradient_},
                                     {"iterate", &r.buffers.displacement},
                                     {"displacement", &r.buffers.displacement}}));
+  if (!coarse_.empty()) append(passes, coarse_.begin(r, gradient_.gradient()));
   return passes;
 }
 

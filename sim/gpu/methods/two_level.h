@@ -42,6 +42,7 @@ class TwoLevelMethod : public StepMethod {
   }
   void set_stiffness(const std::vector<VertexStiffness>& springs) override { coarse_.set_stiffness(springs); }
   void set_contact(const std::vector<PointStiffness>& points) override { coarse_.set_contact(points); }
+  void forget_contact() override { coarse_.forget_contact(); }
   bool descends() const override { return true; }
   bool ready() const override { return coarse_.ready(); }
   void complete() override { coarse_.complete(); }

@@ -161,15 +161,18 @@ Ground read_ground(const Node& node) {
   return ground;
 }
 
-ContactSettings read_contact(const Node& node) {
+ContactSettings read_contact(const Node& node, std::size_t bodies) {
   node.expect_object({"friction", "self", "bodies", "thickness", "stiffness"});
   ContactSettings contact;
   node.read("friction", contact.friction, 0, kMostFriction, "");
   node.read("thickness", contact.thickness, 0, kFarthest, "m");
   node.read("stiffness", contact.stiffness, 1e-3, 1e3, "");
-  for (const char* key : {"self", "bodies"})
-    if (const auto wanted = node.find(key); wanted && wanted->boolean())
+  const auto refuse = [&](const char* key, bool matters) {
+    if (const auto wanted = node.find(key); wanted && wanted->boolean() && matters)
       wanted->fail("is true, and bodies touch only ground, obstacles and instruments", "false");
+  };
+  refuse("self", true);
+  refuse("bodies", bodies > 1);  // a body alone has no other to touch
   return contact;
 }
 
@@ -177,7 +180,8 @@ ContactSettings read_contact(const Node& node) {
 
 SceneTools read_tools(const Node& root) {
   SceneTools tools;
-  if (const auto contact = root.find("contact")) tools.contact = read_contact(*contact);
+  const std::size_t bodies = root.at("bodies", "a list of bodies").elements("a list of bodies").size();
+  if (const auto contact = root.find("contact")) tools.contact = read_contact(*contact, bodies);
   std::set<std::string> names;
   const auto claim = [&](const Node& node, const std::string& name) {
     if (name.empty()) node.fail("has an empty name", "a name, which statistics use");
@@ -196,7 +200,6 @@ SceneTools read_tools(const Node& root) {
     for (const Node& node : instruments->elements("a list of instruments")) {
       tools.instruments.push_back(read_instrument(node));
       claim(node, tools.instruments.back().name);
-      tools.option_instruments += node.where("name").starts_with("--instrument");
     }
   return tools;
 }

@@ -87,7 +87,6 @@ struct SceneTools {
   std::optional<Ground> ground;
   std::vector<Obstacle> obstacles;
   std::vector<Instrument> instruments;
-  std::size_t option_instruments = 0;  // number of those, at the end, that --instrument added: messages name the option
   bool empty() const { return !ground && obstacles.empty() && instruments.empty(); }
   bool operator==(const SceneTools&) const = default;
 };

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include "base/rotation.h"
 #include "sim/tool/shape_distance.h"
 #include "sim/tool/tool_motion.h"
 

@@ -35,7 +35,6 @@ Tool tool(const std::string& name, const ToolShape& shape, double friction, std:
   tool.name = name;
   tool.shape = shape;
   tool.friction = friction;
-  tool.moves = path.size() > 1;
   tool.path = std::move(path);
   return tool;
 }
@@ -94,6 +93,29 @@ TEST_CASE("a tool that is far away changes no bit", "[gpu][contact]") {
   CHECK_FALSE(without.buffers().contact_memory);
 }
 
+// As a replay does, and the repetition of steps after a divergence.
+TEST_CASE("a state in contact goes on to the same bits in another solver", "[gpu][contact]") {
+  test::Gpu gpu;
+  Model model = cube(0.2, 6, soft(2e4));
+  model.gravity = {2, -9.81, 0};
+  model.tools = {tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.5),
+                 tool("ball", SphereShape{{0, 0, 0}, 0.06}, 0.4,
+                      {{0, {0.1, 0.27, 0.1}, {0, 0, 0}}, {1, {0.16, 0.2, 0.1}, {0, 0, 90}}})};
+  GpuSolver first(gpu.programs, model, two_level());
+  for (int i = 0; i < 30; ++i) first.step();
+  const State middle = first.download();
+  first.upload(middle);
+  GpuSolver second(gpu.programs, model, two_level());
+  second.upload(middle);
+  for (GpuSolver* solver : {&first, &second})
+    for (int i = 0; i < 20; ++i) solver->step();
+  const State a = first.download(), b = second.download();
+  CHECK(a.displacement == b.displacement);
+  CHECK(a.velocity == b.velocity);
+  CHECK(a.contact == b.contact);
+  CHECK(std::any_of(a.contact.begin(), a.contact.end(), [](const ContactForce& f) { return f.normal > 0; }));
+}
+
 TEST_CASE("methods without contact refuse tools in one line", "[gpu][contact]") {
   test::Gpu gpu;
   Model model = cube(0.2, 2, soft(1e5));
@@ -124,9 +146,10 @@ TEST_CASE("steps in contact follow the reference", "[gpu][contact]") {
       {"box",
        BoxShape{{0, 0, 0}, {0.05, 0.03, 0.05}, 0.01},
        {{0, {0.1, 0.24, 0.1}, {0, 0, 0}}, {0.4, {0.1, 0.19, 0.1}, {0, 30, 10}}}},
+      // Its flat end is wider than the cube: beside a sharp edge a point may leave to either side.
       {"cylinder",
-       CylinderShape{{0, 0, 0}, {0, 0.1, 0}, 0.05},
-       {{0, {0.1, 0.22, 0.1}, {0, 0, 0}}, {0.4, {0.1, 0.17, 0.1}, {10, 0, 0}}}},
+       CylinderShape{{0, 0, 0}, {0, 0.1, 0}, 0.2},
+       {{0, {0.1, 0.24, 0.1}, {0, 0, 0}}, {0.4, {0.1, 0.17, 0.1}, {8, 0, 0}}}},
       // Thinner than the mesh: contact points within the faces, many of which come and go in a step.
       {"probe",
        CapsuleShape{{0, 0, 0}, {0, 0.2, 0}, 0.012},

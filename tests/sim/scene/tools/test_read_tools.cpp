@@ -1,8 +1,9 @@
 // Ground, obstacles and instruments of scenes: reading, writing, and the text of an option.
-// Covers: write_tools, instrument_text, base/json/json_option, base/json/json_write
+// Covers: write_tools, scale_tools, instrument_text, base/json/json_option, base/json/json_write
 #include "sim/scene/tools/read_tools.h"
 
 #include "sim/scene/tools/instrument_text.h"
+#include "sim/scene/tools/scale_tools.h"
 #include "tests/sim/scene/scene_test.h"
 
 namespace fascia {
@@ -41,6 +42,31 @@ TEST_CASE("the tools of a scene are read, and written as they were") {
   const SceneFile copy(scene_to_json(file.open(), file.path().parent_path()));
   CHECK(copy.open().tools == tools);
   CHECK(SceneFile(scene_text()).open().tools.empty());
+}
+
+TEST_CASE("a scene of another size has its tools at that size") {
+  SceneTools tools = SceneFile(scene_text("", kTools)).open().tools;
+  scale_lengths(tools, 0.5);
+  CHECK(tools.contact.thickness == 0.001);
+  CHECK(tools.contact.friction == 0.4);
+  CHECK(tools.ground->height == -0.05);
+  const Obstacle& table = tools.obstacles.at(0);
+  CHECK(table.position == Vector3d(0, -0.1, 0));
+  CHECK(table.rotate_deg == Vector3d(0, 45, 0));
+  CHECK(std::get<BoxShape>(table.shape) == BoxShape{{0, 0, 0}, {0.25, 0.01, 0.25}, 0.005});
+  CHECK(std::get<CapsuleShape>(std::get<ToolShape>(tools.instruments.at(0).shape)) ==
+        CapsuleShape{{0, 0, 0}, {0, 0.05, 0}, 0.002});
+  CHECK(tools.instruments[0].path[0].position == Vector3d(0, 0.1, 0));
+  CHECK(tools.instruments[0].path[1].time == 1.5);
+  CHECK(std::get<CylinderShape>(std::get<JawsShape>(tools.instruments.at(1).shape).shape) ==
+        CylinderShape{{0, 0, 0}, {0.05, 0, 0}, 0.0015});
+}
+
+TEST_CASE("bodies that should touch each other are refused, but a body alone has no other") {
+  const std::string top = R"("contact": {"self": false, "bodies": true})";
+  CHECK(SceneFile(scene_text("", top)).open().tools.contact.friction == 0.3);
+  const SceneFile two(R"({"fascia_scene": 1, "bodies": [{"mesh": "m.msh"}, {"mesh": "m.msh"}], )" + top + "}");
+  CHECK(two.open_error().find("s.json: contact.bodies: is true") == 0);
 }
 
 TEST_CASE("values of tools may be overridden, and instruments added") {

@@ -1,0 +1,48 @@
+#include "sim/scene/tools/scale_tools.h"
+
+namespace fascia {
+namespace {
+
+void scale_lengths(ToolShape& shape, double factor) {
+  struct Scaler {
+    double factor;
+    void operator()(SphereShape& s) const {
+      s.center *= factor;
+      s.radius *= factor;
+    }
+    void operator()(CapsuleShape& s) const { segment(s.from, s.to, s.radius); }
+    void operator()(CylinderShape& s) const { segment(s.from, s.to, s.radius); }
+    void operator()(BoxShape& s) const {
+      s.center *= factor;
+      s.half_size *= factor;
+      s.round *= factor;
+    }
+    void operator()(PlaneShape& s) const { s.point *= factor; }
+    void segment(Eigen::Vector3d& from, Eigen::Vector3d& to, double& radius) const {
+      from *= factor;
+      to *= factor;
+      radius *= factor;
+    }
+  };
+  std::visit(Scaler{factor}, shape);
+}
+
+}  // namespace
+
+void scale_lengths(SceneTools& tools, double factor) {
+  tools.contact.thickness *= factor;
+  if (tools.ground) tools.ground->height *= factor;
+  for (Obstacle& obstacle : tools.obstacles) {
+    scale_lengths(obstacle.shape, factor);
+    obstacle.position *= factor;
+  }
+  for (Instrument& instrument : tools.instruments) {
+    if (auto* jaws = std::get_if<JawsShape>(&instrument.shape))
+      scale_lengths(jaws->shape, factor);
+    else
+      scale_lengths(std::get<ToolShape>(instrument.shape), factor);
+    for (Instrument::Key& key : instrument.path) key.position *= factor;
+  }
+}
+
+}  // namespace fascia
