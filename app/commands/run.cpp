@@ -214,6 +214,7 @@ int run_input(const RunOptions& options) {
     if (diagnostics) {
       inverted = diagnostics->inverted;
       stats.tool_loads = diagnostics->tool_loads;
+      stats.pair_loads = diagnostics->pair_loads;
     }
     if (diagnostics && !options.static_equilibrium) {
       stats.residual = diagnostics->residual;
@@ -226,6 +227,7 @@ int run_input(const RunOptions& options) {
     if (!options.static_equilibrium) stats.residual = simulation.newton_report().relative_residual;
     inverted = reference::measure(simulation.model, last).inverted;
     stats.tool_loads = simulation.newton_tool_loads();
+    stats.pair_loads = simulation.newton_pair_loads();
   }
   if (options.error && !interrupted()) measure_errors(options, simulation, last, stats);
   stats.provenance = made_by();

@@ -41,7 +41,7 @@ bool pair_combos(SolverSettings& settings, const Model& model) {
   std::vector<Method> all;
   for (const MethodInfo& info : methods()) all.push_back(info.method);
   bool changed = ui::choice("Method", all, settings.method, kLabelOf, kHelpOf, [&](Method method) {
-    return refusal(method, model.materials, model.has_quadratic(), !model.tools.empty());
+    return refusal(method, model.materials, model.has_quadratic(), model.has_contact());
   });
   // A new method keeps the current acceleration if it supports it; otherwise, and after none, it gets the best one.
   const bool none = changed && settings.acceleration == Acceleration::none;

@@ -14,9 +14,9 @@ using Eigen::MatrixXf;
 // The coarse functions at a point: nodes and weights.
 std::vector<std::pair<std::uint32_t, float>> functions_at(const CoarseSpace& space, const PointStiffness& point) {
   std::map<std::uint32_t, double> weights;
-  for (std::size_t k = 0; k < 3; ++k)
+  for (std::size_t k = 0; k < 4; ++k)
     for (std::uint32_t e = space.begin[point.vertices[k]]; e < space.begin[point.vertices[k] + 1]; ++e)
-      if (point.weights[k] > 0) weights[space.node[e]] += point.weights[k] * space.weight[e];
+      if (point.weights[k] != 0) weights[space.node[e]] += point.weights[k] * space.weight[e];
   return {weights.begin(), weights.end()};
 }
 

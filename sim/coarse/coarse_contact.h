@@ -15,10 +15,10 @@
 
 namespace fascia {
 
-/// The stiffness of contact at one material point.
+/// The stiffness of contact at one material point, or between two: then the weights sum to 0.
 struct PointStiffness {
-  std::array<std::uint32_t, 3> vertices;
-  std::array<double, 3> weights;
+  std::array<std::uint32_t, 4> vertices;
+  std::array<double, 4> weights;
   Eigen::Matrix3d stiffness;  // [N/m]
 };
 

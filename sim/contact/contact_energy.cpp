@@ -6,22 +6,19 @@
 #include "sim/tool/shape_distance.h"
 
 namespace fascia {
-namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-Vector3d within(const Vector3d& q, double bound) {
-  const double length = q.norm();
-  return length > bound ? Vector3d(q * (bound / length)) : q;
-}
-
-}  // namespace
-
 ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
-                             const ContactMemory& memory, const VectorXd& start, const ToolMotion& motion)
-    : model_(model), surface_(surface), rows_(surface.row_count) {
+                             const ContactMemory& memory, const VectorXd& start, const ToolMotion& motion,
+                             std::vector<PairRow> pairs)
+    : model_(model),
+      surface_(surface),
+      rows_(surface.row_count),
+      pairs_(model, std::move(pairs), memory, surface.row_count),
+      slots_(std::max<std::size_t>(memory.size(), surface.row_count)) {
   for (const ContactPiece& piece : surface.pieces) {
     const Tool& tool = model.tools[piece.tool];
     const RigidPose before = tool.pose_of_piece(piece.piece, motion.from[piece.tool]);
@@ -36,7 +33,7 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
       row.normal = after.axes * distance_to(tool.shape, local).normal;
       row.pressing = 0;
       row.friction.setZero();
-      if (memory.size() != rows_.size()) continue;
+      if (memory.size() < rows_.size()) continue;
       const ContactForce& force = memory[piece.first_row + p];
       row.pressing = force.normal;
       row.friction = after.axes * force.friction;
@@ -77,7 +74,7 @@ void ContactEnergy::for_rows(F&& f) const {
 }
 
 double ContactEnergy::evaluate(const VectorXd& u, VectorXd& gradient) const {
-  double energy = 0;
+  double energy = pairs_.evaluate(u, gradient);
   for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
     const Contact contact = contact_of(piece, p, u);
     const double bound = placed.friction * row.pressing;
@@ -85,8 +82,7 @@ double ContactEnergy::evaluate(const VectorXd& u, VectorXd& gradient) const {
     energy += 0.5 * (contact.pressing - row.pressing) * (contact.pressing + row.pressing) / row.stiffness;
     Vector3d force = contact.pressing * contact.normal;
     if (bound > 0) {
-      const double q = contact.tangential.norm();
-      energy += (q <= bound ? 0.5 * q * q : bound * q - 0.5 * bound * bound) / (kStickingPenalty * row.stiffness);
+      energy += sticking_energy(contact.tangential, bound, row.stiffness);
       force += within(contact.tangential, bound);
     }
     const ContactPoint& point = surface_.points[p];
@@ -96,8 +92,8 @@ double ContactEnergy::evaluate(const VectorXd& u, VectorXd& gradient) const {
   return energy;
 }
 
-std::vector<ContactEnergy::Block> ContactEnergy::blocks(const VectorXd& u, bool semidefinite) const {
-  std::vector<Block> blocks;
+std::vector<ContactBlock> ContactEnergy::blocks(const VectorXd& u, bool semidefinite) const {
+  std::vector<ContactBlock> blocks;
   for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
     const Contact contact = contact_of(piece, p, u);
     const double bound = placed.friction * row.pressing;
@@ -109,16 +105,7 @@ std::vector<ContactEnergy::Block> ContactEnergy::blocks(const VectorXd& u, bool 
       hessian += row.stiffness * contact.normal * contact.normal.transpose();
       if (!semidefinite) hessian -= contact.pressing * contact.curvature;
     }
-    if (bound > 0) {
-      const Matrix3d across = Matrix3d::Identity() - row.normal * row.normal.transpose();
-      const double q = contact.tangential.norm();
-      if (q <= bound) {
-        hessian += kStickingPenalty * row.stiffness * across;
-      } else {
-        const Vector3d along = contact.tangential / q;
-        hessian += kStickingPenalty * row.stiffness * (bound / q) * (across - along * along.transpose());
-      }
-    }
+    if (bound > 0) hessian += sticking_hessian(contact.tangential, bound, row.stiffness, row.normal);
     const ContactPoint& point = surface_.points[p];
     const double reach = std::max(contact.x.cwiseAbs().maxCoeff(), placed.pose.origin.cwiseAbs().maxCoeff());
     for (std::size_t a = 0; a < 3; ++a)
@@ -130,7 +117,8 @@ std::vector<ContactEnergy::Block> ContactEnergy::blocks(const VectorXd& u, bool 
 }
 
 ContactMemory ContactEnergy::memory_after(const VectorXd& u) const {
-  ContactMemory memory(surface_.row_count);
+  ContactMemory memory(slots_);
+  pairs_.remember(u, memory);
   for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row&) {
     const Contact contact = contact_of(piece, p, u);
     ContactForce& force = memory[piece.first_row + p];

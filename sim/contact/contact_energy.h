@@ -9,40 +9,39 @@
 //             q = t - c s, b = mu lambda:  |q| <= b: |q|^2 / (2 c), else (b |q| - b^2 / 2) / c
 //   force on the tissue  max(0, lambda - k d) n + q min(1, b / |q|)
 //
-// lambda, t, b and n0 are constants of the step, so this is one smooth energy.
+// lambda, t, b and n0 are constants of the step, so this is one smooth energy. Tissue that touches tissue adds that of
+// sim/contact/pair_energy.h.
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
+#include "sim/contact/contact_block.h"
 #include "sim/contact/contact_surface.h"
+#include "sim/contact/pair_energy.h"
 #include "sim/contact/tool_load.h"
 #include "sim/model/state.h"
 #include "sim/tool/tool_motion.h"
 
 namespace fascia {
 
-/// The penalty on sliding, as a factor of that on depth. Anchors hold with any: a stiff one makes the bound of friction
-/// a sharp kink, at which iterations take back one step after another (22 % error after ten, instead of 0.9 %).
-inline constexpr double kStickingPenalty = 1.0 / 30;
-
 class ContactEnergy {
  public:
   /// `start`: displacements [3 * vertex_count] at the start of the step. `stiffness`: contact_stiffness(). A memory
-  /// of another size means no forces. The first two outlive this object.
+  /// shorter than the rows and slots means no forces. `pairs`: of the tissue with itself. The first two outlive this
+  /// object.
   ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
-                const ContactMemory& memory, const Eigen::VectorXd& start, const ToolMotion& motion);
+                const ContactMemory& memory, const Eigen::VectorXd& start, const ToolMotion& motion,
+                std::vector<PairRow> pairs = {});
 
   /// Energy [J] at displacements `u`; adds its derivatives to `gradient` [3 * vertex_count].
   double evaluate(const Eigen::VectorXd& u, Eigen::VectorXd& gradient) const;
-  struct Block {
-    std::uint32_t row_vertex, column_vertex;
-    Eigen::Matrix3d hessian;  // [N/m]
-    double reach;             // [m] largest coordinate that the force is computed from
-  };
-  /// The Hessian as a sum of blocks. `semidefinite`: without the curvature of the tools' surfaces.
-  std::vector<Block> blocks(const Eigen::VectorXd& u, bool semidefinite) const;
+  /// The Hessian as a sum of blocks. `semidefinite`: without the curvature of the tools' surfaces. Those of tools are
+  /// between vertices of one face, those of pairs() between any.
+  std::vector<ContactBlock> blocks(const Eigen::VectorXd& u, bool semidefinite) const;
+  const PairEnergy& pairs() const { return pairs_; }
 
+  /// As long as the memory at the start, or as the rows of tools if that had none.
   ContactMemory memory_after(const Eigen::VectorXd& u) const;
   std::vector<ToolLoad> loads(const Eigen::VectorXd& u) const;  // [tool]
 
@@ -74,6 +73,8 @@ class ContactEnergy {
   const ContactSurface& surface_;
   std::vector<Piece> pieces_;
   std::vector<Row> rows_;
+  PairEnergy pairs_;
+  std::size_t slots_;  // of the memory
 };
 
 }  // namespace fascia

@@ -1,14 +1,9 @@
 #include "sim/contact/contact_surface.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <map>
-#include <utility>
 
-#include "sim/mesh/linear_tets.h"
-#include "sim/mesh/tet_faces.h"
+#include "sim/contact/tissue_surface.h"
 #include "sim/tool/shape_distance.h"
 
 namespace fascia {
@@ -16,45 +11,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The penalty in motion: in single steps 1 and 100 do as well, but a softer one lets tools sink in deeper, and a harder
-// one makes every first touch an impact.
-constexpr double kStiffness = 10;
-
-// In triangles between vertices: four in a face of a quadratic tet.
-std::vector<Triangle> boundary_of(const Model& model) {
-  return boundary_triangles(linear_tets(model.tets, model.mid_edges, model.rest_positions, 0, model.tets.size()).tets);
-}
-
-double area_of(const Model& model, const Triangle& t) {
-  const auto& x = model.rest_positions;
-  return 0.5 * (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).norm();
-}
-
 double longest_edge(const Model& model, const std::vector<Triangle>& triangles) {
   double longest = 0;
   for (const Triangle& t : triangles)
     for (std::size_t k = 0; k < 3; ++k)
       longest = std::max(longest, (model.rest_positions[t[k]] - model.rest_positions[t[(k + 1) % 3]]).norm());
   return longest;
-}
-
-struct Edge {
-  std::uint32_t from, to;
-  double area = 0;  // of the triangles at it
-};
-
-// In the order of the triangles.
-std::vector<Edge> edges_of(const Model& model, const std::vector<Triangle>& triangles) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> known;
-  std::vector<Edge> edges;
-  for (const Triangle& t : triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [from, to] = std::minmax(t[k], t[(k + 1) % 3]);
-      const auto [place, is_new] = known.try_emplace({from, to}, edges.size());
-      if (is_new) edges.push_back({from, to});
-      edges[place->second].area += area_of(model, t);
-    }
-  return edges;
 }
 
 class PointList {
@@ -80,17 +42,15 @@ class PointList {
 };
 
 void add_vertices(const Model& model, const std::vector<Triangle>& triangles, PointList& list) {
-  std::vector<double> area(model.rest_positions.size(), 0);
-  for (const Triangle& t : triangles)
-    for (const std::uint32_t v : t) area[v] += area_of(model, t) / 3;
+  const std::vector<double> area = tissue_areas(model, triangles);
   for (std::uint32_t v = 0; v < area.size(); ++v)
     if (area[v] > 0) list.add({v, v, v}, {1, 0, 0}, area[v]);
 }
 
-void add_level(int level, const Model& model, const std::vector<Triangle>& triangles, const std::vector<Edge>& edges,
+void add_level(int level, const Model& model, const std::vector<Triangle>& triangles, const std::vector<TissueEdge>& edges,
                PointList& list) {
   const int parts = 1 << level;
-  for (const Edge& e : edges)
+  for (const TissueEdge& e : edges)
     for (int i = 1; i < parts; i += 2) {
       const double share = static_cast<double>(i) / parts;
       list.add({e.from, e.to, e.from}, {1 - share, share, 0}, e.area);
@@ -118,7 +78,7 @@ std::string note_on(const Tool& tool, double spacing, double radius) {
 ContactSurface make_contact_surface(const Model& model) {
   ContactSurface surface;
   if (model.tools.empty()) return surface;
-  const std::vector<Triangle> triangles = boundary_of(model);
+  const std::vector<Triangle> triangles = tissue_boundary(model);
   const double longest = longest_edge(model, triangles);
   std::vector<int> levels;
   for (const Tool& tool : model.tools) {
@@ -130,7 +90,7 @@ ContactSurface make_contact_surface(const Model& model) {
     levels.push_back(level);
   }
   const int finest = *std::max_element(levels.begin(), levels.end());
-  const std::vector<Edge> edges = finest > 0 ? edges_of(model, triangles) : std::vector<Edge>();
+  const std::vector<TissueEdge> edges = finest > 0 ? tissue_edges(model, triangles) : std::vector<TissueEdge>();
   PointList list(model, surface.points);
   std::array<std::uint32_t, ContactSurface::kFinestLevel + 1> count{};
   for (int level = 0; level <= finest; ++level) {
@@ -150,31 +110,14 @@ ContactSurface make_contact_surface(const Model& model) {
 }
 
 std::vector<double> contact_stiffness(const Model& model, const ContactSurface& surface) {
-  const std::size_t n = model.rest_positions.size();
-  std::vector<double> volume(n, 0), modulus(n, 0), area(n, 0);
-  for (std::size_t t = 0; t < model.tets.size(); ++t) {
-    const Tet& tet = model.tets[t];
-    const auto& x = model.rest_positions;
-    const ElementVertices element = model.element(t);
-    const double share =
-        signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6 / static_cast<double>(element.size());
-    const Material& material = model.materials[model.tet_material[t]];
-    for (const std::uint32_t v : element) {
-      volume[v] += share;
-      modulus[v] += share * (material.lame_lambda() + 2 * material.lame_mu());
-    }
-  }
-  for (const Triangle& t : boundary_of(model))
-    for (const std::uint32_t v : t) area[v] += area_of(model, t) / 3;
+  const std::vector<double> below = tissue_stiffness(model, tissue_areas(model, tissue_boundary(model)));
   std::vector<double> stiffness;
   stiffness.reserve(surface.points.size());
   for (const ContactPoint& point : surface.points) {
-    double per_area = 0;  // (lambda + 2 mu) / l [Pa/m]
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t v = point.vertices[k];
-      if (point.weights[k] > 0) per_area += point.weights[k] * (modulus[v] / volume[v]) * area[v] / (2 * volume[v]);
-    }
-    stiffness.push_back(kStiffness * model.contact.stiffness * per_area * point.area);
+    double per_area = 0;  // [Pa/m]
+    for (std::size_t k = 0; k < 3; ++k)
+      if (point.weights[k] > 0) per_area += point.weights[k] * below[point.vertices[k]];
+    stiffness.push_back(kContactPenalty * model.contact.stiffness * per_area * point.area);
   }
   return stiffness;
 }

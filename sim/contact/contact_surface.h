@@ -41,6 +41,10 @@ struct ContactSurface {
   bool empty() const { return row_count == 0; }
 };
 
+/// The penalty on depth, over the stiffness (lambda + 2 mu) A / l of the tissue below. In single steps 1 and 100 do as
+/// well; in motion a softer one lets tools sink in deeper, and a harder one makes every first touch an impact.
+inline constexpr double kContactPenalty = 10;
+
 /// Without points if the model has no tools.
 ContactSurface make_contact_surface(const Model& model);
 

@@ -12,9 +12,9 @@ namespace {
 
 // The model. Throws Error if the method has no kernels for its elements or for contact.
 const Model& with_elements_of(Method method, const Model& model) {
-  if (!model.tools.empty() && !info_of(method).carries_contact)
+  if (model.has_contact() && !info_of(method).carries_contact)
     throw Error("solver.method", std::string(name_of(method)) + " does not carry contact",
-                "expected two_level, or a scene without ground, obstacles and instruments");
+                "expected two_level, or a scene without contact");
   if (model.has_quadratic() && !info_of(method).carries_quadratic)
     throw Error("solver.method", std::string(name_of(method)) + " does not carry quadratic elements",
                 "expected two_level, or bodies with linear elements");

@@ -65,7 +65,7 @@ void GpuSolver::place_tools(double duration) {
   if (!contact_.acts()) return;
   const double from = (time_ - step_begin_) / settings_.time_step;
   stage_motion_ = step_motion_.part(from, from + duration / settings_.time_step);
-  contact_.begin_stage(stage_motion_);
+  contact_.begin_stage(stage_motion_, duration, buffers_);
 }
 
 void GpuSolver::iterate(int iteration, int count) {

@@ -101,6 +101,8 @@ struct Model {
   double end_of_motions() const;   // [s] end of the last prescribed motion; 0 without any
   double end_of_grabs() const;     // [s] when the last scripted grab ends its path or is released; 0 without any
   double end_of_tools() const;     // [s] end of the last instrument's path; 0 without any
+  bool has_contact() const;        // whether tissue may touch anything: tools or tissue
+  bool touches_tissue() const;     // whether bodies may touch each other or themselves
 };
 
 /// Called with the mesh of a body and its usable tets, before anything else of the body is looked at.

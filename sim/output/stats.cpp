@@ -1,3 +1,5 @@
+#include "sim/contact/pair_search.h"
+#include "sim/contact/penetration.h"
 #include "sim/output/stats.h"
 
 #include <algorithm>
@@ -23,6 +25,18 @@ Json contact_forces(const Model& model, const std::vector<ToolLoad>& loads) {
                                     {"points", loads[t].points},
                                     {"deepest_m", loads[t].deepest}};
   return contact;
+}
+
+Json tissue_contact(const Model& model, const std::vector<PairLoad>& loads, const State& last) {
+  Json between = Json::array();
+  for (const PairLoad& load : loads)
+    between.push_back({{"bodies", {model.bodies[load.bodies[0]].name, model.bodies[load.bodies[1]].name}},
+                       {"force_N", to_json(load.force)},
+                       {"points", load.pairs},
+                       {"deepest_m", load.deepest}});
+  return {{"skin_m", PairSearch(model).skin()},
+          {"between", between},
+          {"penetrating_triangles", penetrating_triangles(model, last.displacement)}};
 }
 
 // The grabs that pull at the end: those of a scene by their index in its "grabs", those of the mouse or a replay in the
@@ -125,6 +139,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
     json["bytes_per_iteration"] = gpu->bytes_per_iteration();
   }
   if (!stats.tool_loads.empty()) json["contact"] = contact_forces(simulation.model, stats.tool_loads);
+  if (simulation.model.touches_tissue()) json["tissue_contact"] = tissue_contact(simulation.model, stats.pair_loads, last);
   if (stats.imbalance) json["imbalance"] = *stats.imbalance;
   if (stats.error) json["error"] = *stats.error;
   if (stats.errors) json["errors"] = to_json(*stats.errors);

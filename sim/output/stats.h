@@ -29,6 +29,7 @@ struct RunStats {
   double residual = 0;  // of the last step, relative
   std::optional<double> imbalance;        // of the forces in the last step of the GPU (Diagnostics::imbalance)
   std::vector<ToolLoad> tool_loads;       // of the last step, [tool of the model]
+  std::vector<PairLoad> pair_loads;       // of the last step, of tissue on tissue
   std::optional<double> error;            // of the last step, as in StepError; only on request
   std::optional<Errors> errors;           // only on request
   std::uint64_t dispatches_per_step = 0;  // of a solved step

@@ -59,24 +59,54 @@ void Minimizer::factorize(const Potential& potential, const VectorXd& u) {
     system_.assemble(u, potential.viscous, project, hessian_, scale);
     hessian_.diagonal() += inertia;
     if (potential.contact) add_contact(*potential.contact, u, project, scale);
+    coupled_.reset();
+    if (potential.contact && !potential.contact->pairs().empty()) couple(potential.contact->pairs(), u, scale);
     if (!project) {
       scale += potential.inertia.cwiseProduct(u.cwiseAbs() + potential.target.cwiseAbs()) + potential.force.cwiseAbs();
       rounding_ = epsilon * system_.free_part(scale).norm();
     }
-    if (cholesky_.factorize(hessian_)) return;
+    if (factorize_sum()) return;
   }
   // Still singular: a body without constraints. A growing multiple of the identity gives a usable step.
   const double largest = hessian_.diagonal().maxCoeff();
   double shift = 1e-10 * std::max(largest, std::numeric_limits<double>::min());
-  while (!cholesky_.factorize(hessian_, shift)) shift *= 100;
+  while (!factorize_sum(shift)) shift *= 100;
 }
 
 void Minimizer::add_contact(const ContactEnergy& contact, const VectorXd& u, bool project, VectorXd& scale) {
-  for (const ContactEnergy::Block& block : contact.blocks(u, project)) {
+  for (const ContactBlock& block : contact.blocks(u, project)) {
     system_.add_block(block.row_vertex, block.column_vertex, block.hessian, hessian_);
     scale.segment<3>(3 * static_cast<Eigen::Index>(block.row_vertex)).array() +=
         block.reach * block.hessian.cwiseAbs().rowwise().sum().array();
   }
+}
+
+void Minimizer::couple(const PairEnergy& pairs, const VectorXd& u, VectorXd& scale) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const ContactBlock& block : pairs.blocks(u)) {
+    scale.segment<3>(3 * static_cast<Eigen::Index>(block.row_vertex)).array() +=
+        block.reach * block.hessian.cwiseAbs().rowwise().sum().array();
+    const int row = system_.first_dof()[block.row_vertex], column = system_.first_dof()[block.column_vertex];
+    if (row < 0 || column < 0 || row > column) continue;
+    for (int r = 0; r < 3; ++r)
+      for (int c = row == column ? r : 0; c < 3; ++c) entries.emplace_back(row + r, column + c, block.hessian(r, c));
+  }
+  SparseMatrix sum(hessian_.rows(), hessian_.cols());
+  sum.setFromTriplets(entries.begin(), entries.end());
+  coupled_hessian_ = hessian_ + sum;
+  coupled_ = std::make_unique<CoupledCholesky>();
+  coupled_->analyzePattern(coupled_hessian_);
+}
+
+bool Minimizer::factorize_sum(double shift) {
+  if (!coupled_) return cholesky_.factorize(hessian_, shift);
+  coupled_->setShift(shift);
+  coupled_->factorize(coupled_hessian_);
+  return coupled_->info() == Eigen::Success;
+}
+
+VectorXd Minimizer::solve(const VectorXd& right) const {
+  return coupled_ ? VectorXd(coupled_->solve(right)) : cholesky_.solve(right);
 }
 
 bool Minimizer::line_search(const Potential& potential, const VectorXd& direction, VectorXd& u, Value& value,
@@ -103,7 +133,7 @@ void Minimizer::move_held(const Potential& potential, const VectorXd& change, Ve
   }
   factorize(potential, u);
   const VectorXd dragged = system_.free_part(system_.hessian_times(u, potential.viscous, change));
-  const VectorXd direction = -cholesky_.solve(evaluate(potential, u).gradient + dragged);
+  const VectorXd direction = -solve(evaluate(potential, u).gradient + dragged);
   u += change;
   VectorXd taken_along = u;
   system_.add_to_free(direction, 1, taken_along);
@@ -127,7 +157,7 @@ NewtonReport Minimizer::minimize(const Potential& potential, double tolerance, c
       return report;
 
     if (!reuse) factorize(potential, u);
-    const VectorXd direction = -cholesky_.solve(value.gradient);
+    const VectorXd direction = -solve(value.gradient);
     double step = 0;
     if (!line_search(potential, direction, u, value, step)) {
       if (reuse) {

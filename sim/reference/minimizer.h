@@ -4,6 +4,7 @@
 //                              - force . u
 #pragma once
 #include <Eigen/Core>
+#include <Eigen/SparseCholesky>
 #include <memory>
 #include <stop_token>
 
@@ -50,12 +51,19 @@ class Minimizer {
   Value evaluate(const Potential& potential, const Eigen::VectorXd& u) const;
   void factorize(const Potential& potential, const Eigen::VectorXd& u);
   void add_contact(const ContactEnergy& contact, const Eigen::VectorXd& u, bool project, Eigen::VectorXd& scale);
+  void couple(const PairEnergy& pairs, const Eigen::VectorXd& u, Eigen::VectorXd& scale);
+  bool factorize_sum(double shift = 0);
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
   bool line_search(const Potential& potential, const Eigen::VectorXd& direction, Eigen::VectorXd& u, Value& value,
                    double& step) const;
 
   const ElasticSystem& system_;
   SparseMatrix hessian_;
   Cholesky cholesky_;
+  /// Of the sum with tissue that touches tissue, whose blocks change their places from step to step; else null.
+  using CoupledCholesky = Eigen::SimplicialLLT<SparseMatrix, Eigen::Upper>;
+  std::unique_ptr<CoupledCholesky> coupled_;
+  SparseMatrix coupled_hessian_;
   double rounding_ = 0;  // [N] bound on the rounding of the gradient at the last factorization
 };
 

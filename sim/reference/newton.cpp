@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "sim/contact/contact_energy.h"
+#include "sim/contact/pair_search.h"
 #include "sim/model/unconstrained_parts.h"
 #include "sim/reference/held_path.h"
 #include "sim/reference/minimizer.h"
@@ -67,9 +68,23 @@ struct NewtonSolver::Impl {
         gravity(model.gravity.replicate(model.rest_positions.size(), 1)),
         contact(make_contact_surface(model)),
         penalty(contact_stiffness(model, contact)),
+        pairs(model),
         loads(model.tools.size()) {}
 
   NewtonReport solve(const IntegratorStage& stage, const ToolMotion& motion, State& state);
+  bool touches() const { return !contact.empty() || !pairs.empty(); }
+  /// Of a step from `start` under the forces in `memory`; `end`: where velocities lead.
+  std::shared_ptr<const ContactEnergy> contact_from(const VectorXd& start, const VectorXd& end,
+                                                    const std::vector<double>& stiffness, const ToolMotion& motion,
+                                                    ContactMemory& memory) {
+    if (!pairs.empty()) memory.resize(contact.row_count + pairs.slot_count());
+    return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion,
+                                           pairs.find(vectors_of(start), vectors_of(end)));
+  }
+  void read_out(const ContactEnergy& energy, const VectorXd& u) {
+    loads = energy.loads(u);
+    pair_loads = energy.pairs().loads(u);
+  }
   ToolMotion motion_within(double from, double to) const {
     return tools ? *tools : motion_on_paths(model.tools, from, to);
   }
@@ -99,8 +114,10 @@ struct NewtonSolver::Impl {
   const VectorXd gravity;  // [3 * vertex_count] [m/s^2]
   const ContactSurface contact;
   const std::vector<double> penalty;  // [contact.points] [N/m]
+  PairSearch pairs;
   std::optional<ToolMotion> tools;    // none: on their paths
   std::vector<ToolLoad> loads;
+  std::vector<PairLoad> pair_loads;
 };
 
 NewtonReport NewtonSolver::Impl::follow(const HeldPath& path, const std::function<Potential(double)>& potential,
@@ -157,8 +174,8 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   potential.force = VectorXd::Zero(old.size());
   for (const GrabSpring& spring : springs) add(spring, potential);
   if (system.viscous()) potential.viscous = {strains(stage, old, earlier), stage.length};
-  if (!contact.empty())
-    potential.contact = std::make_shared<ContactEnergy>(model, contact, penalty, state.contact, old, motion);
+  if (touches())
+    potential.contact = contact_from(old, old + stage.duration * velocity, penalty, motion, state.contact);
 
   // The inertial prediction is the better start, but not if it inverts tets.
   VectorXd u = old;
@@ -172,7 +189,7 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   state.earlier.velocity = std::exchange(state.velocity, vectors_of(stage.velocity(u, start)));
   state.time += stage.duration;
   if (potential.contact) {
-    loads = potential.contact->loads(u);
+    read_out(*potential.contact, u);
     state.contact = potential.contact->memory_after(u);
   }
   return report;
@@ -189,7 +206,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
     }
     if (lands && pass == 0) report = minimizer.minimize(potential, tolerance, {last_patience, false, stop}, u);
     const ContactMemory before = std::exchange(memory, potential.contact->memory_after(u));
-    loads = potential.contact->loads(u);
+    read_out(*potential.contact, u);
     double change = 0, largest = 0;
     for (std::size_t row = 0; row < memory.size(); ++row) {
       const ContactForce old = before.empty() ? ContactForce{} : before[row];
@@ -198,7 +215,8 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
       largest = std::max(largest, memory[row].normal);
     }
     if (change <= steady_forces * largest && largest > 0) return;
-    potential.contact = std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion);
+    // Tissue that slides along tissue meets other faces.
+    potential.contact = contact_from(pairs.empty() ? start : u, u, stiffness, motion, memory);
     const NewtonReport pass_report = minimizer.minimize(potential, tolerance, {last_patience, false, stop}, u);
     report.iterations += pass_report.iterations;
     report.relative_residual = pass_report.relative_residual;
@@ -207,7 +225,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
 }
 
 NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance) {
-  if (contact.empty()) require_supports(model);
+  if (!touches()) require_supports(model);
   const double end = std::max({state.time, model.end_of_motions(), model.end_of_tools()});
   VectorXd u = flat(state.displacement), internal;
   const HeldPath path(model, u, state.time, std::max(end, state.time + 1e-3));
@@ -221,9 +239,7 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance) {
   for (double& k : stiffer) k *= static_penalty;
   const auto potential = [&](double s) {
     Potential result{{}, zero, start, start, weight - (1 - s) * missing};
-    if (!contact.empty())
-      result.contact =
-          std::make_shared<ContactEnergy>(model, contact, stiffer, state.contact, start, motion.part(0, s));
+    if (touches()) result.contact = contact_from(start, start, stiffer, motion.part(0, s), state.contact);
     for (const GrabSpring& spring : springs) {  // their displacement is also applied gradually
       const Vector3d from = start.segment<3>(3 * static_cast<Eigen::Index>(spring.vertex));
       GrabSpring now = spring;
@@ -233,11 +249,11 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance) {
     return result;
   };
   if (tolerance <= 0) tolerance = static_tolerance;
-  const bool supported = contact.empty() || unconstrained_parts(model, model.held()).parts == 0;
+  const bool supported = !touches() || unconstrained_parts(model, model.held()).parts == 0;
   NewtonReport report;
   report.converged = true;
   if (supported) report = follow(path, potential, true, tolerance, u);
-  if (!contact.empty()) settle_forces(potential(1), stiffer, motion, !supported, tolerance, report, state.contact, u);
+  if (touches()) settle_forces(potential(1), stiffer, motion, !supported, tolerance, report, state.contact, u);
   state.displacement = vectors_of(u);
   state.velocity.assign(state.displacement.size(), Vector3d::Zero());
   state.earlier = {};
@@ -276,6 +292,7 @@ NewtonReport NewtonSolver::solve(const IntegratorStage& stage, State& state) {
 void NewtonSolver::set_tools(const ToolMotion& motion) { impl_->tools = motion; }
 
 const std::vector<ToolLoad>& NewtonSolver::tool_loads() const { return impl_->loads; }
+const std::vector<PairLoad>& NewtonSolver::pair_loads() const { return impl_->pair_loads; }
 
 void NewtonSolver::set_springs(const std::vector<GrabSpring>& springs) { impl_->springs = springs; }
 

@@ -6,7 +6,7 @@
 //   static: minimize sum_e V_e Psi_e - f_ext.u, and half the stiffness of every spring times its squared length
 //           with loads and prescribed motions applied in increments where Newton's method cannot apply them at once
 //
-// Both with the energy of contact (sim/contact/contact_energy.h) where the model has tools. A step updates its
+// Both with the energy of contact (sim/contact/contact_energy.h) where the model has any. A step updates its
 // multipliers once at the end, statics until the forces no longer change.
 #pragma once
 #include <Eigen/Core>
@@ -15,6 +15,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "sim/contact/pair_energy.h"
 #include "sim/contact/tool_load.h"
 #include "sim/integrators/stage.h"
 #include "sim/model/grab_spring.h"
@@ -84,6 +85,7 @@ class NewtonSolver {
   void set_tools(const ToolMotion& motion);
   /// [tool] at the end of the last step or solve.
   const std::vector<ToolLoad>& tool_loads() const;
+  const std::vector<PairLoad>& pair_loads() const;  // of tissue on tissue, in the same step
   /// Static equilibrium from `state` (its velocity is set to zero, its time to the end of all motions).
   /// `tolerance` 0 means 1e-10. Tools go to the end of their motion. Throws Error if gravity acts on an unconstrained
   /// component and there is no tool to support it.

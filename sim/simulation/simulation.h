@@ -116,6 +116,7 @@ class Simulation {
   const reference::NewtonReport& newton_report() const { return newton_report_; }
   /// [tool of the model] of the reference solver at the end of its last step; the GPU's are in its Diagnostics.
   const std::vector<ToolLoad>& newton_tool_loads() const { return reference_->tool_loads(); }
+  const std::vector<PairLoad>& newton_pair_loads() const { return reference_->pair_loads(); }  // of tissue on tissue
 
  private:
   void make_step();

@@ -27,7 +27,7 @@ bool Simulation::settle() {
   const bool descends = gpu_->descends();
   if (!descends) return rest_.quiet() >= kLong;  // such methods come to rest elsewhere
   // Friction may hold a body at any of many places.
-  if (!model.tools.empty()) return rest_.quiet() >= kVeryLong;
+  if (model.has_contact()) return rest_.quiet() >= kVeryLong;
   if (model.tets.size() > Settling::kMostTets)
     return rest_.quiet() >= kLong &&
            (rest_.quiet() >= kVeryLong || reference::StaticResidual(model)(gpu_->download(), springs_) <= kFloat32);

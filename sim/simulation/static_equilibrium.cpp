@@ -23,7 +23,7 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
     if (gpu_) gpu_->upload(reference_state_);
     return {0, newton_report_.iterations, newton_report_.relative_residual, newton_report_.converged};
   }
-  if (!model.tools.empty()) {  // the march has no multipliers to repeat
+  if (model.has_contact()) {  // the march has no multipliers to repeat
     if (model.tets.size() > reference::NewtonSolver::kMostTets)
       throw Error(scene.file.string(), "has contact and " + std::to_string(model.tets.size()) + " tets",
                   "expected at most " + std::to_string(reference::NewtonSolver::kMostTets) +

@@ -1,9 +1,13 @@
-// Force, energy and stiffness of contact at every listed point, summed over the pieces that are near. Before gradient.
+// Force, energy and stiffness of contact at every listed point, summed over the pieces that are near, and of every pair.
+// Before gradient.
 #include "common/io.glsl"
 COMPUTE_1D
 #include "sim/contact/point.glsl"
 INPUT_VEC4(ContactRest, contact_rest)  // [points] xyz position at rest [m]
 #include "sim/contact/row.glsl"
+#if PAIRS
+#include "sim/contact/pair.glsl"
+#endif
 INPUT_VEC4(Displacement, displacement)     // [vertex_count] u [m]
 INPUT_VEC4(ContactMemory, contact_memory)  // [rows]
 INPUT_VEC4(ContactAnchor, contact_anchor)  // [rows]
@@ -15,13 +19,21 @@ void main() {
   ITEM_OR_RETURN(i)
   uvec4 vertices = FETCH(contact_vertices, i);
   vec4 weights = FETCH(contact_weights, i), force = vec4(0.0);
-  vec3 x = FETCH(contact_rest, i).xyz + AT_POINT(displacement, vertices, weights);
+  vec3 u = AT_POINT(displacement, vertices, weights);
   Sym3 block = Sym3(vec3(0.0), vec3(0.0));
+#if PAIRS
+  if (i >= points) {
+    Row r = row_of(i - points, u, FETCH(contact_memory, row_of_pair(i - points)));
+    force = vec4(force_of(r), energy_of(r));
+    add_stiffness(block, r, r.normal);
+  } else
+#endif
   for (uint near = FETCH1(contact_near, i); near != 0u; near &= near - 1u) {
+    vec4 rest = FETCH(contact_rest, i);
     uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
-    Row r = row_at(piece, row, x, weights.w, FETCH(contact_memory, row), FETCH(contact_anchor, row).xyz);
+    Row r = row_at(piece, row, rest.xyz + u, rest.w, FETCH(contact_memory, row), FETCH(contact_anchor, row).xyz);
     force += vec4(force_of(r), energy_of(r));
-    add_stiffness(block, r, row);
+    add_stiffness(block, r, FETCH(contact_normal, row).xyz);
   }
   contact_force[i] = force;
   contact_block[2u * i] = vec4(block.d, 0.0);

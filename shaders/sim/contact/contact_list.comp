@@ -1,15 +1,15 @@
-// Lists the contact points that are near a piece, in their order, with the number of work groups for the kernels that
-// process the list (common/io.glsl, DEFERRED). After contact_count.
+// Lists the contact points that are near a piece, in their order, behind the pairs, which are listed; with the number of
+// work groups for the kernels that process the list (common/io.glsl, DEFERRED). After contact_count.
 #include "common/io.glsl"
 COMPUTE_1D
 INPUT_UINT(ContactNear, contact_near)      // [points]
-INPUT_UINT(ContactCounts, contact_counts)  // [stretches]
+INPUT_UINT(ContactCounts, contact_counts)  // [stretches], and then the number of pairs
 OUTPUT(uint, ContactList, contact_list)    // work groups, 1, 1, number of points; then the points
 uniform uint points, stretches;
 
 void main() {
   ITEM_OR_RETURN(i)
-  uint place = 0u, end = min((i + 1u) * uint(STRETCH), points);
+  uint place = FETCH1(contact_counts, stretches), end = min((i + 1u) * uint(STRETCH), points);
   for (uint k = 0u; k < i; ++k) place += FETCH1(contact_counts, k);
   if (FETCH1(contact_counts, i) != 0u)
     for (uint k = i * uint(STRETCH); k < end; ++k)

@@ -1,7 +1,8 @@
-// Contact points: fixed material points of the surface (sim/contact/contact_surface.h).
-INPUT_UVEC4(ContactVertices, contact_vertices)  // [points] xyz the vertices, the first one free
-INPUT_VEC4(ContactWeights, contact_weights)     // [points] xyz their weights, w the penalty at level 0 [N/m]
+// Contact points: fixed material points of the surface (sim/contact/contact_surface.h), and after them the pairs of
+// places of the tissue that may touch (sim/contact/pair_row.h).
+INPUT_UVEC4(ContactVertices, contact_vertices)  // [points + pairs] the vertices, the first one free
+INPUT_VEC4(ContactWeights, contact_weights)     // [points + pairs] their weights
 
-// Of an array of vectors at the vertices, at point i.
+// Of an array of vectors at the vertices: at a point, or between the two sides of a pair.
 #define AT_POINT(vectors, vertices, weights) \
-  (weights.x * FETCH(vectors, vertices.x).xyz + weights.y * FETCH(vectors, vertices.y).xyz + weights.z * FETCH(vectors, vertices.z).xyz)
+  (weights.x * FETCH(vectors, vertices.x).xyz + weights.y * FETCH(vectors, vertices.y).xyz + weights.z * FETCH(vectors, vertices.z).xyz + weights.w * FETCH(vectors, vertices.w).xyz)

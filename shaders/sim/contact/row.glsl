@@ -44,11 +44,12 @@ void add_outer(inout Sym3 sum, float weight, vec3 v) {
   sum.s += weight * v.yxx * v.zzy;
 }
 
-void add_stiffness(inout Sym3 sum, Row r, uint row) {
+// `n0`: the normal that friction is across.
+void add_stiffness(inout Sym3 sum, Row r, vec3 n0) {
   if (r.pressing > 0.0) add_outer(sum, r.penalty, r.normal);
   if (r.bound <= 0.0) return;
   float q = length(r.across), share = STICKING * (q <= r.bound ? 1.0 : r.bound / q);
   sum.d += r.penalty * share;
-  add_outer(sum, -r.penalty * share, FETCH(contact_normal, row).xyz);
+  add_outer(sum, -r.penalty * share, n0);
   if (q > r.bound) add_outer(sum, -r.penalty * share / (q * q), r.across);
 }

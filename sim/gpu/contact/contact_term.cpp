@@ -16,7 +16,8 @@ using Eigen::Vector3d;
 using shared::vec4;
 
 constexpr std::uint32_t kLoadLanes = 64;
-constexpr std::uint32_t kCorners = 3;
+// A bound for the loops of kernels. More pairs would need as many faces that press on one vertex.
+constexpr std::uint32_t kMostPairsOfVertex = 1024;
 // Of the size of the tissue: points closer to a tool may touch it in a step in which they were expected to rest.
 constexpr double kMargin = 0.02;
 constexpr std::uint32_t kStretch = 256;  // of points that one invocation lists
@@ -66,74 +67,106 @@ double way_of(const ToolShape& shape, const RigidPose& from, const RigidPose& to
   return turn > 0 ? way + turn * radius : way;  // a plane that turns reaches everywhere
 }
 
+// The weights as the GPU has them: their sum is 0 there, too, so that forces stay equal and opposite.
+vec4 weights_of(const PairRow& pair) {
+  std::array<float, 4> w;
+  for (std::size_t k = 0; k < 4; ++k) w[k] = static_cast<float>(pair.weights[k]);
+  std::size_t least = 0;
+  for (std::size_t k = 1; k < 4; ++k)
+    if (std::abs(w[k]) < std::abs(w[least])) least = k;
+  w[least] = 0;
+  w[least] = -(w[0] + w[1] + w[2] + w[3]);
+  return {w[0], w[1], w[2], w[3]};
+}
+
 }  // namespace
 
 ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
-    : tools_(model.tools), surface_(make_contact_surface(model)), half_thickness_(0.5 * model.contact.thickness) {
+    : tools_(model.tools),
+      surface_(make_contact_surface(model)),
+      pairs_(model),
+      friction_(model.contact.friction),
+      half_thickness_(0.5 * model.contact.thickness) {
   if (surface_.pieces.size() > kMostPieces)
     throw Error("contact", "has " + std::to_string(surface_.pieces.size()) + " rigid pieces",
                 "expected at most " + std::to_string(kMostPieces) + ": ground, obstacles, instruments, jaws as two");
   if (!acts()) return;
   margin_ = kMargin * buffers.size;
-  std::vector<Tet> vertices;
-  std::vector<vec4> rest;
-  std::vector<std::vector<std::uint32_t>> entries(buffers.vertex_count);
+  place_ = buffers.placement.place;
+  const std::size_t all = point_count() + pairs_.slot_count(), rows = std::max(surface_.row_count, 1u);
+  std::vector<Tet> vertices(all);
+  point_entries_.resize(buffers.vertex_count);
+  std::size_t entries = 0;
   for (std::uint32_t p = 0; p < point_count(); ++p) {
     const ContactPoint& point = surface_.points[p];
-    Vector3d x(0, 0, 0);
-    Tet& placed = vertices.emplace_back(Tet{});
-    for (std::uint32_t k = 0; k < kCorners; ++k) {
-      x += point.weights[k] * model.rest_positions[point.vertices[k]];
-      placed[k] = buffers.placement.place[point.vertices[k]];
-      if (point.weights[k] > 0) entries[placed[k]].push_back(4 * p + k);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      vertices[p][k] = place_[point.vertices[k]];
+      if (point.weights[k] == 0) continue;
+      point_entries_[vertices[p][k]].push_back(4 * p + k);
+      ++entries;
     }
-    rest.push_back(row(x));
-    places_.push_back({placed[0], placed[1], placed[2]});
+    vertices[p][3] = vertices[p][0];
+    places_.push_back(vertices[p]);
   }
-  std::vector<std::uint32_t> begin{0}, all;
-  for (const std::vector<std::uint32_t>& list : entries) {
-    all.insert(all.end(), list.begin(), list.end());
-    begin.push_back(static_cast<std::uint32_t>(all.size()));
+  for (const std::vector<std::uint32_t>& list : point_entries_)
     most_entries_ = std::max(most_entries_, static_cast<std::uint32_t>(list.size()));
-  }
-  const std::vector<vec4> no_rows(surface_.row_count);
-  const std::vector<std::uint32_t> nowhere(begin.begin(), begin.end() - 1);
-  vertices_ = gl::Buffer("contact_vertices", vertices);
-  weights_ = gl::Buffer("contact_weights", sizeof(vec4) * point_count());
-  rest_ = gl::Buffer("contact_rest", rest);
-  begin_ = gl::Buffer("contact_begin", begin);
-  end_ = gl::Buffer("contact_end", nowhere);
-  entries_ = gl::Buffer("contact_entries", all);
-  pieces_ = gl::Buffer("contact_pieces", sizeof(vec4) * 11 * surface_.pieces.size());
-  near_ = gl::Buffer("contact_near", std::vector<std::uint32_t>(point_count()));
-  counts_ = gl::Buffer("contact_counts", std::vector<std::uint32_t>(point_count() / kStretch + 1));
-  std::vector<std::uint32_t> none(4 + point_count());
+  if (!pairs_.empty()) most_entries_ += kMostPairsOfVertex;
+  std::vector<std::uint32_t> near(all, 1), none(4 + all);
+  std::fill_n(near.begin(), point_count(), 0u);
   none[1] = none[2] = 1;
+  vertices_ = gl::Buffer("contact_vertices", vertices);
+  weights_ = gl::Buffer("contact_weights", std::vector<vec4>(all));
+  rest_ = gl::Buffer("contact_rest", std::vector<vec4>(std::max(point_count(), 1u)));
+  begin_ = gl::Buffer("contact_begin", std::vector<std::uint32_t>(buffers.vertex_count + std::size_t{1}));
+  end_ = gl::Buffer("contact_end", std::vector<std::uint32_t>(buffers.vertex_count));
+  entries_ = gl::Buffer("contact_entries", std::vector<std::uint32_t>(entries + 4 * pairs_.slot_count()));
+  pieces_ = gl::Buffer("contact_pieces", sizeof(vec4) * 11 * std::max<std::size_t>(surface_.pieces.size(), 1));
+  near_ = gl::Buffer("contact_near", near);
+  counts_ = gl::Buffer("contact_counts", std::vector<std::uint32_t>(stretches() + 1));
   list_ = gl::Buffer("contact_list", none);
-  rows_ = gl::Buffer("contact_row", no_rows);
-  normals_ = gl::Buffer("contact_normal", no_rows);
-  forces_ = gl::Buffer("contact_force", std::vector<vec4>(point_count()));
-  blocks_ = gl::Buffer("contact_block", std::vector<vec4>(2 * point_count()));
+  rows_ = gl::Buffer("contact_row", std::vector<vec4>(rows));
+  normals_ = gl::Buffer("contact_normal", std::vector<vec4>(rows));
+  forces_ = gl::Buffer("contact_force", std::vector<vec4>(all));
+  blocks_ = gl::Buffer("contact_block", std::vector<vec4>(2 * all));
   loads_ = gl::Buffer("contact_loads", std::vector<vec4>(2 * kLoadLanes * surface_.pieces.size()));
-  buffers.contact_memory = gl::Buffer("contact_memory", no_rows);
-  buffers.contact_before = gl::Buffer("contact_before", no_rows);
-  materials_changed(model);
-  begin_stage(motion_on_paths(tools_, 0, 0));
+  if (!pairs_.empty()) constants_ = gl::Buffer("contact_pairs", std::vector<vec4>(3 * pairs_.slot_count()));
+  const std::vector<vec4> no_forces(surface_.row_count + pairs_.slot_count());
+  buffers.contact_memory = gl::Buffer("contact_memory", no_forces);
+  buffers.contact_before = gl::Buffer("contact_before", no_forces);
+  upload_entries();
+  upload_points(model);
+  place_pieces(motion_on_paths(tools_, 0, 0));
+}
+
+std::uint32_t ContactTerm::stretches() const { return std::max(1u, (point_count() + kStretch - 1) / kStretch); }
+
+void ContactTerm::upload_points(const Model& model) {
+  const std::vector<double> stiffness = contact_stiffness(model, surface_);
+  std::vector<vec4> weights, rest;
+  for (std::size_t p = 0; p < surface_.points.size(); ++p) {
+    const ContactPoint& point = surface_.points[p];
+    Vector3d x(0, 0, 0);
+    for (std::size_t k = 0; k < 3; ++k) x += point.weights[k] * model.rest_positions[point.vertices[k]];
+    weights.push_back(row({point.weights[0], point.weights[1], point.weights[2]}));
+    rest.push_back(row(x, stiffness[p]));
+  }
+  weights_.upload(0, weights.size() * sizeof(vec4), weights.data());
+  rest_.upload(0, rest.size() * sizeof(vec4), rest.data());
 }
 
 void ContactTerm::materials_changed(const Model& model) {
   if (!acts()) return;
-  const std::vector<double> stiffness = contact_stiffness(model, surface_);
-  std::vector<vec4> weights;
-  for (std::size_t p = 0; p < surface_.points.size(); ++p) {
-    const auto& w = surface_.points[p].weights;
-    weights.push_back(row({w[0], w[1], w[2]}, stiffness[p]));
-  }
-  weights_.upload(0, weights.size() * sizeof(vec4), weights.data());
+  friction_ = model.contact.friction;
+  pairs_.materials_changed(model);
+  upload_points(model);
 }
 
-void ContactTerm::begin_stage(const ToolMotion& motion) {
-  if (!acts()) return;
+void ContactTerm::begin_stage(const ToolMotion& motion, double duration, SimBuffers& buffers) {
+  if (!surface_.empty()) place_pieces(motion);
+  if (!pairs_.empty()) place_pairs(duration, buffers);
+}
+
+void ContactTerm::place_pieces(const ToolMotion& motion) {
   std::vector<vec4> rows;
   for (const ContactPiece& piece : surface_.pieces) {
     const Tool& tool = tools_[piece.tool];
@@ -151,6 +184,62 @@ void ContactTerm::begin_stage(const ToolMotion& motion) {
   if (std::equal(rows.begin(), rows.end(), uploaded_.begin(), uploaded_.end(), same)) return;
   pieces_.upload(0, rows.size() * sizeof(vec4), rows.data());
   uploaded_ = std::move(rows);
+}
+
+void ContactTerm::place_pairs(double duration, SimBuffers& buffers) {
+  const std::vector<Vector3d> start = buffers.download_vectors(buffers.displacement),
+                              velocity = buffers.download_vectors(buffers.velocity);
+  std::vector<Vector3d> end = start;
+  for (std::size_t v = 0; v < end.size(); ++v) end[v] += duration * velocity[v];
+  const bool had_pairs = !rows_of_pairs_.empty();
+  rows_of_pairs_ = pairs_.find(start, end);
+
+  // Slots without a pair forget their force.
+  const std::size_t offset = sizeof(vec4) * surface_.row_count;
+  std::vector<vec4> before(pairs_.slot_count()), kept(pairs_.slot_count());
+  buffers.contact_memory.download(offset, before.size() * sizeof(vec4), before.data());
+  for (const PairRow& pair : rows_of_pairs_) kept[pair.slot] = before[pair.slot];
+  buffers.contact_memory.upload(offset, kept.size() * sizeof(vec4), kept.data());
+  buffers.contact_before.upload(offset, kept.size() * sizeof(vec4), kept.data());
+
+  const auto count = static_cast<std::uint32_t>(rows_of_pairs_.size());
+  counts_.upload(sizeof count * stretches(), sizeof count, &count);
+  if (count == 0 && !had_pairs) return;
+  std::vector<Tet> vertices;
+  std::vector<vec4> weights, constants;
+  std::vector<std::uint32_t> listed;
+  places_.resize(point_count());
+  for (const PairRow& pair : rows_of_pairs_) {
+    Tet& placed = vertices.emplace_back();
+    for (std::size_t k = 0; k < 4; ++k) placed[k] = place_[pair.vertices[k]];
+    places_.push_back(placed);
+    weights.push_back(weights_of(pair));
+    constants.push_back(row(pair.normal, pair.gap));
+    constants.push_back(row(pair.start, pair.stiffness));
+    constants.push_back(row({friction_, static_cast<double>(surface_.row_count + pair.slot), 0}));
+    listed.push_back(point_count() + static_cast<std::uint32_t>(listed.size()));
+  }
+  vertices_.upload(sizeof(Tet) * point_count(), vertices.size() * sizeof(Tet), vertices.data());
+  weights_.upload(sizeof(vec4) * point_count(), weights.size() * sizeof(vec4), weights.data());
+  constants_.upload(0, constants.size() * sizeof(vec4), constants.data());
+  list_.upload(4 * sizeof(std::uint32_t), listed.size() * sizeof(std::uint32_t), listed.data());
+  upload_entries();
+}
+
+void ContactTerm::upload_entries() {
+  std::vector<std::vector<std::uint32_t>> of_pairs(rows_of_pairs_.empty() ? 0 : point_entries_.size());
+  for (std::uint32_t k = 0; k < rows_of_pairs_.size(); ++k)
+    for (std::uint32_t corner = 0; corner < 4; ++corner)
+      if (rows_of_pairs_[k].weights[corner] != 0)
+        of_pairs[places_[point_count() + k][corner]].push_back(4 * (point_count() + k) + corner);
+  std::vector<std::uint32_t> begin{0}, entries;
+  for (std::size_t v = 0; v < point_entries_.size(); ++v) {
+    entries.insert(entries.end(), point_entries_[v].begin(), point_entries_[v].end());
+    if (!of_pairs.empty()) entries.insert(entries.end(), of_pairs[v].begin(), of_pairs[v].end());
+    begin.push_back(static_cast<std::uint32_t>(entries.size()));
+  }
+  begin_.upload(0, begin.size() * sizeof(std::uint32_t), begin.data());
+  entries_.upload(0, entries.size() * sizeof(std::uint32_t), entries.data());
 }
 
 std::optional<std::string> ContactTerm::define(TermUse use) const {
@@ -176,6 +265,7 @@ gl::Defines ContactTerm::defines() const {
   gl::Defines defines;
   for (const auto& [kind, name] : {std::pair{0, "CAPSULES"}, {1, "BOXES"}, {2, "PLANES"}, {3, "CYLINDERS"}})
     defines.emplace_back(name, kinds.contains(kind) ? "1" : "0");
+  defines.emplace_back("PAIRS", pairs_.empty() ? "0" : "1");
   return defines;
 }
 
@@ -200,11 +290,16 @@ gl::ComputePass ContactTerm::over_near(gl::ProgramCache& programs, const char* k
                            {"contact_normal", &normals_},
                            {"contact_near", &near_},
                            {"deferred_items", &list_}});
+  gl::ComputePass::Constants constants{{"deferred_list", 0}, {"deferred_begin", 4}};
+  if (!pairs_.empty()) {
+    more.emplace_back("contact_pairs", &constants_);
+    constants.emplace_back("points", point_count());
+  }
   gl::Defines listed = defines();
   listed.emplace_back("DEFERRED", "1");
   listed.emplace_back("STICKING", std::to_string(kStickingPenalty));
-  gl::ComputePass pass(programs.compute(kernel, listed), std::move(more), point_count(),
-                       {{"deferred_list", 0}, {"deferred_begin", 4}});
+  gl::ComputePass pass(programs.compute(kernel, listed), std::move(more), point_count() + pairs_.slot_count(),
+                       std::move(constants));
   pass.loops(static_cast<std::uint32_t>(surface_.pieces.size()) + 1);
   pass.set_indirect(list_, 0);
   return pass;
@@ -212,7 +307,8 @@ gl::ComputePass ContactTerm::over_near(gl::ProgramCache& programs, const char* k
 
 EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffers& buffers) const {
   Passes passes;
-  passes.push_back(over_points(programs, "sim/contact/contact_start.comp",
+  if (!surface_.empty())
+    passes.push_back(over_points(programs, "sim/contact/contact_start.comp",
                                {{"start_displacement", &buffers.start_of_stage()},
                                 {"displacement", &buffers.displacement},
                                 {"contact_memory", &buffers.contact_memory},
@@ -222,19 +318,19 @@ EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffe
                                 {"contact_normal_now", &normals_},
                                 {"contact_force", &forces_},
                                 {"contact_block", &blocks_}}));
-  const std::uint32_t stretches = (point_count() + kStretch - 1) / kStretch;
   const gl::Defines stretched{{"STRETCH", std::to_string(kStretch)}};
-  passes
-      .emplace_back(programs.compute("sim/contact/contact_count.comp", stretched),
-                    gl::ComputePass::Bindings{{"contact_near", &near_}, {"contact_counts", &counts_}}, stretches,
-                    gl::ComputePass::Constants{{"points", point_count()}})
-      .loops(kStretch + 1);
+  if (!surface_.empty())
+    passes
+        .emplace_back(programs.compute("sim/contact/contact_count.comp", stretched),
+                      gl::ComputePass::Bindings{{"contact_near", &near_}, {"contact_counts", &counts_}}, stretches(),
+                      gl::ComputePass::Constants{{"points", point_count()}})
+        .loops(kStretch + 1);
   passes
       .emplace_back(
           programs.compute("sim/contact/contact_list.comp", stretched),
           gl::ComputePass::Bindings{{"contact_near", &near_}, {"contact_counts", &counts_}, {"contact_list", &list_}},
-          stretches, gl::ComputePass::Constants{{"points", point_count()}, {"stretches", stretches}})
-      .loops(stretches + kStretch + 1);
+          stretches(), gl::ComputePass::Constants{{"points", point_count()}, {"stretches", stretches()}})
+      .loops(stretches() + kStretch + 1);
   passes
       .emplace_back(programs.compute("sim/contact/contact_touched.comp"),
                     gl::ComputePass::Bindings{{"contact_begin", &begin_},
@@ -264,12 +360,13 @@ EnergyTerm::Passes ContactTerm::finish(gl::ProgramCache& programs, const SimBuff
 }
 
 std::uint32_t ContactTerm::curvature_partials(const gl::ProgramCache& programs) const {
-  return Reduction(programs, point_count()).partials;
+  return Reduction(programs, point_count() + pairs_.slot_count()).partials;
 }
 
 EnergyTerm::Passes ContactTerm::curvature(gl::ProgramCache& programs, const SimBuffers& buffers,
                                           const TermCurvature& at) const {
-  const Reduction sum(programs, point_count());
+  const std::uint32_t most = point_count() + pairs_.slot_count();
+  const Reduction sum(programs, most);
   gl::ComputePass::Bindings bindings{{"step", &buffers.step},
                                      {"contact_vertices", &vertices_},
                                      {"contact_weights", &weights_},
@@ -283,7 +380,7 @@ EnergyTerm::Passes ContactTerm::curvature(gl::ProgramCache& programs, const SimB
       .emplace_back(
           programs.compute("sim/contact/contact_curvature.comp", {{"SPLIT", at.coarse_direction ? "1" : "0"}}),
           std::move(bindings), sum.lanes, gl::ComputePass::Constants{{"first_partial", at.first_partial}})
-      .loops(point_count() / sum.lanes + 2);
+      .loops(most / sum.lanes + 2);
   return passes;
 }
 
@@ -299,6 +396,7 @@ EnergyTerm::Passes ContactTerm::impulses(gl::ProgramCache& programs, const SimBu
                                                 {"slot_begin", &buffers.slot_begin},
                                                 {"correction", &buffers.correction}},
                       buffers.vertex_count);
+  if (surface_.empty()) return passes;
   gl::Defines defines_of_load = defines();
   defines_of_load.emplace_back("LOAD_LANES", std::to_string(kLoadLanes));
   passes.emplace_back(programs.compute("sim/contact/contact_load.comp", defines_of_load),
@@ -315,21 +413,38 @@ EnergyTerm::Passes ContactTerm::impulses(gl::ProgramCache& programs, const SimBu
 
 std::vector<PointStiffness> ContactTerm::stiffness_at_points() const {
   std::vector<PointStiffness> result;
+  const std::size_t most = places_.size();
   std::uint32_t count = 0;
   list_.download(3 * sizeof count, sizeof count, &count);
-  if (count == 0 || count > point_count()) return result;
+  if (count == 0 || count > most) return result;
   std::vector<std::uint32_t> points(count);
   list_.download(4 * sizeof count, count * sizeof count, points.data());
-  const std::vector<vec4> blocks = blocks_.read<vec4>();
+  std::vector<vec4> blocks(2 * most);
+  blocks_.download(0, blocks.size() * sizeof(vec4), blocks.data());
   for (const std::uint32_t p : points) {
-    if (p >= point_count()) return {};  // a device that fails
+    if (p >= most) return {};  // a device that fails
     const vec4 &d = blocks[2 * p], &s = blocks[2 * p + 1];
     if (!(d.x + d.y + d.z > 0)) continue;
     Eigen::Matrix3d stiffness;
     stiffness << d.x, s.z, s.y, s.z, d.y, s.x, s.y, s.x, d.z;
-    result.push_back({places_[p], surface_.points[p].weights, stiffness});
+    std::array<double, 4> weights{};
+    if (p >= point_count())
+      weights = rows_of_pairs_[p - point_count()].weights;
+    else
+      std::copy_n(surface_.points[p].weights.begin(), 3, weights.begin());
+    result.push_back({places_[p], weights, stiffness});
   }
   return result;
+}
+
+std::vector<PairLoad> ContactTerm::sum_of(const std::vector<PairRow>& pairs, const std::vector<vec4>& forces) {
+  std::vector<PairLoad> loads;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const vec4& force = forces[k];
+    const Vector3d f(force.x, force.y, force.z);
+    if (force.w >= 0 || !f.isZero(0)) add_load(loads, pairs[k], f, force.w >= 0, force.w);
+  }
+  return loads;
 }
 
 std::vector<ToolLoad> ContactTerm::sum_of(const std::vector<vec4>& loads) const {

@@ -1,12 +1,15 @@
-// Contact with tools on the GPU: the energy of sim/contact/contact_energy.h as one more term of the step's objective.
-// Points near no piece cost one pass at the start of a stage; forces, energies and curvatures are computed over the
-// list of the others, whose length the GPU knows alone.
+// Contact on the GPU: the energy of sim/contact/contact_energy.h as one more term of the step's objective. Points near
+// no piece of a tool cost one pass at the start of a stage; forces, energies and curvatures are computed over the list
+// of the others, whose length the GPU knows alone. Pairs of the tissue with itself are found by the CPU, which reads the
+// state at the start of a stage for that, and are at the head of the same list.
 #pragma once
 #include <cstdint>
 #include <vector>
 
 #include "sim/coarse/coarse_contact.h"
 #include "sim/contact/contact_surface.h"
+#include "sim/contact/pair_energy.h"
+#include "sim/contact/pair_search.h"
 #include "sim/contact/tool_load.h"
 #include "sim/gpu/passes/energy_term.h"
 #include "sim/tool/tool_motion.h"
@@ -22,11 +25,11 @@ class ContactTerm : public EnergyTerm {
   ContactTerm(const Model& model, SimBuffers& buffers);
 
   void materials_changed(const Model& model);
-  /// The poses of a stage.
-  void begin_stage(const ToolMotion& motion);
+  /// The poses of a stage of `duration` [s], and the pairs of the tissue. Waits for the GPU where tissue touches tissue.
+  void begin_stage(const ToolMotion& motion, double duration, SimBuffers& buffers);
 
   std::string name() const override { return "contact"; }
-  bool acts() const override { return !surface_.empty(); }
+  bool acts() const override { return !surface_.empty() || !pairs_.empty(); }
   bool has_blocks() const override { return true; }
   std::optional<std::string> define(TermUse use) const override;
   void bind(TermUse use, gl::ComputePass::Bindings& bindings) const override;
@@ -44,23 +47,38 @@ class ContactTerm : public EnergyTerm {
   std::vector<PointStiffness> stiffness_at_points() const;
 
   const gl::Buffer& loads() const { return loads_; }  // filled by the passes of impulses()
+  /// The pairs of the last stage, and where their forces are, behind those of the points: vec4 [pairs].
+  const std::vector<PairRow>& pairs() const { return rows_of_pairs_; }
+  const gl::Buffer& forces() const { return forces_; }
+  std::size_t forces_of_pairs() const { return sizeof(shared::vec4) * point_count(); }
+  static std::vector<PairLoad> sum_of(const std::vector<PairRow>& pairs, const std::vector<shared::vec4>& forces);
   /// From the content of loads(): [tool].
   std::vector<ToolLoad> sum_of(const std::vector<shared::vec4>& loads) const;
 
  private:
-  gl::Defines defines() const;  // of the shapes that there are
+  gl::Defines defines() const;  // of the shapes that there are, and whether there are pairs
+  void upload_points(const Model& model);
+  void place_pieces(const ToolMotion& motion);
+  void place_pairs(double duration, SimBuffers& buffers);
+  void upload_entries();
   gl::ComputePass over_points(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
   gl::ComputePass over_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
   std::uint32_t point_count() const { return static_cast<std::uint32_t>(surface_.points.size()); }
+  std::uint32_t stretches() const;  // of points, each of which one invocation lists; one at least
 
   std::vector<Tool> tools_;
   ContactSurface surface_;
+  PairSearch pairs_;
+  std::vector<PairRow> rows_of_pairs_;
+  double friction_ = 0;                                     // between tissue and tissue
+  std::vector<std::vector<std::uint32_t>> point_entries_;   // [vertex] 4 * point + corner
+  std::vector<std::uint32_t> place_;                        // [vertex of the model] in the buffers
   double half_thickness_ = 0, margin_ = 0;            // [m]; margin: added to the reach of every piece
   std::uint32_t most_entries_ = 0;                    // of a vertex
-  std::vector<std::array<std::uint32_t, 3>> places_;  // of the points' vertices
+  std::vector<std::array<std::uint32_t, 4>> places_;  // of the vertices of points and pairs
   gl::Buffer vertices_, weights_, rest_;              // of the points
   gl::Buffer begin_, end_, entries_;                  // the points of every vertex
-  gl::Buffer pieces_, near_, counts_, list_;
+  gl::Buffer pieces_, near_, counts_, list_, constants_;
   gl::Buffer rows_, normals_, forces_, blocks_, loads_;
   std::vector<shared::vec4> uploaded_;  // of pieces_
 };

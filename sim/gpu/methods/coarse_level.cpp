@@ -70,7 +70,7 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
   inverse_rows_ = gl::Buffer("coarse_inverse", sizeof(Tet) * row_octets_ * 3 * n);
   scale_ = gl::Buffer("coarse_scale", sizeof(vec4) * n);
   correction_ = gl::Buffer("coarse_correction", sizeof(vec4) * n);
-  if (!model.tools.empty()) {
+  if (model.has_contact()) {
     constexpr std::size_t kMost = CoarseContact::kMostNodes;
     touched_ = gl::Buffer("coarse_touched", std::vector<std::uint32_t>(1 + kMost));
     contact_matrix_ = gl::Buffer("coarse_contact", sizeof(vec4) * 3 * kMost * kMost);

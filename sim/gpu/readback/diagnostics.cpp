@@ -75,7 +75,8 @@ void DiagnosticsReader::request(const GrabSprings& grab, const ContactTerm& cont
   const std::size_t grab_bytes = grab.count() * sizeof(shared::vec4);
   const std::size_t probe_bytes = probe_ ? sizeof(shared::vec4) : 0;
   const std::size_t bytes = tet_partials_.bytes() + vertex_partials_.bytes() + grab_bytes + probe_bytes +
-                            (stop_state ? stop_state->bytes() : 0) + contact.loads().bytes();
+                            (stop_state ? stop_state->bytes() : 0) + contact.loads().bytes() +
+                            contact.pairs().size() * sizeof(shared::vec4);
   if (p.staging.bytes() != bytes) p.staging = gl::Buffer::staging("diagnostics_staging", bytes);
   gl::BindBuffer(GL_COPY_WRITE_BUFFER, p.staging.id());
   std::size_t offset = 0;
@@ -91,7 +92,10 @@ void DiagnosticsReader::request(const GrabSprings& grab, const ContactTerm& cont
   if (grab_bytes) copy(grab.multiplier());
   if (probe_) copy_part(displacement_, *probe_ * probe_bytes, probe_bytes);
   if (stop_state) copy(*stop_state);
-  if (contact.acts()) copy(contact.loads());
+  if (contact.loads()) copy(contact.loads());
+  p.pairs = contact.pairs();
+  if (!p.pairs.empty())
+    copy_part(contact.forces(), contact.forces_of_pairs(), p.pairs.size() * sizeof(shared::vec4));
   p.owners = grab.owners();
   p.has_probe = probe_.has_value();
   p.substep = substep;
@@ -137,10 +141,13 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
     d.iterations = static_cast<int>(iterations);
   }
   if (pending.contact) {
-    std::vector<shared::vec4> loads(pending.contact->loads().bytes() / sizeof(shared::vec4));
-    const std::size_t bytes = loads.size() * sizeof(shared::vec4);
-    pending.staging.download(pending.staging.bytes() - bytes, bytes, loads.data());
+    std::vector<shared::vec4> loads(pending.contact->loads().bytes() / sizeof(shared::vec4)),
+        pairs(pending.pairs.size());
+    const std::size_t behind = pairs.size() * sizeof(shared::vec4), bytes = loads.size() * sizeof(shared::vec4);
+    pending.staging.download(pending.staging.bytes() - behind - bytes, bytes, loads.data());
+    pending.staging.download(pending.staging.bytes() - behind, behind, pairs.data());
     d.tool_loads = pending.contact->sum_of(loads);
+    d.pair_loads = ContactTerm::sum_of(pending.pairs, pairs);
   }
   double inverted = 0, growth = 0, residual = 0, inertia = 0, load = 0, motion = 0, grab = 0, speed2 = 0, strain2 = 0;
   d.min_det_f = leaves_out_ ? 1 : 3.4e38;

@@ -38,6 +38,7 @@ struct Diagnostics {
   std::optional<int> iterations;         // of the last substep, where solver.tolerance ends them
   std::optional<Eigen::Vector3d> probe;  // displacement of the vertex of set_probe [m]
   std::vector<ToolLoad> tool_loads;      // of each tool of the model
+  std::vector<PairLoad> pair_loads;      // of tissue that touches tissue
   bool finite = true;
 };
 
@@ -66,6 +67,7 @@ class DiagnosticsReader {
     double substep = 0, time = 0, mean_mass = 0;
     bool counts_iterations = false, has_probe = false;
     const ContactTerm* contact = nullptr;  // null: nothing is touched
+    std::vector<PairRow> pairs;
   };
   Diagnostics sum_up(const Pending& pending) const;
 

@@ -179,7 +179,7 @@ std::string refusal(Method method, const std::vector<Material>& materials, bool 
     if (!carries(method, material.model))
       return std::string("Needs a material of the model St. Venant-Kirchhoff, and this scene has ") +
              law_of(material.model).label + ".";
-  if (contact && !info_of(method).carries_contact) return "Needs a scene without ground, obstacles and instruments.";
+  if (contact && !info_of(method).carries_contact) return "Needs a scene without contact.";
   return quadratic && !info_of(method).carries_quadratic ? "Needs linear elements, and this scene has quadratic ones."
                                                          : "";
 }

@@ -161,18 +161,15 @@ Ground read_ground(const Node& node) {
   return ground;
 }
 
-ContactSettings read_contact(const Node& node, std::size_t bodies) {
+ContactSettings read_contact(const Node& node) {
   node.expect_object({"friction", "self", "bodies", "thickness", "stiffness"});
   ContactSettings contact;
   node.read("friction", contact.friction, 0, kMostFriction, "");
   node.read("thickness", contact.thickness, 0, kFarthest, "m");
   node.read("stiffness", contact.stiffness, 1e-3, 1e3, "");
-  const auto refuse = [&](const char* key, bool matters) {
-    if (const auto wanted = node.find(key); wanted && wanted->boolean() && matters)
-      wanted->fail("is true, and bodies touch only ground, obstacles and instruments", "false");
-  };
-  refuse("self", true);
-  refuse("bodies", bodies > 1);  // a body alone has no other to touch
+  contact.bodies = true;
+  if (const auto bodies = node.find("bodies")) contact.bodies = bodies->boolean();
+  if (const auto self = node.find("self")) contact.self = self->boolean();
   return contact;
 }
 
@@ -180,8 +177,7 @@ ContactSettings read_contact(const Node& node, std::size_t bodies) {
 
 SceneTools read_tools(const Node& root) {
   SceneTools tools;
-  const std::size_t bodies = root.at("bodies", "a list of bodies").elements("a list of bodies").size();
-  if (const auto contact = root.find("contact")) tools.contact = read_contact(*contact, bodies);
+  if (const auto contact = root.find("contact")) tools.contact = read_contact(*contact);
   std::set<std::string> names;
   const auto claim = [&](const Node& node, const std::string& name) {
     if (name.empty()) node.fail("has an empty name", "a name, which statistics use");

@@ -48,6 +48,8 @@ struct ContactSettings {
   double friction = 0.3;  // Coulomb's coefficient of tools that state none
   double thickness = 0;   // [m] of the tissue's skin: tools touch it at half of that from the surface
   double stiffness = 1;   // factor of the penalty that the solver chooses
+  bool bodies = false;    // whether bodies touch each other
+  bool self = false;      // whether the tissue of a body touches itself
   bool operator==(const ContactSettings&) const = default;
 };
 

@@ -57,6 +57,8 @@ OrderedJson instrument(const Instrument& instrument) {
 void write_tools(const SceneTools& tools, OrderedJson& document) {
   if (!tools.empty() || tools.contact != ContactSettings{})
     document["contact"] = {{"friction", number(tools.contact.friction)},
+                           {"self", tools.contact.self},
+                           {"bodies", tools.contact.bodies},
                            {"thickness", number(tools.contact.thickness)},
                            {"stiffness", number(tools.contact.stiffness)}};
   if (tools.ground) {

@@ -19,12 +19,12 @@ TEST_CASE("pushing back solves the coarse problem with the stiffness of contact"
   constexpr double kStep = 1.0 / 60;
   const MatrixXf matrix = coarse_matrix(model, space, kStep).cast<float>(), inverse = matrix.inverse();
 
-  // The bottom presses, and one point in a face sticks.
+  // The bottom presses, and two edges stick to each other.
   std::vector<PointStiffness> points;
   for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
     if (model.rest_positions[v].y() < 1e-9)
-      points.push_back({{v, v, v}, {1, 0, 0}, 2e4 * Vector3d::UnitY() * Vector3d::UnitY().transpose()});
-  points.push_back({{0, 1, 7}, {0.5, 0.25, 0.25}, 1e3 * Eigen::Matrix3d::Identity()});
+      points.push_back({{v, v, v, v}, {1, 0, 0, 0}, 2e4 * Vector3d::UnitY() * Vector3d::UnitY().transpose()});
+  points.push_back({{0, 1, 7, 8}, {0.5, 0.5, -0.25, -0.75}, 1e3 * Eigen::Matrix3d::Identity()});
   test::Random random(2);
   std::vector<Eigen::Quaternionf> rotations;
   for (std::uint32_t j = 0; j < space.node_count; ++j)
@@ -52,7 +52,7 @@ TEST_CASE("pushing back solves the coarse problem with the stiffness of contact"
   double energy = 0;
   for (const PointStiffness& point : points) {
     Vector3d at(0, 0, 0);
-    for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t a = 0; a < 4; ++a)
       for (std::uint32_t e = space.begin[point.vertices[a]]; e < space.begin[point.vertices[a] + 1]; ++e)
         at += point.weights[a] * space.weight[e] *
               (rotations[space.node[e]] * Eigen::Vector3f(z.segment<3>(3 * space.node[e]))).cast<double>();

@@ -62,7 +62,7 @@ TEST_CASE("forces of contact are the gradient of its energy, and its blocks thei
     const double slope = (energy_at(u + kStep * direction) - energy_at(u - kStep * direction)) / (2 * kStep);
     const VectorXd change = (gradient_at(u + kStep * direction) - gradient_at(u - kStep * direction)) / (2 * kStep);
     VectorXd product = VectorXd::Zero(u.size());
-    for (const ContactEnergy::Block& block : energy.blocks(u, false))
+    for (const ContactBlock& block : energy.blocks(u, false))
       product.segment<3>(3 * block.row_vertex) += block.hessian * direction.segment<3>(3 * block.column_vertex);
     CAPTURE(friction, slope, gradient_at(u).dot(direction), change.norm(), (product - change).norm());
     CHECK(gradient_at(u).norm() > 1);

@@ -62,11 +62,13 @@ TEST_CASE("a scene of another size has its tools at that size") {
         CylinderShape{{0, 0, 0}, {0.05, 0, 0}, 0.0015});
 }
 
-TEST_CASE("bodies that should touch each other are refused, but a body alone has no other") {
-  const std::string top = R"("contact": {"self": false, "bodies": true})";
-  CHECK(SceneFile(scene_text("", top)).open().tools.contact.friction == 0.3);
-  const SceneFile two(R"({"fascia_scene": 1, "bodies": [{"mesh": "m.msh"}, {"mesh": "m.msh"}], )" + top + "}");
-  CHECK(two.open_error().find("s.json: contact.bodies: is true") == 0);
+TEST_CASE("bodies touch each other where a scene speaks of contact, and themselves where it asks for that") {
+  const auto contact = [](const std::string& top) { return SceneFile(scene_text("", top)).open().tools.contact; };
+  CHECK_FALSE(contact("").bodies);
+  CHECK(contact(R"("contact": {})").bodies);
+  CHECK_FALSE(contact(R"("contact": {})").self);
+  CHECK_FALSE(contact(R"("contact": {"bodies": false})").bodies);
+  CHECK(contact(R"("contact": {"self": true})").self);
 }
 
 TEST_CASE("values of tools may be overridden, and instruments added") {
@@ -114,7 +116,7 @@ TEST_CASE("mistakes in tools are errors of one line that say what was expected")
   CHECK(instrument(R"("name": "ground", "shape": {"sphere": {"radius": 1}}}, {"name": "ground",
                      "shape": {"sphere": {"radius": 1}})")
             .find("instruments[1]: is the second one called \"ground\"") != std::string::npos);
-  CHECK(error(R"("contact": {"self": true})").find("s.json: contact.self: is true") == 0);
+  CHECK(error(R"("contact": {"self": 1})").find("s.json: contact.self: is 1; expected") == 0);
 }
 
 }  // namespace

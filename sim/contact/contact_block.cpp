@@ -1,0 +1,27 @@
+#include "sim/contact/contact_block.h"
+
+namespace fascia {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Vector3d within(const Vector3d& q, double bound) {
+  const double length = q.norm();
+  return length > bound ? Vector3d(q * (bound / length)) : q;
+}
+
+double sticking_energy(const Vector3d& q, double bound, double stiffness) {
+  const double length = q.norm();
+  return (length <= bound ? 0.5 * length * length : bound * length - 0.5 * bound * bound) /
+         (kStickingPenalty * stiffness);
+}
+
+Matrix3d sticking_hessian(const Vector3d& q, double bound, double stiffness, const Vector3d& n) {
+  const Matrix3d across = Matrix3d::Identity() - n * n.transpose();
+  const double length = q.norm(), penalty = kStickingPenalty * stiffness;
+  if (length <= bound) return penalty * across;
+  const Vector3d along = q / length;
+  return penalty * (bound / length) * (across - along * along.transpose());
+}
+
+}  // namespace fascia

@@ -1,0 +1,25 @@
+// A part of the Hessian of contact, and what friction does within a step: for tools and tissue alike.
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace fascia {
+
+/// The penalty on sliding, as a factor of that on depth. Anchors hold with any: a stiff one makes the bound of friction
+/// a sharp kink, at which iterations take back one step after another (22 % error after ten, instead of 0.9 %).
+inline constexpr double kStickingPenalty = 1.0 / 30;
+
+struct ContactBlock {
+  std::uint32_t row_vertex, column_vertex;
+  Eigen::Matrix3d hessian;  // [N/m]
+  double reach;             // [m] largest coordinate that the force is computed from
+};
+
+/// q, or as much of it as friction bears [N].
+Eigen::Vector3d within(const Eigen::Vector3d& q, double bound);
+/// Energy [J] of q within the bound b: |q| <= b: |q|^2 / (2 c), else (b |q| - b^2 / 2) / c, with c = kStickingPenalty k.
+double sticking_energy(const Eigen::Vector3d& q, double bound, double stiffness);
+/// Its second derivatives by the way across the normal `n` [N/m].
+Eigen::Matrix3d sticking_hessian(const Eigen::Vector3d& q, double bound, double stiffness, const Eigen::Vector3d& n);
+
+}  // namespace fascia

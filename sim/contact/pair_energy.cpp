@@ -1,0 +1,110 @@
+#include "sim/contact/pair_energy.h"
+
+#include <algorithm>
+
+namespace fascia {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+PairEnergy::PairEnergy(const Model& model, std::vector<PairRow> rows, const ContactMemory& memory,
+                       std::uint32_t first_slot)
+    : model_(model), friction_(model.contact.friction), first_slot_(first_slot), rows_(std::move(rows)) {
+  before_.resize(rows_.size());
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const std::size_t slot = first_slot_ + rows_[i].slot;
+    if (slot >= memory.size()) continue;
+    before_[i] = memory[slot];
+    before_[i].friction -= before_[i].friction.dot(rows_[i].normal) * rows_[i].normal;
+  }
+}
+
+PairEnergy::Contact PairEnergy::contact_of(std::size_t i, const VectorXd& u) const {
+  const PairRow& row = rows_[i];
+  Vector3d way = -row.start;
+  for (std::size_t k = 0; k < 4; ++k)
+    way += row.weights[k] * u.segment<3>(3 * static_cast<Eigen::Index>(row.vertices[k]));
+  Contact contact;
+  contact.depth = -row.gap - way.dot(row.normal);
+  contact.pressing = std::max(0.0, before_[i].normal + row.stiffness * contact.depth);
+  contact.tangential =
+      before_[i].friction - kStickingPenalty * row.stiffness * (way - way.dot(row.normal) * row.normal);
+  return contact;
+}
+
+Vector3d PairEnergy::force_of(std::size_t i, const Contact& contact) const {
+  return contact.pressing * rows_[i].normal + within(contact.tangential, friction_ * before_[i].normal);
+}
+
+double PairEnergy::evaluate(const VectorXd& u, VectorXd& gradient) const {
+  double energy = 0;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Contact contact = contact_of(i, u);
+    const double before = before_[i].normal, bound = friction_ * before;
+    if (contact.pressing == 0 && before == 0) continue;
+    energy += 0.5 * (contact.pressing - before) * (contact.pressing + before) / rows_[i].stiffness;
+    if (bound > 0) energy += sticking_energy(contact.tangential, bound, rows_[i].stiffness);
+    const Vector3d force = force_of(i, contact);
+    for (std::size_t k = 0; k < 4; ++k)
+      gradient.segment<3>(3 * static_cast<Eigen::Index>(rows_[i].vertices[k])) -= rows_[i].weights[k] * force;
+  }
+  return energy;
+}
+
+std::vector<ContactBlock> PairEnergy::blocks(const VectorXd& u) const {
+  std::vector<ContactBlock> blocks;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const PairRow& row = rows_[i];
+    const Contact contact = contact_of(i, u);
+    const double before = before_[i].normal, bound = friction_ * before;
+    const bool touches = before + row.stiffness * contact.depth >= 0;
+    if (!touches && bound == 0) continue;
+    Matrix3d hessian = Matrix3d::Zero();
+    if (touches) hessian += row.stiffness * row.normal * row.normal.transpose();
+    if (bound > 0) hessian += sticking_hessian(contact.tangential, bound, row.stiffness, row.normal);
+    double reach = 0;
+    for (const std::uint32_t v : row.vertices)
+      reach = std::max(reach, (model_.rest_positions[v] + u.segment<3>(3 * static_cast<Eigen::Index>(v)))
+                                  .cwiseAbs()
+                                  .maxCoeff());
+    for (std::size_t a = 0; a < 4; ++a)
+      for (std::size_t b = 0; b < 4; ++b)
+        if (const double weight = row.weights[a] * row.weights[b]; weight != 0)
+          blocks.push_back({row.vertices[a], row.vertices[b], weight * hessian, reach});
+  }
+  return blocks;
+}
+
+void PairEnergy::remember(const VectorXd& u, ContactMemory& memory) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Contact contact = contact_of(i, u);
+    ContactForce& force = memory[first_slot_ + rows_[i].slot];
+    force.normal = contact.pressing;
+    force.friction = within(contact.tangential, friction_ * contact.pressing);
+  }
+}
+
+std::vector<PairLoad> PairEnergy::loads(const VectorXd& u) const {
+  std::vector<PairLoad> loads;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Contact contact = contact_of(i, u);
+    if (contact.pressing > 0 || before_[i].normal > 0)
+      add_load(loads, rows_[i], force_of(i, contact), contact.pressing > 0, contact.depth);
+  }
+  return loads;
+}
+
+void add_load(std::vector<PairLoad>& loads, const PairRow& row, const Vector3d& force, bool presses, double depth) {
+  const bool ascends = row.bodies[0] <= row.bodies[1];
+  const std::array<std::uint32_t, 2> bodies{row.bodies[ascends ? 0 : 1], row.bodies[ascends ? 1 : 0]};
+  const auto place = std::lower_bound(loads.begin(), loads.end(), bodies,
+                                      [](const PairLoad& load, const auto& wanted) { return load.bodies < wanted; });
+  PairLoad& load = place != loads.end() && place->bodies == bodies ? *place : *loads.insert(place, PairLoad{bodies});
+  if (bodies[0] != bodies[1]) load.force += ascends ? -force : force;
+  if (!presses) return;
+  ++load.pairs;
+  load.deepest = std::max(load.deepest, depth);
+}
+
+}  // namespace fascia

@@ -1,0 +1,325 @@
+#include "sim/contact/pair_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "sim/contact/contact_surface.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::AlignedBox3d;
+using Eigen::Vector3d;
+
+constexpr std::uint32_t kNone = ~0u;
+
+// All as shares of the mean edge.
+constexpr double kSkin = 0.05;    // wide enough for what a penalty lets in when bodies meet
+constexpr double kMargin = 0.25;  // pairs this much farther than the skin may touch by what forces do in the step
+constexpr double kDeepest = 1;    // behind a face a vertex is farther from, it is not what the vertex went through
+
+// Of the skin: pairs that start closer, as bodies that a scene sets on each other, are parted by this much in a step.
+constexpr double kParting = 0.25;
+// Of barycentric coordinates: along a convex edge between two faces a vertex is above neither.
+constexpr double kBeside = 0.05;
+// Sine of the angle between the normals at an edge, above which it can touch another one.
+constexpr double kSharp = 0.03;
+// Of their distance at rest, by which a vertex and a face of one body can be inside each other: farther is the
+// thickness of a part that is crushed.
+constexpr double kThin = 1.0 / 3;
+
+double distance_to_triangle(const Vector3d& x, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  const Vector3d n = (b - a).cross(c - a);
+  const auto outside = [&](const Vector3d& p, const Vector3d& q) { return n.cross(q - p).dot(x - p) < 0; };
+  const auto to_segment = [&](const Vector3d& p, const Vector3d& q) {
+    const double t = std::clamp((x - p).dot(q - p) / (q - p).squaredNorm(), 0.0, 1.0);
+    return (x - p - t * (q - p)).norm();
+  };
+  const bool ab = outside(a, b), bc = outside(b, c), ca = outside(c, a);
+  if (!ab && !bc && !ca) return std::abs(n.dot(x - a)) / n.norm();
+  double nearest = std::numeric_limits<double>::max();
+  if (ab) nearest = std::min(nearest, to_segment(a, b));
+  if (bc) nearest = std::min(nearest, to_segment(b, c));
+  if (ca) nearest = std::min(nearest, to_segment(c, a));
+  return nearest;
+}
+
+struct Crossing {
+  double s = 0, t = 0;  // shares of the way along the two edges
+};
+// The nearest points of two lines that are not parallel.
+std::optional<Crossing> crossing_of(const Vector3d& a, const Vector3d& along_a, const Vector3d& b,
+                                    const Vector3d& along_b) {
+  const double aa = along_a.squaredNorm(), bb = along_b.squaredNorm(), ab = along_a.dot(along_b);
+  const double det = aa * bb - ab * ab;
+  if (det <= 1e-6 * aa * bb) return std::nullopt;
+  const Vector3d between = b - a;
+  const double p = between.dot(along_a), q = between.dot(along_b);
+  return Crossing{(bb * p - ab * q) / det, (ab * p - aa * q) / det};
+}
+
+// Whether `n`, across the edge, is between the outward normals of its sides.
+bool between_sides(const Vector3d& n, const Vector3d& first, const Vector3d& second) {
+  const Vector3d axis = first.cross(second);
+  return first.cross(n).dot(axis) >= 0 && n.cross(second).dot(axis) >= 0 && n.dot(first + second) > 0;
+}
+
+}  // namespace
+
+struct PairSearch::Candidate {
+  PairRow row;
+  double distance;  // at the moment of touch, by which the pairs of a slot are compared [m]
+};
+
+PairSearch::PairSearch(const Model& model)
+    : self_(model.contact.self), bodies_(model.contact.bodies && model.bodies.size() > 1) {
+  if (!model.touches_tissue()) return;
+  rest_ = model.rest_positions;
+  held_ = model.held();
+  triangles_ = tissue_boundary(model);
+  edges_ = tissue_edges(model, triangles_);
+  areas_ = tissue_areas(model, triangles_);
+  for (std::uint32_t v = 0; v < areas_.size(); ++v)
+    if (areas_[v] > 0) vertices_.push_back(v);
+  body_of_.resize(rest_.size());
+  for (std::uint32_t b = 0; b < model.bodies.size(); ++b)
+    std::fill_n(body_of_.begin() + model.bodies[b].vertex_begin, model.bodies[b].vertex_count, b);
+  // Vertices in the middle of edges come after those of all files.
+  for (std::size_t t = 0; t < model.tets.size(); ++t)
+    for (const std::uint32_t v : model.element(t)) body_of_[v] = body_of_[model.tets[t][0]];
+  sides_.resize(triangles_.size());
+  std::vector<std::uint8_t> named(triangles_.size(), 0);
+  double length = 0;
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    length += (rest_[edges_[e].to] - rest_[edges_[e].from]).norm();
+    for (const std::uint32_t side : edges_[e].sides)
+      if (side != TissueEdge::kNoSide && named[side] < 3) sides_[side][named[side]++] = e;
+  }
+  edge_ = length / static_cast<double>(std::max<std::size_t>(edges_.size(), 1));
+  skin_ = model.contact.thickness > 0 ? model.contact.thickness : kSkin * edge_;
+  trees_.resize(model.bodies.size());
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) trees_[body_of_[triangles_[t][0]]].triangles.push_back(t);
+  for (BodyTree& tree : trees_) {
+    std::vector<Vector3d> middles;
+    for (const std::uint32_t t : tree.triangles) {
+      const Triangle& v = triangles_[t];
+      middles.push_back((rest_[v[0]] + rest_[v[1]] + rest_[v[2]]) / 3);
+    }
+    tree.tree = BoxTree(middles);
+  }
+  body_slots_ = std::min(kBodySlots, static_cast<std::uint32_t>(model.bodies.size()));
+  slot_count_ = static_cast<std::uint32_t>(vertices_.size()) * body_slots_ + static_cast<std::uint32_t>(edges_.size());
+  materials_changed(model);
+}
+
+void PairSearch::materials_changed(const Model& model) {
+  if (empty()) return;
+  penalty_ = kContactPenalty * model.contact.stiffness;
+  softness_ = tissue_stiffness(model, areas_);
+  for (const std::uint32_t v : vertices_) softness_[v] = 1 / softness_[v];
+}
+
+void PairSearch::place(const std::vector<Vector3d>& start, const std::vector<Vector3d>& end) {
+  start_.resize(rest_.size());
+  end_.resize(rest_.size());
+  vertex_normals_.assign(rest_.size(), Vector3d::Zero());
+  for (const std::uint32_t v : vertices_) {
+    start_[v] = rest_[v] + start[v];
+    end_[v] = rest_[v] + end[v];
+  }
+  normals_.resize(triangles_.size());
+  std::vector<AlignedBox3d> boxes(triangles_.size());
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const Triangle& t = triangles_[i];
+    const Vector3d twice_area = (start_[t[1]] - start_[t[0]]).cross(start_[t[2]] - start_[t[0]]);
+    for (const std::uint32_t v : t) {
+      vertex_normals_[v] += twice_area;
+      boxes[i].extend(start_[v]).extend(end_[v]);
+    }
+    normals_[i] = twice_area.stableNormalized();
+  }
+  convex_.resize(edges_.size());
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const TissueEdge& edge = edges_[e];
+    convex_[e] = 0;
+    if (edge.sides[1] == TissueEdge::kNoSide) continue;
+    const Triangle& first = triangles_[edge.sides[0]];
+    const std::uint32_t opposite = first[0] + first[1] + first[2] - edge.from - edge.to;
+    const Vector3d &a = normals_[edge.sides[0]], &b = normals_[edge.sides[1]];
+    convex_[e] = a.cross(b).squaredNorm() > kSharp * kSharp && b.dot(start_[opposite] - start_[edge.from]) < 0;
+  }
+  for (BodyTree& tree : trees_) {
+    std::vector<AlignedBox3d> own;
+    own.reserve(tree.triangles.size());
+    for (const std::uint32_t t : tree.triangles) own.push_back(boxes[t]);
+    tree.tree.fit(own);
+  }
+}
+
+void PairSearch::offer(const Candidate& candidate) {
+  std::uint32_t& holder = holder_[candidate.row.slot];
+  if (holder == kNone) {
+    holder = static_cast<std::uint32_t>(rows_.size());
+    rows_.push_back(candidate.row);
+    cost_[candidate.row.slot] = candidate.distance;
+  } else if (candidate.distance < cost_[candidate.row.slot]) {
+    rows_[holder] = candidate.row;
+    cost_[candidate.row.slot] = candidate.distance;
+  }
+}
+
+void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t triangle) {
+  const Triangle& t = triangles_[triangle];
+  if (vertex_normals_[v].dot(normals_[triangle]) >= 0) return;
+  if (t[0] == v || t[1] == v || t[2] == v) return;
+  if (held_[v] && held_[t[0]] && held_[t[1]] && held_[t[2]]) return;
+  const auto gap_at = [&](double share, Vector3d& normal, Vector3d& local, std::array<Vector3d, 3>& corners) {
+    const auto at = [&](std::uint32_t i) { return Vector3d(start_[i] + share * (end_[i] - start_[i])); };
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = at(t[k]);
+    normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    local = at(v) - corners[0];
+    return normal.dot(local) / normal.norm();
+  };
+  Vector3d normal, local;
+  std::array<Vector3d, 3> corners;
+  const double from = gap_at(0, normal, local, corners), to = gap_at(1, normal, local, corners);
+  const double way = way_of(v) + std::max({way_of(t[0]), way_of(t[1]), way_of(t[2])});
+  if (std::min(from, to) > skin_ + kMargin * (edge_ + way) || from < -kDeepest * edge_) return;
+  const double share = from <= skin_ || to >= from ? 0 : std::min(1.0, (from - skin_) / (from - to));
+  const double then = gap_at(share, normal, local, corners);
+  const double twice_area2 = normal.squaredNorm();
+  const Vector3d b = corners[1] - corners[0], c = corners[2] - corners[0];
+  const double beta = local.cross(c).dot(normal) / twice_area2, gamma = b.cross(local).dot(normal) / twice_area2;
+  const double least = std::min({1 - beta - gamma, beta, gamma});
+  if (least < -kBeside) return;
+  const std::uint32_t body = body_of_[v], other = body_of_[t[0]];
+  if (body == other) {
+    const double at_rest = distance_to_triangle(rest_[v], rest_[t[0]], rest_[t[1]], rest_[t[2]]);
+    if (at_rest < 2 * skin_ || -from > kThin * at_rest) return;
+  }
+  Candidate candidate;
+  PairRow& row = candidate.row;
+  row.vertices = {v, t[0], t[1], t[2]};
+  row.weights = {1, beta + gamma - 1, -beta, -gamma};
+  row.normal = normal.normalized();
+  const double softness = softness_[v] + (1 - beta - gamma) * softness_[t[0]] + beta * softness_[t[1]] + gamma * softness_[t[2]];
+  row.stiffness = penalty_ * areas_[v] / softness;
+  row.slot = static_cast<std::uint32_t>(index) * body_slots_ + other % body_slots_;
+  row.bodies = {body, other};
+  candidate.distance = std::abs(then) + std::max(0.0, -least) * edge_;
+  offer(candidate);
+}
+
+void PairSearch::try_edges(std::uint32_t first, std::uint32_t second) {
+  const TissueEdge &a = edges_[first], &b = edges_[second];
+  if (a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to) return;
+  if (held_[a.from] && held_[a.to] && held_[b.from] && held_[b.to]) return;
+  const Vector3d &a0 = normals_[a.sides[0]], &a1 = normals_[a.sides[1]], &b0 = normals_[b.sides[0]],
+                 &b1 = normals_[b.sides[1]];
+  if ((a0 + a1).dot(b0 + b1) >= 0) return;
+  // n points from the second to the first.
+  Vector3d normal;
+  Crossing crossing;
+  const auto gap_at = [&](double share) -> std::optional<double> {
+    const auto at = [&](std::uint32_t i) { return Vector3d(start_[i] + share * (end_[i] - start_[i])); };
+    const Vector3d p = at(a.from), q = at(b.from), along_a = at(a.to) - p, along_b = at(b.to) - q;
+    const std::optional<Crossing> found = crossing_of(p, along_a, q, along_b);
+    if (!found) return std::nullopt;
+    crossing = *found;
+    normal = along_a.cross(along_b).normalized();
+    if (normal.dot(b0 + b1) < 0) normal = -normal;
+    return normal.dot(p + crossing.s * along_a - q - crossing.t * along_b);
+  };
+  const std::optional<double> to = gap_at(1), from = gap_at(0);
+  if (!from || !to) return;
+  const double way = std::max(way_of(a.from), way_of(a.to)) + std::max(way_of(b.from), way_of(b.to));
+  if (std::min(*from, *to) > skin_ + kMargin * (edge_ + way) || *from < -kDeepest * edge_) return;
+  const double share = *from <= skin_ || *to >= *from ? 0 : std::min(1.0, (*from - skin_) / (*from - *to));
+  const std::optional<double> then = gap_at(share);
+  if (!then || crossing.s < 0 || crossing.s > 1 || crossing.t < 0 || crossing.t > 1) return;
+  if (!between_sides(normal, b0, b1) || !between_sides(-normal, a0, a1)) return;
+  const std::uint32_t body = body_of_[a.from], other = body_of_[b.from];
+  if (body == other) {
+    const auto at_rest = [&](const TissueEdge& e, double share_of_edge) {
+      return Vector3d(rest_[e.from] + share_of_edge * (rest_[e.to] - rest_[e.from]));
+    };
+    const double distance = (at_rest(a, crossing.s) - at_rest(b, crossing.t)).norm();
+    if (distance < 2 * skin_ || -*from > kThin * distance) return;
+  }
+  Candidate candidate;
+  PairRow& row = candidate.row;
+  row.vertices = {a.from, a.to, b.from, b.to};
+  row.weights = {1 - crossing.s, crossing.s, crossing.t - 1, -crossing.t};
+  row.normal = normal;
+  const double softness = (1 - crossing.s) * softness_[a.from] + crossing.s * softness_[a.to] +
+                          (1 - crossing.t) * softness_[b.from] + crossing.t * softness_[b.to];
+  row.stiffness = penalty_ * (a.area + b.area) / 6 / softness;
+  row.slot = static_cast<std::uint32_t>(vertices_.size()) * body_slots_ + first;
+  row.bodies = {body, other};
+  candidate.distance = std::abs(*then);
+  offer(candidate);
+}
+
+void PairSearch::look_at_vertex(std::size_t index, std::uint32_t body) {
+  const std::uint32_t v = vertices_[index];
+  AlignedBox3d box(start_[v]);
+  box.extend(end_[v]);
+  const double reach = std::max(kDeepest * edge_, skin_ + kMargin * (edge_ + way_of(v)));
+  box.extend(Vector3d(box.min().array() - reach)).extend(Vector3d(box.max().array() + reach));
+  trees_[body].tree.for_overlaps(box, [&](std::uint32_t k) { try_vertex(v, index, trees_[body].triangles[k]); });
+}
+
+void PairSearch::look_at_edge(std::uint32_t e, std::uint32_t body) {
+  const TissueEdge& edge = edges_[e];
+  AlignedBox3d box(start_[edge.from]);
+  box.extend(end_[edge.from]).extend(start_[edge.to]).extend(end_[edge.to]);
+  const double reach = skin_ + kMargin * (edge_ + std::max(way_of(edge.from), way_of(edge.to)));
+  box.extend(Vector3d(box.min().array() - reach)).extend(Vector3d(box.max().array() + reach));
+  trees_[body].tree.for_overlaps(box, [&](std::uint32_t k) {
+    const std::uint32_t triangle = trees_[body].triangles[k];
+    for (const std::uint32_t other : sides_[triangle])
+      // An edge is met from either of its sides, and two of one body from either edge.
+      if (convex_[other] && edges_[other].sides[0] == triangle && (body != body_of_[edge.from] || e < other))
+        try_edges(e, other);
+  });
+}
+
+std::vector<PairRow> PairSearch::find(const std::vector<Vector3d>& start, const std::vector<Vector3d>& end) {
+  if (empty()) return {};
+  place(start, end);
+  rows_.clear();
+  cost_.assign(slot_count_, 0);
+  holder_.assign(slot_count_, kNone);
+  for (std::uint32_t other = 0; other < trees_.size(); ++other) {
+    if (trees_[other].tree.empty()) continue;
+    AlignedBox3d reach = trees_[other].tree.bounds();
+    reach.extend(Vector3d(reach.min().array() - 2 * edge_)).extend(Vector3d(reach.max().array() + 2 * edge_));
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      const std::uint32_t v = vertices_[i];
+      if (may_touch(body_of_[v], other) && reach.intersects(AlignedBox3d(start_[v]).extend(end_[v]))) look_at_vertex(i, other);
+    }
+    for (std::uint32_t e = 0; e < edges_.size(); ++e)
+      if (const std::uint32_t body = body_of_[edges_[e].from]; convex_[e] && body <= other && may_touch(body, other) &&
+          reach.intersects(AlignedBox3d(start_[edges_[e].from]).extend(end_[edges_[e].from]).extend(start_[edges_[e].to])))
+        look_at_edge(e, other);
+  }
+  for (PairRow& row : rows_) {
+    Vector3d x(0, 0, 0);
+    for (std::size_t k = 0; k < 4; ++k) {
+      x += row.weights[k] * start_[row.vertices[k]];
+      row.start += row.weights[k] * start[row.vertices[k]];
+    }
+    const double gap = row.normal.dot(x);
+    row.gap = gap - std::min(skin_, gap + kParting * skin_);
+    for (std::size_t k = 1; k < 4 && held_[row.vertices[0]]; ++k) {  // a free vertex carries the energy
+      std::swap(row.vertices[0], row.vertices[k]);
+      std::swap(row.weights[0], row.weights[k]);
+    }
+  }
+  std::sort(rows_.begin(), rows_.end(), [](const PairRow& a, const PairRow& b) { return a.slot < b.slot; });
+  return rows_;
+}
+
+}  // namespace fascia

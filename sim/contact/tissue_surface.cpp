@@ -1,0 +1,64 @@
+#include "sim/contact/tissue_surface.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "sim/mesh/linear_tets.h"
+#include "sim/mesh/tet_faces.h"
+
+namespace fascia {
+
+std::vector<Triangle> tissue_boundary(const Model& model) {
+  return boundary_triangles(linear_tets(model.tets, model.mid_edges, model.rest_positions, 0, model.tets.size()).tets);
+}
+
+double area_of(const Model& model, const Triangle& t) {
+  const auto& x = model.rest_positions;
+  return 0.5 * (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).norm();
+}
+
+std::vector<TissueEdge> tissue_edges(const Model& model, const std::vector<Triangle>& triangles) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> known;
+  std::vector<TissueEdge> edges;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [from, to] = std::minmax(triangles[i][k], triangles[i][(k + 1) % 3]);
+      const auto [place, is_new] = known.try_emplace({from, to}, edges.size());
+      if (is_new) edges.push_back({from, to, {i, TissueEdge::kNoSide}});
+      TissueEdge& edge = edges[place->second];
+      if (!is_new) edge.sides[1] = i;
+      edge.area += area_of(model, triangles[i]);
+    }
+  return edges;
+}
+
+std::vector<double> tissue_areas(const Model& model, const std::vector<Triangle>& triangles) {
+  std::vector<double> areas(model.rest_positions.size(), 0);
+  for (const Triangle& t : triangles)
+    for (const std::uint32_t v : t) areas[v] += area_of(model, t) / 3;
+  return areas;
+}
+
+std::vector<double> tissue_stiffness(const Model& model, const std::vector<double>& areas) {
+  const std::size_t n = model.rest_positions.size();
+  std::vector<double> volume(n, 0), stiffness(n, 0);
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const Tet& tet = model.tets[t];
+    const auto& x = model.rest_positions;
+    const ElementVertices element = model.element(t);
+    const double share =
+        signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6 / static_cast<double>(element.size());
+    const Material& material = model.materials[model.tet_material[t]];
+    for (const std::uint32_t v : element) {
+      volume[v] += share;
+      stiffness[v] += share * (material.lame_lambda() + 2 * material.lame_mu());
+    }
+  }
+  for (std::size_t v = 0; v < n; ++v)
+    stiffness[v] = areas[v] > 0 ? (stiffness[v] / volume[v]) * areas[v] / (2 * volume[v]) : 0;
+  return stiffness;
+}
+
+}  // namespace fascia
