@@ -14,7 +14,7 @@ set(arrows
   "sim/elements: sim/mesh"
   "sim/gpu: base gl sim/coarse sim/gpu/acceleration sim/gpu/contact sim/gpu/integrators sim/gpu/methods sim/gpu/passes sim/gpu/readback sim/model sim/reference"
   "sim/gpu/acceleration: gl sim/gpu/passes sim/scene/settings"
-  "sim/gpu/contact: base sim/coarse sim/contact sim/gpu/passes sim/tool"
+  "sim/gpu/contact: base sim/coarse sim/contact sim/gpu/passes sim/model sim/tool"
   "sim/gpu/integrators: gl sim/gpu/passes"
   "sim/gpu/methods: gl sim/coarse sim/gpu/acceleration sim/gpu/passes sim/ordering sim/scene/settings"
   "sim/gpu/passes: base gl shaders/shared sim/coarse sim/material sim/mesh sim/model sim/ordering sim/scene/settings"

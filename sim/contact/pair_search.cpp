@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 #include "sim/contact/contact_surface.h"
+#include "sim/contact/penetration.h"
 
 namespace fascia {
 namespace {
@@ -16,16 +18,20 @@ using Eigen::Vector3d;
 constexpr std::uint32_t kNone = ~0u;
 
 // All as shares of the mean edge.
-constexpr double kSkin = 0.05;    // wide enough for what a penalty lets in when bodies meet
+constexpr double kSkin = 0.1;    // wide enough for what a penalty lets in when bodies meet
 constexpr double kMargin = 0.25;  // pairs this much farther than the skin may touch by what forces do in the step
 constexpr double kDeepest = 1;    // behind a face a vertex is farther from, it is not what the vertex went through
+constexpr double kDeepestCrossing = 0.25;
 
 // Of the skin: pairs that start closer, as bodies that a scene sets on each other, are parted by this much in a step.
 constexpr double kParting = 0.25;
-// Of barycentric coordinates: along a convex edge between two faces a vertex is above neither.
+// Of barycentric coordinates: along a convex edge between two faces a vertex is above neither. And more of those that
+// pressed, and as the sine of an angle for edges: a surface that is pressed flat would let go of what presses it flat.
 constexpr double kBeside = 0.05;
+constexpr double kBesidePressed = 0.2;
+constexpr double kTiltPressed = 0.3;
 // Sine of the angle between the normals at an edge, above which it can touch another one.
-constexpr double kSharp = 0.03;
+constexpr double kSharp = 0.005;
 // Of their distance at rest, by which a vertex and a face of one body can be inside each other: farther is the
 // thickness of a part that is crushed.
 constexpr double kThin = 1.0 / 3;
@@ -60,21 +66,17 @@ std::optional<Crossing> crossing_of(const Vector3d& a, const Vector3d& along_a, 
   return Crossing{(bb * p - ab * q) / det, (ab * p - aa * q) / det};
 }
 
-// Whether `n`, across the edge, is between the outward normals of its sides.
-bool between_sides(const Vector3d& n, const Vector3d& first, const Vector3d& second) {
-  const Vector3d axis = first.cross(second);
-  return first.cross(n).dot(axis) >= 0 && n.cross(second).dot(axis) >= 0 && n.dot(first + second) > 0;
+// Whether `n`, across an edge along `axis`, is between the outward normals of its sides, or outside by an angle of at
+// most the sine `slack`. `first` x `second` is along the axis at a convex edge.
+bool between_sides(const Vector3d& n, const Vector3d& first, const Vector3d& second, const Vector3d& axis,
+                   double slack) {
+  return first.cross(n).dot(axis) >= -slack && n.cross(second).dot(axis) >= -slack && n.dot(first + second) > 0;
 }
 
 }  // namespace
 
-struct PairSearch::Candidate {
-  PairRow row;
-  double distance;  // at the moment of touch, by which the pairs of a slot are compared [m]
-};
-
 PairSearch::PairSearch(const Model& model)
-    : self_(model.contact.self), bodies_(model.contact.bodies && model.bodies.size() > 1) {
+    : self_(model.contact.self), bodies_(model.contact.bodies) {
   if (!model.touches_tissue()) return;
   rest_ = model.rest_positions;
   held_ = model.held();
@@ -83,12 +85,7 @@ PairSearch::PairSearch(const Model& model)
   areas_ = tissue_areas(model, triangles_);
   for (std::uint32_t v = 0; v < areas_.size(); ++v)
     if (areas_[v] > 0) vertices_.push_back(v);
-  body_of_.resize(rest_.size());
-  for (std::uint32_t b = 0; b < model.bodies.size(); ++b)
-    std::fill_n(body_of_.begin() + model.bodies[b].vertex_begin, model.bodies[b].vertex_count, b);
-  // Vertices in the middle of edges come after those of all files.
-  for (std::size_t t = 0; t < model.tets.size(); ++t)
-    for (const std::uint32_t v : model.element(t)) body_of_[v] = body_of_[model.tets[t][0]];
+  body_of_ = bodies_of_vertices(model);
   sides_.resize(triangles_.size());
   std::vector<std::uint8_t> named(triangles_.size(), 0);
   double length = 0;
@@ -116,7 +113,7 @@ PairSearch::PairSearch(const Model& model)
 
 void PairSearch::materials_changed(const Model& model) {
   if (empty()) return;
-  penalty_ = kContactPenalty * model.contact.stiffness;
+  penalty_ = 2 * kContactPenalty * model.contact.stiffness;  // of two sides in a row
   softness_ = tissue_stiffness(model, areas_);
   for (const std::uint32_t v : vertices_) softness_[v] = 1 / softness_[v];
 }
@@ -148,14 +145,31 @@ void PairSearch::place(const std::vector<Vector3d>& start, const std::vector<Vec
     const Triangle& first = triangles_[edge.sides[0]];
     const std::uint32_t opposite = first[0] + first[1] + first[2] - edge.from - edge.to;
     const Vector3d &a = normals_[edge.sides[0]], &b = normals_[edge.sides[1]];
+    if (pressed_[slot_of_edge(static_cast<std::uint32_t>(e))]) {
+      convex_[e] = 1;
+      continue;
+    }
     convex_[e] = a.cross(b).squaredNorm() > kSharp * kSharp && b.dot(start_[opposite] - start_[edge.from]) < 0;
   }
+  fit_trees(boxes);
+}
+
+void PairSearch::fit_trees(const std::vector<AlignedBox3d>& boxes) {
   for (BodyTree& tree : trees_) {
     std::vector<AlignedBox3d> own;
     own.reserve(tree.triangles.size());
     for (const std::uint32_t t : tree.triangles) own.push_back(boxes[t]);
     tree.tree.fit(own);
   }
+}
+
+// Such that the normals of the sides turn about it in the order of the sides, if the edge is convex.
+Vector3d PairSearch::along(const TissueEdge& edge) const {
+  const Triangle& t = triangles_[edge.sides[0]];
+  const bool ascends = (t[0] == edge.from && t[1] == edge.to) || (t[1] == edge.from && t[2] == edge.to) ||
+                       (t[2] == edge.from && t[0] == edge.to);
+  const Vector3d axis = (start_[edge.to] - start_[edge.from]).stableNormalized();
+  return ascends ? axis : Vector3d(-axis);
 }
 
 void PairSearch::offer(const Candidate& candidate) {
@@ -168,6 +182,22 @@ void PairSearch::offer(const Candidate& candidate) {
     rows_[holder] = candidate.row;
     cost_[candidate.row.slot] = candidate.distance;
   }
+}
+
+// Of crossing edges the deepest come first, since any of them may be what holds the surfaces apart. A pair is
+// remembered by either of its edges.
+void PairSearch::choose_crossings() {
+  std::sort(crossings_.begin(), crossings_.end(), [](const Candidate& a, const Candidate& b) {
+    return std::tuple(a.distance, a.row.slot, a.second) < std::tuple(b.distance, b.row.slot, b.second);
+  });
+  for (Candidate& crossing : crossings_)
+    for (const std::uint32_t edge : {crossing.row.slot, crossing.second})
+      if (std::uint32_t& holder = holder_[slot_of_edge(edge)]; holder == kNone) {
+        holder = static_cast<std::uint32_t>(rows_.size());
+        rows_.push_back(crossing.row);
+        rows_.back().slot = slot_of_edge(edge);
+        break;
+      }
 }
 
 void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t triangle) {
@@ -187,13 +217,15 @@ void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t tr
   const double from = gap_at(0, normal, local, corners), to = gap_at(1, normal, local, corners);
   const double way = way_of(v) + std::max({way_of(t[0]), way_of(t[1]), way_of(t[2])});
   if (std::min(from, to) > skin_ + kMargin * (edge_ + way) || from < -kDeepest * edge_) return;
+  see_near({v, t[0], t[1], t[2]});
   const double share = from <= skin_ || to >= from ? 0 : std::min(1.0, (from - skin_) / (from - to));
   const double then = gap_at(share, normal, local, corners);
   const double twice_area2 = normal.squaredNorm();
   const Vector3d b = corners[1] - corners[0], c = corners[2] - corners[0];
   const double beta = local.cross(c).dot(normal) / twice_area2, gamma = b.cross(local).dot(normal) / twice_area2;
   const double least = std::min({1 - beta - gamma, beta, gamma});
-  if (least < -kBeside) return;
+  const std::uint32_t slot = static_cast<std::uint32_t>(index) * body_slots_ + body_of_[t[0]] % body_slots_;
+  if (least < -(pressed_[slot] ? kBesidePressed : kBeside)) return;
   const std::uint32_t body = body_of_[v], other = body_of_[t[0]];
   if (body == other) {
     const double at_rest = distance_to_triangle(rest_[v], rest_[t[0]], rest_[t[1]], rest_[t[2]]);
@@ -206,7 +238,7 @@ void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t tr
   row.normal = normal.normalized();
   const double softness = softness_[v] + (1 - beta - gamma) * softness_[t[0]] + beta * softness_[t[1]] + gamma * softness_[t[2]];
   row.stiffness = penalty_ * areas_[v] / softness;
-  row.slot = static_cast<std::uint32_t>(index) * body_slots_ + other % body_slots_;
+  row.slot = slot;
   row.bodies = {body, other};
   candidate.distance = std::abs(then) + std::max(0.0, -least) * edge_;
   offer(candidate);
@@ -235,11 +267,15 @@ void PairSearch::try_edges(std::uint32_t first, std::uint32_t second) {
   const std::optional<double> to = gap_at(1), from = gap_at(0);
   if (!from || !to) return;
   const double way = std::max(way_of(a.from), way_of(a.to)) + std::max(way_of(b.from), way_of(b.to));
-  if (std::min(*from, *to) > skin_ + kMargin * (edge_ + way) || *from < -kDeepest * edge_) return;
+  if (std::min(*from, *to) > skin_ + kMargin * (edge_ + way) || *from < -kDeepestCrossing * edge_) return;
+  see_near({a.from, a.to, b.from, b.to});
   const double share = *from <= skin_ || *to >= *from ? 0 : std::min(1.0, (*from - skin_) / (*from - *to));
   const std::optional<double> then = gap_at(share);
-  if (!then || crossing.s < 0 || crossing.s > 1 || crossing.t < 0 || crossing.t > 1) return;
-  if (!between_sides(normal, b0, b1) || !between_sides(-normal, a0, a1)) return;
+  const bool pressed = pressed_[slot_of_edge(first)] || pressed_[slot_of_edge(second)];
+  const double beside = pressed ? kBesidePressed : 0;
+  if (!then || std::min({crossing.s, 1 - crossing.s, crossing.t, 1 - crossing.t}) < -beside) return;
+  const double slack = pressed ? kTiltPressed : 0;
+  if (!between_sides(normal, b0, b1, along(b), slack) || !between_sides(-normal, a0, a1, along(a), slack)) return;
   const std::uint32_t body = body_of_[a.from], other = body_of_[b.from];
   if (body == other) {
     const auto at_rest = [&](const TissueEdge& e, double share_of_edge) {
@@ -256,10 +292,11 @@ void PairSearch::try_edges(std::uint32_t first, std::uint32_t second) {
   const double softness = (1 - crossing.s) * softness_[a.from] + crossing.s * softness_[a.to] +
                           (1 - crossing.t) * softness_[b.from] + crossing.t * softness_[b.to];
   row.stiffness = penalty_ * (a.area + b.area) / 6 / softness;
-  row.slot = static_cast<std::uint32_t>(vertices_.size()) * body_slots_ + first;
+  row.slot = first;
   row.bodies = {body, other};
-  candidate.distance = std::abs(*then);
-  offer(candidate);
+  candidate.distance = *then;
+  candidate.second = second;
+  crossings_.push_back(candidate);
 }
 
 void PairSearch::look_at_vertex(std::size_t index, std::uint32_t body) {
@@ -286,10 +323,47 @@ void PairSearch::look_at_edge(std::uint32_t e, std::uint32_t body) {
   });
 }
 
-std::vector<PairRow> PairSearch::find(const std::vector<Vector3d>& start, const std::vector<Vector3d>& end) {
+// Whether it goes through a triangle of the body that it did not go through at the start.
+bool PairSearch::cuts(std::uint32_t e, std::uint32_t body, const std::vector<Vector3d>& now) const {
+  const TissueEdge& edge = edges_[e];
+  bool found = false;
+  trees_[body].tree.for_overlaps(AlignedBox3d(now[edge.from]).extend(now[edge.to]), [&](std::uint32_t k) {
+    const Triangle& t = triangles_[trees_[body].triangles[k]];
+    const auto has = [&](std::uint32_t v) { return t[0] == v || t[1] == v || t[2] == v; };
+    if (found || has(edge.from) || has(edge.to)) return;
+    const auto cuts_at = [&](const std::vector<Vector3d>& x) {
+      return goes_through(x[edge.from], x[edge.to], x[t[0]], x[t[1]], x[t[2]]);
+    };
+    found = cuts_at(now) && !cuts_at(start_);
+  });
+  return found;
+}
+
+bool PairSearch::misses(const std::vector<Vector3d>& end) {
+  if (empty() || !sees_near()) return false;
+  std::vector<Vector3d> now = start_;
+  std::vector<AlignedBox3d> boxes(triangles_.size());
+  for (const std::uint32_t v : vertices_) now[v] = rest_[v] + end[v];
+  for (std::size_t i = 0; i < triangles_.size(); ++i)
+    for (const std::uint32_t v : triangles_[i]) boxes[i].extend(now[v]);
+  fit_trees(boxes);
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    if (!near_[edges_[e].from] && !near_[edges_[e].to]) continue;
+    for (std::uint32_t body = 0; body < trees_.size(); ++body)
+      if (may_touch(body_of_[edges_[e].from], body) && cuts(e, body, now)) return true;
+  }
+  return false;
+}
+
+std::vector<PairRow> PairSearch::find(const std::vector<Vector3d>& start, const std::vector<Vector3d>& end,
+                                      std::span<const ContactForce> before) {
   if (empty()) return {};
+  pressed_.assign(slot_count_, 0);
+  for (std::size_t slot = 0; slot < before.size(); ++slot) pressed_[slot] = before[slot].normal > 0;
   place(start, end);
+  near_.assign(rest_.size(), 0);
   rows_.clear();
+  crossings_.clear();
   cost_.assign(slot_count_, 0);
   holder_.assign(slot_count_, kNone);
   for (std::uint32_t other = 0; other < trees_.size(); ++other) {
@@ -305,6 +379,7 @@ std::vector<PairRow> PairSearch::find(const std::vector<Vector3d>& start, const 
           reach.intersects(AlignedBox3d(start_[edges_[e].from]).extend(end_[edges_[e].from]).extend(start_[edges_[e].to])))
         look_at_edge(e, other);
   }
+  choose_crossings();
   for (PairRow& row : rows_) {
     Vector3d x(0, 0, 0);
     for (std::size_t k = 0; k < 4; ++k) {

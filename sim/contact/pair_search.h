@@ -10,11 +10,15 @@
 // Each vertex remembers a force for every other body (up to kBodySlots), and each edge for one other edge: pairs that
 // slide along a surface keep their force. Of several pairs for one slot the nearest is taken.
 #pragma once
+#include <algorithm>
+#include <initializer_list>
+#include <span>
 #include <vector>
 
 #include "sim/contact/box_tree.h"
 #include "sim/contact/pair_row.h"
 #include "sim/contact/tissue_surface.h"
+#include "sim/model/state.h"
 
 namespace fascia {
 
@@ -28,22 +32,43 @@ class PairSearch {
 
   bool empty() const { return slot_count_ == 0; }
   std::uint32_t slot_count() const { return slot_count_; }
+  bool sees_near() const { return std::find(near_.begin(), near_.end(), 1) != near_.end(); }  // after find()
   double skin() const { return skin_; }  // [m] the gap that is left between surfaces
 
   /// The pairs of a step, by ascending slot. `start` and `end`: displacements [vertex_count] at the start, and where
-  /// velocities lead [m].
-  std::vector<PairRow> find(const std::vector<Eigen::Vector3d>& start, const std::vector<Eigen::Vector3d>& end);
+  /// velocities lead [m]; `before` [slot]: the forces that the step before left.
+  std::vector<PairRow> find(const std::vector<Eigen::Vector3d>& start, const std::vector<Eigen::Vector3d>& end,
+                            std::span<const ContactForce> before);
+
+  /// After find(), with the result of its step: whether an edge of the surface goes through a triangle that it did not
+  /// go through at the start, since the pairs were not those that the tissue met. Another find() with this end has
+  /// them. `end` [vertex_count] [m].
+  bool misses(const std::vector<Eigen::Vector3d>& end);
+  static constexpr int kMostSearches = 4;  // of a step
 
  private:
-  struct Side;
-  struct Candidate;
+  struct Candidate {
+    PairRow row;
+    double distance = 0;       // by which the pairs of a slot are compared: the least one takes it [m]
+    std::uint32_t second = 0;  // of two edges
+  };
   void place(const std::vector<Eigen::Vector3d>& start, const std::vector<Eigen::Vector3d>& end);
   void offer(const Candidate& candidate);
+  void choose_crossings();
   void look_at_vertex(std::size_t index, std::uint32_t body);
   void look_at_edge(std::uint32_t edge, std::uint32_t body);
   void try_vertex(std::uint32_t vertex, std::size_t index, std::uint32_t triangle);
   void try_edges(std::uint32_t first, std::uint32_t second);
   bool may_touch(std::uint32_t a, std::uint32_t b) const { return a == b ? self_ : bodies_; }
+  Eigen::Vector3d along(const TissueEdge& edge) const;
+  std::uint32_t slot_of_edge(std::uint32_t edge) const {
+    return static_cast<std::uint32_t>(vertices_.size()) * body_slots_ + edge;
+  }
+  void see_near(std::initializer_list<std::uint32_t> vertices) {
+    for (const std::uint32_t v : vertices) near_[v] = 1;
+  }
+  void fit_trees(const std::vector<Eigen::AlignedBox3d>& boxes);
+  bool cuts(std::uint32_t edge, std::uint32_t body, const std::vector<Eigen::Vector3d>& now) const;
   double way_of(std::uint32_t v) const { return (end_[v] - start_[v]).norm(); }
 
   bool self_ = false, bodies_ = false;
@@ -68,8 +93,11 @@ class PairSearch {
   std::vector<Eigen::Vector3d> start_, end_;      // [vertex_count] x
   std::vector<Eigen::Vector3d> normals_;          // [triangle] outward, at the start
   std::vector<Eigen::Vector3d> vertex_normals_;   // [vertex_count] their sums, weighted by area
-  std::vector<char> convex_;                      // [edge]
+  std::vector<char> convex_;                      // [edge] or pressed
+  std::vector<char> near_;                        // [vertex_count] to other surface
+  std::vector<char> pressed_;                     // [slot] in the step before
   std::vector<PairRow> rows_;
+  std::vector<Candidate> crossings_;    // of edges
   std::vector<double> cost_;            // [slot] of the pair that holds it
   std::vector<std::uint32_t> holder_;   // [slot] in rows_, or none
 };

@@ -4,11 +4,9 @@
 #include "sim/contact/tissue_surface.h"
 
 namespace fascia {
-namespace {
 
 using Eigen::Vector3d;
 
-// Whether the segment from p to q goes through the triangle a, b, c.
 bool goes_through(const Vector3d& p, const Vector3d& q, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const double above = signed_volume6(a, b, c, p), below = signed_volume6(a, b, c, q);
   if ((above > 0) == (below > 0) || above == 0 || below == 0) return false;
@@ -16,8 +14,6 @@ bool goes_through(const Vector3d& p, const Vector3d& q, const Vector3d& a, const
              ca = signed_volume6(p, q, c, a) > 0;
   return ab == bc && bc == ca;
 }
-
-}  // namespace
 
 std::size_t penetrating_triangles(const Model& model, const std::vector<Vector3d>& displacement) {
   const std::vector<Triangle> triangles = tissue_boundary(model);

@@ -14,6 +14,14 @@ std::vector<Triangle> tissue_boundary(const Model& model) {
   return boundary_triangles(linear_tets(model.tets, model.mid_edges, model.rest_positions, 0, model.tets.size()).tets);
 }
 
+std::vector<std::uint32_t> bodies_of_vertices(const Model& model) {
+  std::vector<std::uint32_t> bodies(model.rest_positions.size(), 0);
+  for (std::uint32_t b = 0; b < model.bodies.size(); ++b)
+    for (std::uint32_t k = 0; k < model.bodies[b].tet_count; ++k)
+      for (const std::uint32_t v : model.element(model.bodies[b].tet_begin + k)) bodies[v] = b;
+  return bodies;
+}
+
 double area_of(const Model& model, const Triangle& t) {
   const auto& x = model.rest_positions;
   return 0.5 * (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).norm();

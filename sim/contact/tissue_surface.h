@@ -12,6 +12,9 @@ namespace fascia {
 std::vector<Triangle> tissue_boundary(const Model& model);
 double area_of(const Model& model, const Triangle& triangle);  // [m^2] at rest
 
+/// [vertex_count] in Model::bodies; 0 in models without parts.
+std::vector<std::uint32_t> bodies_of_vertices(const Model& model);
+
 struct TissueEdge {
   std::uint32_t from, to;                 // ascending vertices
   std::array<std::uint32_t, 2> sides{};   // triangles at it; the second one kNoSide at the rim of none

@@ -126,7 +126,7 @@ std::optional<GpuSolver::FusedStep> GpuSolver::fuse(const StepPasses& passes) {
     for (const Passes* list : lists) append(all, *list);
     return gl::FusedPasses(programs_, all);
   };
-  return FusedStep{joined({&passes.begin}), joined({&passes.before_first, &passes.first_iteration}),
+  return FusedStep{joined({&passes.begin}), joined({&passes.again}), joined({&passes.before_first, &passes.first_iteration}),
                    joined({&passes.refresh}), joined({&passes.before, &passes.iteration}), joined({&passes.end})};
 }
 
@@ -151,6 +151,10 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
   passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), start(), active));
   if (!motions_.empty()) passes.begin.push_back(motions_.pass(programs_, buffers_));
   if (features_.damping && !strains_first) append(passes.begin, strains_at_start(r));
+  if (contact_.searches()) {
+    passes.again = r.beginnings();
+    append(passes.again, method_->begin(r));
+  }
   append(passes.begin, r.beginnings());
   append(passes.begin, method_->begin(r));
   if (const StepGradient* gradient = method_->gradient()) passes.before_first = passes.before = gradient->passes(r);

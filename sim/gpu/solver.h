@@ -151,19 +151,21 @@ class GpuSolver {
   void begin_step();                           // of time_step
   void iterate(int iteration, int count = 1);  // `count` iterations, if fused and alike_from() permits
   void end_stage();
+  void iterate_all();
   void solve_stage(const IntegratorStage& stage);
   void solve_substep();
   int alike_from(int iteration) const;  // the first later iteration that runs other passes
   void settings_changed();
   struct StepPasses {
-    Passes begin, before_first, before, refresh, first_iteration, iteration, end;  // of one substep
+    // Of one substep. `again`: for further iterations of the same stage, from where the last ones ended
+    Passes begin, again, before_first, before, refresh, first_iteration, iteration, end;
     std::array<const Passes*, 7> lists() const {
       return {&begin, &before_first, &before, &refresh, &first_iteration, &iteration, &end};
     }
   };
   // The same in few dispatches, where passes can be fused. `first`: the first iteration with the passes before it.
   struct FusedStep {
-    gl::FusedPasses begin, first, refresh, iteration, end;
+    gl::FusedPasses begin, again, first, refresh, iteration, end;
   };
   void record_partial();
   const FusedStep* fused_step() const;  // of passes_; null where they run unfused

@@ -99,12 +99,23 @@ const GpuSolver::FusedStep* GpuSolver::fused_step() const {
   return fused && !times_ ? &*fused : nullptr;
 }
 
-void GpuSolver::solve_stage(const IntegratorStage& stage) {
-  begin_stage(stage);
+void GpuSolver::iterate_all() {
   for (int i = 0; i < settings_.iterations;) {
     const int count = fused_step() ? alike_from(i) - i : 1;
     iterate(i, count);
     i += count;
+  }
+}
+
+void GpuSolver::solve_stage(const IntegratorStage& stage) {
+  begin_stage(stage);
+  iterate_all();
+  for (int searches = 1; searches < PairSearch::kMostSearches && contact_.searches_again(buffers_); ++searches) {
+    if (const FusedStep* fused = fused_step())
+      fused->again.run();
+    else
+      run(passes_->again);
+    iterate_all();
   }
   end_stage();
 }

@@ -332,6 +332,7 @@ Model begin_model(const Scene& scene) {
   model.gravity = scene.gravity;
   model.tools = tools_of(scene.tools);
   model.contact = scene.tools.contact;
+  model.contact.bodies = model.contact.bodies && scene.bodies.size() > 1;  // a body alone has no other to touch
   model.notes = scene.notes;
   return model;
 }

@@ -36,7 +36,7 @@ double Model::end_of_tools() const {
   return end;
 }
 
-bool Model::touches_tissue() const { return contact.self || (contact.bodies && bodies.size() > 1); }
+bool Model::touches_tissue() const { return contact.self || contact.bodies; }
 bool Model::has_contact() const { return !tools.empty() || touches_tissue(); }
 
 double Model::end_of_grabs() const {

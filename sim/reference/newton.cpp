@@ -77,9 +77,10 @@ struct NewtonSolver::Impl {
   std::shared_ptr<const ContactEnergy> contact_from(const VectorXd& start, const VectorXd& end,
                                                     const std::vector<double>& stiffness, const ToolMotion& motion,
                                                     ContactMemory& memory) {
-    if (!pairs.empty()) memory.resize(contact.row_count + pairs.slot_count());
+    memory.resize(contact.row_count + pairs.slot_count());
+    const auto before = std::span<const ContactForce>(memory).subspan(contact.row_count);
     return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion,
-                                           pairs.find(vectors_of(start), vectors_of(end)));
+                                           pairs.find(vectors_of(start), vectors_of(end), before));
   }
   void read_out(const ContactEnergy& energy, const VectorXd& u) {
     loads = energy.loads(u);
@@ -183,8 +184,15 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   if (system.min_det_f(u) <= 0 && system.min_det_f(old) > 0) u = old;
 
   const HeldPath path(model, old, state.time, state.time + stage.duration);
-  const NewtonReport report = follow(
+  NewtonReport report = follow(
       path, [&](double) { return potential; }, path.moves(), step_tolerance, u);
+  for (int again = 0; again < PairSearch::kMostSearches && pairs.misses(vectors_of(u)); ++again) {
+    potential.contact = contact_from(old, u, penalty, motion, state.contact);
+    const NewtonReport more = minimizer.minimize(potential, step_tolerance, {last_patience, false, stop}, u);
+    report.iterations += more.iterations;
+    report.relative_residual = more.relative_residual;
+    report.converged = more.converged;
+  }
   state.earlier.displacement = std::exchange(state.displacement, vectors_of(u));
   state.earlier.velocity = std::exchange(state.velocity, vectors_of(stage.velocity(u, start)));
   state.time += stage.duration;

@@ -1,6 +1,7 @@
 // Begins a stage at every contact point: finds the pieces that it may touch within the stage, and for these the anchor
 // of friction and the normal. A point is near a piece that it pressed before, or if its distance at the start is less
-// than twice its way to the inertial start of the iterations plus the way of the piece and a margin. After predict.
+// than twice its way to the inertial start of the iterations plus the way of the piece and a margin. How much of that way
+// its body goes before it meets the piece limits where the iterations start. After predict.
 #include "common/io.glsl"
 COMPUTE_1D
 #include "sim/contact/piece.glsl"
@@ -15,7 +16,9 @@ OUTPUT(vec4, ContactAnchor, contact_anchor)        // [rows] 0 where not near
 OUTPUT(vec4, ContactNormalNow, contact_normal_now)  // [rows] of near rows
 OUTPUT(vec4, ContactForce, contact_force)          // [points]
 OUTPUT(vec4, ContactBlock, contact_block)          // [2 * points]
-uniform uint pieces;
+INOUT(uint, ContactLimit, contact_limit)           // [bodies] contact_retreat.comp; then [points] the bodies
+#define LEAST_SHARE 1e-6
+uniform uint pieces, bodies;
 
 void main() {
   ITEM_OR_RETURN(i)
@@ -36,6 +39,11 @@ void main() {
     contact_anchor[row] = touches ? vec4(end.axes * local + end.origin, 0.0) : vec4(0.0);
     if (!touches) continue;
     near |= 1u << piece;
+    float before = distance_to(piece, to_local(end, x)).w, after = distance_to(piece, to_local(end, x + way)).w;
+    before -= half_thickness(piece);
+    after -= half_thickness(piece);
+    if (after < -let_in(piece) && after < before)
+      atomicMin(contact_limit[contact_limit[bodies + i]], floatBitsToUint(max(0.0, before + let_in(piece)) / (before - after) + LEAST_SHARE));
     contact_normal_now[row] = vec4(end.axes * d.xyz, 0.0);
   }
   contact_near[i] = near;

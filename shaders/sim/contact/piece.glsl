@@ -21,6 +21,7 @@ float friction_of(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece)
 float share_of_penalty(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 1u).w; }
 float reach_of(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 2u).w; }
 float half_thickness(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 3u).w; }
+float let_in(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 7u).w; }  // [m] by which iterations may start inside
 uint first_row_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 5u).w); }
 uint points_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 6u).w); }
 

@@ -6,6 +6,8 @@
 
 #include "base/error.h"
 #include "sim/contact/contact_energy.h"
+#include "sim/contact/tissue_surface.h"
+#include "sim/model/unconstrained_parts.h"
 #include "sim/gpu/passes/reduction.h"
 #include "sim/tool/shape_distance.h"
 
@@ -20,6 +22,11 @@ constexpr std::uint32_t kLoadLanes = 64;
 constexpr std::uint32_t kMostPairsOfVertex = 1024;
 // Of the size of the tissue: points closer to a tool may touch it in a step in which they were expected to rest.
 constexpr double kMargin = 0.02;
+// How deep inside the iterations may start: enough for what touches to press, and for its stiffness to be known.
+constexpr double kLetIn = 1e-4;         // of the size, in tools
+constexpr double kLetInOfSkin = 0.05;   // in tissue
+constexpr double kLeastShare = 1e-6;    // of the way: 0 says that the start stays as it is
+constexpr std::uint32_t kNoBody = ~0u;  // shaders/sim/contact/contact_retreat.comp
 constexpr std::uint32_t kStretch = 256;  // of points that one invocation lists
 
 vec4 row(const Vector3d& v, double w = 0) {
@@ -92,6 +99,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
                 "expected at most " + std::to_string(kMostPieces) + ": ground, obstacles, instruments, jaws as two");
   if (!acts()) return;
   margin_ = kMargin * buffers.size;
+  let_in_ = kLetIn * buffers.size;
   place_ = buffers.placement.place;
   const std::size_t all = point_count() + pairs_.slot_count(), rows = std::max(surface_.row_count, 1u);
   std::vector<Tet> vertices(all);
@@ -129,6 +137,19 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
   forces_ = gl::Buffer("contact_force", std::vector<vec4>(all));
   blocks_ = gl::Buffer("contact_block", std::vector<vec4>(2 * all));
   loads_ = gl::Buffer("contact_loads", std::vector<vec4>(2 * kLoadLanes * surface_.pieces.size()));
+  std::vector<std::uint32_t> body(buffers.vertex_count, kNoBody);
+  limits_.assign(std::max<std::size_t>(model.bodies.size(), 1), 1);
+  std::vector<std::uint32_t> limits(limits_.size() + point_count());
+  const std::vector<char> held = model.held();
+  const UnconstrainedParts free = unconstrained_parts(model, held);
+  const std::vector<std::uint32_t> bodies = bodies_of_vertices(model);
+  for (std::size_t v = 0; v < held.size(); ++v)
+    if (!held[v]) body[place_[v]] = bodies[v];
+  for (std::uint32_t p = 0; p < point_count(); ++p) limits[limits_.size() + p] = body[vertices[p][0]];
+  body_ = gl::Buffer("contact_body", body);
+  limit_ = gl::Buffer("contact_limit", limits);
+  falls_.assign(free.unconstrained.begin(), free.unconstrained.end());
+  gravity_ = model.gravity;
   if (!pairs_.empty()) constants_ = gl::Buffer("contact_pairs", std::vector<vec4>(3 * pairs_.slot_count()));
   const std::vector<vec4> no_forces(surface_.row_count + pairs_.slot_count());
   buffers.contact_memory = gl::Buffer("contact_memory", no_forces);
@@ -157,13 +178,25 @@ void ContactTerm::upload_points(const Model& model) {
 void ContactTerm::materials_changed(const Model& model) {
   if (!acts()) return;
   friction_ = model.contact.friction;
+  gravity_ = model.gravity;
   pairs_.materials_changed(model);
   upload_points(model);
 }
 
 void ContactTerm::begin_stage(const ToolMotion& motion, double duration, SimBuffers& buffers) {
+  if (!acts()) return;
+  std::fill(limits_.begin(), limits_.end(), 1.0f);
   if (!surface_.empty()) place_pieces(motion);
-  if (!pairs_.empty()) place_pairs(duration, buffers);
+  if (!pairs_.empty()) {
+    start_ = buffers.download_vectors(buffers.displacement);
+    const std::vector<Vector3d> velocity = buffers.download_vectors(buffers.velocity);
+    std::vector<Vector3d> end = start_;
+    for (std::size_t v = 0; v < end.size(); ++v)
+      end[v] += duration * velocity[v] + (falls_[v] ? duration * duration : 0) * gravity_;
+    place_pairs(start_, end, buffers);
+    limit_start(end);
+  }
+  limit_.upload(0, limits_.size() * sizeof(float), limits_.data());
 }
 
 void ContactTerm::place_pieces(const ToolMotion& motion) {
@@ -175,7 +208,7 @@ void ContactTerm::place_pieces(const ToolMotion& motion) {
     const ShapeRows shape = rows_of(tool.shape);
     const double share = 1.0 / (1 << (2 * piece.level)), reach = way_of(tool.shape, before, after) + margin_;
     add(rows, after, tool.friction, share, reach, half_thickness_);
-    add(rows, before, shape.kind, piece.first_row, piece.points, 0);
+    add(rows, before, shape.kind, piece.first_row, piece.points, let_in_);
     rows.push_back(shape.a);
     rows.push_back(shape.b);
     rows.push_back(row(to.pose.origin));
@@ -186,18 +219,17 @@ void ContactTerm::place_pieces(const ToolMotion& motion) {
   uploaded_ = std::move(rows);
 }
 
-void ContactTerm::place_pairs(double duration, SimBuffers& buffers) {
-  const std::vector<Vector3d> start = buffers.download_vectors(buffers.displacement),
-                              velocity = buffers.download_vectors(buffers.velocity);
-  std::vector<Vector3d> end = start;
-  for (std::size_t v = 0; v < end.size(); ++v) end[v] += duration * velocity[v];
-  const bool had_pairs = !rows_of_pairs_.empty();
-  rows_of_pairs_ = pairs_.find(start, end);
-
-  // Slots without a pair forget their force.
+void ContactTerm::place_pairs(const std::vector<Vector3d>& start, const std::vector<Vector3d>& end,
+                              SimBuffers& buffers) {
   const std::size_t offset = sizeof(vec4) * surface_.row_count;
   std::vector<vec4> before(pairs_.slot_count()), kept(pairs_.slot_count());
   buffers.contact_memory.download(offset, before.size() * sizeof(vec4), before.data());
+  std::vector<ContactForce> forces;
+  for (const vec4& force : before) forces.push_back({{force.x, force.y, force.z}, force.w});
+  const bool had_pairs = !rows_of_pairs_.empty();
+  rows_of_pairs_ = pairs_.find(start, end, forces);
+
+  // Slots without a pair forget their force.
   for (const PairRow& pair : rows_of_pairs_) kept[pair.slot] = before[pair.slot];
   buffers.contact_memory.upload(offset, kept.size() * sizeof(vec4), kept.data());
   buffers.contact_before.upload(offset, kept.size() * sizeof(vec4), kept.data());
@@ -224,6 +256,28 @@ void ContactTerm::place_pairs(double duration, SimBuffers& buffers) {
   constants_.upload(0, constants.size() * sizeof(vec4), constants.data());
   list_.upload(4 * sizeof(std::uint32_t), listed.size() * sizeof(std::uint32_t), listed.data());
   upload_entries();
+}
+
+bool ContactTerm::searches_again(SimBuffers& buffers) {
+  if (pairs_.empty() || !pairs_.sees_near()) return false;
+  const std::vector<Vector3d> end = buffers.download_vectors(buffers.displacement);
+  if (!pairs_.misses(end)) return false;
+  place_pairs(start_, end, buffers);
+  const std::vector<float> as_it_is(limits_.size(), 0);
+  limit_.upload(0, as_it_is.size() * sizeof(float), as_it_is.data());
+  return true;
+}
+
+void ContactTerm::limit_start(const std::vector<Vector3d>& end) {
+  const double let_in = kLetInOfSkin * pairs_.skin();
+  for (const PairRow& pair : rows_of_pairs_) {
+    double way = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      way += pair.weights[k] * pair.normal.dot(end[pair.vertices[k]] - start_[pair.vertices[k]]);
+    if (way >= 0 || pair.gap + way >= -let_in) continue;
+    const auto share = static_cast<float>(std::max(0.0, pair.gap + let_in) / -way + kLeastShare);
+    for (const std::uint32_t body : pair.bodies) limits_[body] = std::min(limits_[body], share);
+  }
 }
 
 void ContactTerm::upload_entries() {
@@ -276,7 +330,8 @@ gl::ComputePass ContactTerm::over_points(gl::ProgramCache& programs, const char*
                            {"contact_weights", &weights_},
                            {"contact_rest", &rest_}});
   gl::ComputePass pass(programs.compute(kernel, defines()), std::move(more), point_count(),
-                       {{"pieces", static_cast<std::uint32_t>(surface_.pieces.size())}});
+                       {{"pieces", static_cast<std::uint32_t>(surface_.pieces.size())},
+                        {"bodies", static_cast<std::uint32_t>(limits_.size())}});
   pass.loops(static_cast<std::uint32_t>(surface_.pieces.size()) + 1);
   return pass;
 }
@@ -316,6 +371,7 @@ EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffe
                                 {"contact_near", &near_},
                                 {"contact_anchor", &rows_},
                                 {"contact_normal_now", &normals_},
+                                {"contact_limit", &limit_},
                                 {"contact_force", &forces_},
                                 {"contact_block", &blocks_}}));
   const gl::Defines stretched{{"STRETCH", std::to_string(kStretch)}};
@@ -339,6 +395,15 @@ EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffe
                                               {"contact_end", &end_}},
                     buffers.vertex_count)
       .loops(most_entries_ + 1);
+  passes
+      .emplace_back(programs.compute("sim/contact/contact_retreat.comp"),
+                    gl::ComputePass::Bindings{{"contact_limit", &limit_},
+                                              {"contact_body", &body_},
+                                              {"start_displacement", &buffers.start_of_stage()},
+                                              {"iterate", &buffers.displacement},
+                                              {"displacement", &buffers.displacement}},
+                    buffers.vertex_count)
+      .loops(0);
   return passes;
 }
 

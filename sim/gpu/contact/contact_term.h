@@ -27,6 +27,10 @@ class ContactTerm : public EnergyTerm {
   void materials_changed(const Model& model);
   /// The poses of a stage of `duration` [s], and the pairs of the tissue. Waits for the GPU where tissue touches tissue.
   void begin_stage(const ToolMotion& motion, double duration, SimBuffers& buffers);
+  /// Whether the stage's iterations led tissue through tissue. Their result is then where the next ones of the same
+  /// stage start, with the pairs that are met on the way there. Waits for the GPU where tissue is near tissue.
+  bool searches_again(SimBuffers& buffers);
+  bool searches() const { return !pairs_.empty(); }
 
   std::string name() const override { return "contact"; }
   bool acts() const override { return !surface_.empty() || !pairs_.empty(); }
@@ -59,7 +63,9 @@ class ContactTerm : public EnergyTerm {
   gl::Defines defines() const;  // of the shapes that there are, and whether there are pairs
   void upload_points(const Model& model);
   void place_pieces(const ToolMotion& motion);
-  void place_pairs(double duration, SimBuffers& buffers);
+  void place_pairs(const std::vector<Eigen::Vector3d>& start, const std::vector<Eigen::Vector3d>& end,
+                   SimBuffers& buffers);
+  void limit_start(const std::vector<Eigen::Vector3d>& end);
   void upload_entries();
   gl::ComputePass over_points(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
   gl::ComputePass over_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
@@ -70,15 +76,20 @@ class ContactTerm : public EnergyTerm {
   ContactSurface surface_;
   PairSearch pairs_;
   std::vector<PairRow> rows_of_pairs_;
+  std::vector<Eigen::Vector3d> start_;                      // [vertex of the model] of the stage; with pairs only
   double friction_ = 0;                                     // between tissue and tissue
   std::vector<std::vector<std::uint32_t>> point_entries_;   // [vertex] 4 * point + corner
   std::vector<std::uint32_t> place_;                        // [vertex of the model] in the buffers
   double half_thickness_ = 0, margin_ = 0;            // [m]; margin: added to the reach of every piece
+  double let_in_ = 0;                                 // [m] by which the iterations may start inside a tool
+  std::vector<float> limits_;                         // [body] of pairs: the share of its way at which they start
+  std::vector<char> falls_;                           // [vertex of the model] in unconstrained parts
+  Eigen::Vector3d gravity_{0, 0, 0};
   std::uint32_t most_entries_ = 0;                    // of a vertex
   std::vector<std::array<std::uint32_t, 4>> places_;  // of the vertices of points and pairs
   gl::Buffer vertices_, weights_, rest_;              // of the points
   gl::Buffer begin_, end_, entries_;                  // the points of every vertex
-  gl::Buffer pieces_, near_, counts_, list_, constants_;
+  gl::Buffer pieces_, near_, counts_, list_, constants_, body_, limit_;
   gl::Buffer rows_, normals_, forces_, blocks_, loads_;
   std::vector<shared::vec4> uploaded_;  // of pieces_
 };

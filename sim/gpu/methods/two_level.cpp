@@ -89,6 +89,7 @@ Passes TwoLevelMethod::begin(const Recording& r) const {
                                     {"previous_gradient", &previous_gradient_},
                                     {"iterate", &r.buffers.displacement},
                                     {"displacement", &r.buffers.displacement}}));
+  append(passes, r.evaluations());  // the stiffness that the iterations start with
   if (!coarse_.empty()) append(passes, coarse_.begin(r, gradient_.gradient()));
   return passes;
 }
