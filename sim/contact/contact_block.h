@@ -17,7 +17,8 @@ struct ContactBlock {
 
 /// q, or as much of it as friction bears [N].
 Eigen::Vector3d within(const Eigen::Vector3d& q, double bound);
-/// Energy [J] of q within the bound b: |q| <= b: |q|^2 / (2 c), else (b |q| - b^2 / 2) / c, with c = kStickingPenalty k.
+/// Energy [J] of q within the bound b: |q| <= b: |q|^2 / (2 c), else (b |q| - b^2 / 2) / c, with c = kStickingPenalty
+/// k.
 double sticking_energy(const Eigen::Vector3d& q, double bound, double stiffness);
 /// Its second derivatives by the way across the normal `n` [N/m].
 Eigen::Matrix3d sticking_hessian(const Eigen::Vector3d& q, double bound, double stiffness, const Eigen::Vector3d& n);

@@ -47,8 +47,8 @@ void add_vertices(const Model& model, const std::vector<Triangle>& triangles, Po
     if (area[v] > 0) list.add({v, v, v}, {1, 0, 0}, area[v]);
 }
 
-void add_level(int level, const Model& model, const std::vector<Triangle>& triangles, const std::vector<TissueEdge>& edges,
-               PointList& list) {
+void add_level(int level, const Model& model, const std::vector<Triangle>& triangles,
+               const std::vector<TissueEdge>& edges, PointList& list) {
   const int parts = 1 << level;
   for (const TissueEdge& e : edges)
     for (int i = 1; i < parts; i += 2) {

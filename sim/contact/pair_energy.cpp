@@ -65,9 +65,8 @@ std::vector<ContactBlock> PairEnergy::blocks(const VectorXd& u) const {
     if (bound > 0) hessian += sticking_hessian(contact.tangential, bound, row.stiffness, row.normal);
     double reach = 0;
     for (const std::uint32_t v : row.vertices)
-      reach = std::max(reach, (model_.rest_positions[v] + u.segment<3>(3 * static_cast<Eigen::Index>(v)))
-                                  .cwiseAbs()
-                                  .maxCoeff());
+      reach = std::max(
+          reach, (model_.rest_positions[v] + u.segment<3>(3 * static_cast<Eigen::Index>(v))).cwiseAbs().maxCoeff());
     for (std::size_t a = 0; a < 4; ++a)
       for (std::size_t b = 0; b < 4; ++b)
         if (const double weight = row.weights[a] * row.weights[b]; weight != 0)

@@ -1,6 +1,6 @@
-// The energy of tissue that touches tissue in a step: that of sim/contact/contact_energy.h with the depth -gap of a pair
-// instead of that in a tool, and with the way of the two sides against each other since the start of the step. Forces on
-// the two sides are equal and opposite.
+// The energy of tissue that touches tissue in a step: that of sim/contact/contact_energy.h with the depth -gap of a
+// pair instead of that in a tool, and with the way of the two sides against each other since the start of the step.
+// Forces on the two sides are equal and opposite.
 #pragma once
 #include <vector>
 

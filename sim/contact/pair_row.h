@@ -11,11 +11,11 @@ struct PairRow {
   /// that `normal` points to. The first vertex is free.
   std::array<std::uint32_t, 4> vertices{};
   std::array<double, 4> weights{};
-  Eigen::Vector3d normal{0, 0, 0};  // a unit vector, constant within the step
-  Eigen::Vector3d start{0, 0, 0};   // sum_a weights[a] u[vertices[a]] at the start of the step [m]
-  double gap = 0;                   // at the start [m], below 0 inside
-  double stiffness = 0;             // of the penalty on depth [N/m]
-  std::uint32_t slot = 0;           // of its force in the memory of contact, from PairSearch's first one on
+  Eigen::Vector3d normal{0, 0, 0};        // a unit vector, constant within the step
+  Eigen::Vector3d start{0, 0, 0};         // sum_a weights[a] u[vertices[a]] at the start of the step [m]
+  double gap = 0;                         // at the start [m], below 0 inside
+  double stiffness = 0;                   // of the penalty on depth [N/m]
+  std::uint32_t slot = 0;                 // of its force in the memory of contact, from PairSearch's first one on
   std::array<std::uint32_t, 2> bodies{};  // in Model::bodies: the side that `normal` points to, and the other
 };
 

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 constexpr std::uint32_t kNone = ~0u;
 
 // All as shares of the mean edge.
-constexpr double kSkin = 0.1;    // wide enough for what a penalty lets in when bodies meet
+constexpr double kSkin = 0.1;     // wide enough for what a penalty lets in when bodies meet
 constexpr double kMargin = 0.25;  // pairs this much farther than the skin may touch by what forces do in the step
 constexpr double kDeepest = 1;    // behind a face a vertex is farther from, it is not what the vertex went through
 constexpr double kDeepestCrossing = 0.25;
@@ -75,8 +75,7 @@ bool between_sides(const Vector3d& n, const Vector3d& first, const Vector3d& sec
 
 }  // namespace
 
-PairSearch::PairSearch(const Model& model)
-    : self_(model.contact.self), bodies_(model.contact.bodies) {
+PairSearch::PairSearch(const Model& model) : self_(model.contact.self), bodies_(model.contact.bodies) {
   if (!model.touches_tissue()) return;
   rest_ = model.rest_positions;
   held_ = model.held();
@@ -236,7 +235,8 @@ void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t tr
   row.vertices = {v, t[0], t[1], t[2]};
   row.weights = {1, beta + gamma - 1, -beta, -gamma};
   row.normal = normal.normalized();
-  const double softness = softness_[v] + (1 - beta - gamma) * softness_[t[0]] + beta * softness_[t[1]] + gamma * softness_[t[2]];
+  const double softness =
+      softness_[v] + (1 - beta - gamma) * softness_[t[0]] + beta * softness_[t[1]] + gamma * softness_[t[2]];
   row.stiffness = penalty_ * areas_[v] / softness;
   row.slot = slot;
   row.bodies = {body, other};
@@ -372,11 +372,14 @@ std::vector<PairRow> PairSearch::find(const std::vector<Vector3d>& start, const 
     reach.extend(Vector3d(reach.min().array() - 2 * edge_)).extend(Vector3d(reach.max().array() + 2 * edge_));
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
       const std::uint32_t v = vertices_[i];
-      if (may_touch(body_of_[v], other) && reach.intersects(AlignedBox3d(start_[v]).extend(end_[v]))) look_at_vertex(i, other);
+      if (may_touch(body_of_[v], other) && reach.intersects(AlignedBox3d(start_[v]).extend(end_[v])))
+        look_at_vertex(i, other);
     }
     for (std::uint32_t e = 0; e < edges_.size(); ++e)
-      if (const std::uint32_t body = body_of_[edges_[e].from]; convex_[e] && body <= other && may_touch(body, other) &&
-          reach.intersects(AlignedBox3d(start_[edges_[e].from]).extend(end_[edges_[e].from]).extend(start_[edges_[e].to])))
+      if (const std::uint32_t body = body_of_[edges_[e].from];
+          convex_[e] && body <= other && may_touch(body, other) &&
+          reach.intersects(
+              AlignedBox3d(start_[edges_[e].from]).extend(end_[edges_[e].from]).extend(start_[edges_[e].to])))
         look_at_edge(e, other);
   }
   choose_crossings();

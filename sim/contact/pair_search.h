@@ -90,16 +90,16 @@ class PairSearch {
   std::vector<BodyTree> trees_;  // [body]
 
   // Of the step
-  std::vector<Eigen::Vector3d> start_, end_;      // [vertex_count] x
-  std::vector<Eigen::Vector3d> normals_;          // [triangle] outward, at the start
-  std::vector<Eigen::Vector3d> vertex_normals_;   // [vertex_count] their sums, weighted by area
-  std::vector<char> convex_;                      // [edge] or pressed
-  std::vector<char> near_;                        // [vertex_count] to other surface
-  std::vector<char> pressed_;                     // [slot] in the step before
+  std::vector<Eigen::Vector3d> start_, end_;     // [vertex_count] x
+  std::vector<Eigen::Vector3d> normals_;         // [triangle] outward, at the start
+  std::vector<Eigen::Vector3d> vertex_normals_;  // [vertex_count] their sums, weighted by area
+  std::vector<char> convex_;                     // [edge] or pressed
+  std::vector<char> near_;                       // [vertex_count] to other surface
+  std::vector<char> pressed_;                    // [slot] in the step before
   std::vector<PairRow> rows_;
-  std::vector<Candidate> crossings_;    // of edges
-  std::vector<double> cost_;            // [slot] of the pair that holds it
-  std::vector<std::uint32_t> holder_;   // [slot] in rows_, or none
+  std::vector<Candidate> crossings_;   // of edges
+  std::vector<double> cost_;           // [slot] of the pair that holds it
+  std::vector<std::uint32_t> holder_;  // [slot] in rows_, or none
 };
 
 }  // namespace fascia

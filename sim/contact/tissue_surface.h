@@ -16,9 +16,9 @@ double area_of(const Model& model, const Triangle& triangle);  // [m^2] at rest
 std::vector<std::uint32_t> bodies_of_vertices(const Model& model);
 
 struct TissueEdge {
-  std::uint32_t from, to;                 // ascending vertices
-  std::array<std::uint32_t, 2> sides{};   // triangles at it; the second one kNoSide at the rim of none
-  double area = 0;                        // [m^2] of all triangles at it
+  std::uint32_t from, to;                // ascending vertices
+  std::array<std::uint32_t, 2> sides{};  // triangles at it; the second one kNoSide at the rim of none
+  double area = 0;                       // [m^2] of all triangles at it
   static constexpr std::uint32_t kNoSide = ~0u;
 };
 /// In the order in which the triangles name them.

@@ -1,6 +1,6 @@
+#include "sim/output/stats.h"
 #include "sim/contact/pair_search.h"
 #include "sim/contact/penetration.h"
-#include "sim/output/stats.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,7 +139,8 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
     json["bytes_per_iteration"] = gpu->bytes_per_iteration();
   }
   if (!stats.tool_loads.empty()) json["contact"] = contact_forces(simulation.model, stats.tool_loads);
-  if (simulation.model.touches_tissue()) json["tissue_contact"] = tissue_contact(simulation.model, stats.pair_loads, last);
+  if (simulation.model.touches_tissue())
+    json["tissue_contact"] = tissue_contact(simulation.model, stats.pair_loads, last);
   if (stats.imbalance) json["imbalance"] = *stats.imbalance;
   if (stats.error) json["error"] = *stats.error;
   if (stats.errors) json["errors"] = to_json(*stats.errors);

@@ -116,7 +116,7 @@ struct NewtonSolver::Impl {
   const ContactSurface contact;
   const std::vector<double> penalty;  // [contact.points] [N/m]
   PairSearch pairs;
-  std::optional<ToolMotion> tools;    // none: on their paths
+  std::optional<ToolMotion> tools;  // none: on their paths
   std::vector<ToolLoad> loads;
   std::vector<PairLoad> pair_loads;
 };
@@ -175,8 +175,7 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   potential.force = VectorXd::Zero(old.size());
   for (const GrabSpring& spring : springs) add(spring, potential);
   if (system.viscous()) potential.viscous = {strains(stage, old, earlier), stage.length};
-  if (touches())
-    potential.contact = contact_from(old, old + stage.duration * velocity, penalty, motion, state.contact);
+  if (touches()) potential.contact = contact_from(old, old + stage.duration * velocity, penalty, motion, state.contact);
 
   // The inertial prediction is the better start, but not if it inverts tets.
   VectorXd u = old;

@@ -7,9 +7,14 @@ namespace fascia::test {
 /// The second one's vertices and tets follow those of the first; both keep their materials. Files are not merged.
 inline Model beside(Model first, const Model& second, const std::string& name) {
   if (first.bodies.empty())
-    first.bodies = {{"first", 0, static_cast<std::uint32_t>(first.rest_positions.size()), 0,
-                     static_cast<std::uint32_t>(first.tets.size()), 0,
-                     static_cast<std::uint32_t>(first.materials.size()), {}}};
+    first.bodies = {{"first",
+                     0,
+                     static_cast<std::uint32_t>(first.rest_positions.size()),
+                     0,
+                     static_cast<std::uint32_t>(first.tets.size()),
+                     0,
+                     static_cast<std::uint32_t>(first.materials.size()),
+                     {}}};
   const auto vertices = static_cast<std::uint32_t>(first.rest_positions.size());
   const auto tets = static_cast<std::uint32_t>(first.tets.size());
   const auto materials = static_cast<std::uint32_t>(first.materials.size());
@@ -27,9 +32,13 @@ inline Model beside(Model first, const Model& second, const std::string& name) {
   for (const std::uint32_t v : second.fixed) first.fixed.push_back(v + vertices);
   const auto part_of = [](const Model& model, std::uint32_t v, std::uint32_t t, std::uint32_t m) {
     return BodyPart{"",
-                    v, static_cast<std::uint32_t>(model.rest_positions.size()) - v,
-                    t, static_cast<std::uint32_t>(model.tets.size()) - t,
-                    m, static_cast<std::uint32_t>(model.materials.size()) - m, {}};
+                    v,
+                    static_cast<std::uint32_t>(model.rest_positions.size()) - v,
+                    t,
+                    static_cast<std::uint32_t>(model.tets.size()) - t,
+                    m,
+                    static_cast<std::uint32_t>(model.materials.size()) - m,
+                    {}};
   };
   first.bodies.push_back(part_of(first, vertices, tets, materials));
   first.bodies.back().name = name;

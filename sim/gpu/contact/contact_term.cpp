@@ -7,8 +7,8 @@
 #include "base/error.h"
 #include "sim/contact/contact_energy.h"
 #include "sim/contact/tissue_surface.h"
-#include "sim/model/unconstrained_parts.h"
 #include "sim/gpu/passes/reduction.h"
+#include "sim/model/unconstrained_parts.h"
 #include "sim/tool/shape_distance.h"
 
 namespace fascia {
@@ -23,10 +23,10 @@ constexpr std::uint32_t kMostPairsOfVertex = 1024;
 // Of the size of the tissue: points closer to a tool may touch it in a step in which they were expected to rest.
 constexpr double kMargin = 0.02;
 // How deep inside the iterations may start: enough for what touches to press, and for its stiffness to be known.
-constexpr double kLetIn = 1e-4;         // of the size, in tools
-constexpr double kLetInOfSkin = 0.05;   // in tissue
-constexpr double kLeastShare = 1e-6;    // of the way: 0 says that the start stays as it is
-constexpr std::uint32_t kNoBody = ~0u;  // shaders/sim/contact/contact_retreat.comp
+constexpr double kLetIn = 1e-4;          // of the size, in tools
+constexpr double kLetInOfSkin = 0.05;    // in tissue
+constexpr double kLeastShare = 1e-6;     // of the way: 0 says that the start stays as it is
+constexpr std::uint32_t kNoBody = ~0u;   // shaders/sim/contact/contact_retreat.comp
 constexpr std::uint32_t kStretch = 256;  // of points that one invocation lists
 
 vec4 row(const Vector3d& v, double w = 0) {
@@ -364,16 +364,16 @@ EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffe
   Passes passes;
   if (!surface_.empty())
     passes.push_back(over_points(programs, "sim/contact/contact_start.comp",
-                               {{"start_displacement", &buffers.start_of_stage()},
-                                {"displacement", &buffers.displacement},
-                                {"contact_memory", &buffers.contact_memory},
-                                {"contact_before", &buffers.contact_before},
-                                {"contact_near", &near_},
-                                {"contact_anchor", &rows_},
-                                {"contact_normal_now", &normals_},
-                                {"contact_limit", &limit_},
-                                {"contact_force", &forces_},
-                                {"contact_block", &blocks_}}));
+                                 {{"start_displacement", &buffers.start_of_stage()},
+                                  {"displacement", &buffers.displacement},
+                                  {"contact_memory", &buffers.contact_memory},
+                                  {"contact_before", &buffers.contact_before},
+                                  {"contact_near", &near_},
+                                  {"contact_anchor", &rows_},
+                                  {"contact_normal_now", &normals_},
+                                  {"contact_limit", &limit_},
+                                  {"contact_force", &forces_},
+                                  {"contact_block", &blocks_}}));
   const gl::Defines stretched{{"STRETCH", std::to_string(kStretch)}};
   if (!surface_.empty())
     passes

@@ -1,7 +1,7 @@
 // Contact on the GPU: the energy of sim/contact/contact_energy.h as one more term of the step's objective. Points near
 // no piece of a tool cost one pass at the start of a stage; forces, energies and curvatures are computed over the list
-// of the others, whose length the GPU knows alone. Pairs of the tissue with itself are found by the CPU, which reads the
-// state at the start of a stage for that, and are at the head of the same list.
+// of the others, whose length the GPU knows alone. Pairs of the tissue with itself are found by the CPU, which reads
+// the state at the start of a stage for that, and are at the head of the same list.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -25,7 +25,8 @@ class ContactTerm : public EnergyTerm {
   ContactTerm(const Model& model, SimBuffers& buffers);
 
   void materials_changed(const Model& model);
-  /// The poses of a stage of `duration` [s], and the pairs of the tissue. Waits for the GPU where tissue touches tissue.
+  /// The poses of a stage of `duration` [s], and the pairs of the tissue. Waits for the GPU where tissue touches
+  /// tissue.
   void begin_stage(const ToolMotion& motion, double duration, SimBuffers& buffers);
   /// Whether the stage's iterations led tissue through tissue. Their result is then where the next ones of the same
   /// stage start, with the pairs that are met on the way there. Waits for the GPU where tissue is near tissue.
@@ -76,14 +77,14 @@ class ContactTerm : public EnergyTerm {
   ContactSurface surface_;
   PairSearch pairs_;
   std::vector<PairRow> rows_of_pairs_;
-  std::vector<Eigen::Vector3d> start_;                      // [vertex of the model] of the stage; with pairs only
-  double friction_ = 0;                                     // between tissue and tissue
-  std::vector<std::vector<std::uint32_t>> point_entries_;   // [vertex] 4 * point + corner
-  std::vector<std::uint32_t> place_;                        // [vertex of the model] in the buffers
-  double half_thickness_ = 0, margin_ = 0;            // [m]; margin: added to the reach of every piece
-  double let_in_ = 0;                                 // [m] by which the iterations may start inside a tool
-  std::vector<float> limits_;                         // [body] of pairs: the share of its way at which they start
-  std::vector<char> falls_;                           // [vertex of the model] in unconstrained parts
+  std::vector<Eigen::Vector3d> start_;                     // [vertex of the model] of the stage; with pairs only
+  double friction_ = 0;                                    // between tissue and tissue
+  std::vector<std::vector<std::uint32_t>> point_entries_;  // [vertex] 4 * point + corner
+  std::vector<std::uint32_t> place_;                       // [vertex of the model] in the buffers
+  double half_thickness_ = 0, margin_ = 0;                 // [m]; margin: added to the reach of every piece
+  double let_in_ = 0;                                      // [m] by which the iterations may start inside a tool
+  std::vector<float> limits_;                              // [body] of pairs: the share of its way at which they start
+  std::vector<char> falls_;                                // [vertex of the model] in unconstrained parts
   Eigen::Vector3d gravity_{0, 0, 0};
   std::uint32_t most_entries_ = 0;                    // of a vertex
   std::vector<std::array<std::uint32_t, 4>> places_;  // of the vertices of points and pairs

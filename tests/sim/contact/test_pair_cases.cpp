@@ -49,9 +49,53 @@ TEST_CASE("a stack of two cubes presses with once and twice a weight", "[contact
   REQUIRE(loads.size() == 1);
   CAPTURE(loads[0].force.transpose(), loads[0].pairs, loads[0].deepest, solver.tool_loads()[0].force.transpose());
   CHECK(loads[0].bodies == std::array<std::uint32_t, 2>{0, 1});
-  CHECK((loads[0].force - Vector3d(0, 78.48, 0)).norm() < 1e-4 * 78.48);
-  CHECK((solver.tool_loads()[0].force - Vector3d(0, 2 * 78.48, 0)).norm() < 1e-4 * 78.48);
+  CHECK((loads[0].force - Vector3d(0, 78.48, 0)).norm() < 1e-3 * 78.48);
+  CHECK((solver.tool_loads()[0].force - Vector3d(0, 2 * 78.48, 0)).norm() < 1e-3 * 78.48);
   CHECK(loads[0].deepest < 0.01 * PairSearch(model).skin());
+  CHECK(penetrating_triangles(model, state.displacement) == 0);
+}
+
+// Each keeps what the other gives it; the closing speed is a fifth of that of waves in the cubes.
+TEST_CASE("a collision in free flight keeps the momentum of both", "[contact]") {
+  const Material material = soft(1e5);
+  Model model =
+      beside(moved(box_model(3, 3, 3, {0.2, 0.2, 0.2}, material), {0, 0, 0}, {1.5, 0, 0}),
+             moved(box_model(4, 4, 4, {0.2, 0.2, 0.2}, material), {0.23, 0.03, 0.02}, {-0.5, 0, 0}), "second");
+  model.contact.friction = 0.3;
+  NewtonSolver solver(model, frames());
+  State state = initial_state(model);
+  const Measures before = measure(model, state);
+  double largest_force = 0;
+  for (int i = 0; i < 30; ++i) {
+    const NewtonReport report = solver.step(state);
+    CAPTURE(i, report.iterations, report.relative_residual);
+    CHECK(report.converged);
+    for (const PairLoad& load : solver.pair_loads()) largest_force = std::max(largest_force, load.force.norm());
+    const Measures now = measure(model, state);
+    CAPTURE(now.momentum.transpose(), before.momentum.transpose(), now.kinetic + now.elastic);
+    CHECK((now.momentum - before.momentum).norm() < 1e-6 * before.momentum.norm());
+    CHECK(now.kinetic + now.elastic <= before.kinetic * (1 + 1e-9));
+    CHECK(penetrating_triangles(model, state.displacement) == 0);
+  }
+  CHECK(largest_force > 50);
+  CHECK(solver.pair_loads().empty());
+}
+
+TEST_CASE("cubes set on each other have a static equilibrium", "[contact]") {
+  const Material material = soft(1e5);
+  Model model = beside(box_model(3, 3, 3, {0.2, 0.2, 0.2}, material),
+                       moved(box_model(4, 4, 4, {0.2, 0.2, 0.2}, material), {0.03, 0.2, 0.02}), "upper");
+  model.gravity = {0, -9.81, 0};
+  model.tools = {ground()};
+  NewtonSolver solver(model, frames());
+  State state = initial_state(model);
+  const NewtonReport report = solver.solve_static(state);
+  REQUIRE(solver.pair_loads().size() == 1);
+  const Vector3d between = solver.pair_loads()[0].force, below = solver.tool_loads()[0].force;
+  CAPTURE(report.iterations, report.relative_residual, between.transpose(), below.transpose());
+  CHECK(report.converged);
+  CHECK((between - Vector3d(0, 78.48, 0)).norm() < 1e-6 * 78.48);
+  CHECK((below - Vector3d(0, 2 * 78.48, 0)).norm() < 1e-6 * 78.48);
   CHECK(penetrating_triangles(model, state.displacement) == 0);
 }
 

@@ -1,0 +1,110 @@
+// Covers: sim/contact/contact_block.h
+#include "sim/contact/pair_energy.h"
+
+#include <catch2/catch.hpp>
+
+#include "tests/sim/reference/box_model.h"
+#include "tests/support/touching_bodies.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+struct Touching {
+  Model model = test::beside(test::box_model(1, 1, 1, {0.1, 0.1, 0.1}, test::soft(1e5)),
+                             test::box_model(1, 1, 1, {0.1, 0.1, 0.1}, test::soft(1e5)), "second");
+  std::vector<PairRow> rows;
+  ContactMemory memory;
+  VectorXd start;
+
+  explicit Touching(double friction) {
+    model.contact.friction = friction;
+    test::Random random(5);
+    start = 1e-3 * random.vector(3 * static_cast<Eigen::Index>(model.rest_positions.size()));
+    const std::array<std::array<double, 4>, 2> weights{{{1, -0.2, -0.3, -0.5}, {0.4, 0.6, -0.7, -0.3}}};
+    for (std::uint32_t k = 0; k < 6; ++k) {
+      PairRow& row = rows.emplace_back();
+      row.vertices = k % 2 ? std::array<std::uint32_t, 4>{k, k + 1, 8 + k, 9 + k}
+                           : std::array<std::uint32_t, 4>{k, 8 + k, 9 + k, 10 + k};
+      row.weights = weights[k % 2];
+      row.normal = random.vector().normalized();
+      for (std::size_t a = 0; a < 4; ++a)
+        row.start += row.weights[a] * start.segment<3>(3 * static_cast<Eigen::Index>(row.vertices[a]));
+      row.gap = 1e-3 * random();
+      row.stiffness = 1e3 * (1.5 + random());
+      row.slot = k;
+      row.bodies = {0, 1};
+    }
+    memory.resize(6);
+    for (ContactForce& force : memory) {
+      force.normal = random() > 0 ? 3 * std::abs(random()) : 0;
+      force.friction = 0.5 * force.normal * random.vector();
+    }
+  }
+};
+
+TEST_CASE("forces between tissue are the gradient of their energy, and the blocks their derivative", "[contact]") {
+  for (const double friction : {0.0, 0.5}) {
+    const Touching touching(friction);
+    const PairEnergy energy(touching.model, touching.rows, touching.memory, 0);
+    test::Random random(8);
+    const VectorXd u = touching.start + 2e-3 * random.vector(touching.start.size());
+    const VectorXd direction = random.vector(u.size());
+    const auto gradient_at = [&](const VectorXd& at) {
+      VectorXd gradient = VectorXd::Zero(at.size());
+      energy.evaluate(at, gradient);
+      return gradient;
+    };
+    const auto energy_at = [&](const VectorXd& at) {
+      VectorXd unused = VectorXd::Zero(at.size());
+      return energy.evaluate(at, unused);
+    };
+    constexpr double kStep = 1e-7;
+    const double slope = (energy_at(u + kStep * direction) - energy_at(u - kStep * direction)) / (2 * kStep);
+    const VectorXd change = (gradient_at(u + kStep * direction) - gradient_at(u - kStep * direction)) / (2 * kStep);
+    VectorXd product = VectorXd::Zero(u.size());
+    for (const ContactBlock& block : energy.blocks(u))
+      product.segment<3>(3 * block.row_vertex) += block.hessian * direction.segment<3>(3 * block.column_vertex);
+    CAPTURE(friction, slope, gradient_at(u).dot(direction), change.norm(), (product - change).norm());
+    CHECK(gradient_at(u).norm() > 1);
+    CHECK(slope == Approx(gradient_at(u).dot(direction)).epsilon(1e-6));
+    CHECK((product - change).norm() < 1e-5 * change.norm());
+  }
+}
+
+TEST_CASE("forces between tissue add up to nothing, and the load of a body is their sum", "[contact]") {
+  const Touching touching(0.5);
+  const PairEnergy energy(touching.model, touching.rows, touching.memory, 0);
+  const VectorXd u = 1.5 * touching.start;
+  VectorXd gradient = VectorXd::Zero(u.size());
+  energy.evaluate(u, gradient);
+  Vector3d first(0, 0, 0), second(0, 0, 0);
+  for (Eigen::Index v = 0; v < 16; ++v) (v < 8 ? first : second) -= gradient.segment<3>(3 * v);
+  const std::vector<PairLoad> loads = energy.loads(u);
+  REQUIRE(loads.size() == 1);
+  CAPTURE(first.transpose(), second.transpose(), loads[0].force.transpose(), loads[0].pairs);
+  CHECK(second.norm() > 0.1);
+  CHECK((first + second).norm() < 1e-12 * second.norm());
+  CHECK((loads[0].force - second).norm() < 1e-12 * second.norm());
+  CHECK(loads[0].bodies == std::array<std::uint32_t, 2>{0, 1});
+  ContactMemory memory(6);
+  energy.remember(u, memory);
+  for (const ContactForce& force : memory) {
+    CHECK(force.normal >= 0);
+    CHECK(force.friction.norm() <= 0.5 * force.normal + 1e-12);
+  }
+}
+
+TEST_CASE("a memory without slots means no forces", "[contact]") {
+  const Touching touching(0.5);
+  const PairEnergy fresh(touching.model, touching.rows, {}, 0),
+      zeros(touching.model, touching.rows, ContactMemory(6), 0);
+  VectorXd a = VectorXd::Zero(touching.start.size()), b = a;
+  CHECK(fresh.evaluate(touching.start, a) == zeros.evaluate(touching.start, b));
+  CHECK(a == b);
+}
+
+}  // namespace
+}  // namespace fascia

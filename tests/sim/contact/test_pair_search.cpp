@@ -1,0 +1,127 @@
+// Covers: sim/contact/pair_row.h, sim/contact/tissue_surface.h
+#include "sim/contact/pair_search.h"
+
+#include <catch2/catch.hpp>
+
+#include "tests/sim/reference/box_model.h"
+#include "tests/support/touching_bodies.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kSize = 0.2;
+Model box(int cells = 4) { return test::box_model(cells, cells, cells, {kSize, kSize, kSize}, test::soft(1e5)); }
+
+std::vector<Vector3d> nowhere(const Model& model) { return {model.rest_positions.size(), Vector3d::Zero()}; }
+
+// The second body alone moves by `way` in the step.
+std::vector<PairRow> found(PairSearch& search, const Model& model, const Vector3d& way) {
+  std::vector<Vector3d> end = nowhere(model);
+  for (std::uint32_t v = model.bodies[1].vertex_begin; v < end.size(); ++v) end[v] = way;
+  return search.find(nowhere(model), end, {});
+}
+
+TEST_CASE("pairs of two boxes have gaps along outward normals, and weights that add up to nothing", "[contact]") {
+  const Model model = test::beside(box(), test::moved(box(3), {0.02, kSize + 0.003, 0.01}), "upper");
+  PairSearch search(model);
+  const std::vector<PairRow> rows = found(search, model, {0, 0, 0});
+  // The vertices of the upper box's bottom above the lower one, and those of the lower one's top below the upper one
+  CHECK(rows.size() > 20);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const PairRow& row = rows[k];
+    CAPTURE(k, row.normal.transpose(), row.gap, row.slot, search.skin());
+    CHECK(std::abs(row.normal.y()) == Approx(1));
+    CHECK(row.normal.y() * (row.bodies[0] == 1 ? 1 : -1) > 0);
+    CHECK(row.weights[0] + row.weights[1] + row.weights[2] + row.weights[3] == Approx(0).margin(1e-12));
+    CHECK(row.gap == Approx(0.003 - std::min(search.skin(), 0.003 + 0.25 * search.skin())).margin(1e-12));
+    CHECK(row.stiffness > 0);
+    if (k > 0) CHECK(row.slot > rows[k - 1].slot);
+    CHECK(row.slot < search.slot_count());
+  }
+}
+
+TEST_CASE("what is far apart has no pairs, and what will meet within the step has them", "[contact]") {
+  const Model model = test::beside(box(), test::moved(box(3), {0.02, kSize + 0.15, 0.01}), "upper");
+  PairSearch search(model);
+  CHECK(found(search, model, {0, 0, 0}).empty());
+  CHECK_FALSE(search.sees_near());
+  CHECK(found(search, model, {0, -0.05, 0}).empty());
+  const std::size_t met = found(search, model, {0, -0.3, 0}).size();
+  CHECK(met > 20);
+  // Also where it comes down beside where it started
+  const Model shifted = test::beside(box(), test::moved(box(3), {0.32, kSize + 0.15, 0.01}), "upper");
+  PairSearch other(shifted);
+  CHECK(found(other, shifted, {0, -0.3, 0}).empty());
+  CHECK(found(other, shifted, {-0.4, -0.2, 0}).size() > 20);
+}
+
+TEST_CASE("crossing edges of two boxes are a pair", "[contact]") {
+  // Two boxes, each turned by 45 degrees about an axis of its own, so that an edge of one lies across an edge of the
+  // other
+  Model lower = box(1), upper = box(1);
+  const Eigen::Matrix3d about_z(Eigen::AngleAxisd(0.785398, Vector3d::UnitZ())),
+      about_x(Eigen::AngleAxisd(0.785398, Vector3d::UnitX()));
+  const Vector3d middle = Vector3d::Constant(kSize / 2);
+  const double height = kSize * std::sqrt(2.0);
+  for (Vector3d& x : lower.rest_positions) x = about_z * (x - middle);
+  for (Vector3d& x : upper.rest_positions) x = about_x * (x - middle) + Vector3d(0.013, height + 1e-3, 0.017);
+  const Model model = test::beside(lower, upper, "upper");
+  PairSearch search(model);
+  std::vector<PairRow> rows = found(search, model, {0, 0, 0});
+  std::erase_if(rows, [](const PairRow& row) { return row.gap > 0.01; });  // of vertices farther down the slopes
+  REQUIRE(rows.size() == 1);
+  CAPTURE(rows[0].normal.transpose(), rows[0].weights[0], rows[0].weights[1], rows[0].weights[2], rows[0].weights[3]);
+  CHECK(std::abs(rows[0].normal.y()) == Approx(1));
+  int above = 0;
+  for (const double weight : rows[0].weights) above += weight > 0 ? 1 : 0;
+  CHECK(above == 2);
+}
+
+TEST_CASE("a body at rest does not touch itself, however thin", "[contact]") {
+  Model plate = test::box_model(40, 1, 20, {0.2, 0.004, 0.2}, test::soft(1e5));
+  plate.bodies = {{"plate",
+                   0,
+                   static_cast<std::uint32_t>(plate.rest_positions.size()),
+                   0,
+                   static_cast<std::uint32_t>(plate.tets.size()),
+                   0,
+                   1,
+                   {}}};
+  plate.contact.self = true;
+  PairSearch search(plate);
+  REQUIRE_FALSE(search.empty());
+  CHECK(search.find(nowhere(plate), nowhere(plate), {}).empty());
+  // Rolled up until its ends overlap
+  std::vector<Vector3d> rolled;
+  const double radius = 0.2 / 6.0;
+  for (const Vector3d& x : plate.rest_positions) {
+    const double angle = 1.2 * x.x() / radius, r = radius - x.y() - 1e-3 * angle;
+    rolled.push_back(Vector3d(r * std::sin(angle), radius - r * std::cos(angle), x.z()) - x);
+  }
+  CHECK(search.find(rolled, rolled, {}).size() > 5);
+}
+
+TEST_CASE("models whose tissue touches nothing have no pairs", "[contact]") {
+  const Model alone = box();
+  CHECK(PairSearch(alone).empty());
+  Model apart = test::beside(box(), test::moved(box(), {0, kSize, 0}), "upper");
+  apart.contact.bodies = false;
+  PairSearch search(apart);
+  CHECK(search.empty());
+  CHECK(search.find(nowhere(apart), nowhere(apart), {}).empty());
+}
+
+TEST_CASE("a result that goes through other tissue is told from one that does not", "[contact]") {
+  const Model model = test::beside(box(), test::moved(box(3), {0.02, kSize + 0.003, 0.01}), "upper");
+  PairSearch search(model);
+  found(search, model, {0, 0, 0});
+  std::vector<Vector3d> end = nowhere(model);
+  CHECK_FALSE(search.misses(end));
+  for (std::uint32_t v = model.bodies[1].vertex_begin; v < end.size(); ++v) end[v] = {0, -0.01, 0};
+  CHECK(search.misses(end));
+}
+
+}  // namespace
+}  // namespace fascia

@@ -1,0 +1,41 @@
+#include "sim/contact/penetration.h"
+
+#include <catch2/catch.hpp>
+
+#include "tests/sim/reference/box_model.h"
+#include "tests/support/touching_bodies.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+
+TEST_CASE("a segment goes through a triangle if it crosses its plane within it") {
+  const Vector3d a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
+  CHECK(goes_through({0.2, 0.2, -1}, {0.2, 0.2, 1}, a, b, c));
+  CHECK(goes_through({0.2, 0.2, 1}, {0.3, 0.2, -1}, a, b, c));
+  CHECK_FALSE(goes_through({0.2, 0.2, 0.1}, {0.2, 0.2, 1}, a, b, c));
+  CHECK_FALSE(goes_through({0.8, 0.8, -1}, {0.8, 0.8, 1}, a, b, c));
+}
+
+TEST_CASE("triangles that cut each other are counted, of two bodies and of one", "[contact]") {
+  const Model box = test::box_model(2, 2, 2, {0.2, 0.2, 0.2}, test::soft(1e5));
+  const auto cuts = [&](const Vector3d& way) {
+    const Model model = test::beside(box, test::moved(box, way), "second");
+    return penetrating_triangles(model, std::vector<Vector3d>(model.rest_positions.size(), Vector3d::Zero()));
+  };
+  CHECK(cuts({0.03, 0.21, 0.02}) == 0);
+  CHECK(cuts({0.5, 0, 0}) == 0);
+  // The lower corner of one box in the other: each of its three faces goes through three faces.
+  CHECK(cuts({0.13, 0.17, 0.15}) > 3);
+
+  // A corner that is pushed through the opposite face
+  std::vector<Vector3d> u(box.rest_positions.size(), Vector3d::Zero());
+  CHECK(penetrating_triangles(box, u) == 0);
+  for (std::size_t v = 0; v < u.size(); ++v)
+    if (box.rest_positions[v] == Vector3d(0.1, 0.2, 0.1)) u[v] = {0.01, -0.25, 0.02};
+  CHECK(penetrating_triangles(box, u) > 0);
+}
+
+}  // namespace
+}  // namespace fascia
