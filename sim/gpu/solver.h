@@ -149,6 +149,7 @@ class GpuSolver {
   void begin_stage(const IntegratorStage& stage);
   void place_tools(double duration);
   void begin_step();                           // of time_step
+  bool takes_contact(int iteration) const;     // before it, into the coarse level
   void iterate(int iteration, int count = 1);  // `count` iterations, if fused and alike_from() permits
   void end_stage();
   void iterate_all();

@@ -68,8 +68,15 @@ void GpuSolver::place_tools(double duration) {
   contact_.begin_stage(stage_motion_, duration, buffers_);
 }
 
+// A body that leaves what it touched would be held by the stiffness of the stage's start: of a collision's release, ten
+// iterations are 7 % off without later updates, 2 % with them.
+bool GpuSolver::takes_contact(int iteration) const {
+  constexpr int kInterval = 4;
+  return contact_.acts() && iteration % kInterval == 0;
+}
+
 void GpuSolver::iterate(int iteration, int count) {
-  if (iteration == 0 && contact_.acts()) method_->set_contact(contact_.stiffness_at_points());
+  if (takes_contact(iteration)) method_->set_contact(contact_.stiffness_at_points());
   const bool refreshes = StepMethod::refreshes_before(iteration, settings_.iterations);
   if (const FusedStep* fused = fused_step()) {
     if (refreshes) fused->refresh.run();
@@ -90,7 +97,9 @@ void GpuSolver::end_stage() {
 
 int GpuSolver::alike_from(int iteration) const {
   int end = iteration + 1;
-  while (iteration > 0 && end < settings_.iterations && !StepMethod::refreshes_before(end, settings_.iterations)) ++end;
+  while (iteration > 0 && end < settings_.iterations && !StepMethod::refreshes_before(end, settings_.iterations) &&
+         !takes_contact(end))
+    ++end;
   return end;
 }
 

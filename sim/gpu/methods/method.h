@@ -56,7 +56,7 @@ class StepMethod {
   /// Upper bounds on what the passes of an iteration may defer (deferred_tets.h). `fused`: whether the passes are fused
   /// (gl/fused_pass.h).
   virtual Deferral most_deferred(const SimBuffers&, bool fused) const { return static_cast<void>(fused), Deferral{}; }
-  /// Takes the stiffness of contact at the start of a stage, after begin(): later updates gain nothing.
+  /// Takes the stiffness of contact, after begin() and again where it has changed.
   virtual void set_contact(const std::vector<PointStiffness>&) {}
   /// The next set_contact() depends on its argument alone, so that steps from this state on repeat to the bit.
   virtual void forget_contact() {}
