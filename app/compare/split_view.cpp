@@ -156,6 +156,7 @@ void SplitView::lead(Session& a, Session& grab) {
   const bool led_by_a = &grab == &a || a.simulation.replaying();  // a replay's grabs are at A, wherever the mouse is
   Simulation &leads = led_by_a ? a.simulation : b_->simulation, &follows = led_by_a ? b_->simulation : a.simulation;
   follows.set_grab(leads.asked_springs());
+  for (const LedTool& tool : leads.led_tools()) follows.lead(tool);
 }
 
 void SplitView::step(Session& a, Session& grab) {

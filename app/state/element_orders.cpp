@@ -15,6 +15,7 @@ State with_elements(const State& state, const Model& from, const Model& to) {
   if (from.mid_edges == to.mid_edges && from.rest_positions.size() == to.rest_positions.size()) return state;
   State result = initial_state(to);
   result.time = state.time;
+  result.led = state.led;
   for (std::size_t b = 0; b < to.bodies.size(); ++b) {
     const BodyPart &before = from.bodies[b], &after = to.bodies[b];
     for (std::uint32_t v = 0; v < std::min(before.vertex_count, after.vertex_count); ++v) {

@@ -360,6 +360,8 @@ void GpuSolver::follow(const GpuSolver& leader) {
   buffers_.velocity.copy(leader.buffers_.velocity, buffers_.velocity.bytes());
   if (buffers_.contact_memory)
     buffers_.contact_memory.copy(leader.buffers_.contact_memory, buffers_.contact_memory.bytes());
+  led_motion_ = leader.led_motion_;
+  if (led_motion_) led_motion_->from = led_motion_->to;
   time_ = leader.time_;
   state_changed();
   if (leader.earlier_step_ == 0 || !buffers_.earlier_displacement) return;

@@ -50,6 +50,8 @@ class GpuSolver {
   void set_settings(const SolverSettings& settings);
   void materials_changed();  // also for gravity; acts on the next step; no state buffer is rebuilt
   void set_grab(const std::vector<GrabSpring>& springs);  // empty: releases all grabs
+  /// The motion of the tools in the next steps; none: on their paths.
+  void set_tools(std::optional<ToolMotion> motion) { led_motion_ = std::move(motion); }
   /// The motion of the tools in the last stage.
   const ToolMotion& tool_motion() const { return stage_motion_; }
   void set_color(ColorBy color);
@@ -205,6 +207,7 @@ class GpuSolver {
   ContactTerm contact_;
   const EnergyTerms terms_{&grab_, &contact_};  // external energies
   ToolMotion step_motion_, stage_motion_;       // of the last step, of its last stage
+  std::optional<ToolMotion> led_motion_;        // none: on their paths
   double step_begin_ = 0;                       // [s]
   DiagnosticsReader diagnostics_;
   StateGuard guard_;

@@ -58,7 +58,7 @@ void GpuSolver::begin_stage(const IntegratorStage& stage) {
 
 void GpuSolver::begin_step() {
   step_begin_ = time_;
-  step_motion_ = motion_on_paths(given_.tools, time_, time_ + settings_.time_step);
+  step_motion_ = led_motion_ ? *led_motion_ : motion_on_paths(given_.tools, time_, time_ + settings_.time_step);
 }
 
 void GpuSolver::place_tools(double duration) {

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "sim/tool/led_tools.h"
+
 namespace fascia {
 
 struct Model;
@@ -29,7 +31,8 @@ struct State {
     double step = 0;  // length of that substep [s]; 0: unknown
   };
   Earlier earlier = {};
-  ContactMemory contact = {};  // forces that the step before left
+  ContactMemory contact = {};     // forces that the step before left
+  std::vector<LedTool> led = {};  // tools that left their paths
 };
 /// The rest shape of the scene, with its initial velocities, at time 0.
 State initial_state(const Model& model);

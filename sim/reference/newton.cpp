@@ -296,7 +296,7 @@ NewtonReport NewtonSolver::solve(const IntegratorStage& stage, State& state) {
   return impl_->solve(stage, impl_->motion_within(state.time, state.time + stage.duration), state);
 }
 
-void NewtonSolver::set_tools(const ToolMotion& motion) { impl_->tools = motion; }
+void NewtonSolver::set_tools(const std::optional<ToolMotion>& motion) { impl_->tools = motion; }
 
 const std::vector<ToolLoad>& NewtonSolver::tool_loads() const { return impl_->loads; }
 const std::vector<PairLoad>& NewtonSolver::pair_loads() const { return impl_->pair_loads; }

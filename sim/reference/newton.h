@@ -80,9 +80,9 @@ class NewtonSolver {
   NewtonReport solve(const IntegratorStage& stage, State& state);
   /// Sets the springs; several at a vertex are possible, and initially there are none.
   void set_springs(const std::vector<GrabSpring>& springs);
-  /// Sets the motion of the tools in the steps and solves that follow, each of which begins and ends with it. Initially
-  /// tools follow their paths.
-  void set_tools(const ToolMotion& motion);
+  /// Sets the motion of the tools in the steps and solves that follow, each of which begins and ends with it. None, as
+  /// initially: they follow their paths.
+  void set_tools(const std::optional<ToolMotion>& motion);
   /// [tool] at the end of the last step or solve.
   const std::vector<ToolLoad>& tool_loads() const;
   const std::vector<PairLoad>& pair_loads() const;  // of tissue on tissue, in the same step

@@ -12,6 +12,12 @@ struct Applying {
   void operator()(const MaterialInput& input) { tuning.materials[input.index] = input.material; }
   void operator()(const GravityInput& input) { tuning.gravity = input.gravity; }
   void operator()(const GrabInput& springs) { tuning.springs = springs; }
+  void operator()(const InstrumentInput& input) {
+    LedTools led;
+    led.restart(tuning.led);
+    led.lead(input);
+    tuning.led = led.tools();
+  }
   template <class Other>
   void operator()(const Other&) {}  // no value to keep
 };
@@ -29,7 +35,7 @@ void InputLog::restart(long step, Tuning tuning) {
 void InputLog::add(Input input) {
   // Several moves of a slider between two steps act as one; each input of springs replaces all springs.
   if (!inputs_.empty() && inputs_.back().step == input.step && inputs_.back().change.index() == input.change.index() &&
-      !std::holds_alternative<MaterialInput>(input.change))
+      !std::holds_alternative<MaterialInput>(input.change) && !std::holds_alternative<InstrumentInput>(input.change))
     inputs_.back() = std::move(input);
   else
     inputs_.push_back(std::move(input));

@@ -12,6 +12,7 @@ struct Tuning {
   std::vector<Material> materials;  // Model::materials
   Eigen::Vector3d gravity{0, 0, 0};
   GrabInput springs;
+  std::vector<LedTool> led = {};  // tools that left their paths
 
   void apply(const Input& input);  // only inputs that InputLog records
 };

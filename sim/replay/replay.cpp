@@ -59,6 +59,20 @@ GrabMove read_move(const Node& node) {
   return move;
 }
 
+InstrumentInput read_instrument_input(const Node& node) {
+  constexpr double kMostDegrees = 1e6;
+  node.expect_object({"name", "position", "rotate_deg", "grip"});
+  InstrumentInput input;
+  input.name = node.at("name", "that of an instrument").text("that of an instrument");
+  const auto vector = [&](const char* key, const char* expected, double most) {
+    return node.at(key, expected).vector(-most, most, "");
+  };
+  input.place = {vector("position", "of its origin [x, y, z] [m]", kAnything),
+                 vector("rotate_deg", "degrees about x, y and z", kMostDegrees),
+                 node.at("grip", "0 to 1").number(0, 1, "")};
+  return input;
+}
+
 MaterialInput read_material_input(const Node& node) {
   node.expect_object({"index", "values"});
   return {static_cast<std::size_t>(node.at("index", "that of a material").integer(0, kMostVertices)),
@@ -87,6 +101,7 @@ const std::vector<ChangeKey>& change_keys() {
       {"gravity", [](const Node& n) -> Change { return GravityInput{n.vector(-kAnything, kAnything, "m/s^2")}; }},
       {"grab", [](const Node& n) -> Change { return read_springs(n); }},
       {"move", [](const Node& n) -> Change { return read_move(n); }},
+      {"instrument", [](const Node& n) -> Change { return read_instrument_input(n); }},
       {"iterations", [](const Node& n) -> Change { return GrantInput{n.integer(1, 10000)}; }},
       {"background", [](const Node& n) -> Change { return BackgroundInput{n.integer(1, kMostSteps)}; }},
       {"reset", [](const Node& n) -> Change { return read_reset(n); }},
@@ -144,7 +159,7 @@ ContactMemory read_contact(const Node& node) {
 }
 
 State read_start(const Node& start) {
-  start.expect_object({"time", "displacement", "velocity", "earlier", "contact"});
+  start.expect_object({"time", "displacement", "velocity", "earlier", "contact", "instruments"});
   State state;
   state.time = start.at("time", "seconds").number(0, kAnything, "s");
   state.displacement = read_vectors(start.at("displacement", "a vector per vertex [m]"));
@@ -155,6 +170,9 @@ State read_start(const Node& start) {
                "one of each per vertex");
   if (const auto earlier = start.find("earlier")) state.earlier = read_earlier(*earlier, state.displacement.size());
   if (const auto contact = start.find("contact")) state.contact = read_contact(*contact);
+  if (const auto instruments = start.find("instruments"))
+    for (const Node& led : instruments->elements("a list of instruments that left their paths"))
+      state.led.push_back(read_instrument_input(led));
   return state;
 }
 

@@ -32,6 +32,7 @@ struct GravityInput {
   bool operator==(const GravityInput&) const = default;
 };
 using GrabInput = std::vector<GrabSpring>;  // all springs from this step on; empty: no grab
+using InstrumentInput = LedTool;            // at this place at the end of this step, and led from then on
 struct GrantInput {
   int iterations;  // that fit into solver.frame_budget from this step on
   bool operator==(const GrantInput&) const = default;
@@ -48,8 +49,8 @@ struct RestoreInput {  // the state diverged: back to the last valid one, at res
   bool operator==(const RestoreInput&) const = default;
 };
 
-using Change = std::variant<SolverSettings, MaterialInput, GravityInput, GrabInput, GrabMove, GrantInput,
-                            BackgroundInput, ResetInput, RestoreInput, CameraSettings, DisplaySettings>;
+using Change = std::variant<SolverSettings, MaterialInput, GravityInput, GrabInput, GrabMove, InstrumentInput,
+                            GrantInput, BackgroundInput, ResetInput, RestoreInput, CameraSettings, DisplaySettings>;
 
 struct Input {
   long step;  // takes effect before this step, counted from 0; camera and display are visible from then on

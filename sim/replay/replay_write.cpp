@@ -39,6 +39,13 @@ Json document_of(const GrabMove& move) {
   return list;
 }
 
+Json document_of(const InstrumentInput& led) {
+  return {{"name", led.name},
+          {"position", vector_document(led.place.position)},
+          {"rotate_deg", vector_document(led.place.rotate_deg)},
+          {"grip", led.place.grip}};
+}
+
 std::string line_of(const Json& document) {
   return document.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -56,6 +63,7 @@ std::string replay_line(const Input& input) {
     void operator()(const GravityInput& g) { object["gravity"] = vector_document(g.gravity); }
     void operator()(const GrabInput& springs) { object["grab"] = document_of(springs); }
     void operator()(const GrabMove& move) { object["move"] = document_of(move); }
+    void operator()(const InstrumentInput& led) { object["instrument"] = document_of(led); }
     void operator()(const GrantInput& grant) { object["iterations"] = grant.iterations; }
     void operator()(const BackgroundInput& background) { object["background"] = background.results; }
     void operator()(const ResetInput& reset) { object["reset"] = reset.to_rest ? "rest" : "start"; }
@@ -87,6 +95,7 @@ std::string replay_header(const Replay& replay, const std::filesystem::path& fol
                                     {"velocity", list_of(earlier.velocity)}};
     if (const ContactMemory& contact = replay.start->contact; !contact.empty())
       header["start"]["contact"] = {{"rows", contact.size()}, {"forces", list_of(contact)}};
+    for (const InstrumentInput& led : replay.start->led) header["start"]["instruments"].push_back(document_of(led));
   }
   header["timed"] = replay.timed;
   return line_of(header);

@@ -16,6 +16,7 @@ using Eigen::Vector3d;
 // The log as a replay that begins with the valid state.
 Replay replay_of(Simulation& simulation, State start) {
   const InputLog& log = simulation.log();
+  start.led = log.tuning().led;
   Replay replay{simulation.scene, std::move(start), log.inputs(), simulation.steps_made() - log.begin()};
   replay.scene.solver = log.tuning().solver;
   replay.scene.gravity = log.tuning().gravity;
@@ -36,6 +37,7 @@ class Repetition {
     solver_ = std::make_unique<GpuSolver>(programs, model_, tuning_.solver);
     solver_->finish_background();
     solver_->upload(*replay.start);
+    led_.restart(replay.start->led);
   }
 
   void step() {
@@ -49,12 +51,17 @@ class Repetition {
         solver_->set_settings(tuning_.solver);
       else if (std::holds_alternative<GrabInput>(input.change))
         pull();
+      else if (const auto* led = std::get_if<InstrumentInput>(&input.change))
+        led_.lead(*led);
       else
         solver_->materials_changed();
       solver_->finish_background();
     }
     pull();
+    if (!led_.empty())
+      solver_->set_tools(led_.motion(model_.tools, solver_->time(), solver_->time() + tuning_.solver.time_step));
     solver_->step();
+    led_.arrive();
     ++steps_;
     if (steps_ % Simulation::kCheckInterval == 0) {  // the first of the steps also followed such a check
       solver_->request_check();
@@ -72,6 +79,7 @@ class Repetition {
   const Replay& replay_;
   Model model_;
   Tuning tuning_;
+  LedTools led_;
   std::unique_ptr<GpuSolver> solver_;
   std::size_t next_ = 0;
   long steps_ = 0;

@@ -38,6 +38,8 @@ void Simulation::make_step() {
   const bool replaying_timed = replaying() && replay_->timed;  // uses the recorded number of iterations
   pull(with_grabs(other_springs_, model.grabs, time() + scene.solver.time_step));
   if (asleep_ && tools_move()) wake();
+  give_motion();
+  led_.arrive();
   ++steps_;
   if (!reference_) {
     if (asleep_) {
@@ -59,9 +61,30 @@ void Simulation::make_step() {
   if (gpu_) gpu_->upload(reference_state_);
 }
 
+ToolMotion Simulation::tool_motion() const { return led_.motion(model.tools, time(), time() + scene.solver.time_step); }
+
 bool Simulation::tools_move() const {
-  const ToolMotion motion = motion_on_paths(model.tools, time(), time() + scene.solver.time_step);
+  const ToolMotion motion = tool_motion();
   return motion.from != motion.to;
+}
+
+void Simulation::give_motion() {
+  const std::optional<ToolMotion> motion = led_.empty() ? std::nullopt : std::optional(tool_motion());
+  if (reference_)
+    reference_->set_tools(motion);
+  else
+    gpu_->set_tools(motion);
+}
+
+std::vector<ToolPlace> Simulation::tool_places() const { return led_.motion(model.tools, time(), time()).to; }
+
+void Simulation::lead(const LedTool& tool) {
+  const std::vector<LedTool> led = led_.tools();
+  if (std::find(led.begin(), led.end(), tool) != led.end()) return;  // an unchanged place wakes no tissue
+  wake();
+  led_.lead(tool);
+  log_.add({steps_, tool});
+  tell(tool);
 }
 
 void Simulation::wake() {
@@ -85,13 +108,14 @@ void Simulation::back_to_valid() {
   equilibrium_.reset();
   gpu_->restore_valid(false);
   valid_state_ = gpu_->download();
+  valid_state_.led = led_.tools();
   gpu_->restore_valid(true);
   diverged_.reset();
   tell(RestoreInput{});
 }
 
 Tuning Simulation::tuning() const {
-  Tuning now{scene.solver, model.materials, model.gravity, other_springs_};
+  Tuning now{scene.solver, model.materials, model.gravity, other_springs_, led_.tools()};
   now.solver.frame_budget = 0;  // the iterations that fitted are recorded as inputs
   return now;
 }
@@ -139,6 +163,7 @@ void Simulation::go_on_from(const State& state) {
   equilibrium_.reset();
   if (reference_) reference_state_ = state;
   if (gpu_) gpu_->upload(state);
+  led_.restart(state.led);
   diverged_.reset();
   begin_anew();
 }
@@ -258,7 +283,15 @@ void Simulation::pull(std::vector<GrabSpring> springs) {
 }
 
 State Simulation::state() const {
-  return reference_ ? reference_state_ : equilibrium_ ? *equilibrium_ : gpu_->download();
+  State state = reference_ ? reference_state_ : equilibrium_ ? *equilibrium_ : gpu_->download();
+  state.led = led_.tools();
+  return state;
+}
+
+State Simulation::last_valid() const {
+  State state = gpu_->download_valid();
+  state.led = led_.tools();
+  return state;
 }
 
 double Simulation::mean_iterations() const {

@@ -72,6 +72,10 @@ class Simulation {
   void set_gravity(const Eigen::Vector3d& gravity);
   /// Sets the springs of grabs that are not the scene's: the mouse's, or a replay's; empty: no grab.
   void set_grab(std::vector<GrabSpring> springs);
+  /// A hand leads an instrument: at this place at the end of the next step, and off its path until the next reset.
+  void lead(const LedTool& tool);
+  std::vector<LedTool> led_tools() const { return led_.tools(); }
+  std::vector<ToolPlace> tool_places() const;                                      // [tool of the model] now
   const std::vector<GrabSpring>& asked_springs() const { return other_springs_; }  // of the last set_grab()
   /// All current springs, those of the scene's grabs after the others.
   const std::vector<GrabSpring>& springs() const { return springs_; }
@@ -90,8 +94,8 @@ class Simulation {
   void back_to_valid();
   State valid_state() const { return valid_state_; }  // of the last back_to_valid(), with its velocities
   void begin_anew();
-  State last_valid() const { return gpu_->download_valid(); }  // the last one known, with its velocities
-  const InputLog& log() const { return log_; }                 // since the last known valid state
+  State last_valid() const;                     // the last one known, with its velocities
+  const InputLog& log() const { return log_; }  // since the last known valid state
   long steps_made() const { return steps_; }
   /// Whether steps only advance time, because nothing moves and nothing has changed since the body came to rest
   /// (solver.rest_speed).
@@ -135,7 +139,9 @@ class Simulation {
   bool settle();
   void judge_device(const StateGuard::Verdict& first);
   void wake();
-  bool tools_move() const;  // in the next step
+  ToolMotion tool_motion() const;  // in the next step
+  bool tools_move() const;
+  void give_motion();  // of led tools, to the solver
   void pull(std::vector<GrabSpring> springs);
   void renew_reference();
   Tuning tuning() const;
@@ -157,6 +163,7 @@ class Simulation {
   Tuning replay_tuning_;        // before its first input
   std::optional<State> start_;  // where reset() goes; none: the scene's rest state
   GrabTrack held_;
+  LedTools led_;
   Listener listener_;
   InputLog log_;
   State valid_state_;

@@ -14,6 +14,13 @@ void Simulation::require_fit(const Replay& replay) const {
   if (replay.start && replay.start->displacement.size() != vertices)
     fail("start has " + std::to_string(replay.start->displacement.size()) + " vertices",
          "expected the mesh's " + std::to_string(vertices));
+  const auto require_instrument = [&](const std::string& name, const std::string& who) {
+    for (const Instrument& instrument : scene.tools.instruments)
+      if (instrument.name == name) return;
+    fail(who + " leads " + name, "expected an instrument of the scene");
+  };
+  if (replay.start)
+    for (const LedTool& led : replay.start->led) require_instrument(led.name, "start");
   GrabTrack held;
   for (const Input& input : replay.inputs) {
     const auto* material = std::get_if<MaterialInput>(&input.change);
@@ -27,6 +34,7 @@ void Simulation::require_fit(const Replay& replay) const {
                "expected an index below " + std::to_string(vertices));
       held.restart(*springs);
     }
+    if (const auto* led = std::get_if<InstrumentInput>(&input.change)) require_instrument(led->name, "an input");
     if (const auto* move = std::get_if<GrabMove>(&input.change); move && !held.fits(*move))
       fail("an input before step " + std::to_string(input.step) + " moves other springs than those of the grab",
            "expected parts that cover them");
@@ -78,6 +86,7 @@ void Simulation::repeat(const Change& change) {
       if (simulation.held_.fits(move))
         simulation.apply_grab(simulation.held_.moved(move), move);  // otherwise set_grab() has taken over
     }
+    void operator()(const InstrumentInput& led) { simulation.lead(led); }
     void operator()(const GrantInput& input) { simulation.grant(input.iterations); }
     void operator()(const BackgroundInput& input) {
       if (!simulation.gpu_) return;
@@ -132,6 +141,7 @@ void Simulation::go_back_to(bool rest) {
   const State start = rest || !start_ ? initial_state(model) : *start_;
   if (reference_) reference_state_ = start;
   if (gpu_) gpu_->upload(start);
+  led_.restart(start.led);
   pull(with_grabs(other_springs_, model.grabs, time() + scene.solver.time_step));
   diverged_.reset();
   begin_anew();

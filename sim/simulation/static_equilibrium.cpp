@@ -1,5 +1,6 @@
 #include "sim/simulation/static_equilibrium.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -16,6 +17,7 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
   const auto by_newton = [&](State& state, double tolerance) {
     reference::NewtonSolver solver(model, scene.solver, stop);
     solver.set_springs(springs_);
+    if (!led_.empty()) solver.set_tools(led_.motion(model.tools, time(), std::max(time(), model.end_of_tools())));
     return solver.solve_static(state, tolerance);
   };
   if (reference_) {

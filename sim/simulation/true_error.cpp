@@ -62,10 +62,16 @@ double TrueError::error_in_time(const Problem& problem, const std::stop_token& s
   State coarse = *problem.last, fine = coarse;
   SolverSettings halved = problem.settings;
   halved.substeps *= 2;
+  LedTools led;  // which stay where they are
+  led.restart(problem.last->led);
   for (const auto& [settings, state] : {std::pair(problem.settings, &coarse), std::pair(halved, &fine)}) {
     reference::NewtonSolver solver(problem.model, settings, stop);
     solver.set_springs(problem.springs);
-    for (int k = 0; k < kFollowedSteps && !stop.stop_requested(); ++k) solver.step(*state);
+    for (int k = 0; k < kFollowedSteps && !stop.stop_requested(); ++k) {
+      if (!led.empty())
+        solver.set_tools(led.motion(problem.model.tools, state->time, state->time + settings.time_step));
+      solver.step(*state);
+    }
   }
   return richardson_factor(problem.settings.integrator) * relative_distance(coarse.displacement, fine.displacement);
 }

@@ -2,15 +2,17 @@
 
 namespace fascia {
 
+ToolPlace between(const ToolPlace& from, const ToolPlace& to, double share) {
+  if (share >= 1) return to;
+  return {between(from.pose, to.pose, share), (1 - share) * from.grip + share * to.grip};
+}
+
 ToolMotion ToolMotion::part(double from_share, double to_share) const {
   if (from_share <= 0 && to_share >= 1) return *this;
   ToolMotion result;
-  const auto place = [&](std::size_t t, double share) {
-    return ToolPlace{between(from[t].pose, to[t].pose, share), (1 - share) * from[t].grip + share * to[t].grip};
-  };
   for (std::size_t t = 0; t < from.size(); ++t) {
-    result.from.push_back(place(t, from_share));
-    result.to.push_back(place(t, to_share));
+    result.from.push_back(between(from[t], to[t], from_share));
+    result.to.push_back(between(from[t], to[t], to_share));
   }
   return result;
 }

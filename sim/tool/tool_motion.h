@@ -6,6 +6,9 @@
 
 namespace fascia {
 
+/// On the way from one place of a tool to another, jaws included.
+ToolPlace between(const ToolPlace& from, const ToolPlace& to, double share);
+
 struct ToolMotion {
   std::vector<ToolPlace> from, to;  // [tool] at the start and at the end
   /// The motion between two shares of this one.

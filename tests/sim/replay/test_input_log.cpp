@@ -45,6 +45,21 @@ TEST_CASE("of several changes of a kind before a step the last one counts, of ma
   CHECK(log.tuning().solver.iterations == 10);
 }
 
+TEST_CASE("instruments led in the same step all count, and stay where they were led when inputs are dropped") {
+  const InstrumentInput probe{"probe", {{0, 1, 0}, {0, 0, 0}, 0}}, later{"probe", {{0, 2, 0}, {0, 0, 0}, 0}},
+      jaws{"jaws", {{3, 0, 0}, {0, 0, 0}, 0.5}};
+  InputLog log;
+  log.restart(0, start());
+  log.add({1, probe});
+  log.add({1, jaws});
+  log.add({2, later});
+  CHECK(log.inputs() == std::vector<Input>{{1, probe}, {1, jaws}, {2, later}});
+  log.forget_before(2);
+  CHECK(log.tuning().led == std::vector<LedTool>{probe, jaws});
+  log.forget_before(3);
+  CHECK(log.tuning().led == std::vector<LedTool>{later, jaws});
+}
+
 TEST_CASE("dropped inputs are in the initial values of the log") {
   InputLog log;
   log.restart(0, start());

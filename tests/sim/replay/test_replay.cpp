@@ -53,6 +53,7 @@ TEST_CASE("a written replay reads back the same, to the last digit") {
                    {5, MaterialInput{1, material}},
                    {6, GravityInput{{0, 9.81, 0}}},
                    {7, GrabMove{{{1, {0.1, 1.0 / 3, -1e-9}}, {1, {0, 0, 0}}}}},
+                   {7, InstrumentInput{"probe", {{0.1, 1.0 / 3, -1e-9}, {12.5, 1.0 / 7, -179}, 2.0 / 3}}},
                    {7, GrantInput{4}},
                    {8, BackgroundInput{2}},
                    {9, ResetInput{true}},
@@ -62,6 +63,7 @@ TEST_CASE("a written replay reads back the same, to the last digit") {
                    {12, shown},
                    {40, GrabInput{}}};
   if (with_start) replay.start->contact = {{}, {{0.1f, 0, -2}, 5}, {}};
+  if (with_start) replay.start->led = {{"forceps", {{0.1, 1.0 / 3, 0}, {0, 90, 1.0 / 7}, 0.3}}};
   if (with_start) replay.start->earlier = {{{0.1f, 0, 3}, {1.0 / 7, 0, -2e8}}, {{1e-30, 4, 6}, {0, 2, 1}}, 1.0 / 60};
   replay.timed = with_start;
   replay.hash = 0x0123456789abcdef;
@@ -85,6 +87,7 @@ TEST_CASE("a written replay reads back the same, to the last digit") {
   CHECK(read.start->earlier.velocity == replay.start->earlier.velocity);
   CHECK(read.start->earlier.step == 1.0 / 60);
   CHECK(read.start->contact == replay.start->contact);
+  CHECK(read.start->led == replay.start->led);
 }
 
 TEST_CASE("--set changes the scene of a replay") {
@@ -107,7 +110,10 @@ TEST_CASE("a file that is no replay is refused in one line") {
         "r.fascia: start: 1 displacements, 0 velocities; expected one of each per vertex");
   CHECK(input_error(R"({"step": 1})") ==
         "r.fascia: inputs[0]: is {\"step\":1}; expected \"step\" and one of solver, material, gravity, grab, move, "
-        "iterations, background, reset, sound, camera, display");
+        "instrument, iterations, background, reset, sound, camera, display");
+  CHECK(
+      input_error(R"({"step": 1, "instrument": {"name": "probe", "position": [0, 0, 0], "rotate_deg": [0, 0, 0]}})") ==
+      "r.fascia: inputs[0].instrument.grip: is missing; expected 0 to 1");
   CHECK(input_error(R"({"step": 2, "gravity": [0, 0, 0]}, {"step": 1, "gravity": [0, 0, 0]})") ==
         "r.fascia: inputs[1].step: is 1; expected a whole number, 2 to 1e+09");
   CHECK(input_error(R"({"step": 0, "grab": [[1, 2, 3]]})") ==
