@@ -39,7 +39,7 @@ set(arrows
   "sim/simulation: base sim/accuracy sim/gpu sim/gpu/passes sim/grab sim/model sim/reference sim/replay sim/scene"
   "sim/surface: base sim/elements sim/mesh sim/mesh/io"
   "sim/tool: base sim/scene/tools"
-  "sim/visual: base sim/mesh sim/model sim/scene/tools"
+  "sim/visual: base sim/mesh sim/model sim/scene/tools sim/tool"
   "render: gl render/passes render/target render/view"
   "include/fascia:"
   "api: base gl gl/context include/fascia sim/bare_mesh sim/grab sim/material sim/mesh sim/mesh/io sim/model sim/output sim/scene sim/scene/settings sim/simulation"
@@ -64,11 +64,11 @@ set(arrows
   "app/golden: base base/json sim/model sim/output sim/reference render/target"
   "app/headless: base gl shaders/shared sim/output sim/replay sim/scene sim/simulation render render/view app/cli app/compare app/golden app/overlay app/panels app/session app/video"
   "app/kernels: base sim/scene app/system"
-  "app/overlay: base sim/grab sim/scene/settings render/passes render/view app/charts app/panels app/session app/ui"
+  "app/overlay: base sim/grab sim/scene/settings sim/tool render/passes render/view app/charts app/panels app/session app/ui"
   "app/panels: base gl sim/material sim/replay render/view app/session app/state app/system app/ui"
   "app/refine: base gl sim/accuracy sim/grab sim/output sim/reference sim/scene sim/simulation"
   "app/session: base base/json gl sim/bare_mesh sim/gpu/readback sim/grab sim/material sim/mesh sim/model sim/output sim/replay sim/scene sim/scene/settings sim/simulation sim/visual render render/context render/target render/view app/cli app/system app/ui"
-  "app/state: shaders/shared sim/gpu/readback sim/grab sim/material sim/mesh sim/model sim/output sim/scene sim/simulation app/session app/ui app/video"
+  "app/state: shaders/shared sim/contact sim/gpu/readback sim/grab sim/material sim/mesh sim/model sim/output sim/scene sim/scene/tools sim/simulation app/session app/ui app/video"
   "app/stress: base sim/bare_mesh sim/grab sim/material sim/mesh sim/mesh/io sim/model sim/replay sim/simulation app/bench app/system"
   "app/system: base"
   "app/ui: sim/output"
@@ -76,7 +76,7 @@ set(arrows
   "app/video: base sim/output sim/replay sim/scene render/target app/cli app/system"
   "app/window: base gl sim/grab sim/output sim/scene sim/simulation sim/visual render app/cli app/compare app/dialogs app/overlay app/panels app/session app/state app/system app/ui app/video app/window/brush app/window/parts"
   "app/window/brush: sim/mesh sim/visual app/session app/state"
-  "app/window/parts: base gl sim/grab sim/replay sim/scene sim/simulation sim/visual render/target render/view app/kernels app/overlay app/panels app/session app/state app/ui"
+  "app/window/parts: base gl sim/contact sim/grab sim/replay sim/scene sim/simulation sim/tool sim/visual render/target render/view app/kernels app/overlay app/panels app/session app/state app/ui"
 )
 
 set(rooms)

@@ -40,6 +40,7 @@ void display_panel(const PanelContext& context);
 void statistics_panel(const PanelContext& context);
 void grab_panel(const PanelContext& context);
 void brush_panel(const PanelContext& context);
+void instruments_panel(const PanelContext& context);
 void history_panel(const PanelContext& context);
 
 void draw_plots(const Simulation& simulation, WindowState& state, Requests& requests);  // a window of its own, movable

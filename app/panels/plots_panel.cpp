@@ -25,53 +25,86 @@ constexpr float kBottomShare = 0.42f;  // of the picture's height, where they ar
 constexpr float kFlat = 320,
                 kTwoColumns = 560;  // a lower window folds the choice of charts; a wider one has two columns [points]
 
-constexpr TimeCurve kEnergy[] = {{"kinetic", [](const Sample& s) { return s.kinetic; }},
-                                 {"elastic", [](const Sample& s) { return s.elastic; }},
-                                 {"gravity", [](const Sample& s) { return s.gravitational; }},
-                                 {"total", [](const Sample& s) { return s.total(); }}};
-constexpr TimeCurve kVolume[] = {{"", [](const Sample& s) { return s.volume_ratio; }}};
-constexpr TimeCurve kForce[] = {{"grab", [](const Sample& s) { return s.grab.norm(); }},
-                                {"supports", [](const Sample& s) { return s.reaction.norm(); }}};
-constexpr TimeCurve kDisplacement[] = {{"x", [](const Sample& s) { return s.probe.x(); }},
-                                       {"y", [](const Sample& s) { return s.probe.y(); }},
-                                       {"z", [](const Sample& s) { return s.probe.z(); }},
-                                       {"length", [](const Sample& s) { return s.probe.norm(); }}};
-constexpr TimeCurve kResidual[] = {{"", [](const Sample& s) { return s.residual; }}};
-constexpr TimeCurve kIterationCurves[] = {{"", [](const Sample& s) { return s.iterations; }}};
-constexpr TimeCurve kClock[] = {{"frame", [](const Sample& s) { return s.frame_ms / 1000; }},
-                                {"step", [](const Sample& s) { return s.step_ms / 1000; }}};
+std::vector<TimeCurve> of_tools(const std::vector<Tool>& tools, Eigen::Vector3d ToolLoad::*quantity) {
+  std::vector<TimeCurve> curves;
+  for (std::size_t t = 0; t < tools.size(); ++t)
+    curves.push_back({tools[t].name, [t, quantity](const Sample& s) {
+                        return t < s.tools.size() ? (s.tools[t].*quantity).norm() : Sample::kUnknown;
+                      }});
+  return curves;
+}
 
-const TimeChart kCharts[] = {{"Energy", "J", false, kEnergy},   {"Volume", "", false, kVolume},
-                             {"Force", "N", false, kForce},     {"Displacement", "m", false, kDisplacement},
-                             {"Residual", "", true, kResidual}, {"Iterations", "", false, kIterationCurves},
-                             {"Clock", "s", false, kClock}};
+// All but the last one, Convergence, which is not over time. Contact and Torque are without curves where nothing can
+// touch.
+std::vector<TimeChart> charts_of(const std::vector<Tool>& tools) {
+  return {{"Energy",
+           "J",
+           false,
+           {{"kinetic", [](const Sample& s) { return s.kinetic; }},
+            {"elastic", [](const Sample& s) { return s.elastic; }},
+            {"gravity", [](const Sample& s) { return s.gravitational; }},
+            {"total", [](const Sample& s) { return s.total(); }}}},
+          {"Volume", "", false, {{"", [](const Sample& s) { return s.volume_ratio; }}}},
+          {"Force",
+           "N",
+           false,
+           {{"grab", [](const Sample& s) { return s.grab.norm(); }},
+            {"supports", [](const Sample& s) { return s.reaction.norm(); }}}},
+          {"Contact", "N", false, of_tools(tools, &ToolLoad::force)},
+          {"Displacement",
+           "m",
+           false,
+           {{"x", [](const Sample& s) { return s.probe.x(); }},
+            {"y", [](const Sample& s) { return s.probe.y(); }},
+            {"z", [](const Sample& s) { return s.probe.z(); }},
+            {"length", [](const Sample& s) { return s.probe.norm(); }}}},
+          {"Torque", "Nm", false, of_tools(tools, &ToolLoad::torque)},
+          {"Residual", "", true, {{"", [](const Sample& s) { return s.residual; }}}},
+          {"Iterations", "", false, {{"", [](const Sample& s) { return s.iterations; }}}},
+          {"Clock",
+           "s",
+           false,
+           {{"frame", [](const Sample& s) { return s.frame_ms / 1000; }},
+            {"step", [](const Sample& s) { return s.step_ms / 1000; }}}}};
+}
+
 const char* const kChartHelp[] = {
     "Kinetic, elastic and gravitational energy (0 at the rest positions) and their sum: damping by the tissue or by "
     "the time step reduces the sum",
     "Volume of all tissue, over its volume at rest",
     "Forces of the mouse and of the supports on the tissue",
+    "Force of each instrument, of obstacles and of the ground on the tissue, of single steps",
     "Displacement of the point marked in the picture: at first the point farthest from the supports",
+    "Torque of these forces about the origin of each",
     "Relative residual of each step: 0 is an exact solution, 1 is the residual of the start",
     "Iterations of each step, per substep",
     "Time from picture to picture, and of one time step on the GPU",
     "The residual over the iterations of the next step"};
-static_assert(std::size(kCharts) + 1 == Plots::kCharts && std::size(kChartHelp) == Plots::kCharts);
+static_assert(std::size(kChartHelp) == Plots::kCharts);
 constexpr std::size_t kConvergence = Plots::kCharts - 1;
 
-const char* name_of_chart(std::size_t i) { return i == kConvergence ? "Convergence" : kCharts[i].title; }
+const char* name_of_chart(const std::vector<TimeChart>& charts, std::size_t i) {
+  return i == kConvergence ? "Convergence" : charts[i].title;
+}
+
+bool can_be_shown(const std::vector<TimeChart>& charts, std::size_t i) {
+  return i == kConvergence || !charts[i].curves.empty();
+}
 
 // A button each, or with `folded` a list behind one button.
-void choose_charts(Plots& plots, bool folded) {
+void choose_charts(const std::vector<TimeChart>& charts, Plots& plots, bool folded) {
   if (folded) {
     ImGui::SameLine();
     if (ui::button("Charts", ImGui::GetContentRegionAvail().x)) ImGui::OpenPopup("charts");
     ui::tooltip("The charts that are shown");
     if (!ImGui::BeginPopup("charts")) return;
-    for (std::size_t i = 0; i < Plots::kCharts; ++i) ui::checkbox(name_of_chart(i), plots.chosen[i], kChartHelp[i]);
+    for (std::size_t i = 0; i < Plots::kCharts; ++i)
+      if (can_be_shown(charts, i)) ui::checkbox(name_of_chart(charts, i), plots.chosen[i], kChartHelp[i]);
     return ImGui::EndPopup();
   }
   for (std::size_t i = 0; i < Plots::kCharts; ++i) {
-    const char* name = name_of_chart(i);
+    if (!can_be_shown(charts, i)) continue;
+    const char* name = name_of_chart(charts, i);
     const float width = ImGui::CalcTextSize(name).x + 2 * ImGui::GetStyle().FramePadding.x;
     if (i > 0) {
       ImGui::SameLine(0, ui::px(4));
@@ -116,14 +149,14 @@ std::array<float, 4> dock_of(const WindowState& state) {
 }
 
 // The chosen charts, as high as the room allows.
-void draw_charts(Plots& plots, int columns) {
+void draw_charts(const std::vector<TimeChart>& charts, Plots& plots, int columns) {
   constexpr float kConvergenceHeight = 210;  // [points]
   std::vector<std::size_t> chosen;
   std::size_t lines = 0;  // of the legends, at the default width
-  for (std::size_t i = 0; i < std::size(kCharts); ++i)
-    if (plots.chosen[i]) {
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    if (plots.chosen[i] && can_be_shown(charts, i)) {
       chosen.push_back(i);
-      lines += kCharts[i].curves.size() > 2 ? 2 : 1;
+      lines += charts[i].curves.size() > 2 ? 2 : 1;
     }
   plots.cursor = std::exchange(plots.cursor_next, std::nullopt);
   if (chosen.empty()) return;
@@ -136,7 +169,7 @@ void draw_charts(Plots& plots, int columns) {
   if (!ImGui::BeginTable("charts", columns)) return;
   for (std::size_t i = 0; i < count; ++i) {
     ImGui::TableNextColumn();
-    ui::time_plot(kCharts[chosen[i]], plots, height, i + width >= count);
+    ui::time_plot(charts[chosen[i]], plots, height, i + width >= count);
   }
   ImGui::EndTable();
 }
@@ -167,9 +200,10 @@ void draw_plots(const Simulation& simulation, WindowState& state, Requests& requ
     plots.left = corner.x, plots.top = corner.y, plots.width = size.x, plots.height = size.y;
     const bool flat = size.y < ui::px(kFlat);
     buttons(plots, requests, flat ? 6 : 5);
-    choose_charts(plots, flat);
+    const std::vector<TimeChart> charts = charts_of(simulation.model.tools);
+    choose_charts(charts, plots, flat);
     plots.charts_top = ImGui::GetCursorScreenPos().y - 0.5f * ImGui::GetStyle().ItemSpacing.y;
-    draw_charts(plots, size.x > ui::px(kTwoColumns) ? 2 : 1);
+    draw_charts(charts, plots, size.x > ui::px(kTwoColumns) ? 2 : 1);
     if (plots.chosen[kConvergence]) convergence_rows(simulation, state.convergence);
   }
   ImGui::End();

@@ -115,7 +115,7 @@ void draw_legend(const TimeChart& chart, const Sample* at) {
   ImGui::PopFont();
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
     const double value = at ? chart.curves[i].value(*at) : Sample::kUnknown;
-    const std::string text = std::string(chart.curves[i].name) + (chart.curves[i].name[0] ? " " : "") +
+    const std::string text = chart.curves[i].name + (chart.curves[i].name.empty() ? "" : " ") +
                              engineering(value, chart.unit, chart.unit[0] ? 4 : 6);
     ImGui::SameLine(0, px(10));
     if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(text.c_str()).x) ImGui::NewLine();

@@ -1,8 +1,9 @@
 // A chart over time inside a panel: curves of samples with axes, read at a cursor. All charts of a panel share the time
 // and the cursor.
 #pragma once
-#include <span>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include <imgui.h>
 
@@ -11,15 +12,15 @@
 namespace fascia::ui {
 
 struct TimeCurve {
-  const char* name;
-  double (*value)(const Sample&);
+  std::string name;
+  std::function<double(const Sample&)> value;
 };
 
 struct TimeChart {
   const char* title;
   const char* unit;  // as in engineering(); "": a bare number
   bool logarithmic;
-  std::span<const TimeCurve> curves;
+  std::vector<TimeCurve> curves;
 };
 
 /// A chart as wide as the panel and `height` points high. The line above it shows names and values at the cursor, or

@@ -13,6 +13,8 @@ namespace {
 constexpr double kFootDepth = 0.05;  // of the radius: a body with held vertices so near its lowest point stands on it
 constexpr double kLeftView = 1.25;   // times the size at rest, beyond which a body has left the view of frame()
 
+const Eigen::Vector4f kPlainMetal(0, 0, 0, 0), kHighlight(0.95f, 0.62f, 0.30f, 0.45f);  // tints
+
 std::vector<std::uint32_t> drawn_vertices(const VisualSurface& surface) {
   std::vector<std::uint32_t> vertices;
   for (const Triangle& t : surface.triangles) vertices.insert(vertices.end(), t.begin(), t.end());
@@ -263,16 +265,19 @@ void Session::show_paints() {
 void Session::show_tools() {
   const std::vector<Tool>& tools = simulation.model.tools;
   if (tools.empty()) return;
-  const std::vector<ToolPlace> places = places_at(tools, simulation.time());
-  if (places == shown_places_) return;
+  const std::vector<ToolPlace> places = simulation.tool_places();
+  if (places == shown_places_ && highlighted == shown_highlight_) return;
   if (tool_meshes_.empty())
     for (const Tool& tool : tools) tool_meshes_.push_back(shape_mesh(tool.shape, 2 * look.radius));
   RigidSurface surface;
   for (std::size_t t = simulation.scene.tools.ground ? 1 : 0; t < tools.size(); ++t)
-    for (std::size_t piece = 0; piece < tools[t].piece_count(); ++piece)
+    for (std::size_t piece = 0; piece < tools[t].piece_count(); ++piece) {
       append_placed(tool_meshes_[t], tools[t].pose_of_piece(piece, places[t]), surface);
+      if (highlighted) surface.tints.resize(surface.positions.size(), t == *highlighted ? kHighlight : kPlainMetal);
+    }
   renderer_->set_rigid(surface);
   shown_places_ = places;
+  shown_highlight_ = highlighted;
 }
 
 void Session::draw(Framebuffer& framebuffer, std::span<const GrabArrow> grabs, const gl::Buffer* positions) {

@@ -35,6 +35,7 @@ class Session {
   Eigen::Vector2d extent{
       -1, 1};  // Camera::extent of the body when it was framed: at rest by the first camera, or by frame_bodies()
   Look look;
+  std::optional<std::size_t> highlighted;  // tool of the model
 
   const DisplaySettings& display() const { return simulation.scene.display; }
   void set_display(const DisplaySettings& display);
@@ -108,7 +109,8 @@ class Session {
   std::vector<TissuePaint> paints_;       // that the renderer has
   std::vector<ShapeMesh> tool_meshes_;    // [tool]
   std::vector<ToolPlace> shown_places_;   // at which the renderer shows them
-  Eigen::Vector3d box_min_, box_max_;     // of the bodies at rest [m]
+  std::optional<std::size_t> shown_highlight_;
+  Eigen::Vector3d box_min_, box_max_;  // of the bodies at rest [m]
   std::string description_;
 };
 

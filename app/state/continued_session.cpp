@@ -1,5 +1,6 @@
 #include "app/state/continued_session.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/state/element_orders.h"
@@ -13,6 +14,10 @@ std::unique_ptr<Session> continued_session(Graphics& graphics, Session& old, Sce
     state.displacement[v].setZero();
     state.velocity[v].setZero();
   }
+  std::erase_if(state.led, [&](const LedTool& led) {
+    return std::none_of(scene.tools.instruments.begin(), scene.tools.instruments.end(),
+                        [&](const Instrument& instrument) { return instrument.name == led.name; });
+  });
   scene.camera = old.simulation.scene.camera;
   auto session =
       std::make_unique<Session>(graphics, std::move(scene), std::move(model), old.simulation.uses_reference());

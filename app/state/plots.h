@@ -10,10 +10,10 @@
 namespace fascia {
 
 struct Plots {
-  static constexpr std::size_t kCharts = 8;
+  static constexpr std::size_t kCharts = 10;
 
   bool shown = false, held = false;  // held: samples are not added, so that the chart can be read
-  std::array<bool, kCharts> chosen{true, true, true, true, false, false, false, false};
+  std::array<bool, kCharts> chosen{true, true, true, true, true, false, false, false, false, false};
   SampleHistory history;
   double span = 10;           // seconds shown
   std::optional<double> end;  // right edge [s]; none: the latest sample

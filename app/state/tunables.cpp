@@ -143,6 +143,16 @@ void compare_regions(const RegionSets& from, const RegionSets& to, ChangeList& l
       list.add("Painted, " + name, std::to_string(before), std::to_string(after) + (after == 1 ? " tet" : " tets"));
 }
 
+void compare_instruments(const std::vector<Instrument>& from, const std::vector<Instrument>& to, ChangeList& list) {
+  const auto has = [](const std::vector<Instrument>& instruments, const std::string& name) {
+    return std::any_of(instruments.begin(), instruments.end(), [&](const Instrument& i) { return i.name == name; });
+  };
+  for (const Instrument& instrument : to)
+    if (!has(from, instrument.name)) list.lines.push_back("Instrument added: " + instrument.name);
+  for (const Instrument& instrument : from)
+    if (!has(to, instrument.name)) list.lines.push_back("Instrument taken away: " + instrument.name);
+}
+
 /// Compares every display key in its scene-file form, so that new keys are included automatically.
 void compare_display(const DisplaySettings& from, const DisplaySettings& to, ChangeList& list) {
   const auto document = [](const DisplaySettings& display) {
@@ -167,11 +177,15 @@ void compare_display(const DisplaySettings& from, const DisplaySettings& to, Cha
 
 Tunables tunables_of(const Session& session, const GrabSettings& grab) {
   const Simulation& simulation = session.simulation;
-  return {
-      simulation.scene.solver,       material_entries(simulation.scene, simulation.model, simulation.model.materials),
-      fixed_of(simulation.scene),    painted_of(simulation.scene),
-      elements_of(simulation.scene), simulation.scene.gravity,
-      simulation.scene.display,      grab};
+  return {simulation.scene.solver,
+          material_entries(simulation.scene, simulation.model, simulation.model.materials),
+          fixed_of(simulation.scene),
+          painted_of(simulation.scene),
+          elements_of(simulation.scene),
+          simulation.scene.tools.instruments,
+          simulation.scene.gravity,
+          simulation.scene.display,
+          grab};
 }
 
 void set_tunables(Session& session, GrabSettings& grab, const Tunables& tunables) {
@@ -198,6 +212,7 @@ std::vector<std::string> changes(const Tunables& from, const Tunables& to) {
     if (from.elements[b] != to.elements[b])
       list.add(to.elements.size() == 1 ? "Elements" : "Elements, body " + std::to_string(b), name_of(from.elements[b]),
                name_of(to.elements[b]));
+  compare_instruments(from.instruments, to.instruments, list);
   if (from.fixed != to.fixed) list.add("Fixed", fixed_text(from.fixed), fixed_text(to.fixed));
   for (int axis = 0; axis < 3; ++axis)
     list.number(std::string("Gravity ") + "xyz"[axis], from.gravity[axis], to.gravity[axis], "m/s^2");

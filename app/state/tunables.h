@@ -19,6 +19,7 @@ struct Tunables {
   FixedSets fixed;                         // set_tunables() sets neither this
   RegionSets regions;                      // nor this
   ElementOrders elements;                  // nor this: they take another session
+  std::vector<Instrument> instruments;     // nor this
   Eigen::Vector3d gravity{0, 0, 0};        // [m/s^2]
   DisplaySettings display;
   GrabSettings grab;
@@ -27,8 +28,8 @@ struct Tunables {
 
 Tunables tunables_of(const Session& session, const GrabSettings& grab);
 
-/// Sets the parameters that differ, except `fixed`, `regions` and `elements`, through the session's own setters, so
-/// that replays record them. Throws Error as they do.
+/// Sets the parameters that differ, except `fixed`, `regions`, `elements` and `instruments`, through the session's own
+/// setters, so that replays record them. Throws Error as they do.
 void set_tunables(Session& session, GrabSettings& grab, const Tunables& tunables);
 
 /// The changes from one to the other as text: "Young's modulus, tumour: 10 kPa to 12 kPa". One line per change.

@@ -11,8 +11,10 @@
 #include "app/state/convergence.h"
 #include "app/state/element_orders.h"
 #include "app/state/fixed_vertices.h"
+#include "app/state/instrument_presets.h"
 #include "app/state/painted_regions.h"
 #include "app/state/plots.h"
+#include "app/state/tool_readings.h"
 #include "app/state/undo_history.h"
 #include "app/ui/recent_values.h"
 #include "app/video/video_settings.h"
@@ -61,6 +63,13 @@ struct SceneFacts {
   std::vector<std::string> material_names;  // without the body's name if there is only one body
 };
 
+/// What panels know of instruments.
+struct InstrumentState {
+  std::optional<std::size_t> picked;  // tool of the model that the mouse moves
+  double gap = 0;                     // [m] the way of its farthest point to where it is commanded
+  ToolReadings readings;
+};
+
 /// A material whose law was replaced with the values of a tissue.
 struct ReplacedLaw {
   std::size_t material;
@@ -77,6 +86,7 @@ struct WindowState {
   Plots plots;
   GrabSettings grab;
   BrushSettings brush;
+  InstrumentState instruments;
   std::size_t grabs = 0;  // number of the user's grabs
   SceneFacts facts;
   std::size_t chosen_material = 0;          // the one whose sliders are shown
@@ -97,7 +107,8 @@ struct Requests {
   bool open_dialog = false, save_dialog = false, reset = false, step = false, frame_view = false, screenshot = false,
        video = false, reload_shaders = false, close = false, plot_table = false, plot_picture = false, recent = false,
        export_dialog = false, copy_command = false, resume_recovered = false, forget_recovered = false, let_go = false,
-       save_replay_dialog = false, end_replay = false, save_with_mesh = false;
+       save_replay_dialog = false, end_replay = false, save_with_mesh = false, let_go_instrument = false,
+       toggle_jaws = false;
   std::optional<std::filesystem::path> open, save, export_state, save_replay,
       resume;  // resume: the recording of an interrupted session (autosave.h)
   CompareAsk compare = CompareAsk::nothing;
@@ -106,8 +117,10 @@ struct Requests {
   std::optional<FixedSets> fixed;                         // after a stroke of the brush
   std::optional<Painting> painting;                       // as well
   std::optional<ElementOrders> elements;                  // of a remedy for locking
-  std::optional<double> rescale;                          // factor for all bodies: the file has another unit
-  std::optional<std::vector<std::string>> open_again;     // a mesh on its own, with these --set texts
+  std::optional<std::size_t> pick_instrument;             // tool of the model
+  std::optional<InstrumentPreset> add_instrument;
+  std::optional<double> rescale;                       // factor for all bodies: the file has another unit
+  std::optional<std::vector<std::string>> open_again;  // a mesh on its own, with these --set texts
   /// Some requests are executed with the steps and the picture of a frame.
   bool wait_for_picture() const { return step || screenshot || video || plot_table || plot_picture; }
 };

@@ -53,6 +53,10 @@ void WindowInput::give(const InputEvent& event) {
       ImGui_ImplGlfw_ScrollCallback(window_, event.scroll.x(), event.scroll.y());
       break;
     case Kind::key:
+      // Without a keyboard cursor in the panels, Tab belongs to the scene; ImGui would go to a field of the panels.
+      if (event.code == GLFW_KEY_TAB && !(event.mods & GLFW_MOD_CONTROL) && !ImGui::GetIO().WantTextInput &&
+          !ImGui::GetIO().NavVisible)
+        break;
       ImGui_ImplGlfw_KeyCallback(window_, event.code, 0, GLFW_PRESS, event.mods);
       break;
     case Kind::key_up:
@@ -114,8 +118,11 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
   glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
     InputEvent event{Kind::scroll};
     event.scroll = {x, y};
-    for (const int key : {GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL})
-      if (glfwGetKey(w, key) == GLFW_PRESS) event.mods |= GLFW_MOD_CONTROL;
+    for (const auto& [key, mod] : {std::pair{GLFW_KEY_LEFT_CONTROL, GLFW_MOD_CONTROL},
+                                   {GLFW_KEY_RIGHT_CONTROL, GLFW_MOD_CONTROL},
+                                   {GLFW_KEY_LEFT_ALT, GLFW_MOD_ALT},
+                                   {GLFW_KEY_RIGHT_ALT, GLFW_MOD_ALT}})
+      if (glfwGetKey(w, key) == GLFW_PRESS) event.mods |= mod;
     of(w).add(std::move(event));
   });
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) {

@@ -39,7 +39,8 @@ void Controls::handle(Requests& requests) {
   using Kind = InputEvent::Kind;
   const ImGuiIO& io = ImGui::GetIO();
   for (InputEvent event : input_.take()) {
-    const bool taken = event.kind == Kind::press && !io.WantCaptureMouse && !stage_.mouse.dragging();
+    const bool taken =
+        event.kind == Kind::press && !io.WantCaptureMouse && !stage_.mouse.dragging() && !stage_.hand.dragging();
     const MouseTool::Picture picture = sides_.to_side(event.at, taken);
     Session& held = sides_.held();
     switch (event.kind) {
@@ -49,14 +50,16 @@ void Controls::handle(Requests& requests) {
       case Kind::release:
         if (event.code == GLFW_MOUSE_BUTTON_LEFT) end_brush({picture.width, picture.height}, requests);
         stage_.mouse.release(button_of(event.code), keys_of(event.mods), held, stage_.state.grab);
+        if (event.code == hand_button_) stage_.hand.release();
         break;
       case Kind::move:
         stage_.stroke.move(event.at, {picture.width, picture.height}, held, brush_radius());
         stage_.lasso.move(event.at);
         stage_.mouse.move(event.at, picture, held);
+        stage_.hand.move(event.at, {picture.width, picture.height}, held);
         break;
       case Kind::scroll:
-        if (!io.WantCaptureMouse &&
+        if (!io.WantCaptureMouse && !scroll_instrument(event) &&
             !stage_.mouse.scroll(event.scroll.y(), keys_of(event.mods), held, stage_.state.grab))
           held.camera.zoom(std::pow(0.9, event.scroll.y()));
         break;
@@ -70,8 +73,34 @@ void Controls::handle(Requests& requests) {
       case Kind::text:
         break;
     }
+    take_over_replay();
     sides_.after_mouse();
   }
+}
+
+// With Shift or Alt the mouse acts on tissue and view with an instrument in hand, too. A click on another instrument
+// takes that one in hand.
+bool Controls::take_instrument(const InputEvent& event, MouseTool::Picture picture) {
+  constexpr int kOfTissue = GLFW_MOD_SHIFT | GLFW_MOD_ALT | GLFW_MOD_CONTROL;
+  InstrumentHand& hand = stage_.hand;
+  const bool left = event.code == GLFW_MOUSE_BUTTON_LEFT, right = event.code == GLFW_MOUSE_BUTTON_RIGHT;
+  if (event.mods & kOfTissue || !(left || right) || stage_.mouse.dragging() || hand.dragging()) return false;
+  if (left)
+    if (const auto seen = InstrumentHand::at(event.at, {picture.width, picture.height}, sides_.held())) hand.pick(seen);
+  if (!hand.picked()) return false;
+  hand.press(left ? InstrumentHand::Drag::shift : InstrumentHand::Drag::turn, event.at);
+  hand_button_ = event.code;
+  return true;
+}
+
+bool Controls::scroll_instrument(const InputEvent& event) {
+  if (!stage_.hand.picked() || stage_.mouse.dragging() || event.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT)) return false;
+  stage_.hand.scroll(event.scroll.y(), sides_.held());
+  return true;
+}
+
+void Controls::take_over_replay() {
+  if (stage_.hand.commands() && stage_.simulation().replaying()) recording_.take_over_replay();
 }
 
 double Controls::brush_radius() const { return stage_.state.grab.radius * stage_.session->look.radius; }
@@ -116,6 +145,7 @@ void Controls::press_button(const InputEvent& event, MouseTool::Picture picture)
   const bool left = event.code == GLFW_MOUSE_BUTTON_LEFT;
   if (left && !sides_.split() && observer_.choose_probe(event.at)) return;
   if (left && begin_brush(event, {picture.width, picture.height})) return;
+  if (take_instrument(event, picture)) return;
   if (left && event.mods & GLFW_MOD_CONTROL && stage_.session->display().section)
     stage_.mouse.press_section(button_of(event.code), event.at);
   else
@@ -126,7 +156,8 @@ void Controls::press_button(const InputEvent& event, MouseTool::Picture picture)
 // While the panels show a keyboard cursor, its keys belong to them; text input always does.
 bool Controls::takes_key(int key) const {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool of_cursor = key == GLFW_KEY_SPACE || key == GLFW_KEY_ENTER || key == GLFW_KEY_ESCAPE;
+  const bool of_cursor =
+      key == GLFW_KEY_TAB || key == GLFW_KEY_SPACE || key == GLFW_KEY_ENTER || key == GLFW_KEY_ESCAPE;
   return !io.WantTextInput && !(panels_take_escape_ && key == GLFW_KEY_ESCAPE) && !(io.NavVisible && of_cursor);
 }
 
@@ -204,6 +235,12 @@ void Controls::press_key(int key, int mods, Requests& requests) {
     case GLFW_KEY_T:
       mouse.stay();
       break;
+    case GLFW_KEY_TAB:
+      stage_.hand.pick_next(stage_.simulation());
+      break;
+    case GLFW_KEY_G:
+      stage_.hand.toggle_jaws(held);
+      break;
     case GLFW_KEY_X:
       state.grab.push = !state.grab.push;
       break;
@@ -223,6 +260,8 @@ void Controls::press_key(int key, int mods, Requests& requests) {
         stage_.give_up_brush();
       else if (state.brush.in_hand())
         state.brush.brush = Brush::off;
+      else if (stage_.hand.picked())
+        stage_.hand.pick(std::nullopt);
       else
         mouse.let_go_staying(held);
       break;

@@ -16,6 +16,9 @@ class Controls {
 
  private:
   void press_button(const InputEvent& event, MouseTool::Picture picture);
+  bool take_instrument(const InputEvent& event, MouseTool::Picture picture);
+  bool scroll_instrument(const InputEvent& event);
+  void take_over_replay();      // where the hand leads an instrument in it
   double brush_radius() const;  // [m]
   bool begin_brush(const InputEvent& event, BrushedPicture picture);
   void end_brush(BrushedPicture picture, Requests& requests);
@@ -28,6 +31,7 @@ class Controls {
   Sides& sides_;
   Observer& observer_;
   RecordingControl& recording_;
+  int hand_button_ = 0;  // of the mouse, that moves the instrument
   // Items active or popups open when the last frame ended: ImGui closes them before handle() sees the key
   bool panels_take_escape_ = false;
 };

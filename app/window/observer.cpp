@@ -12,7 +12,8 @@ void Observer::read() {
   WindowState& state = stage_.state;
   Statistics& s = state.statistics;
   SplitView* const split = sides_.split();
-  const bool shown = state.show_panels || state.plots.shown || split || !stage_.simulation().springs().empty();
+  const bool shown = state.show_panels || state.plots.shown || split || !stage_.simulation().springs().empty() ||
+                     !stage_.simulation().scene.tools.instruments.empty();
   const bool due = stage_.diagnose && shown;
   if (due) stage_.diagnose = false;
   if (split) {
@@ -20,6 +21,7 @@ void Observer::read() {
     const bool news = split->take_diagnostics(false);
     if (news && sides_.grab_in_b()) stage_.mouse.grabs().observe(split->diagnostics()->grab_forces);
     if (state.editing_b) s.diagnostics = split->diagnostics();
+    if (news && state.editing_b) state.instruments.readings.add(s.diagnostics->time, s.diagnostics->tool_loads);
   }
   GpuSolver& solver = *stage_.simulation().gpu();
   Plots& plots = state.plots;
@@ -35,13 +37,18 @@ void Observer::read() {
   if (!sides_.grab_in_b()) stage_.mouse.grabs().observe(d->grab_forces);
   residual_ = d->residual;
   follow(*d);
-  if (!state.editing_b) s.diagnostics = d;
+  if (state.editing_b) return;
+  s.diagnostics = d;
+  state.instruments.readings.add(d->time, d->tool_loads);
 }
 
 void Observer::finish() {
   GpuSolver& solver = *stage_.simulation().gpu();
   if (stage_.diagnose) solver.request_diagnostics();
-  if (const auto last = solver.take_diagnostics(true)) residual_ = last->residual;
+  if (const auto last = solver.take_diagnostics(true)) {
+    open_ = last;
+    residual_ = last->residual;
+  }
 }
 
 void Observer::follow(const Diagnostics& diagnostics) {

@@ -13,7 +13,7 @@ class Observer {
   Observer(Stage& stage, Sides& sides) : stage_(stage), sides_(sides) {}
 
   void read();    // once a frame, after its steps
-  void finish();  // waits for the residual of the last step, which the frames may not have requested
+  void finish();  // waits for the diagnostics of the last step, which the frames may not have requested
   double residual() const { return residual_; }                                // the latest of the open session
   const std::optional<Diagnostics>& of_open_session() const { return open_; }  // the latest
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/overlay/color_bar.h"
+#include "app/overlay/instrument_marks.h"
 #include "app/panels/panels.h"
 #include "app/ui/style.h"
 #include "app/window/parts/governor.h"
@@ -56,7 +57,7 @@ bool ScenePicture::update() {
 
 void ScenePicture::draw(int level) {
   set_quality(lowered(graphics_.live, level));
-  const bool aims = !stage_.mouse.dragging() && !ImGui::GetIO().WantCaptureMouse;
+  const bool aims = !stage_.mouse.dragging() && !stage_.hand.picked() && !ImGui::GetIO().WantCaptureMouse;
   const auto look = [&](const Framebuffer& picture, const Session& session, bool b) {
     hover_.look(picture, session, aims ? std::optional(sides_.pointer_in_side(b)) : std::nullopt);
   };
@@ -129,6 +130,7 @@ void ScenePicture::draw_scene(const Canvas& canvas) {
       grab_marks(session.simulation, d ? d->grab_forces : std::vector<GrabForce>(), &stage_.mouse.grabs());
   session.follow_range();
   session.follow_ground();
+  session.highlighted = stage_.hand.picked();
   frame_picture(session.camera, session.extent, {picture.width(), picture.height(), margins_of(canvas)});
   session.draw(canvas.picture, arrows(grabs));
   overlay_.draw_list(picture, canvas.scale, [&](ImDrawList& list) {
@@ -141,6 +143,7 @@ void ScenePicture::draw_scene(const Canvas& canvas) {
     for (const Box& box : covered(canvas)) places.keep_clear(box);
     if (const auto legend = legend_box(free.box(), session, left)) places.keep_clear(*legend);
     draw_grab_marks(area, session, grabs, places);
+    draw_instruments(area, session, stage_.state.instruments.readings.mean(), places);
     if (shows_pointer(picture)) draw_ring(area, session);
     draw_brush_marks(area, session, stage_.stroke.places(), color_of(stage_.state.brush.brush));
     if (&picture == stage_.framebuffer.get()) draw_lasso(area, stage_.lasso.curve());
@@ -157,6 +160,7 @@ void ScenePicture::draw_comparison(SplitView& split, const Canvas& canvas,
   const float scale = canvas.scale;
   const std::optional<Diagnostics>& of_a = observer_.of_open_session();
   const SplitView::SideGrabs grabs = split.grabs(a, of_a, &stage_.mouse.grabs());
+  a.highlighted = split.b().highlighted = stage_.hand.picked();
   a.follow_range(&split.b());
   a.follow_ground(&split.b());
   const Margins edges = margins_of(canvas);
@@ -168,6 +172,13 @@ void ScenePicture::draw_comparison(SplitView& split, const Canvas& canvas,
                 a, static_cast<float>(canvas.left) / scale);
     split.draw_labels(list, a, picture.width(), picture.height(), edges, scale,
                       {of_a, true, stage_.state.editing_b, grabs, covered(canvas)});
+    const std::array<SplitView::Area, 2> areas = SplitView::areas(picture.width(), edges);
+    for (std::size_t side = 0; side < areas.size(); ++side) {
+      const MarkArea marked = SplitView::area_of(list, areas[side], picture.height(), scale);
+      LabelPlaces places(marked.box(), ui::px(kLabelGap));
+      const std::optional<Diagnostics>& d = side == 0 ? of_a : split.diagnostics();
+      draw_instruments(marked, side == 0 ? a : split.b(), d ? d->tool_loads : std::vector<ToolLoad>(), places);
+    }
     if (!shows_pointer(picture)) return;
     const bool ring_in_b = stage_.mouse.grabs().following() ? sides_.grab_in_b() : sides_.points_at_b();
     const SplitView::Area area = SplitView::areas(picture.width(), edges)[ring_in_b ? 1 : 0];
@@ -186,8 +197,16 @@ void ScenePicture::draw_ring(const MarkArea& area, const Session& session) const
     draw_patch_ring(area, session, grab->anchor(), session.camera.forward(), grab->patch_radius());
   else if (stage_.state.brush.in_hand() && stage_.state.brush.lasso)
     return;
-  else if (const auto& spot = hover_.spot(); spot && !stage_.mouse.dragging() && !ImGui::GetIO().WantCaptureMouse)
+  else if (const auto& spot = hover_.spot();
+           spot && !stage_.mouse.dragging() && !stage_.hand.picked() && !ImGui::GetIO().WantCaptureMouse)
     draw_patch_ring(area, session, spot->point, spot->normal, stage_.state.grab.radius * session.look.radius);
+}
+
+void ScenePicture::draw_instruments(const MarkArea& area, const Session& session, const std::vector<ToolLoad>& loads,
+                                    LabelPlaces& places) const {
+  draw_instrument_marks(area, session,
+                        instrument_marks(session.simulation, loads, stage_.hand.picked(), stage_.hand.commanded()),
+                        places);
 }
 
 Margins ScenePicture::margins_of(const Canvas& canvas) const {

@@ -42,6 +42,8 @@ class ScenePicture {
                        const std::function<void(std::size_t, const Framebuffer&)>& drawn = {});
   bool shows_pointer(const Framebuffer& picture) const;
   void draw_ring(const MarkArea& area, const Session& session) const;
+  void draw_instruments(const MarkArea& area, const Session& session, const std::vector<ToolLoad>& loads,
+                        LabelPlaces& places) const;
   Margins margins_of(const Canvas& canvas) const;
   MarkArea beside_docks(const MarkArea& area, const Canvas& canvas) const;
   std::vector<Box> covered(const Canvas& canvas) const;  // by other drawings

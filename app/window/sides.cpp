@@ -113,6 +113,7 @@ void Sides::accept_tunables_of_a() {
 
 void Sides::let_go() {
   stage_.mouse.cancel(held());
+  stage_.hand.rest();
   stage_.give_up_brush();
   if (!stage_.simulation().replay()) stage_.simulation().set_grab({});
   if (split_) split_->b().simulation.set_grab({});

@@ -33,7 +33,8 @@ class Sides {
   /// Changes by a replay at side A are no entries of the history of the side.
   void accept_tunables_of_a();
 
-  void let_go();    // of all grabs at both sides and of a stroke of the brush; grabs of a replay keep their hold
+  void
+  let_go();  // of all grabs at both sides, the instrument and a stroke of the brush; grabs of a replay keep their hold
   void end_drag();  // releases the grab that follows the mouse
   void release();   // removes all springs at both sides
   void hold();      // grabs that stay pull at both sides

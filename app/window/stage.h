@@ -10,6 +10,7 @@
 #include "app/state/window_state.h"
 #include "app/window/brush/lasso.h"
 #include "app/window/brush/stroke.h"
+#include "app/window/parts/instrument_hand.h"
 #include "app/window/parts/messages.h"
 #include "app/window/parts/mouse_tool.h"
 #include "app/window/parts/real_time_clock.h"
@@ -24,6 +25,7 @@ struct Stage {
   WindowState state = {};
   Messages messages = {};
   MouseTool mouse = {};
+  InstrumentHand hand = {};
   Stroke stroke = {};
   Lasso lasso = {};
   Pacing pacing = {};

@@ -50,6 +50,7 @@ void Stepping::advance(double elapsed, bool one) {
 void Stepping::make_step() {
   WindowState& state = stage_.state;
   stage_.mouse.pull(sides_.held());
+  stage_.hand.lead(sides_.held());
   if ((state.show_panels && state.show_convergence) || shows_convergence(state.plots))
     state.convergence.measure(sides_.tuned().simulation, *graphics_.programs);
   const bool slept = sides_.asleep();

@@ -94,16 +94,25 @@ void TuningHistory::set_elements(const ElementOrders& elements) {
   rebuild(wanted);
 }
 
-// Another session for other fixed vertices, regions or elements, with the materials of the regions and a method that
-// carries them.
+void TuningHistory::set_instruments(const std::vector<Instrument>& instruments) {
+  Tunables wanted = tunables_of(*stage_.session, stage_.state.grab);
+  wanted.instruments = instruments;
+  rebuild(wanted);
+}
+
+// Another session for other fixed vertices, regions, elements or instruments, with the materials of the regions and a
+// method that carries them.
 void TuningHistory::rebuild(const Tunables& wanted) {
   const Scene& now = sides_.tuned().simulation.scene;
-  if (wanted.fixed == fixed_of(now) && wanted.regions == painted_of(now) && wanted.elements == elements_of(now)) return;
+  if (wanted.fixed == fixed_of(now) && wanted.regions == painted_of(now) && wanted.elements == elements_of(now) &&
+      wanted.instruments == now.tools.instruments)
+    return;
   if (sides_.split())
-    throw Error("Fixed vertices, regions and elements", "cannot change during a comparison",
+    throw Error("Fixed vertices, regions, elements and instruments", "cannot change during a comparison",
                 "close the comparison first (B)");
   Scene scene = stage_.scene_now();
   scene.solver = wanted.solver;
+  scene.tools.instruments = wanted.instruments;
   scene = with_materials(std::move(scene), wanted.materials);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     Body& body = scene.bodies[b];
@@ -112,6 +121,7 @@ void TuningHistory::rebuild(const Tunables& wanted) {
     body.elements = wanted.elements[b];
   }
   sides_.let_go();
+  stage_.hand.pick(std::nullopt);  // tools may have other numbers
   // With the first region there are several materials, which take other kernels
   std::unique_ptr<Session> session =
       kernels_.make(scene, [&] { return continued_session(graphics_, *stage_.session, scene); });

@@ -22,8 +22,9 @@ class TuningHistory {
   void set_materials(const std::vector<MaterialEntries>& entries);
   /// Throws Error, and changes nothing, during a comparison and if the scene cannot be built.
   void set_fixed(const FixedSets& fixed);
-  void set_painting(const Painting& painting);       // as set_fixed
-  void set_elements(const ElementOrders& elements);  // as well
+  void set_painting(const Painting& painting);                       // as set_fixed
+  void set_elements(const ElementOrders& elements);                  // as well
+  void set_instruments(const std::vector<Instrument>& instruments);  // as well
   /// The current scene with all lengths times `factor`, to be opened as a new session.
   Opened rescaled(double factor) const;
   void copy_command() const;  // to the clipboard

@@ -119,6 +119,7 @@ void Window::finish(double wall_s) {
   RunStats& stats = stepping_.stats();
   stats.wall_s = wall_s;
   stats.residual = observer_.residual();
+  if (const auto& last = observer_.of_open_session()) stats.tool_loads = last->tool_loads;
   stats.renderer = stage_.session->renderer_description();
   stats.provenance = stage_.provenance();
   stats.solve_ms = stats.step_ms;
@@ -138,7 +139,8 @@ void Window::wait_for_events() {
   const double idle = frames_to_settle_ > 0 ? 0 : idle_time();
   if (idle > 0)
     glfwWaitEventsTimeout(idle);
-  else if (shown_ && ((stepping_.still() && !stage_.mouse.dragging()) || !stage_.simulation().ready()))
+  else if (shown_ &&
+           ((stepping_.still() && !stage_.mouse.dragging() && !stage_.hand.dragging()) || !stage_.simulation().ready()))
     glfwWaitEventsTimeout(kUnsettledWait);
   else
     glfwPollEvents();
@@ -225,8 +227,8 @@ void Window::follow_kernels() {
 // The time of a frame is that of the one before, with the picture drawn then.
 void Window::govern(double elapsed, const Camera& before) {
   const Camera& now = stage_.session->camera;
-  const bool moves =
-      !stepping_.still() || stage_.mouse.dragging() || before.eye != now.eye || before.target != now.target;
+  const bool moves = !stepping_.still() || stage_.mouse.dragging() || stage_.hand.dragging() || before.eye != now.eye ||
+                     before.target != now.target;
   Statistics& statistics = stage_.state.statistics;
   governor_.follow(elapsed, statistics.render.latest() / 1000, moves, stepping_.compiled());
   statistics.quality = kLevelNames[static_cast<std::size_t>(governor_.level())];
@@ -275,6 +277,10 @@ void Window::carry_out(const Requests& requests) {
   if (requests.reset) reset();
   if (requests.step) stage_.state.paused = true;
   if (requests.frame_view) picture_.frame_bodies();
+  if (requests.pick_instrument) stage_.hand.pick(*requests.pick_instrument);
+  if (requests.let_go_instrument) stage_.hand.pick(std::nullopt);
+  if (requests.toggle_jaws) stage_.hand.toggle_jaws(sides_.held());
+  if (requests.add_instrument) add_instrument(*requests.add_instrument);
   if (requests.let_go) stage_.mouse.let_go_staying(sides_.held());
   if (requests.reload_shaders) reload_shaders();
   if (requests.close) glfwSetWindowShouldClose(graphics_.context->window(), GLFW_TRUE);
@@ -296,6 +302,8 @@ void Window::session_began() {
   recovery_.session_began();
   stage_.state.facts = SceneFacts(stage_.simulation().scene, stage_.simulation().model);
   stage_.state.replaced_law.reset();
+  stage_.state.instruments = {};
+  stage_.hand.pick(std::nullopt);
   stage_.state.statistics = {};
   stage_.state.statistics.measured = true;
   tuning_.session_began();
@@ -326,6 +334,20 @@ void Window::rescale(double factor) {
 void Window::open_again(const std::vector<std::string>& overrides) {
   take_over(opener_.open(stage_.simulation().scene.file, overrides));
   stage_.messages.say("The mesh was opened again, with an empty undo history. Ctrl+S saves it as a scene");
+}
+
+void Window::add_instrument(InstrumentPreset preset) {
+  const Simulation& simulation = stage_.simulation();
+  Eigen::AlignedBox3d bodies;
+  const std::vector<Eigen::Vector3d> displacement = simulation.state().displacement;
+  for (std::size_t v = 0; v < displacement.size(); ++v)
+    bodies.extend(simulation.model.rest_positions[v] + displacement[v]);
+  std::vector<std::string> taken;
+  for (const Tool& tool : simulation.model.tools) taken.push_back(tool.name);
+  std::vector<Instrument> instruments = simulation.scene.tools.instruments;
+  instruments.push_back(preset_instrument(preset, bodies, taken));
+  tuning_.set_instruments(instruments);
+  stage_.hand.pick(stage_.simulation().model.tools.size() - 1);
 }
 
 void Window::reset() {

@@ -50,6 +50,7 @@ class Window {
   void resume(const std::filesystem::path& file);
   void rescale(double factor);
   void open_again(const std::vector<std::string>& overrides);
+  void add_instrument(InstrumentPreset preset);
   void reset();
   void reload_shaders();
 

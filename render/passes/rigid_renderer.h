@@ -15,6 +15,7 @@ namespace fascia {
 /// Triangles of all rigid things of a picture at their places.
 struct RigidSurface {
   std::vector<Eigen::Vector4f> positions, normals;  // [vertex] xyz
+  std::vector<Eigen::Vector4f> tints;               // [vertex] color and its share of that of the metal; empty: none
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
@@ -30,8 +31,9 @@ class RigidRenderer {
 
  private:
   gl::ProgramCache& programs_;
-  gl::Buffer position_, normal_, indices_;
+  gl::Buffer position_, normal_, tint_, indices_;
   GLsizei index_count_ = 0;
+  bool tinted_ = false;
   VertexArray vertices_;
 };
 

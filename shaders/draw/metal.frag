@@ -3,6 +3,9 @@
 #include "common/color.glsl"
 in vec3 to_eye;
 in vec3 surface_normal;
+#if BASE_COLOR
+in vec4 own_color;  // a tint and its share
+#endif
 layout(location = 0) out vec4 color;
 #include "draw/environment.glsl"
 #include "draw/key_shadow.glsl"
@@ -16,7 +19,11 @@ void main() {
   broad *= broad;
   broad *= broad;
   broad *= broad;
-  vec3 metal = vec3(0.62, 0.64, 0.67), light = vec3(0.82, 0.785, 0.74) * (max(n_l, 0.0) * visibility);
+  vec3 metal = vec3(0.62, 0.64, 0.67);
+#if BASE_COLOR
+  metal = mix(metal, own_color.rgb, own_color.a);
+#endif
+  vec3 light = vec3(0.82, 0.785, 0.74) * (max(n_l, 0.0) * visibility);
   float graze = 1.0 - n_v;
   vec3 mirror = mix(metal, vec3(1.0), graze * graze * graze) * reflected_light(r_up, r_l);
   color = vec4(display(0.30 * metal * (light + ambient_light(n_l, n_up, n_v)) + 0.75 * mirror +

@@ -1,0 +1,54 @@
+// An instrument in the hand of the user: the mouse commands its place, and from step to step the instrument goes there
+// as far as tissue lets it (sim/tool/followed_place.h). Until it is first moved, it stays on its path.
+#pragma once
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+
+#include "app/session/session.h"
+#include "sim/contact/tissue_cover.h"
+
+namespace fascia {
+
+class InstrumentHand {
+ public:
+  struct Picture {
+    int width, height;
+  };
+  enum class Drag { none, shift, turn };  // in the plane of the picture; about its axes
+
+  std::optional<std::size_t> picked() const { return picked_; }  // tool of the model
+  /// The one before stays where it is.
+  void pick(std::optional<std::size_t> tool);
+  void pick_next(const Simulation& simulation);  // after the last one: none
+  /// The instrument that is seen at this pixel.
+  static std::optional<std::size_t> at(const Eigen::Vector2d& pixel, Picture picture, Session& session);
+
+  void press(Drag drag, const Eigen::Vector2d& at);
+  void move(const Eigen::Vector2d& at, Picture picture, const Session& session);
+  void release() { drag_ = Drag::none; }
+  bool dragging() const { return drag_ != Drag::none; }
+  void scroll(double notches, const Session& session);  // away from the viewer
+  void toggle_jaws(const Session& session);             // they then close or open within half a second
+  bool commands() const { return commanded_.has_value(); }
+
+  /// Before every step: leads the instrument on.
+  void lead(Session& session);
+  /// The state or the model has changed in another way than by a step: the instrument stays where it is.
+  void rest();
+
+  std::optional<ToolPlace> commanded() const;
+  double gap(const Session& session) const;  // [m] the way of its farthest point to where it is commanded
+
+ private:
+  LedPlace& command(const Session& session);
+
+  std::optional<std::size_t> picked_;
+  std::optional<LedPlace> commanded_;
+  std::optional<double> grip_;  // to which the jaws go
+  Drag drag_ = Drag::none;
+  Eigen::Vector2d last_{0, 0};
+  std::unique_ptr<TissueCover> cover_;  // for the tool, from the first step in which it is needed
+};
+
+}  // namespace fascia

@@ -1,0 +1,162 @@
+// Instruments in the hand of the user, without a window: what drags and wheel command, and how the tool follows.
+#include "app/window/parts/instrument_hand.h"
+
+#include <catch2/catch.hpp>
+
+#include "app/session/graphics.h"
+#include "tests/support/headless.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr InstrumentHand::Picture kPicture{400, 400};
+constexpr double kRadius = 0.015;
+
+// The cube of 0.1 m seen from the front, with a ball above it, forceps behind the ball, and ground.
+struct Desk {
+  Graphics graphics = open_graphics(headless(), false);
+  std::unique_ptr<Session> session;
+  InstrumentHand hand;
+  Desk() {
+    Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
+    scene.bodies[0].fixed = {LowestSelection{0.02}};
+    scene.gravity.setZero();
+    scene.camera = CameraSettings{{0, 0.08, 0.5}, {0, 0.08, 0}, {0, 1, 0}, 40};
+    scene.tools.ground.emplace();
+    scene.tools.ground->height = -1;
+    scene.tools.instruments.push_back(
+        {"ball", ToolShape(SphereShape{{0, 0, 0}, kRadius}), std::nullopt, {{0, {0, 0.15, 0}, {0, 0, 0}, 0}}, false});
+    scene.tools.instruments.push_back({"forceps",
+                                       JawsShape{BoxShape{{0.01, -0.04, 0}, {0.01, 0.04, 0.01}, 0}, {0, 0, 1}, 40},
+                                       std::nullopt,
+                                       {{0, {0, 0.2, -0.1}, {0, 0, 0}, 0}},
+                                       false});
+    session = std::make_unique<Session>(graphics, scene, false);
+  }
+  Simulation& simulation() { return session->simulation; }
+  ToolPlace place(std::size_t tool) { return simulation().tool_places()[tool]; }
+  void step(int count = 1) {
+    for (int i = 0; i < count; ++i) {
+      hand.lead(*session);
+      simulation().step();
+    }
+  }
+  void drag(InstrumentHand::Drag how, const Vector2d& from, const Vector2d& to) {
+    hand.press(how, from);
+    hand.move(to, kPicture, *session);
+    hand.release();
+  }
+  double force_on_tissue(std::size_t tool) {
+    simulation().gpu()->request_diagnostics();
+    return simulation().gpu()->take_diagnostics(true)->tool_loads[tool].force.norm();
+  }
+};
+
+constexpr std::size_t kBall = 1, kForceps = 2;  // after the ground
+
+}  // namespace
+
+TEST_CASE("the next instrument, the one after, none; and the one under the mouse") {
+  Desk desk;
+  desk.hand.pick_next(desk.simulation());
+  CHECK(desk.hand.picked() == kBall);
+  desk.hand.pick_next(desk.simulation());
+  CHECK(desk.hand.picked() == kForceps);
+  desk.hand.pick_next(desk.simulation());
+  CHECK(!desk.hand.picked());
+
+  const double down = 0.07 / desk.session->camera.pixel_size({0, 0.15, 0}, 400, 400);
+  CHECK(InstrumentHand::at({200, 200 - down}, kPicture, *desk.session) == kBall);
+  CHECK(!InstrumentHand::at({20, 20}, kPicture, *desk.session));
+  CHECK(!InstrumentHand::at({200, 230}, kPicture, *desk.session));  // tissue
+}
+
+TEST_CASE("an instrument that was only picked stays on its path, and one that was moved follows the mouse") {
+  Desk desk;
+  desk.hand.pick(kBall);
+  desk.step();
+  CHECK(desk.simulation().led_tools().empty());
+  CHECK(desk.hand.gap(*desk.session) == 0);
+
+  const Vector3d before = desk.place(kBall).pose.origin;
+  const double pixel = desk.session->camera.pixel_size(before, 400, 400);
+  desk.drag(InstrumentHand::Drag::shift, {200, 100}, {260, 70});
+  CHECK(desk.hand.gap(*desk.session) == Approx(pixel * std::hypot(60, 30)).epsilon(1e-3));
+  desk.step(40);
+  const Vector3d way = desk.place(kBall).pose.origin - before;
+  CHECK(way.x() == Approx(60 * pixel).epsilon(1e-3));
+  CHECK(way.y() == Approx(30 * pixel).epsilon(1e-3));
+  CHECK(std::abs(way.z()) < 1e-9);
+  CHECK(desk.hand.gap(*desk.session) == 0);
+
+  desk.hand.scroll(3, *desk.session);
+  desk.step(40);
+  CHECK(desk.place(kBall).pose.origin.z() < before.z() - 1e-3);
+  CHECK(desk.place(kForceps).pose.origin == Vector3d(0, 0.2, -0.1));
+}
+
+TEST_CASE("right drags turn an instrument about its origin, as the mouse goes") {
+  Desk desk;
+  desk.hand.pick(kForceps);
+  const Vector3d origin = desk.place(kForceps).pose.origin;
+  desk.drag(InstrumentHand::Drag::turn, {200, 100}, {300, 100});  // a quarter of the picture: 45 degrees
+  desk.step();
+  CHECK((desk.place(kForceps).pose.origin - origin).norm() < 1e-12);
+  const Vector3d front = desk.place(kForceps).pose.axes.col(2);
+  CHECK(front.x() == Approx(std::sqrt(0.5)));
+  CHECK(front.z() == Approx(std::sqrt(0.5)));
+}
+
+TEST_CASE("jaws close and open smoothly, and stay as they are when the hand lets go") {
+  Desk desk;
+  desk.hand.pick(kForceps);
+  desk.hand.toggle_jaws(*desk.session);
+  double before = 0;
+  for (int i = 0; i < 10; ++i) {
+    desk.step();
+    const double grip = desk.place(kForceps).grip;
+    CHECK(grip > before);
+    CHECK(grip < before + 0.05);
+    before = grip;
+  }
+  desk.hand.pick(std::nullopt);
+  desk.step(5);
+  CHECK(desk.place(kForceps).grip == before);
+  desk.hand.pick(kForceps);
+  desk.hand.toggle_jaws(*desk.session);
+  desk.step(100);
+  CHECK(desk.place(kForceps).grip == 1);
+  desk.hand.toggle_jaws(*desk.session);
+  desk.step(100);
+  CHECK(desk.place(kForceps).grip == 0);
+}
+
+TEST_CASE("a jump of the mouse through tissue presses on it instead, with a gap that closes step by step",
+          "[contact]") {
+  Desk desk;
+  desk.hand.pick(kBall);
+  const double top = 0.1 + kRadius, pixel = desk.session->camera.pixel_size({0, 0.15, 0}, 400, 400);
+  desk.drag(InstrumentHand::Drag::shift, {200, 100}, {200, 100 + 0.06 / pixel});  // its middle to 0.01 m below the face
+  desk.step();
+  CHECK(desk.place(kBall).pose.origin.y() > top);
+  CHECK(desk.hand.gap(*desk.session) > 0.03);
+  double before = desk.place(kBall).pose.origin.y();
+  for (int i = 0; i < 30; ++i) {
+    desk.step();
+    const double now = desk.place(kBall).pose.origin.y();
+    CHECK(before - now <= kRadius / 4 + 1e-9);
+    before = now;
+  }
+  CHECK(desk.hand.gap(*desk.session) == 0);
+  const double force = desk.force_on_tissue(kBall);
+  CAPTURE(force);
+  CHECK(force > 0.01);
+  desk.hand.rest();
+  desk.step(3);
+  CHECK(desk.place(kBall).pose.origin.y() == before);
+}
