@@ -79,10 +79,15 @@ class PointList {
   std::vector<ContactPoint>& points_;
 };
 
-void add_vertices(const Model& model, const std::vector<Triangle>& triangles, PointList& list) {
+std::vector<double> areas_of(const Model& model, const std::vector<Triangle>& triangles) {
   std::vector<double> area(model.rest_positions.size(), 0);
   for (const Triangle& t : triangles)
     for (const std::uint32_t v : t) area[v] += area_of(model, t) / 3;
+  return area;
+}
+
+void add_vertices(const Model& model, const std::vector<Triangle>& triangles, PointList& list) {
+  const std::vector<double> area = areas_of(model, triangles);
   for (std::uint32_t v = 0; v < area.size(); ++v)
     if (area[v] > 0) list.add({v, v, v}, {1, 0, 0}, area[v]);
 }
@@ -149,9 +154,11 @@ ContactSurface make_contact_surface(const Model& model) {
   return surface;
 }
 
+std::vector<double> surface_areas(const Model& model) { return areas_of(model, boundary_of(model)); }
+
 std::vector<double> contact_stiffness(const Model& model, const ContactSurface& surface) {
   const std::size_t n = model.rest_positions.size();
-  std::vector<double> volume(n, 0), modulus(n, 0), area(n, 0);
+  std::vector<double> volume(n, 0), modulus(n, 0), area = surface_areas(model);
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
     const Tet& tet = model.tets[t];
     const auto& x = model.rest_positions;
@@ -164,8 +171,6 @@ std::vector<double> contact_stiffness(const Model& model, const ContactSurface& 
       modulus[v] += share * (material.lame_lambda() + 2 * material.lame_mu());
     }
   }
-  for (const Triangle& t : boundary_of(model))
-    for (const std::uint32_t v : t) area[v] += area_of(model, t) / 3;
   std::vector<double> stiffness;
   stiffness.reserve(surface.points.size());
   for (const ContactPoint& point : surface.points) {

@@ -101,6 +101,8 @@ struct NewtonSolver::Impl {
   const std::vector<double> penalty;  // [contact.points] [N/m]
   std::optional<ToolMotion> tools;    // none: on their paths
   std::vector<ToolLoad> loads;
+  std::shared_ptr<const ContactEnergy> touched;  // of the last step or solve, which ended at `touched_at`
+  VectorXd touched_at;                           // [3 * vertex_count] [m]
 };
 
 NewtonReport NewtonSolver::Impl::follow(const HeldPath& path, const std::function<Potential(double)>& potential,
@@ -172,6 +174,8 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   state.earlier.velocity = std::exchange(state.velocity, vectors_of(stage.velocity(u, start)));
   state.time += stage.duration;
   if (potential.contact) {
+    touched = potential.contact;
+    touched_at = u;
     loads = potential.contact->loads(u);
     state.contact = potential.contact->memory_after(u);
   }
@@ -190,6 +194,8 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
     if (lands && pass == 0) report = minimizer.minimize(potential, tolerance, {last_patience, false, stop}, u);
     const ContactMemory before = std::exchange(memory, potential.contact->memory_after(u));
     loads = potential.contact->loads(u);
+    touched = potential.contact;
+    touched_at = u;
     double change = 0, largest = 0;
     for (std::size_t row = 0; row < memory.size(); ++row) {
       const ContactForce old = before.empty() ? ContactForce{} : before[row];
@@ -276,6 +282,12 @@ NewtonReport NewtonSolver::solve(const IntegratorStage& stage, State& state) {
 void NewtonSolver::set_tools(const ToolMotion& motion) { impl_->tools = motion; }
 
 const std::vector<ToolLoad>& NewtonSolver::tool_loads() const { return impl_->loads; }
+
+std::vector<Vector3d> NewtonSolver::contact_forces() const {
+  VectorXd gradient = VectorXd::Zero(3 * static_cast<Eigen::Index>(impl_->model.rest_positions.size()));
+  if (impl_->touched) impl_->touched->evaluate(impl_->touched_at, gradient);
+  return vectors_of(-gradient);
+}
 
 void NewtonSolver::set_springs(const std::vector<GrabSpring>& springs) { impl_->springs = springs; }
 

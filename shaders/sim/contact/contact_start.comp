@@ -36,6 +36,9 @@ void main() {
     contact_anchor[row] = touches ? vec4(end.axes * local + end.origin, 0.0) : vec4(0.0);
     if (!touches) continue;
     near |= 1u << piece;
+#if MESHES
+    d.xyz = normalize(d.xyz);
+#endif
     contact_normal_now[row] = vec4(end.axes * d.xyz, 0.0);
   }
   contact_near[i] = near;

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "base/error.h"
 #include "sim/contact/contact_energy.h"
+#include "sim/gpu/contact/piece_rows.h"
 #include "sim/gpu/passes/reduction.h"
 #include "sim/tool/shape_distance.h"
+#include "sim/tool/solid_mesh.h"
 
 namespace fascia {
 namespace {
@@ -21,40 +24,11 @@ constexpr std::uint32_t kCorners = 3;
 constexpr double kMargin = 0.02;
 constexpr std::uint32_t kStretch = 256;  // of points that one invocation lists
 
-vec4 row(const Vector3d& v, double w = 0) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), static_cast<float>(w)};
-}
-
-struct ShapeRows {
-  int kind;
-  vec4 a, b;
-};
-
-// As shaders/sim/contact/piece.glsl reads them.
-ShapeRows rows_of(const ToolShape& shape) {
-  struct Rows {
-    ShapeRows operator()(const SphereShape& s) const { return {0, row(s.center, s.radius), row({0, 0, 0}, 0)}; }
-    ShapeRows operator()(const CapsuleShape& s) const {
-      const Vector3d along = s.to - s.from;
-      return {0, row(s.from, s.radius), row(along, 1 / along.squaredNorm())};
-    }
-    ShapeRows operator()(const BoxShape& s) const {
-      return {1, row(s.center, s.round), row(s.half_size.array() - s.round)};
-    }
-    ShapeRows operator()(const PlaneShape& s) const { return {2, row(s.point), row(s.normal.normalized())}; }
-    ShapeRows operator()(const CylinderShape& s) const {
-      const Vector3d along = s.to - s.from;
-      return {3, row(0.5 * (s.from + s.to), s.radius), row(along.normalized(), 0.5 * along.norm())};
-    }
-  };
-  return std::visit(Rows{}, shape);
-}
-
 void add(std::vector<vec4>& rows, const RigidPose& pose, double w0, double w1, double w2, double w3) {
-  rows.push_back(row(pose.axes.col(0), w0));
-  rows.push_back(row(pose.axes.col(1), w1));
-  rows.push_back(row(pose.axes.col(2), w2));
-  rows.push_back(row(pose.origin, w3));
+  rows.push_back(row_of(pose.axes.col(0), w0));
+  rows.push_back(row_of(pose.axes.col(1), w1));
+  rows.push_back(row_of(pose.axes.col(2), w2));
+  rows.push_back(row_of(pose.origin, w3));
 }
 
 // The farthest that a point of a piece moves, at most [m].
@@ -69,12 +43,17 @@ double way_of(const ToolShape& shape, const RigidPose& from, const RigidPose& to
 }  // namespace
 
 ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
-    : tools_(model.tools), surface_(make_contact_surface(model)), half_thickness_(0.5 * model.contact.thickness) {
+    : model_(model),
+      buffers_(buffers),
+      tools_(model.tools),
+      surface_(make_contact_surface(model)),
+      half_thickness_(0.5 * model.contact.thickness) {
   if (surface_.pieces.size() > kMostPieces)
     throw Error("contact", "has " + std::to_string(surface_.pieces.size()) + " rigid pieces",
                 "expected at most " + std::to_string(kMostPieces) + ": ground, obstacles, instruments, jaws as two");
   if (!acts()) return;
   margin_ = kMargin * buffers.size;
+  make_grids();
   std::vector<Tet> vertices;
   std::vector<vec4> rest;
   std::vector<std::vector<std::uint32_t>> entries(buffers.vertex_count);
@@ -87,7 +66,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
       placed[k] = buffers.placement.place[point.vertices[k]];
       if (point.weights[k] > 0) entries[placed[k]].push_back(4 * p + k);
     }
-    rest.push_back(row(x));
+    rest.push_back(row_of(x));
     places_.push_back({placed[0], placed[1], placed[2]});
   }
   std::vector<std::uint32_t> begin{0}, all;
@@ -121,13 +100,29 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
   begin_stage(motion_on_paths(tools_, 0, 0));
 }
 
+void ContactTerm::make_grids() {
+  std::vector<float> nodes;
+  std::map<const SolidMesh*, std::size_t> first;
+  for (const Tool& tool : tools_) {
+    const auto* mesh = std::get_if<MeshShape>(&tool.shape);
+    first_nodes_.push_back(mesh ? first.try_emplace(mesh->solid.get(), nodes.size()).first->second : 0);
+    if (mesh && first_nodes_.back() == nodes.size())
+      nodes.insert(nodes.end(), mesh->solid->distances.begin(), mesh->solid->distances.end());
+  }
+  constexpr std::size_t kMostNodes = std::size_t{1} << 24;  // that float32 numbers
+  if (nodes.size() > kMostNodes)
+    throw Error("contact", "the meshes of tools have " + std::to_string(nodes.size()) + " nodes of distances",
+                "expected at most " + std::to_string(kMostNodes) + ": fewer meshes");
+  if (!nodes.empty()) grids_ = gl::Buffer("contact_grid", nodes);
+}
+
 void ContactTerm::materials_changed(const Model& model) {
   if (!acts()) return;
   const std::vector<double> stiffness = contact_stiffness(model, surface_);
   std::vector<vec4> weights;
   for (std::size_t p = 0; p < surface_.points.size(); ++p) {
     const auto& w = surface_.points[p].weights;
-    weights.push_back(row({w[0], w[1], w[2]}, stiffness[p]));
+    weights.push_back(row_of({w[0], w[1], w[2]}, stiffness[p]));
   }
   weights_.upload(0, weights.size() * sizeof(vec4), weights.data());
 }
@@ -139,13 +134,13 @@ void ContactTerm::begin_stage(const ToolMotion& motion) {
     const Tool& tool = tools_[piece.tool];
     const ToolPlace &from = motion.from[piece.tool], &to = motion.to[piece.tool];
     const RigidPose before = tool.pose_of_piece(piece.piece, from), after = tool.pose_of_piece(piece.piece, to);
-    const ShapeRows shape = rows_of(tool.shape);
+    const PieceRows shape = piece_rows_of(tool.shape, first_nodes_[piece.tool]);
     const double share = 1.0 / (1 << (2 * piece.level)), reach = way_of(tool.shape, before, after) + margin_;
     add(rows, after, tool.friction, share, reach, half_thickness_);
     add(rows, before, shape.kind, piece.first_row, piece.points, 0);
     rows.push_back(shape.a);
     rows.push_back(shape.b);
-    rows.push_back(row(to.pose.origin));
+    rows.push_back(row_of(to.pose.origin));
   }
   const auto same = [](const vec4& a, const vec4& b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w; };
   if (std::equal(rows.begin(), rows.end(), uploaded_.begin(), uploaded_.end(), same)) return;
@@ -172,11 +167,13 @@ void ContactTerm::bind(TermUse use, gl::ComputePass::Bindings& bindings) const {
 
 gl::Defines ContactTerm::defines() const {
   std::set<int> kinds;
-  for (const ContactPiece& piece : surface_.pieces) kinds.insert(rows_of(tools_[piece.tool].shape).kind);
-  gl::Defines defines;
-  for (const auto& [kind, name] : {std::pair{0, "CAPSULES"}, {1, "BOXES"}, {2, "PLANES"}, {3, "CYLINDERS"}})
-    defines.emplace_back(name, kinds.contains(kind) ? "1" : "0");
-  return defines;
+  for (const ContactPiece& piece : surface_.pieces) kinds.insert(piece_rows_of(tools_[piece.tool].shape).kind);
+  return defines_of_shapes(kinds);
+}
+
+std::uint32_t ContactTerm::loops_of_point() const {
+  constexpr std::uint32_t kOfGrid = 13;  // shaders/sim/contact/mesh_distance.glsl
+  return static_cast<std::uint32_t>(surface_.pieces.size()) * (grids_ ? kOfGrid : 1) + 1;
 }
 
 gl::ComputePass ContactTerm::over_points(gl::ProgramCache& programs, const char* kernel,
@@ -185,9 +182,10 @@ gl::ComputePass ContactTerm::over_points(gl::ProgramCache& programs, const char*
                            {"contact_vertices", &vertices_},
                            {"contact_weights", &weights_},
                            {"contact_rest", &rest_}});
+  if (grids_) more.emplace_back("contact_grid", &grids_);
   gl::ComputePass pass(programs.compute(kernel, defines()), std::move(more), point_count(),
                        {{"pieces", static_cast<std::uint32_t>(surface_.pieces.size())}});
-  pass.loops(static_cast<std::uint32_t>(surface_.pieces.size()) + 1);
+  pass.loops(loops_of_point());
   return pass;
 }
 
@@ -200,12 +198,13 @@ gl::ComputePass ContactTerm::over_near(gl::ProgramCache& programs, const char* k
                            {"contact_normal", &normals_},
                            {"contact_near", &near_},
                            {"deferred_items", &list_}});
+  if (grids_) more.emplace_back("contact_grid", &grids_);
   gl::Defines listed = defines();
   listed.emplace_back("DEFERRED", "1");
   listed.emplace_back("STICKING", std::to_string(kStickingPenalty));
   gl::ComputePass pass(programs.compute(kernel, listed), std::move(more), point_count(),
                        {{"deferred_list", 0}, {"deferred_begin", 4}});
-  pass.loops(static_cast<std::uint32_t>(surface_.pieces.size()) + 1);
+  pass.loops(loops_of_point());
   pass.set_indirect(list_, 0);
   return pass;
 }
@@ -299,7 +298,7 @@ EnergyTerm::Passes ContactTerm::impulses(gl::ProgramCache& programs, const SimBu
                                                 {"slot_begin", &buffers.slot_begin},
                                                 {"correction", &buffers.correction}},
                       buffers.vertex_count);
-  gl::Defines defines_of_load = defines();
+  gl::Defines defines_of_load = defines_of_shapes({});
   defines_of_load.emplace_back("LOAD_LANES", std::to_string(kLoadLanes));
   passes.emplace_back(programs.compute("sim/contact/contact_load.comp", defines_of_load),
                       gl::ComputePass::Bindings{{"contact_pieces", &pieces_},
@@ -330,6 +329,36 @@ std::vector<PointStiffness> ContactTerm::stiffness_at_points() const {
     result.push_back({places_[p], surface_.points[p].weights, stiffness});
   }
   return result;
+}
+
+std::vector<Vector3d> ContactTerm::forces_at_vertices() const {
+  std::vector<Vector3d> forces(model_.rest_positions.size(), Vector3d::Zero());
+  if (!acts()) return forces;
+  const std::vector<vec4> at_points = forces_.read<vec4>();
+  for (std::size_t p = 0; p < at_points.size(); ++p) {
+    const ContactPoint& point = surface_.points[p];
+    for (std::size_t k = 0; k < kCorners; ++k)
+      forces[point.vertices[k]] += point.weights[k] * Vector3d(at_points[p].x, at_points[p].y, at_points[p].z);
+  }
+  return forces;
+}
+
+void ContactTerm::forget_forces() {
+  if (!acts()) return;
+  forces_.clear();
+  rows_.clear();
+}
+
+void ContactTerm::bind_pressure(gl::ComputePass::Bindings& bindings) {
+  if (!areas_) {
+    std::vector<float> areas(model_.rest_positions.size());
+    const std::vector<double> of_vertices = surface_areas(model_);
+    for (std::size_t v = 0; v < areas.size(); ++v)
+      areas[buffers_.placement.place[v]] = static_cast<float>(of_vertices[v]);
+    areas_ = gl::Buffer("contact_area", areas);
+  }
+  bind(TermUse::gradient, bindings);
+  bindings.emplace_back("contact_area", &areas_);
 }
 
 std::vector<ToolLoad> ContactTerm::sum_of(const std::vector<vec4>& loads) const {
