@@ -17,6 +17,8 @@ void keep_failure(const CheckOptions& options, const CheckCase& check, const Out
                   const Comparison& comparison) {
   if (!check.options.compare.empty()) write_png(new_picture(options.out, check), outcome.picture, outcome.provenance);
   if (!check.options.state.empty()) write_state(new_state(options.out, check), outcome.mesh, outcome.fields);
+  if (!check.options.state.empty() && !outcome.contact.empty())
+    write_contact_golden(contact_beside(new_state(options.out, check)), outcome.contact);
   if (comparison.picture) write_png(difference(options.out, check), *comparison.picture, outcome.provenance);
 }
 
@@ -42,6 +44,7 @@ std::string judge(const CheckCase& check, const CheckOptions& options) {
   if (comparison.mean) found["mean"] = *comparison.mean;
   if (comparison.share) found["share"] = *comparison.share;
   if (comparison.deviation) found["deviation"] = *comparison.deviation;
+  if (comparison.contact) found["contact"] = *comparison.contact;
   if (!comparison.passed() && !options.out.empty()) keep_failure(options, check, outcome, comparison);
   return text_of(found);
 }
@@ -63,6 +66,7 @@ CheckResult result_of(const ChildReport& report, bool update) {
   number("mean", result.mean);
   number("share", result.share);
   number("deviation", result.deviation);
+  number("contact", result.contact);
   return result;
 }
 
@@ -81,8 +85,8 @@ CheckRun::CheckRun(const CheckCase& check, const CheckOptions& options) : update
   made.options.data_dir = options.data_dir;
   made.options.command_line = options.command_line;
   if (!options.out.empty())
-    for (const fs::path& earlier :
-         {new_picture(options.out, check), new_state(options.out, check), difference(options.out, check)}) {
+    for (const fs::path& earlier : {new_picture(options.out, check), new_state(options.out, check),
+                                    contact_beside(new_state(options.out, check)), difference(options.out, check)}) {
       std::error_code ignored;
       fs::remove(earlier, ignored);
     }

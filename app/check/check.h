@@ -26,8 +26,8 @@ struct CheckOptions : CommonOptions {
 struct CheckResult {
   enum class Verdict { passed, failed, error, updated };
   Verdict verdict = Verdict::error;
-  std::vector<std::string> lines;                // findings, or updates
-  std::optional<double> mean, share, deviation;  // as in GoldenLimits; absent: not compared
+  std::vector<std::string> lines;                         // findings, or updates
+  std::optional<double> mean, share, deviation, contact;  // as in GoldenLimits; absent: not compared
   double seconds = 0;
   std::string said;
 };

@@ -24,9 +24,19 @@ struct CheckSettings {
 };
 
 const std::vector<std::string>& setting_keys() {
-  static const std::vector<std::string> keys{"size",    "samples", "steps",    "time",      "static",
-                                             "set",     "ui",      "max_mean", "max_share", "state_tolerance",
-                                             "picture", "state"};
+  static const std::vector<std::string> keys{"size",
+                                             "samples",
+                                             "steps",
+                                             "time",
+                                             "static",
+                                             "set",
+                                             "ui",
+                                             "max_mean",
+                                             "max_share",
+                                             "state_tolerance",
+                                             "contact_tolerance",
+                                             "picture",
+                                             "state"};
   return keys;
 }
 
@@ -63,6 +73,7 @@ void read_settings(const Node& node, CheckSettings& settings) {
   read_tolerance(node, "max_mean", options.limits.mean);
   read_tolerance(node, "max_share", options.limits.share);
   read_tolerance(node, "state_tolerance", options.limits.state);
+  read_tolerance(node, "contact_tolerance", options.limits.contact);
   read_flag(node, "picture", settings.picture);
   read_flag(node, "state", settings.state);
   if (!settings.picture && !settings.state) node.fail("compares neither picture nor state", "one of them");

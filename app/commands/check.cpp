@@ -78,7 +78,8 @@ std::vector<Value> values_of(const CheckCase& check, const CheckResult& result) 
   const GoldenLimits& limits = check.options.limits;
   return {{"mean", result.mean, limits.mean},
           {"share", result.share, limits.share},
-          {"state", result.deviation, limits.state}};
+          {"state", result.deviation, limits.state},
+          {"contact", result.contact, limits.contact}};
 }
 
 JunitCase junit_case(const CheckCase& check, const CheckResult& result) {

@@ -149,6 +149,9 @@ void add_comparison(CLI::App& command, RenderOptions& options) {
   add_tolerance(command, "--state-tolerance", options.limits.state, "1e-5",
                 "how far a vertex may be from its golden, in sizes of the scene (diagonal of its box at rest)")
       ->needs(state);
+  add_tolerance(command, "--contact-tolerance", options.limits.contact, "1e-3",
+                "how far the force of a tool may be from its golden, over the largest golden force")
+      ->needs(state);
   command.add_option("--diff", options.difference, "golden, new picture and difference side by side")
       ->type_name("FILE.png")
       ->needs(picture);

@@ -16,6 +16,7 @@
 #include "base/text.h"
 #include "sim/accuracy/mesh_error.h"
 #include "sim/output/sample.h"
+#include "sim/output/simulation_fields.h"
 #include "sim/output/state_export.h"
 #include "sim/output/stats.h"
 #include "sim/reference/newton.h"
@@ -165,7 +166,7 @@ int run_input(const RunOptions& options) {
   const auto export_frame = [&] {
     const State state = simulation.state();
     require_finite(state, simulation.scene);
-    series->write(state.time, simulation.model.file_mesh, reference::export_fields(simulation.model, state), made_by());
+    series->write(state.time, simulation.model.file_mesh, export_fields(simulation, state), made_by());
   };
 
   std::optional<HistoryFile> history;
@@ -244,8 +245,7 @@ int run_input(const RunOptions& options) {
                   : overridden          ? "the state differs from the recorded one: other values, grabs or solver\n"
                                         : "the state differs from the recorded one: another device, program or mesh\n");
   if (!series && !options.export_path.empty())
-    write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last),
-                stats.provenance);
+    write_state(options.export_path, simulation.model.file_mesh, export_fields(simulation, last), stats.provenance);
   if (inverted > 0 && !options.quiet)
     std::cerr << "fascia: " << inverted << " of " << plural(simulation.model.tets.size(), "tet")
               << (inverted == 1 ? " is" : " are") << " inside out at the end\n";

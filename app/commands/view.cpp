@@ -9,8 +9,8 @@
 #include "app/window/window.h"
 #include "base/interrupt.h"
 #include "render/supersampler.h"
+#include "sim/output/simulation_fields.h"
 #include "sim/output/state_export.h"
-#include "sim/reference/newton.h"
 
 namespace fascia {
 namespace {
@@ -35,7 +35,7 @@ int open_window(const ViewOptions& options) {
   const Simulation& simulation = window.simulation();
   const State last = simulation.state();
   if (!options.export_path.empty())
-    write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last),
+    write_state(options.export_path, simulation.model.file_mesh, export_fields(simulation, last),
                 window.stats().provenance);
   if (!options.stats.empty()) write_stats(options.stats, window.stats(), simulation, last);
   window.finish_video();

@@ -85,6 +85,14 @@ Finding compare_state(const Outcome& outcome, const fs::path& path, const Golden
                       three_digits(d.largest) + " m at vertex " + std::to_string(d.vertex)};
 }
 
+Finding compare_contact(const Outcome& outcome, const fs::path& path, const GoldenLimits& limits,
+                        Comparison& comparison) {
+  comparison.contact = contact_deviation(outcome.contact, read_contact_golden(path));
+  const bool passed = *comparison.contact <= limits.contact;
+  return {passed, path.string() + ": " + (passed ? "same forces" : "the forces differ") + ", largest difference " +
+                      against(*comparison.contact, limits.contact) + " of the largest force"};
+}
+
 template <class F>
 Finding finding_of(const F& compare_one) {
   try {
@@ -128,6 +136,21 @@ std::string update_state(const Outcome& outcome, const fs::path& path) {
   return path.string() + ": " + change;
 }
 
+std::string update_contact(const Outcome& outcome, const fs::path& path) {
+  std::string change = "new";
+  if (std::error_code ec; fs::exists(path, ec)) {
+    try {
+      const double d = contact_deviation(outcome.contact, read_contact_golden(path));
+      if (d == 0) return path.string() + ": unchanged";
+      change = "changed, largest difference " + three_digits(d) + " of the largest force";
+    } catch (const Error&) {
+      change = "replaced a file of another kind";
+    }
+  }
+  write_contact_golden(path, outcome.contact);
+  return path.string() + ": " + change;
+}
+
 }  // namespace
 
 bool Comparison::passed() const {
@@ -155,6 +178,9 @@ Comparison compare(const Outcome& outcome, const GoldenFiles& goldens, const Gol
   if (!goldens.state.empty())
     comparison.findings.push_back(
         finding_of([&] { return compare_state(outcome, goldens.state, limits, comparison); }));
+  if (std::error_code ec; !goldens.state.empty() && fs::exists(contact_beside(goldens.state), ec))
+    comparison.findings.push_back(
+        finding_of([&] { return compare_contact(outcome, contact_beside(goldens.state), limits, comparison); }));
   if (comparison.passed() || goldens.picture.empty()) return comparison;
   try {
     comparison.reasons = provenance_differences(read_png_metadata(goldens.picture), outcome.provenance);
@@ -169,6 +195,8 @@ std::vector<std::string> update_goldens(const Outcome& outcome, const GoldenFile
   std::vector<std::string> changes;
   if (!goldens.picture.empty()) changes.push_back(update_picture(outcome, goldens.picture));
   if (!goldens.state.empty()) changes.push_back(update_state(outcome, goldens.state));
+  if (!goldens.state.empty() && !outcome.contact.empty())
+    changes.push_back(update_contact(outcome, contact_beside(goldens.state)));
   return changes;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/golden/contact_golden.h"
 #include "app/golden/golden_files.h"
 #include "render/target/image.h"
 #include "sim/model/model.h"
@@ -18,9 +19,10 @@ namespace fascia {
 struct Outcome {
   Image picture;
   Provenance provenance;
-  TetMesh mesh;        // as in its file
-  StateFields fields;  // the displacements are compared and written
-  double size = 1;     // of the scene [m]
+  TetMesh mesh;                // as in its file
+  StateFields fields;          // the displacements are compared and written
+  double size = 1;             // of the scene [m]
+  ContactForces contact = {};  // of a scene with tools
 };
 
 struct Finding {
@@ -32,14 +34,15 @@ struct Comparison {
   std::vector<Finding> findings;     // one per golden
   std::vector<std::string> reasons;  // of a failure: differences in the provenance of golden and outcome
   std::optional<Image> picture;  // golden, outcome and difference side by side, if pictures of one size were compared
-  std::optional<double> mean, share, deviation;  // as in GoldenLimits; absent: not comparable
+  std::optional<double> mean, share, deviation, contact;  // as in GoldenLimits; absent: not comparable
   bool passed() const;
 };
 
 /// One line for each named golden that does not exist. Called before the work whose result is compared.
 std::vector<std::string> missing_goldens(const GoldenFiles& goldens);
 
-/// A golden that is missing, unreadable or of another size or mesh is a finding, not an exception.
+/// Forces are compared where the scene has tools and the state's golden has forces beside it. A golden that is missing,
+/// unreadable or of another size or mesh is a finding, not an exception.
 Comparison compare(const Outcome& outcome, const GoldenFiles& goldens, const GoldenLimits& limits);
 
 /// Replaces the goldens by the outcome, each through a temporary name, and describes each change in a line. A golden

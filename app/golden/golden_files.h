@@ -14,6 +14,8 @@ struct GoldenLimits {
   double share = 0.001;     // of pixels with a channel off by more than kPixelBound
   // Largest distance of a vertex from its golden, in sizes of the scene (diagonal of its box at rest)
   double state = 1e-5;
+  // Largest difference of a tool's force, over the largest golden one
+  double contact = 1e-3;
 };
 inline constexpr double kPixelBound = 8.0 / 255;
 

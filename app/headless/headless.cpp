@@ -228,8 +228,13 @@ Provenance Headless::provenance() const {
 Outcome Headless::outcome() {
   const Simulation& simulation = session_.simulation;
   Image picture = draw().read();
-  return {std::move(picture), provenance(), simulation.model.file_mesh,
-          reference::export_fields(simulation.model, simulation.state()), simulation.gpu()->buffers().size};
+  Outcome outcome{std::move(picture), provenance(), simulation.model.file_mesh,
+                  reference::export_fields(simulation.model, simulation.state()), simulation.gpu()->buffers().size};
+  const std::vector<Tool>& tools = simulation.model.tools;
+  if (tools.empty()) return outcome;
+  const std::vector<ToolLoad> loads = diagnose()->tool_loads;
+  for (std::size_t t = 0; t < tools.size(); ++t) outcome.contact.emplace_back(tools[t].name, loads[t].force);
+  return outcome;
 }
 
 }  // namespace fascia

@@ -5,6 +5,7 @@
 #include "app/session/file_provenance.h"
 #include "base/file.h"
 #include "base/text.h"
+#include "sim/output/simulation_fields.h"
 #include "sim/output/state_export.h"
 #include "sim/scene/scene_carry.h"
 #include "sim/scene/scene_write.h"
@@ -55,8 +56,7 @@ void Stage::save(const std::filesystem::path& path, bool with_mesh) {
 }
 
 void Stage::export_state(const std::filesystem::path& path) {
-  write_state(path, simulation().model.file_mesh, reference::export_fields(simulation().model, simulation().state()),
-              provenance());
+  write_state(path, simulation().model.file_mesh, export_fields(simulation(), simulation().state()), provenance());
   messages.say("Exported " + path.string());
 }
 

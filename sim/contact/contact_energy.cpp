@@ -30,7 +30,7 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
       const Vector3d local = before.to_local(position(surface.points[p], start));
       row.stiffness = pieces_.back().share * stiffness[p];
       row.anchor = after.to_scene(local);
-      row.normal = after.axes * distance_to(tool.shape, local).normal;
+      row.normal = after.axes * distance_to(tool.shape, local).normal.normalized();
       row.pressing = 0;
       row.friction.setZero();
       if (memory.size() < rows_.size()) continue;

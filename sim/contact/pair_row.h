@@ -15,6 +15,7 @@ struct PairRow {
   Eigen::Vector3d start{0, 0, 0};         // sum_a weights[a] u[vertices[a]] at the start of the step [m]
   double gap = 0;                         // at the start [m], below 0 inside
   double stiffness = 0;                   // of the penalty on depth [N/m]
+  double before = 0;                      // normal force that the step before left [N]
   std::uint32_t slot = 0;                 // of its force in the memory of contact, from PairSearch's first one on
   std::array<std::uint32_t, 2> bodies{};  // in Model::bodies: the side that `normal` points to, and the other
 };

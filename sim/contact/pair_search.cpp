@@ -389,6 +389,7 @@ std::vector<PairRow> PairSearch::find(const std::vector<Vector3d>& start, const 
       x += row.weights[k] * start_[row.vertices[k]];
       row.start += row.weights[k] * start[row.vertices[k]];
     }
+    if (row.slot < before.size()) row.before = before[row.slot].normal;
     const double gap = row.normal.dot(x);
     row.gap = gap - std::min(skin_, gap + kParting * skin_);
     for (std::size_t k = 1; k < 4 && held_[row.vertices[0]]; ++k) {  // a free vertex carries the energy

@@ -115,7 +115,7 @@ void GpuSolver::record() {
   partial_ = {};
   partial_fused_.reset();
   diagnostics_.record(programs_, buffers_, features_, previous_strain_, terms_);
-  surface_.record(programs_, buffers_, features_, color_);
+  surface_.record(programs_, buffers_, features_, color_, contact_);
   published_ = false;
 }
 
@@ -232,6 +232,7 @@ void GpuSolver::state_changed() {
   earlier_step_ = 0;
   if (regions_) regions_->restart();
   if (method_) method_->forget_contact();
+  contact_.forget_forces();
 }
 
 void GpuSolver::request_check() {
@@ -336,7 +337,7 @@ void GpuSolver::set_grab(const std::vector<GrabSpring>& springs) {
 void GpuSolver::set_color(ColorBy color) {
   if (color == color_) return;
   color_ = color;
-  surface_.record(programs_, buffers_, features_, color_);
+  surface_.record(programs_, buffers_, features_, color_, contact_);
   published_ = false;
 }
 

@@ -54,6 +54,9 @@ class GpuSolver {
   void set_tools(std::optional<ToolMotion> motion) { led_motion_ = std::move(motion); }
   /// The motion of the tools in the last stage.
   const ToolMotion& tool_motion() const { return stage_motion_; }
+  /// [vertex] forces of the tools on the tissue at the end of the last step [N], zero in a state that was set; waits
+  /// for the GPU.
+  std::vector<Eigen::Vector3d> contact_forces() const { return contact_.forces_at_vertices(); }
   void set_color(ColorBy color);
   ColorBy color() const { return color_; }
   /// The values of the heat map of ColorBy::error: float [vertex_count] [m]. Zero at first.

@@ -19,6 +19,7 @@
 #include "sim/model/vertex_csv.h"
 #include "sim/model/vertex_selection.h"
 #include "sim/surface/surface_fill.h"
+#include "sim/tool/tool_meshes.h"
 
 namespace fascia {
 namespace {
@@ -327,10 +328,13 @@ void add_body(LoadedBody loaded, Model& model) {
   model.bodies.push_back(std::move(part));
 }
 
-Model begin_model(const Scene& scene) {
+Model begin_model(const Scene& scene, FileReader& files) {
   Model model;
   model.gravity = scene.gravity;
-  model.tools = tools_of(scene.tools);
+  model.tools = tools_of(with_solids(scene.tools, [&](const std::string& path, const std::string& key) {
+    const FileReader::File file = files.read(path, key);
+    return ToolSurfaceFile{files.surface(file), file.place.string()};
+  }));
   model.contact = scene.tools.contact;
   model.contact.bodies = model.contact.bodies && scene.bodies.size() > 1;  // a body alone has no other to touch
   model.notes = scene.notes;
@@ -340,8 +344,8 @@ Model begin_model(const Scene& scene) {
 }  // namespace
 
 Model build_bodies(const Scene& scene, const Progress& progress, const BodyRead& read) {
-  Model model = begin_model(scene);
   FileReader files(scene);
+  Model model = begin_model(scene, files);
   const auto share = [&](std::size_t bodies) {
     return static_cast<double>(bodies) / static_cast<double>(scene.bodies.size());
   };
@@ -360,8 +364,8 @@ Model build_bodies(const Scene& scene, const Progress& progress, const BodyRead&
 Model build_bodies(const Scene& scene, std::vector<TetMesh> meshes) {
   if (meshes.size() != scene.bodies.size())
     throw Error(scene.file.string(), "has " + std::to_string(meshes.size()) + " meshes", "expected one a body");
-  Model model = begin_model(scene);
   FileReader files(scene);
+  Model model = begin_model(scene, files);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     LoadedBody loaded = begin_body(scene, b, files);
     loaded.file.mesh = std::move(meshes[b]);

@@ -36,6 +36,8 @@ std::string vtu(const TetMesh& rest, const StateFields& fields) {
   };
   add(grid.point_arrays, "displacement", vector, fields.displacement);
   add(grid.point_arrays, "velocity", vector, fields.velocity);
+  add(grid.point_arrays, "contact_force", vector, fields.contact_force);
+  add(grid.point_arrays, "contact_gap", scalar, fields.contact_gap);
   add(grid.cell_arrays, "green_strain", strain, fields.green_strain);
   add(grid.cell_arrays, "von_mises", scalar, fields.von_mises);
   add(grid.cell_arrays, "J", scalar, fields.det_f);
@@ -64,6 +66,14 @@ std::vector<Tet> usable_linear_tets(const TetMesh& mesh) {
   return linear_tets(usable.tets, middles, mesh.positions, 0, usable.tets.size()).tets;
 }
 
+void add_vertex(const Eigen::Vector3d& x, NumberText& out) {
+  out.add("v ").add(x[0]).add(' ').add(x[1]).add(' ').add(x[2]).add('\n');
+}
+
+void add_face(const Triangle& numbers, NumberText& out) {
+  out.add("f ").add(numbers[0]).add(' ').add(numbers[1]).add(' ').add(numbers[2]).add('\n');
+}
+
 /// The outward triangles of the usable tets, four on a face of a quadratic one, and their vertices, in the mesh's
 /// order.
 std::string obj(const TetMesh& rest, const StateFields& fields) {
@@ -78,16 +88,20 @@ std::string obj(const TetMesh& rest, const StateFields& fields) {
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (number[v] == 0) continue;
     number[v] = ++used;
-    out.add("v ").add(points[v][0]).add(' ').add(points[v][1]).add(' ').add(points[v][2]).add('\n');
+    add_vertex(points[v], out);
   }
-  for (const Triangle& triangle : triangles) {
-    out.add("f ")
-        .add(number[triangle[0]])
-        .add(' ')
-        .add(number[triangle[1]])
-        .add(' ')
-        .add(number[triangle[2]])
-        .add('\n');
+  for (const Triangle& t : triangles) add_face({number[t[0]], number[t[1]], number[t[2]]}, out);
+  return out.take();
+}
+
+std::string tools_obj(const std::vector<ToolSurface>& tools) {
+  NumberText out;
+  std::uint32_t first = 1;
+  for (const ToolSurface& tool : tools) {
+    out.add("o ").add(tool.name).add('\n');
+    for (const Eigen::Vector3d& x : tool.positions) add_vertex(x, out);
+    for (const Triangle& t : tool.triangles) add_face({first + t[0], first + t[1], first + t[2]}, out);
+    first += static_cast<std::uint32_t>(tool.positions.size());
   }
   return out.take();
 }
@@ -111,7 +125,8 @@ void write_state(const fs::path& path, const TetMesh& rest, const StateFields& f
   [[maybe_unused]] const auto fits = [](const auto& values, std::size_t count) {
     return values.empty() || values.size() == count;
   };
-  assert(fits(fields.displacement, rest.positions.size()) && fits(fields.velocity, rest.positions.size()));
+  assert(fits(fields.displacement, rest.positions.size()) && fits(fields.velocity, rest.positions.size()) &&
+         fits(fields.contact_force, rest.positions.size()) && fits(fields.contact_gap, rest.positions.size()));
   assert(fits(fields.green_strain, rest.tets.size()) && fits(fields.von_mises, rest.tets.size()) &&
          fits(fields.det_f, rest.tets.size()));
   const std::string ending = lower_ending(path);
@@ -131,6 +146,9 @@ void write_state(const fs::path& path, const TetMesh& rest, const StateFields& f
     throw Error(path.string(), "cannot be written: its ending names no export format",
                 "expected .vtu, .csv, .msh or .obj");
   }
+  if (fields.tools.empty() || (ending != ".vtu" && ending != ".obj")) return;
+  write_file(path.parent_path() / (path.stem().string() + "_tools.obj"),
+             with_provenance(tools_obj(fields.tools), ".obj", provenance));
 }
 
 void StateSeries::write(double time_s, const TetMesh& rest, const StateFields& fields, const Provenance& provenance) {

@@ -14,8 +14,8 @@ namespace fascia {
 
 /// The format follows from the extension; standard output ("-") and a device get .csv, without provenance. .csv is
 /// `index,x,y,z` of deformed positions with shortest round-trip digits; .obj is the surface. .msh is Gmsh 2.2 ASCII
-/// with deformed positions. Writes a temporary file and renames it; throws Error. The provenance is included
-/// (base/provenance.h).
+/// with deformed positions. Tools are written beside a .vtu or .obj, as NAME_tools.obj with an object for each. Writes
+/// a temporary file and renames it; throws Error. The provenance is included (base/provenance.h).
 inline const std::vector<std::string> state_endings{".vtu", ".csv", ".msh", ".obj"};
 void write_state(const std::filesystem::path& path, const TetMesh& rest, const StateFields& fields,
                  const Provenance& provenance = {});

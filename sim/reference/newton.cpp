@@ -82,9 +82,11 @@ struct NewtonSolver::Impl {
     return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion,
                                            pairs.find(vectors_of(start), vectors_of(end), before));
   }
-  void read_out(const ContactEnergy& energy, const VectorXd& u) {
-    loads = energy.loads(u);
-    pair_loads = energy.pairs().loads(u);
+  void read_out(std::shared_ptr<const ContactEnergy> energy, const VectorXd& u) {
+    loads = energy->loads(u);
+    pair_loads = energy->pairs().loads(u);
+    touched = std::move(energy);
+    touched_at = u;
   }
   ToolMotion motion_within(double from, double to) const {
     return tools ? *tools : motion_on_paths(model.tools, from, to);
@@ -119,6 +121,8 @@ struct NewtonSolver::Impl {
   std::optional<ToolMotion> tools;  // none: on their paths
   std::vector<ToolLoad> loads;
   std::vector<PairLoad> pair_loads;
+  std::shared_ptr<const ContactEnergy> touched;  // of the last step or solve, which ended at `touched_at`
+  VectorXd touched_at;                           // [3 * vertex_count] [m]
 };
 
 NewtonReport NewtonSolver::Impl::follow(const HeldPath& path, const std::function<Potential(double)>& potential,
@@ -196,7 +200,7 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   state.earlier.velocity = std::exchange(state.velocity, vectors_of(stage.velocity(u, start)));
   state.time += stage.duration;
   if (potential.contact) {
-    read_out(*potential.contact, u);
+    read_out(potential.contact, u);
     state.contact = potential.contact->memory_after(u);
   }
   return report;
@@ -213,7 +217,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
     }
     if (lands && pass == 0) report = minimizer.minimize(potential, tolerance, {last_patience, false, stop}, u);
     const ContactMemory before = std::exchange(memory, potential.contact->memory_after(u));
-    read_out(*potential.contact, u);
+    read_out(potential.contact, u);
     double change = 0, largest = 0;
     for (std::size_t row = 0; row < memory.size(); ++row) {
       const ContactForce old = before.empty() ? ContactForce{} : before[row];
@@ -300,6 +304,12 @@ void NewtonSolver::set_tools(const std::optional<ToolMotion>& motion) { impl_->t
 
 const std::vector<ToolLoad>& NewtonSolver::tool_loads() const { return impl_->loads; }
 const std::vector<PairLoad>& NewtonSolver::pair_loads() const { return impl_->pair_loads; }
+
+std::vector<Vector3d> NewtonSolver::contact_forces() const {
+  VectorXd gradient = VectorXd::Zero(3 * static_cast<Eigen::Index>(impl_->model.rest_positions.size()));
+  if (impl_->touched) impl_->touched->evaluate(impl_->touched_at, gradient);
+  return vectors_of(-gradient);
+}
 
 void NewtonSolver::set_springs(const std::vector<GrabSpring>& springs) { impl_->springs = springs; }
 

@@ -86,6 +86,8 @@ class NewtonSolver {
   /// [tool] at the end of the last step or solve.
   const std::vector<ToolLoad>& tool_loads() const;
   const std::vector<PairLoad>& pair_loads() const;  // of tissue on tissue, in the same step
+  /// [vertex] the same forces on the tissue, at its vertices [N]; zero before the first step or without tools.
+  std::vector<Eigen::Vector3d> contact_forces() const;
   /// Static equilibrium from `state` (its velocity is set to zero, its time to the end of all motions).
   /// `tolerance` 0 means 1e-10. Tools go to the end of their motion. Throws Error if gravity acts on an unconstrained
   /// component and there is no tool to support it.

@@ -47,6 +47,9 @@ void for_each_path(S& scene, const Visit& visit) {
         visit(targets, key + "prescribed[" + std::to_string(m) + "].targets");
     if (Text* velocity = std::get_if<std::string>(&body.initial_velocity)) visit(*velocity, key + "initial_velocity");
   }
+  for_each_shape(scene.tools, [&](auto& shape, const std::string& key) {
+    if (auto* mesh = std::get_if<MeshShape>(&shape)) visit(mesh->file, key + ".mesh.file");
+  });
 }
 
 }  // namespace fascia

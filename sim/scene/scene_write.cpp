@@ -115,7 +115,11 @@ class SceneWriter {
     OrderedJson object = {{"fascia_scene", 1}, {"title", scene_.title}, {"gravity", vector(scene_.gravity)}};
     for (const Body& b : scene_.bodies) object["bodies"].push_back(body(b));
     for (const ScriptedGrab& g : scene_.grabs) object["grabs"].push_back(grab(g));
-    write_tools(scene_.tools, object);
+    SceneTools tools = scene_.tools;
+    for_each_shape(tools, [&](ToolShape& shape, const std::string&) {
+      if (auto* mesh = std::get_if<MeshShape>(&shape)) mesh->file = path(mesh->file);
+    });
+    write_tools(tools, object);
     object["solver"] = solver_document(scene_.solver);
     if (scene_.camera) object["camera"] = camera_document(*scene_.camera);
     if (const CameraMotion& motion = scene_.camera_motion; !motion.keys.empty()) {

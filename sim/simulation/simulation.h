@@ -121,6 +121,10 @@ class Simulation {
   /// [tool of the model] of the reference solver at the end of its last step; the GPU's are in its Diagnostics.
   const std::vector<ToolLoad>& newton_tool_loads() const { return reference_->tool_loads(); }
   const std::vector<PairLoad>& newton_pair_loads() const { return reference_->pair_loads(); }  // of tissue on tissue
+  /// [vertex] forces of the tools on the tissue at the end of the last step [N]; waits for the GPU.
+  std::vector<Eigen::Vector3d> contact_forces() const {
+    return reference_ ? reference_->contact_forces() : gpu_->contact_forces();
+  }
 
  private:
   void make_step();

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/tool/solid_mesh.h"
+
 namespace fascia {
 namespace {
 
@@ -72,6 +74,8 @@ struct Distance {
     if (past_rim > past_end) return {past_rim, outward, hoop};
     return {past_end, side * axis, Matrix3d::Zero()};
   }
+
+  ShapeDistance operator()(const MeshShape& s) const { return distance_to(*s.solid, x); }
 };
 
 }  // namespace
@@ -85,6 +89,8 @@ double finest_radius(const ToolShape& shape) {
     double operator()(const CylinderShape& s) const { return std::min(s.radius, 0.5 * (s.to - s.from).norm()); }
     double operator()(const BoxShape& s) const { return s.half_size.minCoeff(); }
     double operator()(const PlaneShape&) const { return std::numeric_limits<double>::infinity(); }
+    // Between those of a ball (a half of the result), a rod (three quarters) and a plate (one and a half).
+    double operator()(const MeshShape& s) const { return 0.75 * s.solid->thickness; }
   };
   return std::visit(Finest{}, shape);
 }
@@ -96,6 +102,7 @@ Vector3d middle_of(const ToolShape& shape) {
     Vector3d operator()(const CylinderShape& s) const { return 0.5 * (s.from + s.to); }
     Vector3d operator()(const BoxShape& s) const { return s.center; }
     Vector3d operator()(const PlaneShape& s) const { return s.point; }
+    Vector3d operator()(const MeshShape& s) const { return s.solid->box.center(); }
   };
   return std::visit(Middle{}, shape);
 }
@@ -107,6 +114,7 @@ double bounding_radius(const ToolShape& shape) {
     double operator()(const CylinderShape& s) const { return std::hypot(0.5 * (s.to - s.from).norm(), s.radius); }
     double operator()(const BoxShape& s) const { return s.half_size.norm(); }
     double operator()(const PlaneShape&) const { return std::numeric_limits<double>::infinity(); }
+    double operator()(const MeshShape& s) const { return 0.5 * s.solid->box.sizes().norm(); }
   };
   return std::visit(Bound{}, shape);
 }

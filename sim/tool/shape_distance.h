@@ -1,4 +1,5 @@
-// Signed distances of rigid shapes, exact outside, and inside up to the nearest face.
+// Signed distances of rigid shapes, exact outside, and inside up to the nearest face; of meshes as of
+// sim/tool/solid_mesh.h.
 #pragma once
 #include <Eigen/Core>
 
@@ -8,7 +9,7 @@ namespace fascia {
 
 struct ShapeDistance {
   double distance = 0;              // [m] negative inside
-  Eigen::Vector3d normal{0, 0, 0};  // its gradient, a unit vector
+  Eigen::Vector3d normal{0, 0, 0};  // its gradient, a unit vector apart from meshes, whose is about one
   Eigen::Matrix3d curvature;        // its Hessian [1/m]
 };
 /// At a point in the axes of the shape [m].

@@ -4,13 +4,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/tool/solid_mesh.h"
+
 namespace fascia {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kAround = 48;  // corners of a circle
-constexpr int kRings = 12;   // of a half sphere
+constexpr int kAround = 48;       // corners of a circle
+constexpr int kRings = 12;        // of a half sphere
+constexpr double kSmooth = 0.77;  // cosine of the largest angle of an edge that is drawn round
 
 // A point of a profile that turns about an axis: along the axis, away from it, and its normal in the same terms.
 struct ProfilePoint {
@@ -43,6 +46,29 @@ class Builder {
       add(center + s * half_u + t * half_v, normal);
     mesh_.triangles.push_back({first, first + 1, first + 2});
     mesh_.triangles.push_back({first, first + 2, first + 3});
+  }
+
+  // A vertex for every corner, whose normal is that of the triangles around it, without those beyond a sharp edge.
+  void add_solid(const SolidMesh& solid) {
+    std::vector<Vector3d> normals;  // twice the area of each triangle
+    std::vector<std::vector<std::size_t>> around(solid.positions.size());
+    for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
+      const Triangle& corners = solid.triangles[t];
+      const Vector3d& a = solid.positions[corners[0]];
+      normals.push_back((solid.positions[corners[1]] - a).cross(solid.positions[corners[2]] - a));
+      for (const std::uint32_t v : corners) around[v].push_back(t);
+    }
+    for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
+      const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
+      for (const std::uint32_t v : solid.triangles[t]) {
+        Vector3d normal(0, 0, 0);
+        for (const std::size_t other : around[v])
+          if (normals[other].dot(normals[t]) > kSmooth * normals[other].norm() * normals[t].norm())
+            normal += normals[other];
+        add(solid.positions[v], normal.normalized());
+      }
+      mesh_.triangles.push_back({first, first + 1, first + 2});
+    }
   }
 
   ShapeMesh take() { return std::move(mesh_); }
@@ -102,6 +128,11 @@ struct Maker {
                        v = side * s.half_size[(k + 2) % 3] * Vector3d::Unit((k + 2) % 3);
         builder.add_quad(s.center + out, u, v);
       }
+    return builder.take();
+  }
+  ShapeMesh operator()(const MeshShape& s) const {
+    Builder builder;
+    builder.add_solid(*s.solid);
     return builder.take();
   }
   ShapeMesh operator()(const PlaneShape& s) const {

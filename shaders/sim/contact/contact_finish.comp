@@ -12,30 +12,30 @@ INPUT_VEC4(Displacement, displacement)       // [vertex_count] u [m]
 INPUT_UINT(ContactNear, contact_near)        // [points]
 INOUT(vec4, ContactMemoryNow, contact_memory_now)  // [rows] xyz t in the axes of the piece, w lambda [N]
 INOUT(vec4, ContactRow, contact_row)         // [rows] xyz anchor, then the force on the tissue [N], w depth [m], -1 if apart
-OUTPUT(vec4, ContactForce, contact_force)    // [points + pairs] xyz force [N]; of pairs w depth [m], -1 if apart
+OUTPUT(vec4, ContactForce, contact_force)    // [points + pairs] xyz force, w the normal one [N]
 
 void main() {
   ITEM_OR_RETURN(i)
   uvec4 vertices = FETCH(contact_vertices, i);
   vec4 weights = FETCH(contact_weights, i);
-  vec3 u = AT_POINT(displacement, vertices, weights), force = vec3(0.0);
+  vec3 u = AT_POINT(displacement, vertices, weights);
 #if PAIRS
   if (i >= points) {
     uint pair = i - points, row = row_of_pair(pair);
     Row r = row_of(pair, u, contact_memory_now[row]);
     contact_memory_now[row] = vec4(within(r.across, friction_of_pair(pair) * r.pressing), r.pressing);
-    contact_force[i] = vec4(force_of(r), r.pressing > 0.0 ? max(r.depth, 0.0) : -1.0);
+    contact_force[i] = vec4(force_of(r), r.pressing);
     return;
   }
 #endif
-  vec4 rest = FETCH(contact_rest, i);
+  vec4 rest = FETCH(contact_rest, i), force = vec4(0.0);
   for (uint near = FETCH1(contact_near, i); near != 0u; near &= near - 1u) {
     uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
     Row r = row_at(piece, row, rest.xyz + u, rest.w, contact_memory_now[row], contact_row[row].xyz);
     vec3 row_force = force_of(r), across = within(r.across, friction_of(piece) * r.pressing);
     contact_memory_now[row] = vec4(across * pose_at_end(piece).axes, r.pressing);
     contact_row[row] = vec4(row_force, r.pressing > 0.0 ? max(r.depth, 0.0) : -1.0);
-    force += row_force;
+    force += vec4(row_force, r.pressing);
   }
-  contact_force[i] = vec4(force, 0.0);
+  contact_force[i] = force;
 }

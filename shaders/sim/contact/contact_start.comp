@@ -44,6 +44,9 @@ void main() {
     after -= half_thickness(piece);
     if (after < -let_in(piece) && after < before)
       atomicMin(contact_limit[contact_limit[bodies + i]], floatBitsToUint(max(0.0, before + let_in(piece)) / (before - after) + LEAST_SHARE));
+#if MESHES
+    d.xyz = normalize(d.xyz);
+#endif
     contact_normal_now[row] = vec4(end.axes * d.xyz, 0.0);
   }
   contact_near[i] = near;

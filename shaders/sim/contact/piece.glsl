@@ -1,5 +1,5 @@
-// Rigid pieces of tools: poses and signed distances (sim/tool/shape_distance.h). The defines CAPSULES, BOXES, PLANES
-// and CYLINDERS say which shapes there are; a sphere is a capsule without a length.
+// Rigid pieces of tools: poses and signed distances (sim/tool/shape_distance.h). The defines CAPSULES, BOXES, PLANES,
+// CYLINDERS and MESHES say which shapes there are; a sphere is a capsule without a length.
 #define PIECE_ROWS 11u
 #define MOST_PIECES 32u
 INPUT_VEC4(ContactPieces, contact_pieces)  // [PIECE_ROWS * pieces]: sim/gpu/contact/contact_term.cpp
@@ -61,6 +61,9 @@ vec4 cylinder_distance(vec4 a, vec4 b, vec3 x) {
   return past_rim > past_end ? vec4(outward, past_rim) : vec4(side * b.xyz, past_end);
 }
 #endif
+#if MESHES
+#include "sim/contact/mesh_distance.glsl"
+#endif
 
 // In the axes of the piece: xyz normal, w signed distance [m].
 vec4 distance_to(uint piece, vec3 x) {
@@ -78,6 +81,9 @@ vec4 distance_to(uint piece, vec3 x) {
 #endif
 #if CYLINDERS
   if (shape == 3.0) result = cylinder_distance(a, b, x);
+#endif
+#if MESHES
+  if (shape == 4.0) result = mesh_distance(a, b, x);
 #endif
   return result;
 }

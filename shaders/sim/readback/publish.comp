@@ -10,6 +10,8 @@ INPUT_UINT(SlotBegin, slot_begin)   // [vertex_count + 1]
 INPUT_VEC4(Correction, correction)  // [slots] from heat_tet
 #elif HEAT_BY_VERTEX
 INPUT_FLOAT(VertexScalar, vertex_scalar)  // [vertex_count] also in that order
+#elif HEAT_CONTACT
+#include "sim/contact/pressure.glsl"
 #elif HEAT_VELOCITY
 INPUT_VEC4(Velocity, velocity)  // [vertex_count] v [m/s]
 #endif
@@ -27,6 +29,8 @@ void main() {
   if (sum.y > 0.0) scalar = sum.x / sum.y;
 #elif HEAT_BY_VERTEX
   scalar = FETCH1(vertex_scalar, vertex);
+#elif HEAT_CONTACT
+  scalar = contact_pressure(i);
 #elif HEAT_VELOCITY
   scalar = length(FETCH(velocity, i).xyz);
 #elif HEAT_DISPLACEMENT

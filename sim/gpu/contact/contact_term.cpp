@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "base/error.h"
 #include "sim/contact/contact_energy.h"
 #include "sim/contact/tissue_surface.h"
+#include "sim/gpu/contact/piece_rows.h"
 #include "sim/gpu/passes/reduction.h"
 #include "sim/model/unconstrained_parts.h"
 #include "sim/tool/shape_distance.h"
+#include "sim/tool/solid_mesh.h"
 
 namespace fascia {
 namespace {
@@ -29,40 +32,11 @@ constexpr double kLeastShare = 1e-6;     // of the way: 0 says that the start st
 constexpr std::uint32_t kNoBody = ~0u;   // shaders/sim/contact/contact_retreat.comp
 constexpr std::uint32_t kStretch = 256;  // of points that one invocation lists
 
-vec4 row(const Vector3d& v, double w = 0) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), static_cast<float>(w)};
-}
-
-struct ShapeRows {
-  int kind;
-  vec4 a, b;
-};
-
-// As shaders/sim/contact/piece.glsl reads them.
-ShapeRows rows_of(const ToolShape& shape) {
-  struct Rows {
-    ShapeRows operator()(const SphereShape& s) const { return {0, row(s.center, s.radius), row({0, 0, 0}, 0)}; }
-    ShapeRows operator()(const CapsuleShape& s) const {
-      const Vector3d along = s.to - s.from;
-      return {0, row(s.from, s.radius), row(along, 1 / along.squaredNorm())};
-    }
-    ShapeRows operator()(const BoxShape& s) const {
-      return {1, row(s.center, s.round), row(s.half_size.array() - s.round)};
-    }
-    ShapeRows operator()(const PlaneShape& s) const { return {2, row(s.point), row(s.normal.normalized())}; }
-    ShapeRows operator()(const CylinderShape& s) const {
-      const Vector3d along = s.to - s.from;
-      return {3, row(0.5 * (s.from + s.to), s.radius), row(along.normalized(), 0.5 * along.norm())};
-    }
-  };
-  return std::visit(Rows{}, shape);
-}
-
 void add(std::vector<vec4>& rows, const RigidPose& pose, double w0, double w1, double w2, double w3) {
-  rows.push_back(row(pose.axes.col(0), w0));
-  rows.push_back(row(pose.axes.col(1), w1));
-  rows.push_back(row(pose.axes.col(2), w2));
-  rows.push_back(row(pose.origin, w3));
+  rows.push_back(row_of(pose.axes.col(0), w0));
+  rows.push_back(row_of(pose.axes.col(1), w1));
+  rows.push_back(row_of(pose.axes.col(2), w2));
+  rows.push_back(row_of(pose.origin, w3));
 }
 
 // The farthest that a point of a piece moves, at most [m].
@@ -89,7 +63,9 @@ vec4 weights_of(const PairRow& pair) {
 }  // namespace
 
 ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
-    : tools_(model.tools),
+    : model_(model),
+      buffers_(buffers),
+      tools_(model.tools),
       surface_(make_contact_surface(model)),
       pairs_(model),
       friction_(model.contact.friction),
@@ -99,6 +75,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
                 "expected at most " + std::to_string(kMostPieces) + ": ground, obstacles, instruments, jaws as two");
   if (!acts()) return;
   margin_ = kMargin * buffers.size;
+  make_grids();
   let_in_ = kLetIn * buffers.size;
   place_ = buffers.placement.place;
   const std::size_t all = point_count() + pairs_.slot_count(), rows = std::max(surface_.row_count, 1u);
@@ -168,11 +145,27 @@ void ContactTerm::upload_points(const Model& model) {
     const ContactPoint& point = surface_.points[p];
     Vector3d x(0, 0, 0);
     for (std::size_t k = 0; k < 3; ++k) x += point.weights[k] * model.rest_positions[point.vertices[k]];
-    weights.push_back(row({point.weights[0], point.weights[1], point.weights[2]}));
-    rest.push_back(row(x, stiffness[p]));
+    weights.push_back(row_of({point.weights[0], point.weights[1], point.weights[2]}));
+    rest.push_back(row_of(x, stiffness[p]));
   }
   weights_.upload(0, weights.size() * sizeof(vec4), weights.data());
   rest_.upload(0, rest.size() * sizeof(vec4), rest.data());
+}
+
+void ContactTerm::make_grids() {
+  std::vector<float> nodes;
+  std::map<const SolidMesh*, std::size_t> first;
+  for (const Tool& tool : tools_) {
+    const auto* mesh = std::get_if<MeshShape>(&tool.shape);
+    first_nodes_.push_back(mesh ? first.try_emplace(mesh->solid.get(), nodes.size()).first->second : 0);
+    if (mesh && first_nodes_.back() == nodes.size())
+      nodes.insert(nodes.end(), mesh->solid->distances.begin(), mesh->solid->distances.end());
+  }
+  constexpr std::size_t kMostNodes = std::size_t{1} << 24;  // that float32 numbers
+  if (nodes.size() > kMostNodes)
+    throw Error("contact", "the meshes of tools have " + std::to_string(nodes.size()) + " nodes of distances",
+                "expected at most " + std::to_string(kMostNodes) + ": fewer meshes");
+  if (!nodes.empty()) grids_ = gl::Buffer("contact_grid", nodes);
 }
 
 void ContactTerm::materials_changed(const Model& model) {
@@ -205,13 +198,13 @@ void ContactTerm::place_pieces(const ToolMotion& motion) {
     const Tool& tool = tools_[piece.tool];
     const ToolPlace &from = motion.from[piece.tool], &to = motion.to[piece.tool];
     const RigidPose before = tool.pose_of_piece(piece.piece, from), after = tool.pose_of_piece(piece.piece, to);
-    const ShapeRows shape = rows_of(tool.shape);
+    const PieceRows shape = piece_rows_of(tool.shape, first_nodes_[piece.tool]);
     const double share = 1.0 / (1 << (2 * piece.level)), reach = way_of(tool.shape, before, after) + margin_;
     add(rows, after, tool.friction, share, reach, half_thickness_);
     add(rows, before, shape.kind, piece.first_row, piece.points, let_in_);
     rows.push_back(shape.a);
     rows.push_back(shape.b);
-    rows.push_back(row(to.pose.origin));
+    rows.push_back(row_of(to.pose.origin));
   }
   const auto same = [](const vec4& a, const vec4& b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w; };
   if (std::equal(rows.begin(), rows.end(), uploaded_.begin(), uploaded_.end(), same)) return;
@@ -246,9 +239,9 @@ void ContactTerm::place_pairs(const std::vector<Vector3d>& start, const std::vec
     for (std::size_t k = 0; k < 4; ++k) placed[k] = place_[pair.vertices[k]];
     places_.push_back(placed);
     weights.push_back(weights_of(pair));
-    constants.push_back(row(pair.normal, pair.gap));
-    constants.push_back(row(pair.start, pair.stiffness));
-    constants.push_back(row({friction_, static_cast<double>(surface_.row_count + pair.slot), 0}));
+    constants.push_back(row_of(pair.normal, pair.gap));
+    constants.push_back(row_of(pair.start, pair.stiffness));
+    constants.push_back(row_of({friction_, static_cast<double>(surface_.row_count + pair.slot), 0}));
     listed.push_back(point_count() + static_cast<std::uint32_t>(listed.size()));
   }
   vertices_.upload(sizeof(Tet) * point_count(), vertices.size() * sizeof(Tet), vertices.data());
@@ -315,12 +308,15 @@ void ContactTerm::bind(TermUse use, gl::ComputePass::Bindings& bindings) const {
 
 gl::Defines ContactTerm::defines() const {
   std::set<int> kinds;
-  for (const ContactPiece& piece : surface_.pieces) kinds.insert(rows_of(tools_[piece.tool].shape).kind);
-  gl::Defines defines;
-  for (const auto& [kind, name] : {std::pair{0, "CAPSULES"}, {1, "BOXES"}, {2, "PLANES"}, {3, "CYLINDERS"}})
-    defines.emplace_back(name, kinds.contains(kind) ? "1" : "0");
+  for (const ContactPiece& piece : surface_.pieces) kinds.insert(piece_rows_of(tools_[piece.tool].shape).kind);
+  gl::Defines defines = defines_of_shapes(kinds);
   defines.emplace_back("PAIRS", pairs_.empty() ? "0" : "1");
   return defines;
+}
+
+std::uint32_t ContactTerm::loops_of_point() const {
+  constexpr std::uint32_t kOfGrid = 13;  // shaders/sim/contact/mesh_distance.glsl
+  return static_cast<std::uint32_t>(surface_.pieces.size()) * (grids_ ? kOfGrid : 1) + 1;
 }
 
 gl::ComputePass ContactTerm::over_points(gl::ProgramCache& programs, const char* kernel,
@@ -329,10 +325,11 @@ gl::ComputePass ContactTerm::over_points(gl::ProgramCache& programs, const char*
                            {"contact_vertices", &vertices_},
                            {"contact_weights", &weights_},
                            {"contact_rest", &rest_}});
+  if (grids_) more.emplace_back("contact_grid", &grids_);
   gl::ComputePass pass(programs.compute(kernel, defines()), std::move(more), point_count(),
                        {{"pieces", static_cast<std::uint32_t>(surface_.pieces.size())},
                         {"bodies", static_cast<std::uint32_t>(limits_.size())}});
-  pass.loops(static_cast<std::uint32_t>(surface_.pieces.size()) + 1);
+  pass.loops(loops_of_point());
   return pass;
 }
 
@@ -345,6 +342,7 @@ gl::ComputePass ContactTerm::over_near(gl::ProgramCache& programs, const char* k
                            {"contact_normal", &normals_},
                            {"contact_near", &near_},
                            {"deferred_items", &list_}});
+  if (grids_) more.emplace_back("contact_grid", &grids_);
   gl::ComputePass::Constants constants{{"deferred_list", 0}, {"deferred_begin", 4}};
   if (!pairs_.empty()) {
     more.emplace_back("contact_pairs", &constants_);
@@ -355,7 +353,7 @@ gl::ComputePass ContactTerm::over_near(gl::ProgramCache& programs, const char* k
   listed.emplace_back("STICKING", std::to_string(kStickingPenalty));
   gl::ComputePass pass(programs.compute(kernel, listed), std::move(more), point_count() + pairs_.slot_count(),
                        std::move(constants));
-  pass.loops(static_cast<std::uint32_t>(surface_.pieces.size()) + 1);
+  pass.loops(loops_of_point());
   pass.set_indirect(list_, 0);
   return pass;
 }
@@ -462,7 +460,7 @@ EnergyTerm::Passes ContactTerm::impulses(gl::ProgramCache& programs, const SimBu
                                                 {"correction", &buffers.correction}},
                       buffers.vertex_count);
   if (surface_.empty()) return passes;
-  gl::Defines defines_of_load = defines();
+  gl::Defines defines_of_load = defines_of_shapes({});
   defines_of_load.emplace_back("LOAD_LANES", std::to_string(kLoadLanes));
   passes.emplace_back(programs.compute("sim/contact/contact_load.comp", defines_of_load),
                       gl::ComputePass::Bindings{{"contact_pieces", &pieces_},
@@ -505,11 +503,44 @@ std::vector<PointStiffness> ContactTerm::stiffness_at_points() const {
 std::vector<PairLoad> ContactTerm::sum_of(const std::vector<PairRow>& pairs, const std::vector<vec4>& forces) {
   std::vector<PairLoad> loads;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const vec4& force = forces[k];
-    const Vector3d f(force.x, force.y, force.z);
-    if (force.w >= 0 || !f.isZero(0)) add_load(loads, pairs[k], f, force.w >= 0, force.w);
+    const Vector3d force(forces[k].x, forces[k].y, forces[k].z);
+    const double pressing = forces[k].w;
+    if (pressing > 0 || !force.isZero(0))
+      add_load(loads, pairs[k], force, pressing > 0, (pressing - pairs[k].before) / pairs[k].stiffness);
   }
   return loads;
+}
+
+std::vector<Vector3d> ContactTerm::forces_at_vertices() const {
+  std::vector<Vector3d> forces(model_.rest_positions.size(), Vector3d::Zero());
+  if (!acts()) return forces;
+  const std::vector<vec4> at_points = forces_.read<vec4>();
+  const auto force_at = [&](std::size_t p) { return Vector3d(at_points[p].x, at_points[p].y, at_points[p].z); };
+  for (std::size_t p = 0; p < surface_.points.size(); ++p)
+    for (std::size_t k = 0; k < 3; ++k)
+      forces[surface_.points[p].vertices[k]] += surface_.points[p].weights[k] * force_at(p);
+  for (std::size_t p = 0; p < rows_of_pairs_.size(); ++p)
+    for (std::size_t k = 0; k < 4; ++k)
+      forces[rows_of_pairs_[p].vertices[k]] += rows_of_pairs_[p].weights[k] * force_at(point_count() + p);
+  return forces;
+}
+
+void ContactTerm::forget_forces() {
+  if (!acts()) return;
+  forces_.clear();
+  rows_.clear();
+}
+
+void ContactTerm::bind_pressure(gl::ComputePass::Bindings& bindings) {
+  if (!areas_) {
+    std::vector<float> areas(model_.rest_positions.size());
+    const std::vector<double> of_vertices = surface_areas(model_);
+    for (std::size_t v = 0; v < areas.size(); ++v)
+      areas[buffers_.placement.place[v]] = static_cast<float>(of_vertices[v]);
+    areas_ = gl::Buffer("contact_area", areas);
+  }
+  bind(TermUse::gradient, bindings);
+  bindings.emplace_back("contact_area", &areas_);
 }
 
 std::vector<ToolLoad> ContactTerm::sum_of(const std::vector<vec4>& loads) const {

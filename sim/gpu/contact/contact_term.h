@@ -20,8 +20,8 @@ class ContactTerm : public EnergyTerm {
  public:
   static constexpr std::size_t kMostPieces = 32;  // bits of a point's mask
 
-  /// `model`: in its own order; `buffers` hold its vertices in theirs, and get their contact_memory here. The model's
-  /// materials may change. Throws Error for more than kMostPieces pieces.
+  /// `model`: in its own order, outlives this as `buffers` do, which hold its vertices in theirs, and get their
+  /// contact_memory here. The model's materials may change. Throws Error for more than kMostPieces pieces.
   ContactTerm(const Model& model, SimBuffers& buffers);
 
   void materials_changed(const Model& model);
@@ -51,6 +51,13 @@ class ContactTerm : public EnergyTerm {
   /// vertices. Waits for the GPU.
   std::vector<PointStiffness> stiffness_at_points() const;
 
+  /// [vertex of the model] forces on the tissue at the end of the last stage [N]; waits for the GPU.
+  std::vector<Eigen::Vector3d> forces_at_vertices() const;
+  /// So that a state that is set does not show the forces of another one.
+  void forget_forces();
+  /// What shaders/sim/contact/pressure.glsl reads.
+  void bind_pressure(gl::ComputePass::Bindings& bindings);
+
   const gl::Buffer& loads() const { return loads_; }  // filled by the passes of impulses()
   /// The pairs of the last stage, and where their forces are, behind those of the points: vec4 [pairs].
   const std::vector<PairRow>& pairs() const { return rows_of_pairs_; }
@@ -61,6 +68,7 @@ class ContactTerm : public EnergyTerm {
   std::vector<ToolLoad> sum_of(const std::vector<shared::vec4>& loads) const;
 
  private:
+  void make_grids();
   gl::Defines defines() const;  // of the shapes that there are, and whether there are pairs
   void upload_points(const Model& model);
   void place_pieces(const ToolMotion& motion);
@@ -70,9 +78,12 @@ class ContactTerm : public EnergyTerm {
   void upload_entries();
   gl::ComputePass over_points(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
   gl::ComputePass over_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
+  std::uint32_t loops_of_point() const;
   std::uint32_t point_count() const { return static_cast<std::uint32_t>(surface_.points.size()); }
   std::uint32_t stretches() const;  // of points, each of which one invocation lists; one at least
 
+  const Model& model_;
+  const SimBuffers& buffers_;
   std::vector<Tool> tools_;
   ContactSurface surface_;
   PairSearch pairs_;
@@ -90,8 +101,11 @@ class ContactTerm : public EnergyTerm {
   std::vector<std::array<std::uint32_t, 4>> places_;  // of the vertices of points and pairs
   gl::Buffer vertices_, weights_, rest_;              // of the points
   gl::Buffer begin_, end_, entries_;                  // the points of every vertex
+  std::vector<std::size_t> first_nodes_;              // [tool] in grids_
+  gl::Buffer grids_;  // float, of the tools that are meshes (sim/tool/solid_mesh.h); else absent
   gl::Buffer pieces_, near_, counts_, list_, constants_, body_, limit_;
   gl::Buffer rows_, normals_, forces_, blocks_, loads_;
+  gl::Buffer areas_;                    // float [vertex_count] [m^2]; created for the first picture of pressures
   std::vector<shared::vec4> uploaded_;  // of pieces_
 };
 

@@ -45,7 +45,7 @@ SurfacePositions::SurfacePositions(const SimBuffers& buffers, const EmbeddedPoin
 }
 
 void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
-                              ColorBy color) {
+                              ColorBy color, ContactTerm& contact) {
   passes_.clear();
   const auto flag = [](bool on) { return on ? "1" : "0"; };
   gl::ComputePass::Bindings publish{{"placed_vertex", &buffers.placed_vertex},
@@ -53,11 +53,13 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
                                     {"displacement", &buffers.displacement},
                                     {"position", &positions_}};
   const bool heat = is_heat_map(color), by_vertex = color == ColorBy::error;
-  const bool by_tet = heat && !by_vertex && color != ColorBy::displacement && color != ColorBy::velocity;
+  const bool by_force = color == ColorBy::contact_pressure, touches = by_force && contact.acts();
+  const bool by_tet = heat && !by_vertex && !by_force && color != ColorBy::displacement && color != ColorBy::velocity;
   if (by_vertex) {
     if (!vertex_errors_) vertex_errors_ = gl::Buffer("vertex_errors", sizeof(float) * vertex_count_);
     publish.emplace_back("vertex_scalar", &vertex_errors_);
   }
+  if (touches) contact.bind_pressure(publish);
   if (color == ColorBy::velocity) publish.emplace_back("velocity", &buffers.velocity);
   if (by_tet) {
     Features elastic = features;
@@ -83,6 +85,7 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
   passes_.emplace_back(
       programs.compute("sim/readback/publish.comp", {{"HEAT_BY_TET", flag(by_tet)},
                                                      {"HEAT_BY_VERTEX", flag(by_vertex)},
+                                                     {"HEAT_CONTACT", flag(touches)},
                                                      {"HEAT_VELOCITY", flag(color == ColorBy::velocity)},
                                                      {"HEAT_DISPLACEMENT", flag(color == ColorBy::displacement)},
                                                      {"HEAT_AT_REST", color == ColorBy::volume_ratio ? "1.0" : "0.0"}}),

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gl/compute_pass.h"
+#include "sim/gpu/contact/contact_term.h"
 #include "sim/gpu/passes/features.h"
 #include "sim/gpu/readback/shown_range.h"
 #include "sim/surface/embedding.h"
@@ -14,7 +15,8 @@ class SurfacePositions {
  public:
   SurfacePositions(const SimBuffers& buffers, const EmbeddedPoints& embedded);
   /// Passes for the shown heat map; without a heat map one pass.
-  void record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features, ColorBy color);
+  void record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features, ColorBy color,
+              ContactTerm& contact);
   void run() const;
   void set_vertex_errors(const std::vector<float>& errors);    // [vertex_count], displayed with ColorBy::error
   ShownRange* range() { return range_ ? &*range_ : nullptr; }  // of the scalars; null without a heat map

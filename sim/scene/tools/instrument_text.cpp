@@ -23,7 +23,7 @@ void fold_shape(json& values) {
   if (shape == values.end() || !shape->is_string()) return;
   const std::string name = *shape;
   json inner = json::object();
-  for (const char* key : {"radius", "center", "half_size", "round", "point", "normal"})
+  for (const char* key : {"radius", "center", "half_size", "round", "point", "normal", "file", "scale"})
     if (json value = taken(values, key); !value.is_null()) inner[key] = std::move(value);
   if (json length = taken(values, "length"); !length.is_null()) {
     inner["from"] = {0, 0, 0};
@@ -56,7 +56,7 @@ json instrument_document(std::string_view text) {
   json values = json::object();
   const char* example = "name=probe;shape=sphere;radius=0.01;from=0,0.1,0;to=0,0.02,0;duration=1";
   for (const auto& [key, value] : option_parts(text, "--instrument", example))
-    values[key] = key == "name" ? json(value) : value_of(value, "--instrument " + key);
+    values[key] = key == "name" || key == "file" ? json(value) : value_of(value, "--instrument " + key);
   fold_shape(values);
   fold_path(values);
   return values;

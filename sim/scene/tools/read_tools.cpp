@@ -16,7 +16,7 @@ constexpr double kSmallest = 1e-9;
 constexpr double kLongest = 1e9;  // [s]
 constexpr double kMostFriction = 10;
 constexpr double kMostTurns = 1000;
-const std::vector<std::string> kShapes = {"sphere", "capsule", "box", "plane", "cylinder"};
+const std::vector<std::string> kShapes = {"sphere", "capsule", "box", "plane", "cylinder", "mesh"};
 
 Vector3d place(const Node& node, const char* key, const char* expected) {
   return node.at(key, expected).vector(-kFarthest, kFarthest, "m");
@@ -66,6 +66,14 @@ PlaneShape read_plane(const Node& node) {
   return plane;
 }
 
+MeshShape read_mesh_shape(const Node& node) {
+  node.expect_object({"file", "scale"});
+  MeshShape mesh;
+  mesh.file = node.at("file", "the path of a closed surface").text("the path of a closed surface");
+  node.read("scale", mesh.scale, kSmallest, kFarthest, "m of a unit of the file");
+  return mesh;
+}
+
 ToolShape read_shape(const Node& node) {
   node.expect_object(kShapes);
   const std::string expected = "one of " + join(kShapes);
@@ -76,6 +84,7 @@ ToolShape read_shape(const Node& node) {
   if (name == "capsule") return read_segment<CapsuleShape>(shape);
   if (name == "cylinder") return read_segment<CylinderShape>(shape);
   if (name == "box") return read_box(shape);
+  if (name == "mesh") return read_mesh_shape(shape);
   return read_plane(shape);
 }
 

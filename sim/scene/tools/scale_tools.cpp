@@ -18,6 +18,7 @@ void scale_lengths(ToolShape& shape, double factor) {
       s.round *= factor;
     }
     void operator()(PlaneShape& s) const { s.point *= factor; }
+    void operator()(MeshShape& s) const { s.scale *= factor; }
     void segment(Eigen::Vector3d& from, Eigen::Vector3d& to, double& radius) const {
       from *= factor;
       to *= factor;
@@ -32,17 +33,10 @@ void scale_lengths(ToolShape& shape, double factor) {
 void scale_lengths(SceneTools& tools, double factor) {
   tools.contact.thickness *= factor;
   if (tools.ground) tools.ground->height *= factor;
-  for (Obstacle& obstacle : tools.obstacles) {
-    scale_lengths(obstacle.shape, factor);
-    obstacle.position *= factor;
-  }
-  for (Instrument& instrument : tools.instruments) {
-    if (auto* jaws = std::get_if<JawsShape>(&instrument.shape))
-      scale_lengths(jaws->shape, factor);
-    else
-      scale_lengths(std::get<ToolShape>(instrument.shape), factor);
+  for_each_shape(tools, [&](ToolShape& shape, const std::string&) { scale_lengths(shape, factor); });
+  for (Obstacle& obstacle : tools.obstacles) obstacle.position *= factor;
+  for (Instrument& instrument : tools.instruments)
     for (Instrument::Key& key : instrument.path) key.position *= factor;
-  }
 }
 
 }  // namespace fascia

@@ -2,6 +2,7 @@
 // shapes, where they are, and how they move. All lengths in m, in the axes of the scene.
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -33,7 +34,14 @@ struct CylinderShape {  // with flat ends
   double radius = 0;
   bool operator==(const CylinderShape&) const = default;
 };
-using ToolShape = std::variant<SphereShape, CapsuleShape, BoxShape, PlaneShape, CylinderShape>;
+struct SolidMesh;                          // sim/tool/solid_mesh.h
+struct MeshShape {                         // inside of a closed surface
+  std::string file;                        // as other paths of the scene
+  double scale = 1;                        // [m] of a unit of the file
+  std::shared_ptr<const SolidMesh> solid;  // of tools (Model::tools); absent in a scene
+  bool operator==(const MeshShape& other) const { return file == other.file && scale == other.scale; }
+};
+using ToolShape = std::variant<SphereShape, CapsuleShape, BoxShape, PlaneShape, CylinderShape, MeshShape>;
 
 /// Two mirrored copies of a shape that turn about a hinge through the origin of the instrument. They point along the
 /// instrument's axis nearest to the middle of the shape and close on the plane through that axis and the hinge.
@@ -92,5 +100,20 @@ struct SceneTools {
   bool empty() const { return !ground && obstacles.empty() && instruments.empty(); }
   bool operator==(const SceneTools&) const = default;
 };
+
+/// f(shape, key) for the shapes of all obstacles and instruments; key: "obstacles[0].shape".
+template <class Tools, class F>
+void for_each_shape(Tools& tools, F&& f) {
+  for (std::size_t o = 0; o < tools.obstacles.size(); ++o)
+    f(tools.obstacles[o].shape, "obstacles[" + std::to_string(o) + "].shape");
+  for (std::size_t i = 0; i < tools.instruments.size(); ++i) {
+    const std::string key = "instruments[" + std::to_string(i) + "].";
+    auto& shape = tools.instruments[i].shape;
+    if (auto* jaws = std::get_if<JawsShape>(&shape))
+      f(jaws->shape, key + "jaws.shape");
+    else
+      f(std::get<ToolShape>(shape), key + "shape");
+  }
+}
 
 }  // namespace fascia

@@ -22,6 +22,9 @@ OrderedJson shape(const ToolShape& shape) {
     OrderedJson operator()(const PlaneShape& s) const {
       return {{"plane", {{"point", vector(s.point)}, {"normal", vector(s.normal)}}}};
     }
+    OrderedJson operator()(const MeshShape& s) const {
+      return {{"mesh", {{"file", s.file}, {"scale", number(s.scale)}}}};
+    }
     static OrderedJson segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius) {
       return {{"from", vector(from)}, {"to", vector(to)}, {"radius", number(radius)}};
     }

@@ -1,6 +1,6 @@
 // The shipped scenes against assets/check, on both software contexts, by fascia check itself; and that differences
 // fail. Goldens are made by scripts/update_goldens.sh. Tolerances: docs/guide/regression.md.
-// Covers: difference_picture, provenance_difference
+// Covers: contact_golden, difference_picture, provenance_difference
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -138,6 +138,29 @@ TEST_CASE("a comparison counts the values beyond its limits", "[golden]") {
   CHECK_FALSE(compare(outcome, goldens, {1.0 / 1024, 1.0 / 257, 0.0011}).passed());
   CHECK_FALSE(compare(outcome, goldens, {0.1 / 1024, 1.0 / 256, 0.0011}).passed());
   CHECK_FALSE(compare(outcome, goldens, {1.0 / 1024, 1.0 / 256, 0.0009}).passed());
+}
+
+TEST_CASE("forces of tools are compared where the golden has them", "[golden]") {
+  const TemporaryFolder folder;
+  Outcome outcome;
+  outcome.mesh.positions = {{0, 0, 0}};
+  outcome.fields.displacement = {{0, 0, 0}};
+  const GoldenFiles goldens{"", folder / "a.golden.csv"};
+  update_goldens(outcome, goldens);
+  outcome.contact = {{"ground", {0, 10, 0}}, {"a, b", {0.5, 0, -1.0 / 3}}};
+  CHECK(compare(outcome, goldens, {}).passed());  // a golden without forces
+  CHECK(update_goldens(outcome, goldens).at(1) == (folder / "a.golden.contact.csv").string() + ": new");
+  CHECK(update_goldens(outcome, goldens).at(1) == (folder / "a.golden.contact.csv").string() + ": unchanged");
+  outcome.contact[1].second.x() += 0.009;
+  CHECK(*compare(outcome, goldens, {}).contact == Approx(0.0009));
+  CHECK(compare(outcome, goldens, {}).passed());
+  outcome.contact[1].second.x() += 0.002;
+  CHECK_FALSE(compare(outcome, goldens, {}).passed());
+  CHECK(contains(compare(outcome, goldens, {}).findings.at(1).text, "the forces differ, largest difference 0.0011"));
+  outcome.contact[0].first = "table";
+  CHECK_FALSE(compare(outcome, goldens, {}).passed());
+  write_file(folder / "a.golden.contact.csv", "force_x_N,force_y_N,force_z_N,tool\n1,2,3\n");
+  CHECK(contains(compare(outcome, goldens, {}).findings.at(1).text, "a.golden.contact.csv:2: is no row of a tool"));
 }
 
 TEST_CASE("a state with NaN is a different state", "[golden]") {

@@ -241,3 +241,28 @@ TEST_CASE("exports that cannot be written report the reason", "[export]") {
   StateSeries series(folder / "none/out.vtu");
   CHECK_THROWS_AS(series.write(0, sample_mesh(), {}), Error);
 }
+
+TEST_CASE("a state in contact has forces and gaps at its vertices, and its tools in a file beside", "[export]") {
+  const TemporaryFolder folder;
+  const TetMesh mesh = sample_mesh();
+  StateFields fields = sample_fields();
+  for (int v = 0; v < 6; ++v) {
+    fields.contact_force.push_back({1.0 * v, -2, 1.0 / 3});
+    fields.contact_gap.push_back(v == 0 ? std::numeric_limits<double>::quiet_NaN() : 1e-3 * v);
+  }
+  fields.tools = {{"ground", {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}}, {{0, 1, 2}}},
+                  {"probe", {{0, 1, 0}, {1, 1, 0}, {0, 1, -0.1}}, {{0, 1, 2}}}};
+  write_state(folder / "state.vtu", mesh, fields, {{"Software", "fascia"}});
+  auto points = arrays(folder / "state.vtu", "PointData");
+  CHECK(points["contact_force"].components == 3);
+  CHECK(points["contact_force"].values == flat(fields.contact_force));
+  REQUIRE(points["contact_gap"].values.size() == 6);
+  CHECK(std::isnan(points["contact_gap"].values[0]));
+  CHECK(points["contact_gap"].values[5] == 5e-3);
+  CHECK(read_file(folder / "state_tools.obj") ==
+        "# fascia: {\"Software\":\"fascia\"}\n"
+        "o ground\nv 0 0 0\nv 1 0 0\nv 0 0 -1\nf 1 2 3\n"
+        "o probe\nv 0 1 0\nv 1 1 0\nv 0 1 -0.1\nf 4 5 6\n");
+  write_state(folder / "other.csv", mesh, fields);
+  CHECK_FALSE(std::filesystem::exists(folder / "other_tools.obj"));
+}

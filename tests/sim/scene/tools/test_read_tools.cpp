@@ -44,6 +44,23 @@ TEST_CASE("the tools of a scene are read, and written as they were") {
   CHECK(SceneFile(scene_text()).open().tools.empty());
 }
 
+TEST_CASE("a tool may be a mesh, whose path is kept") {
+  const SceneFile file(
+      scene_text("", R"("obstacles": [{"name": "rest", "shape": {"mesh": {"file": "rest.obj", "scale": 0.01}}}])"));
+  SceneTools tools = file.open().tools;
+  const auto mesh = [&] { return std::get<MeshShape>(tools.obstacles.at(0).shape); };
+  CHECK(mesh().file == "rest.obj");
+  CHECK(mesh().scale == 0.01);
+  CHECK(SceneFile(scene_to_json(file.open(), file.path().parent_path())).open().tools == tools);
+  scale_lengths(tools, 10);
+  CHECK(mesh().scale == 0.1);
+  CHECK(instrument_document("name=a;shape=mesh;file=b.obj;scale=0.1")["shape"] ==
+        nlohmann::json::parse(R"({"mesh": {"file": "b.obj", "scale": 0.1}})"));
+  CHECK(SceneFile(scene_text("", R"("obstacles": [{"name": "rest", "shape": {"mesh": {}}}])"))
+            .open_error()
+            .find("s.json: obstacles[0].shape.mesh") == 0);
+}
+
 TEST_CASE("a scene of another size has its tools at that size") {
   SceneTools tools = SceneFile(scene_text("", kTools)).open().tools;
   scale_lengths(tools, 0.5);

@@ -1,0 +1,11 @@
+// The fields of a simulation that an export contains.
+#pragma once
+#include "sim/simulation/simulation.h"
+
+namespace fascia {
+
+/// Of `state`, which is that of the simulation after its last step. Forces of contact are those of that step; waits for
+/// the GPU.
+StateFields export_fields(const Simulation& simulation, const State& state);
+
+}  // namespace fascia
