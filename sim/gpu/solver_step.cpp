@@ -76,8 +76,8 @@ void GpuSolver::iterate(int iteration, int count) {
     if (iteration == 0) return fused->first.run();
     return fused->iteration.run(static_cast<std::uint32_t>(count));
   }
-  if (refreshes) run(passes_->refresh);  // before the forces, as above: blocks of contact are those of the last ones
   if (iteration % before_every_ == 0) run(iteration == 0 ? passes_->before_first : passes_->before);
+  if (refreshes) run(passes_->refresh);
   run(iteration == 0 ? passes_->first_iteration : passes_->iteration);
 }
 
