@@ -18,6 +18,7 @@ TEST_CASE("every widget of every panel has a text that explains it", "[panels]")
   Framebuffer framebuffer(340, 400, 1);
   const std::vector<std::pair<const char*, SolverChoice>> shown = {
       {"inclusion", solver_choices().front()},
+      {"probe", solver_choices().front()},
       {"cube", {Method::gauss_seidel, Acceleration::chebyshev}},
       {"cube", {Method::jacobi, Acceleration::anderson_positions}}};
   for (const auto& [name, pair] : shown) {
@@ -37,6 +38,10 @@ TEST_CASE("every widget of every panel has a text that explains it", "[panels]")
     state.facts = SceneFacts(session.simulation.scene, session.simulation.model);
     state.statistics.diagnostics = session.simulation.gpu()->take_diagnostics(true);
     state.statistics.measured = true;
+    if (!session.simulation.model.tools.empty()) {
+      state.instruments.picked = session.simulation.model.tools.size() - 1;
+      state.instruments.readings.add(0, state.statistics.diagnostics->tool_loads);
+    }
     state.history.restart(tunables_of(session, state.grab));
     scene.solver.iterations += 1;
     session.simulation.set_settings(scene.solver);
