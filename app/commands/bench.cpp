@@ -1,6 +1,7 @@
 // fascia bench figures: measures and draws the four figures of the I3D 2019 paper, and the cost of colorings.
 // fascia bench accuracy: error against iterations and time, of every method and acceleration, and against the
 // continuum. fascia bench speed, static and skip: the cost of steps, of equilibria, and of features that are off.
+// fascia bench contact: the cost of contact, and the iterations that it takes.
 // fascia bench window: how the window feels.
 // fascia bench fill: the quality of tets that fill surfaces.
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "app/bench/accuracy/accuracy.h"
 #include "app/bench/accuracy/continuum.h"
 #include "app/bench/bench.h"
+#include "app/bench/contact.h"
 #include "app/bench/fill/fill.h"
 #include "app/bench/skip.h"
 #include "app/bench/speed.h"
@@ -108,6 +110,13 @@ void add_charts(CLI::App& command, BenchOptions& options) {
 int run_static(const BenchOptions& options) {
   return run_bench(options, "static", [](Bench& bench) {
     bench_static(bench);
+    return std::vector<std::string>();
+  });
+}
+
+int run_contact(const BenchOptions& options) {
+  return run_bench(options, "contact", [](Bench& bench) {
+    bench_contact(bench);
     return std::vector<std::string>();
   });
 }
@@ -230,6 +239,17 @@ void add_static(CLI::App& bench, Invocation& invocation) {
   command.callback([&invocation, options] { invocation.run = [options] { return run_static(*options); }; });
 }
 
+void add_contact(CLI::App& bench, Invocation& invocation) {
+  const auto options = std::make_shared<BenchOptions>();
+  CLI::App& command = *bench.add_subcommand(
+      "contact", "what contact with tools costs in a step, over points and meshes, and the iterations that it takes");
+  command.add_option("--out", options->out, "folder for the tables, made if missing")->type_name("DIR")->required();
+  command.add_flag("--quick", options->quick, "a small mesh, few repetitions");
+  add_graphics(command, *options);
+  add_examples(command, {"fascia bench contact --out contact"});
+  command.callback([&invocation, options] { invocation.run = [options] { return run_contact(*options); }; });
+}
+
 void add_fill(CLI::App& bench, Invocation& invocation) {
   const auto options = std::make_shared<BenchOptions>();
   CLI::App& command = *bench.add_subcommand(
@@ -251,6 +271,7 @@ void add_bench(CLI::App& program, Invocation& invocation) {
   add_speed(bench, invocation);
   add_static(bench, invocation);
   add_skip(bench, invocation);
+  add_contact(bench, invocation);
   add_window(bench, invocation);
   add_fill(bench, invocation);
 }

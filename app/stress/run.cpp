@@ -12,6 +12,7 @@ using Eigen::Vector3d;
 
 constexpr double kRecovered = 1e-3;                  // RMS displacement, in sizes
 constexpr double kGrowth = 0.02;                     // of energy and momenta, relative to their initial scale
+constexpr double kCreep = 1e-6;                      // StressCriteria::lies_still, in sizes
 constexpr double kSprungBack = 1e-4, kStill = 1e-3;  // StressCriteria::springs_back, carries_its_weight
 
 // Reference values for the state: its initial measures, and the sizes that make them relative.
@@ -45,6 +46,12 @@ class Ledger {
   double farthest(const State& state) const {
     double longest = 0;
     for (const Vector3d& u : state.displacement) longest = std::max(longest, u.norm());
+    return longest / size_;
+  }
+  double farthest_between(const State& a, const State& b) const {
+    double longest = 0;
+    for (std::size_t v = 0; v < a.displacement.size(); ++v)
+      longest = std::max(longest, (a.displacement[v] - b.displacement[v]).norm());
     return longest / size_;
   }
   double energy_growth(const reference::Measures& now, const State& state) const {
@@ -89,6 +96,7 @@ StressResult run_stress_case(Simulation& simulation, const StressCriteria& crite
   const bool every_step = criteria.creates_no_energy || criteria.creates_no_momentum || criteria.springs_back;
   double most_elastic = 0;
   reference::Measures now;
+  State middle;
   const long steps = simulation.replay()->steps;
   while (result.steps < steps) {
     simulation.step();
@@ -103,6 +111,7 @@ StressResult run_stress_case(Simulation& simulation, const StressCriteria& crite
       fail("ran away after ", result.steps, " steps");
       return result;
     }
+    if (result.steps <= steps / 2) middle = state;
     result.rms = ledger.rms(state);
     result.farthest = std::max(result.farthest, ledger.farthest(state));
     if (result.rms >= kRecovered)
@@ -122,6 +131,8 @@ StressResult run_stress_case(Simulation& simulation, const StressCriteria& crite
   if (result.farthest > criteria.farthest) fail("moved by ", result.farthest, " sizes");
   if (criteria.keeps_upright && result.inverted > 0) fail(result.inverted, " tets inside out at the end");
   if (criteria.recovers && result.rms >= kRecovered) fail("off its rest shape by ", result.rms, " sizes RMS");
+  if (const double way = ledger.farthest_between(middle, simulation.state()); criteria.lies_still && way > kCreep)
+    fail("moved by ", way, " sizes where it lies");
   if (criteria.springs_back && now.kinetic + now.elastic > kSprungBack * most_elastic)
     fail("keeps ", now.kinetic + now.elastic, " J of ", most_elastic, " J");
   if (criteria.carries_its_weight) {

@@ -21,6 +21,7 @@ struct StressCriteria {
   bool creates_no_momentum = false;  // linear and angular, of a free body without gravity, by more than 2 %
   /// Energies at rest: "no tet inverted" can hide one that is stretched eight times.
   bool springs_back = false;        // kinetic + elastic end below 1e-4 of the largest elastic energy of the run
+  bool lies_still = false;          // no vertex moves by 1e-6 sizes in the second half
   bool carries_its_weight = false;  // elastic ends below the work of gravity, kinetic below 1e-3 of it
 };
 

@@ -1,5 +1,5 @@
 // Benchmarks whose quick form takes seconds: their tables are complete.
-// Covers: bench, app/bench/static_times
+// Covers: bench, app/bench/contact, app/bench/static_times
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -34,4 +34,18 @@ TEST_CASE("bench fill has a row for every shape") {
   const std::string table = table_of("fill");
   CHECK(std::count(table.begin(), table.end(), '\n') == 21);
   CHECK_THAT(table, Catch::Contains("\nspaghetti,12,"));
+}
+
+TEST_CASE("bench contact has the cost of every tool, none far away, and iterations for every shape") {
+  const TemporaryFolder folder;
+  const CommandResult result = run_fascia({"bench", "contact", "--quick", "--out", "out", "--quiet"}, folder.path());
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  const std::string cost = read_file(folder / "out/contact_cost.csv"),
+                    iterations = read_file(folder / "out/contact_iterations.csv");
+  INFO(cost << iterations);
+  CHECK_THAT(cost, Catch::Contains(",far away,0,"));
+  CHECK(std::count(cost.begin(), cost.end(), '\n') == 5 + std::count(cost.begin(), cost.end(), '#') + 1);
+  for (const char* shape : {"\nsphere,4,", "\ncapsule,4,", "\nbox,4,", "\ncylinder,4,"})
+    CHECK_THAT(iterations, Catch::Contains(shape));
 }
