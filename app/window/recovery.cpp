@@ -23,7 +23,7 @@ void Recovery::go_back(std::uint32_t lost) {
   divergences_ = simulation.steps_made() - diverged_at_ > kForgiven ? 1 : divergences_ + 1;
   diverged_at_ = simulation.steps_made();
   sides_.let_go();
-  stage_.session->true_error.forget();
+  stage_.session->forget_errors();
   stage_.diagnose = true;
   if (divergences_ < kMostTimes) {
     simulation.back_to_valid();

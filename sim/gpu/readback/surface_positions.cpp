@@ -52,7 +52,7 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
                                     {"rest_position", &buffers.rest_position},
                                     {"displacement", &buffers.displacement},
                                     {"position", &positions_}};
-  const bool heat = is_heat_map(color), by_vertex = color == ColorBy::error;
+  const bool heat = is_heat_map(color), by_vertex = color == ColorBy::error || color == ColorBy::mesh_error;
   const bool by_tet = heat && !by_vertex && color != ColorBy::displacement && color != ColorBy::velocity;
   if (by_vertex) {
     if (!vertex_errors_) vertex_errors_ = gl::Buffer("vertex_errors", sizeof(float) * vertex_count_);

@@ -38,8 +38,8 @@ std::vector<Enumeration> all_of(const Table& table) {
   return all;
 }
 
-const std::array<Quantity, 10>& quantities() {
-  static const std::array<Quantity, 10> table{
+const std::array<Quantity, 11>& quantities() {
+  static const std::array<Quantity, 11> table{
       {{"none", "None", "", "The tissue's own color. Costs nothing"},
        {"region", "Region", "",
         "Regions of the mesh, in colors that color-blind people tell apart. Costs nothing in a step"},
@@ -57,7 +57,10 @@ const std::array<Quantity, 10>& quantities() {
        {"smallest_stress", "Smallest principal stress", "Pa",
         "Of the Cauchy stress [Pa]: negative where the tissue is pressed. One pass over the tets a frame", 0.0},
        {"error", "distance to the exact step", "m",
-        "Distance of the last substep to the exact one [m], solved on another thread"}}};
+        "Distance of the last substep to the exact one [m], solved on another thread"},
+       {"mesh_error", "estimated error of the mesh", "",
+        "Error of the stresses in the energy norm over the body's mean [-]: where a finer mesh helps. Estimated on "
+        "another thread"}}};
   return table;
 }
 

@@ -9,7 +9,7 @@
 namespace fascia {
 
 /// The quantity that colors the tissue. Stresses are principal stresses of the Cauchy stress; error: the distance from
-/// the exact step.
+/// the exact step; mesh_error: the estimated error of the mesh.
 enum class ColorBy {
   none,
   region,
@@ -20,7 +20,8 @@ enum class ColorBy {
   volume_ratio,
   largest_stress,
   smallest_stress,
-  error
+  error,
+  mesh_error
 };
 
 struct Quantity {
