@@ -56,7 +56,7 @@ struct RenderOptions : CommonOptions {
 struct ViewOptions : CommonOptions {
   int width = 1280, height = 720;
   int samples = 0;          // 0: 4 on a GPU, 1 on software renderers
-  std::string export_path;  // state at the closing of the window: .vtu, .csv, .msh, .obj
+  std::string export_path;  // state at the closing of the window: .vtu, .csv, .msh, .obj, .inp
   std::string stats;        // stats.json
   std::string frame_log;    // times of the frames, CSV
 };

@@ -101,7 +101,7 @@ int inspect(const InfoOptions& options) {
     for (const auto& [keyword, text] : *provenance)
       std::cout << "  " << std::left << std::setw(12) << keyword << ' ' << text << (text.ends_with('\n') ? "" : "\n");
     const std::string ending = lower_ending(options.input);
-    if (ending != ".vtu" && ending != ".msh") return exit_done;  // such files may be meshes
+    if (ending != ".vtu" && ending != ".msh" && ending != ".inp") return exit_done;  // such files may be meshes
   }
   Scene scene = blaming_options([&] {
     std::vector<std::string> sets = options.sets;

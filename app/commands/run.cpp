@@ -28,7 +28,7 @@ namespace fascia {
 namespace {
 
 struct RunOptions : CommonOptions {
-  std::string export_path;  // .vtu, .csv, .msh, .obj
+  std::string export_path;  // .vtu, .csv, .msh, .obj, .inp
   long every = 0;           // 0: only at the end
   std::string history;      // a CSV row every history_every-th step
   long history_every = 1;
@@ -165,7 +165,7 @@ int run_input(const RunOptions& options) {
   const auto export_frame = [&] {
     const State state = simulation.state();
     require_finite(state, simulation.scene);
-    series->write(state.time, simulation.model.file_mesh, reference::export_fields(simulation.model, state), made_by());
+    series->write(simulation.model, state, made_by());
   };
 
   std::optional<HistoryFile> history;
@@ -242,8 +242,7 @@ int run_input(const RunOptions& options) {
                   : overridden          ? "the state differs from the recorded one: other values, grabs or solver\n"
                                         : "the state differs from the recorded one: another device, program or mesh\n");
   if (!series && !options.export_path.empty())
-    write_state(options.export_path, simulation.model.file_mesh, reference::export_fields(simulation.model, last),
-                stats.provenance);
+    write_state(options.export_path, simulation.model, last, stats.provenance);
   if (inverted > 0 && !options.quiet)
     std::cerr << "fascia: " << inverted << " of " << plural(simulation.model.tets.size(), "tet")
               << (inverted == 1 ? " is" : " are") << " inside out at the end\n";
@@ -264,7 +263,7 @@ void add_run(CLI::App& program, Invocation& invocation) {
   add_common(command, *options);
   command
       .add_option("--export", options->export_path,
-                  "the state after the last step: .vtu, .csv, .msh or .obj; to standard output as CSV")
+                  "the state after the last step: .vtu, .csv, .msh, .obj or .inp; to standard output as CSV")
       ->type_name(std::string("FILE") + kOrDash);
   command.add_option("--every", options->every, "export the start and every K-th step as numbered files")
       ->type_name("K")

@@ -55,8 +55,7 @@ void Stage::save(const std::filesystem::path& path, bool with_mesh) {
 }
 
 void Stage::export_state(const std::filesystem::path& path) {
-  write_state(path, simulation().model.file_mesh, reference::export_fields(simulation().model, simulation().state()),
-              provenance());
+  write_state(path, simulation().model, simulation().state(), provenance());
   messages.say("Exported " + path.string());
 }
 
