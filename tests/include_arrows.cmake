@@ -31,7 +31,7 @@ set(arrows
   "sim/ordering: sim/mesh sim/model"
   "sim/output: base sim/mesh sim/mesh/io sim/mesh/io/fem sim/mesh/io/vtk sim/model sim/reference sim/scene sim/simulation"
   "sim/integrators:"
-  "sim/reference: base sim/contact sim/elements sim/integrators sim/material sim/model sim/scene/settings sim/tool"
+  "sim/reference: base sim/contact sim/elements sim/integrators sim/material sim/model sim/ordering sim/scene/settings sim/tool"
   "sim/replay: base base/json sim/grab sim/model sim/scene"
   "sim/scene: base base/json sim/material sim/scene/settings sim/scene/tools sim/surface"
   "sim/scene/settings: base sim/integrators sim/material"
