@@ -42,7 +42,8 @@ void Recovery::go_back(std::uint32_t lost) {
   const Divergence divergence = find_divergence(simulation, lost);
   const std::string text =
       divergence.text(simulation.model) + ". Paused at the last valid state; R goes back to the start. ";
-  stage_.messages.say(text + "More iterations or substeps, or softer tissue, may help", true);
+  stage_.messages.say(
+      text + "More iterations or substeps, or softer tissue, may help; fascia info --device tests the GPU", true);
   stage_.messages.say(text + keep_replay(divergence.replay).string() + " repeats it", true);
 }
 
