@@ -46,7 +46,7 @@ double milliseconds_since(Clock::time_point start) {
 
 void require_finite(const State& state, const Scene& scene) {
   for (std::size_t i = 0; i < state.displacement.size(); ++i)
-    if (!state.displacement[i].allFinite())
+    if (!state.displacement[i].allFinite() || !state.velocity[i].allFinite())
       throw Error(scene.file.string(),
                   "vertex " + std::to_string(i) + " is not finite at " + std::to_string(state.time) + " s",
                   "expected finite positions: more substeps, softer material or a smaller load may help");
